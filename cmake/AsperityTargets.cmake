@@ -1,0 +1,49 @@
+# What every target of the tree has in common, as functions on targets: nothing is set globally but the compiler launcher.
+
+if(ASPERITY_USE_CCACHE)
+  find_program(ASPERITY_CCACHE ccache)
+  if(ASPERITY_CCACHE)
+    # A precompiled header carries time stamps that ccache has to be told to overlook.
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
+        CCACHE_SLOPPINESS=pch_defines,time_macros "${ASPERITY_CCACHE}")
+  endif()
+endif()
+
+# Language, warnings and floating-point rules.
+function(asperity_configure target)
+  set_target_properties(${target} PROPERTIES CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    # A formula has to mean the same arithmetic on every target.
+    -ffp-contract=off)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(${target} PRIVATE -Wno-restrict)  # false alarms of gcc 12 at -O3
+  endif()
+  if(ASPERITY_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()
+
+# asperity_add_library(<folder> SOURCES <file>…): the one library of a folder, asperity_<folder>.
+function(asperity_add_library folder)
+  cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
+  add_library(asperity_${folder} STATIC ${ARG_SOURCES})
+  target_include_directories(asperity_${folder} PUBLIC "${CMAKE_SOURCE_DIR}")
+  asperity_configure(asperity_${folder})
+endfunction()
+
+# asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…])
+# Tests are discovered when ctest runs, so that building never runs a test program.
+function(asperity_add_tests folder)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  set(program asperity_${folder}_tests)
+  add_executable(${program} ${ARG_SOURCES})
+  asperity_configure(${program})
+  target_include_directories(${program} PRIVATE "${CMAKE_SOURCE_DIR}")
+  target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
+  target_precompile_headers(${program} PRIVATE <gtest/gtest.h> <string> <vector>)
+  target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS "${folder};${ARG_LABELS}" TIMEOUT 300)
+endfunction()
+include(GoogleTest)

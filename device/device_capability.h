@@ -1,0 +1,31 @@
+// What a device can sense, do and survive.
+
+#pragma once
+
+#include <string>
+
+#include <glm/vec3.hpp>
+
+namespace asperity {
+
+/// Who owns the loop: a device that we poll, or one whose vendor's thread calls us.
+enum class Pacing { ours, theirs };
+
+/// A device's own description of itself; protocols and checks are compared with it before a
+/// session.
+struct DeviceCapability {
+  std::string name{};  ///< the driver's name, e.g. "simulated"
+  std::string model{};
+  std::string serial{};
+  int sensed_degrees_of_freedom = 3;
+  int actuated_degrees_of_freedom = 3;
+  glm::dvec3 workspace_minimum_m{-0.1};
+  glm::dvec3 workspace_maximum_m{0.1};
+  double peak_force_N = 0.0;
+  double continuous_force_N = 0.0;
+  double position_resolution_m = 0.0;
+  double maximum_rate_Hz = 1000.0;
+  Pacing pacing = Pacing::ours;
+};
+
+}  // namespace asperity

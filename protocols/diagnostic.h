@@ -1,0 +1,33 @@
+// What is wrong with a protocol file, where, and what would be right.
+
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// One problem. `line` and `column` count from 1; `pointer` is the JSON pointer of the place.
+struct Diagnostic {
+  std::string file{};
+  int line = 1;
+  int column = 1;
+  std::string pointer{};
+  std::string message{};
+};
+
+/// `FILE:LINE:COLUMN: error: message (/json/pointer)`
+std::string text_of(const Diagnostic& diagnostic);
+
+/// A protocol that was refused, with every problem found.
+class ProtocolError final : public std::runtime_error {
+ public:
+  explicit ProtocolError(std::vector<Diagnostic> diagnostics);
+  const std::vector<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
+
+ private:
+  std::vector<Diagnostic> diagnostics_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,240 @@
+// A study's question, written down: what a valid protocol file says, as a value.
+
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "analysis/force_features.h"
+#include "stimuli/material.h"
+#include "stimuli/parameter.h"
+#include "stimuli/surface_patch.h"
+
+namespace asperity {
+
+enum class ProtocolKind {
+  selection,    ///< which of several renderings of one texture is the most realistic
+  matching,     ///< several felt textures are assigned to as many pictures
+  recognition,  ///< one felt texture is recognised among pictures
+};
+
+/// `chapter`: one outcome per person per column of the published table, as [Wu 2009] ran them.
+/// `improved`: balanced order and position, reshuffled pictures, familiarisation, practice.
+enum class ProtocolDesign { chapter, improved };
+
+/// What "realistic" is measured against in a selection.
+enum class RealismStandard {
+  photograph,       ///< the texture's picture is shown
+  physical_sample,  ///< the experimenter places the coded sample that the prompt names
+  memory,           ///< the participant's own idea of the material
+};
+
+enum class Phase { familiarisation, practice, main };
+
+/// A range and what to aim at; any part may be open.
+struct Band {
+  std::optional<double> minimum{};
+  std::optional<double> target{};
+  std::optional<double> maximum{};
+};
+
+/// How a surface is to be explored, and what follows when it was not.
+struct Exploration {
+  enum class OnFailure { flag, repeat_now, requeue_at_end_of_block };
+  std::string name{};
+  double direction_rad = 0.0;  ///< of the stroke, from +x towards +y
+  Band stroke_length_m{};
+  Band speed_m_per_s{};
+  Band normal_force_N{};
+  Band strokes{};  ///< a count
+  double minimum_contact_s = 1.0;
+  double maximum_contact_s = 30.0;
+  /// Fraction of the contact time that has to lie inside each band of force and speed.
+  double required_fraction_in_band = 0.0;
+  OnFailure on_failure = OnFailure::flag;
+  int maximum_repeats = 0;
+};
+
+/// A texture as participants meet it: felt (a height field), seen (a picture), or both.
+struct Texture {
+  std::string name{};
+  std::string code{};  ///< what blinded people see
+  std::optional<std::string>
+      height_field{};                    ///< study-relative PNG; absent: no rendered counterpart
+  std::optional<std::string> picture{};  ///< study-relative
+  std::optional<std::string> true_height_field{};  ///< study-relative; of procedural textures
+  std::optional<ForceFeatures> prior{};            ///< stated expectation where there is no truth
+  std::string note{};
+};
+
+/// A value, or the factor whose level it is.
+template <class Value>
+struct Binding {
+  std::optional<Value> value{};
+  std::string factor{};  ///< used when `value` is absent
+};
+
+/// A request that the texture force be made equal, see renderers/offline/force_matching.h.
+struct EqualForce {
+  std::optional<double> rms_N{};  ///< a stated target, or else
+  std::string to_model{};         ///< that of this model with the same texture
+  double band_low_Hz = 5.0;
+  double band_high_Hz = 500.0;
+};
+
+/// What is felt, with places left open for factors.
+struct StimulusTemplate {
+  std::string name{};
+  Binding<std::string> model{};
+  Binding<std::string> texture{};
+  std::map<std::string, Binding<ParameterValue>, std::less<>> parameters{};
+  std::optional<EqualForce> equal_force{};
+};
+
+using Level = std::variant<double, std::string>;
+std::string text_of(const Level& level);
+
+struct Factor {
+  std::string name{};
+  std::string meaning{};
+  std::string unit{};
+  std::vector<Level> levels{};
+};
+
+/// A question of the questionnaire or about the participant; trials have TrialQuestion (plan.h).
+struct Question {
+  enum class Form { choice, number, text };
+  std::string name{};
+  std::string prompt{};
+  Form form = Form::choice;
+  std::vector<std::string> options{};
+  std::optional<double> minimum{};
+  std::optional<double> maximum{};
+  bool optional = false;
+};
+
+/// How a virtual participant judges; see virtual_observer.h.
+struct ObserverDeclaration {
+  enum class Expectation {
+    none,  ///< no judgement of realism or identity is simulated: answers are guesses, marked so
+    true_surface,  ///< features of the textures' true height fields, rendered on another stroke
+    prior,         ///< features stated in the protocol (Texture::prior)
+  };
+  Expectation expectation = Expectation::none;
+  bool deaf = false;           ///< ignores what was felt, answers uniformly over the open options
+  double feature_noise = 0.1;  ///< standard deviation added to every feature
+  double position_bias = 0.0;  ///< added to the evidence of the first position
+  double lapse = 0.02;         ///< probability of a guess
+};
+
+/// Everything a protocol file says. Always valid: only `read_protocol` makes one.
+struct Protocol {
+  ProtocolKind kind = ProtocolKind::selection;
+  ProtocolDesign design = ProtocolDesign::chapter;
+  std::string name{};
+  std::string version{};
+  std::string title{};
+  std::string description{};
+  std::string instructions{};
+  std::string consent_version{};
+  std::string consent_statement{};
+  int planned_participants = 0;
+  int sessions = 1;                                   ///< per participant
+  std::vector<Question> participant_questions{};      ///< asked once, before the first session
+  std::optional<RealismStandard> realism_standard{};  ///< of a selection
+  std::string vision{};                               ///< "full", "hand_occluded", "blindfold"
+  std::string masking_noise{};  ///< "none", "white", "pink", with level where stated
+
+  double rate_Hz = 1000.0;
+  double force_limit_N = 5.0;
+  int maximum_missed_deadlines = 50;  ///< per attempt; more make the attempt invalid
+  int maximum_lost_records = 0;
+
+  SurfacePatch patch{};
+  Material material{};
+  std::map<std::string, Texture, std::less<>> textures{};
+  std::map<std::string, StimulusTemplate, std::less<>> stimuli{};
+  std::map<std::string, Factor, std::less<>> factors{};
+  std::map<std::string, Exploration, std::less<>> explorations{};
+  std::map<std::string, Question, std::less<>> questions{};
+
+  /// Blocks and flow, as the planner reads them.
+  struct Presented {
+    std::string role{};                                ///< "alternative", "target"
+    std::string stimulus{};                            ///< a StimulusTemplate
+    std::map<std::string, Level, std::less<>> with{};  ///< factors fixed for this presentation
+  };
+  struct TrialQuestionTemplate {
+    std::string name{};
+    std::string prompt{};
+    /// What the options are: the alternatives felt, or pictures of these textures.
+    std::vector<std::string> pictures{};  ///< empty: the alternatives felt
+    bool reshuffle_pictures = false;      ///< every trial anew; otherwise once per session
+    bool allow_cannot_tell = false;
+    bool allow_revisit = true;     ///< free switching between the surfaces before the answer
+    std::string correct_factor{};  ///< recognition: the factor that names the right picture
+  };
+  struct Criterion {
+    int correct = 0;
+    int of_last = 0;
+    int maximum_trials = 0;
+    enum class OnFailure { continue_flagged, end_session } on_failure = OnFailure::continue_flagged;
+  };
+  struct Block {
+    enum class Order { fixed, shuffle, shuffle_within_repetition };
+    enum class Positions { as_listed, shuffle, balanced };
+    std::string name{};
+    Phase phase = Phase::main;
+    std::vector<std::string> crossed{};                               ///< factors, or
+    std::vector<std::map<std::string, Level, std::less<>>> listed{};  ///< rows
+    int repetitions = 1;
+    /// Factors drawn anew on every trial (balanced over the block as far as it goes).
+    std::vector<std::string> drawn{};
+    Order order = Order::shuffle;
+    std::map<std::string, int, std::less<>> maximum_in_a_row{};
+    std::vector<Presented> presented{};
+    Positions positions = Positions::as_listed;
+    TrialQuestionTemplate question{};
+    std::string exploration{};
+    double pause_before_trial_s = 0.5;
+    double pause_between_surfaces_s = 0.5;
+    std::optional<double> response_deadline_s{};
+    enum class Feedback { none, correctness, correct_answer } feedback = Feedback::none;
+    std::optional<Criterion> until{};
+  };
+  struct Screen {
+    std::string text{};
+  };
+  struct Check {
+    enum class What { device, force_zero } what = What::device;
+  };
+  struct Break {
+    double minimum_s = 0.0;
+    std::string text{};
+    bool zero_force = true;
+  };
+  struct Run {
+    std::string block{};
+    std::string for_each{};  ///< a factor iterated outside the block, in a counterbalanced order
+    int break_every_trials = 0;
+    Break pause{};
+  };
+  struct Ask {
+    std::vector<std::string> questions{};
+  };
+  using Step = std::variant<Screen, Check, Break, Run, Ask>;
+  enum class Counterbalance { none, latin, williams };
+  Counterbalance counterbalance = Counterbalance::none;
+  std::map<std::string, Block, std::less<>> blocks{};
+  std::vector<Step> flow{};
+  ObserverDeclaration observer{};
+  bool record = true;  ///< every tick of every attempt
+
+  std::string source{};  ///< the file, byte for byte
+};
+
+}  // namespace asperity

@@ -1,0 +1,38 @@
+// JSON → Protocol, or every reason why not.
+
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocols/diagnostic.h"
+#include "protocols/protocol.h"
+#include "stimuli/parameter.h"
+
+namespace asperity {
+
+/// Reads and checks a protocol.
+///
+/// Three layers, each of which reports all it finds: JSON (syntax, duplicate keys), schema
+/// (protocols/schema/protocol-1.schema.json, draft-07), meaning (references, models and their
+/// parameters against `models`, order constraints that cannot be met, bands against the force
+/// limit, criteria, blocks never run, …). Meaning is looked at only when the schema holds.
+///
+/// `models` are the declarations of the force models that there are. Files of textures are not
+/// looked for here (see `files_of`): the reader knows no study.
+///
+/// Errors: ProtocolError.
+Protocol read_protocol(std::string_view text, const std::string& file_name,
+                       const std::vector<ModelDeclaration>& models);
+
+/// One file that a protocol names, and where it names it.
+struct NamedFile {
+  std::string path{};  ///< study-relative
+  Diagnostic place{};  ///< filled but for its message
+  bool is_height_field = false;
+};
+std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name);
+
+}  // namespace asperity

@@ -1,0 +1,50 @@
+// A participant made of arithmetic: judges what was felt against what is expected.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "analysis/force_features.h"
+#include "analysis/random.h"
+#include "protocols/protocol.h"
+
+namespace asperity {
+
+/// Judges from ForceFeatures of what the hand felt and of what is expected, and knows nothing else:
+/// no names, no models, no positions but the order in which things come.
+///
+/// Evidence for "felt i is expected j" is −½·|φ_i + ε − μ_j|², with φ and μ the scaled features and
+/// ε ~ N(0, feature_noise²) drawn once per felt surface; the first position gains `position_bias`.
+/// With probability `lapse` (always, when deaf) the answer is uniform over the open options.
+/// With noise, bias and lapse at zero the observer is an ideal judge of these features.
+///
+/// Virtual answers exercise the machinery of a study. They say nothing about what people feel.
+class VirtualObserver final {
+ public:
+  VirtualObserver(const ObserverDeclaration& declaration, Random random);
+
+  /// Which of the felt surfaces is the closest to what is expected. Index into `felt`.
+  std::size_t select(std::span<const ForceFeatures> felt, const ForceFeatures& expected);
+  /// Which expectation the felt surface is the closest to. Index into `expected`.
+  std::size_t recognise(const ForceFeatures& felt, std::span<const ForceFeatures> expected);
+  /// The assignment of felt surfaces to expectations with the greatest evidence, each expectation
+  /// used once. Element i is the index into `expected` for felt i. Sizes are equal and at most 8.
+  std::vector<std::size_t> match(std::span<const ForceFeatures> felt,
+                                 std::span<const ForceFeatures> expected);
+  /// A guess among `options`, for where nothing is expected.
+  std::size_t guess(std::size_t options);
+  /// Seconds from question to answer.
+  double response_time_s();
+
+ private:
+  bool lapses();
+  ForceFeatures perceived(const ForceFeatures& felt);
+
+  ObserverDeclaration declaration_{};
+  Random random_;
+};
+
+}  // namespace asperity

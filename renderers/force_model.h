@@ -1,0 +1,64 @@
+// A force model by name, and the list of those that there are.
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "renderers/force_renderer.h"
+#include "stimuli/height_field.h"
+#include "stimuli/material.h"
+#include "stimuli/parameter.h"
+#include "stimuli/surface_patch.h"
+
+namespace asperity {
+
+/// What a model is given to build one renderer.
+struct RendererInputs {
+  ParameterValues parameters{};  ///< as given; the registry completes and checks them
+  Material material{};
+  SurfacePatch patch{};
+  /// Shared, because presentations of the same texture outlive each other in any order.
+  std::shared_ptr<const HeightField> height_field{};
+  std::uint64_t seed = 0;  ///< of a model that draws random numbers
+};
+
+/// A declaration and the way to make renderers of it.
+struct ForceModel {
+  ModelDeclaration declaration{};
+  /// Receives complete, checked parameters. Throws std::invalid_argument for inputs that contradict
+  /// each other.
+  std::function<std::unique_ptr<ForceRenderer>(const RendererInputs&)> make{};
+  /// The parameters that a sample of texture suggests, for a model that takes them from the
+  /// sample's statistics (a sinusoid's amplitude and wavelength). Empty for a model that needs
+  /// none.
+  std::function<ParameterValues(const HeightField&, const Material&)> suggested_by{};
+};
+
+/// The force models that a program knows.
+///
+/// Errors: `add` throws std::invalid_argument for an id that is taken or not `[a-z][a-z0-9_]*`;
+/// `make` for an unknown model, a bad parameter, or a height field that is needed and missing.
+class ModelRegistry final {
+ public:
+  void add(ForceModel model);
+  const std::vector<ForceModel>& models() const noexcept { return models_; }
+  /// Null when there is no model of this name.
+  const ForceModel* find(std::string_view id) const noexcept;
+  std::unique_ptr<ForceRenderer> make(std::string_view id, const RendererInputs& inputs) const;
+
+ private:
+  std::vector<ForceModel> models_{};
+};
+
+/// height_map, sinusoid, stochastic, lateral_gradient.
+ModelRegistry built_in_models();
+
+/// Texture and friction taken out of the parameters of one stimulus: the same model as a plain
+/// plate. The texture force is the difference to it.
+RendererInputs without_texture(const ModelDeclaration& declaration, const RendererInputs& inputs);
+
+}  // namespace asperity

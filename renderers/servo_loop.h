@@ -1,0 +1,112 @@
+// The servo tick as a step function of time.
+
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "device/haptic_device.h"
+#include "renderers/force_renderer.h"
+#include "renderers/record_ring.h"
+
+namespace asperity {
+
+/// A renderer and the attempt it belongs to.
+struct Presentation {
+  std::uint64_t id = 0;  ///< not 0; comes back in every TickRecord of this presentation
+  std::unique_ptr<ForceRenderer> renderer{};
+};
+
+/// Why the force is latched at zero.
+enum class Fault : std::uint8_t {
+  none,
+  emergency_stop,
+  device_lost,
+  not_finite,  ///< the device or the renderer produced a number that is not finite
+  workspace_left,
+  repeated_misses,  ///< more than ServoSettings::misses_to_fault deadlines missed within a second
+};
+const char* name_of(Fault fault) noexcept;
+
+struct ServoSettings {
+  double rate_Hz = 1000.0;
+  double ramp_s = 0.050;             ///< a hand is never struck
+  double heartbeat_timeout_s = 2.0;  ///< silence after which the surface fades out
+  double heartbeat_fade_s = 0.5;
+  int misses_to_fault = 100;         ///< within one second
+  double workspace_margin_m = 0.02;  ///< how far outside the device's workspace is a fault
+};
+
+/// One consistent look at the loop, from any thread.
+struct ServoStatus {
+  std::uint64_t ticks = 0;
+  std::uint64_t missed_deadlines = 0;
+  std::uint64_t presentation = 0;  ///< felt now, 0 in free space
+  Fault fault = Fault::none;
+};
+
+/// Device × renderer → wrench → device, once per call of `tick`.
+///
+/// The loop has no thread and no clock: ServoThread paces it in real time, the conductor steps it
+/// on a simulated clock. In a tick: read the device → round the ProbeState to what will be recorded
+/// → clamp dt to [½, 4] periods → take a waiting presentation, `reset` it → `renderer.tick` → ramp
+/// → limiter → send → push one TickRecord.
+///
+/// What the caller may rely on:
+/// - A presentation starts at gain 0 and rises to 1 over `ramp_s`, counted from the first tick with
+///   penetration 0: a surface that appears around the probe stays silent until the probe has left
+///   it.
+/// - `withdraw` lowers the gain to 0 over `ramp_s`, then gives the presentation back.
+/// - After `heartbeat_timeout_s` without `heartbeat` the gain fades to 0 over `heartbeat_fade_s`;
+/// it
+///   comes back, as a new presentation would, with the next heartbeat.
+/// - A fault sends zero force in the same tick and latches it until `clear_fault`. Ticks go on and
+/// are
+///   recorded.
+/// - A deadline missed by more than a period is counted once and never made up.
+///
+/// Threads: `tick` belongs to one thread (the servo). `present`, `withdraw`, `collect` and
+/// `heartbeat` belong to one other (the conductor). `emergency_stop` and `status` may come from any
+/// thread, `clear_fault` from the conductor's.
+///
+/// Real-time: `tick` does not allocate, free, lock, log or throw. Presentations are destroyed by
+/// whoever collects them, never by the tick.
+class ServoLoop final {
+ public:
+  /// Both must outlive the loop. Errors: std::invalid_argument for settings that are not positive.
+  ServoLoop(HapticDevice& device, RecordRing& records, const ServoSettings& settings);
+  ~ServoLoop();
+  ServoLoop(const ServoLoop&) = delete;
+  ServoLoop& operator=(const ServoLoop&) = delete;
+
+  const ServoSettings& settings() const noexcept { return settings_; }
+
+  /// Hands over what is to be felt next. Throws std::logic_error while another one waits.
+  void present(Presentation presentation);
+  /// Ends what is felt now (or was waiting).
+  void withdraw() noexcept;
+  /// The presentation that has faded out; a null renderer while there is none.
+  Presentation collect() noexcept;
+  /// The conductor lives.
+  void heartbeat() noexcept { heartbeats_.fetch_add(1, std::memory_order_relaxed); }
+
+  void emergency_stop() noexcept;
+  void clear_fault() noexcept;
+  ServoStatus status() const noexcept;
+
+  /// One tick. `deadline_ns` is when it should have begun, `now_ns` when it did: equal when
+  /// stepped.
+  void tick(std::int64_t now_ns, std::int64_t deadline_ns) noexcept;
+  void tick(std::int64_t now_ns) noexcept { tick(now_ns, now_ns); }
+
+ private:
+  HapticDevice& device_;
+  RecordRing& records_;
+  ServoSettings settings_{};
+  std::atomic<std::uint64_t> heartbeats_{0};
+  struct Servo;  // what only the servo thread touches
+  std::unique_ptr<Servo> servo_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,44 @@
+// What happened in one tick of the servo loop.
+
+#pragma once
+
+#include <cstdint>
+
+#include "device/probe_state.h"
+#include "device/wrench.h"
+
+namespace asperity {
+
+/// Bits of TickRecord::flags. The first four are those of LimitReason.
+enum class TickFlag : std::uint32_t {
+  limited_not_finite = 1,
+  limited_force = 2,
+  limited_torque = 4,
+  limited_slew = 8,
+  missed_deadline = 16,  ///< the tick began more than one period late
+  device_lost = 32,
+  fault_latched = 64,
+  heartbeat_lost = 128,  ///< the surface is fading because the conductor is silent
+  presenting = 256,      ///< a renderer was asked
+  first_of_presentation = 512,
+};
+
+/// One tick, as it is recorded. The probe is already rounded to the recording's precision
+/// (`rounded_for_recording`), so that a recording replays exactly.
+struct TickRecord {
+  ProbeState probe{};
+  Wrench rendered{};  ///< what the renderer meant, before ramp and limits
+  Wrench sent{};      ///< what the device got
+  double penetration_m = 0.0;
+  double gain = 0.0;               ///< of the ramp, 0 to 1
+  std::uint64_t presentation = 0;  ///< Presentation::id; 0 in free space
+  std::uint32_t flags = 0;
+  std::int32_t lateness_ns = 0;   ///< start of the tick after its deadline, saturating
+  std::int32_t execution_ns = 0;  ///< duration of the tick; 0 when stepped
+  bool has(TickFlag flag) const noexcept { return (flags & static_cast<std::uint32_t>(flag)) != 0; }
+};
+
+/// Every component through float and back: the value that a recording will give again.
+ProbeState rounded_for_recording(const ProbeState& probe) noexcept;
+
+}  // namespace asperity

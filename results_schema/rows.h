@@ -1,0 +1,197 @@
+// What a study remembers, row by row.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// A person, or a virtual one (marked so for ever).
+struct ParticipantRow {
+  std::string label{};  ///< [0-9A-Za-z]{1,32}
+  bool is_virtual = false;
+  std::optional<double> age_years{};
+  std::optional<std::string> sex{};         ///< "F", "M", "X"
+  std::optional<std::string> handedness{};  ///< "left", "right", "ambidextrous"
+  std::string answers_json = "{}";          ///< the other questions of the protocol
+  std::string created_utc{};
+};
+
+struct ProtocolRow {
+  std::int64_t id = 0;
+  std::string name{};
+  std::string version{};
+  std::string kind{};
+  std::string design{};
+  std::string source_sha256{};
+  std::string source{};  ///< the file, byte for byte
+};
+
+/// A file that a session used, identified by its content.
+struct StimulusFileRow {
+  std::string path{};  ///< study-relative
+  std::string sha256{};
+  std::int64_t bytes = 0;
+};
+
+enum class SessionMode { run, pilot, simulate };
+enum class SessionState { open, completed, stopped, crashed };
+
+/// One participant, one protocol, one sitting, with everything needed to know later how it was run.
+struct SessionRow {
+  std::int64_t id = 0;
+  std::string participant{};
+  int session = 0;  ///< ordinal within the participant, 1-based
+  std::int64_t protocol_id = 0;
+  SessionMode mode = SessionMode::run;
+  SessionState state = SessionState::open;
+  std::string seed{};  ///< decimal, 64-bit
+  std::string generator{};
+  int counterbalance_row = 0;
+  std::string program_version{};
+  std::string program_commit{};
+  std::string program_build{};
+  std::string program_sha256{};
+  std::string instruction_set{};
+  std::string os{};
+  std::string device{};       ///< driver and model
+  std::string device_json{};  ///< the capability record
+  std::string pacing{};       ///< "stepped", "real_time"
+  std::string scheduling{};
+  double rate_Hz = 0.0;
+  std::string started_utc{};
+  std::int64_t clock_zero_ns =
+      0;  ///< monotonic time at started_utc; every time_ns is on this clock
+  std::optional<std::string> ended_utc{};
+  std::optional<std::string> consent_version{};
+  std::optional<std::string> consent_utc{};
+  std::string observer_json = "null";  ///< of a virtual participant
+  std::vector<StimulusFileRow> files{};
+};
+
+struct PlannedTrialRow {
+  int trial = 0;  ///< ordinal within the session
+  std::string block{};
+  int block_ordinal = 0;
+  std::string phase{};
+  int repetition = 1;
+  std::string factors_json = "{}";
+  std::string plan_json = "{}";  ///< json_of(Trial)
+};
+
+struct PresentationRow {
+  int position = 0;  ///< 1-based
+  std::string role{};
+  std::string item{};
+  std::string stimulus{};
+  std::string model{};
+  std::string model_version{};
+  std::string texture{};
+  std::string parameters_json = "{}";  ///< complete, as rendered, matching solved
+  std::optional<std::string> height_field_sha256{};
+  std::string seed{};
+  std::optional<std::int64_t> onset_ns{};    ///< first tick with the surface rendered
+  std::optional<std::int64_t> contact_ns{};  ///< first tick with the probe in the surface
+  std::optional<std::int64_t> offset_ns{};
+  double contact_s = 0.0;
+  std::optional<double> matched_texture_force_N{};   ///< target of an equal-force request
+  std::optional<double> achieved_texture_force_N{};  ///< RMS in the same band, from the record
+};
+
+struct ResponseRow {
+  std::string question{};
+  int item = 1;  ///< 1 for a choice; the presentation's position for an assignment
+  std::string answer{};
+  std::optional<double> answer_number{};
+  std::optional<bool> correct{};
+  std::string options_json = "[]";  ///< as shown, in order
+  std::int64_t time_ns = 0;
+  std::optional<double> from_contact_s{};  ///< reaction time from the first contact
+  std::optional<double> from_cue_s{};      ///< reaction time from the question
+  std::string source{};                    ///< "keyboard", "virtual", …
+};
+
+struct ServoQualityRow {
+  double rate_Hz = 0.0;
+  std::int64_t ticks = 0;
+  double period_mean_s = 0.0;
+  double period_sd_s = 0.0;
+  double period_p50_s = 0.0;
+  double period_p99_s = 0.0;
+  double period_p99_9_s = 0.0;
+  double period_maximum_s = 0.0;
+  double lateness_p50_s = 0.0;
+  double lateness_p99_s = 0.0;
+  double lateness_maximum_s = 0.0;
+  double execution_p99_s = 0.0;
+  double execution_maximum_s = 0.0;
+  std::int64_t missed_deadlines = 0;
+  std::int64_t saturated_ticks = 0;
+  std::int64_t slew_limited_ticks = 0;
+  std::int64_t not_finite_ticks = 0;
+  std::int64_t lost_records = 0;
+  std::string fault = "none";
+};
+
+/// One quantity of one presentation against its band.
+struct ComplianceRow {
+  int position = 0;
+  std::string
+      quantity{};  ///< "normal_force_N", "speed_m_per_s", "contact_s", "strokes", "stroke_length_m"
+  std::optional<double> minimum{};
+  std::optional<double> maximum{};
+  double mean = 0.0;
+  double sd = 0.0;
+  double p05 = 0.0;
+  double p50 = 0.0;
+  double p95 = 0.0;
+  std::optional<double> fraction_in_band{};
+  std::optional<bool> passed{};  ///< absent where the protocol declares nothing
+};
+
+struct RecordingRow {
+  std::string path{};  ///< study-relative
+  std::string format{};
+  std::string sha256{};
+  std::int64_t records = 0;
+  std::int64_t bytes = 0;
+};
+
+struct EventRow {
+  std::int64_t time_ns = 0;
+  std::string kind{};
+  std::string text{};
+  std::string data_json = "null";
+};
+
+enum class AttemptOutcome { answered, timed_out, not_compliant, aborted, device_fault, skipped };
+
+/// One go at a trial, with all that hangs on it: written in one transaction or not at all.
+struct AttemptRow {
+  std::int64_t id = 0;
+  int trial = 0;
+  int attempt = 0;  ///< 1-based within the trial
+  int segment = 0;  ///< which uninterrupted stretch of the session
+  AttemptOutcome outcome = AttemptOutcome::answered;
+  bool valid = true;
+  std::optional<std::string> invalid_reason{};
+  bool flagged = false;
+  std::optional<std::string> flag_reason{};
+  std::int64_t onset_ns = 0;
+  std::int64_t offset_ns = 0;
+  std::vector<PresentationRow> presentations{};
+  std::vector<ResponseRow> responses{};
+  std::optional<ServoQualityRow> servo{};
+  std::vector<ComplianceRow> compliance{};
+  std::optional<RecordingRow> recording{};
+  std::vector<EventRow> events{};
+};
+
+const char* text_of(SessionMode mode) noexcept;
+const char* text_of(SessionState state) noexcept;
+const char* text_of(AttemptOutcome outcome) noexcept;
+
+}  // namespace asperity

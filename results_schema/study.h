@@ -1,0 +1,134 @@
+// The store of a study: a folder with one SQLite file and the files that it vouches for.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "results_schema/rows.h"
+
+namespace asperity {
+
+/// A store that could not do what was asked: which file, and SQLite's or the system's code.
+class ResultsError final : public std::runtime_error {
+ public:
+  ResultsError(const std::string& message, std::filesystem::path path, int code = 0)
+      : std::runtime_error(message), path_(std::move(path)), code_(code) {}
+  const std::filesystem::path& path() const noexcept { return path_; }
+  int code() const noexcept { return code_; }
+
+ private:
+  std::filesystem::path path_{};
+  int code_ = 0;
+};
+
+enum class Access { read_only, read_write };
+
+/// A study on disk: `study.sqlite`, `protocols/`, `stimuli/`, `recordings/`.
+///
+/// What the caller may rely on:
+/// - When a writing function returns, its rows survive a power loss (WAL, synchronous=FULL).
+/// - Attempts and what hangs on them are append-only, enforced by the schema on every connection.
+/// - A transaction is all or nothing; after any error the study holds what was committed before.
+/// - A study opened `read_only` is never written to, not even by SQLite's own bookkeeping.
+///
+/// Errors: ResultsError with a sentence: no study there, a study of a newer program, a read-only
+/// folder, a full disk, a network file system (sessions only), a broken database.
+///
+/// Threads: one object belongs to one thread; several objects, in several processes, may be open on
+/// the same study. Writers wait for each other.
+class Study final {
+ public:
+  static constexpr int kSchemaVersion = 1;
+
+  /// Makes a new, empty study. Refuses a folder that already holds something.
+  static Study create(const std::filesystem::path& folder, const std::string& name);
+  static Study open(const std::filesystem::path& folder, Access access);
+  static bool exists(const std::filesystem::path& folder);
+
+  Study(Study&&) noexcept;
+  Study& operator=(Study&&) noexcept;
+  ~Study();
+
+  const std::filesystem::path& folder() const noexcept;
+  Access access() const noexcept;
+  std::string name() const;
+
+  void add_participant(const ParticipantRow& participant);
+  std::optional<ParticipantRow> participant(const std::string& label) const;
+  std::vector<ParticipantRow> participants() const;  ///< by label
+
+  /// The row of this content, added if it is new. Returns its id.
+  std::int64_t add_protocol(const ProtocolRow& protocol);
+  std::vector<ProtocolRow> protocols() const;
+  ProtocolRow protocol(std::int64_t id) const;
+
+  /// The session and its whole plan, in one transaction. Returns the session's id. The number
+  /// `SessionRow::session` must be the participant's next one, or 0 to be given it.
+  std::int64_t add_session(const SessionRow& session, const std::vector<PlannedTrialRow>& plan);
+  SessionRow session(std::int64_t id) const;
+  std::vector<SessionRow> sessions() const;  ///< by participant, session
+  std::vector<PlannedTrialRow> plan(std::int64_t session_id) const;
+  /// How many sessions of this protocol (open or completed) have each counterbalance row.
+  std::vector<int> counterbalance_counts(const std::string& protocol_name, int rows) const;
+
+  /// A stretch of uninterrupted running. `time_ns` on the session's clock.
+  int begin_segment(std::int64_t session_id, std::int64_t time_ns);
+  void end_segment(std::int64_t session_id, int segment, std::int64_t time_ns,
+                   const std::string& reason);
+  void end_session(std::int64_t session_id, SessionState state, const std::string& ended_utc);
+  /// A stopped or crashed session goes on.
+  void reopen_session(std::int64_t session_id);
+
+  /// Returns the attempt's id. All rows or none.
+  std::int64_t add_attempt(std::int64_t session_id, const AttemptRow& attempt);
+  /// Attempts of a session in order, with everything that hangs on them.
+  std::vector<AttemptRow> attempts(std::int64_t session_id) const;
+  std::optional<AttemptRow> attempt(std::int64_t id) const;
+  /// The session of an attempt.
+  std::int64_t session_of(std::int64_t attempt_id) const;
+
+  /// Answers to questions that belong to a session rather than a trial.
+  void add_session_answer(std::int64_t session_id, const ResponseRow& answer);
+  std::vector<ResponseRow> session_answers(std::int64_t session_id) const;
+
+  void add_event(std::int64_t session_id, const EventRow& event);
+  std::vector<EventRow> events(std::int64_t session_id) const;
+
+  /// Solutions of matching problems, by a key that says everything they depend on.
+  void remember_solution(const std::string& key, const std::string& solution_json);
+  std::optional<std::string> solution(const std::string& key) const;
+
+  /// A consistent copy of a study that may be in use, into a folder that does not exist yet.
+  void copy_to(const std::filesystem::path& folder) const;
+
+  /// Everything that does not hold: constraints, hashes of files and recordings, orphans.
+  std::vector<std::string> verify(const std::function<void(double)>& progress) const;
+
+ private:
+  struct Store;
+  explicit Study(std::unique_ptr<Store> store);
+  std::unique_ptr<Store> store_;
+};
+
+/// Holds `locks/<name>.lock` in the study while it lives. Throws ResultsError naming the host and
+/// process that holds it. A lock whose process is gone is taken over.
+class StudyLock final {
+ public:
+  StudyLock(const std::filesystem::path& study, const std::string& name);
+  ~StudyLock();
+  StudyLock(const StudyLock&) = delete;
+  StudyLock& operator=(const StudyLock&) = delete;
+
+ private:
+  std::filesystem::path path_{};
+  int descriptor_ = -1;
+};
+
+}  // namespace asperity

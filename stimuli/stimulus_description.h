@@ -1,0 +1,27 @@
+// A stimulus by name: which model, which parameters, which texture, where.
+
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "stimuli/material.h"
+#include "stimuli/parameter.h"
+#include "stimuli/surface_patch.h"
+
+namespace asperity {
+
+/// Everything that has to be known to build the renderer of one stimulus, and nothing of when or
+/// why it is presented. Two equal descriptions, with files of equal content, are the same stimulus.
+struct StimulusDescription {
+  std::string name{};     ///< as the protocol calls it, e.g. "metal_height_map"
+  std::string model{};    ///< ModelDeclaration::id
+  std::string texture{};  ///< the protocol's name of the texture; empty where none is involved
+  /// Path inside the study of the height field's PNG (its sidecar stands beside it).
+  std::optional<std::string> height_field{};
+  ParameterValues parameters{};  ///< as given; defaults are the model's
+  Material material{};
+  SurfacePatch patch{};
+};
+
+}  // namespace asperity
