@@ -21,7 +21,7 @@ struct DeviceCapability {
   int actuated_degrees_of_freedom = 3;
   glm::dvec3 workspace_minimum_m{-0.1};
   glm::dvec3 workspace_maximum_m{0.1};
-  double peak_force_N = 0.0;
+  double peak_force_N = 0.0;  ///< positive for a device with motors
   double continuous_force_N = 0.0;
   double position_resolution_m = 0.0;
   double maximum_rate_Hz = 1000.0;

@@ -28,10 +28,14 @@ struct LimitedWrench {
 
 /// Makes any wrench safe to send.
 ///
-/// In this order: a wrench with a component that is not finite becomes zero; a force longer than
-/// the limit keeps its direction and gets the limit's length (so does the torque); a change of
-/// force faster than the slew limit is shortened along the line from the last force to the new one,
-/// so the result is never longer than the longer of the two.
+/// In this order: a wrench with a component that is not finite becomes zero at once, past the slew
+/// limit; a force longer than the limit keeps its direction and gets the limit's length (so does
+/// the torque); a change of force faster than the slew limit is shortened along the line from the
+/// last force to the new one, so the result is never longer than the longer of the two.
+///
+/// What the caller may rely on: the length of what is returned, √(x² + y² + z²) in double, is never
+/// above the limit, not by one unit in the last place. A wrench within the limits is returned bit
+/// for bit.
 ///
 /// Errors: the constructor throws std::invalid_argument for a limit that is not positive and
 /// finite.
@@ -41,7 +45,7 @@ class ForceLimiter final {
  public:
   explicit ForceLimiter(const ForceLimits& limits);
   const ForceLimits& limits() const noexcept { return limits_; }
-  /// `dt_s` is the time since the last call, positive.
+  /// `dt_s` is the time since the last call, positive; anything else allows no change of force.
   LimitedWrench limit(const Wrench& wanted, double dt_s) noexcept;
   /// The motors were set to zero: the next change is counted from there.
   void reset() noexcept { last_ = Wrench{}; }

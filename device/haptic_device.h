@@ -17,6 +17,9 @@ namespace asperity {
 /// implements `do_read`, `do_send` and nothing about safety. The motors are at zero after
 /// construction, after `zero_force` and after destruction (each driver's destructor sends zero).
 ///
+/// Errors: the constructor throws std::invalid_argument for a device that has motors and no
+/// positive peak force, or for a limit that is not positive and finite.
+///
 /// Real-time: `read`, `push` and `zero_force` run on the servo thread; they do not allocate, lock,
 /// log or throw. Drivers hold themselves to the same.
 class HapticDevice {
@@ -28,13 +31,15 @@ class HapticDevice {
   const DeviceCapability& capability() const noexcept { return capability_; }
 
   /// Before the loop starts. Limits above the device's peak force are lowered to it.
+  /// Errors: std::invalid_argument for a limit that is not positive and finite.
   void set_limits(const ForceLimits& limits);
   const ForceLimits& limits() const noexcept { return limiter_.limits(); }
 
   /// The hand at `now_ns`; nothing when the device does not answer (it is lost).
   std::optional<ProbeState> read(std::int64_t now_ns) noexcept;
 
-  /// Limits `wanted` and sends it; returns what was really sent. Nothing when the device is lost.
+  /// Limits `wanted` and sends it; returns what was really sent. Nothing when the device is lost;
+  /// when it comes back, its force rises from zero.
   std::optional<LimitedWrench> push(const Wrench& wanted, double dt_s) noexcept;
 
   /// Zero force at once, past the slew limit.
@@ -44,7 +49,9 @@ class HapticDevice {
   HapticDevice(DeviceCapability capability, const ForceLimits& limits);
 
  private:
+  /// Fills `state`, whose time is already `now_ns`; false when the device does not answer.
   virtual bool do_read(std::int64_t now_ns, ProbeState& state) noexcept = 0;
+  /// False when the device does not take it.
   virtual bool do_send(const Wrench& limited) noexcept = 0;
 
   DeviceCapability capability_{};

@@ -1,0 +1,54 @@
+// Reads the hand and pushes it; nothing reaches the motors past the limiter.
+
+#include "device/haptic_device.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "device/refusal.h"
+
+namespace asperity {
+namespace {
+
+ForceLimits within(const DeviceCapability& capability, ForceLimits limits) {
+  if (capability.actuated_degrees_of_freedom == 0) {
+    return limits;  // it has no motors to spare
+  }
+  require_positive("peak_force_N of the device " + capability.name, capability.peak_force_N);
+  limits.force_N = std::min(limits.force_N, capability.peak_force_N);
+  return limits;
+}
+
+}  // namespace
+
+HapticDevice::HapticDevice(DeviceCapability capability, const ForceLimits& limits)
+    : capability_(std::move(capability)), limiter_(within(capability_, limits)) {}
+
+void HapticDevice::set_limits(const ForceLimits& limits) {
+  limiter_ = ForceLimiter(within(capability_, limits));
+}
+
+std::optional<ProbeState> HapticDevice::read(std::int64_t now_ns) noexcept {
+  ProbeState state{.time_ns = now_ns};
+  if (!do_read(now_ns, state)) {
+    return std::nullopt;
+  }
+  return state;
+}
+
+std::optional<LimitedWrench> HapticDevice::push(const Wrench& wanted, double dt_s) noexcept {
+  const LimitedWrench limited = limiter_.limit(wanted, dt_s);
+  if (!do_send(limited.wrench)) {
+    // Its motors are at zero, or unknown; whatever comes next rises from zero.
+    limiter_.reset();
+    return std::nullopt;
+  }
+  return limited;
+}
+
+void HapticDevice::zero_force() noexcept {
+  limiter_.reset();
+  do_send(Wrench{});
+}
+
+}  // namespace asperity

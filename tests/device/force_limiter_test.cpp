@@ -1,0 +1,226 @@
+// The limiter's promises, by hand-worked cases and over random wrenches.
+
+#include "device/force_limiter.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "analysis/random.h"
+#include "tests/support/allocation_guard.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kDt_s = 1e-3;
+// A slew so fast that only the magnitude limits act.
+constexpr ForceLimits kMagnitudeOnly{.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9};
+
+Wrench force(double x, double y, double z) { return {.force_N = glm::dvec3(x, y, z)}; }
+
+// Components of any sign over many orders of magnitude.
+glm::dvec3 any_vector(Random& random) {
+  const auto component = [&random] {
+    return random.normal() * std::pow(10.0, 4.0 * random.uniform() - 2.0);
+  };
+  const double x = component();
+  const double y = component();
+  return {x, y, component()};
+}
+
+TEST(ForceLimiter, PassesAWrenchWithinTheLimitsBitForBit) {
+  ForceLimiter limiter(kMagnitudeOnly);
+  const Wrench wanted{.force_N = {0.1, -0.2, 0.3}, .torque_N_m = {0.01, 0.02, -0.03}};
+  const LimitedWrench limited = limiter.limit(wanted, kDt_s);
+  EXPECT_EQ(limited.wrench.force_N, wanted.force_N);
+  EXPECT_EQ(limited.wrench.torque_N_m, wanted.torque_N_m);
+  EXPECT_EQ(limited.reasons, 0);
+}
+
+TEST(ForceLimiter, PassesAForceThatIsExactlyTheLimit) {
+  ForceLimiter limiter(kMagnitudeOnly);
+  const LimitedWrench limited = limiter.limit(force(3.0, 0.0, -4.0), kDt_s);  // √(9 + 16) = 5
+  EXPECT_EQ(limited.wrench.force_N, glm::dvec3(3.0, 0.0, -4.0));
+  EXPECT_EQ(limited.reasons, 0);
+}
+
+TEST(ForceLimiter, ShortensALongForceAndKeepsItsDirection) {
+  ForceLimiter limiter(kMagnitudeOnly);
+  const LimitedWrench limited = limiter.limit(force(30.0, 0.0, 40.0), kDt_s);
+  EXPECT_NEAR(limited.wrench.force_N.x, 3.0, 1e-13);
+  EXPECT_EQ(limited.wrench.force_N.y, 0.0);
+  EXPECT_NEAR(limited.wrench.force_N.z, 4.0, 1e-13);
+  EXPECT_TRUE(limited.has(LimitReason::force));
+  EXPECT_FALSE(limited.has(LimitReason::slew));
+}
+
+TEST(ForceLimiter, ShortensALongTorqueAndLeavesTheForceAlone) {
+  ForceLimiter limiter(kMagnitudeOnly);
+  const LimitedWrench limited =
+      limiter.limit({.force_N = {1.0, 2.0, 3.0}, .torque_N_m = {0.0, -0.4, 0.0}}, kDt_s);
+  EXPECT_EQ(limited.wrench.force_N, glm::dvec3(1.0, 2.0, 3.0));
+  EXPECT_NEAR(limited.wrench.torque_N_m.y, -0.1, 1e-15);
+  EXPECT_TRUE(limited.has(LimitReason::torque));
+  EXPECT_FALSE(limited.has(LimitReason::force));
+}
+
+TEST(ForceLimiter, KeepsTheDirectionOfAForceWhoseSquareOverflows) {
+  ForceLimiter limiter(kMagnitudeOnly);
+  const double huge = std::numeric_limits<double>::max();
+  const LimitedWrench limited = limiter.limit(force(huge, -huge, 0.0), kDt_s);
+  EXPECT_NEAR(limited.wrench.force_N.x, 5.0 / std::sqrt(2.0), 1e-13);
+  EXPECT_NEAR(limited.wrench.force_N.y, -5.0 / std::sqrt(2.0), 1e-13);
+}
+
+TEST(ForceLimiter, IsNeverAboveTheLimitByOneUnitInTheLastPlace) {
+  Random random(71);
+  // 5 N, and limits that binary fractions cannot hold.
+  for (const double limit_N : {5.0, 3.3, 0.1, 7.123456789}) {
+    ForceLimiter limiter({.force_N = limit_N, .torque_N_m = 0.013, .slew_N_per_s = 2000.0});
+    int limited_count = 0;
+    for (int i = 0; i < 50'000; ++i) {
+      const Wrench wanted{.force_N = any_vector(random), .torque_N_m = any_vector(random)};
+      const LimitedWrench limited = limiter.limit(wanted, kDt_s * random.uniform());
+      ASSERT_LE(glm::length(limited.wrench.force_N), limit_N);
+      ASSERT_LE(glm::length(limited.wrench.torque_N_m), 0.013);
+      limited_count += limited.has(LimitReason::force) ? 1 : 0;
+    }
+    EXPECT_GT(limited_count, 1000);
+  }
+}
+
+TEST(ForceLimiter, KeepsTheDirectionOfAnyForceAndTorque) {
+  Random random(72);
+  ForceLimiter limiter({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  for (int i = 0; i < 50'000; ++i) {
+    const Wrench wanted{.force_N = any_vector(random), .torque_N_m = any_vector(random)};
+    const LimitedWrench limited = limiter.limit(wanted, kDt_s);
+    const glm::dvec3 turned =
+        glm::normalize(limited.wrench.force_N) - glm::normalize(wanted.force_N);
+    ASSERT_LT(glm::length(turned), 1e-12);
+    const glm::dvec3 twisted =
+        glm::normalize(limited.wrench.torque_N_m) - glm::normalize(wanted.torque_N_m);
+    ASSERT_LT(glm::length(twisted), 1e-12);
+  }
+}
+
+TEST(ForceLimiter, ChangesTheForceByNoMoreThanTheSlewAllows) {
+  // 2000 N/s for 1 ms is 2 N per call: 0 → 5 N takes 2, 4, 5.
+  ForceLimiter limiter({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 2000.0});
+  LimitedWrench limited = limiter.limit(force(0.0, 0.0, 5.0), kDt_s);
+  EXPECT_NEAR(limited.wrench.force_N.z, 2.0, 1e-13);
+  EXPECT_TRUE(limited.has(LimitReason::slew));
+  limited = limiter.limit(force(0.0, 0.0, 5.0), kDt_s);
+  EXPECT_NEAR(limited.wrench.force_N.z, 4.0, 1e-13);
+  limited = limiter.limit(force(0.0, 0.0, 5.0), kDt_s);
+  EXPECT_EQ(limited.wrench.force_N.z, 5.0);
+  EXPECT_EQ(limited.reasons, 0);
+}
+
+TEST(ForceLimiter, StaysOnTheLineFromTheLastForceToTheNewOne) {
+  Random random(73);
+  const ForceLimits limits{.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1500.0};
+  ForceLimiter limiter(limits);
+  ForceLimiter unslewed({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  glm::dvec3 last_N{0.0};
+  int slewed_count = 0;
+  for (int i = 0; i < 50'000; ++i) {
+    const Wrench wanted{.force_N = any_vector(random)};
+    const double dt_s = kDt_s * (0.5 + random.uniform());
+    const glm::dvec3 aim_N = unslewed.limit(wanted, kDt_s).wrench.force_N;
+    const LimitedWrench limited = limiter.limit(wanted, dt_s);
+    const glm::dvec3 force_N = limited.wrench.force_N;
+    const double change_N = glm::length(force_N - last_N);
+    ASSERT_LE(change_N, limits.slew_N_per_s * dt_s + 1e-12);
+    ASSERT_LE(glm::length(force_N),
+              std::max(glm::length(last_N), glm::length(aim_N)) * (1.0 + 1e-15));
+    if (limited.has(LimitReason::slew)) {
+      ++slewed_count;
+      ASSERT_NEAR(change_N, limits.slew_N_per_s * dt_s, 1e-12);  // no slower than it has to be
+      // On the line: the way done and the way left add up to the whole.
+      ASSERT_NEAR(change_N + glm::length(aim_N - force_N), glm::length(aim_N - last_N), 1e-12);
+    } else {
+      ASSERT_EQ(force_N, aim_N);
+    }
+    last_N = force_N;
+  }
+  EXPECT_GT(slewed_count, 1000);
+}
+
+TEST(ForceLimiter, SendsZeroForAnyComponentThatIsNotFinite) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+    for (int component = 0; component < 6; ++component) {
+      ForceLimiter limiter(kMagnitudeOnly);
+      Wrench wanted{.force_N = glm::dvec3(1.0), .torque_N_m = glm::dvec3(0.01)};
+      (component < 3 ? wanted.force_N[component] : wanted.torque_N_m[component - 3]) = bad;
+      const LimitedWrench limited = limiter.limit(wanted, kDt_s);
+      EXPECT_EQ(limited.wrench.force_N, glm::dvec3(0.0));
+      EXPECT_EQ(limited.wrench.torque_N_m, glm::dvec3(0.0));
+      EXPECT_TRUE(limited.has(LimitReason::not_finite));
+    }
+  }
+}
+
+TEST(ForceLimiter, FallsToZeroAtOnceAndRisesAgainFromZeroAfterANan) {
+  ForceLimiter limiter({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
+  for (int i = 0; i < 4; ++i) {
+    limiter.limit(force(0.0, 0.0, 4.0), kDt_s);
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(limiter.limit(force(0.0, nan, 4.0), kDt_s).wrench.force_N, glm::dvec3(0.0));
+  EXPECT_NEAR(limiter.limit(force(0.0, 0.0, 4.0), kDt_s).wrench.force_N.z, 1.0, 1e-13);
+}
+
+TEST(ForceLimiter, CountsTheNextChangeFromZeroAfterAReset) {
+  ForceLimiter limiter({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
+  for (int i = 0; i < 4; ++i) {
+    limiter.limit(force(4.0, 0.0, 0.0), kDt_s);
+  }
+  limiter.reset();
+  EXPECT_NEAR(limiter.limit(force(4.0, 0.0, 0.0), kDt_s).wrench.force_N.x, 1.0, 1e-13);
+}
+
+TEST(ForceLimiter, AllowsNoChangeInATimeThatIsNotPositive) {
+  ForceLimiter limiter(kMagnitudeOnly);
+  limiter.limit(force(1.0, 0.0, 0.0), kDt_s);
+  for (const double dt_s : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    const LimitedWrench limited = limiter.limit(force(2.0, 0.0, 0.0), dt_s);
+    EXPECT_EQ(limited.wrench.force_N, glm::dvec3(1.0, 0.0, 0.0));
+    EXPECT_TRUE(limited.has(LimitReason::slew));
+  }
+}
+
+TEST(ForceLimiter, RefusesALimitThatIsNotPositiveAndFiniteByName) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto refusal_of = [](const ForceLimits& limits) -> std::string {
+    try {
+      ForceLimiter limiter(limits);
+    } catch (const std::invalid_argument& refusal) {
+      return refusal.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(refusal_of({.force_N = 0.0}),
+            "force_N of the force limits is 0; it has to be positive and finite.");
+  EXPECT_EQ(refusal_of({.torque_N_m = -1.5}),
+            "torque_N_m of the force limits is -1.5; it has to be positive and finite.");
+  EXPECT_EQ(refusal_of({.slew_N_per_s = infinity}),
+            "slew_N_per_s of the force limits is inf; it has to be positive and finite.");
+}
+
+TEST(ForceLimiter, DoesNotTouchTheHeap) {
+  ForceLimiter limiter(ForceLimits{});
+  AllocationGuard guard;
+  limiter.limit(force(100.0, 0.0, 0.0), kDt_s);
+  limiter.limit(force(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), kDt_s);
+  limiter.reset();
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace asperity
