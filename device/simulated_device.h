@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "device/haptic_device.h"
@@ -13,26 +14,33 @@ namespace asperity {
 /// The mechanics of the hand that holds the probe.
 struct HandMechanics {
   double mass_kg = 0.050;
-  double damping_N_s_per_m = 5.0;
+  double damping_N_s_per_m = 5.0;    ///< along the surface
   double stiffness_N_per_m = 300.0;  ///< of the hand's hold, along the surface and while lifted
+  /// Across the surface: critical for the mass on a surface of 500 N/m, so that contact settles.
+  double normal_damping_N_s_per_m = 10.0;
+  double reach_m = 0.020;  ///< how far below the surface the hand follows before its hold stops it
 };
 
 /// A fault that happens at a time after the first read, for tests of what follows.
 struct ScriptedFault {
   enum class Kind {
-    lost,   ///< the device does not answer any more
+    lost,   ///< the device does not answer any more, and its motors are at zero
     nan,    ///< it answers with a position that is not a number
     stall,  ///< it takes `duration_s` to answer (real time: sleeps; stepped: nothing)
   };
   Kind kind = Kind::lost;
   double at_s = 0.0;
-  double duration_s = 0.0;  ///< how long it lasts; lost for ever when 0
+  double duration_s = 0.0;  ///< how long it lasts; lost and nan for ever when 0
 };
 
 struct SimulatedDeviceSettings {
   HandMechanics hand{};
   std::vector<ScriptedFault> faults{};
-  int substeps = 4;  ///< integration steps per read
+  int substeps = 4;            ///< integration steps per read
+  double peak_force_N = 10.0;  ///< of its motors
+  /// How a scripted stall lets time pass, in real time: sleeps. Left empty when stepped. Must not
+  /// throw.
+  std::function<void(double duration_s)> sleep{};
 };
 
 /// The probe as a mass on the spring and damper of a VirtualHand, pushed by the rendered force:
@@ -40,12 +48,26 @@ struct SimulatedDeviceSettings {
 ///   m a = k (x_hand − x) + b (v_hand − v) − press·ẑ + F
 ///
 /// in x and y always; in z the spring holds while the hand is lifted and gives way to `press` in
-/// contact, so that the hand presses with a force rather than to a depth. Integrated between reads
-/// with the force of the last `push`, semi-implicitly, in `substeps` steps.
+/// contact, so that the hand presses with a force rather than to a depth, with the damping b_z. A
+/// hand that meets nothing sinks at press / b_z until `reach` below the surface, where its spring
+/// holds again. Without a push and with the hand at rest, the energy m v²/2 + k (x_hand − x)²/2
+/// only falls.
+///
+/// Integrated between reads with the force of the last `push`, in `substeps` steps or more so that
+/// none is longer than 1 ms: the spring's and the damper's force are taken at the end of the step
+/// (linearly implicit Euler), so no step can make the hand unstable. The surface is explicit, as on
+/// any device: k_surface < 2 b_z / T is passive [Colgate 1997], with the defaults up to 10 kN/m at
+/// 500 Hz. In a gap beyond kLongestGap_ns the motion stands still.
 ///
 /// Works at any rate up to 10 kHz, in real time or stepped: it knows only the times it is read at.
 ///
+/// Frame: the hand's. Torques are taken and have no effect.
+///
+/// Errors: std::invalid_argument naming the setting that is not positive or finite.
+///
 /// Real-time: reading and sending do not allocate, lock or throw (a scripted stall sleeps).
+///
+/// [Colgate 1997] Colgate, Schenkel: Passivity of a class of sampled-data systems.
 class SimulatedDevice final : public HapticDevice {
  public:
   /// `hand` must outlive the device.
@@ -56,12 +78,16 @@ class SimulatedDevice final : public HapticDevice {
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;
   bool do_send(const Wrench& limited) noexcept override;
 
+  void move_until(std::int64_t now_ns) noexcept;
+
   VirtualHand& hand_;
   SimulatedDeviceSettings settings_{};
+  HandIntent intent_{};
   ProbeState probe_{};
   Wrench pushed_{};
   std::int64_t first_ns_ = 0;
   bool started_ = false;
+  bool lost_ = false;
 };
 
 }  // namespace asperity

@@ -11,12 +11,13 @@
 
 namespace asperity {
 
-/// How a hand explores a surface. Means are over a stroke; deviations are between strokes.
+/// How a hand explores a surface. Deviations are between strokes, and never more than 2.5 standard
+/// deviations.
 struct HandHabits {
   glm::dvec3 centre_m{0.0};    ///< middle of the strokes, on the surface
   double direction_rad = 0.0;  ///< of the stroke, from +x towards +y
   double stroke_length_m = 0.060;
-  double speed_m_per_s = 0.080;
+  double speed_m_per_s = 0.080;   ///< of the steady middle of a stroke
   double speed_variation = 0.15;  ///< standard deviation of a stroke's speed, as a fraction
   double normal_force_N = 1.0;
   double force_variation = 0.10;  ///< likewise, of its force
@@ -30,48 +31,87 @@ struct HandHabits {
 struct HandIntent {
   glm::dvec3 position_m{0.0};
   glm::dvec3 velocity_m_per_s{0.0};
-  double press_N = 0.0;  ///< downward force on top of the spring; 0 while lifted
-  bool lifted = true;
+  double press_N = 0.0;  ///< downward force in contact; 0 while lifted
+  bool lifted = true;    ///< the hand holds a height; otherwise it presses
 };
 
-/// Moves to and fro along a line with a minimum-jerk speed profile per stroke, presses with a force
-/// that wanders, drifts, and lifts between surfaces. Seeded: the same seed and calls give the same
-/// motion.
+/// A hand's motion stands still in a gap between two readings beyond this: nobody strokes on while
+/// the program is stopped.
+inline constexpr std::int64_t kLongestGap_ns = 100'000'000;
+
+/// Waits above the start of its first stroke, comes down, strokes to and fro along a line, and
+/// lifts again.
 ///
-/// Threads: `stroke` and `lift` from any thread; `intent` from the one that reads the device.
+/// A stroke starts and ends at rest and keeps its speed in between, for 70 % of its time; its
+/// acceleration has no jumps. Each stroke draws its speed and force; the force changes over from
+/// the last stroke's while the hand gathers speed. Coming down, the hand moves to the start of the
+/// next stroke, touches at rest and then presses, within 0.15 s; told to lift, it lets go within
+/// 0.15 s and rises. Told to stroke while it rises, it rises to the end first.
+///
+/// What the caller may rely on: along the stroke the hand is never farther from the centre than
+/// half the stroke's length and 2.5 drifts, across it never farther than 2.5 drifts (with
+/// the defaults 40 mm and 10 mm). The motion is a function of the seed, the habits and the times of
+/// the calls; how often `intent` is called in between does not move the strokes.
+///
+/// Threads: `stroke`, `lift` and `set_habits` from any thread; `intent` from the one that reads the
+/// device.
 ///
 /// Real-time: `intent` does not allocate, lock or throw.
 class VirtualHand final {
  public:
-  /// Errors: std::invalid_argument naming the habit that is not positive or finite.
+  /// Errors: std::invalid_argument naming the habit that is not positive or finite (variations and
+  /// the drift may be zero; a variation is at most 0.3, so that every stroke moves and presses).
   VirtualHand(const HandHabits& habits, Random random);
 
-  void stroke() noexcept { wants_contact_.store(true, std::memory_order_relaxed); }
-  void lift() noexcept { wants_contact_.store(false, std::memory_order_relaxed); }
-  /// From the next stroke on. Call while lifted.
+  void stroke() noexcept { wants_contact_.store(true, std::memory_order_release); }
+  void lift() noexcept { wants_contact_.store(false, std::memory_order_release); }
+  /// Taken up when the hand next waits above the surface. Errors: as the constructor's.
   void set_habits(const HandHabits& habits);
 
   /// `time_ns` never goes back.
   HandIntent intent(std::int64_t time_ns) noexcept;
 
  private:
-  void begin_stroke(std::int64_t time_ns) noexcept;
+  enum class Phase { waiting, lowering, stroking, raising };
+  /// From rest to rest along a straight line.
+  struct Move {
+    glm::dvec3 from_m{0.0};
+    glm::dvec3 to_m{0.0};
+    std::int64_t began_ns = 0;
+    std::int64_t duration_ns = 1;
+  };
+
+  void advance_phase() noexcept;
+  bool takes_up_new_habits() noexcept;
+  void begin(Phase phase, const glm::dvec3& from_m, const glm::dvec3& to_m, double duration_s,
+             std::int64_t began_ns) noexcept;
+  void begin_lowering() noexcept;
+  void begin_stroke(std::int64_t began_ns) noexcept;
+  void begin_raising() noexcept;
+  void drift(double duration_s) noexcept;
+  double variation(double standard_deviation) noexcept;
+  glm::dvec3 stroke_end_m(double direction) const noexcept;
+  HandIntent moving() const noexcept;
 
   HandHabits habits_{};
   Random random_;
   std::atomic<bool> wants_contact_{false};
+
+  HandHabits next_habits_{};
+  std::atomic<bool> has_next_habits_{false};
+  std::atomic_flag next_habits_in_use_{};
+
   bool started_ = false;
-  bool lifted_ = true;
   std::int64_t last_ns_ = 0;
-  std::int64_t stroke_began_ns_ = 0;
-  double stroke_duration_s_ = 0.0;
-  double stroke_from_m_ = 0.0;
-  double stroke_to_m_ = 0.0;
+  std::int64_t clock_ns_ = 0;  ///< the hand's own: stands still in long gaps
+  Phase phase_ = Phase::waiting;
+  Move move_{};
+  double direction_ = 1.0;  ///< of the present stroke, +1 or −1 along the line
+  double drift_along_m_ = 0.0;
+  double drift_across_m_ = 0.0;
+  double grip_ = 0.0;  ///< 0 hovering, 1 pressing
+  double last_force_N_ = 0.0;
   double stroke_force_N_ = 0.0;
-  double along_m_ = 0.0;
-  double across_m_ = 0.0;
-  double height_m_ = 0.0;
-  double direction_ = 1.0;
 };
 
 }  // namespace asperity

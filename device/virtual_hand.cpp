@@ -1,0 +1,259 @@
+// A hand that strokes as people do, for the simulated device.
+
+#include "device/virtual_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "device/refusal.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kPressing_s = 0.15;       // from touching to the full force, and back
+constexpr double kGathering = 0.15;        // part of a move in which it gathers speed
+constexpr double kFarthest = 2.5;          // standard deviations; see HandHabits
+constexpr double kDriftTime_s = 5.0;       // how long the centre of the strokes remembers
+constexpr double kShortestMove_s = 0.050;  // nobody turns round sooner
+constexpr double kLargestVariation = 0.3;  // 2.5 of these leave a quarter
+
+double seconds(std::int64_t duration_ns) noexcept {
+  return static_cast<double>(duration_ns) * 1e-9;
+}
+
+// 0 to 1 with no slope at either end.
+double smooth_step(double u) noexcept { return u * u * (3.0 - 2.0 * u); }
+
+// How far a move of length 1 and duration 1 is, and how fast.
+struct Progress {
+  double way = 0.0;
+  double speed = 0.0;
+};
+
+// The speed rises as a smooth step over kGathering, stays, and falls likewise: the way gathered
+// at part u of the rise is ∫(3u² − 2u³)du = u³ − u⁴/2.
+Progress progress(double time) noexcept {
+  constexpr double kSteadySpeed = 1.0 / (1.0 - kGathering);
+  const auto rise = [](double since) {
+    const double u = since / kGathering;
+    return Progress{.way = kSteadySpeed * kGathering * (u * u * u - 0.5 * u * u * u * u),
+                    .speed = kSteadySpeed * smooth_step(u)};
+  };
+  if (time < kGathering) {
+    return rise(time);
+  }
+  if (time <= 1.0 - kGathering) {
+    return {.way = kSteadySpeed * (time - 0.5 * kGathering), .speed = kSteadySpeed};
+  }
+  const Progress left = rise(1.0 - time);
+  return {.way = 1.0 - left.way, .speed = left.speed};
+}
+
+// How long a move takes whose steady speed is `speed_m_per_s`.
+double duration_s(double way_m, double speed_m_per_s) noexcept {
+  return way_m / (speed_m_per_s * (1.0 - kGathering));
+}
+
+void check_variation(const char* field, double value) {
+  require_not_negative(field, value);
+  if (value > kLargestVariation) {
+    refuse(field, value, "at most 0.3");
+  }
+}
+
+void check(const HandHabits& habits) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(habits.centre_m[axis])) {
+      refuse("centre_m of the hand's habits", habits.centre_m[axis], "finite");
+    }
+  }
+  if (!std::isfinite(habits.direction_rad)) {
+    refuse("direction_rad of the hand's habits", habits.direction_rad, "finite");
+  }
+  require_positive("stroke_length_m of the hand's habits", habits.stroke_length_m);
+  require_positive("speed_m_per_s of the hand's habits", habits.speed_m_per_s);
+  check_variation("speed_variation of the hand's habits", habits.speed_variation);
+  require_positive("normal_force_N of the hand's habits", habits.normal_force_N);
+  check_variation("force_variation of the hand's habits", habits.force_variation);
+  require_not_negative("drift_m of the hand's habits", habits.drift_m);
+  require_positive("lift_height_m of the hand's habits", habits.lift_height_m);
+  require_positive("approach_speed_m_per_s of the hand's habits", habits.approach_speed_m_per_s);
+}
+
+}  // namespace
+
+VirtualHand::VirtualHand(const HandHabits& habits, Random random)
+    : habits_(habits), random_(random) {
+  check(habits);
+  move_.from_m = stroke_end_m(-direction_) + glm::dvec3(0.0, 0.0, habits.lift_height_m);
+  move_.to_m = move_.from_m;
+}
+
+void VirtualHand::set_habits(const HandHabits& habits) {
+  check(habits);
+  // The other side holds this flag for the time of one copy and never waits for it.
+  while (next_habits_in_use_.test_and_set(std::memory_order_acquire)) {
+  }
+  next_habits_ = habits;
+  has_next_habits_.store(true, std::memory_order_relaxed);
+  next_habits_in_use_.clear(std::memory_order_release);
+}
+
+// False when they are being written at this moment; the hand then waits for the next call.
+bool VirtualHand::takes_up_new_habits() noexcept {
+  if (next_habits_in_use_.test_and_set(std::memory_order_acquire)) {
+    return false;
+  }
+  if (has_next_habits_.exchange(false, std::memory_order_relaxed)) {
+    habits_ = next_habits_;
+  }
+  next_habits_in_use_.clear(std::memory_order_release);
+  return true;
+}
+
+HandIntent VirtualHand::intent(std::int64_t time_ns) noexcept {
+  if (!started_) {
+    started_ = true;
+    last_ns_ = time_ns;
+  }
+  const std::int64_t gap_ns = std::clamp(time_ns - last_ns_, std::int64_t{0}, kLongestGap_ns);
+  last_ns_ = std::max(last_ns_, time_ns);
+  clock_ns_ += gap_ns;
+  if (phase_ == Phase::stroking) {
+    const double change = seconds(gap_ns) / kPressing_s;
+    const bool presses = wants_contact_.load(std::memory_order_acquire);
+    grip_ = std::clamp(presses ? grip_ + change : grip_ - change, 0.0, 1.0);
+  }
+  advance_phase();
+  return moving();
+}
+
+void VirtualHand::advance_phase() noexcept {
+  const bool wants_contact = wants_contact_.load(std::memory_order_acquire);
+  // Ends because every move lasts and a gap does not.
+  for (;;) {
+    const std::int64_t end_ns = move_.began_ns + move_.duration_ns;
+    switch (phase_) {
+      case Phase::waiting:
+        if (!wants_contact || !takes_up_new_habits()) {
+          return;
+        }
+        begin_lowering();
+        break;
+      case Phase::lowering:
+        if (!wants_contact) {
+          begin_raising();
+        } else if (clock_ns_ >= end_ns) {
+          begin_stroke(end_ns);
+        } else {
+          return;
+        }
+        break;
+      case Phase::stroking:
+        if (!wants_contact && grip_ == 0.0) {
+          begin_raising();
+        } else if (clock_ns_ >= end_ns) {
+          begin_stroke(end_ns);
+        } else {
+          return;
+        }
+        break;
+      case Phase::raising:
+        if (clock_ns_ < end_ns) {
+          return;
+        }
+        begin(Phase::waiting, move_.to_m, move_.to_m, kShortestMove_s, end_ns);
+        break;
+    }
+  }
+}
+
+void VirtualHand::begin(Phase phase, const glm::dvec3& from_m, const glm::dvec3& to_m,
+                        double duration_s, std::int64_t began_ns) noexcept {
+  phase_ = phase;
+  move_ = {.from_m = from_m,
+           .to_m = to_m,
+           .began_ns = began_ns,
+           .duration_ns = std::llround(1e9 * std::max(duration_s, kShortestMove_s))};
+}
+
+void VirtualHand::begin_lowering() noexcept {
+  const glm::dvec3 from_m = moving().position_m;
+  const glm::dvec3 to_m = stroke_end_m(-direction_);
+  const glm::dvec3 aside_m(to_m.x - from_m.x, to_m.y - from_m.y, 0.0);
+  stroke_force_N_ = 0.0;
+  grip_ = 0.0;
+  begin(Phase::lowering, from_m, to_m,
+        std::max(duration_s(std::abs(to_m.z - from_m.z), habits_.approach_speed_m_per_s),
+                 duration_s(glm::length(aside_m), habits_.speed_m_per_s)),
+        clock_ns_);
+}
+
+void VirtualHand::begin_stroke(std::int64_t began_ns) noexcept {
+  const bool first = phase_ == Phase::lowering;
+  if (!first) {
+    drift(seconds(move_.duration_ns));
+    direction_ = -direction_;
+  }
+  const double speed_m_per_s = habits_.speed_m_per_s * (1.0 + variation(habits_.speed_variation));
+  const double force_N = habits_.normal_force_N * (1.0 + variation(habits_.force_variation));
+  last_force_N_ = first ? force_N : stroke_force_N_;
+  stroke_force_N_ = force_N;
+  const glm::dvec3 from_m = move_.to_m;
+  const glm::dvec3 to_m = stroke_end_m(direction_);
+  begin(Phase::stroking, from_m, to_m, duration_s(glm::length(to_m - from_m), speed_m_per_s),
+        began_ns);
+}
+
+void VirtualHand::begin_raising() noexcept {
+  const glm::dvec3 from_m = moving().position_m;
+  const glm::dvec3 to_m(from_m.x, from_m.y, habits_.centre_m.z + habits_.lift_height_m);
+  begin(Phase::raising, from_m, to_m,
+        duration_s(std::abs(to_m.z - from_m.z), habits_.approach_speed_m_per_s), clock_ns_);
+}
+
+// The Ornstein–Uhlenbeck process seen at the strokes' beginnings: memory m and fresh noise
+// √(1 − m²) keep the standard deviation. m = 1/(1 + T/τ) stands for e^(−T/τ), which libm rounds
+// differently from one platform to the next.
+void VirtualHand::drift(double duration_s) noexcept {
+  const double memory = 1.0 / (1.0 + duration_s / kDriftTime_s);
+  const double fresh_m = habits_.drift_m * std::sqrt(1.0 - memory * memory);
+  drift_along_m_ = memory * drift_along_m_ + fresh_m * random_.normal();
+  drift_across_m_ = memory * drift_across_m_ + fresh_m * random_.normal();
+}
+
+double VirtualHand::variation(double standard_deviation) noexcept {
+  return standard_deviation * std::clamp(random_.normal(), -kFarthest, kFarthest);
+}
+
+glm::dvec3 VirtualHand::stroke_end_m(double direction) const noexcept {
+  const glm::dvec3 along(std::cos(habits_.direction_rad), std::sin(habits_.direction_rad), 0.0);
+  const glm::dvec3 across(-along.y, along.x, 0.0);
+  const double farthest_m = kFarthest * habits_.drift_m;
+  return habits_.centre_m +
+         (0.5 * direction * habits_.stroke_length_m +
+          std::clamp(drift_along_m_, -farthest_m, farthest_m)) *
+             along +
+         std::clamp(drift_across_m_, -farthest_m, farthest_m) * across;
+}
+
+HandIntent VirtualHand::moving() const noexcept {
+  const double time = std::clamp(
+      static_cast<double>(clock_ns_ - move_.began_ns) / static_cast<double>(move_.duration_ns), 0.0,
+      1.0);
+  const Progress now = progress(time);
+  const glm::dvec3 way_m = move_.to_m - move_.from_m;
+  HandIntent intent{.position_m = move_.from_m + now.way * way_m,
+                    .velocity_m_per_s = now.speed / seconds(move_.duration_ns) * way_m};
+  if (phase_ == Phase::stroking) {
+    const double changed = smooth_step(std::min(1.0, time / kGathering));
+    intent.lifted = false;
+    intent.press_N =
+        smooth_step(grip_) * (last_force_N_ + changed * (stroke_force_N_ - last_force_N_));
+  }
+  return intent;
+}
+
+}  // namespace asperity
