@@ -1,0 +1,136 @@
+// What every driver gets from HapticDevice: limits, lost devices, zero force.
+
+#include "device/haptic_device.h"
+
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/support/allocation_guard.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kDt_s = 1e-3;
+
+DeviceCapability capability(double peak_force_N) {
+  return {.name = "sketch", .peak_force_N = peak_force_N};
+}
+
+// A driver that keeps what reaches its motors.
+class Sketch final : public HapticDevice {
+ public:
+  explicit Sketch(const DeviceCapability& described, const ForceLimits& limits = {})
+      : HapticDevice(described, limits) {
+    sent_.reserve(64);
+  }
+
+  bool answers = true;
+  const std::vector<Wrench>& sent() const { return sent_; }
+
+ private:
+  bool do_read(std::int64_t, ProbeState& state) noexcept override {
+    state.position_m = {0.01, 0.02, 0.03};
+    return answers;
+  }
+  bool do_send(const Wrench& limited) noexcept override {
+    if (answers) {
+      sent_.push_back(limited);
+    }
+    return answers;
+  }
+
+  std::vector<Wrench> sent_{};
+};
+
+TEST(HapticDevice, StampsAReadingWithTheTimeItWasAskedFor) {
+  Sketch device(capability(10.0));
+  const auto state = device.read(42);
+  ASSERT_TRUE(state.has_value());
+  EXPECT_EQ(state->time_ns, 42);
+  EXPECT_EQ(state->position_m, glm::dvec3(0.01, 0.02, 0.03));
+}
+
+TEST(HapticDevice, SendsOnlyLimitedWrenchesAndSaysWhatItSent) {
+  Sketch device(capability(10.0), {.force_N = 2.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+  const auto limited = device.push({.force_N = {0.0, 0.0, 50.0}}, kDt_s);
+  ASSERT_TRUE(limited.has_value());
+  EXPECT_TRUE(limited->has(LimitReason::force));
+  ASSERT_EQ(device.sent().size(), 1U);
+  EXPECT_NEAR(device.sent()[0].force_N.z, 2.0, 1e-14);
+  EXPECT_EQ(device.sent()[0].force_N, limited->wrench.force_N);
+  device.push({.force_N = {0.0, std::numeric_limits<double>::quiet_NaN(), 0.0}}, kDt_s);
+  EXPECT_EQ(device.sent()[1].force_N, glm::dvec3(0.0));
+}
+
+TEST(HapticDevice, LowersAForceLimitAboveItsPeakForce) {
+  Sketch device(capability(3.3), {.force_N = 5.0});
+  EXPECT_EQ(device.limits().force_N, 3.3);
+  device.set_limits({.force_N = 8.0, .torque_N_m = 0.02, .slew_N_per_s = 1e6});
+  EXPECT_EQ(device.limits().force_N, 3.3);
+  EXPECT_EQ(device.limits().torque_N_m, 0.02);
+  device.push({.force_N = {7.0, 0.0, 0.0}}, kDt_s);
+  EXPECT_LE(glm::length(device.sent()[0].force_N), 3.3);
+  device.set_limits({.force_N = 1.0});
+  EXPECT_EQ(device.limits().force_N, 1.0);
+}
+
+TEST(HapticDevice, RefusesMotorsWithoutAPeakForce) {
+  EXPECT_THROW(Sketch(capability(0.0)), std::invalid_argument);
+  EXPECT_THROW(Sketch(capability(std::numeric_limits<double>::quiet_NaN())), std::invalid_argument);
+}
+
+TEST(HapticDevice, AsksForNoPeakForceWhereThereAreNoMotors) {
+  DeviceCapability mouse = capability(0.0);
+  mouse.actuated_degrees_of_freedom = 0;
+  Sketch device(mouse, {.force_N = 5.0});
+  EXPECT_EQ(device.limits().force_N, 5.0);
+}
+
+TEST(HapticDevice, RefusesLimitsThatAreNotPositive) {
+  Sketch device(capability(10.0));
+  EXPECT_THROW(device.set_limits({.force_N = -1.0}), std::invalid_argument);
+  EXPECT_THROW(device.set_limits({.force_N = std::numeric_limits<double>::quiet_NaN()}),
+               std::invalid_argument);
+  EXPECT_EQ(device.limits().force_N, 5.0);
+}
+
+TEST(HapticDevice, AnswersNothingWhileItIsLostAndRisesFromZeroAfterwards) {
+  Sketch device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
+  for (int i = 0; i < 4; ++i) {
+    device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
+  }
+  device.answers = false;
+  EXPECT_FALSE(device.read(1).has_value());
+  EXPECT_FALSE(device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s).has_value());
+  device.answers = true;
+  const auto limited = device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
+  ASSERT_TRUE(limited.has_value());
+  EXPECT_NEAR(limited->wrench.force_N.z, 1.0, 1e-13);
+}
+
+TEST(HapticDevice, FallsToZeroForceAtOncePastTheSlewLimit) {
+  Sketch device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1000.0});
+  for (int i = 0; i < 4; ++i) {
+    device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
+  }
+  device.zero_force();
+  EXPECT_EQ(device.sent().back().force_N, glm::dvec3(0.0));
+  device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
+  EXPECT_NEAR(device.sent().back().force_N.z, 1.0, 1e-13);
+}
+
+TEST(HapticDevice, DoesNotTouchTheHeap) {
+  Sketch device(capability(10.0));
+  AllocationGuard guard;
+  device.read(1);
+  device.push({.force_N = {9.0, 9.0, 9.0}}, kDt_s);
+  device.zero_force();
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace asperity
