@@ -20,12 +20,17 @@ struct HeightSample {
 ///
 /// The interpolant h(x, y) = Σ h_ij w((x − x_j)/p) w((y − y_i)/p), with pitch p and Keys' kernel
 /// (a = −½) as w, passes through every sample, has a continuous gradient everywhere (C1), and
-/// reproduces a plane exactly. `sample` returns the exact gradient of that interpolant.
+/// reproduces a plane exactly (with its outermost cell apart, where the samples beyond are not on
+/// the plane). `sample` returns the exact gradient of that interpolant.
 ///
 /// Frame and units: metres. The field's centre is the origin; column j lies at
 /// x = (j − (columns − 1)/2)·p and row i at y = ((rows − 1)/2 − i)·p, so that the first row is the
-/// top of the picture and y points up in it. Under `Tiling::repeat` the period is columns·p by
-/// rows·p.
+/// top of the picture and y points up in it.
+///
+/// Beyond the samples the interpolant is that of the samples continued: `Tiling::bounded` repeats
+/// the outermost row and column, `Tiling::repeat` has the period columns·p by rows·p, and
+/// `Tiling::mirror` reflects at the lines half a pitch outside the outermost samples, with twice
+/// that period. All three are C1 everywhere; whether `repeat` shows a seam depends on the samples.
 ///
 /// Errors: the constructor throws std::invalid_argument, naming the field, for a pitch that is not
 /// positive, fewer than 2 × 2 samples, a count that does not fit, or a height that is not finite.

@@ -1,4 +1,4 @@
-// What a force model can be told, declared once.
+// What a force model or a synthetic surface can be told, declared once.
 
 #pragma once
 
@@ -20,8 +20,8 @@ using ParameterValue = std::variant<double, std::string>;
 /// stable.
 using ParameterValues = std::map<std::string, ParameterValue, std::less<>>;
 
-/// One parameter of a force model: what it is called, in what unit, what it may be and what it
-/// means.
+/// One parameter of a force model or a synthetic surface: what it is called, in what unit, what it
+/// may be and what it means.
 ///
 /// The declaration is the only place where this is said. Validation of protocols, the command line,
 /// the codebook of an export and the editor's form are all driven by it.
@@ -64,7 +64,12 @@ std::optional<std::string> complaint_about(const Parameter& parameter, const Par
 /// parameter that is not declared, of the wrong kind or out of range.
 ParameterValues complete_values(const ModelDeclaration& declaration, const ParameterValues& given);
 
-/// Reads a value that `complete_values` has checked.
+/// The same for anything else that declares parameters; `of` is its name in messages.
+ParameterValues complete_values(std::string_view of, const std::vector<Parameter>& parameters,
+                                const ParameterValues& given);
+
+/// Read a value that `complete_values` has checked. Throw std::invalid_argument, naming it, where
+/// there is none of that name and kind.
 double number_of(const ParameterValues& values, std::string_view name);
 const std::string& choice_of(const ParameterValues& values, std::string_view name);
 

@@ -1,0 +1,99 @@
+// Values against their declarations: what is accepted, completed and refused, and in which words.
+
+#include "stimuli/parameter.h"
+
+#include <limits>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+
+namespace asperity {
+namespace {
+
+using ::testing::HasSubstr;
+
+const Parameter kSpacing{.name = "spacing_m",
+                         .unit = "m",
+                         .minimum = 1e-4,
+                         .maximum = 0.05,
+                         .default_value = 0.002,
+                         .meaning = "distance between ridges"};
+const Parameter kOrder{.name = "order",
+                       .kind = ParameterKind::integer,
+                       .unit = "1",
+                       .minimum = 1.0,
+                       .maximum = 9.0,
+                       .default_value = 3.0};
+const Parameter kLaw{.name = "law",
+                     .kind = ParameterKind::choice,
+                     .choices = {"literal", "corrected"},
+                     .default_value = std::string("corrected")};
+
+const ModelDeclaration kModel{.id = "ridges", .parameters = {kSpacing, kOrder, kLaw}};
+
+std::string refusal_of(const ParameterValues& given) {
+  try {
+    complete_values(kModel, given);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Parameter, AcceptsBothEndsOfItsRange) {
+  EXPECT_FALSE(complaint_about(kSpacing, 1e-4));
+  EXPECT_FALSE(complaint_about(kSpacing, 0.05));
+}
+
+TEST(Parameter, RefusesANumberOutsideItsRangeWithTheRange) {
+  EXPECT_EQ(complaint_about(kSpacing, 0.06),
+            "spacing_m is 0.06 m; it must be a number from 1e-04 to 0.05 m.");
+  EXPECT_TRUE(complaint_about(kSpacing, 0.9e-4));
+}
+
+TEST(Parameter, RefusesWhatIsNotANumber) {
+  EXPECT_TRUE(complaint_about(kSpacing, std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_TRUE(complaint_about(kSpacing, std::numeric_limits<double>::infinity()));
+  EXPECT_EQ(complaint_about(kSpacing, std::string("wide")),
+            "spacing_m is \"wide\"; it must be a number from 1e-04 to 0.05 m.");
+}
+
+TEST(Parameter, RefusesAFractionWhereAWholeNumberIsDeclared) {
+  EXPECT_FALSE(complaint_about(kOrder, 4.0));
+  EXPECT_EQ(complaint_about(kOrder, 4.5), "order is 4.5; it must be a whole number from 1 to 9.");
+}
+
+TEST(Parameter, RefusesAnUnknownChoiceWithTheChoices) {
+  EXPECT_FALSE(complaint_about(kLaw, std::string("literal")));
+  EXPECT_EQ(complaint_about(kLaw, std::string("liberal")),
+            "law is \"liberal\"; it must be literal or corrected.");
+  EXPECT_TRUE(complaint_about(kLaw, 1.0));
+}
+
+TEST(CompleteValues, FillsInTheDefaultsAndKeepsWhatIsGiven) {
+  const ParameterValues values = complete_values(kModel, {{"spacing_m", 0.003}});
+  EXPECT_EQ(values.size(), 3u);
+  EXPECT_DOUBLE_EQ(number_of(values, "spacing_m"), 0.003);
+  EXPECT_DOUBLE_EQ(number_of(values, "order"), 3.0);
+  EXPECT_EQ(choice_of(values, "law"), "corrected");
+}
+
+TEST(CompleteValues, NamesTheModelAndTheParameterItRefuses) {
+  EXPECT_EQ(refusal_of({{"spacng_m", 0.003}}),
+            "ridges has no parameter \"spacng_m\"; it has spacing_m, order and law.");
+  EXPECT_THAT(refusal_of({{"spacing_m", 1.0}}), HasSubstr("ridges: spacing_m is 1 m"));
+}
+
+TEST(CompleteValues, RefusesAValueOfTheWrongKind) {
+  EXPECT_THAT(refusal_of({{"law", 2.0}}), HasSubstr("literal or corrected"));
+  EXPECT_THAT(refusal_of({{"order", std::string("3")}}), HasSubstr("whole number"));
+}
+
+TEST(ParameterValues, SayWhichValueIsMissing) {
+  EXPECT_THROW(number_of({}, "spacing_m"), std::invalid_argument);
+  EXPECT_THROW(number_of({{"law", std::string("literal")}}, "law"), std::invalid_argument);
+  EXPECT_THROW(choice_of({{"order", 1.0}}, "order"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace asperity
