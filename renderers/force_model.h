@@ -38,16 +38,24 @@ struct ForceModel {
   std::function<ParameterValues(const HeightField&, const Material&)> suggested_by{};
 };
 
+/// One renderer of a model, from parameters as given: they are completed and checked here.
+///
+/// Errors: std::invalid_argument for a bad parameter, for a height field that is needed and
+/// missing, and for inputs that the model refuses.
+std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model, const RendererInputs& inputs);
+
 /// The force models that a program knows.
 ///
 /// Errors: `add` throws std::invalid_argument for an id that is taken or not `[a-z][a-z0-9_]*`;
-/// `make` for an unknown model, a bad parameter, or a height field that is needed and missing.
+/// `make` for an unknown model, and as `make_renderer` does.
 class ModelRegistry final {
  public:
   void add(ForceModel model);
-  const std::vector<ForceModel>& models() const noexcept { return models_; }
+  const std::vector<ForceModel>& models() const& noexcept { return models_; }
+  const std::vector<ForceModel>& models() && = delete;  // a loop over a temporary's would dangle
   /// Null when there is no model of this name.
-  const ForceModel* find(std::string_view id) const noexcept;
+  const ForceModel* find(std::string_view id) const& noexcept;
+  const ForceModel* find(std::string_view id) && = delete;
   std::unique_ptr<ForceRenderer> make(std::string_view id, const RendererInputs& inputs) const;
 
  private:
@@ -57,8 +65,8 @@ class ModelRegistry final {
 /// height_map, sinusoid, stochastic, lateral_gradient.
 ModelRegistry built_in_models();
 
-/// Texture and friction taken out of the parameters of one stimulus: the same model as a plain
-/// plate. The texture force is the difference to it.
+/// Texture and friction taken out of one stimulus: the same model as a plain plate, its amplitude
+/// parameter and its Material's friction zero. The texture force is the difference to it.
 RendererInputs without_texture(const ModelDeclaration& declaration, const RendererInputs& inputs);
 
 }  // namespace asperity

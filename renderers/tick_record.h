@@ -18,13 +18,14 @@ enum class TickFlag : std::uint32_t {
   missed_deadline = 16,  ///< the tick began more than one period late
   device_lost = 32,
   fault_latched = 64,
-  heartbeat_lost = 128,  ///< the surface is fading because the conductor is silent
-  presenting = 256,      ///< a renderer was asked
-  first_of_presentation = 512,
+  heartbeat_lost = 128,         ///< the surface is fading because the conductor is silent
+  presenting = 256,             ///< a renderer was asked
+  first_of_presentation = 512,  ///< the renderer was reset; again after a fault was cleared
 };
 
 /// One tick, as it is recorded. The probe is already rounded to the recording's precision
-/// (`rounded_for_recording`), so that a recording replays exactly.
+/// (`rounded_for_recording`), so that a recording replays exactly. While the device is lost it is
+/// the last one known.
 struct TickRecord {
   ProbeState probe{};
   Wrench rendered{};  ///< what the renderer meant, before ramp and limits

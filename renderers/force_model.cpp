@@ -1,0 +1,85 @@
+// The registry of force models.
+
+#include "renderers/force_model.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "renderers/height_map.h"
+#include "renderers/lateral_gradient.h"
+#include "renderers/sinusoid.h"
+#include "renderers/stochastic.h"
+
+namespace asperity {
+namespace {
+
+bool is_an_id(std::string_view id) {
+  const auto is_lower = [](char c) { return c >= 'a' && c <= 'z'; };
+  return !id.empty() && is_lower(id.front()) && std::all_of(id.begin(), id.end(), [&](char c) {
+    return is_lower(c) || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+}  // namespace
+
+std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
+                                             const RendererInputs& inputs) {
+  if (model.declaration.needs_height_field && !inputs.height_field) {
+    throw std::invalid_argument("the force model " + model.declaration.id +
+                                " needs a height field, and none is given");
+  }
+  RendererInputs complete = inputs;
+  complete.parameters = complete_values(model.declaration, inputs.parameters);
+  return model.make(complete);
+}
+
+void ModelRegistry::add(ForceModel model) {
+  const std::string& id = model.declaration.id;
+  if (!is_an_id(id)) {
+    throw std::invalid_argument("ModelDeclaration::id \"" + id +
+                                "\" must be a lower-case letter followed by lower-case letters, "
+                                "digits and underscores");
+  }
+  if (find(id) != nullptr) {
+    throw std::invalid_argument("ModelDeclaration::id \"" + id + "\" is taken");
+  }
+  models_.push_back(std::move(model));
+}
+
+const ForceModel* ModelRegistry::find(std::string_view id) const& noexcept {
+  for (const ForceModel& model : models_) {
+    if (model.declaration.id == id) return &model;
+  }
+  return nullptr;
+}
+
+std::unique_ptr<ForceRenderer> ModelRegistry::make(std::string_view id,
+                                                   const RendererInputs& inputs) const {
+  if (const ForceModel* model = find(id)) return make_renderer(*model, inputs);
+  std::string known;
+  for (const ForceModel& model : models_) {
+    known += (known.empty() ? "" : ", ") + model.declaration.id;
+  }
+  throw std::invalid_argument("there is no force model \"" + std::string(id) + "\"; there are " +
+                              known);
+}
+
+ModelRegistry built_in_models() {
+  ModelRegistry registry;
+  registry.add(height_map_model());
+  registry.add(sinusoid_model());
+  registry.add(stochastic_model());
+  registry.add(lateral_gradient_model());
+  return registry;
+}
+
+RendererInputs without_texture(const ModelDeclaration& declaration, const RendererInputs& inputs) {
+  RendererInputs plate = inputs;
+  if (declaration.amplitude_parameter) plate.parameters[*declaration.amplitude_parameter] = 0.0;
+  plate.material.friction = 0.0;
+  return plate;
+}
+
+}  // namespace asperity

@@ -1,0 +1,26 @@
+// A force model along a path.
+
+#include "renderers/offline/along_path.h"
+
+#include <cstddef>
+#include <stdexcept>
+
+#include "renderers/servo_time.h"
+
+namespace asperity {
+
+std::vector<RenderedTick> along_path(ForceRenderer& renderer, std::span<const ProbeState> path,
+                                     double rate_Hz) {
+  if (!(rate_Hz > 0.0)) throw std::invalid_argument("rate_Hz must be positive");
+  std::vector<RenderedTick> ticks;
+  ticks.reserve(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (i == 0) renderer.reset(path[i]);
+    const double dt_s =
+        i == 0 ? 1.0 / rate_Hz : clamped_dt_s(path[i - 1].time_ns, path[i].time_ns, rate_Hz);
+    ticks.push_back(renderer.tick(path[i], dt_s));
+  }
+  return ticks;
+}
+
+}  // namespace asperity

@@ -1,0 +1,19 @@
+// A force model along a path that is known beforehand.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "renderers/force_renderer.h"
+
+namespace asperity {
+
+/// What the renderer answers to each sample of the path: `reset` at the first, `dt_s` from the time
+/// stamps by the rule of the servo loop (one period for the first, then clamped to [½, 4] periods).
+///
+/// Errors: std::invalid_argument for a rate that is not positive.
+std::vector<RenderedTick> along_path(ForceRenderer& renderer, std::span<const ProbeState> path,
+                                     double rate_Hz);
+
+}  // namespace asperity

@@ -1,0 +1,141 @@
+// The registry, and what holds for every model in it.
+
+#include "renderers/force_model.h"
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/renderers/surfaces.h"
+
+namespace asperity {
+namespace {
+
+std::string complaint(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+RendererInputs any_inputs() {
+  RendererInputs inputs;
+  inputs.patch = wide_patch();
+  inputs.height_field = grating();
+  return inputs;
+}
+
+TEST(ModelRegistry, KnowsTheFourBuiltInModels) {
+  const ModelRegistry registry = built_in_models();
+  for (const char* id : {"height_map", "sinusoid", "stochastic", "lateral_gradient"}) {
+    ASSERT_NE(registry.find(id), nullptr) << id;
+    EXPECT_NE(registry.make(id, any_inputs()), nullptr);
+  }
+  EXPECT_EQ(registry.models().size(), 4U);
+  EXPECT_EQ(registry.find("bump_map"), nullptr);
+}
+
+TEST(ModelRegistry, RefusesATakenOrMalformedId) {
+  ModelRegistry registry = built_in_models();
+  ForceModel model = *registry.find("sinusoid");
+  EXPECT_THAT(complaint([&] { registry.add(model); }), testing::HasSubstr("sinusoid"));
+  for (const char* id : {"", "Sinusoid", "2d", "a-b", "_a"}) {
+    model.declaration.id = id;
+    EXPECT_NE(complaint([&] { registry.add(model); }), "") << id;
+  }
+}
+
+TEST(ModelRegistry, NamesTheModelsThereAreWhenAskedForAnother) {
+  const std::string said = complaint([] { built_in_models().make("bump_map", any_inputs()); });
+  EXPECT_THAT(said, testing::HasSubstr("bump_map"));
+  EXPECT_THAT(said, testing::HasSubstr("lateral_gradient"));
+}
+
+TEST(ModelRegistry, RefusesAMissingHeightField) {
+  RendererInputs inputs = any_inputs();
+  inputs.height_field = nullptr;
+  EXPECT_THAT(complaint([&] { built_in_models().make("height_map", inputs); }),
+              testing::HasSubstr("height field"));
+  EXPECT_NE(built_in_models().make("sinusoid", inputs), nullptr);
+}
+
+TEST(ModelRegistry, RefusesAParameterThatIsUnknownOrOutOfRange) {
+  RendererInputs inputs = any_inputs();
+  inputs.parameters = {{"amplitude_mm", 1.0}};
+  EXPECT_THAT(complaint([&] { built_in_models().make("sinusoid", inputs); }),
+              testing::HasSubstr("amplitude_mm"));
+  inputs.parameters = {{"amplitude_m", 1.0}};
+  EXPECT_THAT(complaint([&] { built_in_models().make("sinusoid", inputs); }),
+              testing::HasSubstr("amplitude_m"));
+}
+
+TEST(BuiltInModels, DeclareDefaultsThatTheyAcceptThemselves) {
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& model : registry.models()) {
+    for (const Parameter& parameter : model.declaration.parameters) {
+      EXPECT_EQ(complaint_about(parameter, parameter.default_value), std::nullopt)
+          << model.declaration.id << " " << parameter.name;
+      EXPECT_NE(parameter.meaning, "");
+    }
+    ASSERT_TRUE(model.declaration.amplitude_parameter.has_value());
+  }
+}
+
+TEST(BuiltInModels, SuggestValuesThatTheyAccept) {
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& model : registry.models()) {
+    if (!model.suggested_by) continue;
+    EXPECT_NO_THROW(complete_values(model.declaration, model.suggested_by(*grating(), Material{})));
+  }
+}
+
+// Material and patch are shared, so without texture and friction the models cannot be told apart:
+// what a comparison of models compares is their texture.
+TEST(BuiltInModels, AreOnePlainPlateWithoutTexture) {
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& model : registry.models()) {
+    const auto renderer = make_renderer(model, without_texture(model.declaration, any_inputs()));
+    for (const ProbeState& probe : samples_of({.height_m = -0.001, .duration_s = 0.05})) {
+      const RenderedTick tick = answer(*renderer, probe);
+      EXPECT_NEAR(tick.wrench.force_N.z, 0.5, 1e-12) << model.declaration.id;
+      EXPECT_EQ(tick.wrench.force_N.x, 0.0) << model.declaration.id;
+      EXPECT_EQ(tick.wrench.force_N.y, 0.0) << model.declaration.id;
+    }
+  }
+}
+
+TEST(BuiltInModels, TouchNothingBeyondAFadingBorder) {
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& model : registry.models()) {
+    RendererInputs inputs = any_inputs();
+    inputs.patch.extent_m = {0.05, 0.05};
+    const auto renderer = make_renderer(model, inputs);
+    const RenderedTick tick = answer(*renderer, probe_at({0.026, 0.0, -0.002}));
+    EXPECT_EQ(tick.wrench.force_N, glm::dvec3(0.0)) << model.declaration.id;
+    EXPECT_EQ(tick.penetration_m, 0.0) << model.declaration.id;
+  }
+}
+
+TEST(BuiltInModels, MeetTheWallOnlyBelowTheSurface) {
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& model : registry.models()) {
+    RendererInputs inputs = any_inputs();
+    inputs.patch.extent_m = {0.05, 0.05};
+    inputs.patch.edge = PatchEdge::wall;
+    inputs = without_texture(model.declaration, inputs);
+    const auto renderer = make_renderer(model, inputs);
+    // 2 mm beyond the wall, 1 mm below the plane: −500 · 2 mm = −1 N.
+    EXPECT_NEAR(answer(*renderer, probe_at({0.027, 0.0, -0.001})).wrench.force_N.x, -1.0, 1e-9)
+        << model.declaration.id;
+    EXPECT_EQ(answer(*renderer, probe_at({0.027, 0.0, 0.001})).wrench.force_N, glm::dvec3(0.0))
+        << model.declaration.id;
+  }
+}
+
+}  // namespace
+}  // namespace asperity

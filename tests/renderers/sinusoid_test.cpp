@@ -1,0 +1,72 @@
+// The grating against values worked out by hand.
+
+#include "renderers/sinusoid.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/renderers/surfaces.h"
+
+namespace asperity {
+namespace {
+
+// A = 0.5 mm, L = 2 mm, k = 500 N/m.
+std::unique_ptr<ForceRenderer> renderer_of(ParameterValues parameters) {
+  RendererInputs inputs;
+  inputs.parameters = std::move(parameters);
+  inputs.parameters["amplitude_m"] = 0.0005;
+  inputs.parameters["wavelength_m"] = 0.002;
+  inputs.patch = wide_patch();
+  return make_renderer(sinusoid_model(), inputs);
+}
+
+TEST(Sinusoid, FollowsEquationFour) {
+  const auto renderer = renderer_of({});
+  // h = A at x = 0, 2A at L/4, 0 at −L/4. Tip on the plane: F = 500·0.5 mm, 500·1 mm, 0.
+  EXPECT_NEAR(answer(*renderer, probe_at({0.0, 0.0, 0.0})).wrench.force_N.z, 0.25, 1e-12);
+  EXPECT_NEAR(answer(*renderer, probe_at({0.0005, 0.0, 0.0})).wrench.force_N.z, 0.5, 1e-12);
+  EXPECT_NEAR(answer(*renderer, probe_at({-0.0005, 0.0, 1e-9})).wrench.force_N.z, 0.0, 1e-12);
+  // 0.3 mm over the plane at x = 0: w = 0.2 mm.
+  EXPECT_NEAR(answer(*renderer, probe_at({0.0, 0.0, 0.0003})).penetration_m, 0.0002, 1e-15);
+}
+
+TEST(Sinusoid, IsNotFeltAboveItsHeight) {
+  const auto renderer = renderer_of({});
+  const RenderedTick tick = answer(*renderer, probe_at({0.0, 0.0, 0.00051}));
+  EXPECT_EQ(tick.wrench.force_N, glm::dvec3(0.0));
+  EXPECT_EQ(tick.penetration_m, 0.0);
+}
+
+TEST(Sinusoid, PointsUpByDefault) {
+  const glm::dvec3 force_N = answer(*renderer_of({}), probe_at({0.0, 0.0, 0.0})).wrench.force_N;
+  EXPECT_EQ(force_N.x, 0.0);
+  EXPECT_EQ(force_N.y, 0.0);
+}
+
+TEST(Sinusoid, KeepsItsMagnitudeAlongTheLocalNormal) {
+  // Slope at x = 0: 2πA/L = π/2 = 1.5708; |n| un-normalised = sqrt(1 + π²/4) = 1.86210.
+  // F = 0.25 N: F_z = 0.25/1.86210 = 0.134257, F_x = −1.5708·0.134257 = −0.210891.
+  const auto renderer = renderer_of({{"force_direction", std::string("local_normal")}});
+  const glm::dvec3 force_N = answer(*renderer, probe_at({0.0, 0.0, 0.0})).wrench.force_N;
+  EXPECT_NEAR(force_N.z, 0.134257, 1e-6);
+  EXPECT_NEAR(force_N.x, -0.210891, 1e-6);
+  EXPECT_NEAR(glm::length(force_N), 0.25, 1e-12);
+}
+
+TEST(Sinusoid, VariesAlongItsDirection) {
+  // θ = 90°: the crest lies at y = L/4, whatever x.
+  const auto renderer = renderer_of({{"direction_rad", std::numbers::pi / 2}});
+  EXPECT_NEAR(answer(*renderer, probe_at({0.0007, 0.0005, 0.0})).wrench.force_N.z, 0.5, 1e-9);
+  EXPECT_NEAR(answer(*renderer, probe_at({0.0007, 0.0, 0.0})).wrench.force_N.z, 0.25, 1e-9);
+}
+
+TEST(Sinusoid, TakesItsAmplitudeFromASampleOfEqualRms) {
+  // The sample is a sinusoid of amplitude 0.2 mm itself.
+  const ParameterValues suggested = sinusoid_model().suggested_by(*grating(), Material{});
+  EXPECT_NEAR(number_of(suggested, "amplitude_m"), 0.0002, 1e-8);
+}
+
+}  // namespace
+}  // namespace asperity

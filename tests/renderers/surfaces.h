@@ -1,0 +1,84 @@
+// Surfaces and strokes that the tests of the models share.
+
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "device/probe_state.h"
+#include "renderers/force_model.h"
+
+namespace asperity {
+
+/// Wide enough that no border is near, unless a test is about the border.
+inline SurfacePatch wide_patch() { return {.extent_m = {1.0, 1.0}, .tiling = Tiling::repeat}; }
+
+struct Grating {
+  double amplitude_m = 0.0002;
+  double wavelength_m = 0.004;
+  double pitch_m = 0.00005;
+};
+
+/// h = A sin(2π x/L): mean zero, and a whole number of waves, so that it repeats without a seam.
+inline std::shared_ptr<const HeightField> grating(const Grating& wave = {}) {
+  const auto columns = static_cast<std::size_t>(std::lround(4 * wave.wavelength_m / wave.pitch_m));
+  constexpr std::size_t kRows = 4;
+  std::vector<float> heights_m(kRows * columns);
+  for (std::size_t row = 0; row < kRows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const double x_m =
+          (static_cast<double>(column) - 0.5 * (static_cast<double>(columns) - 1.0)) * wave.pitch_m;
+      heights_m[row * columns + column] = static_cast<float>(
+          wave.amplitude_m * std::sin(2.0 * std::numbers::pi * x_m / wave.wavelength_m));
+    }
+  }
+  return std::make_shared<const HeightField>(HeightField::Grid{kRows, columns, wave.pitch_m},
+                                             std::move(heights_m));
+}
+
+/// A field of one height, which every interpolant reproduces exactly.
+inline std::shared_ptr<const HeightField> level(float height_m) {
+  return std::make_shared<const HeightField>(HeightField::Grid{8, 8, 0.001},
+                                             std::vector<float>(64, height_m));
+}
+
+/// A stroke along +x at constant height and speed.
+struct Stroke {
+  double from_x_m = 0.0;
+  double height_m = -0.002;
+  double speed_m_per_s = 0.060;
+  double duration_s = 1.0;
+  double rate_Hz = 1000.0;
+};
+
+inline std::vector<ProbeState> samples_of(const Stroke& stroke) {
+  std::vector<ProbeState> samples;
+  const auto count = static_cast<std::int64_t>(std::lround(stroke.duration_s * stroke.rate_Hz));
+  for (std::int64_t i = 0; i < count; ++i) {
+    ProbeState probe;
+    probe.time_ns = std::llround(static_cast<double>(i) * 1e9 / stroke.rate_Hz);
+    probe.position_m = {
+        stroke.from_x_m + stroke.speed_m_per_s * static_cast<double>(i) / stroke.rate_Hz, 0.0,
+        stroke.height_m};
+    probe.velocity_m_per_s = {stroke.speed_m_per_s, 0.0, 0.0};
+    samples.push_back(probe);
+  }
+  return samples;
+}
+
+/// What a renderer answers to a probe that has just come, at 1 kHz.
+inline RenderedTick answer(ForceRenderer& renderer, const ProbeState& probe) {
+  renderer.reset(probe);
+  return renderer.tick(probe, 0.001);
+}
+
+inline ProbeState probe_at(const glm::dvec3& position_m) {
+  ProbeState probe;
+  probe.position_m = position_m;
+  return probe;
+}
+
+}  // namespace asperity
