@@ -58,13 +58,18 @@ struct ServoStatus {
 ///   penetration 0: a surface that appears around the probe stays silent until the probe has left
 ///   it.
 /// - `withdraw` lowers the gain to 0 over `ramp_s`, then gives the presentation back.
+/// - `present` while a surface is felt withdraws it first.
 /// - After `heartbeat_timeout_s` without `heartbeat` the gain fades to 0 over `heartbeat_fade_s`;
 /// it
 ///   comes back, as a new presentation would, with the next heartbeat.
 /// - A fault sends zero force in the same tick and latches it until `clear_fault`. Ticks go on and
-/// are
-///   recorded.
-/// - A deadline missed by more than a period is counted once and never made up.
+///   are recorded; the renderer is not asked. Afterwards the presentation starts again from the
+///   beginning: `reset`, gain 0, free space.
+/// - A tick that begins more than a period after its deadline counts as one missed deadline and is
+///   never made up; the gap is in the records' times.
+/// - The first tick of a presentation has a `dt_s` of one period, every other one the time since
+/// the
+///   last, so that the ticks of a recording are enough to replay it (`offline/replay.h`).
 ///
 /// Threads: `tick` belongs to one thread (the servo). `present`, `withdraw`, `collect` and
 /// `heartbeat` belong to one other (the conductor). `emergency_stop` and `status` may come from any
@@ -74,7 +79,8 @@ struct ServoStatus {
 /// whoever collects them, never by the tick.
 class ServoLoop final {
  public:
-  /// Both must outlive the loop. Errors: std::invalid_argument for settings that are not positive.
+  /// Both must outlive the loop, which leaves the device at zero force. Errors:
+  /// std::invalid_argument for settings that are not positive.
   ServoLoop(HapticDevice& device, RecordRing& records, const ServoSettings& settings);
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
@@ -82,7 +88,8 @@ class ServoLoop final {
 
   const ServoSettings& settings() const noexcept { return settings_; }
 
-  /// Hands over what is to be felt next. Throws std::logic_error while another one waits.
+  /// Hands over what is to be felt next. Throws std::logic_error while another one waits, and
+  /// std::invalid_argument for a presentation without renderer or with id 0.
   void present(Presentation presentation);
   /// Ends what is felt now (or was waiting).
   void withdraw() noexcept;
@@ -92,20 +99,49 @@ class ServoLoop final {
   void heartbeat() noexcept { heartbeats_.fetch_add(1, std::memory_order_relaxed); }
 
   void emergency_stop() noexcept;
+  /// Lifts the fault that `status` shows; one that comes at the same moment stays.
   void clear_fault() noexcept;
   ServoStatus status() const noexcept;
 
+  /// Reads the clock that `now_ns` came from.
+  using ClockReading = std::int64_t (*)() noexcept;
+
   /// One tick. `deadline_ns` is when it should have begun, `now_ns` when it did: equal when
-  /// stepped.
-  void tick(std::int64_t now_ns, std::int64_t deadline_ns) noexcept;
+  /// stepped. With a clock, the record says how long the tick took.
+  void tick(std::int64_t now_ns, std::int64_t deadline_ns, ClockReading clock = nullptr) noexcept;
   void tick(std::int64_t now_ns) noexcept { tick(now_ns, now_ns); }
 
  private:
+  struct Handover;  // a presentation on its way through a mailbox
+  struct Servo;     // what only the servo thread touches
+
+  void exchange_presentations() noexcept;
+  bool conductor_is_silent(std::int64_t now_ns) noexcept;
+  void count_deadline(std::int64_t now_ns, std::int64_t deadline_ns, TickRecord& record) noexcept;
+  void read_probe(std::int64_t now_ns, TickRecord& record) noexcept;
+  void render(bool silent, double dt_s, TickRecord& record) noexcept;
+  void send(double dt_s, TickRecord& record) noexcept;
+  void publish_status() noexcept;
+  void raise(Fault fault) noexcept;
+
   HapticDevice& device_;
   RecordRing& records_;
   ServoSettings settings_{};
+  std::int64_t period_ns_ = 1;
+
+  std::atomic<Handover*> inbox_{nullptr};
+  std::atomic<Handover*> outbox_{nullptr};
+  std::uint64_t handed_over_ = 0;                  // presentations so far; the conductor's
+  std::atomic<std::uint64_t> withdrawn_up_to_{0};  // by that count
   std::atomic<std::uint64_t> heartbeats_{0};
-  struct Servo;  // what only the servo thread touches
+  std::atomic<Fault> fault_{Fault::none};
+
+  // The status as the servo last left it: consistent while the version is even and unchanged.
+  std::atomic<std::uint64_t> status_version_{0};
+  std::atomic<std::uint64_t> ticks_{0};
+  std::atomic<std::uint64_t> missed_deadlines_{0};
+  std::atomic<std::uint64_t> presentation_{0};
+
   std::unique_ptr<Servo> servo_;
 };
 

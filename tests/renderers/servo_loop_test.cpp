@@ -1,0 +1,387 @@
+// What the servo loop promises: a gentle start, a gentle end, and zero force in every fault.
+
+#include "renderers/servo_loop.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/renderers/scripted_device.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Pushes up with 1 N below z = 0, and remembers how it was asked.
+class UnitPlate final : public ForceRenderer {
+ public:
+  struct Log {
+    int resets = 0;
+    std::vector<double> dt_s{};
+    bool destroyed = false;
+  };
+  explicit UnitPlate(Log& log) : log_(log) { log_.dt_s.reserve(100'000); }
+  ~UnitPlate() override { log_.destroyed = true; }
+
+  void reset(const ProbeState&) noexcept override { ++log_.resets; }
+  RenderedTick tick(const ProbeState& probe, double dt_s) noexcept override {
+    log_.dt_s.push_back(dt_s);
+    RenderedTick tick;
+    if (probe.position_m.z < 0.0) {
+      tick.wrench.force_N.z = force_N;
+      tick.penetration_m = -probe.position_m.z;
+    }
+    return tick;
+  }
+  double force_N = 1.0;
+
+ private:
+  Log& log_;
+};
+
+class ServoLoopTest : public testing::Test {
+ protected:
+  ServoLoopTest() { touch(); }
+
+  void touch() { device.probe.position_m.z = -0.001; }
+  void lift() { device.probe.position_m.z = 0.010; }
+
+  UnitPlate& present(std::uint64_t id = 7) {
+    auto plate = std::make_unique<UnitPlate>(log);
+    UnitPlate& reference = *plate;
+    loop.present({.id = id, .renderer = std::move(plate)});
+    return reference;
+  }
+
+  // One tick at 1 kHz; the conductor lives unless a test says otherwise.
+  TickRecord tick(std::int64_t late_ns = 0) {
+    if (conductor_lives) loop.heartbeat();
+    now_ns += 1'000'000;
+    loop.tick(now_ns + late_ns, now_ns);
+    TickRecord record;
+    EXPECT_TRUE(records.pop(record));
+    return record;
+  }
+  TickRecord ticks(int count) {
+    TickRecord record;
+    for (int i = 0; i < count; ++i) record = tick();
+    return record;
+  }
+  // Felt at full strength: through free space, then down.
+  void feel() {
+    present();
+    lift();
+    ticks(60);
+    touch();
+    ASSERT_EQ(tick().gain, 1.0);
+  }
+  void expect_latched(Fault fault, const TickRecord& record) {
+    EXPECT_EQ(loop.status().fault, fault) << name_of(loop.status().fault);
+    EXPECT_TRUE(record.has(TickFlag::fault_latched));
+    EXPECT_EQ(record.sent.force_N, glm::dvec3(0.0));
+    EXPECT_EQ(record.gain, 0.0);
+    EXPECT_EQ(device.last_sent.force_N, glm::dvec3(0.0));
+  }
+
+  UnitPlate::Log log{};
+  ScriptedDevice device{};
+  RecordRing records{16};
+  ServoLoop loop{device, records, {}};
+  std::int64_t now_ns = 1'000'000'000;
+  bool conductor_lives = true;
+};
+
+TEST_F(ServoLoopTest, PushesNothingInFreeSpace) {
+  const TickRecord record = tick();
+  EXPECT_EQ(record.presentation, 0U);
+  EXPECT_FALSE(record.has(TickFlag::presenting));
+  EXPECT_EQ(device.last_sent.force_N, glm::dvec3(0.0));
+}
+
+TEST_F(ServoLoopTest, RaisesASurfaceOverFiftyMilliseconds) {
+  present();
+  lift();
+  const TickRecord first = tick();  // free space: the ramp is counted from here
+  EXPECT_EQ(first.gain, 0.0);
+  touch();
+  for (int i = 1; i < 50; ++i) {
+    const TickRecord record = tick();
+    EXPECT_NEAR(record.gain, i / 50.0, 1e-12);
+    EXPECT_NEAR(record.sent.force_N.z, i / 50.0, 1e-12);
+    EXPECT_EQ(record.rendered.force_N.z, 1.0);  // what was meant is kept
+  }
+  EXPECT_NEAR(tick().gain, 1.0, 1e-12);
+  EXPECT_EQ(tick().gain, 1.0);
+}
+
+TEST_F(ServoLoopTest, KeepsASurfaceSilentThatAppearsAroundTheProbe) {
+  present();
+  for (int i = 0; i < 500; ++i) EXPECT_EQ(tick().sent.force_N.z, 0.0);
+  lift();
+  tick();
+  touch();
+  EXPECT_NEAR(tick().sent.force_N.z, 0.02, 1e-12);
+}
+
+TEST_F(ServoLoopTest, AsksTheRendererWithTheTimeBetweenItsSamples) {
+  present();
+  ticks(3);
+  now_ns += 1'500'000;  // 2.5 periods
+  tick();
+  now_ns += 99'000'000;  // a stall of 100 periods
+  tick();
+  ASSERT_EQ(log.dt_s.size(), 5U);
+  EXPECT_DOUBLE_EQ(log.dt_s[0], 0.001);
+  EXPECT_DOUBLE_EQ(log.dt_s[1], 0.001);
+  EXPECT_DOUBLE_EQ(log.dt_s[3], 0.0025);
+  EXPECT_DOUBLE_EQ(log.dt_s[4], 0.004);
+  EXPECT_EQ(log.resets, 1);
+}
+
+TEST_F(ServoLoopTest, MarksTheFirstRecordOfAPresentation) {
+  tick();
+  present(9);
+  const TickRecord first = tick();
+  EXPECT_TRUE(first.has(TickFlag::first_of_presentation));
+  EXPECT_TRUE(first.has(TickFlag::presenting));
+  EXPECT_EQ(first.presentation, 9U);
+  EXPECT_FALSE(tick().has(TickFlag::first_of_presentation));
+}
+
+TEST_F(ServoLoopTest, FadesAWithdrawnSurfaceOutAndGivesItBack) {
+  feel();
+  loop.withdraw();
+  for (int i = 1; i < 50; ++i) EXPECT_NEAR(tick().sent.force_N.z, 1.0 - i / 50.0, 1e-12);
+  EXPECT_EQ(loop.collect().renderer, nullptr);
+  ticks(3);
+  EXPECT_EQ(loop.status().presentation, 0U);
+  EXPECT_FALSE(log.destroyed);  // not by the tick
+  Presentation back = loop.collect();
+  EXPECT_EQ(back.id, 7U);
+  ASSERT_NE(back.renderer, nullptr);
+  EXPECT_EQ(loop.collect().renderer, nullptr);
+}
+
+TEST_F(ServoLoopTest, GivesBackASurfaceThatWasWithdrawnWhileItWaited) {
+  present();
+  loop.withdraw();
+  ticks(2);
+  EXPECT_EQ(loop.collect().id, 7U);
+  EXPECT_EQ(device.last_sent.force_N.z, 0.0);
+  // A later one is not withdrawn by that.
+  present(8);
+  lift();
+  ticks(60);
+  touch();
+  EXPECT_EQ(tick().sent.force_N.z, 1.0);
+}
+
+TEST_F(ServoLoopTest, FadesOneSurfaceOutBeforeTheNextFadesIn) {
+  feel();
+  present(8);
+  EXPECT_NEAR(tick().gain, 0.98, 1e-12);
+  ticks(49);
+  EXPECT_EQ(tick().presentation, 8U);
+  EXPECT_EQ(loop.collect().id, 7U);
+  EXPECT_EQ(ticks(100).gain, 0.0);  // the probe has not left the surface yet
+  lift();
+  ticks(60);
+  touch();
+  EXPECT_EQ(tick().gain, 1.0);
+}
+
+TEST_F(ServoLoopTest, RefusesASecondWaitingPresentation) {
+  present();
+  EXPECT_THROW(present(8), std::logic_error);
+}
+
+TEST_F(ServoLoopTest, RefusesAPresentationWithoutIdOrRenderer) {
+  EXPECT_THROW(present(0), std::invalid_argument);
+  EXPECT_THROW(loop.present({.id = 1, .renderer = nullptr}), std::invalid_argument);
+}
+
+TEST_F(ServoLoopTest, FadesASurfaceOutWhenTheConductorIsSilent) {
+  feel();
+  conductor_lives = false;
+  EXPECT_EQ(ticks(2000).gain, 1.0);  // two seconds are forgiven
+  const TickRecord fading = tick();
+  EXPECT_TRUE(fading.has(TickFlag::heartbeat_lost));
+  EXPECT_NEAR(fading.gain, 1.0 - 1.0 / 500.0, 1e-9);
+  EXPECT_NEAR(ticks(249).gain, 0.5, 1e-9);
+  EXPECT_NEAR(ticks(251).gain, 0.0, 1e-12);
+  EXPECT_EQ(loop.status().fault, Fault::none);
+}
+
+TEST_F(ServoLoopTest, BringsASilencedSurfaceBackOnlyFromFreeSpace) {
+  feel();
+  conductor_lives = false;
+  ticks(3000);
+  conductor_lives = true;
+  EXPECT_EQ(ticks(100).gain, 0.0);
+  lift();
+  ticks(60);
+  touch();
+  EXPECT_EQ(tick().gain, 1.0);
+}
+
+TEST_F(ServoLoopTest, FinishesAFadeThatAHeartbeatInterrupts) {
+  feel();
+  conductor_lives = false;
+  ticks(2250);
+  conductor_lives = true;
+  lift();
+  EXPECT_NEAR(ticks(100).gain, 0.3, 0.01);  // no jump up in mid-air
+  ticks(300);
+  EXPECT_EQ(ticks(60).gain, 1.0);
+}
+
+TEST_F(ServoLoopTest, LatchesAnEmergencyStopAtTheNextTick) {
+  feel();
+  loop.emergency_stop();
+  expect_latched(Fault::emergency_stop, tick());
+  expect_latched(Fault::emergency_stop, ticks(100));
+}
+
+TEST_F(ServoLoopTest, StartsOverAfterAFaultWasCleared) {
+  feel();
+  loop.emergency_stop();
+  EXPECT_FALSE(tick().has(TickFlag::presenting));
+  loop.clear_fault();
+  const TickRecord first = tick();
+  EXPECT_EQ(loop.status().fault, Fault::none);
+  EXPECT_TRUE(first.has(TickFlag::first_of_presentation));
+  EXPECT_EQ(log.resets, 2);
+  EXPECT_EQ(ticks(100).sent.force_N.z, 0.0);  // still in the surface
+  lift();
+  ticks(60);
+  touch();
+  EXPECT_EQ(tick().sent.force_N.z, 1.0);
+}
+
+TEST_F(ServoLoopTest, LatchesALostDevice) {
+  feel();
+  device.answers = false;
+  const TickRecord lost = tick();
+  expect_latched(Fault::device_lost, lost);
+  EXPECT_TRUE(lost.has(TickFlag::device_lost));
+  EXPECT_EQ(lost.presentation, 7U);  // the fault belongs to the attempt
+  EXPECT_EQ(lost.probe.position_m.z, static_cast<double>(-0.001F));
+  device.answers = true;
+  expect_latched(Fault::device_lost, tick());
+}
+
+TEST_F(ServoLoopTest, LatchesADeviceThatDoesNotTakeForces) {
+  feel();
+  device.accepts = false;
+  const TickRecord lost = tick();
+  expect_latched(Fault::device_lost, lost);
+  EXPECT_TRUE(lost.has(TickFlag::device_lost));
+}
+
+TEST_F(ServoLoopTest, LatchesAPositionThatIsNotFinite) {
+  feel();
+  device.probe.position_m.x = kNan;
+  expect_latched(Fault::not_finite, tick());
+}
+
+TEST_F(ServoLoopTest, LatchesAVelocityThatIsNotFinite) {
+  feel();
+  device.probe.velocity_m_per_s.y = kInfinity;
+  expect_latched(Fault::not_finite, tick());
+}
+
+TEST_F(ServoLoopTest, LatchesAForceThatIsNotFinite) {
+  UnitPlate& plate = present();
+  lift();
+  ticks(60);
+  touch();
+  ASSERT_EQ(tick().sent.force_N.z, 1.0);
+  plate.force_N = kNan;
+  const TickRecord record = tick();
+  expect_latched(Fault::not_finite, record);
+  EXPECT_TRUE(record.has(TickFlag::limited_not_finite));
+}
+
+TEST_F(ServoLoopTest, LatchesAProbeThatLeavesTheWorkspace) {
+  feel();
+  device.probe.position_m.x = 0.119;  // within the margin of 20 mm
+  EXPECT_EQ(tick().sent.force_N.z, 1.0);
+  device.probe.position_m.x = -0.121;
+  expect_latched(Fault::workspace_left, tick());
+}
+
+TEST_F(ServoLoopTest, CountsATickThatBeginsMoreThanAPeriodLate) {
+  feel();
+  EXPECT_FALSE(tick(1'000'000).has(TickFlag::missed_deadline));
+  const TickRecord late = tick(20'300'000);
+  EXPECT_TRUE(late.has(TickFlag::missed_deadline));
+  EXPECT_EQ(late.lateness_ns, 20'300'000);
+  EXPECT_EQ(loop.status().missed_deadlines, 1U);
+  EXPECT_EQ(loop.status().fault, Fault::none);
+}
+
+TEST_F(ServoLoopTest, LatchesMoreThanAHundredMissesWithinASecond) {
+  feel();
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(tick(1'000'001).sent.force_N.z, 1.0) << i;
+  expect_latched(Fault::repeated_misses, tick(1'000'001));
+}
+
+TEST_F(ServoLoopTest, ForgivesMissesThatAreRare) {
+  feel();
+  for (int i = 0; i < 300; ++i) {
+    ticks(10);  // 91 misses a second
+    tick(1'000'001);
+  }
+  EXPECT_EQ(loop.status().fault, Fault::none);
+  EXPECT_EQ(loop.status().missed_deadlines, 300U);
+}
+
+TEST_F(ServoLoopTest, SaysHowLongATickTookWhenItHasAClock) {
+  loop.tick(now_ns, now_ns, []() noexcept -> std::int64_t { return 1'000'000'000 + 1'234; });
+  TickRecord record;
+  ASSERT_TRUE(records.pop(record));
+  EXPECT_EQ(record.execution_ns, 1'234);
+  EXPECT_EQ(tick().execution_ns, 0);
+}
+
+TEST_F(ServoLoopTest, RoundsTheProbeBeforeTheRendererSeesIt) {
+  device.probe.position_m.x = 0.1;
+  EXPECT_EQ(tick().probe.position_m.x, static_cast<double>(0.1F));
+}
+
+TEST(ServoLoop, LeavesTheDeviceAtZeroForce) {
+  ScriptedDevice device;
+  RecordRing records(256);
+  UnitPlate::Log log;
+  {
+    ServoLoop loop(device, records, {});
+    loop.present({.id = 1, .renderer = std::make_unique<UnitPlate>(log)});
+    std::int64_t now_ns = 0;
+    device.probe.position_m.z = 0.01;
+    for (int i = 0; i < 60; ++i) loop.tick(now_ns += 1'000'000);
+    device.probe.position_m.z = -0.01;
+    loop.tick(now_ns += 1'000'000);
+    EXPECT_GT(device.last_sent.force_N.z, 0.9);
+  }
+  EXPECT_EQ(device.last_sent.force_N.z, 0.0);
+  EXPECT_TRUE(log.destroyed);
+}
+
+TEST(ServoLoop, RefusesSettingsThatAreNotPositive) {
+  ScriptedDevice device;
+  RecordRing records;
+  EXPECT_THROW(ServoLoop(device, records, {.rate_Hz = 0.0}), std::invalid_argument);
+  EXPECT_THROW(ServoLoop(device, records, {.ramp_s = -1.0}), std::invalid_argument);
+  EXPECT_THROW(ServoLoop(device, records, {.heartbeat_timeout_s = kNan}), std::invalid_argument);
+  EXPECT_THROW(ServoLoop(device, records, {.misses_to_fault = 0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace asperity
