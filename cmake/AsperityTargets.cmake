@@ -33,7 +33,8 @@ function(asperity_add_library folder)
 endfunction()
 
 # asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…])
-# Tests are discovered when ctest runs, so that building never runs a test program.
+# Tests are discovered when ctest runs, so that building never runs a test program. The label "long" keeps
+# them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo or realtime.
 function(asperity_add_tests folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   set(program asperity_${folder}_tests)
@@ -43,7 +44,19 @@ function(asperity_add_tests folder)
   target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
   target_precompile_headers(${program} PRIVATE <gtest/gtest.h> <string> <vector>)
   target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS "${folder};${ARG_LABELS}" TIMEOUT 300)
+  set(timeout_s 300)
+  if("long" IN_LIST ARG_LABELS)
+    set(timeout_s 3600)
+  endif()
+  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_LIST ${program}
+    PROPERTIES TIMEOUT ${timeout_s})
+  # A list of labels does not survive gtest_discover_tests; a file that ctest reads after its own sets them.
+  set(labels_file "${CMAKE_CURRENT_BINARY_DIR}/${program}_labels.cmake")
+  file(CONFIGURE OUTPUT "${labels_file}" @ONLY CONTENT [[
+foreach(test IN LISTS @program@)
+  set_tests_properties("${test}" PROPERTIES LABELS "@folder@;@ARG_LABELS@")
+endforeach()
+]])
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${labels_file}")
 endfunction()
 include(GoogleTest)
