@@ -29,7 +29,7 @@ quietly() {
 configure() {
   local preset=$1
   shift
-  (cd "$root" && quietly "build/$preset-configure.log" cmake --preset "$preset" "$@")
+  (cd "$root" && quietly "$root/build/$preset-configure.log" cmake --preset "$preset" "$@")
 }
 
 # build PRESET [TARGET…]: on a terminal with ninja's one moving line, otherwise silent but for failures.

@@ -84,6 +84,11 @@ class Install(unittest.TestCase):
         self.assertIn("E: no network", answer.stderr)
         self.assertIn("could not install checker", answer.stderr)
 
+    def test_installs_although_one_source_did_not_answer(self):
+        self.pretend("apt-get", f'echo "$@" >> {self.asked}; test "$1" = install')
+        self.assertEqual(self.run_install("test").returncode, 0)
+        self.assertEqual(len(self.asked_of_apt()), 2)
+
     def test_refuses_a_group_that_there_is_not(self):
         self.assertEqual(self.run_install("tests").returncode, 2)
 
