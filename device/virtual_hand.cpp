@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include <glm/geometric.hpp>
 
@@ -95,6 +96,7 @@ void VirtualHand::set_habits(const HandHabits& habits) {
   check(habits);
   // The other side holds this flag for the time of one copy and never waits for it.
   while (next_habits_in_use_.test_and_set(std::memory_order_acquire)) {
+    std::this_thread::yield();
   }
   next_habits_ = habits;
   has_next_habits_.store(true, std::memory_order_relaxed);

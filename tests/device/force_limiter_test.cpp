@@ -150,6 +150,28 @@ TEST(ForceLimiter, StaysOnTheLineFromTheLastForceToTheNewOne) {
   EXPECT_GT(slewed_count, 1000);
 }
 
+// Where last and new force both have exactly the length of the limit, the rounded point between
+// them may lie above it.
+TEST(ForceLimiter, IsNotRoundedAboveTheLimitByTheSlew) {
+  Random random(74);
+  constexpr double kLimit_N = 5.0;
+  int slewed_count = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const glm::dvec3 from_N = kLimit_N * glm::normalize(any_vector(random));
+    const glm::dvec3 to_N = kLimit_N * glm::normalize(from_N + 1e-14 * any_vector(random));
+    if (glm::length(from_N) != kLimit_N || glm::length(to_N) != kLimit_N || from_N == to_N) {
+      continue;
+    }
+    ForceLimiter limiter({.force_N = kLimit_N, .torque_N_m = 0.1, .slew_N_per_s = 1.0});
+    limiter.limit({.force_N = from_N}, 10.0);
+    const LimitedWrench limited =
+        limiter.limit({.force_N = to_N}, 0.5 * glm::distance(from_N, to_N));
+    ASSERT_LE(glm::length(limited.wrench.force_N), kLimit_N);
+    slewed_count += limited.has(LimitReason::slew) ? 1 : 0;
+  }
+  EXPECT_GT(slewed_count, 1000);
+}
+
 TEST(ForceLimiter, SendsZeroForAnyComponentThatIsNotFinite) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -167,6 +167,24 @@ TEST(SimulatedDevice, ReachesTheStrokesSpeedAgainstFriction) {
   }
 }
 
+TEST(SimulatedDevice, NeitherLagsNorLeadsASteadyHand) {
+  // At a constant speed without friction the spring and the damper are both at rest.
+  VirtualHand hand(kSteady, Random(3));
+  VirtualHand same_hand(kSteady, Random(3));
+  SimulatedDevice device(hand, {});
+  hand.stroke();
+  same_hand.stroke();
+  int middle = 0;
+  for (const Sample& sample : run(device, 1000.0, 0.0, 3.0, nothing)) {
+    const HandIntent intent = same_hand.intent(nanoseconds(sample.time_s));
+    if (!intent.lifted && std::abs(intent.position_m.x) < 0.005) {
+      ASSERT_NEAR(sample.probe.position_m.x, intent.position_m.x, 1e-6);
+      ++middle;
+    }
+  }
+  EXPECT_GT(middle, 100);
+}
+
 TEST(SimulatedDevice, ReportsTheVelocityOfTheMass) {
   // With one step per read the way between two reads is the velocity times the time.
   VirtualHand hand(HandHabits{}, Random(4));
@@ -318,6 +336,31 @@ TEST(SimulatedDevice, DoesNotJumpAfterALongGap) {
   EXPECT_LT(glm::distance(before.position_m, after.front().probe.position_m), 0.012);
   EXPECT_EQ(after.front().probe.time_ns, nanoseconds(60.0));
   EXPECT_NEAR(after.back().force_N.z, 1.0, 0.01);
+}
+
+TEST(SimulatedDevice, StandsStillInALongGap) {
+  VirtualHand hand(kSteady, Random(10));
+  SimulatedDevice device(hand, {});
+  hand.stroke();
+  run(device, 1000.0, 0.0, 2.0, plate(500.0));
+  device.zero_force();
+  // Nothing holds the hand: in 0.1 s it sinks from −2 mm at 1 N / 10 N·s/m, in 10 s to its reach.
+  EXPECT_GT(device.read(nanoseconds(12.0)).value().position_m.z, -0.002 - 0.1 * 0.1);
+}
+
+TEST(SimulatedDevice, StepsThroughAShortGapAsIfItHadBeenRead) {
+  const auto swings = [](int gap_ms) {
+    VirtualHand hand(kSteady, Random(10));
+    SimulatedDevice device(hand, {.substeps = 1});
+    run(device, 1000.0, 0.0, 0.1, [](const ProbeState&, double) { return glm::dvec3(3.0); });
+    device.zero_force();
+    ProbeState probe{};
+    for (int tick = 100 + gap_ms; tick <= 150; tick += gap_ms) {
+      probe = device.read(kTick_ns * tick).value();
+    }
+    return probe.position_m;
+  };
+  EXPECT_LT(glm::distance(swings(1), swings(50)), 1e-12);
 }
 
 TEST(SimulatedDevice, AnswersNothingWhileItIsLostOnCue) {

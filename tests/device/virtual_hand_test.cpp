@@ -310,12 +310,14 @@ TEST(VirtualHand, RisesToTheEndBeforeItComesDownAgain) {
   hand.stroke();
   motion(hand, 0, seconds(1.0));
   hand.lift();
-  motion(hand, seconds(1.0), seconds(1.2));
+  auto path = motion(hand, seconds(1.0), seconds(1.2));
   hand.stroke();
   double highest_m = 0.0;
-  const auto path = motion(hand, seconds(1.2), seconds(3.0));
-  for (const HandIntent& intent : path) {
-    highest_m = std::max(highest_m, intent.position_m.z);
+  const auto after = motion(hand, seconds(1.2), seconds(3.0));
+  path.insert(path.end(), after.begin(), after.end());
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    highest_m = std::max(highest_m, path[i].position_m.z);
+    ASSERT_LT(glm::distance(path[i].position_m, path[i - 1].position_m), 0.1 * kMillimetre_m);
   }
   EXPECT_NEAR(highest_m, 0.010, 1e-6);
   EXPECT_FALSE(path.back().lifted);
@@ -324,11 +326,16 @@ TEST(VirtualHand, RisesToTheEndBeforeItComesDownAgain) {
 TEST(VirtualHand, StandsStillInALongGap) {
   VirtualHand hand(kSteady, Random(11));
   hand.stroke();
-  const HandIntent before = motion(hand, 0, seconds(1.0)).back();
-  const HandIntent after = hand.intent(seconds(1000.0));
-  // As far as in 0.1 s.
-  EXPECT_GT(glm::distance(before.position_m, after.position_m), 0.0);
-  EXPECT_LE(glm::distance(before.position_m, after.position_m), 0.1 * 0.080 + 1e-12);
+  HandIntent before = motion(hand, 0, seconds(1.0)).back();
+  double now_s = 1.0;
+  for (const double gap_s : {0.37, 1.0, 7.3, 1000.0, 0.51}) {
+    now_s += gap_s;
+    const HandIntent after = hand.intent(seconds(now_s));
+    // As far as in 0.1 s.
+    EXPECT_LE(glm::distance(before.position_m, after.position_m), 0.1 * 0.080 + 1e-9);
+    EXPECT_GT(glm::distance(before.position_m, after.position_m), 0.0);
+    before = after;
+  }
 }
 
 TEST(VirtualHand, TakesUpNewHabitsInTheAirWithoutAJump) {
