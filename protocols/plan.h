@@ -19,7 +19,7 @@ struct PlannedPresentation {
   int position = 0;    ///< 1-based, the order in which the surfaces come
   std::string role{};  ///< "alternative", "target"
   std::string item{};  ///< what it is an instance of: the model (selection) or texture it shows
-  std::string code{};  ///< what blinded people see of it, e.g. "B"
+  std::string code{};  ///< what blinded people see of it: "A" for the first position, then "B", …
   StimulusDescription stimulus{};
   std::optional<EqualForce> equal_force{};
 };
@@ -27,7 +27,8 @@ struct PlannedPresentation {
 /// One option of a trial's question, in the order in which it is shown.
 struct Option {
   std::string value{};  ///< stored as the answer: an item, a texture, "cannot_tell"
-  std::string label{};  ///< shown: a code, never a name
+  std::string
+      label{};  ///< shown, never a name: a presentation's code, or a picture's place from "1"
   std::optional<std::string> picture{};  ///< study-relative
 };
 
@@ -37,9 +38,13 @@ struct TrialQuestion {
   enum class Form { choice, assignment };
   std::string name{};
   std::string prompt{};
+  std::string experimenter_prompt{};  ///< e.g. which coded sample to place; empty: nothing to do
+  /// Study-relative picture of the texture that realism is measured against, where it is shown.
+  std::optional<std::string> standard_picture{};
   Form form = Form::choice;
   std::vector<Option> options{};
   bool allow_revisit = true;
+  bool pictures_after_feeling = false;  ///< options stay hidden until every surface was felt
   /// The right answers: one for a choice, one per presentation (by position) for an assignment;
   /// empty where no answer is right or wrong.
   std::vector<std::string> correct{};

@@ -62,7 +62,7 @@ struct Exploration {
 /// A texture as participants meet it: felt (a height field), seen (a picture), or both.
 struct Texture {
   std::string name{};
-  std::string code{};  ///< what blinded people see
+  std::string code{};  ///< what blinded people call it, e.g. the label on a physical sample
   std::optional<std::string>
       height_field{};                    ///< study-relative PNG; absent: no rendered counterpart
   std::optional<std::string> picture{};  ///< study-relative
@@ -90,7 +90,7 @@ struct EqualForce {
 struct StimulusTemplate {
   std::string name{};
   Binding<std::string> model{};
-  Binding<std::string> texture{};
+  Binding<std::string> texture{};  ///< neither value nor factor: no texture is involved
   std::map<std::string, Binding<ParameterValue>, std::less<>> parameters{};
   std::optional<EqualForce> equal_force{};
 };
@@ -139,6 +139,8 @@ struct Protocol {
   std::string version{};
   std::string title{};
   std::string description{};
+  std::vector<std::string> authors{};
+  std::string license{};
   std::string instructions{};
   std::string consent_version{};
   std::string consent_statement{};
@@ -167,17 +169,23 @@ struct Protocol {
     std::string role{};                                ///< "alternative", "target"
     std::string stimulus{};                            ///< a StimulusTemplate
     std::map<std::string, Level, std::less<>> with{};  ///< factors fixed for this presentation
+    /// What it counts as in the answers; empty: the model (selection) or texture it shows.
+    std::string item{};
   };
   struct TrialQuestionTemplate {
     std::string name{};
     std::string prompt{};
+    std::string experimenter_prompt{};  ///< "{code}" stands for the code of the trial's texture
     /// What the options are: the alternatives felt, or pictures of these textures.
     std::vector<std::string> pictures{};  ///< empty: the alternatives felt
     bool reshuffle_pictures = false;      ///< every trial anew; otherwise once per session
+    bool pictures_after_feeling = false;  ///< hidden until every surface was felt (an eye mask)
     bool allow_cannot_tell = false;
     bool allow_revisit = true;     ///< free switching between the surfaces before the answer
     std::string correct_factor{};  ///< recognition: the factor that names the right picture
   };
+  /// Practice: the block ends once `correct` of the last `of_last` answers were right, or after
+  /// `maximum_trials`, which is how many trials are planned.
   struct Criterion {
     int correct = 0;
     int of_last = 0;
@@ -220,8 +228,8 @@ struct Protocol {
   struct Run {
     std::string block{};
     std::string for_each{};  ///< a factor iterated outside the block, in a counterbalanced order
-    int break_every_trials = 0;
-    Break pause{};
+    int break_every_trials = 0;    ///< 0: none within the block
+    std::optional<Break> pause{};  ///< after so many trials and between the levels of `for_each`
   };
   struct Ask {
     std::vector<std::string> questions{};

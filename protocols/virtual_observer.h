@@ -17,9 +17,13 @@ namespace asperity {
 /// no names, no models, no positions but the order in which things come.
 ///
 /// Evidence for "felt i is expected j" is −½·|φ_i + ε − μ_j|², with φ and μ the scaled features and
-/// ε ~ N(0, feature_noise²) drawn once per felt surface; the first position gains `position_bias`.
+/// ε ~ N(0, feature_noise²) drawn once per felt surface; the first of what is chosen among (the
+/// first surface felt in a selection, the first picture in a recognition, the pair of firsts in a
+/// match) gains `position_bias`. Equal evidence is decided by chance.
 /// With probability `lapse` (always, when deaf) the answer is uniform over the open options.
 /// With noise, bias and lapse at zero the observer is an ideal judge of these features.
+///
+/// Errors: std::invalid_argument for numbers of surfaces or options that make no question.
 ///
 /// Virtual answers exercise the machinery of a study. They say nothing about what people feel.
 class VirtualObserver final {
@@ -42,6 +46,7 @@ class VirtualObserver final {
  private:
   bool lapses();
   ForceFeatures perceived(const ForceFeatures& felt);
+  std::size_t best_of(std::span<const double> evidences);
 
   ObserverDeclaration declaration_{};
   Random random_;

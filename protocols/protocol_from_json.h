@@ -1,0 +1,14 @@
+// A document that follows the schema, as a Protocol.
+
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "protocols/protocol.h"
+
+namespace asperity {
+
+/// Reads what the schema allows; whether it makes sense is not looked at.
+Protocol protocol_from_json(const nlohmann::json& root);
+
+}  // namespace asperity

@@ -1,0 +1,46 @@
+// The three layers of checking, one after the other.
+
+#include "protocols/protocol_reader.h"
+
+#include <string>
+#include <utility>
+
+#include "protocols/json_document.h"
+#include "protocols/meaning.h"
+#include "protocols/protocol_from_json.h"
+#include "protocols/schema_check.h"
+
+namespace asperity {
+
+Protocol read_protocol(std::string_view text, const std::string& file_name,
+                       const std::vector<ModelDeclaration>& models) {
+  const JsonDocument document(text, file_name);
+  if (auto problems = check_schema(document); !problems.empty()) {
+    throw ProtocolError(std::move(problems));
+  }
+  Protocol protocol = protocol_from_json(document.root());
+  protocol.source = std::string(text);
+  if (auto problems = check_meaning(protocol, document, models); !problems.empty()) {
+    throw ProtocolError(std::move(problems));
+  }
+  return protocol;
+}
+
+std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name) {
+  const JsonDocument document(protocol.source, file_name);
+  std::vector<NamedFile> files{};
+  for (const auto& [name, texture] : protocol.textures) {
+    const std::string place = pointer_to("/textures", name);
+    const auto add = [&](const std::optional<std::string>& path, const char* key,
+                         bool is_height_field) {
+      if (!path) return;
+      files.push_back({*path, document.at(pointer_to(place, key), ""), is_height_field});
+    };
+    add(texture.height_field, "height_field", true);
+    add(texture.picture, "picture", false);
+    add(texture.true_height_field, "true_height_field", true);
+  }
+  return files;
+}
+
+}  // namespace asperity

@@ -1,0 +1,15 @@
+// Whether a document has the form of a protocol.
+
+#pragma once
+
+#include <vector>
+
+#include "protocols/diagnostic.h"
+#include "protocols/json_document.h"
+
+namespace asperity {
+
+/// Every place where the document does not follow protocols/schema/protocol-1.schema.json.
+std::vector<Diagnostic> check_schema(const JsonDocument& document);
+
+}  // namespace asperity

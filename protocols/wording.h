@@ -1,0 +1,20 @@
+// Words for diagnostics.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+/// "a", "b" or "c"
+std::string one_of(const std::vector<std::string>& names);
+/// `; did you mean "x"?` where one of the names is close to what was written, else nothing.
+std::string did_you_mean(std::string_view written, const std::vector<std::string>& names);
+/// In quotation marks, shortened.
+std::string in_quotes(std::string_view text);
+/// The shortest digits that read back as the same number.
+std::string digits(double value);
+
+}  // namespace asperity

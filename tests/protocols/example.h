@@ -1,0 +1,109 @@
+// Force models and a small protocol for the tests of this folder.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stimuli/parameter.h"
+
+namespace asperity::test {
+
+/// Declarations like those of the program, but only as many as the tests need.
+inline std::vector<ModelDeclaration> example_models() {
+  const auto number = [](const char* name, double minimum, double maximum, double value) {
+    Parameter parameter{};
+    parameter.name = name;
+    parameter.minimum = minimum;
+    parameter.maximum = maximum;
+    parameter.default_value = value;
+    return parameter;
+  };
+  Parameter law{};
+  law.name = "law";
+  law.kind = ParameterKind::choice;
+  law.choices = {"corrected", "literal"};
+  law.default_value = std::string("corrected");
+  ModelDeclaration height_map{};
+  height_map.id = "height_map";
+  height_map.needs_height_field = true;
+  height_map.amplitude_parameter = "height_scale";
+  height_map.parameters = {number("height_scale", 0.0, 10.0, 1.0), law};
+  ModelDeclaration sinusoid{};
+  sinusoid.id = "sinusoid";
+  sinusoid.needs_height_field = true;
+  sinusoid.amplitude_parameter = "amplitude_m";
+  sinusoid.parameters = {number("amplitude_m", 0.0, 0.01, 0.0001)};
+  ModelDeclaration stochastic{};
+  stochastic.id = "stochastic";
+  stochastic.needs_height_field = true;
+  stochastic.amplitude_parameter = "deviation_N";
+  stochastic.parameters = {number("deviation_N", 0.0, 5.0, 0.1)};
+  ModelDeclaration plain{};
+  plain.id = "plain";
+  return {height_map, sinusoid, stochastic, plain};
+}
+
+/// A selection that the reader accepts: 3 models × 2 textures × 2 repetitions.
+inline std::string example_selection() {
+  return R"({
+  "format": "asperity.protocol/1",
+  "kind": "selection",
+  "design": "improved",
+  "name": "example_selection",
+  "version": "1.0.0",
+  "title": "Which rendering feels most like the picture?",
+  "consent": {"version": "1", "statement": "I take part and may stop at any time."},
+  "realism_standard": "photograph",
+  "device": {"rate_Hz": 1000, "force_limit_N": 5},
+  "textures": {
+    "metal": {"height_field": "stimuli/metal.png", "picture": "stimuli/metal_photo.png"},
+    "stone": {"height_field": "stimuli/stone.png", "picture": "stimuli/stone_photo.png"}
+  },
+  "factors": {
+    "model": {"levels": ["height_map", "sinusoid", "stochastic"]},
+    "texture": {"levels": ["metal", "stone"]}
+  },
+  "stimuli": {
+    "rendered": {
+      "model": {"factor": "model"},
+      "texture": {"factor": "texture"},
+      "equal_force": {"to_model": "height_map"}
+    }
+  },
+  "explorations": {
+    "stroking": {
+      "normal_force_N": {"minimum": 0.5, "target": 1, "maximum": 2},
+      "speed_m_per_s": {"minimum": 0.03, "target": 0.06, "maximum": 0.12},
+      "stroke_length_m": {"target": 0.06},
+      "strokes": {"target": 4},
+      "minimum_contact_s": 2,
+      "maximum_contact_s": 15
+    }
+  },
+  "blocks": {
+    "main": {
+      "crossed": ["texture"],
+      "repetitions": 3,
+      "order": "shuffle",
+      "maximum_in_a_row": {"texture": 2},
+      "presented": [
+        {"stimulus": "rendered", "with": {"model": "height_map"}},
+        {"stimulus": "rendered", "with": {"model": "sinusoid"}},
+        {"stimulus": "rendered", "with": {"model": "stochastic"}}
+      ],
+      "positions": "balanced",
+      "question": {"name": "most_realistic", "prompt": "Which felt most like the picture?"},
+      "exploration": "stroking"
+    }
+  },
+  "flow": [
+    {"screen": "Welcome."},
+    {"check": "device"},
+    {"run": "main", "break_every_trials": 3, "pause": {"minimum_s": 60}}
+  ]
+}
+)";
+}
+
+}  // namespace asperity::test
