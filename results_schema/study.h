@@ -36,7 +36,10 @@ enum class Access { read_only, read_write };
 /// - When a writing function returns, its rows survive a power loss (WAL, synchronous=FULL).
 /// - Attempts and what hangs on them are append-only, enforced by the schema on every connection.
 /// - A transaction is all or nothing; after any error the study holds what was committed before.
-/// - A study opened `read_only` is never written to, not even by SQLite's own bookkeeping.
+/// - A study opened `read_only` is never written to, not even by SQLite's own bookkeeping, so that
+/// it
+///   may lie on a medium that cannot be written. While somebody else writes, the reader follows.
+/// - Whatever is returned in order is ordered by natural keys, never by the order of writing.
 ///
 /// Errors: ResultsError with a sentence: no study there, a study of a newer program, a read-only
 /// folder, a full disk, a network file system (sessions only), a broken database.
@@ -60,11 +63,13 @@ class Study final {
   Access access() const noexcept;
   std::string name() const;
 
+  /// `created_utc` may be empty: the time of the call.
   void add_participant(const ParticipantRow& participant);
   std::optional<ParticipantRow> participant(const std::string& label) const;
   std::vector<ParticipantRow> participants() const;  ///< by label
 
-  /// The row of this content, added if it is new. Returns its id.
+  /// The row of this content, added if it is new. Returns its id. `source_sha256` is that of
+  /// `source`, or empty to have it computed.
   std::int64_t add_protocol(const ProtocolRow& protocol);
   std::vector<ProtocolRow> protocols() const;
   ProtocolRow protocol(std::int64_t id) const;
@@ -72,11 +77,19 @@ class Study final {
   /// The session and its whole plan, in one transaction. Returns the session's id. The number
   /// `SessionRow::session` must be the participant's next one, or 0 to be given it.
   std::int64_t add_session(const SessionRow& session, const std::vector<PlannedTrialRow>& plan);
+  /// The same with the counterbalance row taken inside the transaction: the least used of `rows`
+  /// (first of equals) among the open and completed sessions of this protocol's name and this mode.
+  /// `plan_of` is told the row. Two laboratories that start at once cannot both be given it.
+  std::int64_t add_session(
+      const SessionRow& session, int rows,
+      const std::function<std::vector<PlannedTrialRow>(int counterbalance_row)>& plan_of);
   SessionRow session(std::int64_t id) const;
   std::vector<SessionRow> sessions() const;  ///< by participant, session
   std::vector<PlannedTrialRow> plan(std::int64_t session_id) const;
   /// How many sessions of this protocol (open or completed) have each counterbalance row.
   std::vector<int> counterbalance_counts(const std::string& protocol_name, int rows) const;
+  std::vector<int> counterbalance_counts(const std::string& protocol_name, int rows,
+                                         SessionMode mode) const;
 
   /// A stretch of uninterrupted running. `time_ns` on the session's clock.
   int begin_segment(std::int64_t session_id, std::int64_t time_ns);
@@ -85,6 +98,12 @@ class Study final {
   void end_session(std::int64_t session_id, SessionState state, const std::string& ended_utc);
   /// A stopped or crashed session goes on.
   void reopen_session(std::int64_t session_id);
+  /// Sessions that are open but whose lock nobody holds become `crashed`, their running segments
+  /// end with the reason "crashed". Returns their ids. Rests on `session_lock_name`.
+  std::vector<std::int64_t> mark_crashed_sessions();
+  /// The StudyLock that whoever runs a session of this participant holds, from before `add_session`
+  /// or `reopen_session` until after `end_session`.
+  static std::string session_lock_name(const std::string& participant);
 
   /// Returns the attempt's id. All rows or none.
   std::int64_t add_attempt(std::int64_t session_id, const AttemptRow& attempt);
@@ -98,10 +117,12 @@ class Study final {
   void add_session_answer(std::int64_t session_id, const ResponseRow& answer);
   std::vector<ResponseRow> session_answers(std::int64_t session_id) const;
 
+  /// What happened between attempts; those of an attempt are in its row.
   void add_event(std::int64_t session_id, const EventRow& event);
   std::vector<EventRow> events(std::int64_t session_id) const;
 
-  /// Solutions of matching problems, by a key that says everything they depend on.
+  /// Solutions of matching problems, by a key that says everything they depend on. The first one
+  /// stays.
   void remember_solution(const std::string& key, const std::string& solution_json);
   std::optional<std::string> solution(const std::string& key) const;
 
@@ -118,13 +139,22 @@ class Study final {
 };
 
 /// Holds `locks/<name>.lock` in the study while it lives. Throws ResultsError naming the host and
-/// process that holds it. A lock whose process is gone is taken over.
+/// process that holds it. A lock whose process is gone is free: the kernel lets go of it.
+///
+/// The file stays behind, empty; what counts is the lock on it. A child made by fork() without exec
+/// keeps the lock alive. Errors: also a name with other than letters, digits, "-" and "_", a folder
+/// that cannot be written, a network file system, where such a lock cannot be trusted.
 class StudyLock final {
  public:
   StudyLock(const std::filesystem::path& study, const std::string& name);
   ~StudyLock();
   StudyLock(const StudyLock&) = delete;
   StudyLock& operator=(const StudyLock&) = delete;
+
+  /// Who holds it now ("process 123 on host lab1, started …"), if anybody. Takes and writes
+  /// nothing.
+  static std::optional<std::string> holder(const std::filesystem::path& study,
+                                           const std::string& name);
 
  private:
   std::filesystem::path path_{};

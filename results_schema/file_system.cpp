@@ -1,0 +1,127 @@
+// Files that are on disk when we say so.
+
+#include "results_schema/file_system.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include "results_schema/study.h"
+
+namespace asperity {
+
+void fail_on_file(const std::filesystem::path& path, const std::string& what, int error_number) {
+  std::string reason = std::strerror(error_number);
+  if (error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG) {
+    reason =
+        "the disk is full. Everything finished before this is safely stored; make room and "
+        "go on";
+  }
+  throw ResultsError("the file " + path.string() + " cannot be " + what + ": " + reason, path,
+                     error_number);
+}
+
+OutputFile::OutputFile(std::filesystem::path path)
+    : path_(std::move(path)),
+      descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0) fail_on_file(path_, "made", errno);
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OutputFile::write(const void* bytes, std::size_t count) {
+  const char* next = static_cast<const char*>(bytes);
+  while (count > 0) {
+    const ssize_t written = ::write(descriptor_, next, count);
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      fail_on_file(path_, "written", errno);
+    }
+    next += written;
+    count -= static_cast<std::size_t>(written);
+  }
+}
+
+void OutputFile::sync_and_close() {
+  if (::fsync(descriptor_) != 0) fail_on_file(path_, "written", errno);
+  const int descriptor = descriptor_;
+  descriptor_ = -1;
+  if (::close(descriptor) != 0) fail_on_file(path_, "written", errno);
+}
+
+void sync_folder(const std::filesystem::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) fail_on_file(folder, "opened", errno);
+  const int result = ::fsync(descriptor);
+  const int error_number = errno;
+  ::close(descriptor);
+  // Some file systems cannot sync a folder and say so with EINVAL: there is nothing more to do
+  // there.
+  if (result != 0 && error_number != EINVAL) fail_on_file(folder, "written", error_number);
+}
+
+bool rename_to_free_name(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno == EEXIST) return false;
+  if (errno != EINVAL && errno != ENOSYS) fail_on_file(to, "made", errno);
+  // A file system without that call (FAT on a stick, say): look first.
+  if (std::filesystem::exists(std::filesystem::symlink_status(to))) return false;
+  if (::rename(from.c_str(), to.c_str()) != 0) fail_on_file(to, "made", errno);
+  return true;
+}
+
+std::string network_file_system_of(long type) noexcept {
+  // From statfs(2) and the kernel's magic.h; FUSE is what sshfs and most cloud folders are.
+  switch (static_cast<unsigned long>(type) & 0xffffffffUL) {
+    case 0x6969:
+      return "NFS";
+    case 0xff534d42:
+      return "CIFS";
+    case 0xfe534d42:
+      return "SMB2";
+    case 0x517b:
+      return "SMB";
+    case 0x65735546:
+      return "FUSE (sshfs or a cloud folder)";
+    case 0x5346414f:
+      return "AFS";
+    case 0x00c36400:
+      return "Ceph";
+    case 0x01021997:
+      return "9P";
+    case 0x73757245:
+      return "Coda";
+    case 0x564c:
+      return "NCP";
+    case 0x0bd00bd0:
+      return "Lustre";
+    default:
+      return "";
+  }
+}
+
+std::string network_file_system_at(const std::filesystem::path& path) {
+  struct statfs status {};
+  if (::statfs(path.c_str(), &status) != 0) fail_on_file(path, "examined", errno);
+  return network_file_system_of(static_cast<long>(status.f_type));
+}
+
+std::filesystem::path path_in_study(const std::filesystem::path& study, const std::string& path) {
+  const std::filesystem::path relative(path);
+  bool inside = !path.empty() && relative.is_relative() && relative.has_filename();
+  for (const auto& part : relative) inside = inside && part != ".." && part != ".";
+  if (!inside) {
+    throw ResultsError("\"" + path + "\" is no path inside the study " + study.string() +
+                           "; it must be relative and without \"..\"",
+                       study);
+  }
+  return study / relative;
+}
+
+}  // namespace asperity

@@ -1,0 +1,49 @@
+// What the store asks of the operating system's files. Seen by this folder only.
+
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace asperity {
+
+/// A new file that is being written. Errors: ResultsError naming the path.
+class OutputFile final {
+ public:
+  /// The file must not exist.
+  explicit OutputFile(std::filesystem::path path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  /// Closes; what was written so far stays.
+  ~OutputFile();
+
+  void write(const void* bytes, std::size_t count);
+  /// On disk when it returns; nothing can be written afterwards.
+  void sync_and_close();
+  const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+};
+
+/// Makes the names in a folder survive a power loss.
+void sync_folder(const std::filesystem::path& folder);
+
+/// False, and nothing changed, when `to` exists already.
+bool rename_to_free_name(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Throws ResultsError: "the file … cannot be …: …" with what the error number means.
+[[noreturn]] void fail_on_file(const std::filesystem::path& path, const std::string& what,
+                               int error_number);
+
+/// The name of a network file system by the number that statfs gives it; empty for a local one.
+std::string network_file_system_of(long type) noexcept;
+/// The same for the file system that holds `path`.
+std::string network_file_system_at(const std::filesystem::path& path);
+
+/// `path` below `study`, or ResultsError when it is absolute, empty or leaves the study by "..".
+std::filesystem::path path_in_study(const std::filesystem::path& study, const std::string& path);
+
+}  // namespace asperity

@@ -1,0 +1,51 @@
+// The words of the store for the closed sets of a row.
+
+#include "results_schema/rows.h"
+
+namespace asperity {
+
+const char* text_of(SessionMode mode) noexcept {
+  switch (mode) {
+    case SessionMode::run:
+      return "run";
+    case SessionMode::pilot:
+      return "pilot";
+    case SessionMode::simulate:
+      return "simulate";
+  }
+  return "";
+}
+
+const char* text_of(SessionState state) noexcept {
+  switch (state) {
+    case SessionState::open:
+      return "open";
+    case SessionState::completed:
+      return "completed";
+    case SessionState::stopped:
+      return "stopped";
+    case SessionState::crashed:
+      return "crashed";
+  }
+  return "";
+}
+
+const char* text_of(AttemptOutcome outcome) noexcept {
+  switch (outcome) {
+    case AttemptOutcome::answered:
+      return "answered";
+    case AttemptOutcome::timed_out:
+      return "timed_out";
+    case AttemptOutcome::not_compliant:
+      return "not_compliant";
+    case AttemptOutcome::aborted:
+      return "aborted";
+    case AttemptOutcome::device_fault:
+      return "device_fault";
+    case AttemptOutcome::skipped:
+      return "skipped";
+  }
+  return "";
+}
+
+}  // namespace asperity

@@ -1,0 +1,187 @@
+// SQLite's calls and result codes turned into exceptions that a person can act upon.
+
+#include "results_schema/sqlite.h"
+
+#include <sqlite3.h>
+
+#include "results_schema/study.h"
+
+namespace asperity {
+namespace {
+
+/// Long enough for a queue of sessions that sync to a slow disk; a lock held longer is a defect.
+constexpr int kBusyTimeout_ms = 60'000;
+
+/// A path as SQLite's URI syntax wants it.
+std::string uri_of(const std::filesystem::path& file, const char* parameters) {
+  constexpr const char* kDigits = "0123456789ABCDEF";
+  std::string uri = "file:";
+  for (const char character : std::filesystem::absolute(file).string()) {
+    if (character == '%' || character == '?' || character == '#') {
+      const auto code = static_cast<unsigned char>(character);
+      uri += {'%', kDigits[code >> 4], kDigits[code & 15]};
+    } else {
+      uri += character;
+    }
+  }
+  return uri + parameters;
+}
+
+std::string meaning_of(int code) {
+  switch (code & 0xff) {
+    case SQLITE_FULL:
+      return "the disk is full. Everything finished before this is safely stored; make room and go "
+             "on";
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "another process has been writing to the study for more than a minute; close it and "
+             "try again";
+    case SQLITE_READONLY:
+      return "it can only be read here; check the permissions of the folder and of study.sqlite";
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return "study.sqlite is broken; restore it from a copy";
+    case SQLITE_CANTOPEN:
+      return "study.sqlite cannot be opened; check the permissions of the folder and of its files";
+    case SQLITE_IOERR:
+      return "the disk did not read or write. Everything finished before this is safely stored";
+    case SQLITE_PERM:
+      return "the system does not permit it";
+    case SQLITE_CONSTRAINT:
+      return "the row is not acceptable";
+    default:
+      return "the database refused";
+  }
+}
+
+}  // namespace
+
+Database::Database(std::filesystem::path folder, const std::filesystem::path& file, Mode mode)
+    : folder_(std::move(folder)) {
+  int flags = SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
+  const char* parameters = "";
+  switch (mode) {
+    case Mode::create:
+      flags |= SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+      break;
+    case Mode::read_write:
+      flags |= SQLITE_OPEN_READWRITE;
+      break;
+    case Mode::read_only:
+      flags |= SQLITE_OPEN_READONLY;
+      parameters = "?mode=ro&readonly_shm=1";
+      break;
+    case Mode::read_only_rebuilding_index:
+      flags |= SQLITE_OPEN_READONLY;
+      parameters = "?mode=ro";
+      break;
+    case Mode::immutable:
+      flags |= SQLITE_OPEN_READONLY;
+      parameters = "?mode=ro&immutable=1";
+      break;
+  }
+  const int code = sqlite3_open_v2(uri_of(file, parameters).c_str(), &handle_, flags, nullptr);
+  try {
+    if (code != SQLITE_OK) fail(code, "cannot be opened");
+    if (mode == Mode::read_write && sqlite3_db_readonly(handle_, "main") == 1) {
+      fail(SQLITE_READONLY, "cannot be written to");
+    }
+    sqlite3_busy_timeout(handle_, kBusyTimeout_ms);
+    execute("PRAGMA foreign_keys = ON; PRAGMA recursive_triggers = ON; PRAGMA synchronous = FULL;");
+  } catch (...) {
+    sqlite3_close_v2(handle_);
+    throw;
+  }
+}
+
+Database::~Database() { sqlite3_close_v2(handle_); }
+
+void Database::execute(const std::string& sql) {
+  const int code = sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) fail(code, "cannot be used");
+}
+
+std::int64_t Database::last_row_id() const noexcept { return sqlite3_last_insert_rowid(handle_); }
+
+void Database::fail(int code, const std::string& what) const {
+  const char* detail = handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
+  throw ResultsError("the study " + folder_.string() + " " + what + ": " + meaning_of(code) +
+                         " (SQLite: " + detail + ")",
+                     folder_, code);
+}
+
+Statement::Statement(Database& database, std::string_view sql) : database_(database) {
+  const int code = sqlite3_prepare_v2(database.handle(), sql.data(), static_cast<int>(sql.size()),
+                                      &handle_, nullptr);
+  if (code != SQLITE_OK) database.fail(code, "cannot be read");
+}
+
+Statement::~Statement() { sqlite3_finalize(handle_); }
+
+bool Statement::step() {
+  const int code = sqlite3_step(handle_);
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) return false;
+  database_.fail(code,
+                 sqlite3_stmt_readonly(handle_) != 0 ? "cannot be read" : "did not take a row");
+}
+
+void Statement::run() {
+  while (step()) {
+  }
+  sqlite3_reset(handle_);
+  parameter_ = 0;
+}
+
+void Statement::bind_next(std::int64_t value) { sqlite3_bind_int64(handle_, ++parameter_, value); }
+
+void Statement::bind_next(double value) { sqlite3_bind_double(handle_, ++parameter_, value); }
+
+void Statement::bind_next(const std::string& value) {
+  sqlite3_bind_text64(handle_, ++parameter_, value.data(), value.size(), SQLITE_TRANSIENT,
+                      SQLITE_UTF8);
+}
+
+void Statement::bind_next(std::nullopt_t) { sqlite3_bind_null(handle_, ++parameter_); }
+
+bool Statement::is_null() const noexcept {
+  return sqlite3_column_type(handle_, column_) == SQLITE_NULL;
+}
+
+void Statement::read_next(std::int64_t& value) noexcept {
+  value = sqlite3_column_int64(handle_, column_++);
+}
+
+void Statement::read_next(int& value) noexcept { value = sqlite3_column_int(handle_, column_++); }
+
+void Statement::read_next(bool& value) noexcept {
+  value = sqlite3_column_int(handle_, column_++) != 0;
+}
+
+void Statement::read_next(double& value) noexcept {
+  value = sqlite3_column_double(handle_, column_++);
+}
+
+void Statement::read_next(std::string& value) {
+  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(handle_, column_));
+  const int bytes = sqlite3_column_bytes(handle_, column_++);
+  value.assign(text == nullptr ? "" : text, static_cast<std::size_t>(bytes));
+}
+
+Transaction::Transaction(Database& database) : database_(database) {
+  database.execute("BEGIN IMMEDIATE");
+}
+
+Transaction::~Transaction() {
+  // SQLite has already rolled back after some errors; then there is nothing left to undo.
+  if (open_ && sqlite3_get_autocommit(database_.handle()) == 0) {
+    sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+}
+
+void Transaction::commit() {
+  database_.execute("COMMIT");
+  open_ = false;
+}
+
+}  // namespace asperity

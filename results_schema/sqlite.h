@@ -1,0 +1,120 @@
+// SQLite behind types: a connection, a statement, a transaction. Seen by this folder only.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace asperity {
+
+/// One connection. Every failure is a ResultsError that names the study and says what it means.
+class Database final {
+ public:
+  /// `read_only` needs a readable log and index (-wal, -shm) and writes to neither; `immutable`
+  /// looks at the one file only; `rebuilding_index` is for a log whose index was lost, and writes a
+  /// new one.
+  enum class Mode { create, read_write, read_only, read_only_rebuilding_index, immutable };
+
+  /// `folder` is what errors name; `file` is the database.
+  Database(std::filesystem::path folder, const std::filesystem::path& file, Mode mode);
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+  ~Database();
+
+  /// Statements without parameters or results, one after another.
+  void execute(const std::string& sql);
+  std::int64_t last_row_id() const noexcept;
+  sqlite3* handle() const noexcept { return handle_; }
+  const std::filesystem::path& folder() const noexcept { return folder_; }
+  [[noreturn]] void fail(int code, const std::string& what) const;
+
+ private:
+  std::filesystem::path folder_;
+  sqlite3* handle_ = nullptr;
+};
+
+/// A prepared statement; parameters are bound and columns read in order.
+class Statement final {
+ public:
+  Statement(Database& database, std::string_view sql);
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+  ~Statement();
+
+  template <typename... Values>
+  Statement& bind(const Values&... values) {
+    (bind_next(values), ...);
+    return *this;
+  }
+  /// Whether there is a row.
+  bool step();
+  /// Runs to the end and makes ready for other parameters.
+  void run();
+  template <typename... Values>
+  void read(Values&... values) {
+    column_ = 0;
+    (read_next(values), ...);
+  }
+
+ private:
+  void bind_next(std::int64_t value);
+  void bind_next(int value) { bind_next(static_cast<std::int64_t>(value)); }
+  void bind_next(bool value) { bind_next(static_cast<std::int64_t>(value ? 1 : 0)); }
+  void bind_next(double value);
+  void bind_next(const std::string& value);
+  void bind_next(const char* value) { bind_next(std::string(value)); }
+  void bind_next(std::nullopt_t);
+  template <typename Value>
+  void bind_next(const std::optional<Value>& value) {
+    if (value) {
+      bind_next(*value);
+    } else {
+      bind_next(std::nullopt);
+    }
+  }
+
+  bool is_null() const noexcept;
+  void read_next(std::int64_t& value) noexcept;
+  void read_next(int& value) noexcept;
+  void read_next(bool& value) noexcept;
+  void read_next(double& value) noexcept;
+  void read_next(std::string& value);
+  template <typename Value>
+  void read_next(std::optional<Value>& value) {
+    if (is_null()) {
+      value.reset();
+      ++column_;
+    } else {
+      read_next(value.emplace());
+    }
+  }
+
+  Database& database_;
+  sqlite3_stmt* handle_ = nullptr;
+  int parameter_ = 0;
+  int column_ = 0;
+};
+
+/// Takes the write lock at once (BEGIN IMMEDIATE), so that what is read inside is still true when
+/// it is acted upon. Rolls back unless committed.
+class Transaction final {
+ public:
+  explicit Transaction(Database& database);
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  ~Transaction();
+  void commit();
+
+ private:
+  Database& database_;
+  bool open_ = true;
+};
+
+}  // namespace asperity

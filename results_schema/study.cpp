@@ -1,0 +1,367 @@
+// Making and opening a study; its participants, protocols and solutions.
+
+#include "results_schema/study.h"
+
+#include <cerrno>
+#include <chrono>
+#include <sys/stat.h>
+#include <thread>
+
+#include <sqlite3.h>
+
+#include "results_schema/file_system.h"
+#include "results_schema/migrations.h"
+#include "results_schema/sha256.h"
+#include "results_schema/sqlite.h"
+#include "results_schema/study_store.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kApplicationId = 0x41737072;  // "Aspr"
+constexpr const char* kUtcNow = "strftime('%Y-%m-%dT%H:%M:%fZ', 'now')";
+
+std::filesystem::path log_of(const std::filesystem::path& database, const char* suffix) {
+  std::filesystem::path path = database;
+  path += suffix;
+  return path;
+}
+
+/// Absent counts as empty.
+std::uintmax_t size_of(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  return error ? 0 : size;
+}
+
+int number_of(Database& database, const char* sql) {
+  Statement statement(database, sql);
+  int number = 0;
+  if (statement.step()) statement.read(number);
+  return number;
+}
+
+const char* const kFolders[] = {"protocols", "stimuli", "recordings", "locks"};
+
+}  // namespace
+
+std::filesystem::path database_in(const std::filesystem::path& folder) {
+  return folder / "study.sqlite";
+}
+
+void migrate(Database& database, int from) {
+  for (std::size_t i = static_cast<std::size_t>(from); i < migrations().size(); ++i) {
+    database.execute(std::string(migrations()[i]));
+  }
+  database.execute("PRAGMA user_version = " + std::to_string(migrations().size()));
+}
+
+Study::Store::Snapshot::Snapshot(Database& snapshot_database) : database(snapshot_database) {
+  if (sqlite3_get_autocommit(database.handle()) != 0) {
+    database.execute("BEGIN");
+    began = true;
+  }
+}
+
+Study::Store::Snapshot::~Snapshot() {
+  if (began) sqlite3_exec(database.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
+Study::Store::Store(std::filesystem::path study_folder, Access study_access)
+    : folder(std::move(study_folder)), access(study_access) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw ResultsError("there is no folder " + folder.string() + "; a study is a folder", folder,
+                       ENOENT);
+  }
+  if (!std::filesystem::is_regular_file(database_in(folder), error)) {
+    throw ResultsError("the folder " + folder.string() +
+                           " is no study: it holds no study.sqlite. Name the folder of a study, or "
+                           "make a new one",
+                       folder, ENOENT);
+  }
+  connect();
+}
+
+void Study::Store::connect() {
+  if (access == Access::read_only) {
+    connect_for_reading();
+    return;
+  }
+  database = std::make_unique<Database>(folder, database_in(folder), Database::Mode::read_write);
+  check_identity();
+  // Of two programs that bring an old study up to date at once the second finds it done.
+  if (number_of(*database, "PRAGMA user_version") < kSchemaVersion) {
+    Transaction transaction(*database);
+    migrate(*database, number_of(*database, "PRAGMA user_version"));
+    transaction.commit();
+  }
+}
+
+void Study::Store::connect_for_reading() {
+  constexpr int kTries = 100;
+  constexpr std::chrono::milliseconds kPause{20};
+  const std::filesystem::path file = database_in(folder);
+  for (int left = kTries;; --left) {
+    const bool has_index = std::filesystem::exists(log_of(file, "-shm"));
+    const bool log_is_used = size_of(log_of(file, "-wal")) > 0;
+    immutable_since.reset();
+    Database::Mode mode = Database::Mode::read_only;
+    if (!log_is_used && !(has_index && std::filesystem::exists(log_of(file, "-wal")))) {
+      immutable_since = stamp();
+      mode = Database::Mode::immutable;
+    } else if (!has_index) {
+      mode = Database::Mode::read_only_rebuilding_index;
+    }
+    try {
+      database = std::make_unique<Database>(folder, file, mode);
+      check_identity();
+      if (!is_outdated()) return;
+    } catch (const ResultsError& error) {
+      // The writer's files may come or go between our look and our opening them.
+      const int kind = error.code() & 0xff;
+      const bool may_pass = is_outdated() || kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY ||
+                            kind == SQLITE_BUSY;
+      if (!may_pass || left == 0) throw;
+    }
+    if (left < kTries) std::this_thread::sleep_for(kPause);
+  }
+}
+
+void Study::Store::check_identity() {
+  if (number_of(*database, "PRAGMA application_id") != kApplicationId) {
+    throw ResultsError("the folder " + folder.string() +
+                           " is no study: its study.sqlite was made by another program",
+                       folder);
+  }
+  const int version = number_of(*database, "PRAGMA user_version");
+  if (version > kSchemaVersion) {
+    throw ResultsError("the study " + folder.string() +
+                           " was made by a newer Asperity: its schema is version " +
+                           std::to_string(version) + ", this program knows versions up to " +
+                           std::to_string(kSchemaVersion) + ". Use the newer program",
+                       folder);
+  }
+  if (version < kSchemaVersion && access == Access::read_only) {
+    throw ResultsError("the study " + folder.string() +
+                           " was made by an older Asperity: open it once for writing, which brings "
+                           "its schema from version " +
+                           std::to_string(version) + " to " + std::to_string(kSchemaVersion),
+                       folder);
+  }
+  if (number_of(*database, "SELECT count(*) FROM study") != 1) {
+    throw ResultsError("the study " + folder.string() +
+                           " is broken: its table study must have one row; restore it from a copy",
+                       folder);
+  }
+}
+
+Study::Store::Stamp Study::Store::stamp() const {
+  const std::filesystem::path file = database_in(folder);
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) fail_on_file(file, "examined", errno);
+  return {.modified_ns = static_cast<std::int64_t>(status.st_mtim.tv_sec) * 1'000'000'000 +
+                         status.st_mtim.tv_nsec,
+          .bytes = status.st_size,
+          .file_number = status.st_ino,
+          .log_exists = std::filesystem::exists(log_of(file, "-wal"))};
+}
+
+bool Study::Store::is_outdated() const { return immutable_since && stamp() != *immutable_since; }
+
+void Study::Store::follow_writers() {
+  if (is_outdated()) connect_for_reading();
+}
+
+Database& Study::Store::writable() {
+  if (access == Access::read_only) {
+    throw ResultsError("the study " + folder.string() +
+                           " is open for reading only; open it for writing to change it",
+                       folder, SQLITE_READONLY);
+  }
+  return *database;
+}
+
+Study::Study(std::unique_ptr<Store> store) : store_(std::move(store)) {}
+Study::Study(Study&&) noexcept = default;
+Study& Study::operator=(Study&&) noexcept = default;
+Study::~Study() = default;
+
+Study Study::create(const std::filesystem::path& folder, const std::string& name) {
+  if (name.empty()) throw std::invalid_argument("name: a study needs one");
+  const bool made_folder = !std::filesystem::exists(folder);
+  if (!made_folder &&
+      (!std::filesystem::is_directory(folder) || !std::filesystem::is_empty(folder))) {
+    throw ResultsError("a study cannot be made in " + folder.string() +
+                           ": it already holds something; name a new or an empty folder",
+                       folder, EEXIST);
+  }
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) fail_on_file(folder, "made", error.value());
+  try {
+    for (const char* const part : kFolders) {
+      std::filesystem::create_directory(folder / part, error);
+      if (error) fail_on_file(folder / part, "made", error.value());
+    }
+    Database database(folder, database_in(folder), Database::Mode::create);
+    Statement journal(database, "PRAGMA journal_mode = WAL");
+    std::string mode;
+    if (journal.step()) journal.read(mode);
+    journal.run();
+    if (mode != "wal") {
+      throw ResultsError("a study cannot be made in " + folder.string() +
+                             ": its file system offers no write-ahead log; use a local disk",
+                         folder);
+    }
+    Transaction transaction(database);
+    database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
+    migrate(database, 0);
+    Statement(database, std::string("INSERT INTO study VALUES (1, ?, ") + kUtcNow + ")")
+        .bind(name)
+        .run();
+    transaction.commit();
+    sync_folder(folder);
+  } catch (...) {
+    for (const char* const part : kFolders) std::filesystem::remove(folder / part, error);
+    for (const char* const suffix : {"", "-wal", "-shm"}) {
+      std::filesystem::remove(log_of(database_in(folder), suffix), error);
+    }
+    if (made_folder) std::filesystem::remove(folder, error);
+    throw;
+  }
+  return open(folder, Access::read_write);
+}
+
+Study Study::open(const std::filesystem::path& folder, Access access) {
+  return Study(std::make_unique<Store>(folder, access));
+}
+
+bool Study::exists(const std::filesystem::path& folder) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(database_in(folder), error);
+}
+
+const std::filesystem::path& Study::folder() const noexcept { return store_->folder; }
+Access Study::access() const noexcept { return store_->access; }
+
+std::string Study::name() const {
+  return store_->read([](Database& database) {
+    Statement statement(database, "SELECT name FROM study");
+    std::string name;
+    if (statement.step()) statement.read(name);
+    return name;
+  });
+}
+
+void Study::add_participant(const ParticipantRow& participant) {
+  Database& database = store_->writable();
+  const std::string& label = participant.label;
+  const bool is_plain =
+      label.find_first_not_of("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") ==
+      std::string::npos;
+  if (label.empty() || label.size() > 32 || !is_plain) {
+    throw ResultsError("\"" + label +
+                           "\" is no participant label; it must be 1 to 32 letters and digits "
+                           "(0-9, A-Z, a-z)",
+                       store_->folder);
+  }
+  Statement statement(database,
+                      std::string("INSERT INTO participant (label, is_virtual, age_years, sex, "
+                                  "handedness, answers_json, created_utc) "
+                                  "VALUES (?, ?, ?, ?, ?, ?, coalesce(nullif(?, ''), ") +
+                          kUtcNow + "))");
+  statement
+      .bind(label, participant.is_virtual, participant.age_years, participant.sex,
+            participant.handedness, participant.answers_json, participant.created_utc)
+      .run();
+}
+
+std::vector<ParticipantRow> Study::participants() const {
+  return store_->read([](Database& database) {
+    Statement statement(database,
+                        "SELECT label, is_virtual, age_years, sex, handedness, answers_json, "
+                        "created_utc FROM participant ORDER BY label");
+    std::vector<ParticipantRow> rows;
+    while (statement.step()) {
+      ParticipantRow& row = rows.emplace_back();
+      statement.read(row.label, row.is_virtual, row.age_years, row.sex, row.handedness,
+                     row.answers_json, row.created_utc);
+    }
+    return rows;
+  });
+}
+
+std::optional<ParticipantRow> Study::participant(const std::string& label) const {
+  for (ParticipantRow& row : participants()) {
+    if (row.label == label) return std::move(row);
+  }
+  return std::nullopt;
+}
+
+std::int64_t Study::add_protocol(const ProtocolRow& protocol) {
+  Database& database = store_->writable();
+  const std::string sha256 = sha256_of(protocol.source);
+  if (!protocol.source_sha256.empty() && protocol.source_sha256 != sha256) {
+    throw ResultsError("the protocol " + protocol.name + " does not have the SHA-256 " +
+                           protocol.source_sha256 + " that is stated for it, but " + sha256,
+                       store_->folder);
+  }
+  Transaction transaction(database);
+  std::int64_t id = 0;
+  Statement known(database, "SELECT id FROM protocol WHERE source_sha256 = ?");
+  if (known.bind(sha256).step()) {
+    known.read(id);
+    return id;
+  }
+  Statement(database,
+            "INSERT INTO protocol (name, version, kind, design, source_sha256, source) "
+            "VALUES (?, ?, ?, ?, ?, ?)")
+      .bind(protocol.name, protocol.version, protocol.kind, protocol.design, sha256,
+            protocol.source)
+      .run();
+  id = database.last_row_id();
+  transaction.commit();
+  return id;
+}
+
+std::vector<ProtocolRow> Study::protocols() const {
+  return store_->read([](Database& database) {
+    Statement statement(database,
+                        "SELECT id, name, version, kind, design, source_sha256, source "
+                        "FROM protocol ORDER BY name, version, source_sha256");
+    std::vector<ProtocolRow> rows;
+    while (statement.step()) {
+      ProtocolRow& row = rows.emplace_back();
+      statement.read(row.id, row.name, row.version, row.kind, row.design, row.source_sha256,
+                     row.source);
+    }
+    return rows;
+  });
+}
+
+ProtocolRow Study::protocol(std::int64_t id) const {
+  for (ProtocolRow& row : protocols()) {
+    if (row.id == id) return std::move(row);
+  }
+  throw ResultsError(
+      "the study " + store_->folder.string() + " has no protocol of the id " + std::to_string(id),
+      store_->folder);
+}
+
+void Study::remember_solution(const std::string& key, const std::string& solution_json) {
+  Statement(store_->writable(), "INSERT INTO solution VALUES (?, ?) ON CONFLICT DO NOTHING")
+      .bind(key, solution_json)
+      .run();
+}
+
+std::optional<std::string> Study::solution(const std::string& key) const {
+  return store_->read([&key](Database& database) {
+    Statement statement(database, "SELECT solution_json FROM solution WHERE key = ?");
+    std::optional<std::string> solution;
+    if (statement.bind(key).step()) statement.read(solution);
+    return solution;
+  });
+}
+
+}  // namespace asperity

@@ -1,0 +1,283 @@
+// Attempts of a study, with everything that hangs on them.
+
+#include <algorithm>
+
+#include "results_schema/file_system.h"
+#include "results_schema/study.h"
+#include "results_schema/study_store.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::array kOutcomes{AttemptOutcome::answered,      AttemptOutcome::timed_out,
+                               AttemptOutcome::not_compliant, AttemptOutcome::aborted,
+                               AttemptOutcome::device_fault,  AttemptOutcome::skipped};
+
+void insert_presentations(Database& database, std::int64_t attempt_id,
+                          const std::vector<PresentationRow>& rows) {
+  Statement statement(database,
+                      "INSERT INTO presentation VALUES "
+                      "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const PresentationRow& row : rows) {
+    statement
+        .bind(attempt_id, row.position, row.role, row.item, row.stimulus, row.model,
+              row.model_version, row.texture, row.parameters_json, row.height_field_sha256,
+              row.seed, row.onset_ns, row.contact_ns, row.offset_ns, row.contact_s,
+              row.matched_texture_force_N, row.achieved_texture_force_N)
+        .run();
+  }
+}
+
+void insert_responses(Database& database, std::int64_t attempt_id,
+                      const std::vector<ResponseRow>& rows) {
+  Statement statement(database,
+                      "INSERT INTO response (attempt_id, question, item, answer, answer_number, "
+                      "correct, options_json, time_ns, from_contact_s, from_cue_s, source) "
+                      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const ResponseRow& row : rows) {
+    statement
+        .bind(attempt_id, row.question, row.item, row.answer, row.answer_number, row.correct,
+              row.options_json, row.time_ns, row.from_contact_s, row.from_cue_s, row.source)
+        .run();
+  }
+}
+
+void insert_servo(Database& database, std::int64_t attempt_id, const ServoQualityRow& row) {
+  Statement(database,
+            "INSERT INTO servo_quality VALUES "
+            "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .bind(attempt_id, row.rate_Hz, row.ticks, row.period_mean_s, row.period_sd_s,
+            row.period_p50_s, row.period_p99_s, row.period_p99_9_s, row.period_maximum_s,
+            row.lateness_p50_s, row.lateness_p99_s, row.lateness_maximum_s, row.execution_p99_s,
+            row.execution_maximum_s, row.missed_deadlines, row.saturated_ticks,
+            row.slew_limited_ticks, row.not_finite_ticks, row.lost_records, row.fault)
+      .run();
+}
+
+void insert_compliance(Database& database, std::int64_t attempt_id,
+                       const std::vector<ComplianceRow>& rows) {
+  Statement statement(database,
+                      "INSERT INTO compliance (attempt_id, position, quantity, minimum, maximum, "
+                      "mean, sd, p05, p50, p95, fraction_in_band, passed) "
+                      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const ComplianceRow& row : rows) {
+    statement
+        .bind(attempt_id, row.position, row.quantity, row.minimum, row.maximum, row.mean, row.sd,
+              row.p05, row.p50, row.p95, row.fraction_in_band, row.passed)
+        .run();
+  }
+}
+
+void insert_events(Database& database, std::int64_t session_id, std::int64_t attempt_id,
+                   const std::vector<EventRow>& rows) {
+  Statement statement(database,
+                      "INSERT INTO event (session_id, attempt_id, time_ns, kind, text, data_json) "
+                      "VALUES (?, ?, ?, ?, ?, ?)");
+  for (const EventRow& row : rows) {
+    statement.bind(session_id, attempt_id, row.time_ns, row.kind, row.text, row.data_json).run();
+  }
+}
+
+/// Attempts in the order of their ids, so that what hangs on them can be told to them by bisection.
+class Attempts {
+ public:
+  void add(AttemptRow row) { rows_.push_back(std::move(row)); }
+  AttemptRow& of(std::int64_t id) {
+    return *std::lower_bound(
+        rows_.begin(), rows_.end(), id,
+        [](const AttemptRow& row, std::int64_t wanted) { return row.id < wanted; });
+  }
+  std::vector<AttemptRow> in_order() && {
+    std::sort(rows_.begin(), rows_.end(), [](const AttemptRow& a, const AttemptRow& b) {
+      return a.trial != b.trial ? a.trial < b.trial : a.attempt < b.attempt;
+    });
+    return std::move(rows_);
+  }
+
+ private:
+  std::vector<AttemptRow> rows_{};
+};
+
+void read_presentations(Database& database, const std::string& which, std::int64_t key,
+                        Attempts& attempts) {
+  Statement statement(
+      database,
+      "SELECT attempt_id, position, role, item, stimulus, model, model_version, texture, "
+      "parameters_json, height_field_sha256, seed, onset_ns, contact_ns, offset_ns, contact_s, "
+      "matched_texture_force_N, achieved_texture_force_N FROM presentation WHERE " +
+          which + " ORDER BY attempt_id, position");
+  statement.bind(key);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    PresentationRow row;
+    statement.read(id, row.position, row.role, row.item, row.stimulus, row.model, row.model_version,
+                   row.texture, row.parameters_json, row.height_field_sha256, row.seed,
+                   row.onset_ns, row.contact_ns, row.offset_ns, row.contact_s,
+                   row.matched_texture_force_N, row.achieved_texture_force_N);
+    attempts.of(id).presentations.push_back(std::move(row));
+  }
+}
+
+void read_responses(Database& database, const std::string& which, std::int64_t key,
+                    Attempts& attempts) {
+  Statement statement(database,
+                      "SELECT attempt_id, question, item, answer, answer_number, correct, "
+                      "options_json, time_ns, from_contact_s, from_cue_s, source FROM response "
+                      "WHERE " +
+                          which + " ORDER BY id");
+  statement.bind(key);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    ResponseRow row;
+    statement.read(id, row.question, row.item, row.answer, row.answer_number, row.correct,
+                   row.options_json, row.time_ns, row.from_contact_s, row.from_cue_s, row.source);
+    attempts.of(id).responses.push_back(std::move(row));
+  }
+}
+
+void read_servo(Database& database, const std::string& which, std::int64_t key,
+                Attempts& attempts) {
+  Statement statement(database, "SELECT * FROM servo_quality WHERE " + which);
+  statement.bind(key);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    ServoQualityRow row;
+    statement.read(id, row.rate_Hz, row.ticks, row.period_mean_s, row.period_sd_s, row.period_p50_s,
+                   row.period_p99_s, row.period_p99_9_s, row.period_maximum_s, row.lateness_p50_s,
+                   row.lateness_p99_s, row.lateness_maximum_s, row.execution_p99_s,
+                   row.execution_maximum_s, row.missed_deadlines, row.saturated_ticks,
+                   row.slew_limited_ticks, row.not_finite_ticks, row.lost_records, row.fault);
+    attempts.of(id).servo = std::move(row);
+  }
+}
+
+void read_compliance(Database& database, const std::string& which, std::int64_t key,
+                     Attempts& attempts) {
+  Statement statement(database,
+                      "SELECT attempt_id, position, quantity, minimum, maximum, mean, sd, p05, "
+                      "p50, p95, fraction_in_band, passed FROM compliance WHERE " +
+                          which + " ORDER BY id");
+  statement.bind(key);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    ComplianceRow row;
+    statement.read(id, row.position, row.quantity, row.minimum, row.maximum, row.mean, row.sd,
+                   row.p05, row.p50, row.p95, row.fraction_in_band, row.passed);
+    attempts.of(id).compliance.push_back(std::move(row));
+  }
+}
+
+void read_recordings(Database& database, const std::string& which, std::int64_t key,
+                     Attempts& attempts) {
+  Statement statement(
+      database,
+      "SELECT attempt_id, path, format, sha256, records, bytes FROM recording WHERE " + which);
+  statement.bind(key);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    RecordingRow row;
+    statement.read(id, row.path, row.format, row.sha256, row.records, row.bytes);
+    attempts.of(id).recording = std::move(row);
+  }
+}
+
+void read_events(Database& database, const std::string& which, std::int64_t key,
+                 Attempts& attempts) {
+  Statement statement(
+      database, "SELECT attempt_id, time_ns, kind, text, data_json FROM event WHERE " + which +
+                    " ORDER BY id");
+  statement.bind(key);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    EventRow row;
+    statement.read(id, row.time_ns, row.kind, row.text, row.data_json);
+    attempts.of(id).events.push_back(std::move(row));
+  }
+}
+
+/// `which` selects attempts by the one parameter `key`.
+std::vector<AttemptRow> read_attempts(Database& database, const std::string& which,
+                                      std::int64_t key) {
+  Attempts attempts;
+  Statement statement(database,
+                      "SELECT id, trial, attempt, segment, outcome, valid, invalid_reason, "
+                      "flagged, flag_reason, onset_ns, offset_ns FROM attempt WHERE " +
+                          which + " ORDER BY id");
+  statement.bind(key);
+  while (statement.step()) {
+    AttemptRow row;
+    std::string outcome;
+    statement.read(row.id, row.trial, row.attempt, row.segment, outcome, row.valid,
+                   row.invalid_reason, row.flagged, row.flag_reason, row.onset_ns, row.offset_ns);
+    row.outcome = enum_of(outcome, kOutcomes);
+    attempts.add(std::move(row));
+  }
+  const std::string hanging = "attempt_id IN (SELECT id FROM attempt WHERE " + which + ")";
+  read_presentations(database, hanging, key, attempts);
+  read_responses(database, hanging, key, attempts);
+  read_servo(database, hanging, key, attempts);
+  read_compliance(database, hanging, key, attempts);
+  read_recordings(database, hanging, key, attempts);
+  read_events(database, hanging, key, attempts);
+  return std::move(attempts).in_order();
+}
+
+}  // namespace
+
+std::int64_t Study::add_attempt(std::int64_t session_id, const AttemptRow& attempt) {
+  Database& database = store_->writable();
+  Transaction transaction(database);
+  Statement(database,
+            "INSERT INTO attempt (session_id, trial, attempt, segment, outcome, valid, "
+            "invalid_reason, flagged, flag_reason, onset_ns, offset_ns) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .bind(session_id, attempt.trial, attempt.attempt, attempt.segment, text_of(attempt.outcome),
+            attempt.valid, attempt.invalid_reason, attempt.flagged, attempt.flag_reason,
+            attempt.onset_ns, attempt.offset_ns)
+      .run();
+  const std::int64_t id = database.last_row_id();
+  insert_presentations(database, id, attempt.presentations);
+  insert_responses(database, id, attempt.responses);
+  if (attempt.servo) insert_servo(database, id, *attempt.servo);
+  insert_compliance(database, id, attempt.compliance);
+  if (attempt.recording) {
+    const RecordingRow& row = *attempt.recording;
+    path_in_study(store_->folder, row.path);
+    Statement(database, "INSERT INTO recording VALUES (?, ?, ?, ?, ?, ?)")
+        .bind(id, row.path, row.format, row.sha256, row.records, row.bytes)
+        .run();
+  }
+  insert_events(database, session_id, id, attempt.events);
+  transaction.commit();
+  return id;
+}
+
+std::vector<AttemptRow> Study::attempts(std::int64_t session_id) const {
+  return store_->read([session_id](Database& database) {
+    return read_attempts(database, "session_id = ?1", session_id);
+  });
+}
+
+std::optional<AttemptRow> Study::attempt(std::int64_t id) const {
+  return store_->read([id](Database& database) {
+    std::optional<AttemptRow> found;
+    for (AttemptRow& row : read_attempts(database, "id = ?1", id)) found = std::move(row);
+    return found;
+  });
+}
+
+std::int64_t Study::session_of(std::int64_t attempt_id) const {
+  return store_->read([attempt_id](Database& database) {
+    Statement statement(database, "SELECT session_id FROM attempt WHERE id = ?");
+    if (!statement.bind(attempt_id).step()) {
+      throw ResultsError("the study " + database.folder().string() + " has no attempt of the id " +
+                             std::to_string(attempt_id),
+                         database.folder());
+    }
+    std::int64_t session_id = 0;
+    statement.read(session_id);
+    return session_id;
+  });
+}
+
+}  // namespace asperity

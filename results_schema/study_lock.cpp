@@ -1,0 +1,127 @@
+// A lock that a dead process cannot keep.
+
+#include <array>
+#include <cerrno>
+#include <ctime>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "results_schema/file_system.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+namespace {
+
+std::filesystem::path lock_path(const std::filesystem::path& study, const std::string& name) {
+  const bool is_plain =
+      !name.empty() &&
+      name.find_first_not_of("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ-_") ==
+          std::string::npos;
+  if (!is_plain) {
+    throw ResultsError(
+        "\"" + name + "\" is no name for a lock; it must be letters, digits, \"-\" and \"_\"",
+        study);
+  }
+  return study / "locks" / (name + ".lock");
+}
+
+/// A lock of the open file rather than of the process: two threads exclude each other too, and
+/// closing another descriptor of the same file does not let go of it.
+struct flock whole_file(short type) {
+  struct flock lock {};
+  lock.l_type = type;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
+/// When this process was started, as UTC: the kernel dates /proc/self so.
+std::string process_start_utc() {
+  struct stat status {};
+  if (::stat("/proc/self", &status) != 0) return "unknown";
+  const std::time_t time = status.st_ctim.tv_sec;
+  std::tm parts{};
+  std::array<char, 32> text{};
+  ::gmtime_r(&time, &parts);
+  const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return std::string(text.data(), length);
+}
+
+/// What stands in the file: "process 123 on host lab1, started 2026-03-01T09:00:00Z".
+std::string description_of_this_process() {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return "process " + std::to_string(::getpid()) + " on host " + host.data() + ", started " +
+         process_start_utc();
+}
+
+std::string content_of(int descriptor) {
+  std::array<char, 512> text{};
+  const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
+  // Empty in the moment between taking the lock and writing into the file.
+  return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length))
+                    : "another process on this machine";
+}
+
+}  // namespace
+
+StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name)
+    : path_(lock_path(study, name)) {
+  const std::string network = network_file_system_at(study);
+  if (!network.empty()) {
+    throw ResultsError("the study " + study.string() + " lies on a network file system, " +
+                           network + ", where locks cannot be trusted; use a local disk",
+                       study);
+  }
+  std::error_code error;
+  std::filesystem::create_directory(path_.parent_path(), error);
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail_on_file(path_, "opened", errno);
+  struct flock lock = whole_file(F_WRLCK);
+  if (::fcntl(descriptor_, F_OFD_SETLK, &lock) != 0) {
+    const int error_number = errno;
+    const std::string holder = content_of(descriptor_);
+    ::close(descriptor_);
+    if (error_number != EAGAIN && error_number != EACCES) {
+      fail_on_file(path_, "locked", error_number);
+    }
+    throw ResultsError("\"" + name + "\" of the study " + study.string() + " is in use by " +
+                           holder + "; wait until it has finished, or stop it there",
+                       path_, EAGAIN);
+  }
+  const std::string text = description_of_this_process();
+  const bool written =
+      ::ftruncate(descriptor_, 0) == 0 &&
+      ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+  if (!written) {
+    const int error_number = errno;
+    ::close(descriptor_);
+    fail_on_file(path_, "written", error_number);
+  }
+}
+
+StudyLock::~StudyLock() {
+  // Emptied while it is still ours: afterwards another's words may stand in it.
+  [[maybe_unused]] const int result = ::ftruncate(descriptor_, 0);
+  ::close(descriptor_);
+}
+
+std::optional<std::string> StudyLock::holder(const std::filesystem::path& study,
+                                             const std::string& name) {
+  const std::filesystem::path path = lock_path(study, name);
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    if (errno == ENOENT) return std::nullopt;
+    fail_on_file(path, "opened", errno);
+  }
+  struct flock lock = whole_file(F_RDLCK);
+  const int result = ::fcntl(descriptor, F_OFD_GETLK, &lock);
+  const int error_number = errno;
+  std::string text = content_of(descriptor);
+  ::close(descriptor);
+  if (result != 0) fail_on_file(path, "examined", error_number);
+  if (lock.l_type == F_UNLCK) return std::nullopt;
+  return text;
+}
+
+}  // namespace asperity

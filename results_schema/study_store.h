@@ -1,0 +1,100 @@
+// What a Study keeps while it is open. Seen by this folder only.
+
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "results_schema/sqlite.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+struct Study::Store {
+  /// What changes when somebody writes to the database.
+  struct Stamp {
+    std::int64_t modified_ns = 0;
+    std::int64_t bytes = 0;
+    std::uint64_t file_number = 0;
+    bool log_exists = false;
+    bool operator==(const Stamp&) const = default;
+  };
+
+  Store(std::filesystem::path study_folder, Access study_access);
+
+  /// The connection, for writing. Throws when the study was opened for reading.
+  Database& writable();
+
+  /// Runs `function(database)` on one consistent state of the study.
+  ///
+  /// A study that nobody has open is read as an immutable file, without locks, because locks would
+  /// leave files behind. Should somebody begin to write meanwhile, what was read is thrown away and
+  /// read again with locks.
+  template <typename Function>
+  auto read(Function function) {
+    if (inside_read) return function(*database);
+    const ReadMark mark(*this);
+    for (;;) {
+      follow_writers();
+      try {
+        const Snapshot snapshot(*database);
+        auto result = function(*database);
+        if (!is_outdated()) return result;
+      } catch (const ResultsError&) {
+        if (!is_outdated()) throw;
+      }
+    }
+  }
+
+  std::filesystem::path folder;
+  Access access = Access::read_only;
+  std::unique_ptr<Database> database{};
+  std::optional<Stamp> immutable_since{};  ///< set while the file is read without locks
+  bool inside_read = false;
+
+ private:
+  /// Nested reads see the state of the outermost.
+  struct ReadMark {
+    explicit ReadMark(Store& marked) : store(marked) { store.inside_read = true; }
+    ~ReadMark() { store.inside_read = false; }
+    ReadMark(const ReadMark&) = delete;
+    ReadMark& operator=(const ReadMark&) = delete;
+    Store& store;
+  };
+  /// A read transaction, unless one is running.
+  struct Snapshot {
+    explicit Snapshot(Database& snapshot_database);
+    ~Snapshot();
+    Snapshot(const Snapshot&) = delete;
+    Snapshot& operator=(const Snapshot&) = delete;
+    Database& database;
+    bool began = false;
+  };
+
+  void connect();
+  void connect_for_reading();
+  void check_identity();
+  void follow_writers();
+  bool is_outdated() const;
+  Stamp stamp() const;
+};
+
+/// Brings the schema from version `from` to the newest, inside the caller's transaction.
+void migrate(Database& database, int from);
+
+/// The part of a study that is one file.
+std::filesystem::path database_in(const std::filesystem::path& folder);
+
+/// The element of a closed set that a word of the database stands for.
+template <typename Enum, std::size_t kCount>
+Enum enum_of(const std::string& text, const std::array<Enum, kCount>& all) {
+  for (const Enum value : all) {
+    if (text == text_of(value)) return value;
+  }
+  throw std::invalid_argument("\"" + text + "\" is no word of this column");
+}
+
+}  // namespace asperity

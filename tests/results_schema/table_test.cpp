@@ -1,0 +1,111 @@
+// Tab-separated text says exactly what the table does.
+
+#include "results_schema/table.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <locale.h>
+
+#include "results_schema/study.h"
+
+namespace asperity {
+namespace {
+
+std::string message_of(std::string_view text) {
+  try {
+    read_tsv(text, "file.tsv");
+  } catch (const ResultsError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Table, IsWrittenAsTabsWithMissingCellsNamed) {
+  const Table table{.columns = {"name", "count", "force_N", "note"},
+                    .rows = {{std::string("wood"), std::int64_t{3}, 0.1, Cell{}},
+                             {std::string(""), std::int64_t{-1}, 1e-300, std::string("=cmd")}}};
+  EXPECT_EQ(tsv_of(table), "name\tcount\tforce_N\tnote\nwood\t3\t0.1\tn/a\n\t-1\t1e-300\t=cmd\n");
+}
+
+TEST(Table, CountsTheCellsThatDoNotReadBackAsTheyWere) {
+  const Table table{.columns = {"note", "other"},
+                    .rows = {{std::string("a\tb\nc"), std::string("plain")},
+                             {std::string("n/a"), std::string("\r")},
+                             {Cell{}, std::string("N/A")}}};
+  std::size_t replaced = 99;
+  EXPECT_EQ(tsv_of(table, &replaced), "note\tother\na b c\tplain\nn/a\t \nn/a\tN/A\n");
+  EXPECT_EQ(replaced, 3U);
+}
+
+TEST(Table, ReadsBackWhatItWrote) {
+  const Table table{
+      .columns = {"a", "b"},
+      .rows = {{std::string("x y"), Cell{}}, {std::string(""), std::string("ü🙂\"q\"")}}};
+  const Table read = read_tsv(tsv_of(table), "file.tsv");
+  EXPECT_EQ(read.columns, table.columns);
+  EXPECT_EQ(read.rows, table.rows);
+}
+
+TEST(Table, ReadsLineEndsAndByteOrderMarksOfOtherTools) {
+  const Table table = read_tsv(
+      "\xEF\xBB\xBF"
+      "a\tb\r\n1\tn/a\r\n2\t3",
+      "file.tsv");
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"a", "b"}));
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.rows[0][1], Cell{});
+  EXPECT_EQ(table.rows[1][1], Cell{std::string("3")});
+}
+
+TEST(Table, SaysWhereItIsWrong) {
+  EXPECT_EQ(message_of("a\tb\n1\t2\n3\n"),
+            "file.tsv:3:2: the row has 1 cells, the header names 2 columns");
+  EXPECT_EQ(message_of("a\n1\t2\n"),
+            "file.tsv:2:2: the row has 2 cells, the header names 1 columns");
+  EXPECT_EQ(message_of("a\tb\ta\n"), "file.tsv:1:3: the column name \"a\" stands twice");
+  EXPECT_EQ(message_of("a\t\n"), "file.tsv:1:2: the column has no name");
+  EXPECT_EQ(message_of(""), "file.tsv:1:1: the line of column names is missing");
+}
+
+TEST(Table, RefusesARowOfAnotherLength) {
+  const Table table{.columns = {"a"}, .rows = {{Cell{}, Cell{}}}};
+  EXPECT_THROW(tsv_of(table), std::invalid_argument);
+}
+
+TEST(NumberText, IsTheShortestThatReadsBack) {
+  EXPECT_EQ(text_of_number(0.1), "0.1");
+  EXPECT_EQ(text_of_number(1.0), "1");
+  EXPECT_EQ(text_of_number(-0.0), "-0");
+  EXPECT_EQ(text_of_number(1.0 / 3.0), "0.3333333333333333");
+  for (const double value : {5e-324, 1.7976931348623157e308, 123456789.123, 2.5e-7}) {
+    EXPECT_EQ(number_in(text_of_number(value)), value);
+  }
+}
+
+TEST(NumberText, NamesWhatIsNotFinite) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(text_of_number(infinity), "inf");
+  EXPECT_EQ(text_of_number(-infinity), "-inf");
+  EXPECT_EQ(text_of_number(std::nan("")), "nan");
+  EXPECT_EQ(text_of_number(-std::nan("")), "nan");
+}
+
+TEST(NumberText, TakesAllOfTheTextOrNothing) {
+  EXPECT_EQ(number_in("1.5"), 1.5);
+  for (const char* const text : {"", "1,5", "1.5 ", " 1.5", "1.5N", "1e999", "n/a", "0x10"}) {
+    EXPECT_EQ(number_in(text), std::nullopt) << text;
+  }
+}
+
+TEST(NumberText, DoesNotHeedTheLocale) {
+  const std::string before = ::setlocale(LC_ALL, nullptr);
+  if (::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) GTEST_SKIP() << "no German locale here";
+  EXPECT_EQ(text_of_number(1.5), "1.5");
+  EXPECT_EQ(number_in("1.5"), 1.5);
+  ::setlocale(LC_ALL, before.c_str());
+}
+
+}  // namespace
+}  // namespace asperity
