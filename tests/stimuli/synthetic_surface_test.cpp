@@ -1,0 +1,209 @@
+// Surfaces from formulas: their numbers, their seams, and that the materials differ under a stroke.
+
+#include "stimuli/synthetic_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+
+#include "analysis/force_features.h"
+
+namespace asperity {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::vector<std::string> kMaterials{"metal", "stone", "wood", "brick", "sandpaper"};
+const SurfaceCanvas kSmall{.width_m = 0.05, .pixels = 256, .seed = 1};
+
+std::string refusal_of(const std::string& kind, const ParameterValues& values,
+                       const SurfaceCanvas& canvas) {
+  try {
+    make_surface(kind, values, canvas);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(SyntheticSurface, HasTheKindsOfTheCommandLine) {
+  std::vector<std::string> kinds;
+  for (const SurfaceDeclaration& declaration : synthetic_surfaces()) {
+    kinds.push_back(declaration.kind);
+    EXPECT_FALSE(declaration.summary.empty());
+    for (const Parameter& parameter : declaration.parameters) {
+      EXPECT_FALSE(complaint_about(parameter, parameter.default_value));
+      EXPECT_FALSE(parameter.meaning.empty()) << parameter.name;
+    }
+  }
+  EXPECT_THAT(kinds, ::testing::ElementsAre("sinusoid", "grating", "cones", "noise", "metal",
+                                            "stone", "wood", "brick", "sandpaper"));
+}
+
+TEST(SyntheticSurface, DependsOnItsSeedWhereItIsRandomAndOnNothingElse) {
+  for (const SurfaceDeclaration& declaration : synthetic_surfaces()) {
+    const bool regular = declaration.kind == "sinusoid" || declaration.kind == "grating";
+    SurfaceCanvas other = kSmall;
+    other.seed = 2;
+    const auto heights_m = make_surface(declaration.kind, {}, kSmall).heights_m();
+    EXPECT_EQ(heights_m, make_surface(declaration.kind, {}, kSmall).heights_m());
+    EXPECT_EQ(heights_m == make_surface(declaration.kind, {}, other).heights_m(), regular)
+        << declaration.kind;
+  }
+}
+
+// Across the seam neighbours differ no more than they do anywhere else.
+TEST(SyntheticSurface, RepeatsWithoutASeam) {
+  for (const SurfaceDeclaration& declaration : synthetic_surfaces()) {
+    const HeightField field = make_surface(declaration.kind, {}, {.pixels = 512});
+    const auto height_m = [&](std::size_t i, std::size_t j) {
+      return static_cast<double>(field.heights_m()[i * 512 + j]);
+    };
+    double inside_m2 = 0.0;
+    double across_m2 = 0.0;
+    for (std::size_t k = 0; k < 512; ++k) {
+      for (std::size_t at = 0; at < 511; ++at) {
+        inside_m2 += std::pow(height_m(k, at + 1) - height_m(k, at), 2) +
+                     std::pow(height_m(at + 1, k) - height_m(at, k), 2);
+      }
+      across_m2 += std::pow(height_m(k, 0) - height_m(k, 511), 2) +
+                   std::pow(height_m(0, k) - height_m(511, k), 2);
+    }
+    // A single column of a regular pattern may lie on a flank; a step would be far steeper.
+    EXPECT_LT(across_m2, 3.0 * inside_m2 / 511.0) << declaration.kind;
+  }
+}
+
+// h = A sin(2πx/L): amplitude A, RMS A/√2, steepest slope 2πA/L.
+TEST(Sinusoid, IsTheFormula) {
+  const HeightField field = make_surface("sinusoid", {{"amplitude_m", 1e-4}, {"spacing_m", 0.005}},
+                                         {.width_m = 0.1, .pixels = 1000});
+  EXPECT_NEAR(field.maximum_m(), 1e-4, 1e-7);
+  EXPECT_NEAR(field.rms_m(), 1e-4 / std::numbers::sqrt2, 1e-9);
+  EXPECT_NEAR(field.sample(0.0, 0.01, Tiling::repeat).height_m, 0.0, 1e-9);
+  EXPECT_NEAR(field.sample(0.0, 0.01, Tiling::repeat).slope_x,
+              2.0 * std::numbers::pi * 1e-4 / 0.005, 5e-4);
+  EXPECT_NEAR(field.sample(0.00125, 0.0, Tiling::repeat).height_m, 1e-4, 1e-8);
+}
+
+TEST(Sinusoid, RunsAlongItsAngle) {
+  const HeightField field =
+      make_surface("sinusoid", {{"angle_rad", std::numbers::pi / 2.0}}, kSmall);
+  EXPECT_NEAR(field.sample(0.013, 0.0005, Tiling::repeat).height_m, 2e-4, 4e-6);
+}
+
+TEST(Grating, HasFlatTopsStraightFlanksAndFlatGrooves) {
+  const HeightField field = make_surface("grating",
+                                         {{"spacing_m", 0.004},
+                                          {"height_m", 1e-4},
+                                          {"ridge_width_m", 0.001},
+                                          {"flank_width_m", 0.001}},
+                                         {.width_m = 0.04, .pixels = 800});
+  const auto height_m = [&](double x_m) { return field.sample(x_m, 0.0, Tiling::repeat).height_m; };
+  EXPECT_NEAR(height_m(0.0004), 1e-4, 1e-9);
+  EXPECT_NEAR(height_m(0.0010), 5e-5, 1e-7);
+  EXPECT_NEAR(height_m(0.0018), 0.0, 1e-9);
+  EXPECT_NEAR(height_m(0.0041), 1e-4, 1e-9);
+}
+
+TEST(Cones, StandOnALatticeWithFlatTops) {
+  const HeightField field = make_surface("cones",
+                                         {{"spacing_m", 0.005},
+                                          {"height_m", 3e-4},
+                                          {"top_diameter_m", 0.001},
+                                          {"base_diameter_m", 0.003},
+                                          {"jitter", 0.0}},
+                                         {.width_m = 0.05, .pixels = 1000});
+  const auto height_m = [&](double x_m) {
+    return field.sample(x_m, 0.0025, Tiling::repeat).height_m;
+  };
+  EXPECT_NEAR(height_m(0.0025), 3e-4, 1e-9);             // axis
+  EXPECT_NEAR(height_m(0.0025 + 0.0004), 3e-4, 1e-9);    // on the top
+  EXPECT_NEAR(height_m(0.0025 + 0.0010), 1.5e-4, 3e-6);  // half way down: (1.5 − 1.0)/(1.5 − 0.5)
+  EXPECT_NEAR(height_m(0.0025 + 0.0020), 0.0, 1e-9);     // ground
+}
+
+TEST(Cones, AreShiftedByJitter) {
+  const SurfaceCanvas canvas{.width_m = 0.05, .pixels = 500, .seed = 3};
+  const HeightField straight = make_surface("cones", {{"jitter", 0.0}}, canvas);
+  const HeightField shifted = make_surface("cones", {{"jitter", 0.2}}, canvas);
+  EXPECT_NE(straight.heights_m(), shifted.heights_m());
+  EXPECT_NEAR(straight.mean_m(), shifted.mean_m(), 0.02 * straight.mean_m());  // none was lost
+}
+
+TEST(Noise, HasItsRmsAndOnlyItsWavelengths) {
+  const HeightField field = make_surface(
+      "noise", {{"rms_m", 5e-5}, {"shortest_wavelength_m", 0.002}, {"longest_wavelength_m", 0.004}},
+      {.width_m = 0.05, .pixels = 256});
+  EXPECT_NEAR(field.rms_m(), 5e-5, 1e-9);
+  EXPECT_NEAR(field.mean_m(), 0.0, 1e-9);
+  // Mean square slope over mean square height is (2π)² times the mean square wavenumber, which lies
+  // between those of the two ends: 250 and 500 per metre.
+  double slopes2 = 0.0;
+  double heights2 = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    const HeightSample at = field.sample(3.1e-6 * k, 1.7e-5 * k, Tiling::repeat);
+    slopes2 += at.slope_x * at.slope_x + at.slope_y * at.slope_y;
+    heights2 += at.height_m * at.height_m;
+  }
+  const double wavenumber_per_m = std::sqrt(slopes2 / heights2) / (2.0 * std::numbers::pi);
+  EXPECT_GT(wavenumber_per_m, 250.0);
+  EXPECT_LT(wavenumber_per_m, 500.0);
+}
+
+TEST(SyntheticSurface, RefusesWhatCannotBeMadeByItsName) {
+  EXPECT_THAT(refusal_of("marble", {}, {}),
+              HasSubstr("no synthetic surface \"marble\"; there are sinusoid,"));
+  EXPECT_THAT(refusal_of("wood", {{"grain_m", 1.0}}, {}),
+              HasSubstr("wood has no parameter \"grain_m\""));
+  EXPECT_THAT(refusal_of("wood", {}, {.width_m = 2.0}), HasSubstr("width_m is 2 m"));
+  EXPECT_THAT(refusal_of("wood", {}, {.pixels = 8}), HasSubstr("pixels is 8"));
+  EXPECT_THAT(refusal_of("sinusoid", {{"spacing_m", 1e-4}}, {}), HasSubstr("ask for more pixels"));
+  EXPECT_THAT(refusal_of("grating", {{"spacing_m", 1e-3}}, {}), HasSubstr("wider than spacing_m"));
+  EXPECT_THAT(refusal_of("cones", {{"top_diameter_m", 0.002}}, {}), HasSubstr("smaller than base"));
+  EXPECT_THAT(refusal_of("noise", {{"longest_wavelength_m", 3e-4}}, {}), HasSubstr("shorter than"));
+}
+
+// What a point probe feels on a straight to-and-fro stroke along x that drifts a little in y, at
+// 60 mm/s, pressed to 1 N on 500 N/m: the force follows the height.
+ForceFeatures felt(const HeightField& field, double from_y_m) {
+  std::vector<double> time_s;
+  std::vector<double> travel_m;
+  std::vector<double> normal_N;
+  std::vector<double> lateral_N;
+  for (int k = 0; k < 4000; ++k) {
+    const double s_m = 60e-6 * k;
+    const HeightSample at = field.sample(-0.04 + std::abs(std::fmod(s_m, 0.16) - 0.08),
+                                         from_y_m + 0.05 * s_m, Tiling::repeat);
+    time_s.push_back(1e-3 * k);
+    travel_m.push_back(s_m);
+    normal_N.push_back(std::max(0.0, 1.0 + 500.0 * at.height_m));
+    lateral_N.push_back(normal_N.back() * (0.2 + at.slope_x));
+  }
+  return force_features(
+      {.time_s = time_s, .travel_m = travel_m, .normal_N = normal_N, .lateral_N = lateral_N});
+}
+
+TEST(Materials, AreRecognisedByAStrokeAlongX) {
+  std::vector<ForceFeatures> expected;
+  for (const std::string& kind : kMaterials)
+    expected.push_back(felt(make_surface(kind, {}, {}), 0.013));
+  for (std::size_t own = 0; own < kMaterials.size(); ++own) {
+    for (const std::uint64_t seed : {2, 3}) {
+      // Another piece of the same material, stroked elsewhere.
+      const ForceFeatures here = felt(make_surface(kMaterials[own], {}, {.seed = seed}), -0.021);
+      const double to_own = squared_distance(here, expected[own]);
+      for (std::size_t other = 0; other < kMaterials.size(); ++other) {
+        if (other == own) continue;
+        EXPECT_LT(3.0 * to_own, squared_distance(here, expected[other]))
+            << kMaterials[own] << " against " << kMaterials[other];
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asperity
