@@ -1,0 +1,105 @@
+// Skewness and direction of a residual, put into words.
+
+#include "stimuli/photograph_advice.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+
+namespace {
+
+// A Gaussian texture of this size stays well below the first; oblique light on a surface alike in
+// all directions lies at 0.5, so the second leaves room for noise.
+constexpr double kSkewed = 0.35;
+constexpr double kDirected = 0.3;
+
+std::string text_of(double number, int decimals) {
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
+                                    std::chars_format::fixed, decimals);
+  return {buffer.data(), result.ptr};
+}
+
+std::string sentence_about(PhotographResemblance resemblance, const std::string& direction) {
+  switch (resemblance) {
+    case PhotographResemblance::dark_grooves:
+      return "The picture resembles grooves or pits that are dark because they lie low: then "
+             "bright "
+             "is high, the default sign.";
+    case PhotographResemblance::bright_spots:
+      return "The picture has narrow bright parts on darker ground. If those stand out (grains, "
+             "fibres), bright is high; if they lie low (mortar between bricks), choose the sign "
+             "-1.";
+    case PhotographResemblance::directed:
+      return "The picture changes mostly along " + direction +
+             "°. Either the surface has a grain across that direction, or the light came from one "
+             "side along it. In the second case the heights are really slopes towards the light; "
+             "take the picture again in even light from all sides.";
+    case PhotographResemblance::nothing_clear:
+      return "The picture does not tell whether its brightness follows height; stains and paint "
+             "look "
+             "the same. Compare the relief with the surface itself before using it.";
+  }
+  return "";
+}
+
+}  // namespace
+
+PhotographEvidence examine_photograph(const GreyImage& photograph, const TextureRecipe& recipe,
+                                      const std::string& name) {
+  const GreyImage residual = brightness_residual(photograph, recipe, name);
+  const std::size_t rows = residual.rows;
+  const std::size_t columns = residual.columns;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const float value : residual.values) {
+    sum += static_cast<double>(value);
+    squares += static_cast<double>(value) * static_cast<double>(value);
+  }
+  const auto count = static_cast<double>(residual.values.size());
+  const double mean = sum / count;
+  const double deviation = std::sqrt(squares / count - mean * mean);
+  double cubes = 0.0;
+  for (const float value : residual.values) {
+    cubes += std::pow((static_cast<double>(value) - mean) / deviation, 3);
+  }
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  for (std::size_t i = 0; i + 1 < rows; ++i) {
+    for (std::size_t j = 0; j + 1 < columns; ++j) {
+      // Differences along the diagonals treat both axes alike.
+      const float* here = residual.values.data() + i * columns + j;
+      const auto falling = static_cast<double>(here[columns + 1] - here[0]);
+      const auto rising = static_cast<double>(here[1] - here[columns]);
+      const double dx = rising + falling;
+      const double dy = rising - falling;
+      xx += dx * dx;
+      xy += dx * dy;
+      yy += dy * dy;
+    }
+  }
+  const double trace = xx + yy;
+  return {.skewness = cubes / count,
+          .anisotropy = trace > 0.0 ? std::hypot(xx - yy, 2.0 * xy) / trace : 0.0,
+          .direction_rad = 0.5 * std::atan2(2.0 * xy, xx - yy)};
+}
+
+PhotographResemblance resemblance(const PhotographEvidence& evidence) noexcept {
+  if (evidence.anisotropy > kDirected) return PhotographResemblance::directed;
+  if (evidence.skewness < -kSkewed) return PhotographResemblance::dark_grooves;
+  if (evidence.skewness > kSkewed) return PhotographResemblance::bright_spots;
+  return PhotographResemblance::nothing_clear;
+}
+
+std::string advice(const PhotographEvidence& evidence) {
+  const std::string direction = text_of(evidence.direction_rad * 180.0 / std::numbers::pi, 0);
+  return sentence_about(resemblance(evidence), direction) + " (Skewness " +
+         text_of(evidence.skewness, 2) + ", anisotropy " + text_of(evidence.anisotropy, 2) +
+         ".) One photograph cannot show whether dark is low, shaded or painted; you can.";
+}
+
+}  // namespace asperity
