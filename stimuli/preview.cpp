@@ -1,0 +1,96 @@
+// Shading, stretching and putting beside each other.
+
+#include "stimuli/preview.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace asperity {
+
+namespace {
+
+/// The picture with 1 % of its pixels black, 1 % white and the rest in proportion.
+GreyImage stretched(GreyImage picture) {
+  std::vector<float> sorted = picture.values;
+  const auto share = static_cast<std::ptrdiff_t>(sorted.size() / 100);
+  std::nth_element(sorted.begin(), sorted.begin() + share, sorted.end());
+  const float black = sorted[static_cast<std::size_t>(share)];
+  std::nth_element(sorted.begin(), sorted.end() - 1 - share, sorted.end());
+  const float white = *(sorted.end() - 1 - share);
+  for (float& value : picture.values) {
+    value = white > black ? std::clamp((value - black) / (white - black), 0.0F, 1.0F) : 0.5F;
+  }
+  return picture;
+}
+
+}  // namespace
+
+GreyImage shaded_relief(const HeightField& field) {
+  const HeightField::Grid& grid = field.grid();
+  GreyImage relief{grid.rows, grid.columns, {}};
+  relief.values.reserve(field.heights_m().size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < grid.rows; ++i) {
+    for (std::size_t j = 0; j < grid.columns; ++j) {
+      const double x_m =
+          (static_cast<double>(j) - 0.5 * static_cast<double>(grid.columns - 1)) * grid.pitch_m;
+      const double y_m =
+          (0.5 * static_cast<double>(grid.rows - 1) - static_cast<double>(i)) * grid.pitch_m;
+      const HeightSample at = field.sample(x_m, y_m, Tiling::bounded);
+      // Light from (−1, 1): ground that rises to the right and falls to the top faces it.
+      const double facing = at.slope_x - at.slope_y;
+      sum += facing * facing;
+      relief.values.push_back(static_cast<float>(facing));
+    }
+  }
+  const double rms = std::sqrt(sum / static_cast<double>(relief.values.size()));
+  constexpr double kContrast = 0.2;  // 2.5 RMS from mid-grey is black or white
+  const auto scale = static_cast<float>(rms > 0.0 ? kContrast / rms : 0.0);
+  for (float& value : relief.values) value = std::clamp(0.5F + scale * value, 0.0F, 1.0F);
+  return relief;
+}
+
+GreyImage height_picture(const HeightField& field) {
+  return stretched({field.grid().rows, field.grid().columns, field.heights_m()});
+}
+
+GreyImage side_by_side(std::span<const GreyImage> pictures, std::size_t rows) {
+  if (pictures.empty() || rows == 0) {
+    throw std::invalid_argument(
+        "Pictures can be put beside each other from one picture and row up.");
+  }
+  constexpr int kGap = 6;
+  const auto height = static_cast<int>(rows);
+  cv::Mat strip;
+  for (const GreyImage& picture : pictures) {
+    if (picture.values.empty() || picture.values.size() != picture.rows * picture.columns) {
+      throw std::invalid_argument("A grey picture needs rows · columns values, and at least one.");
+    }
+    const cv::Mat source(static_cast<int>(picture.rows), static_cast<int>(picture.columns),
+                         CV_32FC1, const_cast<float*>(picture.values.data()));
+    const double factor = static_cast<double>(rows) / static_cast<double>(picture.rows);
+    const int width = std::max(1, cvRound(factor * source.cols));
+    cv::Mat scaled;
+    cv::resize(source, scaled, {width, height}, 0.0, 0.0,
+               factor < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+    if (!strip.empty()) cv::hconcat(strip, cv::Mat(height, kGap, CV_32FC1, cv::Scalar(1.0)), strip);
+    strip.empty() ? scaled.copyTo(strip) : cv::hconcat(strip, scaled, strip);
+  }
+  GreyImage result{rows, static_cast<std::size_t>(strip.cols), {}};
+  result.values.assign(strip.ptr<float>(0), strip.ptr<float>(0) + strip.total());
+  return result;
+}
+
+GreyImage texture_steps(const PhotographTexture& texture, std::size_t rows) {
+  const std::vector<GreyImage> steps{texture.grey, stretched(texture.evened),
+                                     stretched(texture.low_pass), height_picture(texture.field),
+                                     shaded_relief(texture.field)};
+  return side_by_side(steps, rows);
+}
+
+}  // namespace asperity
