@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "analysis/spectrum.h"
 #include "renderers/surface_contact.h"
 
 namespace asperity {
@@ -76,7 +78,7 @@ ForceModel sinusoid_model() {
       {.name = "wavelength_m",
        .kind = ParameterKind::number,
        .unit = "m",
-       .minimum = 1e-4,
+       .minimum = 1e-5,
        .maximum = 0.1,
        .choices = {},
        .default_value = 0.002,
@@ -103,7 +105,14 @@ ForceModel sinusoid_model() {
           },
           .suggested_by =
               [](const HeightField& field, const Material&) {
-                return ParameterValues{{"amplitude_m", std::numbers::sqrt2 * field.rms_m()}};
+                ParameterValues suggested{{"amplitude_m", std::numbers::sqrt2 * field.rms_m()}};
+                const std::optional<double> wavelength_m =
+                    dominant_wavelength_m({.heights_m = field.heights_m(),
+                                           .rows = field.grid().rows,
+                                           .columns = field.grid().columns,
+                                           .pitch_m = field.grid().pitch_m});
+                if (wavelength_m) suggested["wavelength_m"] = *wavelength_m;
+                return suggested;
               }};
 }
 

@@ -19,7 +19,8 @@ namespace asperity {
 /// normal of the grating, (−∂h/∂x, −∂h/∂y, 1)/√(1 + |∇h|²) (F_vec). F_n = k·w in both.
 ///
 /// The source gives neither A nor L; a sample of texture suggests A = √2·RMS of its heights, which
-/// gives the grating the sample's RMS, and L = the sample's dominant wavelength.
+/// gives the grating the sample's RMS, and L = the sample's dominant wavelength; a plane, which has
+/// none, leaves L at its default.
 ///
 /// Limits: one direction, one wavelength, no saturation with depth.
 ///

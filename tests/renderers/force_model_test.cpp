@@ -90,7 +90,8 @@ TEST(BuiltInModels, SuggestValuesThatTheyAccept) {
   const ModelRegistry registry = built_in_models();
   for (const ForceModel& model : registry.models()) {
     if (!model.suggested_by) continue;
-    EXPECT_NO_THROW(complete_values(model.declaration, model.suggested_by(*grating(), Material{})));
+    EXPECT_NO_THROW(
+        complete_values(model.declaration, model.suggested_by(*grating({.rows = 32}), Material{})));
   }
 }
 

@@ -62,10 +62,20 @@ TEST(Sinusoid, VariesAlongItsDirection) {
   EXPECT_NEAR(answer(*renderer, probe_at({0.0007, 0.0, 0.0})).wrench.force_N.z, 0.25, 1e-9);
 }
 
-TEST(Sinusoid, TakesItsAmplitudeFromASampleOfEqualRms) {
-  // The sample is a sinusoid of amplitude 0.2 mm itself.
-  const ParameterValues suggested = sinusoid_model().suggested_by(*grating(), Material{});
+TEST(Sinusoid, FindsItselfInASampleOfASinusoid) {
+  // 0.2 mm and 4 mm: an amplitude of equal RMS, and the wavelength that dominates. The sample is
+  // four waves long, so lines of its spectrum are 1/4 of the answer apart; a window spreads it over
+  // them.
+  const ParameterValues suggested =
+      sinusoid_model().suggested_by(*grating({.rows = 320}), Material{});
   EXPECT_NEAR(number_of(suggested, "amplitude_m"), 0.0002, 1e-8);
+  EXPECT_NEAR(number_of(suggested, "wavelength_m"), 0.004, 0.1 * 0.004);
+}
+
+TEST(Sinusoid, KeepsItsWavelengthForASampleWithoutOne) {
+  const ParameterValues suggested = sinusoid_model().suggested_by(*level(0.0F), Material{});
+  EXPECT_EQ(suggested.count("wavelength_m"), 0U);
+  EXPECT_EQ(number_of(suggested, "amplitude_m"), 0.0);
 }
 
 }  // namespace

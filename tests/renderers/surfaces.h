@@ -20,14 +20,14 @@ struct Grating {
   double amplitude_m = 0.0002;
   double wavelength_m = 0.004;
   double pitch_m = 0.00005;
+  std::size_t rows = 4;
 };
 
 /// h = A sin(2π x/L): mean zero, and a whole number of waves, so that it repeats without a seam.
 inline std::shared_ptr<const HeightField> grating(const Grating& wave = {}) {
   const auto columns = static_cast<std::size_t>(std::lround(4 * wave.wavelength_m / wave.pitch_m));
-  constexpr std::size_t kRows = 4;
-  std::vector<float> heights_m(kRows * columns);
-  for (std::size_t row = 0; row < kRows; ++row) {
+  std::vector<float> heights_m(wave.rows * columns);
+  for (std::size_t row = 0; row < wave.rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
       const double x_m =
           (static_cast<double>(column) - 0.5 * (static_cast<double>(columns) - 1.0)) * wave.pitch_m;
@@ -35,14 +35,14 @@ inline std::shared_ptr<const HeightField> grating(const Grating& wave = {}) {
           wave.amplitude_m * std::sin(2.0 * std::numbers::pi * x_m / wave.wavelength_m));
     }
   }
-  return std::make_shared<const HeightField>(HeightField::Grid{kRows, columns, wave.pitch_m},
+  return std::make_shared<const HeightField>(HeightField::Grid{wave.rows, columns, wave.pitch_m},
                                              std::move(heights_m));
 }
 
 /// A field of one height, which every interpolant reproduces exactly.
 inline std::shared_ptr<const HeightField> level(float height_m) {
-  return std::make_shared<const HeightField>(HeightField::Grid{8, 8, 0.001},
-                                             std::vector<float>(64, height_m));
+  return std::make_shared<const HeightField>(HeightField::Grid{16, 16, 0.001},
+                                             std::vector<float>(256, height_m));
 }
 
 /// A stroke along +x at constant height and speed.

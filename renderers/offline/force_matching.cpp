@@ -1,0 +1,223 @@
+// Two nested root searches: the height that gives the mean force, the amplitude that gives the RMS.
+
+#include "renderers/offline/force_matching.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include "analysis/spectrum.h"
+#include "renderers/offline/along_path.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::uintmax_t kIterations = 200;
+// A height is looked for this far above and below the plane: more than any texture or hand.
+constexpr double kFarthest_m = 0.1;
+constexpr double kMeanForceTolerance = 1e-9;
+constexpr double kRmsTolerance = 1e-9;
+
+std::string text_of(double value) {
+  char characters[32];
+  const auto end = std::to_chars(characters, characters + sizeof characters, value,
+                                 std::chars_format::general, 6);
+  return {characters, end.ptr};
+}
+
+void refuse_unless_positive(const char* name, double value) {
+  if (value > 0.0 && std::isfinite(value)) return;
+  throw std::invalid_argument(std::string(name) + " must be positive, and it is " + text_of(value));
+}
+
+struct Bracket {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+// Where f crosses zero, to the last bits; f(low) and f(high) differ in sign or one is zero.
+template <class F>
+double root_of(F f, const Bracket& bracket, const Bracket& values) {
+  if (values.low == 0.0) return bracket.low;
+  if (values.high == 0.0) return bracket.high;
+  std::uintmax_t iterations = kIterations;
+  const auto [low, high] =
+      boost::math::tools::toms748_solve(f, bracket.low, bracket.high, values.low, values.high,
+                                        boost::math::tools::eps_tolerance<double>(50), iterations);
+  return std::abs(f(low)) < std::abs(f(high)) ? low : high;
+}
+
+// The path's samples at a height that can be moved, without those that are dropped being forgotten:
+// the renderer sees them all.
+class Strokes {
+ public:
+  Strokes(const TextureForcePath& path, const SurfacePatch& patch)
+      : rate_Hz_(path.rate_Hz),
+        kept_from_(static_cast<std::size_t>(std::lround(path.dropped_s * path.rate_Hz))),
+        plane_m_(patch.centre_m.z) {
+    const auto count = static_cast<std::size_t>(std::lround(path.duration_s * path.rate_Hz));
+    const double start_m = patch.centre_m.x - 0.5 * path.speed_m_per_s * path.duration_s;
+    samples_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double time_s = static_cast<double>(i) / path.rate_Hz;
+      samples_[i].time_ns = std::llround(time_s * 1e9);
+      samples_[i].position_m = {start_m + path.speed_m_per_s * time_s, patch.centre_m.y, plane_m_};
+      samples_[i].velocity_m_per_s = {path.speed_m_per_s, 0.0, 0.0};
+    }
+  }
+
+  // The forces at a height over the plane, the dropped ones left out.
+  std::vector<glm::dvec3> forces_N(ForceRenderer& renderer, double height_m) {
+    for (ProbeState& sample : samples_) sample.position_m.z = plane_m_ + height_m;
+    const std::vector<RenderedTick> ticks = along_path(renderer, samples_, rate_Hz_);
+    std::vector<glm::dvec3> forces_N;
+    forces_N.reserve(ticks.size() - kept_from_);
+    for (std::size_t i = kept_from_; i < ticks.size(); ++i) {
+      forces_N.push_back(ticks[i].wrench.force_N);
+    }
+    return forces_N;
+  }
+
+ private:
+  double rate_Hz_ = 0.0;
+  std::size_t kept_from_ = 0;
+  double plane_m_ = 0.0;
+  std::vector<ProbeState> samples_{};
+};
+
+double mean_normal_N(std::span<const glm::dvec3> forces_N) {
+  double sum_N = 0.0;
+  for (const glm::dvec3& force_N : forces_N) sum_N += force_N.z;
+  return sum_N / static_cast<double>(forces_N.size());
+}
+
+// The height over the plane at which the mean normal force is the path's.
+double height_of(const ForceModel& model, ForceRenderer& renderer, Strokes& strokes,
+                 const RendererInputs& inputs, const TextureForcePath& path) {
+  const double wanted_N = path.mean_normal_force_N;
+  const auto excess = [&](double height_m) {
+    return mean_normal_N(strokes.forces_N(renderer, height_m)) / wanted_N - 1.0;
+  };
+  // Up and down in growing steps from where a plain plate would be.
+  double step_m = wanted_N / inputs.material.stiffness_N_per_m;
+  Bracket height_m{-step_m, -step_m};
+  Bracket value{excess(height_m.low), 0.0};
+  value.high = value.low;
+  while (value.high > 0.0 && height_m.high < kFarthest_m) {
+    height_m.low = height_m.high;
+    value.low = value.high;
+    height_m.high += step_m;
+    value.high = excess(height_m.high);
+    step_m *= 2.0;
+  }
+  while (value.low < 0.0 && height_m.low > -kFarthest_m) {
+    height_m.high = height_m.low;
+    value.high = value.low;
+    height_m.low -= step_m;
+    value.low = excess(height_m.low);
+    step_m *= 2.0;
+  }
+  double reached = value.low < 0.0 ? value.low : value.high;
+  if (value.low >= 0.0 && value.high <= 0.0) {
+    const double root_m = root_of(excess, height_m, value);
+    reached = excess(root_m);
+    if (std::abs(reached) <= kMeanForceTolerance) return root_m;
+  }
+  throw std::invalid_argument("the force model " + model.declaration.id +
+                              " has no constant height with a mean normal force of " +
+                              text_of(wanted_N) + " N; the nearest that it reaches is " +
+                              text_of((1.0 + reached) * wanted_N) + " N");
+}
+
+void check(const TextureForcePath& path) {
+  refuse_unless_positive("TextureForcePath::speed_m_per_s", path.speed_m_per_s);
+  refuse_unless_positive("TextureForcePath::rate_Hz", path.rate_Hz);
+  refuse_unless_positive("TextureForcePath::mean_normal_force_N", path.mean_normal_force_N);
+  if (!(path.dropped_s >= 0.0 && path.dropped_s + 2.0 / path.rate_Hz < path.duration_s)) {
+    throw std::invalid_argument("TextureForcePath::dropped_s must be shorter than the path of " +
+                                text_of(path.duration_s) + " s, and it is " +
+                                text_of(path.dropped_s));
+  }
+}
+
+const Parameter& amplitude_of(const ModelDeclaration& declaration) {
+  for (const Parameter& parameter : declaration.parameters) {
+    if (parameter.name == declaration.amplitude_parameter) return parameter;
+  }
+  throw std::invalid_argument("the force model " + declaration.id +
+                              " declares no amplitude parameter to solve for");
+}
+
+}  // namespace
+
+double texture_force_rms_N(const ForceModel& model, const RendererInputs& inputs,
+                           const TextureForcePath& path) {
+  check(path);
+  RendererInputs textured = inputs;
+  const double length_m = path.speed_m_per_s * path.duration_s;
+  textured.patch.edge = PatchEdge::wall;  // never met
+  textured.patch.extent_m = {2.0 * length_m, 2.0 * length_m};
+  textured.patch.tiling = Tiling::repeat;
+
+  Strokes strokes(path, textured.patch);
+  const auto renderer = make_renderer(model, textured);
+  const double height_m = height_of(model, *renderer, strokes, textured, path);
+  const auto plate = make_renderer(model, without_texture(model.declaration, textured));
+  const std::vector<glm::dvec3> with_N = strokes.forces_N(*renderer, height_m);
+  const std::vector<glm::dvec3> without_N = strokes.forces_N(*plate, height_m);
+
+  double mean_square_N2 = 0.0;
+  std::vector<double> difference_N(with_N.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < with_N.size(); ++i) {
+      difference_N[i] = with_N[i][axis] - without_N[i][axis];
+    }
+    mean_square_N2 += std::pow(band_rms(difference_N, path.rate_Hz, path.low_Hz, path.high_Hz), 2);
+  }
+  return std::sqrt(mean_square_N2);
+}
+
+SolvedAmplitude solve_amplitude(const ForceModel& model, const RendererInputs& inputs,
+                                double target_rms_N, const TextureForcePath& path) {
+  refuse_unless_positive("target_rms_N", target_rms_N);
+  const Parameter& amplitude = amplitude_of(model.declaration);
+  RendererInputs candidate = inputs;
+  const auto rms_N = [&](double value) {
+    candidate.parameters[amplitude.name] = value;
+    return texture_force_rms_N(model, candidate, path);
+  };
+  const auto excess = [&](double value) { return rms_N(value) / target_rms_N - 1.0; };
+
+  double start = number_of(complete_values(model.declaration, inputs.parameters), amplitude.name);
+  if (start <= amplitude.minimum) start = std::get<double>(amplitude.default_value);
+  Bracket value{amplitude.minimum, start};
+  Bracket excesses{excess(value.low), excess(value.high)};
+  while (excesses.high < 0.0 && value.high < amplitude.maximum) {
+    value = {value.high, std::min(2.0 * value.high, amplitude.maximum)};
+    excesses = {excesses.high, excess(value.high)};
+  }
+  if (excesses.low <= 0.0 && excesses.high >= 0.0) {
+    const double solved = root_of(excess, value, excesses);
+    const double solved_rms_N = rms_N(solved);
+    if (std::abs(solved_rms_N / target_rms_N - 1.0) <= kRmsTolerance) {
+      return {amplitude.name, solved, solved_rms_N};
+    }
+  }
+  throw std::invalid_argument(
+      "the force model " + model.declaration.id + " cannot have a texture force of " +
+      text_of(target_rms_N) + " N RMS: its " + amplitude.name + " goes from " +
+      text_of(amplitude.minimum) + " to " + text_of(amplitude.maximum) + " " + amplitude.unit +
+      ", where the texture force is " + text_of(rms_N(amplitude.minimum)) + " and " +
+      text_of(rms_N(amplitude.maximum)) + " N RMS");
+}
+
+}  // namespace asperity

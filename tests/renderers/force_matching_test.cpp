@@ -1,0 +1,147 @@
+// The texture force against values worked out by hand, and the amplitudes solved from it.
+
+#include "renderers/offline/force_matching.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/renderers/surfaces.h"
+
+namespace asperity {
+namespace {
+
+ForceModel model(std::string_view id) {
+  const ModelRegistry registry = built_in_models();
+  return *registry.find(id);
+}
+
+RendererInputs stimulus() {
+  RendererInputs inputs;
+  inputs.patch = wide_patch();
+  inputs.height_field = grating();
+  inputs.seed = 11;
+  return inputs;
+}
+
+std::string complaint_of(const ForceModel& each, const RendererInputs& inputs, double target_N) {
+  try {
+    solve_amplitude(each, inputs, target_N);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// 60 mm/s over L = 4 mm is 15 Hz: in the 1.8 s that are kept, 27 whole periods. Full contact at a
+// mean of 1 N with k = 500 N/m and A = 0.2 mm: D_z = 500 · 0.2 mm · sin, RMS 0.1/√2 = 0.0707107 N.
+// Friction 0.2 · 60/√(60² + 10²) = 0.197279 of the normal force: D_x has 0.0139498 N RMS.
+constexpr double kNormalRms_N = 0.0707107;
+constexpr double kWithFriction_N = 0.0720736;
+
+TEST(TextureForce, OfASinusoidIsItsStiffnessTimesItsRms) {
+  RendererInputs inputs = stimulus();
+  inputs.parameters = {{"amplitude_m", 0.0002}, {"wavelength_m", 0.004}};
+  EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs), kWithFriction_N, 1e-6);
+  inputs.material.friction = 0.0;
+  EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs), kNormalRms_N, 1e-6);
+}
+
+TEST(TextureForce, OfAHeightMapIsThatOfItsHeights) {
+  RendererInputs inputs = stimulus();
+  inputs.material.friction = 0.0;
+  EXPECT_NEAR(texture_force_rms_N(model("height_map"), inputs), kNormalRms_N, 1e-5);
+}
+
+TEST(TextureForce, CountsOnlyWhatLiesInItsBand) {
+  RendererInputs inputs = stimulus();
+  inputs.parameters = {{"amplitude_m", 0.0002}, {"wavelength_m", 0.004}};
+  EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs, {.low_Hz = 16.0}), 0.0, 1e-6);
+  EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs, {.low_Hz = 14.0, .high_Hz = 16.0}),
+              kWithFriction_N, 1e-6);
+}
+
+TEST(TextureForce, OfAPlateIsNothing) {
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& each : registry.models()) {
+    EXPECT_NEAR(texture_force_rms_N(each, without_texture(each.declaration, stimulus())), 0.0,
+                1e-12)
+        << each.declaration.id;
+  }
+}
+
+TEST(TextureForce, DoesNotDependOnThePatchsBorder) {
+  RendererInputs inputs = stimulus();
+  const double wide_N = texture_force_rms_N(model("height_map"), inputs);
+  inputs.patch.extent_m = {0.02, 0.02};
+  inputs.patch.edge_width_m = 0.01;
+  EXPECT_EQ(texture_force_rms_N(model("height_map"), inputs), wide_N);
+}
+
+TEST(TextureForce, RefusesAMeanForceThatNoHeightGives) {
+  RendererInputs inputs = stimulus();
+  inputs.parameters = {{"depth_limit_m", 0.001}};  // at most 500 N/m · 1 mm = 0.5 N
+  try {
+    texture_force_rms_N(model("height_map"), inputs);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("height_map"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("mean normal force of 1 N"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("0.5 N"));
+  }
+}
+
+TEST(TextureForce, RefusesAPathThatIsAllDropped) {
+  EXPECT_THROW(texture_force_rms_N(model("sinusoid"), stimulus(), {.dropped_s = 2.0}),
+               std::invalid_argument);
+}
+
+TEST(SolvedAmplitude, MakesEveryModelEquallyStrong) {
+  constexpr double kTarget_N = 0.05;
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& each : registry.models()) {
+    RendererInputs inputs = stimulus();
+    const SolvedAmplitude solved = solve_amplitude(each, inputs, kTarget_N);
+    EXPECT_EQ(solved.parameter, *each.declaration.amplitude_parameter);
+    inputs.parameters[solved.parameter] = solved.value;
+    const double reached_N = texture_force_rms_N(each, inputs);
+    EXPECT_NEAR(reached_N / kTarget_N, 1.0, 1e-6) << each.declaration.id;
+    EXPECT_EQ(reached_N, solved.texture_force_rms_N);
+  }
+}
+
+TEST(SolvedAmplitude, IsTheOneWorkedOutByHand) {
+  // Twice the RMS of 0.2 mm needs 0.4 mm.
+  RendererInputs inputs = stimulus();
+  inputs.parameters = {{"wavelength_m", 0.004}};
+  EXPECT_NEAR(solve_amplitude(model("sinusoid"), inputs, 2.0 * kWithFriction_N).value, 0.0004,
+              1e-8);
+}
+
+TEST(SolvedAmplitude, SolvesTheLiteralLawToo) {
+  RendererInputs inputs = stimulus();
+  inputs.parameters = {{"law", std::string("literal")}};
+  // No friction: s · 0.0707107 N = 0.05 N.
+  EXPECT_NEAR(solve_amplitude(model("height_map"), inputs, 0.05).value, 0.05 / kNormalRms_N, 1e-4);
+}
+
+TEST(SolvedAmplitude, SaysWhatCanBeReachedWhenTheTargetCannot) {
+  const std::string said = complaint_of(model("lateral_gradient"), stimulus(), 1000.0);
+  EXPECT_THAT(said, testing::HasSubstr("lateral_gradient"));
+  EXPECT_THAT(said, testing::HasSubstr("gain_N goes from 0 to 50 N"));
+  EXPECT_THAT(said, testing::HasSubstr("1000 N"));
+  // 50 N · 2πA/L/√2 = 50 · 0.314159 · 0.707107 = 11.1072 N; interpolation costs a little.
+  EXPECT_THAT(said, testing::HasSubstr("0 and 11.1"));
+}
+
+TEST(SolvedAmplitude, RefusesATargetOfNothing) {
+  EXPECT_THROW(solve_amplitude(model("sinusoid"), stimulus(), 0.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace asperity
