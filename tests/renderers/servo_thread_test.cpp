@@ -1,0 +1,160 @@
+// The thread: it ticks, it counts a stall once, it never catches up, and it stops at zero force.
+// Nothing here depends on how punctual the machine is.
+
+#include "renderers/servo_thread.h"
+
+#include <memory>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "device/haptic_device.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::int64_t kPeriod_ns = 1'000'000;
+constexpr std::int64_t kStall_ns = 30'000'000;
+constexpr int kStalledRead = 40;
+
+// Stalls once, in one reading.
+class StallingDevice final : public HapticDevice {
+ public:
+  StallingDevice() : HapticDevice(capability_of(), {}) {}
+  double last_force_N = -1.0;
+
+ private:
+  static DeviceCapability capability_of() {
+    DeviceCapability capability;
+    capability.name = "stalling";
+    capability.peak_force_N = 10.0;
+    return capability;
+  }
+  bool do_read(std::int64_t, ProbeState&) noexcept override {
+    if (++reads_ == kStalledRead) {
+      const std::int64_t until_ns = monotonic_now_ns() + kStall_ns;
+      while (monotonic_now_ns() < until_ns) {
+      }
+    }
+    return true;
+  }
+  bool do_send(const Wrench& limited) noexcept override {
+    last_force_N = limited.force_N.z;
+    return true;
+  }
+  int reads_ = 0;
+};
+
+class Push final : public ForceRenderer {
+ public:
+  void reset(const ProbeState&) noexcept override {}
+  RenderedTick tick(const ProbeState&, double) noexcept override {
+    return {.wrench = {.force_N = {0.0, 0.0, 1.0}}};  // penetration 0: the ramp may rise at once
+  }
+};
+
+// Runs the thread until the ring gave at least `count` records; a machine that cannot do that at
+// all is stopped by the test's own time limit.
+std::vector<TickRecord> run(ServoLoop& loop, RecordRing& ring, StallingDevice& device,
+                            std::size_t count) {
+  std::vector<TickRecord> records;
+  TickRecord record;
+  {
+    const ServoThread thread(loop, device, Scheduling::normal);
+    while (records.size() < count) {
+      while (ring.pop(record)) records.push_back(record);
+      std::this_thread::yield();
+    }
+  }
+  while (ring.pop(record)) records.push_back(record);
+  return records;
+}
+
+// However often this busy machine makes the thread late, that is not what is tested.
+ServoSettings patient() { return {.heartbeat_timeout_s = 1e6, .misses_to_fault = 1'000'000}; }
+
+TEST(ServoThread, CountsAStallOnceAndNeverCatchesUp) {
+  StallingDevice device;
+  RecordRing ring;
+  ServoLoop loop(device, ring, patient());
+  const std::vector<TickRecord> records = run(loop, ring, device, 120);
+  ASSERT_EQ(ring.lost(), 0U);
+
+  std::uint64_t missed = 0;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const std::int64_t due_ns = records[i].probe.time_ns - records[i].lateness_ns;
+    EXPECT_GE(records[i].lateness_ns, 0);
+    EXPECT_EQ(records[i].has(TickFlag::missed_deadline), records[i].lateness_ns > kPeriod_ns);
+    if (records[i].has(TickFlag::missed_deadline)) ++missed;
+    if (i == 0) continue;
+    const std::int64_t first_due_ns = records[0].probe.time_ns - records[0].lateness_ns;
+    EXPECT_EQ((due_ns - first_due_ns) % kPeriod_ns, 0) << "off the original grid at " << i;
+    // Never more ticks than points of the grid have passed: none is made up.
+    EXPECT_LE(static_cast<std::int64_t>(i), (records[i].probe.time_ns - first_due_ns) / kPeriod_ns);
+  }
+  EXPECT_EQ(loop.status().missed_deadlines, missed);
+  // The reading that stalled, and the tick after it, late for the deadline that it missed.
+  EXPECT_GE(records[kStalledRead - 1].execution_ns, kStall_ns);
+  EXPECT_GE(records[kStalledRead].lateness_ns, kStall_ns - 2 * kPeriod_ns);
+  EXPECT_TRUE(records[kStalledRead].has(TickFlag::missed_deadline));
+}
+
+TEST(ServoThread, StopsAtZeroForce) {
+  StallingDevice device;
+  RecordRing ring;
+  ServoLoop loop(device, ring, patient());
+  loop.present({.id = 1, .renderer = std::make_unique<Push>()});
+  const std::vector<TickRecord> records = run(loop, ring, device, 100);
+  EXPECT_EQ(records.back().sent.force_N.z, 1.0);
+  EXPECT_EQ(device.last_force_N, 0.0);
+}
+
+TEST(ServoThread, ObeysAnEmergencyStopFromAnotherThread) {
+  StallingDevice device;
+  RecordRing ring;
+  ServoLoop loop(device, ring, patient());
+  loop.present({.id = 1, .renderer = std::make_unique<Push>()});
+  const ServoThread thread(loop, device, Scheduling::normal);
+  while (loop.status().ticks < 60) std::this_thread::yield();
+  loop.emergency_stop();
+  const std::uint64_t then = loop.status().ticks;
+  while (loop.status().ticks < then + 2) std::this_thread::yield();
+  TickRecord record;
+  TickRecord last;
+  while (ring.pop(record)) last = record;
+  EXPECT_TRUE(last.has(TickFlag::fault_latched));
+  EXPECT_EQ(last.sent.force_N.z, 0.0);
+  EXPECT_EQ(loop.status().fault, Fault::emergency_stop);
+}
+
+TEST(ServoThread, SaysHowItIsScheduled) {
+  StallingDevice device;
+  RecordRing ring;
+  ServoLoop loop(device, ring, patient());
+  {
+    const ServoThread thread(loop, device, Scheduling::normal);
+    EXPECT_THAT(thread.scheduling(), testing::StartsWith("SCHED_OTHER, memory "));
+  }
+  const ServoThread thread(loop, device, Scheduling::fifo_if_permitted);
+  EXPECT_THAT(thread.scheduling(),
+              testing::AnyOf(testing::StartsWith("SCHED_FIFO 80, memory "),
+                             testing::StartsWith("SCHED_OTHER (SCHED_FIFO was refused: ")));
+}
+
+TEST(ServoThread, EitherGetsFifoOrSaysWhichLimitToRaise) {
+  StallingDevice device;
+  RecordRing ring;
+  ServoLoop loop(device, ring, patient());
+  try {
+    const ServoThread thread(loop, device, Scheduling::fifo);
+    EXPECT_THAT(thread.scheduling(), testing::StartsWith("SCHED_FIFO 80"));
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("rtprio"));
+  }
+}
+
+}  // namespace
+}  // namespace asperity
