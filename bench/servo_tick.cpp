@@ -1,0 +1,220 @@
+// What a servo tick costs: each model alone on a stroke, and the whole tick with a simulated
+// device.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <sys/resource.h>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/random.h"
+#include "device/simulated_device.h"
+#include "renderers/force_model.h"
+#include "renderers/servo_loop.h"
+#include "renderers/servo_thread.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kWarmUp = 20'000;
+constexpr int kCounted = 400'000;
+constexpr int kCountedCold = 2'000;
+constexpr std::size_t kEvicting_bytes = 32 << 20;  // more than a core's caches hold
+constexpr double kRate_Hz = 1000.0;
+
+// A loop that sleeps between its ticks finds its caches taken over by others.
+enum class Caches { warm, cold };
+
+struct Costs {
+  std::string name{};
+  std::vector<std::int64_t> undisturbed_ns{};
+  std::int64_t preempted = 0;
+};
+
+std::int64_t context_switches() {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return usage.ru_nivcsw + usage.ru_nvcsw;
+}
+
+// Every call is timed alone, the reading of the clock included (case `clock`). Calls during which
+// the kernel took the processor away are counted apart: they measure the machine.
+Costs measure(const std::string& name, Caches caches, const std::function<void(int)>& work) {
+  Costs costs{.name = name + (caches == Caches::cold ? "/cold" : "")};
+  const int counted = caches == Caches::cold ? kCountedCold : kCounted;
+  std::vector<char> others(caches == Caches::cold ? kEvicting_bytes : 0);
+  costs.undisturbed_ns.reserve(static_cast<std::size_t>(counted));
+  for (int i = 0; i < kWarmUp; ++i) work(i);
+  std::int64_t switches = context_switches();
+  for (int i = kWarmUp; i < kWarmUp + counted; ++i) {
+    for (std::size_t byte = 0; byte < others.size(); byte += 64) ++others[byte];
+    if (caches == Caches::cold) switches = context_switches();
+    const std::int64_t started_ns = monotonic_now_ns();
+    work(i);
+    const std::int64_t took_ns = monotonic_now_ns() - started_ns;
+    const std::int64_t switches_after = context_switches();
+    if (switches_after == switches) {
+      costs.undisturbed_ns.push_back(took_ns);
+    } else {
+      ++costs.preempted;
+    }
+    switches = switches_after;
+  }
+  std::sort(costs.undisturbed_ns.begin(), costs.undisturbed_ns.end());
+  return costs;
+}
+
+std::int64_t quantile_ns(const Costs& costs, double fraction) {
+  if (costs.undisturbed_ns.empty()) return 0;
+  const double last = static_cast<double>(costs.undisturbed_ns.size() - 1);
+  return costs.undisturbed_ns[static_cast<std::size_t>(std::llround(fraction * last))];
+}
+
+// 2000 × 2000 samples over 0.1 m, 16 MB: more than fits a cache, as a photograph's field is.
+std::shared_ptr<const HeightField> rough_field() {
+  constexpr std::size_t kSide = 2000;
+  std::vector<float> heights_m(kSide * kSide);
+  Random random(1);
+  for (float& height_m : heights_m) height_m = static_cast<float>(0.0001 * random.normal());
+  return std::make_shared<const HeightField>(HeightField::Grid{kSide, kSide, 0.00005},
+                                             std::move(heights_m));
+}
+
+RendererInputs stimulus(const std::shared_ptr<const HeightField>& field) {
+  RendererInputs inputs;
+  inputs.height_field = field;
+  inputs.seed = 1;
+  return inputs;
+}
+
+// To and fro over 60 mm at up to 94 mm/s, drifting sideways, 1.5 mm deep: always in contact.
+std::vector<ProbeState> stroke() {
+  std::vector<ProbeState> samples(kWarmUp + kCounted);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double time_s = static_cast<double>(i) / kRate_Hz;
+    constexpr double kPhase_rad_per_s = std::numbers::pi;
+    ProbeState& probe = samples[i];
+    probe.time_ns = std::llround(time_s * 1e9);
+    probe.position_m = {0.030 * std::sin(kPhase_rad_per_s * time_s), 0.030 * std::sin(0.1 * time_s),
+                        -0.0015};
+    probe.velocity_m_per_s = {0.030 * kPhase_rad_per_s * std::cos(kPhase_rad_per_s * time_s),
+                              0.003 * std::cos(0.1 * time_s), 0.0};
+  }
+  return samples;
+}
+
+Costs model_alone(const ForceModel& model, Caches caches, const RendererInputs& inputs,
+                  const std::vector<ProbeState>& samples, double& felt_N) {
+  const auto renderer = make_renderer(model, inputs);
+  renderer->reset(samples.front());
+  return measure("model/" + model.declaration.id, caches, [&](int i) {
+    const auto& probe = samples[static_cast<std::size_t>(i)];
+    felt_N += renderer->tick(probe, 1.0 / kRate_Hz).wrench.force_N.z;
+  });
+}
+
+Costs whole_tick(const ForceModel& model, Caches caches, const RendererInputs& inputs,
+                 double& felt_N) {
+  VirtualHand hand(HandHabits{}, Random(2));
+  SimulatedDevice device(hand, SimulatedDeviceSettings{});
+  RecordRing records;
+  ServoLoop loop(device, records, ServoSettings{});
+  loop.present({.id = 1, .renderer = make_renderer(model, inputs)});
+  hand.stroke();
+  const Costs costs = measure("servo_tick/" + model.declaration.id, caches, [&](int i) {
+    loop.tick((static_cast<std::int64_t>(i) + 1) * 1'000'000);
+    loop.heartbeat();
+    TickRecord record;
+    while (records.pop(record)) felt_N += record.sent.force_N.z;
+  });
+  return costs;
+}
+
+std::string machine() {
+  std::ifstream cpus("/proc/cpuinfo");
+  for (std::string line; std::getline(cpus, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+const char* instruction_set() {
+#if defined(__AVX512F__)
+  return "avx512";
+#elif defined(__AVX2__)
+  return "avx2";
+#elif defined(__SSE2__)
+  return "sse2";
+#else
+  return "generic";
+#endif
+}
+
+void print_json(const std::vector<Costs>& all) {
+  nlohmann::ordered_json document{{"format", "asperity.bench/1"},
+                                  {"machine", machine()},
+                                  {"commit", ASPERITY_COMMIT},
+                                  {"isa", instruction_set()},
+                                  {"cases", nlohmann::ordered_json::array()}};
+  for (const Costs& costs : all) {
+    document["cases"].push_back({{"name", costs.name},
+                                 {"unit", "ns"},
+                                 {"p50", quantile_ns(costs, 0.5)},
+                                 {"p99", quantile_ns(costs, 0.99)},
+                                 {"p99_9", quantile_ns(costs, 0.999)},
+                                 {"count", costs.undisturbed_ns.size()},
+                                 {"preempted", costs.preempted}});
+  }
+  std::puts(document.dump(2).c_str());
+}
+
+void print_table(const std::vector<Costs>& all) {
+  std::printf("%-28s %8s %8s %8s %9s %9s\n", "case (ns)", "p50", "p99", "p99.9", "count",
+              "preempted");
+  for (const Costs& costs : all) {
+    std::printf("%-28s %8lld %8lld %8lld %9zu %9lld\n", costs.name.c_str(),
+                static_cast<long long>(quantile_ns(costs, 0.5)),
+                static_cast<long long>(quantile_ns(costs, 0.99)),
+                static_cast<long long>(quantile_ns(costs, 0.999)), costs.undisturbed_ns.size(),
+                static_cast<long long>(costs.preempted));
+  }
+}
+
+int run(bool as_json) {
+  const auto field = rough_field();
+  const std::vector<ProbeState> samples = stroke();
+  const ModelRegistry registry = built_in_models();
+  double felt_N = 0.0;  // printed to nobody, but used: the work cannot be left out
+  std::vector<Costs> all;
+  all.push_back(measure("clock", Caches::warm, [&](int i) { felt_N += i; }));
+  for (const Caches caches : {Caches::warm, Caches::cold}) {
+    for (const ForceModel& model : registry.models()) {
+      all.push_back(model_alone(model, caches, stimulus(field), samples, felt_N));
+    }
+    for (const ForceModel& model : registry.models()) {
+      all.push_back(whole_tick(model, caches, stimulus(field), felt_N));
+    }
+  }
+  as_json ? print_json(all) : print_table(all);
+  return std::isfinite(felt_N) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+  if (argc > 2 || (argc == 2 && std::strcmp(argv[1], "--json") != 0)) {
+    std::fprintf(stderr, "usage: %s [--json]\n", argv[0]);
+    return 2;
+  }
+  return asperity::run(argc == 2);
+}
