@@ -33,7 +33,8 @@ class Stochastic final : public ForceRenderer {
     const double penetration_m = -point.height_m;
     if (point.gain == 0.0 || !(penetration_m > 0.0)) return {};
     double normal_N = contact_.material().stiffness_N_per_m * penetration_m;
-    if (std::hypot(probe.velocity_m_per_s.x, probe.velocity_m_per_s.y) >= threshold_m_per_s_) {
+    const glm::dvec3& v = probe.velocity_m_per_s;
+    if (std::sqrt(v.x * v.x + v.y * v.y) >= threshold_m_per_s_) {
       normal_N = std::max(0.0, normal_N + mean_N_ + sd_N_ * noise_at(probe.time_ns));
     }
     return contact_.force(
