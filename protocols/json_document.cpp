@@ -141,6 +141,10 @@ class JsonDocument::Handler {
     std::string expected{};
     if (const std::size_t at = what.find("; expected "); at != std::string::npos) {
       expected = "; expected " + what.substr(at + 11);
+      constexpr std::string_view kString = "string literal";
+      if (const std::size_t found = expected.find(kString); found != std::string::npos) {
+        expected.replace(found, kString.size(), "a key in \"quotation marks\"");
+      }
     }
     std::size_t end = from;
     while (end < text.size() &&
@@ -167,8 +171,7 @@ class JsonDocument::Handler {
   std::size_t start() const {
     const std::string_view text = document_.text_;
     std::size_t at = last_end_;
-    // A number is only known to be over when one character more was read; that character may be the
-    // quote of what follows only in broken text.
+    // A comma or colon that was read last is itself what comes next: a mistake.
     while (at < text.size() &&
            (text[at] == ' ' || text[at] == '\t' || text[at] == '\n' || text[at] == '\r' ||
             ((text[at] == ',' || text[at] == ':') && at < read_ && at + 1 < text.size() &&
@@ -213,6 +216,9 @@ class JsonDocument::Handler {
     document_.places_[pointer] = {key_start, from};
     began_ = true;
     last_end_ = read_;
+    if (node->is_number()) {  // known to be over only when one character more was read
+      last_end_ = std::min(document_.text_.find_first_not_of("+-.0123456789eE", from), read_);
+    }
     return node;
   }
 

@@ -101,12 +101,5 @@ TEST(LibraryProtocols, ShowDistractorsThatNobodyFeels) {
   }
 }
 
-TEST(Schema, DescribesEveryKeyForTheEditor) {
-  // Every property is either described where it stands or refers to a definition that is.
-  const std::string text(protocol_schema());
-  EXPECT_NE(text.find("draft-07"), std::string::npos);
-  EXPECT_NE(text.find("asperity.protocol/1"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace asperity

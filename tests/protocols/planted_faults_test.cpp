@@ -1,0 +1,398 @@
+// Faults planted in good protocols: each is refused at its place, in words that help.
+
+#include <algorithm>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/library_protocols.h"
+#include "protocols/protocol_reader.h"
+#include "tests/protocols/example.h"
+
+namespace asperity {
+namespace {
+
+/// `from` is replaced by `to` in a good text; the complaint is expected where `at` then first
+/// stands, with this pointer and these words.
+struct Fault {
+  const char* name;
+  const char* from;
+  const char* to;
+  const char* at;
+  const char* pointer;
+  const char* words;
+};
+
+void PrintTo(const Fault& fault, std::ostream* stream) { *stream << fault.name; }
+
+std::string planted(std::string text, const Fault& fault) {
+  const std::size_t at = text.find(fault.from);
+  EXPECT_NE(at, std::string::npos) << "the example no longer contains " << fault.from;
+  return text.replace(at, std::string(fault.from).size(), fault.to);
+}
+
+std::pair<int, int> place_in(const std::string& text, const std::string& what) {
+  const std::size_t offset = text.find(what);
+  EXPECT_NE(offset, std::string::npos) << what;
+  const std::string before = text.substr(0, offset);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t start = before.rfind('\n') == std::string::npos ? 0 : before.rfind('\n') + 1;
+  return {static_cast<int>(line), static_cast<int>(offset - start) + 1};
+}
+
+std::vector<Diagnostic> problems_of(const std::string& text) {
+  try {
+    (void)read_protocol(text, "p.json", test::example_models());
+  } catch (const ProtocolError& error) {
+    return error.diagnostics();
+  }
+  return {};
+}
+
+void expect_complaint(const std::string& text, const Fault& fault) {
+  const std::vector<Diagnostic> problems = problems_of(text);
+  const auto [line, column] = place_in(text, fault.at);
+  const bool found = std::any_of(
+      problems.begin(), problems.end(), [&, l = line, c = column](const Diagnostic& problem) {
+        return problem.line == l && problem.column == c && problem.pointer == fault.pointer &&
+               problem.message.find(fault.words) != std::string::npos;
+      });
+  std::string all{};
+  for (const Diagnostic& problem : problems) all += text_of(problem) + "\n";
+  EXPECT_TRUE(found) << "expected " << line << ":" << column << " " << fault.pointer << " … "
+                     << fault.words << "\nfound:\n"
+                     << all;
+}
+
+std::string library(std::string_view name) {
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (each.name == name) return std::string(each.text);
+  }
+  ADD_FAILURE() << name;
+  return {};
+}
+
+class PlantedInSelection : public testing::TestWithParam<Fault> {};
+class PlantedInMatching : public testing::TestWithParam<Fault> {};
+class PlantedInRecognition : public testing::TestWithParam<Fault> {};
+
+TEST_P(PlantedInSelection, IsRefusedAtItsPlace) {
+  expect_complaint(planted(test::example_selection(), GetParam()), GetParam());
+}
+TEST_P(PlantedInMatching, IsRefusedAtItsPlace) {
+  expect_complaint(planted(library("improved_matching"), GetParam()), GetParam());
+}
+TEST_P(PlantedInRecognition, IsRefusedAtItsPlace) {
+  expect_complaint(planted(library("improved_recognition"), GetParam()), GetParam());
+}
+
+const auto name_of = [](const auto& each) { return std::string(each.param.name); };
+
+const Fault kSyntax[] = {
+    {"trailing_comma", R"("version": "1.0.0",)", R"("version": "1.0.0",,)", ",\n  \"title\"", "",
+     "unexpected ','"},
+    {"nan", R"("force_limit_N": 5)", R"("force_limit_N": NaN)", "NaN", "/device",
+     "'NaN' is not JSON"},
+    {"infinite_number", R"("force_limit_N": 5)", R"("force_limit_N": 1e999)", "1e999", "/device",
+     "too large"},
+    {"cut_off", R"("version": "1.0.0",)", "\"version\": \"1.0.0", "\n  \"title\": \"Which", "",
+     "must be escaped"},
+    {"duplicate_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "version": "2.0.0",)",
+     R"("version": "2.0.0")", "/version", "stands twice"},
+};
+
+const Fault kForm[] = {
+    {"other_format", "asperity.protocol/1", "asperity.protocol/2", R"("asperity.protocol/2")",
+     "/format", R"(write "asperity.protocol/1")"},
+    {"misspelt_key", R"("repetitions": 3)", R"("repetitons": 3)", R"("repetitons")",
+     "/blocks/main/repetitons", R"(did you mean "repetitions"?)"},
+    {"unknown_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "zebra": 1,)", R"("zebra")",
+     "/zebra", "there is no key"},
+    {"unknown_kind", R"("kind": "selection")", R"("kind": "ranking")", R"("ranking")", "/kind",
+     R"("selection", "matching" or "recognition")"},
+    {"near_choice", R"("order": "shuffle")", R"("order": "shufle")", R"("shufle")",
+     "/blocks/main/order", R"(did you mean "shuffle"?)"},
+    {"version", R"("version": "1.0.0")", R"("version": "1.0")", R"("1.0")", "/version",
+     "three numbers"},
+    {"missing_key", R"(  "title": "Which rendering feels most like the picture?",)", "", "{", "",
+     R"(the key "title" is missing)"},
+    {"wrong_type", R"("rate_Hz": 1000)", R"("rate_Hz": "1000")", R"("1000")", "/device/rate_Hz",
+     R"("1000" is not a number)"},
+    {"negative", R"("rate_Hz": 1000)", R"("rate_Hz": -1)", "-1,", "/device/rate_Hz",
+     "at least 100"},
+    {"zero_force", R"("force_limit_N": 5)", R"("force_limit_N": 0)", "0}", "/device/force_limit_N",
+     "greater than 0"},
+    {"too_strong", R"("force_limit_N": 5)", R"("force_limit_N": 500)", "500",
+     "/device/force_limit_N", "at most 20"},
+    {"bad_name", R"("stone": {)", R"("Stone": {)", R"("Stone")", "/textures/Stone",
+     "lower-case letters"},
+    {"empty_list", R"("levels": ["metal", "stone"])", R"("levels": [])", "[]",
+     "/factors/texture/levels", "too few"},
+    {"two_steps_in_one", R"({"check": "device"})", R"({"check": "device", "screen": "x"})",
+     R"({"check": "device", )", "/flow/1", R"(exactly one of the keys "screen", "check")"},
+    {"no_step", R"({"check": "device"})", R"({"$comment": "device"})", R"({"$comment")", "/flow/1",
+     "exactly one of the keys"},
+    {"pause_without_run", R"({"screen": "Welcome."})",
+     R"({"screen": "Welcome.", "break_every_trials": 3})", R"({"screen": "Welcome.")", "/flow/0",
+     R"("run" is missing)"},
+    {"two_targets", R"("equal_force": {)", R"("equal_force": {"rms_N": 1, )", R"({"rms_N")",
+     "/stimuli/rendered/equal_force", R"(exactly one of the keys "rms_N" or "to_model")"},
+    {"binding", R"({"factor": "model"})", R"({"facto": "model"})", R"({"facto")",
+     "/stimuli/rendered/model", R"("factor" is missing)"},
+    {"empty_text", R"({"screen": "Welcome."})", R"({"screen": ""})", R"(""})", "/flow/0/screen",
+     "this text is empty"},
+};
+
+const Fault kMeaning[] = {
+    {"unknown_model", R"(["height_map", "sinusoid")", R"(["height_mapp", "sinusoid")",
+     R"("height_mapp")", "/factors/model/levels/0", R"(did you mean "height_map"?)"},
+    {"unknown_texture", R"("levels": ["metal", "stone"])", R"("levels": ["metal", "stome"])",
+     R"("stome")", "/factors/texture/levels/1", R"(did you mean "stone"?)"},
+    {"unknown_parameter", R"("equal_force")", R"("parameters": {"lawn": 1}, "equal_force")",
+     R"("lawn")", "/stimuli/rendered/parameters/lawn", "no such parameter"},
+    {"parameter_out_of_range", R"("model": {"factor": "model"})",
+     R"("model": "sinusoid", "parameters": {"amplitude_m": 0.5})", "0.5}",
+     "/stimuli/rendered/parameters/amplitude_m", "0.01"},
+    {"parameter_not_a_choice", R"("model": {"factor": "model"})",
+     R"("model": "height_map", "parameters": {"law": "correct"})", R"("correct"})",
+     "/stimuli/rendered/parameters/law", "literal"},
+    {"solved_parameter_given", R"("model": {"factor": "model"})",
+     R"("model": "sinusoid", "parameters": {"amplitude_m": 0.001})", R"("amplitude_m")",
+     "/stimuli/rendered/parameters/amplitude_m", "equal_force solves"},
+    {"no_amplitude", R"("model": {"factor": "model"})", R"("model": "plain")", R"("plain")",
+     "/stimuli/rendered/model", "no amplitude"},
+    {"equal_to_unknown_model", R"("to_model": "height_map")", R"("to_model": "height")",
+     R"("height"})", "/stimuli/rendered/equal_force/to_model", "no force model"},
+    {"band_above_half_the_rate", R"("rate_Hz": 1000)", R"("rate_Hz": 500)",
+     R"({"to_model": "height_map"})", "/stimuli/rendered/equal_force", "half of the"},
+    {"absolute_path", R"("stimuli/metal.png")", R"("/etc/passwd")", R"("/etc/passwd")",
+     "/textures/metal/height_field", "not a path relative to the study"},
+    {"path_that_climbs", R"("stimuli/metal.png")", R"("stimuli/../../metal.png")",
+     R"("stimuli/../../metal.png")", "/textures/metal/height_field", "leaves the study"},
+    {"windows_path", R"("stimuli/metal.png")", R"("C:\\metal.png")", R"("C:\\metal.png")",
+     "/textures/metal/height_field", "not a path relative"},
+    {"force_band_above_limit", R"("target": 1, "maximum": 2)", R"("target": 1, "maximum": 9)",
+     "9},", "/explorations/stroking/normal_force_N/maximum", "limit of 5 N"},
+    {"band_upside_down", R"({"minimum": 0.5, "target": 1)", R"({"minimum": 1.5, "target": 1)",
+     R"({"minimum": 1.5)", "/explorations/stroking/normal_force_N", "minimum ≤ target"},
+    {"stroke_off_the_patch", R"("stroke_length_m": {"target": 0.06})",
+     R"("stroke_length_m": {"target": 0.3})", "0.3}",
+     "/explorations/stroking/stroke_length_m/target", "does not fit"},
+    {"contact_too_long", R"("minimum_contact_s": 2)", R"("minimum_contact_s": 20)", "20,",
+     "/explorations/stroking/minimum_contact_s", "gone after 15 s"},
+    {"repeats_never", R"("maximum_contact_s": 15)",
+     R"("maximum_contact_s": 15, "on_failure": "repeat_now")", R"("repeat_now")",
+     "/explorations/stroking/on_failure", "maximum_repeats"},
+    {"impossible_order", R"("maximum_in_a_row": {"texture": 2})",
+     R"("listed": [{"texture": "metal"}, {"texture": "metal"}, {"texture": "stone"}], "maximum_in_a_row": {"texture": 1})",
+     R"("listed")", "/blocks/main/listed", "exclude each other"},
+    {"constraint_on_other_factor", R"("maximum_in_a_row": {"texture": 2})",
+     R"("maximum_in_a_row": {"model": 2})", R"("model": 2})", "/blocks/main/maximum_in_a_row/model",
+     "only factors that the block crosses or lists"},
+    {"unknown_factor", R"("crossed": ["texture"])", R"("crossed": ["textur"])", R"("textur"])",
+     "/blocks/main/crossed/0", R"(did you mean "texture"?)"},
+    {"unset_factor", R"("crossed": ["texture"],)", "",
+     R"({"stimulus": "rendered", "with": {"model": "height_map"}})", "/blocks/main/presented/0",
+     R"(needs the factor "texture")"},
+    {"unknown_level", R"("with": {"model": "height_map"})", R"("with": {"model": "height"})",
+     R"("height"})", "/blocks/main/presented/0/with/model", "is not a level of the factor"},
+    {"factor_without_effect", R"("with": {"model": "sinusoid"})",
+     R"("with": {"model": "sinusoid", "finger": 1})", R"("finger": 1)",
+     "/blocks/main/presented/1/with/finger", R"(no factor "finger")"},
+    {"unknown_stimulus", R"({"stimulus": "rendered", "with": {"model": "height_map"}})",
+     R"({"stimulus": "render"})", R"("render"})", "/blocks/main/presented/0/stimulus",
+     R"(did you mean "rendered"?)"},
+    {"unknown_exploration", R"("exploration": "stroking")", R"("exploration": "stroke")",
+     R"("stroke")", "/blocks/main/exploration", "no exploration"},
+    {"block_never_run", R"({"run": "main", "break_every_trials": 3, "pause": {"minimum_s": 60}})",
+     R"({"check": "force_zero"})", R"("main": {)", "/blocks/main", "is never run"},
+    {"unknown_block", R"({"run": "main",)", R"({"run": "mian",)", R"("mian")", "/flow/2/run",
+     R"(did you mean "main"?)"},
+    {"unknown_question", R"({"check": "device"})", R"({"ask": ["mood"]})", R"("mood")",
+     "/flow/1/ask/0", "no question"},
+    {"nothing_to_counterbalance", R"("realism_standard": "photograph",)",
+     R"("realism_standard": "photograph", "counterbalance": "williams",)", R"("williams")",
+     "/counterbalance", "for_each"},
+    {"for_each_of_a_set_factor", R"({"run": "main",)", R"({"run": "main", "for_each": "texture",)",
+     R"("texture", "break_every)", "/flow/2/for_each", "already set inside"},
+    {"break_without_pause", R"(, "pause": {"minimum_s": 60}})", "}", R"({"run")", "/flow/2",
+     R"(needs a "pause")"},
+    {"feedback_in_a_selection", R"("positions": "balanced")",
+     R"("positions": "balanced", "feedback": "correctness")", R"("correctness")",
+     "/blocks/main/feedback", "feedback needs a correct answer"},
+    {"criterion_in_a_selection", R"("positions": "balanced")",
+     R"("positions": "balanced", "until": {"correct": 1, "of_last": 1, "maximum_trials": 6})",
+     R"({"correct")", "/blocks/main/until", "needs right answers"},
+    {"no_standard", R"(  "realism_standard": "photograph",)", "", R"("selection")", "/kind",
+     "realism_standard"},
+    {"physical_sample_without_prompt", R"("realism_standard": "photograph")",
+     R"("realism_standard": "physical_sample")", R"({"name": "most_realistic")",
+     "/blocks/main/question", "which sample to place"},
+    {"unbalanceable", R"("repetitions": 3)", R"("repetitions": 2)", R"("balanced")",
+     "/blocks/main/positions", "multiple of 3"},
+    {"picture_missing", R"(, "picture": "stimuli/stone_photo.png")", "",
+     R"({"height_field": "stimuli/stone.png")", "/textures/stone", R"(a "picture")"},
+    {"same_surface_twice", R"("with": {"model": "sinusoid"})", R"("with": {"model": "height_map"})",
+     R"([
+        {"stimulus")",
+     "/blocks/main/presented", R"(count as "height_map")"},
+    {"texture_without_height_field", R"({"height_field": "stimuli/stone.png", )", "{",
+     R"("stone"]})", "/factors/texture/levels/1", "cannot be felt"},
+    {"observer_without_truth", R"("device": {)",
+     R"("observer": {"expectation": "true_surface"}, "device": {)",
+     R"({"height_field": "stimuli/metal.png")", "/textures/metal", "true_height_field"},
+    {"mixed_levels", R"("levels": ["metal", "stone"])", R"("levels": ["metal", 2])", "2]",
+     "/factors/texture/levels/1", "all numbers or all names"},
+    {"too_many_trials", R"("repetitions": 3)", R"("repetitions": 3000)", "{\n      \"crossed\"",
+     "/blocks/main", "nobody sits through"},
+};
+
+const Fault kMatching[] = {
+    {"too_few_pictures", R"("pictures": ["metal", "stone", "wood", "brick"])",
+     R"("pictures": ["metal", "stone", "wood"])", R"(["metal", "stone", "wood"])",
+     "/blocks/familiarisation/question/pictures", "as many pictures as surfaces"},
+    {"criterion_beyond_reach", R"("correct": 2, "of_last": 3)", R"("correct": 4, "of_last": 3)",
+     R"(4, "of_last")", "/blocks/practice/until/correct", "nobody can get 4 right of 3"},
+    {"criterion_beyond_the_block", R"("maximum_trials": 6)", R"("maximum_trials": 9)", "9,",
+     "/blocks/practice/until/maximum_trials", "needs repetitions 9"},
+    {"mask_with_revisits", R"("allow_revisit": false)", R"("allow_revisit": true)",
+     "true,\n        \"allow_revisit\"", "/blocks/familiarisation/question/pictures_after_feeling",
+     "allow_revisit to false"},
+};
+
+const Fault kRecognition[] = {
+    {"answer_not_shown", R"("pictures": ["metal", "stone")", R"("pictures": ["stone")",
+     R"(["stone")", "/blocks/familiarisation/question/pictures",
+     R"(right answer "metal" is not among)"},
+    {"no_correct_factor", R"("correct_factor": "texture",)", "", R"({
+        "name": "recognised")",
+     "/blocks/familiarisation/question", "correct_factor"},
+    {"unknown_correct_factor", R"("correct_factor": "texture")", R"("correct_factor": "textures")",
+     R"("textures",)", "/blocks/familiarisation/question/correct_factor", "did you mean"},
+    {"impossible_order", R"("maximum_in_a_row": {"texture": 1})",
+     R"("maximum_in_a_row": {"texture": -7})", "-7}", "/blocks/practice/maximum_in_a_row/texture",
+     "at least 1"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Syntax, PlantedInSelection, testing::ValuesIn(kSyntax), name_of);
+INSTANTIATE_TEST_SUITE_P(Form, PlantedInSelection, testing::ValuesIn(kForm), name_of);
+INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInSelection, testing::ValuesIn(kMeaning), name_of);
+INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInMatching, testing::ValuesIn(kMatching), name_of);
+INSTANTIATE_TEST_SUITE_P(Meaning, PlantedInRecognition, testing::ValuesIn(kRecognition), name_of);
+
+TEST(PlantedFaults, AreReportedAllAtOnce) {
+  std::string text = test::example_selection();
+  const auto plant = [&text](const char* from, const char* to) {
+    text.replace(text.find(from), std::string(from).size(), to);
+  };
+  plant(R"("rate_Hz": 1000)", R"("rate_Hz": "fast")");
+  plant(R"("stone": {"height_field")", R"("stone": {"hight": 1, "wide": 2, "height_field")");
+  plant(R"("repetitions": 3)", R"("repetitions": 0)");
+  plant(R"("minimum_contact_s": 2)", R"("minimum_contact_s": -2)");
+  plant(R"({"check": "device"})", R"({"check": "devise"})");
+  const std::vector<Diagnostic> problems = problems_of(text);
+  std::vector<std::string> pointers{};
+  for (const Diagnostic& problem : problems) pointers.push_back(problem.pointer);
+  EXPECT_EQ(pointers, (std::vector<std::string>{"/device/rate_Hz", "/textures/stone/hight",
+                                                "/textures/stone/wide",
+                                                "/explorations/stroking/minimum_contact_s",
+                                                "/blocks/main/repetitions", "/flow/1/check"}));
+}
+
+TEST(PlantedFaults, AnOrderThatCannotBeMetIsRefused) {
+  std::string text = test::example_selection();
+  const std::string from = R"("crossed": ["texture"],)";
+  text.replace(text.find(from), from.size(),
+               R"("listed": [{"texture": "metal"}, {"texture": "metal"}, {"texture": "metal"},
+                             {"texture": "stone"}],)");
+  const std::string limit = R"({"texture": 2})";
+  text.replace(text.find(limit), limit.size(), R"({"texture": 1})");
+  const auto problems = problems_of(text);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].pointer, "/blocks/main/maximum_in_a_row");
+  EXPECT_NE(problems[0].message.find("no order of the block's 12 trials"), std::string::npos);
+}
+
+TEST(PlantedFaults, AMessageBeginsWithFileLineAndColumn) {
+  const auto problems = problems_of("{\n  \"format\": 3x\n}");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(text_of(problems[0]).starts_with("p.json:2:14: error: 'x' is not JSON"))
+      << text_of(problems[0]);
+}
+
+TEST(PlantedFaults, WhatIsNoJsonTextAtAllGetsASentence) {
+  const std::string deep(100000, '[');
+  const std::pair<std::string, const char*> cases[] = {
+      {"", "nothing here"},
+      {"   \n", "nothing here"},
+      {"hello", "'hello' is not JSON"},
+      {"[1, 2]", "is not a protocol"},
+      {"\"text\"", "is not a protocol"},
+      {"\xEF\xBB\xBF{}", "byte order mark"},
+      {std::string("\xFF\xFE{\0}\0", 6), "not UTF-8"},
+      {std::string("{\0\"\0", 4), "not UTF-8"},
+      {"{\"a\": \"\xC3\x28\"}", "not UTF-8"},
+      {deep, "nested deeper than 64"},
+      {"{\"a\":" + deep, "nested deeper than 64"},
+      {"{\"a\": [" + std::string(20000, '1') + "]}", "too large"},
+      {"{\"a\": \"" + std::string(9000, 'x') + "\"}", "longer than 8192"},
+      {std::string(5U << 20U, ' '), "larger than 4 MiB"},
+      {"{\"a\": [0" +
+           [] {
+             std::string many{};
+             for (int i = 0; i < 5000; ++i) many += ",0";
+             return many;
+           }() +
+           "]}",
+       "more than 4096 entries"},
+      {"{\"a\": 1", "ends before"},
+      {"{} {}", "unexpected"},
+  };
+  for (const auto& [text, words] : cases) {
+    const auto problems = problems_of(text);
+    ASSERT_EQ(problems.size(), 1U) << text.substr(0, 40);
+    EXPECT_NE(problems[0].message.find(words), std::string::npos)
+        << text.substr(0, 40) << " → " << problems[0].message;
+  }
+}
+
+TEST(PlantedFaults, ColumnsCountCharactersNotBytes) {
+  const auto problems = problems_of("{\"ä\": 1, \"ö\": x}");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].column, 15);  // {"ä": 1, "ö": is 14 characters long
+}
+
+TEST(PlantedFaults, CommentsAndExtensionsAreNone) {
+  std::string text = test::example_selection();
+  const std::string from = R"("textures": {)";
+  text.replace(text.find(from), from.size(),
+               R"("x-lab": [1], "$comment": "why", "textures": {"$comment": "two", "x-y": 3,)");
+  EXPECT_TRUE(problems_of(text).empty());
+}
+
+// The schema is what an editor shows: everything in it says what it is.
+void expect_described(const nlohmann::json& root, const nlohmann::json& schema,
+                      const std::string& where) {
+  const nlohmann::json& node =
+      schema.contains("$ref")
+          ? root.at(nlohmann::json::json_pointer(schema.at("$ref").get<std::string>().substr(1)))
+          : schema;
+  EXPECT_FALSE(node.value("description", "").empty()) << where;
+  if (schema.contains("$ref")) return;
+  const auto properties = node.find("properties");
+  if (properties == node.end()) return;
+  for (const auto& [key, member] : properties->items()) {
+    expect_described(root, member, where + "/" + key);
+  }
+}
+
+TEST(Schema, DescribesEveryKeyForTheEditor) {
+  const auto root = nlohmann::json::parse(protocol_schema());
+  expect_described(root, root, "");
+  for (const auto& [name, definition] : root.at("definitions").items()) {
+    expect_described(root, definition, name);
+  }
+}
+
+}  // namespace
+}  // namespace asperity

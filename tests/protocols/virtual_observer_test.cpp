@@ -1,0 +1,207 @@
+// A virtual participant judges by what it feels, and by nothing else.
+
+#include "protocols/virtual_observer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <boost/math/distributions/binomial.hpp>
+
+namespace asperity {
+namespace {
+
+ForceFeatures features(double level) {
+  ForceFeatures result{};
+  result.spectrum.fill(level);
+  result.size = level;
+  result.roughness = level;
+  return result;
+}
+
+ObserverDeclaration ideal() {
+  ObserverDeclaration declaration{};
+  declaration.expectation = ObserverDeclaration::Expectation::true_surface;
+  declaration.feature_noise = 0.0;
+  declaration.position_bias = 0.0;
+  declaration.lapse = 0.0;
+  return declaration;
+}
+
+/// Bounds that a binomial count leaves once in a million at either side.
+std::pair<double, double> bounds(int trials, double probability) {
+  const boost::math::binomial_distribution<double> law(trials, probability);
+  return {boost::math::quantile(law, 1e-6),
+          boost::math::quantile(boost::math::complement(law, 1e-6))};
+}
+
+const std::vector<ForceFeatures> kFour{features(-4.0), features(-3.0), features(-2.0),
+                                       features(-1.0)};
+
+TEST(VirtualObserver, WithoutNoiseSelectsTheNearestWhereverItIs) {
+  VirtualObserver observer(ideal(), Random(1));
+  for (std::size_t nearest = 0; nearest < 4; ++nearest) {
+    for (int i = 0; i < 50; ++i) {
+      EXPECT_EQ(observer.select(kFour, features(-4.0 + 0.3 + static_cast<double>(nearest))),
+                nearest);
+    }
+  }
+}
+
+TEST(VirtualObserver, WithoutNoiseRecognisesTheNearest) {
+  VirtualObserver observer(ideal(), Random(1));
+  for (std::size_t nearest = 0; nearest < 4; ++nearest) {
+    EXPECT_EQ(observer.recognise(features(-4.2 + static_cast<double>(nearest)), kFour), nearest);
+  }
+}
+
+TEST(VirtualObserver, MatchesAsAWholeAndNotOneByOne) {
+  // Felt 0 and 1 are both nearest to expectation 0, but only one of them can have it. As a whole
+  // (0→1, 1→0) costs 0.6² + 0.1² and (0→0, 1→1) costs 0.4² + 1.1²: the greedy choice for felt 0
+  // is the worse one. Features here differ in size alone.
+  const auto of_size = [](double size) {
+    ForceFeatures result{};
+    result.size = size;
+    return result;
+  };
+  VirtualObserver observer(ideal(), Random(1));
+  const std::vector<ForceFeatures> felt{of_size(0.4), of_size(-0.1)};
+  const std::vector<ForceFeatures> expected{of_size(0.0), of_size(1.0)};
+  EXPECT_EQ(observer.match(felt, expected), (std::vector<std::size_t>{1, 0}));
+  const std::vector<ForceFeatures> shuffled{kFour[2], kFour[0], kFour[3], kFour[1]};
+  EXPECT_EQ(observer.match(shuffled, kFour), (std::vector<std::size_t>{2, 0, 3, 1}));
+}
+
+TEST(VirtualObserver, DeafAnswersUniformly) {
+  ObserverDeclaration declaration = ideal();
+  declaration.deaf = true;
+  VirtualObserver observer(declaration, Random(20260101));
+  constexpr int kTrials = 6000;
+  std::map<std::size_t, int> selected{};
+  std::map<std::size_t, int> recognised{};
+  std::map<std::vector<std::size_t>, int> matched{};
+  for (int i = 0; i < kTrials; ++i) {
+    ++selected[observer.select(kFour, features(-4.0))];
+    ++recognised[observer.recognise(features(-4.0), kFour)];
+    ++matched[observer.match(kFour, kFour)];
+  }
+  const auto [low, high] = bounds(kTrials, 0.25);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_GE(selected[i], low);
+    EXPECT_LE(selected[i], high);
+    EXPECT_GE(recognised[i], low);
+    EXPECT_LE(recognised[i], high);
+  }
+  EXPECT_EQ(matched.size(), 24U);
+  const auto [low_match, high_match] = bounds(kTrials, 1.0 / 24.0);
+  for (const auto& [order, count] : matched) {
+    EXPECT_GE(count, low_match);
+    EXPECT_LE(count, high_match);
+  }
+}
+
+TEST(VirtualObserver, EqualEvidenceIsDecidedByChance) {
+  VirtualObserver observer(ideal(), Random(5));
+  const std::vector<ForceFeatures> same(3, features(-2.0));
+  constexpr int kTrials = 3000;
+  std::map<std::size_t, int> counts{};
+  std::map<std::vector<std::size_t>, int> orders{};
+  for (int i = 0; i < kTrials; ++i) {
+    ++counts[observer.select(same, features(-1.0))];
+    ++orders[observer.match(same, same)];
+  }
+  const auto [low, high] = bounds(kTrials, 1.0 / 3.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_GE(counts[i], low);
+    EXPECT_LE(counts[i], high);
+  }
+  EXPECT_EQ(orders.size(), 6U);
+}
+
+TEST(VirtualObserver, LapsesAsOftenAsDeclared) {
+  ObserverDeclaration declaration = ideal();
+  declaration.lapse = 0.2;
+  VirtualObserver observer(declaration, Random(7));
+  constexpr int kTrials = 10000;
+  int wrong = 0;
+  for (int i = 0; i < kTrials; ++i) wrong += observer.recognise(kFour[1], kFour) != 1 ? 1 : 0;
+  // A guess among four is wrong three times in four: 0.2 · 3/4 = 0.15.
+  const auto [low, high] = bounds(kTrials, 0.15);
+  EXPECT_GE(wrong, low);
+  EXPECT_LE(wrong, high);
+}
+
+TEST(VirtualObserver, NoiseErrsAsOftenAsTheNormalLawSays) {
+  // Two expectations that differ by 1 in size alone, noise 0.5: the judgement is wrong when the
+  // noise passes the middle, 0.5, which a normal number with deviation 0.5 does with probability
+  // Φ(−1) = 0.158655.
+  ForceFeatures near{};
+  ForceFeatures far{};
+  far.size = 1.0;
+  ObserverDeclaration declaration = ideal();
+  declaration.feature_noise = 0.5;
+  VirtualObserver observer(declaration, Random(11));
+  const std::vector<ForceFeatures> expected{near, far};
+  constexpr int kTrials = 10000;
+  int wrong = 0;
+  for (int i = 0; i < kTrials; ++i) wrong += observer.recognise(near, expected) != 0 ? 1 : 0;
+  const auto [low, high] = bounds(kTrials, 0.158655);
+  EXPECT_GE(wrong, low);
+  EXPECT_LE(wrong, high);
+  // The same along the spectrum, where a difference of √10 · 1/√10 in every band is 1 as well.
+  ForceFeatures other{};
+  other.spectrum.fill(1.0);
+  const std::vector<ForceFeatures> spectra{near, other};
+  wrong = 0;
+  for (int i = 0; i < kTrials; ++i) wrong += observer.recognise(near, spectra) != 0 ? 1 : 0;
+  EXPECT_GE(wrong, low);
+  EXPECT_LE(wrong, high);
+}
+
+TEST(VirtualObserver, BiasFavoursTheFirst) {
+  ObserverDeclaration declaration = ideal();
+  declaration.position_bias = 10.0;
+  VirtualObserver observer(declaration, Random(3));
+  EXPECT_EQ(observer.select(kFour, features(-2.0)), 0U);
+  EXPECT_EQ(observer.recognise(features(-2.0), kFour), 0U);
+}
+
+TEST(VirtualObserver, IsTheSameForTheSameSeed) {
+  ObserverDeclaration declaration = ideal();
+  declaration.feature_noise = 1.0;
+  declaration.lapse = 0.3;
+  VirtualObserver a(declaration, Random(9));
+  VirtualObserver b(declaration, Random(9));
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(a.match(kFour, kFour), b.match(kFour, kFour));
+    EXPECT_EQ(a.response_time_s(), b.response_time_s());
+  }
+}
+
+TEST(VirtualObserver, TakesAPlausibleTimeToAnswer) {
+  VirtualObserver observer(ideal(), Random(13));
+  double sum_s = 0.0;
+  constexpr int kTrials = 10000;
+  for (int i = 0; i < kTrials; ++i) {
+    const double time_s = observer.response_time_s();
+    ASSERT_GE(time_s, 0.6);
+    ASSERT_LT(time_s, 60.0);
+    sum_s += time_s;
+  }
+  // 0.6 s plus an exponential time of mean 1.2 s, whose mean of 10 000 deviates by 0.012 s.
+  EXPECT_NEAR(sum_s / kTrials, 1.8, 0.06);
+}
+
+TEST(VirtualObserver, RefusesQuestionsThatAreNone) {
+  VirtualObserver observer(ideal(), Random(1));
+  const std::vector<ForceFeatures> nothing{};
+  const std::vector<ForceFeatures> nine(9, features(0.0));
+  EXPECT_THROW((void)observer.select(nothing, features(0.0)), std::invalid_argument);
+  EXPECT_THROW((void)observer.recognise(features(0.0), nothing), std::invalid_argument);
+  EXPECT_THROW((void)observer.match(nine, nine), std::invalid_argument);
+  EXPECT_THROW((void)observer.match(kFour, nine), std::invalid_argument);
+  EXPECT_THROW((void)observer.guess(0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace asperity
