@@ -1,0 +1,371 @@
+// A plan: what it holds, what it balances, and that it never changes.
+
+#include "protocols/plan.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/library_protocols.h"
+#include "protocols/protocol_reader.h"
+#include "tests/protocols/example.h"
+
+namespace asperity {
+namespace {
+
+Protocol read(const std::string& text) {
+  return read_protocol(text, "p.json", test::example_models());
+}
+
+Protocol library(std::string_view name) {
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (each.name == name) return read(std::string(each.text));
+  }
+  throw std::logic_error("no such library protocol");
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("the example lacks " + from);
+  return text.replace(at, from.size(), to);
+}
+
+std::string text_of_plan(const Plan& plan) {
+  std::string text{};
+  for (const Trial& trial : plan.trials) text += json_of(trial) + "\n";
+  return text;
+}
+
+TEST(Plan, IsTheSameForTheSameSeedAndAnotherForAnother) {
+  const Protocol protocol = library("improved_selection");
+  EXPECT_EQ(text_of_plan(make_plan(protocol, {7, 0})), text_of_plan(make_plan(protocol, {7, 0})));
+  EXPECT_NE(text_of_plan(make_plan(protocol, {7, 0})), text_of_plan(make_plan(protocol, {8, 0})));
+}
+
+// Stored plans are compared with new ones when a session is resumed: a change here breaks studies
+// that are running.
+TEST(Plan, NeverChangesForASeed) {
+  const Plan plan =
+      make_plan(read(test::example_selection()), {.seed = 42, .counterbalance_row = 0});
+  std::string summary{};
+  for (const Trial& trial : plan.trials) {
+    summary += text_of(trial.factors.at("texture")) + ":";
+    for (const PlannedPresentation& planned : trial.presentations) {
+      summary += " " + planned.code + "=" + planned.item;
+    }
+    summary += "\n";
+  }
+  EXPECT_EQ(summary,
+            "metal: A=stochastic B=sinusoid C=height_map\n"
+            "stone: A=height_map B=stochastic C=sinusoid\n"
+            "stone: A=sinusoid B=height_map C=stochastic\n"
+            "metal: A=stochastic B=height_map C=sinusoid\n"
+            "metal: A=sinusoid B=stochastic C=height_map\n"
+            "stone: A=height_map B=sinusoid C=stochastic\n");
+  // Written over several lines here; in the text itself there is no space.
+  const std::string first =
+      R"({"ordinal":1,"block":"main","block_ordinal":1,"phase":"main","repetition":3,
+   "factors":{"texture":"metal"},
+   "presentations":[
+    {"position":1,"role":"alternative","item":"stochastic","code":"A","stimulus":"rendered_metal_stochastic",
+     "model":"stochastic","texture":"metal","height_field":"stimuli/metal.png","parameters":{},
+     "equal_force":{"rms_N":null,"to_model":"height_map","band_low_Hz":5.0,"band_high_Hz":500.0}},
+    {"position":2,"role":"alternative","item":"sinusoid","code":"B","stimulus":"rendered_metal_sinusoid",
+     "model":"sinusoid","texture":"metal","height_field":"stimuli/metal.png","parameters":{},
+     "equal_force":{"rms_N":null,"to_model":"height_map","band_low_Hz":5.0,"band_high_Hz":500.0}},
+    {"position":3,"role":"alternative","item":"height_map","code":"C","stimulus":"rendered_metal_height_map",
+     "model":"height_map","texture":"metal","height_field":"stimuli/metal.png","parameters":{},
+     "equal_force":{"rms_N":null,"to_model":"height_map","band_low_Hz":5.0,"band_high_Hz":500.0}}],
+   "question":{"name":"most_realistic","form":"choice",
+    "standard_picture":"stimuli/metal_photo.png",
+    "options":[{"value":"stochastic","label":"A","picture":null},
+     {"value":"sinusoid","label":"B","picture":null},
+     {"value":"height_map","label":"C","picture":null}],"correct":[]}})";
+  EXPECT_EQ(json_of(plan.trials[0]), nlohmann::ordered_json::parse(first).dump());
+}
+
+TEST(Plan, SelectionOffersTheSurfacesByTheirCodesAndShowsThePicture) {
+  const Plan plan = make_plan(read(test::example_selection()), {1, 0});
+  for (const Trial& trial : plan.trials) {
+    const std::string texture = text_of(trial.factors.at("texture"));
+    EXPECT_EQ(trial.question.standard_picture, "stimuli/" + texture + "_photo.png");
+    EXPECT_TRUE(trial.question.correct.empty());
+    ASSERT_EQ(trial.question.options.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(trial.question.options[i].value, trial.presentations[i].item);
+      EXPECT_EQ(trial.question.options[i].label, std::string(1, static_cast<char>('A' + i)));
+      EXPECT_EQ(trial.presentations[i].position, static_cast<int>(i) + 1);
+      EXPECT_EQ(trial.presentations[i].role, "alternative");
+      EXPECT_EQ(trial.presentations[i].stimulus.texture, texture);
+      EXPECT_EQ(trial.presentations[i].stimulus.height_field, "stimuli/" + texture + ".png");
+      EXPECT_EQ(trial.presentations[i].equal_force->to_model, "height_map");
+    }
+  }
+}
+
+TEST(Plan, CrossesRepeatsAndConstrainsOverAThousandSeeds) {
+  const Protocol protocol = read(test::example_selection());
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Plan plan = make_plan(protocol, {seed, 0});
+    ASSERT_EQ(plan.trials.size(), 6U);
+    std::map<std::string, int> textures{};
+    std::map<std::pair<std::string, int>, int> places{};
+    std::set<std::pair<std::string, int>> repetitions{};
+    int in_a_row = 0;
+    std::string before{};
+    for (const Trial& trial : plan.trials) {
+      const std::string texture = text_of(trial.factors.at("texture"));
+      ++textures[texture];
+      repetitions.emplace(texture, trial.repetition);
+      in_a_row = texture == before ? in_a_row + 1 : 1;
+      before = texture;
+      ASSERT_LE(in_a_row, 2);
+      for (const PlannedPresentation& planned : trial.presentations) {
+        ++places[{planned.item, planned.position}];
+      }
+    }
+    ASSERT_EQ(textures, (std::map<std::string, int>{{"metal", 3}, {"stone", 3}}));
+    ASSERT_EQ(repetitions.size(), 6U);
+    ASSERT_EQ(places.size(), 9U);
+    for (const auto& [place, count] : places) ASSERT_EQ(count, 2);  // 6 trials / 3 positions
+  }
+}
+
+TEST(Plan, FirstPositionsFavourNoModelWhenShuffled) {
+  const Protocol protocol = library("chapter_selection");
+  std::map<std::string, int> first{};
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    for (const Trial& trial : make_plan(protocol, {seed, 0}).trials) {
+      ++first[trial.presentations.front().item];
+    }
+  }
+  // 3000 trials, a third each; 5 standard deviations are 5·√(3000·2/9) ≈ 129.
+  for (const auto& [model, count] : first) EXPECT_NEAR(count, 1000, 129);
+}
+
+TEST(Plan, DrawsLevelsEquallyOftenAsFarAsItGoes) {
+  const Protocol protocol = library("chapter_recognition");
+  std::map<std::string, int> counts{};
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    std::set<std::string> drawn{};
+    for (const Trial& trial : make_plan(protocol, {seed, 0}).trials) {
+      const std::string texture = text_of(trial.factors.at("texture"));
+      drawn.insert(texture);
+      ++counts[texture];
+      ASSERT_EQ(trial.question.correct, std::vector<std::string>{texture});
+      ASSERT_EQ(trial.presentations.front().item, texture);
+    }
+    ASSERT_EQ(drawn.size(), 3U);  // three of the four, never one twice
+  }
+  // 3000 draws, a quarter each; they are not independent within a session, which only helps.
+  for (const auto& [texture, count] : counts) EXPECT_NEAR(count, 750, 5 * 24);
+}
+
+TEST(Plan, MatchingAssignsEveryPictureOnceAndKnowsTheTruth) {
+  const Plan plan = make_plan(library("chapter_matching"), {3, 0});
+  for (const Trial& trial : plan.trials) {
+    EXPECT_EQ(trial.question.form, TrialQuestion::Form::assignment);
+    EXPECT_TRUE(trial.question.pictures_after_feeling);
+    EXPECT_FALSE(trial.question.allow_revisit);
+    ASSERT_EQ(trial.question.correct.size(), 4U);
+    std::set<std::string> options{};
+    for (const Option& option : trial.question.options) {
+      options.insert(option.value);
+      EXPECT_TRUE(option.picture);
+      EXPECT_NE(option.label, option.value);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(trial.question.correct[i], trial.presentations[i].item);
+      EXPECT_TRUE(options.contains(trial.presentations[i].item));
+    }
+  }
+}
+
+std::string pictures_of(const Trial& trial) {
+  std::string text{};
+  for (const Option& option : trial.question.options) text += option.value + " ";
+  return text;
+}
+
+TEST(Plan, PicturesChangePlacesInEveryTrialOnlyWhenAsked) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    std::set<std::string> fixed{};
+    for (const Trial& trial : make_plan(library("chapter_recognition"), {seed, 0}).trials) {
+      fixed.insert(pictures_of(trial));
+    }
+    EXPECT_EQ(fixed.size(), 1U);
+    std::set<std::string> reshuffled{};
+    for (const Trial& trial : make_plan(library("improved_recognition"), {seed, 0}).trials) {
+      reshuffled.insert(pictures_of(trial));
+    }
+    EXPECT_GT(reshuffled.size(), 10U);
+  }
+  std::set<std::string> over_sessions{};
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    over_sessions.insert(
+        pictures_of(make_plan(library("chapter_recognition"), {seed, 0}).trials[0]));
+  }
+  EXPECT_GT(over_sessions.size(), 30U);
+}
+
+TEST(Plan, CannotTellComesLast) {
+  const Plan plan = make_plan(library("improved_recognition"), {1, 0});
+  EXPECT_EQ(plan.trials[0].question.options.back().value, "cannot_tell");
+  EXPECT_EQ(plan.trials[0].question.options.size(), 7U);
+}
+
+TEST(Plan, RestsAfterSoManyTrialsButNotAfterTheLast) {
+  const Plan plan = make_plan(read(test::example_selection()), {1, 0});
+  std::string steps{};
+  for (const PlanStep& step : plan.steps) steps += "SCBAT"[step.index()];
+  EXPECT_EQ(steps, "SCTTTBTTT");
+}
+
+TEST(Plan, CriterionBlocksHoldTheirMostTrials) {
+  const Plan plan = make_plan(library("improved_matching"), {1, 0});
+  EXPECT_EQ(std::count_if(plan.trials.begin(), plan.trials.end(),
+                          [](const Trial& trial) { return trial.phase == Phase::practice; }),
+            6);
+}
+
+std::string iterated() {
+  std::string text = with(test::example_selection(), R"("crossed": ["texture"],)", "");
+  text = with(text, R"("maximum_in_a_row": {"texture": 2},)", "");
+  text = with(text, R"("levels": ["metal", "stone"])", R"("levels": ["metal", "stone", "wood"])");
+  text = with(text, R"("textures": {)",
+              R"("counterbalance": "williams", "textures": {
+                  "wood": {"height_field": "stimuli/wood.png", "picture": "stimuli/wood_photo.png"},)");
+  return with(text, R"({"run": "main", "break_every_trials": 3,)",
+              R"({"run": "main", "for_each": "texture",)");
+}
+
+std::vector<std::string> order_of_blocks(const Plan& plan) {
+  std::vector<std::string> order{};
+  int block = 0;
+  for (const Trial& trial : plan.trials) {
+    if (trial.block_ordinal == block) continue;
+    block = trial.block_ordinal;
+    order.push_back(text_of(trial.factors.at("texture")));
+  }
+  return order;
+}
+
+TEST(Plan, CounterbalancesTheOrderOfAnIteratedFactor) {
+  const Protocol protocol = read(iterated());
+  ASSERT_EQ(counterbalance_rows(protocol), 6);  // a Williams square of three has six rows
+  std::map<std::pair<std::string, std::size_t>, int> places{};
+  std::map<std::pair<std::string, std::string>, int> neighbours{};
+  for (int row = 0; row < 6; ++row) {
+    const auto order = order_of_blocks(make_plan(protocol, {5, row}));
+    ASSERT_EQ(order.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+      ++places[{order[i], i}];
+      if (i > 0) ++neighbours[{order[i - 1], order[i]}];
+    }
+    EXPECT_EQ(order, order_of_blocks(make_plan(protocol, {99, row}))) << "the row decides, no seed";
+    EXPECT_EQ(order, order_of_blocks(make_plan(protocol, {5, row + 6}))) << "rows repeat";
+  }
+  EXPECT_EQ(places.size(), 9U);
+  for (const auto& [place, count] : places) EXPECT_EQ(count, 2);
+  EXPECT_EQ(neighbours.size(), 6U);
+  for (const auto& [pair, count] : neighbours) EXPECT_EQ(count, 2);
+}
+
+TEST(Plan, RestsBetweenTheLevelsOfAnIteratedFactor) {
+  const Plan plan = make_plan(read(iterated()), {1, 0});
+  std::string steps{};
+  for (const PlanStep& step : plan.steps) steps += "SCBAT"[step.index()];
+  EXPECT_EQ(steps, "SCTTTBTTTBTTT");
+}
+
+TEST(Plan, WithoutCounterbalancingThereIsOneRowAndLevelsComeAsListed) {
+  const Protocol protocol = read(with(iterated(), R"("williams")", R"("none")"));
+  EXPECT_EQ(counterbalance_rows(protocol), 1);
+  EXPECT_EQ(order_of_blocks(make_plan(protocol, {4, 3})),
+            (std::vector<std::string>{"metal", "stone", "wood"}));
+}
+
+TEST(Plan, TellsTheExperimenterWhichCodedSampleToPlace) {
+  std::string text = with(test::example_selection(), R"("photograph")", R"("physical_sample")");
+  text = with(text, R"("metal": {)", R"("metal": {"code": "K7",)");
+  text = with(text, R"("stone": {)", R"("stone": {"code": "K2",)");
+  text = with(text, R"({"name": "most_realistic",)",
+              R"({"name": "most_realistic", "experimenter_prompt": "Place sample {code}.",)");
+  for (const Trial& trial : make_plan(read(text), {1, 0}).trials) {
+    EXPECT_EQ(trial.question.experimenter_prompt, text_of(trial.factors.at("texture")) == "metal"
+                                                      ? "Place sample K7."
+                                                      : "Place sample K2.");
+    EXPECT_FALSE(trial.question.standard_picture);
+  }
+}
+
+TEST(Plan, BindsParametersToFactors) {
+  std::string text =
+      with(test::example_selection(), R"("texture": {"factor": "texture"},
+      "equal_force": {"to_model": "height_map"})",
+           R"("texture": "metal", "parameters": {"height_scale": {"factor": "scale"}})");
+  text = with(text, R"("model": {"factor": "model"})", R"("model": "height_map")");
+  text = with(text, R"("factors": {)", R"("factors": {"scale": {"levels": [0.5, 1, 2]},)");
+  text = with(text, R"("crossed": ["texture"])", R"("crossed": [])");
+  EXPECT_THROW(read(text), ProtocolError);  // an empty crossing is a mistake
+  text = with(text, R"("crossed": [],)", "");
+  text = with(text, R"("maximum_in_a_row": {"texture": 2},)", "");
+  text = with(text, R"({"model": "height_map"}})", R"({"scale": 0.5}, "item": "half"})");
+  text = with(text, R"({"model": "sinusoid"}})", R"({"scale": 1}, "item": "one"})");
+  text = with(text, R"({"model": "stochastic"}})", R"({"scale": 2}, "item": "two"})");
+  const Plan plan = make_plan(read(text), {1, 0});
+  std::set<std::string> items{};
+  for (const PlannedPresentation& planned : plan.trials[0].presentations) {
+    items.insert(planned.item);
+    const double scale = number_of(planned.stimulus.parameters, "height_scale");
+    EXPECT_EQ(scale, planned.item == "half" ? 0.5 : planned.item == "one" ? 1.0 : 2.0);
+  }
+  EXPECT_EQ(items.size(), 3U);
+}
+
+TEST(Plan, AddingABlockDoesNotMoveTheTrialsOfThoseBeforeIt) {
+  const std::string before = test::example_selection();
+  const std::string after = with(before, R"({"run": "main", "break_every_trials": 3,)",
+                                 R"({"run": "main"}, {"run": "main", "break_every_trials": 3,)");
+  const Plan one = make_plan(read(before), {5, 0});
+  const Plan two = make_plan(read(after), {5, 0});
+  for (std::size_t i = 0; i < one.trials.size(); ++i) {
+    EXPECT_EQ(json_of(one.trials[i]), json_of(two.trials[i]));
+  }
+}
+
+TEST(PlanCost, AddsUpWhatThePlanHolds) {
+  const Protocol protocol = read(test::example_selection());
+  const Plan plan = make_plan(protocol, {1, 0});
+  const PlanCost cost = cost_of(protocol, plan);
+  EXPECT_EQ(cost.trials, 6);
+  EXPECT_EQ(cost.contacts, 18);
+  // 4 strokes of 0.06 m at 0.06 m/s: 4 s each.
+  EXPECT_DOUBLE_EQ(cost.contact_s, 18 * 4.0);
+  // Per trial 3 · 4 s + 0.5 s before + 2 · 0.5 s between + 4 s to answer = 17.5 s; the screen of
+  // one word takes the shortest reading, 5 s; the check 15 s; one break of 60 s.
+  EXPECT_DOUBLE_EQ(cost.total_s, 5.0 + 15.0 + 6 * 17.5 + 60.0);
+  EXPECT_DOUBLE_EQ(cost.longest_without_break_s, 5.0 + 15.0 + 3 * 17.5);
+}
+
+TEST(Criterion, IsMetByTheLastAnswersAlone) {
+  const Protocol::Criterion criterion{.correct = 3, .of_last = 4, .maximum_trials = 8};
+  EXPECT_EQ(state_of(criterion, {}), BlockState::go_on);
+  EXPECT_EQ(state_of(criterion, {true, true}), BlockState::go_on);
+  EXPECT_EQ(state_of(criterion, {true, true, true}), BlockState::criterion_met);
+  EXPECT_EQ(state_of(criterion, {true, false, true, true}), BlockState::criterion_met);
+  // Three right in all, but never three among four in a row.
+  EXPECT_EQ(state_of(criterion, {true, false, false, true, true}), BlockState::go_on);
+  EXPECT_EQ(state_of(criterion, {true, false, false, true, true, false, false}), BlockState::go_on);
+}
+
+TEST(Criterion, FailsAtTheMostTrialsUnlessTheLastAnswerMeetsIt) {
+  const Protocol::Criterion criterion{.correct = 2, .of_last = 2, .maximum_trials = 4};
+  EXPECT_EQ(state_of(criterion, {true, false, true, false}), BlockState::criterion_failed);
+  EXPECT_EQ(state_of(criterion, {true, false, true, true}), BlockState::criterion_met);
+}
+
+}  // namespace
+}  // namespace asperity
