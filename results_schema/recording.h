@@ -31,9 +31,13 @@ struct RecordingHeader {
 ///
 /// Format: docs/formats/recording.md. Deterministic: the same records give the same bytes.
 ///
-/// Errors: ResultsError (no space, no permission). The destructor of an unfinished writer leaves
-/// the
-/// `.part` file, which `verify` lists: nothing that a hand did is thrown away by us.
+/// Nothing that a hand did is thrown away by us: the destructor of an unfinished writer leaves the
+/// `.part` file with all that was appended, which `verify` lists, and where a file of this name is
+/// already there (a program died between the recording and its row) the next free name is taken,
+/// "…-2" and so on; the row says which.
+///
+/// Errors: std::invalid_argument for a header that is wrong; ResultsError (no space, no
+/// permission). After one, `finish` refuses.
 class RecordingWriter final {
  public:
   /// `path` inside `study`, without ".part".
@@ -58,8 +62,8 @@ struct Recording {
   std::vector<std::vector<float>> columns{};  ///< column by column
 };
 
-/// Errors: ResultsError naming the file and the first thing that does not hold (magic, version,
-/// checksum of a chunk, truncated).
+/// Errors: ResultsError naming the file and the first thing that does not hold (format, a checksum,
+/// a file that ends too early), with the number of the chunk from 1 and its offset in bytes.
 Recording read_recording(const std::filesystem::path& path);
 
 }  // namespace asperity
