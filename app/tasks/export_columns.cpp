@@ -1,0 +1,544 @@
+// Table by table: what an exported column is called, what it means and where it comes from.
+
+#include "app/tasks/export_columns.h"
+
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace asperity {
+
+namespace {
+
+using Columns = std::vector<ExportColumn>;
+using Place = ExportPlace;
+
+Cell boolean(bool value) { return std::int64_t{value ? 1 : 0}; }
+
+Cell optional_boolean(const std::optional<bool>& value) { return value ? boolean(*value) : Cell{}; }
+
+template <class Value>
+Cell optional_cell(const std::optional<Value>& value) {
+  return value ? Cell{*value} : Cell{};
+}
+
+Cell integer(std::int64_t value) { return value; }
+
+/// On the clock of the session, whose zero is at started_utc.
+Cell seconds_in_session(const Place& at, std::int64_t time_ns) {
+  return static_cast<double>(time_ns - at.session->clock_zero_ns) * 1e-9;
+}
+
+Cell seconds_in_session(const Place& at, const std::optional<std::int64_t>& time_ns) {
+  return time_ns ? seconds_in_session(at, *time_ns) : Cell{};
+}
+
+Cell cell_of(const nlohmann::json& value) {
+  if (value.is_null()) return {};
+  if (value.is_boolean()) return boolean(value.get<bool>());
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (value.is_number()) return value.get<double>();
+  if (value.is_string()) return value.get<std::string>();
+  return value.dump();
+}
+
+Cell member_of(const std::string& object_json, const std::string& name) {
+  const nlohmann::json object = nlohmann::json::parse(object_json);
+  const auto found = object.find(name);
+  return found == object.end() ? Cell{} : cell_of(*found);
+}
+
+ExportColumn column(std::string name, std::string type, std::string unit, std::string description,
+                    std::function<Cell(const Place&)> cell) {
+  ExportColumn made{};
+  made.name = std::move(name);
+  made.type = std::move(type);
+  made.unit = std::move(unit);
+  made.description = std::move(description);
+  made.cell = std::move(cell);
+  if (made.type == "boolean") made.levels = {"0", "1"};
+  return made;
+}
+
+ExportColumn with_levels(ExportColumn made, std::vector<std::string> levels) {
+  made.levels = std::move(levels);
+  return made;
+}
+
+ExportColumn at_least(double minimum, ExportColumn made) {
+  made.minimum = minimum;
+  return made;
+}
+
+ExportColumn fraction(ExportColumn made) {
+  made.minimum = 0.0;
+  made.maximum = 1.0;
+  return made;
+}
+
+ExportColumn missing(std::string when, ExportColumn made) {
+  made.missing = std::move(when);
+  return made;
+}
+
+ExportColumn dropped(ExportColumn made) {
+  made.publication = Publication::dropped;
+  return made;
+}
+
+enum class Key { participant, session, trial, attempt };
+
+/// The keys down to `last`, then what no table may be without: who is virtual, and in which mode.
+Columns keys_to(Key last) {
+  Columns columns{};
+  columns.push_back(column("participant", "text", "", "label of the participant",
+                           [](const Place& at) { return at.participant->label; }));
+  if (last >= Key::session) {
+    columns.push_back(
+        at_least(1, column("session", "integer", "", "number of the session within the participant",
+                           [](const Place& at) { return integer(at.session->session); })));
+  }
+  if (last >= Key::trial) {
+    columns.push_back(at_least(
+        1, column("trial", "integer", "", "number of the trial within the plan of the session",
+                  [](const Place& at) { return at.trial ? integer(at.trial->trial) : Cell{}; })));
+  }
+  if (last >= Key::attempt) {
+    columns.push_back(
+        at_least(1, column("attempt", "integer", "", "which go at the trial", [](const Place& at) {
+                   return at.attempt ? integer(at.attempt->attempt) : Cell{};
+                 })));
+  }
+  columns.push_back(column("virtual", "boolean", "",
+                           "1: a simulated participant; such rows say nothing about people",
+                           [](const Place& at) { return boolean(at.participant->is_virtual); }));
+  columns.push_back(with_levels(column("mode", "text", "", "what the session was run for",
+                                       [](const Place& at) -> Cell {
+                                         if (at.session) return text_of(at.session->mode);
+                                         return at.participant_mode->empty()
+                                                    ? Cell{}
+                                                    : Cell{*at.participant_mode};
+                                       }),
+                                {"run", "pilot", "simulate"}));
+  return columns;
+}
+
+Columns participant_columns(const StudyVocabulary& vocabulary) {
+  Columns columns = keys_to(Key::participant);
+  columns.back().levels.push_back("mixed");
+  columns.back().description = "what the participant's sessions were run for";
+  columns.back().missing = "no session yet";
+  const auto participant = [](auto member) {
+    return [member](const Place& at) { return optional_cell(at.participant->*member); };
+  };
+  columns.push_back(
+      missing("not told", at_least(0, column("age_years", "number", "a", "age",
+                                             participant(&ParticipantRow::age_years)))));
+  columns.push_back(missing("not told", with_levels(column("sex", "text", "", "sex as told",
+                                                           participant(&ParticipantRow::sex)),
+                                                    {"F", "M", "X"})));
+  columns.push_back(
+      missing("not told", with_levels(column("handedness", "text", "", "preferred hand as told",
+                                             participant(&ParticipantRow::handedness)),
+                                      {"left", "right", "ambidextrous"})));
+  columns.push_back(dropped(column("created_utc", "utc_time", "", "when the participant was added",
+                                   [](const Place& at) { return at.participant->created_utc; })));
+  for (const std::string& name : vocabulary.participant_answers) {
+    const auto question = vocabulary.questions.find(name);
+    const bool known = question != vocabulary.questions.end();
+    ExportColumn answer = missing(
+        "not asked or not answered",
+        column("answer_" + name, "text", "",
+               "answer to: " + (known ? question->second.prompt : "\"" + name + "\""),
+               [name](const Place& at) { return member_of(at.participant->answers_json, name); }));
+    if (!known || question->second.free_text) answer.publication = Publication::dropped;
+    columns.push_back(std::move(answer));
+  }
+  return columns;
+}
+
+Columns session_columns() {
+  Columns columns = keys_to(Key::session);
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  const auto text = [&add](const char* name, const char* description, auto member) {
+    add(column(name, "text", "", description,
+               [member](const Place& at) { return at.session->*member; }));
+  };
+  const auto of_protocol = [&add](const char* name, const char* description, auto member) {
+    add(column(name, "text", "", description,
+               [member](const Place& at) { return at.protocol->*member; }));
+  };
+  of_protocol("protocol", "name of the protocol", &ProtocolRow::name);
+  of_protocol("protocol_version", "version of the protocol", &ProtocolRow::version);
+  of_protocol("kind", "kind of the protocol", &ProtocolRow::kind);
+  columns.back().levels = {"selection", "matching", "recognition"};
+  of_protocol("design", "as published or improved", &ProtocolRow::design);
+  columns.back().levels = {"chapter", "improved"};
+  of_protocol("protocol_sha256", "SHA-256 of the protocol file, byte for byte",
+              &ProtocolRow::source_sha256);
+  add(with_levels(column("state", "text", "", "how far the session came",
+                         [](const Place& at) { return text_of(at.session->state); }),
+                  {"open", "completed", "stopped", "crashed"}));
+  text("seed", "seed of everything random in the session, an integer of 64 bits",
+       &SessionRow::seed);
+  text("generator", "name and version of the random generator", &SessionRow::generator);
+  add(at_least(
+      0, column("counterbalance_row", "integer", "", "row of the counterbalancing square, from 0",
+                [](const Place& at) { return integer(at.session->counterbalance_row); })));
+  text("program_version", "version of the program", &SessionRow::program_version);
+  text("program_commit", "commit the program was built from", &SessionRow::program_commit);
+  text("program_build", "how the program was built", &SessionRow::program_build);
+  text("program_sha256", "SHA-256 of the program file", &SessionRow::program_sha256);
+  text("instruction_set", "instruction set of the numerical code", &SessionRow::instruction_set);
+  text("os", "operating system", &SessionRow::os);
+  text("device", "driver and model of the haptic device", &SessionRow::device);
+  text("pacing", "real_time, or stepped on a simulated clock", &SessionRow::pacing);
+  columns.back().levels = {"stepped", "real_time"};
+  text("scheduling", "scheduling of the servo thread", &SessionRow::scheduling);
+  add(at_least(0, column("rate_Hz", "number", "Hz", "rate of the servo loop",
+                         [](const Place& at) { return at.session->rate_Hz; })));
+  add(at_least(0, column("stimulus_files", "integer", "1", "files that the session used",
+                         [](const Place& at) {
+                           return integer(static_cast<std::int64_t>(at.session->files.size()));
+                         })));
+  add(missing("no files",
+              column("stimulus_files_json", "json", "",
+                     "SHA-256 of each file that the session used, by path within the study",
+                     [](const Place& at) -> Cell {
+                       nlohmann::json files = nlohmann::json::object();
+                       for (const StimulusFileRow& file : at.session->files) {
+                         files[file.path] = file.sha256;
+                       }
+                       return files.empty() ? Cell{} : Cell{files.dump()};
+                     })));
+  add(missing("a person",
+              column("observer_json", "json", "", "how the virtual participant judged, as declared",
+                     [](const Place& at) -> Cell {
+                       const std::string& json = at.session->observer_json;
+                       return json == "null" ? Cell{} : Cell{json};
+                     })));
+  add(missing("the protocol asks for no consent",
+              column("consent_version", "text", "", "version of the consent text agreed to",
+                     [](const Place& at) { return optional_cell(at.session->consent_version); })));
+  add(dropped(
+      missing("the protocol asks for no consent",
+              column("consent_utc", "utc_time", "", "when consent was given",
+                     [](const Place& at) { return optional_cell(at.session->consent_utc); }))));
+  add(dropped(column("started_utc", "utc_time", "",
+                     "when the session began: zero of every time in seconds",
+                     [](const Place& at) { return at.session->started_utc; })));
+  add(dropped(
+      missing("the session has not ended",
+              column("ended_utc", "utc_time", "", "when the session ended",
+                     [](const Place& at) { return optional_cell(at.session->ended_utc); }))));
+  return columns;
+}
+
+Columns trial_columns(const StudyVocabulary& vocabulary) {
+  Columns columns = keys_to(Key::trial);
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  add(column("protocol", "text", "", "name of the protocol",
+             [](const Place& at) { return at.protocol->name; }));
+  add(column("block", "text", "", "block of the protocol",
+             [](const Place& at) { return at.trial->block; }));
+  add(at_least(1, column("block_ordinal", "integer", "",
+                         "which block of the session: every run of a block counts",
+                         [](const Place& at) { return integer(at.trial->block_ordinal); })));
+  add(with_levels(column("phase", "text", "", "only the main phase is analysed",
+                         [](const Place& at) { return at.trial->phase; }),
+                  {"familiarisation", "practice", "main"}));
+  add(at_least(1, column("repetition", "integer", "", "repetition of the same conditions",
+                         [](const Place& at) { return integer(at.trial->repetition); })));
+  for (const auto& [name, factor] : vocabulary.factors) {
+    ExportColumn made = missing(
+        "the trial does not have this factor",
+        column("factor_" + name, factor.numeric ? "number" : "text", factor.unit,
+               factor.meaning.empty() ? "level of the factor \"" + name + "\"" : factor.meaning,
+               [name = name](const Place& at) { return member_of(at.trial->factors_json, name); }));
+    made.levels = factor.levels;
+    columns.push_back(std::move(made));
+  }
+  return columns;
+}
+
+Columns attempt_columns() {
+  Columns columns = keys_to(Key::attempt);
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  add(at_least(
+      1, column("segment", "integer", "", "which stretch of the session between interruptions",
+                [](const Place& at) { return integer(at.attempt->segment); })));
+  add(with_levels(
+      column("outcome", "text", "", "how the attempt ended",
+             [](const Place& at) { return text_of(at.attempt->outcome); }),
+      {"answered", "timed_out", "not_compliant", "aborted", "device_fault", "skipped"}));
+  add(column("valid", "boolean", "", "1: the attempt counts; at most one per trial",
+             [](const Place& at) { return boolean(at.attempt->valid); }));
+  add(dropped(
+      missing("the attempt is valid",
+              column("invalid_reason", "text", "",
+                     "why the attempt does not count; may be in the experimenter's words",
+                     [](const Place& at) { return optional_cell(at.attempt->invalid_reason); }))));
+  add(column("flagged", "boolean", "", "1: the attempt counts, but look at it",
+             [](const Place& at) { return boolean(at.attempt->flagged); }));
+  add(missing("not flagged",
+              column("flag_reason", "text", "", "what to look at, in the program's words",
+                     [](const Place& at) { return optional_cell(at.attempt->flag_reason); })));
+  add(column("onset_s", "number", "s", "beginning, since the session began",
+             [](const Place& at) { return seconds_in_session(at, at.attempt->onset_ns); }));
+  add(column("offset_s", "number", "s", "end, since the session began",
+             [](const Place& at) { return seconds_in_session(at, at.attempt->offset_ns); }));
+  const auto of_recording = [](auto member) {
+    return [member](const Place& at) -> Cell {
+      return at.attempt->recording ? Cell{(*at.attempt->recording).*member} : Cell{};
+    };
+  };
+  const auto recording = [&](const char* name, const char* type, const char* unit,
+                             const char* description, auto member) {
+    add(missing("the attempt was not recorded",
+                column(name, type, unit, description, of_recording(member))));
+  };
+  recording("recording_path", "text", "", "file of the tick records, within the study",
+            &RecordingRow::path);
+  recording("recording_format", "text", "", "format of that file", &RecordingRow::format);
+  recording("recording_sha256", "text", "", "SHA-256 of that file", &RecordingRow::sha256);
+  recording("recording_records", "integer", "1", "tick records in that file",
+            &RecordingRow::records);
+  return columns;
+}
+
+Columns presentation_columns(const StudyVocabulary& vocabulary) {
+  Columns columns = keys_to(Key::attempt);
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  const auto text = [&add](const char* name, const char* description, auto member) {
+    add(column(name, "text", "", description,
+               [member](const Place& at) { return at.presentation->*member; }));
+  };
+  add(at_least(1, column("position", "integer", "", "place in the order of the trial's surfaces",
+                         [](const Place& at) { return integer(at.presentation->position); })));
+  text("role", "what the surface is in the trial", &PresentationRow::role);
+  columns.back().levels = {"alternative", "target"};
+  text("item", "what the surface counts as in the answers", &PresentationRow::item);
+  text("stimulus", "stimulus of the protocol", &PresentationRow::stimulus);
+  text("model", "force model", &PresentationRow::model);
+  text("model_version", "version of the force model", &PresentationRow::model_version);
+  add(missing("no texture is involved",
+              column("texture", "text", "", "texture of the protocol", [](const Place& at) -> Cell {
+                const std::string& texture = at.presentation->texture;
+                return texture.empty() ? Cell{} : Cell{texture};
+              })));
+  add(missing(
+      "no height field is involved",
+      column("height_field_sha256", "text", "", "SHA-256 of the height field's file",
+             [](const Place& at) { return optional_cell(at.presentation->height_field_sha256); })));
+  text("seed", "seed of the renderer, an integer of 64 bits", &PresentationRow::seed);
+  const auto time = [&add](const char* name, const char* description, const char* when,
+                           auto member) {
+    add(missing(when, column(name, "number", "s", description, [member](const Place& at) {
+                  return seconds_in_session(at, at.presentation->*member);
+                })));
+  };
+  time("onset_s", "first tick with the surface there, since the session began",
+       "the surface was not presented", &PresentationRow::onset_ns);
+  time("contact_onset_s", "first tick with the probe in the surface, since the session began",
+       "the surface was not touched", &PresentationRow::contact_ns);
+  time("offset_s", "last tick with the surface there, since the session began",
+       "the surface was not presented", &PresentationRow::offset_ns);
+  add(at_least(0, column("contact_s", "number", "s", "time in contact",
+                         [](const Place& at) { return at.presentation->contact_s; })));
+  add(missing(
+      "no equal force was asked for",
+      at_least(0, column("matched_texture_force_N", "number", "N",
+                         "RMS of the texture force that was aimed at on the prescribed path",
+                         [](const Place& at) {
+                           return optional_cell(at.presentation->matched_texture_force_N);
+                         }))));
+  add(missing("too short in contact",
+              at_least(0, column("achieved_texture_force_N", "number", "N",
+                                 "RMS of the texture force along the participant's own path",
+                                 [](const Place& at) {
+                                   return optional_cell(at.presentation->achieved_texture_force_N);
+                                 }))));
+  for (const auto& [name, models] : vocabulary.parameters) {
+    std::string of{};
+    for (const std::string& model : models) of += (of.empty() ? "" : ", ") + model;
+    add(missing("the model does not have this parameter",
+                column("parameter_" + name, "number or text", "",
+                       "parameter of the force model as rendered; of: " + of +
+                           "; its unit is the end of its name",
+                       [name = name](const Place& at) {
+                         return member_of(at.presentation->parameters_json, name);
+                       })));
+  }
+  return columns;
+}
+
+Columns response_columns() {
+  Columns columns = keys_to(Key::attempt);
+  for (ExportColumn& made : columns) {
+    if (made.name == "trial" || made.name == "attempt") {
+      made.missing = "the question belongs to the session, not to a trial";
+    }
+  }
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  add(column("question", "text", "", "name of the question",
+             [](const Place& at) { return at.response->question; }));
+  add(at_least(1, column("item", "integer", "",
+                         "1 for a choice; the position of the surface for an assignment",
+                         [](const Place& at) { return integer(at.response->item); })));
+  add(column("answer", "text", "", "the answer, by the name it has in the protocol",
+             [](const Place& at) { return at.response->answer; }));
+  columns.back().publication = Publication::without_free_text;
+  columns.back().missing = "never, but for what was typed freely in an export for the public";
+  add(missing("the answer is not a number",
+              column("answer_number", "number", "", "the answer as a number",
+                     [](const Place& at) { return optional_cell(at.response->answer_number); })));
+  add(missing("no answer is right or wrong",
+              column("correct", "boolean", "", "1: the right answer",
+                     [](const Place& at) { return optional_boolean(at.response->correct); })));
+  add(column("options_json", "json", "", "the options in the order in which they were shown",
+             [](const Place& at) { return at.response->options_json; }));
+  add(column("time_s", "number", "s", "when it was answered, since the session began",
+             [](const Place& at) { return seconds_in_session(at, at.response->time_ns); }));
+  add(missing("no contact came before",
+              at_least(0, column("from_contact_s", "number", "s",
+                                 "time from the first contact of the attempt to the answer",
+                                 [](const Place& at) {
+                                   return optional_cell(at.response->from_contact_s);
+                                 }))));
+  add(missing(
+      "not measured",
+      at_least(0, column("from_cue_s", "number", "s", "time from the question to the answer",
+                         [](const Place& at) { return optional_cell(at.response->from_cue_s); }))));
+  add(column("source", "text", "", "how the answer was given",
+             [](const Place& at) { return at.response->source; }));
+  return columns;
+}
+
+Columns servo_columns() {
+  Columns columns = keys_to(Key::attempt);
+  const auto number = [&columns](const char* name, const char* unit, const char* description,
+                                 double ServoQualityRow::*member) {
+    columns.push_back(at_least(0, column(name, "number", unit, description,
+                                         [member](const Place& at) { return at.servo->*member; })));
+  };
+  const auto count = [&columns](const char* name, const char* description,
+                                std::int64_t ServoQualityRow::*member) {
+    columns.push_back(
+        at_least(0, column(name, "integer", "1", description,
+                           [member](const Place& at) { return integer(at.servo->*member); })));
+  };
+  using Row = ServoQualityRow;
+  number("rate_Hz", "Hz", "rate that was asked for", &Row::rate_Hz);
+  count("ticks", "ticks of the servo loop", &Row::ticks);
+  number("period_mean_s", "s", "mean time between ticks", &Row::period_mean_s);
+  number("period_sd_s", "s", "standard deviation of the time between ticks", &Row::period_sd_s);
+  number("period_p50_s", "s", "median time between ticks", &Row::period_p50_s);
+  number("period_p99_s", "s", "99th percentile of the time between ticks", &Row::period_p99_s);
+  number("period_p99_9_s", "s", "99.9th percentile of the time between ticks",
+         &Row::period_p99_9_s);
+  number("period_maximum_s", "s", "longest time between ticks", &Row::period_maximum_s);
+  number("lateness_p50_s", "s", "median start of a tick after its deadline", &Row::lateness_p50_s);
+  number("lateness_p99_s", "s", "99th percentile of the start after the deadline",
+         &Row::lateness_p99_s);
+  number("lateness_maximum_s", "s", "latest start after a deadline", &Row::lateness_maximum_s);
+  number("execution_p99_s", "s", "99th percentile of the duration of a tick; 0 when simulated",
+         &Row::execution_p99_s);
+  number("execution_maximum_s", "s", "longest duration of a tick; 0 when simulated",
+         &Row::execution_maximum_s);
+  count("missed_deadlines", "ticks that came too late", &Row::missed_deadlines);
+  count("saturated_ticks", "ticks with a force shortened to the limit", &Row::saturated_ticks);
+  count("slew_limited_ticks", "ticks with a change of force slowed down", &Row::slew_limited_ticks);
+  count("not_finite_ticks", "ticks with a force that was no number", &Row::not_finite_ticks);
+  count("lost_records", "tick records that were lost", &Row::lost_records);
+  columns.push_back(column("fault", "text", "", "fault that stopped the forces, or none",
+                           [](const Place& at) { return at.servo->fault; }));
+  return columns;
+}
+
+Columns compliance_columns() {
+  Columns columns = keys_to(Key::attempt);
+  const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
+  using Row = ComplianceRow;
+  add(at_least(0, column("position", "integer", "", "place in the order of the trial's surfaces",
+                         [](const Place& at) { return integer(at.compliance->position); })));
+  add(with_levels(
+      column("quantity", "text", "", "what was measured; its unit is the end of its name",
+             [](const Place& at) { return at.compliance->quantity; }),
+      {"normal_force_N", "speed_m_per_s", "contact_s", "strokes", "stroke_length_m"}));
+  const auto bound = [&add](const char* name, const char* description,
+                            std::optional<double> Row::*member) {
+    add(missing("the protocol declares none",
+                column(name, "number", "as quantity", description, [member](const Place& at) {
+                  return optional_cell(at.compliance->*member);
+                })));
+  };
+  const auto value = [&add](const char* name, const char* description, double Row::*member) {
+    add(column(name, "number", "as quantity", description,
+               [member](const Place& at) { return at.compliance->*member; }));
+  };
+  bound("minimum", "lower end of the band that the protocol asks for", &Row::minimum);
+  bound("maximum", "upper end of the band that the protocol asks for", &Row::maximum);
+  value("mean", "mean achieved", &Row::mean);
+  value("sd", "standard deviation", &Row::sd);
+  value("p05", "5th percentile", &Row::p05);
+  value("p50", "median", &Row::p50);
+  value("p95", "95th percentile", &Row::p95);
+  add(missing("the protocol declares no band",
+              fraction(column("fraction_in_band", "number", "1",
+                              "fraction of the contact time inside the band", [](const Place& at) {
+                                return optional_cell(at.compliance->fraction_in_band);
+                              }))));
+  add(missing("the protocol declares nothing",
+              column("passed", "boolean", "", "1: explored as the protocol asks",
+                     [](const Place& at) { return optional_boolean(at.compliance->passed); })));
+  return columns;
+}
+
+const char* text_of(Publication publication) {
+  switch (publication) {
+    case Publication::kept:
+      return "kept";
+    case Publication::without_free_text:
+      return "without free text";
+    case Publication::dropped:
+      return "dropped";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary) {
+  return {{"participants", participant_columns(vocabulary)},
+          {"sessions", session_columns()},
+          {"trials", trial_columns(vocabulary)},
+          {"attempts", attempt_columns()},
+          {"presentations", presentation_columns(vocabulary)},
+          {"responses", response_columns()},
+          {"servo_quality", servo_columns()},
+          {"compliance", compliance_columns()}};
+}
+
+const std::vector<std::string>& codebook_columns() {
+  static const std::vector<std::string> kColumns{"file",    "column",     "description", "type",
+                                                 "unit",    "levels",     "minimum",     "maximum",
+                                                 "missing", "publication"};
+  return kColumns;
+}
+
+std::vector<Cell> codebook_row(const std::string& file, const ExportColumn& column) {
+  std::string levels{};
+  for (const std::string& level : column.levels) levels += (levels.empty() ? "" : " | ") + level;
+  return {file,
+          column.name,
+          column.description,
+          column.type,
+          column.unit.empty() ? Cell{} : Cell{column.unit},
+          levels.empty() ? Cell{} : Cell{levels},
+          optional_cell(column.minimum),
+          optional_cell(column.maximum),
+          column.missing,
+          std::string(text_of(column.publication))};
+}
+
+}  // namespace asperity

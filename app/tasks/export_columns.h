@@ -1,0 +1,84 @@
+// The columns of an export, each declared once: the table and the codebook are both made of this.
+
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "results_schema/rows.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+/// Where in a study a row of an exported table stands. What does not apply to a table is null.
+struct ExportPlace {
+  const ParticipantRow* participant = nullptr;
+  const std::string* participant_mode = nullptr;  ///< of all sessions together
+  const SessionRow* session = nullptr;
+  const ProtocolRow* protocol = nullptr;
+  const PlannedTrialRow* trial = nullptr;
+  const AttemptRow* attempt = nullptr;
+  const PresentationRow* presentation = nullptr;
+  const ResponseRow* response = nullptr;
+  bool response_is_free_text = false;
+  const ServoQualityRow* servo = nullptr;
+  const ComplianceRow* compliance = nullptr;
+};
+
+/// What becomes of a column in an export for the public.
+enum class Publication {
+  kept,
+  without_free_text,  ///< kept, but what somebody typed freely is n/a
+  dropped,            ///< dates and free text
+};
+
+/// One column: what the codebook says of it, and how to get a cell.
+struct ExportColumn {
+  std::string name{};
+  std::string description{};
+  std::string type{};  ///< "text", "integer", "number", "boolean", "utc_time", "json"
+  std::string unit{};  ///< SI; empty for what is no quantity, "1" for a pure number
+  std::vector<std::string> levels{};
+  std::optional<double> minimum{};
+  std::optional<double> maximum{};
+  std::string missing = "never";  ///< when the cell is n/a
+  Publication publication = Publication::kept;
+  std::function<Cell(const ExportPlace&)> cell{};
+};
+
+struct ExportFile {
+  std::string name{};  ///< without ".tsv"
+  std::vector<ExportColumn> columns{};
+};
+
+/// What differs from study to study: the names that its rows and protocols use.
+struct StudyVocabulary {
+  struct FactorMeaning {
+    std::string meaning{};
+    std::string unit{};
+    std::vector<std::string> levels{};
+    bool numeric = true;
+  };
+  struct AnswerMeaning {
+    std::string prompt{};
+    bool free_text = true;  ///< unless a protocol declares a choice or a number
+  };
+  std::map<std::string, FactorMeaning> factors{};
+  std::map<std::string, std::set<std::string>> parameters{};  ///< name → models that have it
+  std::set<std::string> participant_answers{};
+  std::map<std::string, AnswerMeaning> questions{};
+};
+
+/// Every table of an export, in the order in which they are documented.
+std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary);
+
+/// The columns of codebook.tsv itself.
+const std::vector<std::string>& codebook_columns();
+/// What the codebook says of one column, cell by cell as in `codebook_columns`.
+std::vector<Cell> codebook_row(const std::string& file, const ExportColumn& column);
+
+}  // namespace asperity

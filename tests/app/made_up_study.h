@@ -1,0 +1,60 @@
+// A small study on disk whose rows a test writes by hand, and which is gone after the test.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "results_schema/study.h"
+
+namespace asperity {
+
+/// An answered trial: what was felt, what was answered, and what would have been right.
+struct MadeUpTrial {
+  std::string factors_json = "{}";
+  std::vector<PresentationRow> surfaces{};
+  std::vector<std::string> answers{};
+  std::vector<std::string> right{};  ///< as many as answers, or none
+  std::vector<std::string> options{};
+  std::string phase = "main";
+  AttemptOutcome outcome = AttemptOutcome::answered;
+  bool valid = true;
+  bool flagged = false;
+};
+
+PresentationRow surface_of(const std::string& item, const std::string& model,
+                           const std::string& texture);
+
+class MadeUpStudy final {
+ public:
+  /// A folder of its own under the system's temporary one.
+  MadeUpStudy();
+  ~MadeUpStudy();
+  MadeUpStudy(const MadeUpStudy&) = delete;
+  MadeUpStudy& operator=(const MadeUpStudy&) = delete;
+
+  Study& study() { return *study_; }
+  std::filesystem::path folder() const { return folder_ / "study"; }
+  /// For what a test writes beside the study.
+  std::filesystem::path beside(const std::string& name) const { return folder_ / name; }
+
+  std::int64_t add_protocol(const std::string& name, const std::string& kind,
+                            const std::string& source = "{}");
+  void add_person(const std::string& label, const std::string& sex);
+  void add_virtual(const std::string& label, const std::string& sex);
+
+  /// One completed session with one attempt per trial. Returns its id.
+  std::int64_t add_session(const std::string& participant, std::int64_t protocol,
+                           const std::vector<MadeUpTrial>& trials,
+                           SessionMode mode = SessionMode::run);
+
+ private:
+  std::filesystem::path folder_{};
+  std::optional<Study> study_{};
+};
+
+}  // namespace asperity
