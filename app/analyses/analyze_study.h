@@ -1,0 +1,21 @@
+// The analysis of everything that a study has answers to.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/analyses/analysis_outcome.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+/// One outcome per protocol, version and group, in that order. With a `protocol`, only those of
+/// that name. A study without sessions has none.
+///
+/// Errors: ResultsError when the study has no session of the named protocol.
+std::vector<AnalysisOutcome> analyze_study(const Study& study,
+                                           const std::optional<std::string>& protocol = {});
+
+}  // namespace asperity

@@ -1,0 +1,415 @@
+// The chapter's three experiments, rebuilt answer by answer from its printed counts.
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/analyses/analyze_study.h"
+#include "tests/app/made_up_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::vector<std::string> kModels{"height_map", "sinusoid", "stochastic"};
+const std::vector<std::string> kTextures{"metal", "stone", "wood", "brick"};
+const std::vector<std::string> kPictures{"metal", "stone", "wood", "brick", "gravel", "grass"};
+
+std::string person(int number) { return "p" + std::to_string(100 + number); }
+
+/// The first ten are women, as in the chapter.
+void add_twenty_people(MadeUpStudy& made) {
+  for (int i = 0; i < 20; ++i) made.add_person(person(i), i < 10 ? "F" : "M");
+}
+
+std::string in_column(int column) { return R"({"column": )" + std::to_string(column) + "}"; }
+
+MadeUpTrial choice_among_models(const std::string& chosen, const std::string& texture) {
+  MadeUpTrial trial{};
+  for (const std::string& model : kModels) {
+    trial.surfaces.push_back(surface_of(model, model, texture));
+  }
+  trial.answers = {chosen};
+  trial.options = kModels;
+  return trial;
+}
+
+/// Table 1: of twenty people 12, 7 and 1 in the first column, 11, 8 and 1, and 13, 7 and 0.
+void add_selections_of_the_chapter(MadeUpStudy& made) {
+  constexpr std::array<std::array<int, 3>, 3> kChosen{{{12, 7, 1}, {11, 8, 1}, {13, 7, 0}}};
+  const std::int64_t protocol = made.add_protocol("selection", "selection");
+  for (int i = 0; i < 20; ++i) {
+    std::vector<MadeUpTrial> trials{};
+    for (int column = 1; column <= 3; ++column) {
+      const auto& counts = kChosen[static_cast<std::size_t>(column - 1)];
+      const std::size_t model = i < counts[0] ? 0 : i < counts[0] + counts[1] ? 1 : 2;
+      trials.push_back(choice_among_models(kModels[model], kTextures[0]));
+      trials.back().factors_json = in_column(column);
+    }
+    made.add_session(person(i), protocol, trials);
+  }
+}
+
+MadeUpTrial matching(const std::vector<std::string>& answers) {
+  MadeUpTrial trial{};
+  for (const std::string& texture : kTextures) {
+    trial.surfaces.push_back(surface_of(texture, "height_map", texture));
+  }
+  trial.answers = answers;
+  trial.right = kTextures;
+  trial.options = kTextures;
+  return trial;
+}
+
+MadeUpTrial recognition(const std::string& felt, const std::string& answer) {
+  MadeUpTrial trial{};
+  trial.surfaces = {surface_of(felt, "height_map", felt)};
+  trial.answers = {answer};
+  trial.right = {felt};
+  trial.options = kPictures;
+  return trial;
+}
+
+const NamedTable& table_of(const AnalysisOutcome& outcome, const std::string& name) {
+  for (const NamedTable& table : outcome.tables) {
+    if (table.name == name) return table;
+  }
+  throw std::runtime_error("no table " + name);
+}
+
+/// The cells of a row, found by its first cells.
+const std::vector<Cell>& row_of(const Table& table, const std::vector<std::string>& keys) {
+  for (const std::vector<Cell>& row : table.rows) {
+    bool same = true;
+    for (std::size_t i = 0; i < keys.size(); ++i) same = same && row[i] == Cell{keys[i]};
+    if (same) return row;
+  }
+  throw std::runtime_error("no row " + keys.front());
+}
+
+const Cell& cell_of(const Table& table, const std::vector<std::string>& keys,
+                    const std::string& column) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), column);
+  if (found == table.columns.end()) throw std::runtime_error("no column " + column);
+  return row_of(table, keys)[static_cast<std::size_t>(found - table.columns.begin())];
+}
+
+double number(const Table& table, const std::vector<std::string>& keys, const std::string& column) {
+  const Cell& cell = cell_of(table, keys, column);
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
+  return std::get<double>(cell);
+}
+
+TEST(Selection, ReproducesTheChaptersFirstTable) {
+  MadeUpStudy made;
+  add_twenty_people(made);
+  add_selections_of_the_chapter(made);
+  const std::vector<AnalysisOutcome> outcomes = analyze_study(made.study());
+  ASSERT_EQ(outcomes.size(), 1u);
+  const Table& table = table_of(outcomes[0], "table_1").table;
+  EXPECT_THAT(table.columns, ElementsAre("item", "column_1", "column_2", "column_3", "all"));
+  using Row = std::vector<Cell>;
+  const auto n = [](std::int64_t count) { return Cell{count}; };
+  EXPECT_THAT(table.rows, ElementsAre(Row{"height_map", n(12), n(11), n(13), n(36)},
+                                      Row{"sinusoid", n(7), n(8), n(7), n(22)},
+                                      Row{"stochastic", n(1), n(1), n(0), n(2)}));
+}
+
+// 12 of 20: Clopper–Pearson [0.36, 0.81], Wilson [0.39, 0.78]; against 1/3 the exact p is 0.016.
+TEST(Selection, GivesSharesWithBothIntervalsAndTheExactTest) {
+  MadeUpStudy made;
+  add_twenty_people(made);
+  add_selections_of_the_chapter(made);
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const Table& shares = table_of(outcome, "shares").table;
+  const std::vector<std::string> keys{"1", "height_map"};
+  EXPECT_DOUBLE_EQ(number(shares, keys, "share"), 0.60);
+  EXPECT_NEAR(number(shares, keys, "clopper_pearson_low"), 0.36, 0.005);
+  EXPECT_NEAR(number(shares, keys, "clopper_pearson_high"), 0.81, 0.005);
+  EXPECT_NEAR(number(shares, keys, "wilson_low"), 0.39, 0.005);
+  EXPECT_NEAR(number(shares, keys, "wilson_high"), 0.78, 0.005);
+  EXPECT_DOUBLE_EQ(number(shares, keys, "chance"), 1.0 / 3.0);
+  EXPECT_NEAR(number(shares, keys, "p"), 0.016, 0.0005);
+  EXPECT_EQ(number(shares, {"all", "height_map"}, "of"), 60);
+  EXPECT_EQ(number(shares, {"all", "height_map"}, "persons"), 20);
+}
+
+// 12 against 7 among 19: p = 0.36. The chapter's claim of superiority does not survive this row.
+TEST(Selection, SetsTwoModelsAgainstEachOtherAmongTheChoicesOfEither) {
+  MadeUpStudy made;
+  add_twenty_people(made);
+  add_selections_of_the_chapter(made);
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const Table& pairs = table_of(outcome, "pairs").table;
+  const std::vector<std::string> keys{"1", "height_map", "sinusoid"};
+  EXPECT_EQ(number(pairs, keys, "chosen"), 12);
+  EXPECT_EQ(number(pairs, keys, "of"), 19);
+  EXPECT_NEAR(number(pairs, keys, "p"), 0.36, 0.005);
+}
+
+TEST(Selection, CountsCannotTellButKeepsItOutOfTheShares) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  made.add_person("b", "M");
+  const std::int64_t protocol = made.add_protocol("selection", "selection");
+  std::vector<MadeUpTrial> trials{choice_among_models("sinusoid", "wood"),
+                                  choice_among_models("cannot_tell", "wood")};
+  for (MadeUpTrial& trial : trials) trial.options.push_back("cannot_tell");
+  made.add_session("a", protocol, {trials[0]});
+  made.add_session("b", protocol, {trials[1]});
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  EXPECT_EQ(number(table_of(outcome, "table_1").table, {"cannot_tell"}, "all"), 1);
+  const Table& shares = table_of(outcome, "shares").table;
+  EXPECT_EQ(number(shares, {"all", "sinusoid"}, "of"), 1);
+  EXPECT_DOUBLE_EQ(number(shares, {"all", "sinusoid"}, "chance"), 1.0 / 3.0);
+}
+
+TEST(Selection, WarnsWherePersonsArePooledAndGivesThePersonsAsUnit) {
+  MadeUpStudy made;
+  add_twenty_people(made);
+  add_selections_of_the_chapter(made);
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  EXPECT_THAT(outcome.remarks, testing::Contains(HasSubstr("60 answers of 20 persons")));
+  const Table& persons = table_of(outcome, "persons").table;
+  EXPECT_EQ(number(persons, {"height_map"}, "persons"), 20);
+  EXPECT_NEAR(number(persons, {"height_map"}, "mean"), 0.60, 1e-12);
+  EXPECT_DOUBLE_EQ(number(persons, {"height_map"}, "minimum"), 0.0);
+}
+
+TEST(Selection, SetsTheAchievedTextureForceBesideTheOneAimedAt) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  MadeUpTrial trial = choice_among_models("sinusoid", "wood");
+  for (PresentationRow& surface : trial.surfaces) {
+    surface.matched_texture_force_N = 0.2;
+    surface.achieved_texture_force_N = surface.model == "stochastic" ? 0.3 : 0.1;
+  }
+  made.add_session("a", made.add_protocol("selection", "selection"), {trial, trial});
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const Table& force = table_of(outcome, "texture_force").table;
+  EXPECT_EQ(number(force, {"stochastic"}, "surfaces"), 2);
+  EXPECT_DOUBLE_EQ(number(force, {"stochastic"}, "matched_mean_N"), 0.2);
+  EXPECT_DOUBLE_EQ(number(force, {"stochastic"}, "achieved_mean_N"), 0.3);
+}
+
+// Table 2 by sex: 9, 9 and 8 of ten women, 9, 10 and 9 of ten men have all four right. Whoever is
+// wrong exchanges the last two.
+void add_matchings_of_the_chapter(MadeUpStudy& made) {
+  constexpr std::array<int, 3> kWomen{9, 9, 8};
+  constexpr std::array<int, 3> kMen{9, 10, 9};
+  const std::int64_t protocol = made.add_protocol("matching", "matching");
+  for (int i = 0; i < 20; ++i) {
+    std::vector<MadeUpTrial> trials{};
+    for (std::size_t column = 0; column < 3; ++column) {
+      const bool right = i < 10 ? i < kWomen[column] : i - 10 < kMen[column];
+      trials.push_back(right ? matching(kTextures) : matching({"metal", "stone", "brick", "wood"}));
+      trials.back().factors_json = in_column(static_cast<int>(column) + 1);
+    }
+    made.add_session(person(i), protocol, trials);
+  }
+}
+
+TEST(Matching, ReproducesTheChaptersSecondTable) {
+  MadeUpStudy made;
+  add_twenty_people(made);
+  add_matchings_of_the_chapter(made);
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  using Row = std::vector<Cell>;
+  const auto n = [](std::int64_t count) { return Cell{count}; };
+  EXPECT_THAT(
+      table_of(outcome, "table_2").table.rows,
+      ElementsAre(Row{"Female", n(9), n(9), n(8), n(26)}, Row{"Male", n(9), n(10), n(9), n(28)},
+                  Row{"Total", n(18), n(19), n(17), n(54)}));
+}
+
+TEST(Matching, TestsWholePermutationsAgainstOneInTwentyFour) {
+  MadeUpStudy made;
+  add_twenty_people(made);
+  add_matchings_of_the_chapter(made);
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const Table& whole = table_of(outcome, "whole_permutations").table;
+  const std::vector<std::string> keys{"1", "Total"};
+  EXPECT_DOUBLE_EQ(number(whole, keys, "chance"), 1.0 / 24.0);
+  EXPECT_DOUBLE_EQ(number(whole, keys, "share"), 0.90);
+  EXPECT_NEAR(number(whole, keys, "clopper_pearson_low"), 0.68, 0.005);
+  EXPECT_NEAR(number(whole, keys, "clopper_pearson_high"), 0.99, 0.005);
+  EXPECT_NEAR(number(whole, keys, "p") / 2.5e-23, 1.0, 0.02);
+}
+
+// In the first column 18 people have 4 right and two have 2: 76 of 80.
+TEST(Matching, CountsSingleItemsAgainstOneInFour) {
+  MadeUpStudy made;
+  add_twenty_people(made);
+  add_matchings_of_the_chapter(made);
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const Table& items = table_of(outcome, "items").table;
+  const std::vector<std::string> keys{"1", "Total"};
+  EXPECT_EQ(number(items, keys, "correct"), 76);
+  EXPECT_EQ(number(items, keys, "of"), 80);
+  EXPECT_DOUBLE_EQ(number(items, keys, "share"), 0.95);
+  EXPECT_DOUBLE_EQ(number(items, keys, "chance"), 0.25);
+}
+
+// One person, two of four right. Random permutations give 9, 8, 6, 0 and 1 of 24, so two or more
+// right have the probability 7/24; a binomial with 1/4 would say 0.26.
+TEST(Matching, JudgesItemsByThePermutationNull) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  made.add_session("a", made.add_protocol("matching", "matching"),
+                   {matching({"metal", "stone", "brick", "wood"})});
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const Table& items = table_of(outcome, "items").table;
+  EXPECT_DOUBLE_EQ(number(items, {"all", "Total"}, "p"), 7.0 / 24.0);
+  EXPECT_EQ(cell_of(items, {"all", "Male"}, "share"), Cell{});
+}
+
+TEST(Matching, ShowsWhichTexturesAreConfused) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  made.add_session("a", made.add_protocol("matching", "matching"),
+                   {matching({"metal", "stone", "brick", "wood"}), matching(kTextures)});
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const Table& confusion = table_of(outcome, "confusion").table;
+  EXPECT_EQ(number(confusion, {"wood"}, "brick"), 1);
+  EXPECT_EQ(number(confusion, {"wood"}, "wood"), 1);
+  EXPECT_EQ(number(confusion, {"metal"}, "metal"), 2);
+  EXPECT_EQ(number(confusion, {"metal"}, "brick"), 0);
+}
+
+TEST(Matching, LeavesOutWhatIsNoPermutationAndSaysSo) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  MadeUpTrial more_pictures = matching(kTextures);
+  more_pictures.options = kPictures;
+  made.add_session("a", made.add_protocol("matching", "matching"),
+                   {matching(kTextures), more_pictures});
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  EXPECT_EQ(number(table_of(outcome, "whole_permutations").table, {"all", "Total"}, "of"), 1);
+  EXPECT_THAT(outcome.remarks, testing::Contains(HasSubstr("1 answers do not give each picture")));
+}
+
+// Table 3 by sex: 7, 8 and 7 women, 9, 8 and 8 men recognise the texture among six pictures.
+TEST(Recognition, ReproducesTheChaptersThirdTable) {
+  constexpr std::array<int, 3> kWomen{7, 8, 7};
+  constexpr std::array<int, 3> kMen{9, 8, 8};
+  MadeUpStudy made;
+  add_twenty_people(made);
+  const std::int64_t protocol = made.add_protocol("recognition", "recognition");
+  for (int i = 0; i < 20; ++i) {
+    std::vector<MadeUpTrial> trials{};
+    for (std::size_t column = 0; column < 3; ++column) {
+      const bool right = i < 10 ? i < kWomen[column] : i - 10 < kMen[column];
+      trials.push_back(recognition("stone", right ? "stone" : "gravel"));
+      trials.back().factors_json = in_column(static_cast<int>(column) + 1);
+    }
+    made.add_session(person(i), protocol, trials);
+  }
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  using Row = std::vector<Cell>;
+  const auto n = [](std::int64_t count) { return Cell{count}; };
+  EXPECT_THAT(
+      table_of(outcome, "table_3").table.rows,
+      ElementsAre(Row{"Female", n(7), n(8), n(7), n(22)}, Row{"Male", n(9), n(8), n(8), n(25)},
+                  Row{"Total", n(16), n(16), n(15), n(47)}));
+  const Table& shares = table_of(outcome, "shares").table;
+  EXPECT_DOUBLE_EQ(number(shares, {"1", "Total"}, "chance"), 1.0 / 6.0);
+  EXPECT_NEAR(number(shares, {"1", "Total"}, "clopper_pearson_low"), 0.56, 0.005);
+  EXPECT_NEAR(number(shares, {"1", "Total"}, "p") / 8.7e-10, 1.0, 0.01);
+  // A distractor is a column of the confusions even where nobody chose it.
+  EXPECT_EQ(number(table_of(outcome, "confusion").table, {"stone"}, "grass"), 0);
+  EXPECT_EQ(number(table_of(outcome, "confusion").table, {"stone"}, "gravel"), 13);
+}
+
+TEST(AnalyzeStudy, NeverMixesPeoplePilotsAndVirtualParticipants) {
+  MadeUpStudy made;
+  made.add_person("person", "F");
+  made.add_person("pilot", "M");
+  made.add_virtual("virtual0001", "F");
+  const std::int64_t protocol = made.add_protocol("recognition", "recognition");
+  const MadeUpTrial trial = recognition("stone", "stone");
+  made.add_session("person", protocol, {trial});
+  made.add_session("pilot", protocol, {trial, trial}, SessionMode::pilot);
+  made.add_session("virtual0001", protocol, {trial, trial, trial}, SessionMode::simulate);
+  const std::vector<AnalysisOutcome> outcomes = analyze_study(made.study());
+  ASSERT_EQ(outcomes.size(), 3u);
+  const std::array<AnswerGroup, 3> groups{AnswerGroup::people, AnswerGroup::pilot,
+                                          AnswerGroup::virtual_participants};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(outcomes[i].group, groups[i]);
+    EXPECT_EQ(number(table_of(outcomes[i], "shares").table, {"all", "Total"}, "of"),
+              static_cast<double>(i + 1));
+  }
+}
+
+// A virtual participant may be given a session of another mode; that makes nobody a person.
+TEST(AnalyzeStudy, TakesAVirtualParticipantForVirtualInEveryMode) {
+  MadeUpStudy made;
+  made.add_virtual("virtual0001", "F");
+  made.add_session("virtual0001", made.add_protocol("recognition", "recognition"),
+                   {recognition("stone", "stone")}, SessionMode::run);
+  const std::vector<AnalysisOutcome> outcomes = analyze_study(made.study());
+  ASSERT_EQ(outcomes.size(), 1u);
+  EXPECT_EQ(outcomes[0].group, AnswerGroup::virtual_participants);
+}
+
+TEST(AnalyzeStudy, CountsOnlyValidAnswersOfTheMainPhase) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  MadeUpTrial practice = recognition("stone", "stone");
+  practice.phase = "practice";
+  MadeUpTrial flagged = recognition("stone", "stone");
+  flagged.flagged = true;
+  MadeUpTrial invalid = recognition("stone", "stone");
+  invalid.valid = false;
+  MadeUpTrial late = invalid;
+  late.outcome = AttemptOutcome::timed_out;
+  late.answers.clear();
+  late.right.clear();
+  made.add_session("a", made.add_protocol("recognition", "recognition"),
+                   {practice, flagged, invalid, late});
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  EXPECT_EQ(number(table_of(outcome, "shares").table, {"all", "Total"}, "of"), 1);
+  EXPECT_EQ(outcome.count.planned_trials, 3u);
+  EXPECT_EQ(outcome.count.flagged, 1u);
+  EXPECT_THAT(outcome.count.not_counted,
+              ElementsAre(std::pair<const std::string, std::size_t>("answered but invalid", 1),
+                          std::pair<const std::string, std::size_t>("timed_out", 1)));
+}
+
+TEST(AnalyzeStudy, NamesTheProtocolsThereAreWhenAskedForAnother) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  made.add_session("a", made.add_protocol("recognition", "recognition"),
+                   {recognition("stone", "stone")});
+  try {
+    analyze_study(made.study(), "matching");
+    FAIL() << "nothing was refused";
+  } catch (const ResultsError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("\"matching\"; it has sessions of \"recognition\""));
+  }
+}
+
+TEST(AnalyzeStudy, HasAFindingForEveryNumberOfATable) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  made.add_session("a", made.add_protocol("recognition", "recognition"),
+                   {recognition("stone", "stone")});
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const auto found =
+      std::find_if(outcome.findings.begin(), outcome.findings.end(), [](const Finding& finding) {
+        return finding.quantity == "share_correct" && finding.key == "column=all person=Female" &&
+               finding.method == "Clopper–Pearson interval";
+      });
+  ASSERT_NE(found, outcome.findings.end());
+  EXPECT_EQ(found->value, 1.0);
+  EXPECT_NEAR(found->low.value(), 0.025, 1e-12);  // (0.05/2)^(1/1)
+  EXPECT_EQ(found->n, 1u);
+}
+
+}  // namespace
+}  // namespace asperity
