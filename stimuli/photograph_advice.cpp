@@ -23,27 +23,24 @@ std::string text_of(double number, int decimals) {
   return {buffer.data(), result.ptr};
 }
 
-std::string sentence_about(PhotographResemblance resemblance, const std::string& direction) {
-  switch (resemblance) {
-    case PhotographResemblance::dark_grooves:
-      return "The picture resembles grooves or pits that are dark because they lie low: then "
-             "bright "
-             "is high, the default sign.";
-    case PhotographResemblance::bright_spots:
-      return "The picture has narrow bright parts on darker ground. If those stand out (grains, "
-             "fibres), bright is high; if they lie low (mortar between bricks), choose the sign "
-             "-1.";
-    case PhotographResemblance::directed:
-      return "The picture changes mostly along " + direction +
-             "°. Either the surface has a grain across that direction, or the light came from one "
-             "side along it. In the second case the heights are really slopes towards the light; "
-             "take the picture again in even light from all sides.";
-    case PhotographResemblance::nothing_clear:
-      return "The picture does not tell whether its brightness follows height; stains and paint "
-             "look "
-             "the same. Compare the relief with the surface itself before using it.";
+std::string about_direction(double direction_rad) {
+  const double degrees = std::round(direction_rad * 180.0 / std::numbers::pi);
+  return "The picture changes mostly along " + text_of(degrees == 0.0 ? 0.0 : degrees, 0) +
+         "° from +x. Either the surface has a grain across that direction, or the light came from "
+         "one side along it. In the second case the heights are really slopes towards the light: "
+         "take the picture again in even light from all sides. ";
+}
+
+std::string about_skewness(double skewness) {
+  if (skewness < -kSkewed) {
+    return "It has narrow dark parts on brighter ground, like grooves or pits that are dark "
+           "because "
+           "they lie low: then bright is high, the default sign. ";
   }
-  return "";
+  return "It has narrow bright parts on darker ground. If those stand out (grains, fibres), bright "
+         "is high, the default sign; if they lie low (light mortar between bricks), choose the "
+         "sign "
+         "-1. ";
 }
 
 }  // namespace
@@ -96,9 +93,17 @@ PhotographResemblance resemblance(const PhotographEvidence& evidence) noexcept {
 }
 
 std::string advice(const PhotographEvidence& evidence) {
-  const std::string direction = text_of(evidence.direction_rad * 180.0 / std::numbers::pi, 0);
-  return sentence_about(resemblance(evidence), direction) + " (Skewness " +
-         text_of(evidence.skewness, 2) + ", anisotropy " + text_of(evidence.anisotropy, 2) +
+  std::string words;
+  if (evidence.anisotropy > kDirected) words += about_direction(evidence.direction_rad);
+  if (std::abs(evidence.skewness) > kSkewed) words += about_skewness(evidence.skewness);
+  if (words.empty()) {
+    words =
+        "The picture does not tell whether its brightness follows height; stains and paint look "
+        "the "
+        "same. Compare the relief with the surface itself before using it. ";
+  }
+  return words + "(Skewness " + text_of(evidence.skewness, 2) + ", anisotropy " +
+         text_of(evidence.anisotropy, 2) +
          ".) One photograph cannot show whether dark is low, shaded or painted; you can.";
 }
 

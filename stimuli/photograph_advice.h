@@ -26,10 +26,11 @@ struct PhotographEvidence {
 PhotographEvidence examine_photograph(const GreyImage& photograph, const TextureRecipe& recipe,
                                       const std::string& name);
 
+/// The first that applies, in this order.
 enum class PhotographResemblance {
+  directed,       ///< light from one side, or a surface with a grain
   dark_grooves,   ///< brightness may follow height, bright = high
   bright_spots,   ///< brightness may follow height, with either sign
-  directed,       ///< light from one side, or a surface with a grain
   nothing_clear,  ///< the picture does not say
 };
 

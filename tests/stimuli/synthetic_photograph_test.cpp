@@ -188,6 +188,10 @@ TEST(PhotographAdvice, GivesTheNumbersAndWhatCannotBeKnown) {
   EXPECT_THAT(words, HasSubstr("One photograph cannot show"));
   EXPECT_THAT(advice({.skewness = 0.0, .anisotropy = 0.6, .direction_rad = 0.785398}),
               HasSubstr("along 45°"));
+  // Both observations are told where there are two.
+  const std::string both = advice({.skewness = 1.1, .anisotropy = 0.6, .direction_rad = -1e-3});
+  EXPECT_THAT(both, HasSubstr("along 0°"));
+  EXPECT_THAT(both, HasSubstr("choose the sign -1"));
 }
 
 }  // namespace
