@@ -198,6 +198,7 @@ PictureFacts inspect_tiff(const HeaderReader& file) {
     const std::size_t count = number(at + 4, 4);
     const bool inside = count * width <= 4;
     const Entry entry{.count = count, .width = width, .at = inside ? at + 8 : number(at + 8, 4)};
+    if (!inside) file.part(entry.at, count * width);
     const auto first = [&] { return number(entry.at, entry.width); };
     switch (number(at, 2)) {
       case 256:

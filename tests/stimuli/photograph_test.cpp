@@ -215,6 +215,8 @@ TEST(Photograph, RefusesEveryFileThatEndsEarly) {
     for (std::size_t length = 0; length + 1 < whole.size(); length += step) {
       const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
       EXPECT_NE(refusal_of(part), "accepted") << c.extension << " cut to " << length;
+      EXPECT_THROW(inspect_picture(part, "wall.png"), std::invalid_argument)
+          << c.extension << " cut to " << length;
     }
   }
 }
@@ -222,7 +224,7 @@ TEST(Photograph, RefusesEveryFileThatEndsEarly) {
 // Cut inside the scan and closed with an end mark, as some programs repair a file.
 TEST(Photograph, RefusesAJpegWhoseEndWasGluedOn) {
   Bytes jpeg = encoded(ramp(CV_8UC3), ".jpg");
-  jpeg.resize(jpeg.size() - jpeg.size() / 8);
+  jpeg.erase(jpeg.end() - static_cast<std::ptrdiff_t>(jpeg.size() / 8), jpeg.end());
   jpeg.push_back(std::byte{0xFF});
   jpeg.push_back(std::byte{0xD9});
   ::testing::internal::CaptureStderr();

@@ -54,16 +54,28 @@ std::string refusal_of(const GreyImage& image, const TextureRecipe& recipe) {
   return "accepted";
 }
 
-// H_g(ν) = exp(−½ ν² λ_g²): at the cut-off e^−½, at half of it e^−2, at twice of it e^−⅛.
+GreyImage transposed(const GreyImage& image) {
+  GreyImage result{image.columns, image.rows, std::vector<float>(image.values.size())};
+  for (std::size_t i = 0; i < image.rows; ++i) {
+    for (std::size_t j = 0; j < image.columns; ++j) {
+      result.values[j * image.rows + i] = image.values[i * image.columns + j];
+    }
+  }
+  return result;
+}
+
+// H_g(ν) = exp(−½ ν² λ_g²): at the cut-off e^−½, at half of it e^−2, at twice of it e^−⅛; along x
+// and along y.
 TEST(TextureFromPhotograph, PassesWavesThroughItsLowPassAsTheFormulaSays) {
   const TextureRecipe recipe = linear_recipe();
   for (const double ratio : {0.5, 1.0, 2.0}) {
-    const double wavelength_m = ratio * recipe.gaussian_wavelength_m;
-    const PhotographTexture texture =
-        texture_from_photograph(waves(wavelength_m, 0.10), recipe, "waves");
-    EXPECT_NEAR(amplitude(texture.evened), amplitude(texture.grey), 1e-5);
-    EXPECT_NEAR(amplitude(texture.low_pass) / amplitude(texture.grey),
-                std::exp(-0.5 / (ratio * ratio)), 1e-3);
+    const GreyImage along_x = waves(ratio * recipe.gaussian_wavelength_m, 0.10);
+    for (const GreyImage& image : {along_x, transposed(along_x)}) {
+      const PhotographTexture texture = texture_from_photograph(image, recipe, "waves");
+      EXPECT_NEAR(amplitude(texture.evened), amplitude(texture.grey), 1e-5);
+      EXPECT_NEAR(amplitude(texture.low_pass) / amplitude(texture.grey),
+                  std::exp(-0.5 / (ratio * ratio)), 1e-3);
+    }
   }
 }
 
