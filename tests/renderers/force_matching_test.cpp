@@ -81,6 +81,9 @@ TEST(TextureForce, DoesNotDependOnThePatchsBorder) {
   inputs.patch.extent_m = {0.02, 0.02};
   inputs.patch.edge_width_m = 0.01;
   EXPECT_EQ(texture_force_rms_N(model("height_map"), inputs), wide_N);
+  inputs.patch.extent_m = {1.0, 1.0};
+  inputs.patch.edge_width_m = 0.5;  // a border that reaches the middle
+  EXPECT_EQ(texture_force_rms_N(model("height_map"), inputs), wide_N);
 }
 
 TEST(TextureForce, RefusesAMeanForceThatNoHeightGives) {

@@ -249,6 +249,14 @@ TEST_F(ServoLoopTest, LatchesAnEmergencyStopAtTheNextTick) {
   expect_latched(Fault::emergency_stop, ticks(100));
 }
 
+TEST_F(ServoLoopTest, KeepsTheFirstFaultThatExplainsTheOthers) {
+  feel();
+  device.probe.position_m.x = 0.2;
+  tick();
+  device.answers = false;
+  expect_latched(Fault::workspace_left, tick());
+}
+
 TEST_F(ServoLoopTest, StartsOverAfterAFaultWasCleared) {
   feel();
   loop.emergency_stop();

@@ -92,8 +92,15 @@ TEST(ServoThread, CountsAStallOnceAndNeverCatchesUp) {
     if (i == 0) continue;
     const std::int64_t first_due_ns = records[0].probe.time_ns - records[0].lateness_ns;
     EXPECT_EQ((due_ns - first_due_ns) % kPeriod_ns, 0) << "off the original grid at " << i;
+    // After a tick that ran over, the next waits for a point of the grid: it is no catching up.
+    const auto points_passed = [&](std::int64_t time_ns) {
+      return (time_ns - first_due_ns) / kPeriod_ns;
+    };
+    const TickRecord& before = records[i - 1];
+    EXPECT_GT(points_passed(records[i].probe.time_ns),
+              points_passed(before.probe.time_ns + before.execution_ns));
     // Never more ticks than points of the grid have passed: none is made up.
-    EXPECT_LE(static_cast<std::int64_t>(i), (records[i].probe.time_ns - first_due_ns) / kPeriod_ns);
+    EXPECT_LE(static_cast<std::int64_t>(i), points_passed(records[i].probe.time_ns));
   }
   EXPECT_EQ(loop.status().missed_deadlines, missed);
   // The reading that stalled, and the tick after it, late for the deadline that it missed.
