@@ -14,9 +14,12 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <system_error>
 #include <thread>
+#include <unistd.h>
 
+#include <linux/capability.h>
 #include <time.h>
 
 #include "renderers/servo_time.h"
@@ -31,15 +34,19 @@ constexpr std::size_t kStack_bytes = 256 * 1024;
 
 std::string reason_for(int error) { return std::generic_category().message(error); }
 
+// A process with this capability may lock any amount, whatever its limit.
+bool may_lock_without_limit() noexcept {
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  __user_cap_data_struct sets[2]{};
+  return syscall(SYS_capget, &header, sets) == 0 && (sets[0].effective & (1U << CAP_IPC_LOCK)) != 0;
+}
+
 // Lock the memory only where there is no limit to it: under a finite limit MCL_FUTURE would make
 // some later, innocent allocation fail.
 bool memory_locked() noexcept {
   rlimit limit{};
-  if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0) return false;
-  if (limit.rlim_cur != RLIM_INFINITY) {
-    const rlimit unlimited{RLIM_INFINITY, RLIM_INFINITY};
-    if (setrlimit(RLIMIT_MEMLOCK, &unlimited) != 0) return false;
-  }
+  const bool unlimited = getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
+  if (!unlimited && !may_lock_without_limit()) return false;
   return mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
 }
 
