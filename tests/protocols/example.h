@@ -37,8 +37,8 @@ inline std::vector<ModelDeclaration> example_models() {
   ModelDeclaration stochastic{};
   stochastic.id = "stochastic";
   stochastic.needs_height_field = true;
-  stochastic.amplitude_parameter = "deviation_N";
-  stochastic.parameters = {number("deviation_N", 0.0, 5.0, 0.1)};
+  stochastic.amplitude_parameter = "noise_sd_N";
+  stochastic.parameters = {number("noise_sd_N", 0.0, 5.0, 0.1)};
   ModelDeclaration plain{};
   plain.id = "plain";
   return {height_map, sinusoid, stochastic, plain};

@@ -1,0 +1,97 @@
+// What the guide shows is accepted, and the reference leaves no key out.
+
+#include <fstream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+#include "protocols/library_protocols.h"
+#include "protocols/plan.h"
+#include "protocols/protocol_reader.h"
+#include "tests/protocols/example.h"
+
+namespace asperity {
+namespace {
+
+std::string contents(const std::string& path) {
+  std::ifstream stream(std::string(ASPERITY_SOURCE_DIR) + "/" + path, std::ios::binary);
+  EXPECT_TRUE(stream) << path;
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<std::string> json_blocks(const std::string& text) {
+  std::vector<std::string> blocks{};
+  const std::string fence = "```json\n";
+  for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {
+    at += fence.size();
+    blocks.push_back(text.substr(at, text.find("```", at) - at));
+  }
+  return blocks;
+}
+
+Protocol read_or_fail(const std::string& text) {
+  try {
+    return read_protocol(text, "docs/authoring-protocols.md", test::example_models());
+  } catch (const ProtocolError& error) {
+    ADD_FAILURE() << error.what();
+    return {};
+  }
+}
+
+TEST(AuthoringGuide, ShowsAFirstProtocolThatIsAccepted) {
+  const auto blocks = json_blocks(contents("docs/authoring-protocols.md"));
+  ASSERT_FALSE(blocks.empty());
+  const Protocol protocol = read_or_fail(blocks.front());
+  EXPECT_EQ(protocol.name, "first_steps");
+  EXPECT_EQ(make_plan(protocol, {1, 0}).trials.size(), 8U);
+}
+
+TEST(AuthoringGuide, ShowsFragmentsThatFitTheFirstProtocol) {
+  const auto blocks = json_blocks(contents("docs/authoring-protocols.md"));
+  ASSERT_GE(blocks.size(), 8U);
+  for (std::size_t i = 1; i < blocks.size(); ++i) {
+    auto whole = nlohmann::json::parse(blocks.front());
+    whole.merge_patch(nlohmann::json::parse("{" + blocks[i] + "}"));
+    SCOPED_TRACE(blocks[i]);
+    (void)read_or_fail(whole.dump(1));
+  }
+}
+
+void expect_keys(const nlohmann::json& node, const std::string& reference) {
+  if (node.is_array()) {
+    for (const auto& member : node) expect_keys(member, reference);
+  }
+  if (!node.is_object()) return;
+  if (const auto properties = node.find("properties"); properties != node.end()) {
+    for (const auto& [key, member] : properties->items()) {
+      EXPECT_NE(reference.find("`" + key + "`"), std::string::npos) << key;
+      if (member.contains("description")) {
+        EXPECT_NE(reference.find(member.at("description").get<std::string>().substr(0, 30)),
+                  std::string::npos)
+            << key << ": the reference says something else than the schema";
+      }
+    }
+  }
+  for (const auto& [key, member] : node.items()) expect_keys(member, reference);
+}
+
+TEST(FormatReference, NamesEveryKeyOfTheSchemaAsTheSchemaDoes) {
+  auto schema = nlohmann::json::parse(protocol_schema());
+  schema.at("definitions").erase("binding");
+  schema.at("definitions").erase("name_binding");
+  // Bands are described once, in the text.
+  const auto drop_bands = [](const auto& self, nlohmann::json& node) -> void {
+    if (node.is_object() && node.contains("properties") &&
+        node.at("properties").contains("target")) {
+      node.erase("properties");
+    }
+    if (node.is_structured()) {
+      for (auto& member : node) self(self, member);
+    }
+  };
+  drop_bands(drop_bands, schema);
+  expect_keys(schema, contents("docs/formats/protocol.md"));
+}
+
+}  // namespace
+}  // namespace asperity
