@@ -23,6 +23,8 @@ using Run = Protocol::Run;
 
 // More trials than anybody sits through; a plan stays small enough to be made while one waits.
 constexpr std::size_t kMaximumTrials = 2000;
+constexpr std::size_t kMaximumSessionTrials = 5000;
+constexpr std::size_t kMaximumRows = 100'000;
 
 template <class Map>
 std::vector<std::string> names_of(const Map& map) {
@@ -64,6 +66,7 @@ class Meaning {
       check_block(block, pointer_to("/blocks", name));
     }
     // What a trial amounts to can only be seen in one, and only when all references hold.
+    if (found_.empty()) check_size();
     if (found_.empty()) check_trials();
     std::stable_sort(found_.begin(), found_.end(), [](const Diagnostic& a, const Diagnostic& b) {
       return std::pair(a.line, a.column) < std::pair(b.line, b.column);
@@ -96,7 +99,9 @@ class Meaning {
   void check_question(const Block& block, const std::string& pointer);
   void check_order(const Block& block, const std::string& pointer);
   void check_criterion(const Block& block, const std::string& pointer);
+  void check_size();
   void check_trials();
+  Protocol with_every_possible_trial();
   void check_expectation(const Trial& trial, const std::string& pointer);
 
   /// The texts that a binding can stand for, each with the place to complain at.
@@ -787,7 +792,7 @@ void Meaning::check_order(const Block& block, const std::string& pointer) {
              "the fixed order of this block does not keep to it; use \"shuffle\" or write the "
              "rows in another order");
     }
-  } else if (!random_order(problem, Random(0))) {
+  } else if (!some_order(problem)) {
     report(pointer + "/maximum_in_a_row",
            "no order of the block's " + std::to_string(problem.trials) +
                " trials keeps to it; allow more in a row or add other levels between");
@@ -821,8 +826,75 @@ void Meaning::check_expectation(const Trial& trial, const std::string& pointer) 
   }
 }
 
+void Meaning::check_size() {
+  std::size_t trials = 0;
+  std::size_t rows = 1;
+  std::set<std::string> iterated{};
+  for (std::size_t i = 0; i < protocol_.flow.size(); ++i) {
+    const auto* const run = std::get_if<Run>(&protocol_.flow[i]);
+    if (run == nullptr) continue;
+    const Block& block = protocol_.blocks.at(run->block);
+    std::size_t runs = 1;
+    if (!run->for_each.empty()) {
+      runs = protocol_.factors.at(run->for_each).levels.size();
+      // At most two rows per level; the product is cut off long before it could wrap.
+      if (iterated.insert(run->for_each).second) rows = std::min(rows * 2 * runs, 2 * kMaximumRows);
+    }
+    trials += runs * row_count(protocol_, block) * static_cast<std::size_t>(block.repetitions);
+    if (trials > kMaximumSessionTrials) {
+      return report(pointer_to("/flow", i), "up to here the session has more than " +
+                                                std::to_string(kMaximumSessionTrials) +
+                                                " trials; nobody sits through that");
+    }
+  }
+  if (protocol_.counterbalance != Protocol::Counterbalance::none && rows > kMaximumRows) {
+    report("/counterbalance",
+           "there would be more orders than people; iterate fewer factors with for_each");
+  }
+}
+
+/// The protocol with every combination of levels that its blocks can come to, once, without chance.
+Protocol Meaning::with_every_possible_trial() {
+  Protocol every = protocol_;
+  for (auto& [name, block] : every.blocks) {
+    block.order = Block::Order::fixed;
+    block.positions = Block::Positions::as_listed;
+    block.repetitions = 1;
+    block.maximum_in_a_row.clear();
+    block.until.reset();
+    std::size_t combinations = row_count(protocol_, block);
+    for (const std::string& factor : block.drawn) {
+      combinations =
+          std::min(combinations * protocol_.factors.at(factor).levels.size(), kMaximumRows);
+    }
+    if (combinations > kMaximumSessionTrials) {
+      report(pointer_to("/blocks", name) + "/drawn",
+             "more than " + std::to_string(kMaximumSessionTrials) +
+                 " different trials could be drawn; draw fewer factors or levels");
+      continue;
+    }
+    if (block.listed.empty()) {
+      block.crossed.insert(block.crossed.end(), block.drawn.begin(), block.drawn.end());
+    }
+    for (const std::string& factor : block.drawn) {
+      std::vector<FactorLevels> longer{};
+      for (const FactorLevels& row : block.listed) {
+        for (const Level& level : protocol_.factors.at(factor).levels) {
+          longer.push_back(row);
+          longer.back()[factor] = level;
+        }
+      }
+      block.listed = std::move(longer);
+    }
+    block.drawn.clear();
+  }
+  return every;
+}
+
 void Meaning::check_trials() {
-  const Plan plan = make_plan(protocol_, Allocation{});
+  const Protocol every = with_every_possible_trial();
+  if (!found_.empty()) return;
+  const Plan plan = make_plan(every, Allocation{});
   for (const Trial& trial : plan.trials) {
     const std::string pointer = pointer_to("/blocks", trial.block);
     const std::string presented = pointer + "/presented";

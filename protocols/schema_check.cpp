@@ -226,10 +226,23 @@ std::vector<Diagnostic> check_schema(const JsonDocument& document) {
     }
     return pointer;
   };
-  // Where none of several forms fits, valijson lists what each of them misses: say it once.
+  // Where none of several forms fits, valijson lists what each of them misses: say it once, and not
+  // at all where another complaint about the same object explains it.
+  const auto is_about_choice = [](const valijson::ValidationResults::Error& error) {
+    return error.description.find("oneOf") != std::string::npos ||
+           error.description.starts_with("Failed to validate against exactly one");
+  };
   std::set<std::string> choices{};
+  std::set<std::string> explained{};
+  for (const Diagnostic& unknown_key : found) {
+    explained.insert(unknown_key.pointer.substr(0, unknown_key.pointer.rfind('/')));
+  }
   for (const auto& error : results) {
-    if (error.description.find("oneOf") != std::string::npos) choices.insert(place_of(error));
+    if (is_about_choice(error)) choices.insert(place_of(error));
+    if (error.description.starts_with("Missing dependency") ||
+        error.description.starts_with("Value type not permitted")) {
+      explained.insert(place_of(error));
+    }
   }
   std::set<std::pair<std::string, std::string>> said{};
   for (const auto& error : results) {
@@ -247,6 +260,7 @@ std::vector<Diagnostic> check_schema(const JsonDocument& document) {
       }
     }
     if (node == nullptr) continue;
+    if (is_about_choice(error) && explained.contains(pointer)) continue;
     if (choices.contains(pointer) && error.description.starts_with("Missing required")) {
       // Required by one of the forms only?
       const std::string key = error.description.substr(27, error.description.rfind('\'') - 27);

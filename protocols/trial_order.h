@@ -26,13 +26,16 @@ struct OrderProblem {
 
 bool meets(const OrderProblem& problem, const std::vector<std::size_t>& order);
 
-/// An order that meets every limit, or nothing where there is none.
+/// An order found without chance, or nothing where there is none. The search gives up after a fixed
+/// number of steps, which counts as "none".
+std::optional<std::vector<std::size_t>> some_order(const OrderProblem& problem);
+
+/// A random order that meets every limit, or nothing where there is none.
 ///
 /// First whole shuffles are tried, so that every good order is equally likely; where good orders
 /// are rare, one is built trial by trial with look-ahead and backtracking, which is nearly so. The
-/// last resort is a fixed order found without chance: whether an order is found at all therefore
-/// does not depend on the random numbers. The search gives up after a fixed number of steps, which
-/// counts as "none".
+/// last resort is `some_order`: whether an order is found therefore does not depend on the random
+/// numbers.
 std::optional<std::vector<std::size_t>> random_order(const OrderProblem& problem, Random random);
 
 }  // namespace asperity

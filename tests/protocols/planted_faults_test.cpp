@@ -299,6 +299,39 @@ TEST(PlantedFaults, AreReportedAllAtOnce) {
                                                 "/blocks/main/repetitions", "/flow/1/check"}));
 }
 
+TEST(PlantedFaults, OneMistakeGetsOneComplaint) {
+  for (const char* const step :
+       {R"({"scren": "hi"})", R"({"for_each": "texture"})", "3",
+        R"({"check": "device", "screen": "x"})", R"({"chek": "device"})"}) {
+    std::string text = test::example_selection();
+    const std::string from = R"({"check": "device"})";
+    text.replace(text.find(from), from.size(), step);
+    EXPECT_EQ(problems_of(text).size(), 1U) << step;
+  }
+}
+
+TEST(PlantedFaults, WhatMayBeDrawnIsCheckedEvenIfItSeldomIs) {
+  // A session draws three of the four textures: a lucky one would not come across brick.
+  std::string text = library("chapter_recognition");
+  const std::string from = R"("pictures": ["metal", "stone", "wood", "brick", )";
+  ASSERT_NE(text.find(from), std::string::npos);
+  text.replace(text.find(from), from.size(), R"("pictures": ["metal", "stone", "wood", )");
+  const auto problems = problems_of(text);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems[0].message.find("the right answer \"brick\" is not among"), std::string::npos);
+}
+
+TEST(PlantedFaults, ASessionWithoutEndIsRefused) {
+  std::string text = test::example_selection();
+  const std::string run = R"({"run": "main", "break_every_trials": 3, "pause": {"minimum_s": 60}})";
+  std::string runs = run;
+  for (int i = 0; i < 900; ++i) runs += ", " + run;
+  text.replace(text.find(run), run.size(), runs);  // 901 × 6 trials
+  const auto problems = problems_of(text);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems[0].message.find("more than 5000 trials"), std::string::npos);
+}
+
 TEST(PlantedFaults, AnOrderThatCannotBeMetIsRefused) {
   std::string text = test::example_selection();
   const std::string from = R"("crossed": ["texture"],)";
