@@ -50,6 +50,10 @@ std::string message_of(const std::filesystem::path& path) {
   return "";
 }
 
+void put(const std::filesystem::path& path, const std::string& content) {
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
+}
+
 TEST(Recording, GivesBackEveryRecord) {
   for (const int records : {0, 1, 99, 100, 101, 250}) {
     const TemporaryFolder study;
@@ -153,27 +157,33 @@ TEST(Recording, RefusesAHeaderThatIsWrong) {
 TEST(Recording, NoticesEveryTruncation) {
   const TemporaryFolder study;
   const std::string whole = read_file(study / write(study.path(), 250).path);
-  for (std::size_t length = 0; length < whole.size(); ++length) {
-    write_file(study / "cut", whole.substr(0, length), Overwrite::allow);
+  put(study / "cut", whole);
+  for (std::size_t length = whole.size(); length-- > 0;) {
+    std::filesystem::resize_file(study / "cut", length);
     ASSERT_NE(message_of(study / "cut"), "") << length;
   }
-  write_file(study / "cut", whole.substr(0, whole.size() - 1), Overwrite::allow);
+  put(study / "cut", whole.substr(0, whole.size() - 1));
   EXPECT_THAT(message_of(study / "cut"),
               HasSubstr("chunk 4, at byte " + std::to_string(whole.size() - 24) +
                         ": the file ends inside the chunk"));
-  write_file(study / "cut", whole + "x", Overwrite::allow);
+  put(study / "cut", whole + "x");
   EXPECT_THAT(message_of(study / "cut"), HasSubstr("something follows"));
 }
 
 TEST(Recording, NoticesEveryFlippedByte) {
   const TemporaryFolder study;
   const std::string whole = read_file(study / write(study.path(), 250).path);
+  put(study / "flipped", whole);
+  std::fstream file(study / "flipped", std::ios::binary | std::ios::in | std::ios::out);
+  const auto set_byte = [&file](std::size_t at, int byte) {
+    file.seekp(static_cast<std::streamoff>(at)).put(static_cast<char>(byte)).flush();
+  };
   for (std::size_t at = 0; at < whole.size(); ++at) {
-    std::string damaged = whole;
-    damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
-    write_file(study / "flipped", damaged, Overwrite::allow);
+    set_byte(at, whole[at] ^ 0x10);
     ASSERT_NE(message_of(study / "flipped"), "") << at;
+    set_byte(at, whole[at]);
   }
+  EXPECT_EQ(message_of(study / "flipped"), "");
 }
 
 TEST(Recording, SaysInWhichChunkItIsDamaged) {
@@ -184,7 +194,7 @@ TEST(Recording, SaysInWhichChunkItIsDamaged) {
   std::memcpy(&first_bytes, content.data() + text + 4, sizeof first_bytes);
   const std::size_t second = text + 16 + first_bytes;
   content[second + 20] = static_cast<char>(content[second + 20] ^ 1);
-  write_file(study / "damaged", content, Overwrite::allow);
+  put(study / "damaged", content);
   EXPECT_THAT(message_of(study / "damaged"),
               HasSubstr("damaged in chunk 2, at byte " + std::to_string(second) +
                         ": the checksum does not hold"));
@@ -192,9 +202,9 @@ TEST(Recording, SaysInWhichChunkItIsDamaged) {
 
 TEST(Recording, IsRefusedInAnotherFormat) {
   const TemporaryFolder study;
-  write_file(study / "a", "{\"format\":\"asperity.recording/2\"}\n\n", Overwrite::allow);
+  put(study / "a", "{\"format\":\"asperity.recording/2\"}\n\n");
   EXPECT_THAT(message_of(study / "a"), HasSubstr("asperity.recording/2"));
-  write_file(study / "b", "PNG\n\n", Overwrite::allow);
+  put(study / "b", "PNG\n\n");
   EXPECT_THAT(message_of(study / "b"), HasSubstr("is none"));
   EXPECT_THAT(message_of(study / "absent"), HasSubstr("No such file"));
 }

@@ -3,8 +3,6 @@
 #include "results_schema/study.h"
 
 #include <fstream>
-#include <map>
-#include <type_traits>
 #include <unistd.h>
 
 #include <gmock/gmock.h>
@@ -12,6 +10,7 @@
 #include <sqlite3.h>
 
 #include "results_schema/sha256.h"
+#include "tests/results_schema/refusal.h"
 #include "tests/results_schema/rows_for_tests.h"
 #include "tests/results_schema/temporary_folder.h"
 
@@ -20,17 +19,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-/// What `function` says when it refuses; empty when it does not.
-template <typename Function>
-std::string refusal(Function function) {
-  try {
-    function();
-  } catch (const ResultsError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(Study, IsMadeInANewOrAnEmptyFolder) {
   const TemporaryFolder folder;

@@ -1,0 +1,140 @@
+// A consistent copy of a study that may be in use.
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include <sqlite3.h>
+
+#include "results_schema/file_system.h"
+#include "results_schema/sha256_stream.h"
+#include "results_schema/study.h"
+#include "results_schema/study_store.h"
+
+namespace asperity {
+namespace {
+
+/// Copies one file to disk. Returns the SHA-256 of what was copied.
+std::string copy_and_hash(const std::filesystem::path& from, const std::filesystem::path& to) {
+  constexpr std::size_t kPiece_bytes = 1 << 18;
+  errno = 0;
+  std::ifstream source(from, std::ios::binary);
+  if (!source) fail_on_file(from, "read", errno != 0 ? errno : EIO);
+  std::error_code error;
+  std::filesystem::create_directories(to.parent_path(), error);
+  if (error) fail_on_file(to.parent_path(), "made", error.value());
+  OutputFile target(to);
+  Sha256Stream sha256;
+  std::vector<char> piece(kPiece_bytes);
+  do {
+    source.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    const auto count = static_cast<std::size_t>(source.gcount());
+    target.write(piece.data(), count);
+    sha256.add(piece.data(), count);
+  } while (source);
+  if (source.bad()) fail_on_file(from, "read", EIO);
+  target.sync_and_close();
+  return sha256.hexadecimal();
+}
+
+/// The files that rows name, with the SHA-256 that they must have. A stimulus that was changed
+/// between two sessions has two, of which one can be there; `verify` says so.
+std::map<std::string, std::set<std::string>> vouched_files(Database& database) {
+  std::map<std::string, std::set<std::string>> files;
+  Statement statement(database,
+                      "SELECT path, sha256 FROM recording "
+                      "UNION SELECT path, sha256 FROM session_file");
+  while (statement.step()) {
+    std::string path;
+    std::string sha256;
+    statement.read(path, sha256);
+    files[path].insert(sha256);
+  }
+  return files;
+}
+
+/// Whether a file that no row names goes into a copy: what people put there does; what a running
+/// program has not finished, and the database, which is copied in its own way, do not.
+bool is_loose_file(const std::filesystem::path& relative) {
+  const std::string first = relative.begin()->string();
+  if (first == "locks" || first == "recordings" || first.rfind("study.sqlite", 0) == 0)
+    return false;
+  return relative.extension() != ".tmp" && relative.extension() != ".part";
+}
+
+/// Page by page, in one go, so that no writer can come between two of them.
+void copy_database(Database& database, const std::filesystem::path& folder) {
+  Database copy(folder, database_in(folder), Database::Mode::create);
+  sqlite3_backup* const backup =
+      sqlite3_backup_init(copy.handle(), "main", database.handle(), "main");
+  if (backup == nullptr) copy.fail(sqlite3_errcode(copy.handle()), "cannot be written");
+  sqlite3_backup_step(backup, -1);
+  const int code = sqlite3_backup_finish(backup);
+  if (code != SQLITE_OK) copy.fail(code, "cannot be written");
+}
+
+void copy_files(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::map<std::string, std::set<std::string>> vouched;
+  {
+    Database copy(to, database_in(to), Database::Mode::read_write);
+    vouched = vouched_files(copy);
+  }
+  for (const auto& [path, sha256] : vouched) {
+    if (!sha256.contains(copy_and_hash(path_in_study(from, path), path_in_study(to, path)))) {
+      throw ResultsError("the study " + from.string() + " cannot be copied: its file " + path +
+                             " is not what it was when it was used (its SHA-256 differs)",
+                         from / path);
+    }
+  }
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(from)) {
+    const std::filesystem::path relative = std::filesystem::relative(entry.path(), from);
+    if (!entry.is_regular_file() || vouched.contains(relative.string())) continue;
+    if (is_loose_file(relative)) copy_and_hash(entry.path(), to / relative);
+  }
+  for (const char* const part : {"protocols", "stimuli", "recordings", "locks"}) {
+    std::filesystem::create_directories(to / part);
+  }
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(to)) {
+    if (entry.is_directory()) sync_folder(entry.path());
+  }
+  sync_folder(to);
+}
+
+}  // namespace
+
+void Study::copy_to(const std::filesystem::path& folder) const {
+  const std::filesystem::path from = std::filesystem::canonical(store_->folder);
+  const std::filesystem::path to = std::filesystem::weakly_canonical(folder);
+  if (std::filesystem::exists(std::filesystem::symlink_status(to))) {
+    throw ResultsError("a study cannot be copied to " + folder.string() +
+                           ", which exists already; name a folder that does not",
+                       folder, EEXIST);
+  }
+  if (std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end()) {
+    throw ResultsError("a study cannot be copied into itself, to " + folder.string(), folder,
+                       EINVAL);
+  }
+  // Under another name until it is whole, so that nobody takes a part for a copy.
+  std::filesystem::path part = to;
+  part += ".part";
+  std::error_code error;
+  if (!std::filesystem::create_directories(part, error)) {
+    fail_on_file(part, "made", error ? error.value() : EEXIST);
+  }
+  try {
+    store_->read([&part](Database& database) {
+      copy_database(database, part);
+      return true;
+    });
+    copy_files(from, part);
+    if (!rename_to_free_name(part, to)) fail_on_file(to, "made", EEXIST);
+  } catch (...) {
+    std::filesystem::remove_all(part, error);
+    throw;
+  }
+  sync_folder(to.parent_path());
+}
+
+}  // namespace asperity

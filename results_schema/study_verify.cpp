@@ -1,0 +1,185 @@
+// Everything of a study that does not hold.
+
+#include <algorithm>
+#include <set>
+
+#include "results_schema/file_system.h"
+#include "results_schema/recording.h"
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+#include "results_schema/study_store.h"
+
+namespace asperity {
+namespace {
+
+using Findings = std::vector<std::string>;
+
+struct VouchedFile {
+  std::string path{};
+  std::string sha256{};
+  std::int64_t bytes = 0;
+  std::string who{};  ///< what it belongs to, for the sentence
+  bool is_recording = false;
+};
+
+void check_database(Database& database, Findings& findings) {
+  Statement integrity(database, "PRAGMA integrity_check");
+  while (integrity.step()) {
+    std::string text;
+    integrity.read(text);
+    if (text != "ok") findings.push_back("study.sqlite: " + text);
+  }
+  Statement keys(database, "PRAGMA foreign_key_check");
+  while (keys.step()) {
+    std::string table;
+    std::optional<std::int64_t> row;
+    std::string parent;
+    keys.read(table, row, parent);
+    findings.push_back("study.sqlite: a row of " + table + " refers to a row of " + parent +
+                       " that is not there");
+  }
+}
+
+void check_protocols(const Study& study, Findings& findings) {
+  for (const ProtocolRow& row : study.protocols()) {
+    if (sha256_of(row.source) != row.source_sha256) {
+      findings.push_back("protocol " + row.name + " " + row.version +
+                         ": its source does not have its SHA-256");
+    }
+  }
+}
+
+/// Each query gives sentences about rows that contradict each other in a way no constraint forbids.
+void check_rows(Database& database, Findings& findings) {
+  constexpr const char* kContradictions[] = {
+      "SELECT 'session ' || label || '/' || session || ': its planned trials are not numbered 1 to "
+      "' "
+      "|| count(*) FROM trial JOIN session ON session.id = session_id "
+      "JOIN participant ON participant.id = participant_id "
+      "GROUP BY session.id HAVING max(trial) <> count(*)",
+
+      "SELECT 'session ' || label || '/' || session || ': its segments are not numbered 1 to ' "
+      "|| count(*) FROM segment JOIN session ON session.id = session_id "
+      "JOIN participant ON participant.id = participant_id "
+      "GROUP BY session.id HAVING max(segment) <> count(*)",
+
+      "SELECT 'trial ' || label || '/' || session || '/' || trial || "
+      "': its attempts are not numbered 1 to ' || count(*) "
+      "FROM attempt JOIN session ON session.id = session_id "
+      "JOIN participant ON participant.id = participant_id "
+      "GROUP BY session.id, trial HAVING max(attempt) <> count(*)",
+
+      "SELECT 'attempt ' || label || '/' || session || '/' || trial || '/' || attempt || "
+      "': it is answered, but there is no response' "
+      "FROM attempt JOIN session ON session.id = session_id "
+      "JOIN participant ON participant.id = participant_id WHERE outcome = 'answered' "
+      "AND NOT EXISTS (SELECT 1 FROM response WHERE attempt_id = attempt.id)",
+
+      "SELECT 'session ' || label || '/' || session || ': it is completed, but trial ' || trial || "
+      "' was never attempted' "
+      "FROM trial JOIN session ON session.id = session_id "
+      "JOIN participant ON participant.id = participant_id "
+      "WHERE state = 'completed' AND phase = 'main' AND NOT EXISTS "
+      "(SELECT 1 FROM attempt WHERE attempt.session_id = session.id AND attempt.trial = "
+      "trial.trial)",
+
+      "SELECT 'session ' || label || '/' || session || ': it is ' || state || "
+      "', but its segment ' || segment || ' has no end' "
+      "FROM segment JOIN session ON session.id = session_id "
+      "JOIN participant ON participant.id = participant_id "
+      "WHERE state <> 'open' AND end_reason IS NULL",
+  };
+  for (const char* const sql : kContradictions) {
+    Statement statement(database, sql);
+    while (statement.step()) statement.read(findings.emplace_back());
+  }
+}
+
+std::vector<VouchedFile> vouched_files(Database& database) {
+  Statement statement(
+      database,
+      "SELECT path, sha256, bytes, 'the recording of attempt ' || label || '/' || session || '/' "
+      "|| "
+      "trial || '/' || attempt, 1 FROM recording JOIN attempt ON attempt.id = attempt_id "
+      "JOIN session ON session.id = session_id JOIN participant ON participant.id = participant_id "
+      "UNION ALL SELECT path, sha256, bytes, 'a stimulus of session ' || min(label || '/' || "
+      "session), 0 FROM session_file JOIN session ON session.id = session_id "
+      "JOIN participant ON participant.id = participant_id GROUP BY path, sha256, bytes "
+      "ORDER BY path");
+  std::vector<VouchedFile> files;
+  while (statement.step()) {
+    VouchedFile& file = files.emplace_back();
+    statement.read(file.path, file.sha256, file.bytes, file.who, file.is_recording);
+  }
+  return files;
+}
+
+void check_file(const std::filesystem::path& study, const VouchedFile& file, Findings& findings) {
+  const std::string start = file.path + " (" + file.who + "): ";
+  try {
+    const std::filesystem::path path = path_in_study(study, file.path);
+    if (!std::filesystem::is_regular_file(path)) {
+      findings.push_back(start + "the file is not there");
+    } else if (sha256_of_file(path) != file.sha256) {
+      findings.push_back(start +
+                         "it is not what it was when its row was written (its SHA-256 "
+                         "differs)");
+      if (file.is_recording) read_recording(path);  // says where
+    }
+  } catch (const ResultsError& error) {
+    findings.push_back(start + error.what());
+  }
+}
+
+void check_orphans(const std::filesystem::path& study, const std::vector<VouchedFile>& vouched,
+                   Findings& findings) {
+  std::set<std::string> known;
+  for (const VouchedFile& file : vouched) known.insert(file.path);
+  Findings orphans;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(study)) {
+    if (!entry.is_regular_file()) continue;
+    const std::filesystem::path relative = std::filesystem::relative(entry.path(), study);
+    const std::string path = relative.string();
+    if (relative.extension() == ".part" || relative.extension() == ".tmp") {
+      orphans.push_back(path +
+                        ": an unfinished file, being written now or left by a program that "
+                        "died");
+    } else if (*relative.begin() == "recordings" && !known.contains(path)) {
+      orphans.push_back(path +
+                        ": a recording that belongs to no attempt, being written now or "
+                        "left by a program that died");
+    }
+  }
+  std::sort(orphans.begin(), orphans.end());
+  findings.insert(findings.end(), orphans.begin(), orphans.end());
+}
+
+}  // namespace
+
+std::vector<std::string> Study::verify(const std::function<void(double)>& progress) const {
+  Findings findings;
+  const std::vector<VouchedFile> files = store_->read([&](Database& database) {
+    findings.clear();
+    try {
+      check_database(database, findings);
+      check_protocols(*this, findings);
+      check_rows(database, findings);
+      return vouched_files(database);
+    } catch (const ResultsError& error) {
+      findings.emplace_back(error.what());  // so broken that not even this can be read
+      return std::vector<VouchedFile>{};
+    }
+  });
+  double bytes = 0.0;
+  for (const VouchedFile& file : files) bytes += static_cast<double>(file.bytes);
+  double bytes_done = 0.0;
+  for (const VouchedFile& file : files) {
+    check_file(store_->folder, file, findings);
+    bytes_done += static_cast<double>(file.bytes);
+    if (progress && bytes > 0.0) progress(bytes_done / bytes);
+  }
+  check_orphans(store_->folder, files, findings);
+  return findings;
+}
+
+}  // namespace asperity

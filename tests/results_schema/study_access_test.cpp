@@ -1,0 +1,247 @@
+// Who may open what: reading writes nothing, writing needs a study of ours, on a disk of ours.
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "results_schema/atomic_file.h"
+#include "results_schema/file_system.h"
+#include "results_schema/study.h"
+#include "tests/results_schema/refusal.h"
+#include "tests/results_schema/rows_for_tests.h"
+#include "tests/results_schema/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+/// Every file of a folder with its content and time of change.
+std::map<std::string, std::string> state_of(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> state;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const auto time = entry.last_write_time().time_since_epoch().count();
+    state[entry.path().string()] =
+        std::to_string(time) + (entry.is_regular_file() ? read_file(entry.path()) : "");
+  }
+  return state;
+}
+
+void read_everything(const Study& study) {
+  EXPECT_EQ(study.name(), "some study");
+  EXPECT_EQ(study.participants().size(), 1U);
+  EXPECT_EQ(study.protocols().size(), 1U);
+  ASSERT_EQ(study.sessions().size(), 1U);
+  EXPECT_EQ(study.attempts(study.sessions()[0].id).size(), 1U);
+  EXPECT_TRUE(study.verify({}).empty());
+}
+
+/// A study of one attempt, whose writer has closed it.
+void make_closed_study(const std::filesystem::path& folder) {
+  auto [study, session_id] = study_with_session(folder, 1);
+  study.add_attempt(session_id, some_attempt(1));
+  study.end_segment(session_id, 1, 2'000'000'000, "completed");
+}
+
+/// The same, whose writer was killed: the last rows are in the log only.
+void make_killed_study(const std::filesystem::path& folder) {
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    auto [study, session_id] = study_with_session(folder, 1);
+    study.add_attempt(session_id, some_attempt(1));
+    study.end_segment(session_id, 1, 2'000'000'000, "completed");
+    ::kill(::getpid(), SIGKILL);
+  }
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+}
+
+TEST(StudyReading, WritesNothing) {
+  const TemporaryFolder folder;
+  make_closed_study(folder / "s");
+  const auto before = state_of(folder.path());
+  read_everything(Study::open(folder / "s", Access::read_only));
+  EXPECT_EQ(state_of(folder.path()), before);
+}
+
+TEST(StudyReading, WritesNothingIntoAStudyWhoseWriterWasKilled) {
+  const TemporaryFolder folder;
+  make_killed_study(folder / "s");
+  ASSERT_GT(std::filesystem::file_size(folder / "s" / "study.sqlite-wal"), 0U);
+  const auto before = state_of(folder.path());
+  read_everything(Study::open(folder / "s", Access::read_only));
+  EXPECT_EQ(state_of(folder.path()), before);
+}
+
+/// Runs as somebody who may not write here; the superuser may write everywhere.
+class AsSomebodyElse {
+ public:
+  AsSomebodyElse() : was_(::geteuid()) {
+    if (was_ == 0 && ::seteuid(65534) != 0) throw std::runtime_error("no other user");
+  }
+  ~AsSomebodyElse() {
+    if (was_ == 0 && ::seteuid(0) != 0) std::abort();
+  }
+  AsSomebodyElse(const AsSomebodyElse&) = delete;
+  AsSomebodyElse& operator=(const AsSomebodyElse&) = delete;
+
+ private:
+  uid_t was_;
+};
+
+void make_read_only(const std::filesystem::path& folder) {
+  using std::filesystem::perms;
+  const perms reading = perms::owner_read | perms::group_read | perms::others_read;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) std::filesystem::permissions(entry.path(), reading);
+  }
+  for (const auto& part : {folder, folder / "stimuli", folder / "locks", folder / "protocols",
+                           folder / "recordings"}) {
+    std::filesystem::permissions(
+        part, reading | perms::owner_exec | perms::group_exec | perms::others_exec);
+  }
+  std::filesystem::permissions(folder.parent_path(), perms::all);
+}
+
+void make_writable(const std::filesystem::path& folder) {
+  std::filesystem::permissions(folder, std::filesystem::perms::all);
+  for (const char* const part : {"stimuli", "locks", "protocols", "recordings"}) {
+    std::filesystem::permissions(folder / part, std::filesystem::perms::all);
+  }
+}
+
+TEST(StudyOnReadOnlyDisk, IsReadAndNotWritten) {
+  for (const bool killed : {false, true}) {
+    const TemporaryFolder folder;
+    if (killed) {
+      make_killed_study(folder / "s");
+    } else {
+      make_closed_study(folder / "s");
+    }
+    make_read_only(folder / "s");
+    {
+      const AsSomebodyElse somebody_else;
+      read_everything(Study::open(folder / "s", Access::read_only));
+      EXPECT_THAT(refusal([&] { Study::open(folder / "s", Access::read_write); }),
+                  HasSubstr("can only be read here"));
+      EXPECT_THAT(refusal([&] { Study::create(folder / "s" / "new", "x"); }),
+                  HasSubstr("Permission denied"));
+    }
+    make_writable(folder / "s");
+  }
+}
+
+TEST(StudyReading, RefusesToWrite) {
+  const TemporaryFolder folder;
+  make_closed_study(folder / "s");
+  Study study = Study::open(folder / "s", Access::read_only);
+  EXPECT_THAT(refusal([&] { study.add_participant({.label = "P02"}); }),
+              HasSubstr("open for reading only"));
+  EXPECT_THAT(refusal([&] { study.add_attempt(1, some_attempt(2)); }),
+              HasSubstr("open for reading only"));
+}
+
+// The reader opened while nobody wrote, without locks; it has to notice.
+TEST(StudyReading, FollowsAWriterWhoComesLater) {
+  const TemporaryFolder folder;
+  make_closed_study(folder / "s");
+  const Study reader = Study::open(folder / "s", Access::read_only);
+  EXPECT_EQ(reader.participants().size(), 1U);
+  {
+    Study writer = Study::open(folder / "s", Access::read_write);
+    for (int i = 0; i < 50; ++i) {
+      writer.add_participant({.label = "N" + std::to_string(i)});
+      EXPECT_EQ(reader.participants().size(), 2U + static_cast<std::size_t>(i));
+    }
+  }
+  EXPECT_EQ(reader.participants().size(), 51U);
+  Study::open(folder / "s", Access::read_write).add_participant({.label = "Last"});
+  EXPECT_EQ(reader.participants().size(), 52U);
+}
+
+TEST(StudyReading, FollowsAWriterWhoHasItOpenAlready) {
+  const TemporaryFolder folder;
+  Study writer = Study::create(folder / "s", "x");
+  const Study reader = Study::open(folder / "s", Access::read_only);
+  for (int i = 0; i < 50; ++i) {
+    writer.add_participant({.label = "N" + std::to_string(i)});
+    EXPECT_EQ(reader.participants().size(), static_cast<std::size_t>(i + 1));
+  }
+}
+
+void run_sql(const std::filesystem::path& file, const std::string& sql) {
+  sqlite3* handle = nullptr;
+  sqlite3_open(file.c_str(), &handle);
+  EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+      << sqlite3_errmsg(handle);
+  sqlite3_close(handle);
+}
+
+TEST(StudyOpening, RefusesWhatIsNoStudy) {
+  const TemporaryFolder folder;
+  const auto refused = [&folder](const std::string& sentence) {
+    for (const Access access : {Access::read_only, Access::read_write}) {
+      EXPECT_THAT(refusal([&] { Study::open(folder / "s", access); }), HasSubstr(sentence));
+    }
+  };
+  refused("there is no folder");
+  std::filesystem::create_directory(folder / "s");
+  refused("is no study: it holds no study.sqlite");
+  EXPECT_FALSE(Study::exists(folder / "s"));
+  const std::filesystem::path file = folder / "s" / "study.sqlite";
+  write_file(file, "", Overwrite::allow);
+  refused("made by another program");
+  write_file(file, "this is a letter, not a database, and it is long enough to look like one",
+             Overwrite::allow);
+  refused("is broken");
+  std::filesystem::remove(file);
+  run_sql(file, "PRAGMA application_id = 7; CREATE TABLE study (x);");
+  refused("made by another program");
+}
+
+TEST(StudyOpening, RefusesAStudyOfANewerProgram) {
+  const TemporaryFolder folder;
+  make_closed_study(folder / "s");
+  run_sql(folder / "s" / "study.sqlite", "PRAGMA user_version = 2");
+  for (const Access access : {Access::read_only, Access::read_write}) {
+    EXPECT_THAT(refusal([&] { Study::open(folder / "s", access); }),
+                HasSubstr("made by a newer Asperity: its schema is version 2, this program knows "
+                          "versions up to 1"));
+  }
+}
+
+TEST(StudyOpening, RefusesABrokenDatabase) {
+  const TemporaryFolder folder;
+  make_closed_study(folder / "s");
+  const std::filesystem::path file = folder / "s" / "study.sqlite";
+  const std::string whole = read_file(file);
+  std::string broken = whole;
+  broken.replace(100, 500, std::string(500, '\xff'));  // the root of the schema
+  write_file(file, broken, Overwrite::allow);
+  for (const Access access : {Access::read_only, Access::read_write}) {
+    EXPECT_THAT(refusal([&] { Study::open(folder / "s", access); }),
+                HasSubstr("is broken; restore it from a copy"));
+  }
+}
+
+// Numbers from statfs(2).
+TEST(NetworkFileSystem, IsKnownByItsNumber) {
+  EXPECT_EQ(network_file_system_of(0x6969), "NFS");
+  EXPECT_EQ(network_file_system_of(static_cast<long>(0xff534d42)), "CIFS");
+  EXPECT_EQ(network_file_system_of(static_cast<int>(0xff534d42)), "CIFS");  // where long is short
+  EXPECT_EQ(network_file_system_of(0x65735546), "FUSE (sshfs or a cloud folder)");
+  EXPECT_EQ(network_file_system_of(0xef53), "");      // ext4
+  EXPECT_EQ(network_file_system_of(0x01021994), "");  // tmpfs
+  EXPECT_EQ(network_file_system_at("/proc"), "");
+}
+
+}  // namespace
+}  // namespace asperity

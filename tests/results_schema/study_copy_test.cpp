@@ -1,0 +1,189 @@
+// A copy is whole, of one moment, and checked; verify finds what does not hold.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "results_schema/atomic_file.h"
+#include "results_schema/recording.h"
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+#include "tests/results_schema/refusal.h"
+#include "tests/results_schema/rows_for_tests.h"
+#include "tests/results_schema/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+RecordingRow record(const std::filesystem::path& study, const std::string& path) {
+  RecordingWriter writer(study, path, {.rate_Hz = 10.0, .columns = {{.name = "x_m"}}});
+  for (int i = 0; i < 25; ++i) {
+    const float x_m = 0.1F * static_cast<float>(i);
+    writer.append(i, &x_m);
+  }
+  return writer.finish();
+}
+
+/// A study with a stimulus and a recorded attempt.
+StudyWithSession recorded_study(const std::filesystem::path& folder) {
+  Study study = Study::create(folder, "some study");
+  write_file(folder / "stimuli" / "metal.png", "pixels", Overwrite::refuse);
+  write_file(folder / "protocols" / "selection.json", "{}", Overwrite::refuse);
+  study.add_participant(some_participant());
+  SessionRow session = some_session(study.add_protocol(some_protocol()));
+  session.files = {{.path = "stimuli/metal.png", .sha256 = sha256_of("pixels"), .bytes = 6}};
+  const std::int64_t id = study.add_session(session, some_plan(3));
+  study.begin_segment(id, 0);
+  AttemptRow attempt = some_attempt(1);
+  attempt.recording = record(folder, "recordings/P01/a.asprec");
+  study.add_attempt(id, attempt);
+  return {std::move(study), id};
+}
+
+TEST(StudyCopy, HoldsWhatTheStudyHolds) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  write_file(folder / "s" / "stimuli" / "unused.png", "x", Overwrite::refuse);
+  write_file(folder / "s" / "recordings" / "left.part", "x", Overwrite::refuse);
+  const StudyLock lock(folder / "s", "device");
+  study.copy_to(folder / "new" / "copy");  // while it is open for writing
+  const Study copy = Study::open(folder / "new" / "copy", Access::read_only);
+  EXPECT_THAT(copy.verify({}), IsEmpty());
+  EXPECT_EQ(copy.name(), "some study");
+  EXPECT_EQ(copy.attempts(session_id).size(), 1U);
+  EXPECT_EQ(read_recording(copy.folder() / "recordings/P01/a.asprec").time_ns.size(), 25U);
+  EXPECT_EQ(read_file(copy.folder() / "stimuli" / "unused.png"), "x");
+  EXPECT_EQ(read_file(copy.folder() / "protocols" / "selection.json"), "{}");
+  EXPECT_FALSE(std::filesystem::exists(copy.folder() / "recordings" / "left.part"));
+  EXPECT_TRUE(std::filesystem::is_empty(copy.folder() / "locks"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "new" / "copy.part"));
+}
+
+TEST(StudyCopy, IsAStudyThatGoesOn) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  Study::open(folder / "s", Access::read_only).copy_to(folder / "copy");
+  Study copy = Study::open(folder / "copy", Access::read_write);
+  copy.add_attempt(session_id, some_attempt(2));
+  EXPECT_EQ(copy.attempts(session_id).size(), 2U);
+  EXPECT_EQ(study.attempts(session_id).size(), 1U);
+}
+
+TEST(StudyCopy, NeedsAFolderThatIsNotThere) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  std::filesystem::create_directory(folder / "there");
+  const auto refused = [&, &s = study](const std::filesystem::path& to) {
+    return refusal([&] { s.copy_to(to); });
+  };
+  EXPECT_THAT(refused(folder / "there"), HasSubstr("exists already"));
+  EXPECT_THAT(refused(folder / "s" / "copy"), HasSubstr("into itself"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "there"));
+}
+
+TEST(StudyCopy, RefusesAStudyWhoseFilesDoNotHold) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  write_file(folder / "s" / "stimuli" / "metal.png", "other", Overwrite::allow);
+  EXPECT_THAT(refusal([&, &s = study] { s.copy_to(folder / "copy"); }),
+              HasSubstr("stimuli/metal.png is not what it was"));
+  std::filesystem::remove(folder / "s" / "stimuli" / "metal.png");
+  EXPECT_THAT(refusal([&, &s = study] { s.copy_to(folder / "copy"); }), HasSubstr("metal.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "copy"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "copy.part"));
+}
+
+TEST(StudyVerify, FindsNothingWrongInAGoodStudy) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  std::vector<double> told;
+  EXPECT_THAT(study.verify([&told](double fraction) { told.push_back(fraction); }), IsEmpty());
+  ASSERT_EQ(told.size(), 2U);  // a recording and a stimulus
+  EXPECT_EQ(told.back(), 1.0);
+}
+
+TEST(StudyVerify, FindsFilesThatAreMissingOrChanged) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  const std::filesystem::path recording = folder / "s" / "recordings/P01/a.asprec";
+  std::string content = read_file(recording);
+  content[content.size() - 20] = static_cast<char>(content[content.size() - 20] ^ 1);
+  write_file(recording, content, Overwrite::allow);
+  std::filesystem::remove(folder / "s" / "stimuli" / "metal.png");
+  EXPECT_THAT(
+      study.verify({}),
+      ElementsAre(HasSubstr("recordings/P01/a.asprec (the recording of attempt P01/1/1/1): it is "
+                            "not what it was"),
+                  HasSubstr("is damaged in chunk 4"),
+                  HasSubstr("stimuli/metal.png (a stimulus of session P01/1): the file is not "
+                            "there")));
+}
+
+TEST(StudyVerify, FindsWhatACrashLeft) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  record(folder / "s", "recordings/P01/b.asprec");
+  write_file(folder / "s" / "recordings" / "c.asprec.part", "x", Overwrite::refuse);
+  write_file(folder / "s" / "stimuli" / "d.png.1-0.tmp", "x", Overwrite::refuse);
+  EXPECT_THAT(study.verify({}),
+              ElementsAre(HasSubstr("recordings/P01/b.asprec: a recording that belongs to no"),
+                          HasSubstr("recordings/c.asprec.part: an unfinished file"),
+                          HasSubstr("stimuli/d.png.1-0.tmp: an unfinished file")));
+}
+
+TEST(StudyVerify, FindsRowsThatContradictEachOther) {
+  const TemporaryFolder folder;
+  auto [study, session_id] = recorded_study(folder / "s");
+  AttemptRow silent = some_attempt(2, 3);
+  silent.responses.clear();
+  study.add_attempt(session_id, silent);
+  study.end_session(session_id, SessionState::completed, "2026-03-01T10:00:00Z");
+  std::vector<PlannedTrialRow> gap = some_plan(2);
+  gap[1].trial = 3;
+  study.add_session(some_session(1), gap);
+  EXPECT_THAT(study.verify({}),
+              testing::UnorderedElementsAre(
+                  "trial P01/1/2: its attempts are not numbered 1 to 1",
+                  "attempt P01/1/2/3: it is answered, but there is no response",
+                  "session P01/1: it is completed, but trial 3 was never attempted",
+                  "session P01/1: it is completed, but its segment 1 has no end",
+                  "session P01/2: its planned trials are not numbered 1 to 2"));
+}
+
+// With the guards taken away by hand, as only a person who means to can.
+TEST(StudyVerify, FindsWhatWasChangedByHand) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  sqlite3* handle = nullptr;
+  sqlite3_open((folder / "s" / "study.sqlite").c_str(), &handle);
+  EXPECT_EQ(sqlite3_exec(handle,
+                         "DROP TRIGGER protocol_no_update; UPDATE protocol SET source = 'x';"
+                         "DROP TRIGGER attempt_no_delete; DELETE FROM attempt;",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(handle);
+  const std::vector<std::string> findings = study.verify({});
+  EXPECT_THAT(findings, Contains(HasSubstr("its source does not have its SHA-256")));
+  EXPECT_THAT(findings, Contains(HasSubstr("a row of response refers to a row of attempt that is "
+                                           "not there")));
+}
+
+TEST(StudyVerify, FindsABrokenPage) {
+  const TemporaryFolder folder;
+  { recorded_study(folder / "s"); }
+  const std::filesystem::path file = folder / "s" / "study.sqlite";
+  std::string content = read_file(file);
+  const std::size_t answer = content.find("saturated for 3 ticks");
+  ASSERT_NE(answer, std::string::npos);
+  content.replace(answer / 4096 * 4096, 64, std::string(64, '\xee'));
+  write_file(file, content, Overwrite::allow);
+  EXPECT_FALSE(Study::open(folder / "s", Access::read_only).verify({}).empty());
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,134 @@
+// A lock has one holder, names it, and does not outlive it.
+
+#include <array>
+#include <csignal>
+#include <fcntl.h>
+#include <memory>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "results_schema/study.h"
+#include "tests/results_schema/refusal.h"
+#include "tests/results_schema/rows_for_tests.h"
+#include "tests/results_schema/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A child process that runs `action`, says so, and waits to be killed.
+class Child {
+ public:
+  template <typename Action>
+  explicit Child(Action action) {
+    std::array<int, 2> ends{};
+    EXPECT_EQ(::pipe(ends.data()), 0);
+    process_ = ::fork();
+    if (process_ == 0) {
+      const auto held = action();
+      const char ready = 'r';
+      if (::write(ends[1], &ready, 1) != 1) ::_exit(1);
+      for (;;) ::pause();
+    }
+    char ready = 0;
+    EXPECT_EQ(::read(ends[0], &ready, 1), 1);
+    ::close(ends[0]);
+    ::close(ends[1]);
+  }
+  ~Child() { kill(); }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  pid_t process() const { return process_; }
+  void kill() {
+    if (process_ == 0) return;
+    ::kill(process_, SIGKILL);
+    ::waitpid(process_, nullptr, 0);
+    process_ = 0;
+  }
+
+ private:
+  pid_t process_ = 0;
+};
+
+TEST(StudyLock, HasOneHolder) {
+  const TemporaryFolder folder;
+  {
+    const StudyLock lock(folder.path(), "device");
+    EXPECT_THAT(refusal([&] { StudyLock(folder.path(), "device"); }), HasSubstr("is in use by"));
+    const StudyLock other(folder.path(), "session-P01");
+  }
+  const StudyLock again(folder.path(), "device");
+}
+
+TEST(StudyLock, NamesTheHostAndProcessThatHoldIt) {
+  const TemporaryFolder folder;
+  Child child([&] { return std::make_unique<StudyLock>(folder.path(), "device"); });
+  std::array<char, 256> host{};
+  ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
+  const std::string process =
+      "process " + std::to_string(child.process()) + " on host " + host.data() + ", started 20";
+  EXPECT_THAT(refusal([&] { StudyLock(folder.path(), "device"); }), HasSubstr(process));
+  EXPECT_THAT(StudyLock::holder(folder.path(), "device").value_or(""), HasSubstr(process));
+}
+
+TEST(StudyLock, OfADeadProcessIsFree) {
+  const TemporaryFolder folder;
+  Child child([&] { return std::make_unique<StudyLock>(folder.path(), "device"); });
+  child.kill();
+  EXPECT_EQ(StudyLock::holder(folder.path(), "device"), std::nullopt);
+  const StudyLock lock(folder.path(), "device");
+}
+
+TEST(StudyLock, OfNobodyHasNoHolder) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(StudyLock::holder(folder.path(), "device"), std::nullopt);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(StudyLock, StaysInItsFolder) {
+  const TemporaryFolder folder;
+  for (const char* const name : {"", "../x", "a/b", "a.b", "ä"}) {
+    EXPECT_THAT(refusal([&] { StudyLock(folder.path(), name); }), HasSubstr("no name for a lock"));
+  }
+}
+
+TEST(CrashedSession, IsAnOpenOneWhoseLockNobodyHolds) {
+  const TemporaryFolder folder;
+  {
+    Study study = study_with_session(folder / "s", 1).study;
+    study.add_participant(some_participant("P02"));
+    study.add_session(some_session(1, "P02"), some_plan(1));
+    study.add_participant(some_participant("P03"));
+    const std::int64_t ended = study.add_session(some_session(1, "P03"), some_plan(1));
+    study.end_session(ended, SessionState::stopped, "2026-03-01T10:00:00Z");
+  }
+  Child runs_P02(
+      [&] { return std::make_unique<StudyLock>(folder / "s", Study::session_lock_name("P02")); });
+  Study study = Study::open(folder / "s", Access::read_write);
+  EXPECT_THAT(study.mark_crashed_sessions(), ElementsAre(1));
+  EXPECT_EQ(study.session(1).state, SessionState::crashed);
+  EXPECT_EQ(study.session(2).state, SessionState::open);
+  EXPECT_EQ(study.session(3).state, SessionState::stopped);
+  EXPECT_THAT(study.mark_crashed_sessions(), IsEmpty());
+  EXPECT_THAT(study.verify({}), IsEmpty());  // its segment has ended
+
+  study.reopen_session(1);
+  EXPECT_EQ(study.begin_segment(1, 5'000'000'000), 2);
+  AttemptRow attempt = some_attempt(1);
+  attempt.segment = 2;
+  study.add_attempt(1, attempt);
+
+  runs_P02.kill();
+  const StudyLock mine(folder / "s", Study::session_lock_name("P01"));
+  EXPECT_THAT(study.mark_crashed_sessions(), ElementsAre(2));
+}
+
+}  // namespace
+}  // namespace asperity
