@@ -40,16 +40,27 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
                               "answers are counted together.");
   }
   if (count.unfinished_sessions > 0) {
-    outcome.remarks.push_back(std::to_string(count.unfinished_sessions) + " of " +
-                              std::to_string(count.sessions) + " sessions are not completed.");
+    outcome.remarks.push_back(
+        "Sessions that are not completed: " + std::to_string(count.unfinished_sessions) + " of " +
+        std::to_string(count.sessions) + '.');
   }
+  if (count.guessing_sessions > 0) {
+    outcome.remarks.push_back(
+        "Sessions of observers that are deaf or expect nothing, so that their "
+        "answers are guesses: " +
+        std::to_string(count.guessing_sessions) + '.');
+  }
+  std::string not_counted{};
   for (const auto& [what, attempts] : count.not_counted) {
-    outcome.remarks.push_back(std::to_string(attempts) + " attempts (" + what + ") do not count.");
+    not_counted += (not_counted.empty() ? "" : ", ") + std::to_string(attempts) + ' ' + what;
+  }
+  if (!not_counted.empty()) {
+    outcome.remarks.push_back("Attempts that do not count: " + not_counted + '.');
   }
   if (count.flagged > 0) {
-    outcome.remarks.push_back(std::to_string(count.flagged) +
-                              " of the counted attempts are flagged; attempts.tsv of an export "
-                              "says why.");
+    outcome.remarks.push_back(
+        "Flagged attempts among those that count: " + std::to_string(count.flagged) +
+        "; attempts.tsv of an export says why.");
   }
 }
 

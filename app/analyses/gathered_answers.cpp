@@ -28,6 +28,13 @@ std::string column_of(const PlannedTrialRow& trial) {
   return level->is_string() ? level->get<std::string>() : text_of_number(level->get<double>());
 }
 
+/// Whether the observer's answers are guesses by declaration.
+bool is_guessing(const SessionRow& session) {
+  const nlohmann::json observer = nlohmann::json::parse(session.observer_json);
+  if (!observer.is_object()) return false;
+  return observer.value("deaf", false) || observer.value("expectation", "") == "none";
+}
+
 GatheredAnswer answer_of(const ParticipantRow& participant, const std::string& column,
                          AttemptRow attempt) {
   GatheredAnswer answer{};
@@ -112,6 +119,7 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
     gathered.group = group;
     ++gathered.count.sessions;
     if (session.state != SessionState::completed) ++gathered.count.unfinished_sessions;
+    if (is_guessing(session)) ++gathered.count.guessing_sessions;
     people[key].insert(session.participant);
     sources[key].insert(of.source_sha256);
     gather_session(study, participant, session, gathered);

@@ -48,7 +48,8 @@ struct AnswerCount {
   std::size_t participants = 0;
   std::size_t sessions = 0;
   std::size_t unfinished_sessions = 0;
-  std::size_t planned_trials = 0;                    ///< of the main phase
+  std::size_t guessing_sessions = 0;  ///< of virtual observers that are deaf or expect nothing
+  std::size_t planned_trials = 0;     ///< of the main phase
   std::map<std::string, std::size_t> not_counted{};  ///< attempts of the main phase, by outcome
   std::size_t flagged = 0;                           ///< counted, but flagged
 };
@@ -68,6 +69,9 @@ struct GatheredAnswers {
 /// name.
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol);
+
+/// The answer of somebody who will not choose, where the protocol allows it.
+inline constexpr std::string_view kCannotTell = "cannot_tell";
 
 /// The factor whose levels are the columns of the chapter's tables.
 inline constexpr std::string_view kColumnFactor = "column";

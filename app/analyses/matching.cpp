@@ -48,9 +48,10 @@ std::vector<Assignment> assignments_of(const GatheredAnswers& gathered, Analysis
   }
   const std::size_t left_out = gathered.answers.size() - assignments.size();
   if (left_out > 0) {
-    outcome.remarks.push_back(std::to_string(left_out) +
-                              " answers do not give each picture to one surface; chance is not "
-                              "that of a permutation, and they are not counted.");
+    outcome.remarks.push_back(
+        "Answers left out because they do not give every picture to one surface, so that chance is "
+        "not that of a permutation: " +
+        std::to_string(left_out) + '.');
   }
   return assignments;
 }
@@ -122,6 +123,15 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
                  is_of(*assignment.answer, counts.labels[label]);
         }));
   };
+  Tally goes{};
+  Tally single{};
+  for (const Assignment& assignment : assignments) {
+    const std::string& person = assignment.answer->participant;
+    goes.count(person, assignment.whole(), permutations(assignment.items));
+    single.count(person, false, assignment.items);
+  }
+  counts.note = chance_note(goes, "of the goes wholly right") + ' ' +
+                chance_note(single, "of the single items right");
   add_counts(counts, columns, count_of, outcome);
 
   ShareTable whole{"whole_permutations",

@@ -1,5 +1,6 @@
 // Recognition: which of several pictures shows what was felt.
 
+#include <algorithm>
 #include <utility>
 
 #include "app/analyses/families.h"
@@ -8,6 +9,12 @@
 namespace asperity {
 
 namespace {
+
+/// Chance is 1 of these: who will not choose has not guessed, but is not right either.
+std::size_t pictures(const GatheredAnswer& answer) {
+  return answer.options.size() - static_cast<std::size_t>(std::count(
+                                     answer.options.begin(), answer.options.end(), kCannotTell));
+}
 
 /// Answers of which it is known whether they are right.
 std::vector<const GatheredAnswer*> judged(const GatheredAnswers& gathered,
@@ -18,8 +25,9 @@ std::vector<const GatheredAnswer*> judged(const GatheredAnswers& gathered,
   }
   const std::size_t left_out = gathered.answers.size() - answers.size();
   if (left_out > 0) {
-    outcome.remarks.push_back(std::to_string(left_out) +
-                              " answers have no right answer declared and are not counted.");
+    outcome.remarks.push_back(
+        "Answers to trials without a declared right answer, which are left out: " +
+        std::to_string(left_out) + '.');
   }
   return answers;
 }
@@ -42,12 +50,17 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
     }
     return right;
   };
+  Tally all{};
+  for (const GatheredAnswer* answer : answers) {
+    all.count(answer->participant, *answer->correct.front(), pictures(*answer));
+  }
+  counts.note = chance_note(all, "of the answers right");
   add_counts(counts, columns, count_of, outcome);
 
   ShareTable shares{"shares",
                     "Share of right answers",
-                    "Chance is 1 of the pictures shown. p: exact binomial test, two-sided, not "
-                    "corrected for the number of rows.",
+                    "Chance is 1 of the pictures shown; \"cannot_tell\" is not right. p: exact "
+                    "binomial test, two-sided, not corrected for the number of rows.",
                     {"column", "person"},
                     "correct",
                     "share_correct",
@@ -57,7 +70,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
       ShareRow& row = shares.rows.emplace_back(ShareRow{{column, label}, {}});
       for (const GatheredAnswer* answer : answers) {
         if (!stands_in(*answer, column) || !is_of(*answer, label)) continue;
-        row.tally.count(answer->participant, *answer->correct.front(), answer->options.size());
+        row.tally.count(answer->participant, *answer->correct.front(), pictures(*answer));
       }
     }
   }
@@ -70,8 +83,8 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   for (const GatheredAnswer* answer : answers) {
     const bool right = *answer->correct.front();
     const std::string& felt = answer->surfaces.front().item;
-    by_texture[felt].count(answer->participant, right, answer->options.size());
-    people.people[answer->participant].count(answer->participant, right, answer->options.size());
+    by_texture[felt].count(answer->participant, right, pictures(*answer));
+    people.people[answer->participant].count(answer->participant, right, pictures(*answer));
     pairs.emplace_back(felt, answer->answers.front());
     options.insert(answer->options.begin(), answer->options.end());
   }

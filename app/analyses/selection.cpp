@@ -10,8 +10,6 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kCannotTell = "cannot_tell";
-
 using Filter = std::function<bool(const GatheredAnswer&)>;
 
 std::set<std::string> items_of(const GatheredAnswers& gathered) {
@@ -89,6 +87,11 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
       });
 
   CountTable counts{"table_1", "Chosen as the most realistic (counts)", {}, "item", {}};
+  Tally choices{};
+  for (const GatheredAnswer& answer : gathered.answers) {
+    choices.count(answer.participant, true, answer.surfaces.size());
+  }
+  counts.note = chance_note(choices, "of the choices for each model");
   counts.labels.assign(items.begin(), items.end());
   if (cannot_tell) counts.labels.emplace_back(kCannotTell);
   const auto count_of = [&](std::size_t label, const std::string& column) {

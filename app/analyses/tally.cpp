@@ -99,6 +99,12 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
   outcome.tables.push_back(std::move(made));
 }
 
+std::string chance_note(const Tally& tally, const std::string& of_what) {
+  const std::optional<std::uint64_t> outcomes = tally.outcomes();
+  if (!outcomes) return "Chance differs between the trials.";
+  return "By chance: 1/" + std::to_string(*outcomes) + ' ' + of_what + '.';
+}
+
 void add_person_shares(std::span<const PersonShares> shares, const std::string& key_column,
                        const std::string& quantity, AnalysisOutcome& outcome) {
   NamedTable made{"persons",
@@ -213,7 +219,10 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     }
     outcome.findings.push_back(std::move(finding));
   }
-  outcome.tables.push_back(std::move(made));
+  const bool measured = std::any_of(by_model.begin(), by_model.end(), [](const auto& of_model) {
+    return !of_model.second.matched_N.empty() || !of_model.second.achieved_N.empty();
+  });
+  if (measured) outcome.tables.push_back(std::move(made));
 }
 
 void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome& outcome) {

@@ -51,6 +51,9 @@ struct ShareTable {
 /// two-sided binomial test) and the same as findings.
 void add_shares(const ShareTable& shares, AnalysisOutcome& outcome);
 
+/// "By chance: 1/3 of the answers." — or that it differs between the trials.
+std::string chance_note(const Tally& tally, const std::string& of_what);
+
 /// What one person's share is, over all of the person's answers.
 struct PersonShares {
   std::string key{};                      ///< "item=sinusoid", or empty
@@ -80,7 +83,8 @@ void add_counts(const CountTable& counts, std::span<const std::string> columns,
 void add_confusion(std::span<const std::pair<std::string, std::string>> pairs,
                    const std::set<std::string>& options, AnalysisOutcome& outcome);
 
-/// Texture force per model: what was aimed at, and what the hands made of it.
+/// Texture force per model: what was aimed at, and what the hands made of it. No table where
+/// nothing was measured.
 void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
 /// The remark that pooled answers of the same persons are not independent, where it is so.

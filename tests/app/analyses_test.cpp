@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/analyses/analyze_study.h"
+#include "app/cli/analysis_output.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
@@ -40,7 +41,9 @@ MadeUpTrial choice_among_models(const std::string& chosen, const std::string& te
 }
 
 /// Table 1: of twenty people 12, 7 and 1 in the first column, 11, 8 and 1, and 13, 7 and 0.
-void add_selections_of_the_chapter(MadeUpStudy& made) {
+AnalysisOutcome analyze_selections_of_the_chapter() {
+  MadeUpStudy made;
+  add_twenty_people(made);
   constexpr std::array<std::array<int, 3>, 3> kChosen{{{12, 7, 1}, {11, 8, 1}, {13, 7, 0}}};
   const std::int64_t protocol = made.add_protocol("selection", "selection");
   for (int i = 0; i < 20; ++i) {
@@ -53,6 +56,13 @@ void add_selections_of_the_chapter(MadeUpStudy& made) {
     }
     made.add_session(person(i), protocol, trials);
   }
+  return analyze_study(made.study()).at(0);
+}
+
+/// Worked out once: every row is a file synced to disk.
+const AnalysisOutcome& selections_of_the_chapter() {
+  static const AnalysisOutcome kOutcome = analyze_selections_of_the_chapter();
+  return kOutcome;
 }
 
 MadeUpTrial matching(const std::vector<std::string>& answers) {
@@ -106,12 +116,7 @@ double number(const Table& table, const std::vector<std::string>& keys, const st
 }
 
 TEST(Selection, ReproducesTheChaptersFirstTable) {
-  MadeUpStudy made;
-  add_twenty_people(made);
-  add_selections_of_the_chapter(made);
-  const std::vector<AnalysisOutcome> outcomes = analyze_study(made.study());
-  ASSERT_EQ(outcomes.size(), 1u);
-  const Table& table = table_of(outcomes[0], "table_1").table;
+  const Table& table = table_of(selections_of_the_chapter(), "table_1").table;
   EXPECT_THAT(table.columns, ElementsAre("item", "column_1", "column_2", "column_3", "all"));
   using Row = std::vector<Cell>;
   const auto n = [](std::int64_t count) { return Cell{count}; };
@@ -122,10 +127,7 @@ TEST(Selection, ReproducesTheChaptersFirstTable) {
 
 // 12 of 20: Clopper–Pearson [0.36, 0.81], Wilson [0.39, 0.78]; against 1/3 the exact p is 0.016.
 TEST(Selection, GivesSharesWithBothIntervalsAndTheExactTest) {
-  MadeUpStudy made;
-  add_twenty_people(made);
-  add_selections_of_the_chapter(made);
-  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const AnalysisOutcome& outcome = selections_of_the_chapter();
   const Table& shares = table_of(outcome, "shares").table;
   const std::vector<std::string> keys{"1", "height_map"};
   EXPECT_DOUBLE_EQ(number(shares, keys, "share"), 0.60);
@@ -141,10 +143,7 @@ TEST(Selection, GivesSharesWithBothIntervalsAndTheExactTest) {
 
 // 12 against 7 among 19: p = 0.36. The chapter's claim of superiority does not survive this row.
 TEST(Selection, SetsTwoModelsAgainstEachOtherAmongTheChoicesOfEither) {
-  MadeUpStudy made;
-  add_twenty_people(made);
-  add_selections_of_the_chapter(made);
-  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const AnalysisOutcome& outcome = selections_of_the_chapter();
   const Table& pairs = table_of(outcome, "pairs").table;
   const std::vector<std::string> keys{"1", "height_map", "sinusoid"};
   EXPECT_EQ(number(pairs, keys, "chosen"), 12);
@@ -170,10 +169,7 @@ TEST(Selection, CountsCannotTellButKeepsItOutOfTheShares) {
 }
 
 TEST(Selection, WarnsWherePersonsArePooledAndGivesThePersonsAsUnit) {
-  MadeUpStudy made;
-  add_twenty_people(made);
-  add_selections_of_the_chapter(made);
-  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const AnalysisOutcome& outcome = selections_of_the_chapter();
   EXPECT_THAT(outcome.remarks, testing::Contains(HasSubstr("60 answers of 20 persons")));
   const Table& persons = table_of(outcome, "persons").table;
   EXPECT_EQ(number(persons, {"height_map"}, "persons"), 20);
@@ -199,7 +195,9 @@ TEST(Selection, SetsTheAchievedTextureForceBesideTheOneAimedAt) {
 
 // Table 2 by sex: 9, 9 and 8 of ten women, 9, 10 and 9 of ten men have all four right. Whoever is
 // wrong exchanges the last two.
-void add_matchings_of_the_chapter(MadeUpStudy& made) {
+AnalysisOutcome analyze_matchings_of_the_chapter() {
+  MadeUpStudy made;
+  add_twenty_people(made);
   constexpr std::array<int, 3> kWomen{9, 9, 8};
   constexpr std::array<int, 3> kMen{9, 10, 9};
   const std::int64_t protocol = made.add_protocol("matching", "matching");
@@ -212,13 +210,17 @@ void add_matchings_of_the_chapter(MadeUpStudy& made) {
     }
     made.add_session(person(i), protocol, trials);
   }
+  return analyze_study(made.study()).at(0);
+}
+
+/// Worked out once: every row is a file synced to disk.
+const AnalysisOutcome& matchings_of_the_chapter() {
+  static const AnalysisOutcome kOutcome = analyze_matchings_of_the_chapter();
+  return kOutcome;
 }
 
 TEST(Matching, ReproducesTheChaptersSecondTable) {
-  MadeUpStudy made;
-  add_twenty_people(made);
-  add_matchings_of_the_chapter(made);
-  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const AnalysisOutcome& outcome = matchings_of_the_chapter();
   using Row = std::vector<Cell>;
   const auto n = [](std::int64_t count) { return Cell{count}; };
   EXPECT_THAT(
@@ -228,10 +230,7 @@ TEST(Matching, ReproducesTheChaptersSecondTable) {
 }
 
 TEST(Matching, TestsWholePermutationsAgainstOneInTwentyFour) {
-  MadeUpStudy made;
-  add_twenty_people(made);
-  add_matchings_of_the_chapter(made);
-  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const AnalysisOutcome& outcome = matchings_of_the_chapter();
   const Table& whole = table_of(outcome, "whole_permutations").table;
   const std::vector<std::string> keys{"1", "Total"};
   EXPECT_DOUBLE_EQ(number(whole, keys, "chance"), 1.0 / 24.0);
@@ -243,10 +242,7 @@ TEST(Matching, TestsWholePermutationsAgainstOneInTwentyFour) {
 
 // In the first column 18 people have 4 right and two have 2: 76 of 80.
 TEST(Matching, CountsSingleItemsAgainstOneInFour) {
-  MadeUpStudy made;
-  add_twenty_people(made);
-  add_matchings_of_the_chapter(made);
-  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const AnalysisOutcome& outcome = matchings_of_the_chapter();
   const Table& items = table_of(outcome, "items").table;
   const std::vector<std::string> keys{"1", "Total"};
   EXPECT_EQ(number(items, keys, "correct"), 76);
@@ -290,7 +286,8 @@ TEST(Matching, LeavesOutWhatIsNoPermutationAndSaysSo) {
                    {matching(kTextures), more_pictures});
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
   EXPECT_EQ(number(table_of(outcome, "whole_permutations").table, {"all", "Total"}, "of"), 1);
-  EXPECT_THAT(outcome.remarks, testing::Contains(HasSubstr("1 answers do not give each picture")));
+  EXPECT_THAT(outcome.remarks,
+              testing::Contains(HasSubstr("left out because they do not give every picture")));
 }
 
 // Table 3 by sex: 7, 8 and 7 women, 9, 8 and 8 men recognise the texture among six pictures.
@@ -323,6 +320,31 @@ TEST(Recognition, ReproducesTheChaptersThirdTable) {
   // A distractor is a column of the confusions even where nobody chose it.
   EXPECT_EQ(number(table_of(outcome, "confusion").table, {"stone"}, "grass"), 0);
   EXPECT_EQ(number(table_of(outcome, "confusion").table, {"stone"}, "gravel"), 13);
+}
+
+// Six pictures and a way out: who takes it has not recognised anything, and chance stays 1/6.
+TEST(Recognition, CountsCannotTellAsNotRight) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  MadeUpTrial right = recognition("stone", "stone");
+  MadeUpTrial undecided = recognition("stone", "cannot_tell");
+  for (MadeUpTrial* trial : {&right, &undecided}) trial->options.push_back("cannot_tell");
+  made.add_session("a", made.add_protocol("recognition", "recognition"), {right, undecided});
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const Table& shares = table_of(outcome, "shares").table;
+  EXPECT_DOUBLE_EQ(number(shares, {"all", "Total"}, "share"), 0.5);
+  EXPECT_DOUBLE_EQ(number(shares, {"all", "Total"}, "chance"), 1.0 / 6.0);
+  EXPECT_EQ(number(table_of(outcome, "confusion").table, {"stone"}, "cannot_tell"), 1);
+}
+
+TEST(AnalyzeStudy, SaysWhenTheAnswersAreGuessesByDeclaration) {
+  MadeUpStudy made;
+  made.add_virtual("virtual0001", "F");
+  made.set_observer(R"({"expectation": "true_surface", "deaf": true})");
+  made.add_session("virtual0001", made.add_protocol("recognition", "recognition"),
+                   {recognition("stone", "stone")}, SessionMode::simulate);
+  EXPECT_THAT(analyze_study(made.study()).front().remarks,
+              testing::Contains(HasSubstr("answers are guesses: 1")));
 }
 
 TEST(AnalyzeStudy, NeverMixesPeoplePilotsAndVirtualParticipants) {
@@ -392,6 +414,20 @@ TEST(AnalyzeStudy, NamesTheProtocolsThereAreWhenAskedForAnother) {
   } catch (const ResultsError& error) {
     EXPECT_THAT(error.what(), HasSubstr("\"matching\"; it has sessions of \"recognition\""));
   }
+}
+
+TEST(AnalysisOutput, PutsIntervalsInBracketsForReaders) {
+  const std::string text = reading_text_of(selections_of_the_chapter());
+  EXPECT_THAT(text, testing::StartsWith("selection 1 (selection, chapter): people\n"));
+  EXPECT_THAT(text,
+              testing::ContainsRegex("1 +height_map +12  20 +20  0\\.60 +\\[0\\.39, 0\\.78\\] +"
+                                     "\\[0\\.36, 0\\.81\\] +0\\.333 +0\\.016\n"));
+}
+
+TEST(AnalysisOutput, KeepsAllDigitsForPrograms) {
+  const std::string text = analysis_json("made up", std::span(&selections_of_the_chapter(), 1));
+  EXPECT_THAT(text, testing::StartsWith("{\n  \"format\": \"asperity.analysis/1\""));
+  EXPECT_THAT(text, HasSubstr("\"chance\": 0.3333333333333333"));
 }
 
 TEST(AnalyzeStudy, HasAFindingForEveryNumberOfATable) {

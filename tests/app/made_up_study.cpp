@@ -125,6 +125,7 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
   session.rate_Hz = 1000.0;
   session.started_utc = "2001-02-03T04:05:06Z";
   session.clock_zero_ns = kClockZero_ns;
+  session.observer_json = observer_json_;
   std::vector<PlannedTrialRow> plan{};
   for (const MadeUpTrial& trial : trials) {
     PlannedTrialRow row{};

@@ -47,6 +47,9 @@ class MadeUpStudy final {
   void add_person(const std::string& label, const std::string& sex);
   void add_virtual(const std::string& label, const std::string& sex);
 
+  /// Of the sessions added from now on.
+  void set_observer(const std::string& observer_json) { observer_json_ = observer_json; }
+
   /// One completed session with one attempt per trial. Returns its id.
   std::int64_t add_session(const std::string& participant, std::int64_t protocol,
                            const std::vector<MadeUpTrial>& trials,
@@ -55,6 +58,7 @@ class MadeUpStudy final {
  private:
   std::filesystem::path folder_{};
   std::optional<Study> study_{};
+  std::string observer_json_ = "null";
 };
 
 }  // namespace asperity
