@@ -1,0 +1,34 @@
+// asperity copy: a consistent copy of a study that may be in use.
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/terminal.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+void add_copy(CLI::App& program, Job& job) {
+  struct Options {
+    std::string study{};
+    std::string folder{};
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("copy", "Copy a study, also while sessions of it are running.");
+  command->add_option("STUDY", options->study, "Folder of the study")->required();
+  command->add_option("DIR", options->folder, "Folder of the copy, which must not exist yet")
+      ->required();
+  command->callback([options, &job] {
+    job = [options] {
+      Study::open(options->study, Access::read_only).copy_to(options->folder);
+      say("copied " + options->study + " to " + options->folder);
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity
