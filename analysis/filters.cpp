@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 namespace {
 
@@ -21,9 +23,9 @@ void refuse(int order, std::span<const double> cutoffs_Hz, double rate_Hz) {
   double below_Hz = 0.0;
   for (const double cutoff_Hz : cutoffs_Hz) {
     if (!(cutoff_Hz > below_Hz && cutoff_Hz < 0.5 * rate_Hz)) {
-      throw std::invalid_argument("cut-off " + std::to_string(cutoff_Hz) + " Hz of a filter at " +
-                                  std::to_string(rate_Hz) + " Hz must lie between " +
-                                  std::to_string(below_Hz) + " Hz and half the rate");
+      throw std::invalid_argument("cut-off " + number_text(cutoff_Hz) + " Hz of a filter at " +
+                                  number_text(rate_Hz) + " Hz must lie between " +
+                                  number_text(below_Hz) + " Hz and half the rate");
     }
     below_Hz = cutoff_Hz;
   }

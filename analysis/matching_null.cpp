@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 namespace {
 
@@ -90,7 +92,7 @@ double MatchingNull::upper_tail(std::size_t right) const noexcept {
 
 CountInterval MatchingNull::central_interval(double confidence) const {
   if (!(confidence > 0.0 && confidence < 1.0)) {
-    throw std::invalid_argument("confidence is " + std::to_string(confidence) +
+    throw std::invalid_argument("confidence is " + number_text(confidence) +
                                 "; it must lie between 0 and 1");
   }
   const double allowed = 0.5 * (1.0 - confidence);

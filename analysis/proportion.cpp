@@ -11,6 +11,8 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 namespace {
 
@@ -26,7 +28,7 @@ void refuse_impossible(const HitCount& count) {
 
 void refuse_improbable(double confidence) {
   if (!(confidence > 0.0 && confidence < 1.0)) {
-    throw std::invalid_argument("confidence is " + std::to_string(confidence) +
+    throw std::invalid_argument("confidence is " + number_text(confidence) +
                                 "; it must lie between 0 and 1");
   }
 }
@@ -72,7 +74,7 @@ ConfidenceInterval clopper_pearson_interval(const HitCount& count, double confid
 double binomial_test(const HitCount& count, double chance) {
   refuse_impossible(count);
   if (!(chance >= 0.0 && chance <= 1.0)) {
-    throw std::invalid_argument("chance is " + std::to_string(chance) +
+    throw std::invalid_argument("chance is " + number_text(chance) +
                                 "; it must lie between 0 and 1");
   }
   const boost::math::binomial distribution(static_cast<double>(count.trials), chance);

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/number_text.h"
+
 namespace asperity {
 
 double quantile(std::span<const double> sorted, double p) {
@@ -15,7 +17,7 @@ double quantile(std::span<const double> sorted, double p) {
     throw std::invalid_argument("sorted is empty; a quantile needs at least one value");
   }
   if (!(p >= 0.0 && p <= 1.0)) {
-    throw std::invalid_argument("p is " + std::to_string(p) + "; a quantile needs 0 <= p <= 1");
+    throw std::invalid_argument("p is " + number_text(p) + "; a quantile needs 0 <= p <= 1");
   }
   const double h = static_cast<double>(sorted.size() - 1) * p;
   const auto below = static_cast<std::size_t>(h);

@@ -1,0 +1,12 @@
+// A number as text, the same in every locale.
+
+#pragma once
+
+#include <string>
+
+namespace asperity {
+
+/// The shortest decimal text that reads back as the same number, always with a point.
+std::string number_text(double number);
+
+}  // namespace asperity

@@ -1,0 +1,33 @@
+// Holds the text of a number to reading back.
+
+#include "analysis/number_text.h"
+
+#include <charconv>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+TEST(NumberText, IsTheShortestThatReadsBack) {
+  EXPECT_EQ(number_text(0.1), "0.1");
+  EXPECT_EQ(number_text(500.0), "500");
+  EXPECT_EQ(number_text(-1.5), "-1.5");
+  for (const double number :
+       {1.0 / 3.0, -std::numeric_limits<double>::min(), std::numeric_limits<double>::max(),
+        std::numeric_limits<double>::denorm_min()}) {
+    const std::string text = number_text(number);
+    double read = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    EXPECT_EQ(read, number);
+  }
+}
+
+TEST(NumberText, NamesWhatIsNoNumber) {
+  EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN()), "nan");
+  EXPECT_EQ(number_text(-std::numeric_limits<double>::infinity()), "-inf");
+}
+
+}  // namespace
+}  // namespace asperity
