@@ -2,17 +2,15 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace asperity {
 
-/// Luminance of a grey or colour JPEG, row by row, or nothing where the library had anything to
-/// complain about; then `complaint` holds its words. `pixels` is sized by the caller to rows ·
-/// columns.
+/// Writes the luminance of a grey or colour JPEG to `pixels`, row by row; they are as many as its
+/// header says. False where the library had anything to complain about, in its words.
 bool decode_jpeg_luminance(std::span<const std::byte> bytes, std::span<std::uint8_t> pixels,
                            std::size_t columns, std::string& complaint);
 

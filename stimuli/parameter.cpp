@@ -3,23 +3,17 @@
 #include "stimuli/parameter.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
+
+#include "analysis/number_text.h"
 
 namespace asperity {
 
 namespace {
 
-std::string text_of(double number) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
-  return {buffer.data(), result.ptr};
-}
-
-std::string text_of(const Parameter& parameter, double number) {
-  std::string text = text_of(number);
+std::string with_unit(const Parameter& parameter, double number) {
+  std::string text = number_text(number);
   if (parameter.unit != "1" && !parameter.unit.empty()) text += " " + parameter.unit;
   return text;
 }
@@ -41,7 +35,7 @@ std::optional<std::string> complaint_about_choice(const Parameter& parameter,
     return std::nullopt;
   }
   const std::string given =
-      chosen != nullptr ? "\"" + *chosen + "\"" : text_of(std::get<double>(value));
+      chosen != nullptr ? "\"" + *chosen + "\"" : number_text(std::get<double>(value));
   return parameter.name + " is " + given + "; it must be " + list_of(parameter.choices, "or") + ".";
 }
 
@@ -53,7 +47,7 @@ std::optional<std::string> complaint_about(const Parameter& parameter,
 
   const std::string right =
       (parameter.kind == ParameterKind::integer ? "a whole number from " : "a number from ") +
-      text_of(parameter.minimum) + " to " + text_of(parameter, parameter.maximum) + ".";
+      number_text(parameter.minimum) + " to " + with_unit(parameter, parameter.maximum) + ".";
   const auto* number = std::get_if<double>(&value);
   if (number == nullptr) {
     return parameter.name + " is \"" + std::get<std::string>(value) + "\"; it must be " + right;
@@ -61,7 +55,7 @@ std::optional<std::string> complaint_about(const Parameter& parameter,
   const bool whole = parameter.kind != ParameterKind::integer || *number == std::floor(*number);
   // Written so that NaN, which compares false with everything, is refused.
   if (whole && *number >= parameter.minimum && *number <= parameter.maximum) return std::nullopt;
-  return parameter.name + " is " + text_of(parameter, *number) + "; it must be " + right;
+  return parameter.name + " is " + with_unit(parameter, *number) + "; it must be " + right;
 }
 
 ParameterValues complete_values(const ModelDeclaration& declaration, const ParameterValues& given) {

@@ -2,10 +2,10 @@
 
 #include "stimuli/photograph_advice.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
+
+#include "analysis/number_text.h"
 
 namespace asperity {
 
@@ -16,16 +16,11 @@ namespace {
 constexpr double kSkewed = 0.35;
 constexpr double kDirected = 0.3;
 
-std::string text_of(double number, int decimals) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
-                                    std::chars_format::fixed, decimals);
-  return {buffer.data(), result.ptr};
-}
+std::string in_hundredths(double number) { return number_text(std::round(100.0 * number) / 100.0); }
 
 std::string about_direction(double direction_rad) {
   const double degrees = std::round(direction_rad * 180.0 / std::numbers::pi);
-  return "The picture changes mostly along " + text_of(degrees == 0.0 ? 0.0 : degrees, 0) +
+  return "The picture changes mostly along " + number_text(degrees == 0.0 ? 0.0 : degrees) +
          "° from +x. Either the surface has a grain across that direction, or the light came from "
          "one side along it. In the second case the heights are really slopes towards the light: "
          "take the picture again in even light from all sides. ";
@@ -102,8 +97,8 @@ std::string advice(const PhotographEvidence& evidence) {
         "the "
         "same. Compare the relief with the surface itself before using it. ";
   }
-  return words + "(Skewness " + text_of(evidence.skewness, 2) + ", anisotropy " +
-         text_of(evidence.anisotropy, 2) +
+  return words + "(Skewness " + in_hundredths(evidence.skewness) + ", anisotropy " +
+         in_hundredths(evidence.anisotropy) +
          ".) One photograph cannot show whether dark is low, shaded or painted; you can.";
 }
 

@@ -3,11 +3,10 @@
 #include "stimuli/synthetic_surface.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/number_text.h"
 #include "stimuli/surface_makers.h"
 
 namespace asperity {
@@ -18,12 +17,6 @@ std::vector<SurfaceMaker> all_makers() {
   std::vector<SurfaceMaker> makers = pattern_makers();
   for (SurfaceMaker& maker : material_makers()) makers.push_back(std::move(maker));
   return makers;
-}
-
-std::string text_of(double number) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
-  return {buffer.data(), result.ptr};
 }
 
 }  // namespace
@@ -37,7 +30,7 @@ std::vector<SurfaceDeclaration> synthetic_surfaces() {
 HeightField make_surface(std::string_view kind, const ParameterValues& values,
                          const SurfaceCanvas& canvas) {
   if (!(canvas.width_m >= 1e-3 && canvas.width_m <= 1.0)) {
-    throw std::invalid_argument("width_m is " + text_of(canvas.width_m) +
+    throw std::invalid_argument("width_m is " + number_text(canvas.width_m) +
                                 " m; a synthetic surface is 0.001 to 1 m wide.");
   }
   if (canvas.pixels < 16 || canvas.pixels > 8192) {
@@ -90,10 +83,10 @@ void require_resolved(const ParameterValues& values, std::string_view name,
   const double length_m = number_of(values, name);
   const double pitch_m = pitch_of(canvas);
   if (length_m < 2.0 * pitch_m) {
-    throw std::invalid_argument(std::string(name) + " is " + text_of(length_m) + " m, but " +
+    throw std::invalid_argument(std::string(name) + " is " + number_text(length_m) + " m, but " +
                                 std::to_string(canvas.pixels) + " pixels over " +
-                                text_of(canvas.width_m) + " m show nothing shorter than " +
-                                text_of(2.0 * pitch_m) + " m; ask for more pixels.");
+                                number_text(canvas.width_m) + " m show nothing shorter than " +
+                                number_text(2.0 * pitch_m) + " m; ask for more pixels.");
   }
 }
 

@@ -3,14 +3,13 @@
 #include "stimuli/texture_from_photograph.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include <opencv2/core.hpp>
 
+#include "analysis/number_text.h"
 #include "stimuli/picture_filter.h"
 
 namespace asperity {
@@ -21,12 +20,6 @@ constexpr std::size_t kSmallestSide = 16;  // below, there is nothing between pi
 constexpr double kBlack = 1.0 / 255.0;     // ε: one step of an 8-bit picture
 // RMS of f − g below which a picture is flat; one 8-bit step in one pixel of a hundred is 4e-4.
 constexpr double kNoContrast = 1e-5;
-
-std::string text_of(double number) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
-  return {buffer.data(), result.ptr};
-}
 
 cv::Mat as_mat(const GreyImage& image) {
   return cv::Mat(static_cast<int>(image.rows), static_cast<int>(image.columns), CV_32FC1,
@@ -41,7 +34,7 @@ GreyImage as_image(const cv::Mat& mat) {
 
 void refuse_unless_positive(double value, const char* field) {
   if (!std::isfinite(value) || value <= 0.0) {
-    throw std::invalid_argument(std::string(field) + " is " + text_of(value) +
+    throw std::invalid_argument(std::string(field) + " is " + number_text(value) +
                                 "; it must be a positive number.");
   }
 }
@@ -64,10 +57,10 @@ void check(const GreyImage& photograph, const TextureRecipe& recipe, const std::
        {std::pair{recipe.homomorphic_wavelength_m, "homomorphic_wavelength_m"},
         std::pair{recipe.gaussian_wavelength_m, "gaussian_wavelength_m"}}) {
     if (wavelength_m < 2.0 * pitch_m) {
-      throw std::invalid_argument(std::string(field) + " is " + text_of(wavelength_m) +
-                                  " m; over " + text_of(recipe.width_m) + " m " + name +
+      throw std::invalid_argument(std::string(field) + " is " + number_text(wavelength_m) +
+                                  " m; over " + number_text(recipe.width_m) + " m " + name +
                                   " shows nothing shorter than two pixels, " +
-                                  text_of(2.0 * pitch_m) + " m.");
+                                  number_text(2.0 * pitch_m) + " m.");
     }
   }
 }
@@ -122,7 +115,7 @@ Spread spread_of(const cv::Mat& residual, const TextureRecipe& recipe, const std
   if (!(deviation[0] > kNoContrast)) {  // NaN, of a picture that holds one, ends here too
     throw std::invalid_argument(
         name + " has no contrast at wavelengths that could be felt (shorter than about " +
-        text_of(2.0 * recipe.gaussian_wavelength_m) +
+        number_text(2.0 * recipe.gaussian_wavelength_m) +
         " m); a texture needs a picture that shows one.");
   }
   return {.mean = mean[0], .deviation = deviation[0]};

@@ -183,7 +183,7 @@ TEST(PhotographAdvice, SaysSoWhenThePictureTellsNothing) {
 
 TEST(PhotographAdvice, GivesTheNumbersAndWhatCannotBeKnown) {
   const std::string words = advice({.skewness = -0.812, .anisotropy = 0.1, .direction_rad = 0.0});
-  EXPECT_THAT(words, HasSubstr("Skewness -0.81, anisotropy 0.10"));
+  EXPECT_THAT(words, HasSubstr("Skewness -0.81, anisotropy 0.1"));
   EXPECT_THAT(words, HasSubstr("bright is high"));
   EXPECT_THAT(words, HasSubstr("One photograph cannot show"));
   EXPECT_THAT(advice({.skewness = 0.0, .anisotropy = 0.6, .direction_rad = 0.785398}),
