@@ -77,7 +77,8 @@ std::uint32_t crc_of(std::span<const std::byte> bytes) {  // of the PNG specific
 Bytes png_chunk(const Bytes& type_and_data) {
   Bytes chunk;
   append_big_endian(chunk, static_cast<std::uint32_t>(type_and_data.size() - 4));
-  chunk.insert(chunk.end(), type_and_data.begin(), type_and_data.end());
+  // One by one: gcc 12 sees an overread in a range insert here at -O3 that is none.
+  for (const std::byte b : type_and_data) chunk.push_back(b);
   append_big_endian(chunk, crc_of(type_and_data));
   return chunk;
 }
