@@ -18,8 +18,8 @@ namespace asperity {
 ///   F_n = k·min(w, H)                        saturates continuously at depth H [N]
 ///   F   = F_n·n − g·F_n·s·∇d − μ·F_n·v_t/√(v_t² + v₀²)
 ///
-/// With g = 1, μ = 0 and w < H the force is the gradient of the energy ½·k·w²: a hand that returns
-/// has gained nothing. With g = 0, as by default, it points up whatever the slope, as in the
+/// With g = 1, μ = 0 and w < H the force is −∇U of the energy U = ½·k·w²: a hand that returns has
+/// gained nothing. With g = 0, as by default, it points up whatever the slope, as in the
 /// source. ∇d is taken over the device's motion, so `motion_scale` enters it.
 ///
 /// `law = literal`, equations 1 to 3 as printed, k the Material's, below the plane only (w > 0 with

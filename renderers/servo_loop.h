@@ -59,17 +59,15 @@ struct ServoStatus {
 ///   it.
 /// - `withdraw` lowers the gain to 0 over `ramp_s`, then gives the presentation back.
 /// - `present` while a surface is felt withdraws it first.
-/// - After `heartbeat_timeout_s` without `heartbeat` the gain fades to 0 over `heartbeat_fade_s`;
-/// it
+/// - After `heartbeat_timeout_s` without `heartbeat` the gain fades to 0 in `heartbeat_fade_s`. It
 ///   comes back, as a new presentation would, with the next heartbeat.
 /// - A fault sends zero force in the same tick and latches it until `clear_fault`. Ticks go on and
 ///   are recorded; the renderer is not asked. Afterwards the presentation starts again from the
 ///   beginning: `reset`, gain 0, free space.
 /// - A tick that begins more than a period after its deadline counts as one missed deadline and is
 ///   never made up; the gap is in the records' times.
-/// - The first tick of a presentation has a `dt_s` of one period, every other one the time since
-/// the
-///   last, so that the ticks of a recording are enough to replay it (`offline/replay.h`).
+/// - The renderer's first `dt_s` is one period, every other one the time since its last tick: the
+///   ticks of a recording are enough to replay it (`offline/replay.h`).
 ///
 /// Threads: `tick` belongs to one thread (the servo). `present`, `withdraw`, `collect` and
 /// `heartbeat` belong to one other (the conductor). `emergency_stop` and `status` may come from any
@@ -79,8 +77,8 @@ struct ServoStatus {
 /// whoever collects them, never by the tick.
 class ServoLoop final {
  public:
-  /// Both must outlive the loop, which leaves the device at zero force. Errors:
-  /// std::invalid_argument for settings that are not positive.
+  /// Both must outlive the loop, which leaves the device at zero force.
+  /// Errors: std::invalid_argument for settings that are not positive.
   ServoLoop(HapticDevice& device, RecordRing& records, const ServoSettings& settings);
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;

@@ -1,5 +1,4 @@
-// The thread behind the servo loop: asks for its privileges, sleeps to absolute deadlines, stops at
-// zero force.
+// The thread behind the servo loop: asks for its privileges and sleeps to absolute deadlines.
 
 #include "renderers/servo_thread.h"
 

@@ -16,9 +16,9 @@ namespace asperity {
 ///
 /// m = `noise_mean_N`, σ = `noise_sd_N` (a standard deviation, not a variance), f =
 /// `noise_rate_Hz`, v_min = `velocity_threshold_m_per_s`; ξ_j is the standard normal number that
-/// belongs to the seed and to j, held in between. The noise therefore has a clock of its own: at
-/// any servo rate it is the same force over time, with a flat spectrum of 2σ²/f up to f/2. The ½
-/// keeps a servo that ticks on the steps from straddling them when it is a little late.
+/// belongs to the seed and to j, held in between. The noise therefore has a clock of its own and is
+/// the same force over time at any servo rate. Sampled at f, its one-sided spectrum is flat, 2σ²/f
+/// up to f/2. The ½ keeps a servo that ticks on the steps from straddling them when it is late.
 ///
 /// The normal force never pulls: where the noise exceeds k·w, the probe is free. That clips the
 /// noise of light touches (visibly for σ > k·w/3).

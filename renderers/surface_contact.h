@@ -1,5 +1,4 @@
-// What every force model does in the same way: place the probe on the patch, rub, and meet its
-// border.
+// What all force models share: where the probe is on the patch, its friction and its border.
 
 #pragma once
 
@@ -33,9 +32,9 @@ struct ContactForce {
 /// The patch of a stimulus as every force model sees it; models that are compared differ in nothing
 /// that is decided here.
 ///
-///   friction   F_f = −μ·N·v_t / √(v_t² + v₀²)   v_t tangential velocity of the hand [m/s], N
-///   normal
-///                                               force [N], μ of the Material, v₀ a parameter [m/s]
+///   friction   F_f = −μ·N·v_t / √(v_t² + v₀²)   v_t tangential velocity of the hand [m/s],
+///                                               N normal force [N], μ the Material's [1],
+///                                               v₀ `friction_speed_m_per_s` [m/s]
 ///   wall       F_w = −k·e   e the distance beyond the border [m], k the Material's stiffness [N/m]
 ///   fade       F·s(b_x/w)·s(b_y/w)   b the distance inside each border, w its width [m],
 ///                                    s(u) = u²(3 − 2u) on [0, 1]
