@@ -273,6 +273,33 @@ TEST(Plan, CounterbalancesTheOrderOfAnIteratedFactor) {
   for (const auto& [pair, count] : neighbours) EXPECT_EQ(count, 2);
 }
 
+TEST(Plan, CounterbalancesTwoFactorsInEveryCombination) {
+  std::string text = with(iterated(), R"("factors": {)",
+                          R"("factors": {"posture": {"levels": ["sitting", "standing"]},)");
+  text = with(text, R"("blocks": {)", R"("blocks": {"other": {
+      "listed": [{"texture": "metal"}, {"texture": "stone"}, {"texture": "wood"}],
+      "presented": [{"stimulus": "rendered", "with": {"model": "height_map"}},
+                    {"stimulus": "rendered", "with": {"model": "sinusoid"}}],
+      "question": {"name": "q", "prompt": "Which?"}, "exploration": "stroking"},)");
+  text = with(text, R"({"check": "device"},)",
+              R"({"check": "device"}, {"run": "other", "for_each": "posture"},)");
+  const Protocol protocol = read(text);
+  ASSERT_EQ(counterbalance_rows(protocol), 2 * 6);
+  std::set<std::string> orders{};
+  for (int row = 0; row < 12; ++row) {
+    const Plan plan = make_plan(protocol, {1, row});
+    std::string order = text_of(plan.trials.front().factors.at("posture"));
+    int block = 0;
+    for (const Trial& trial : plan.trials) {
+      if (trial.block != "main" || trial.block_ordinal == block) continue;
+      block = trial.block_ordinal;
+      order += " " + text_of(trial.factors.at("texture"));
+    }
+    orders.insert(order);
+  }
+  EXPECT_EQ(orders.size(), 12U);
+}
+
 TEST(Plan, RestsBetweenTheLevelsOfAnIteratedFactor) {
   const Plan plan = make_plan(read(iterated()), {1, 0});
   std::string steps{};
