@@ -15,6 +15,7 @@ constexpr std::size_t kMaximumBytes = 4U << 20U;
 constexpr std::size_t kMaximumDepth = 64;
 constexpr std::size_t kMaximumEntries = 4096;
 constexpr std::size_t kMaximumString = 8192;
+constexpr std::size_t kMaximumKey = 256;
 
 /// Tells how far the parser has read.
 struct CountingIterator {
@@ -101,7 +102,10 @@ class JsonDocument::Handler {
   bool key(std::string& given) {
     key_start_ = start();
     last_end_ = read_;
-    if (given.size() > kMaximumString) return refuse(key_start_, "this key is too long");
+    if (given.size() > kMaximumKey) {
+      return refuse(key_start_,
+                    "this key is longer than " + std::to_string(kMaximumKey) + " bytes");
+    }
     Open& parent = stack_.back();
     key_ = given;
     const std::string pointer = pointer_to(parent.pointer, given);

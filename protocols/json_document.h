@@ -19,7 +19,7 @@ namespace asperity {
 ///
 /// Stricter than JSON, so that nothing that follows can be made to recurse or search without end:
 /// UTF-8 without byte order mark, at most 4 MiB, 64 levels, 4096 elements per array or keys per
-/// object, and 8192 bytes per string. A key may stand once in an object.
+/// object, 8192 bytes per string and 256 per key. A key may stand once in an object.
 class JsonDocument final {
  public:
   /// Errors: ProtocolError with the one error of syntax, or every duplicate key.

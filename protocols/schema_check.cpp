@@ -87,17 +87,30 @@ std::string type_in_words(const std::string& type) {
 }
 
 /// Keys are checked here and not by valijson, which reports one per object and no wrong names.
-void check_keys(const JsonDocument& document, const json& root, const json& schema,
+/// Returns false where a name is so long that valijson must not see it: it matches with std::regex,
+/// which recurses once per character.
+bool check_keys(const JsonDocument& document, const json& root, const json& schema,
                 const json& value, const std::string& pointer, std::vector<Diagnostic>& found) {
+  constexpr std::size_t kLongestName = 256;
+  if (value.is_string() && schema.contains("pattern") &&
+      value.get_ref<const std::string&>().size() > kLongestName) {
+    found.push_back(document.at(pointer, "this name is too long: at most " +
+                                             schema.value("maxLength", json(kLongestName)).dump() +
+                                             " characters"));
+    return false;
+  }
+  bool is_short = true;
   if (value.is_array()) {
     const auto items = schema.find("items");
-    if (items == schema.end()) return;
+    if (items == schema.end()) return true;
     for (std::size_t i = 0; i < value.size(); ++i) {
-      check_keys(document, root, resolved(root, *items), value[i], pointer_to(pointer, i), found);
+      is_short = check_keys(document, root, resolved(root, *items), value[i],
+                            pointer_to(pointer, i), found) &&
+                 is_short;
     }
-    return;
+    return is_short;
   }
-  if (!value.is_object()) return;
+  if (!value.is_object()) return true;
   const bool closed = schema.value("additionalProperties", json(true)) == json(false);
   for (const auto& [key, member] : value.items()) {
     const std::string at = pointer_to(pointer, key);
@@ -117,8 +130,9 @@ void check_keys(const JsonDocument& document, const json& root, const json& sche
           at, in_quotes(key) + " is not a name: use lower-case letters, digits and underscores, "
                                "starting with a letter, at most 64"));
     }
-    check_keys(document, root, *inner, member, at, found);
+    is_short = check_keys(document, root, *inner, member, at, found) && is_short;
   }
+  return is_short;
 }
 
 /// One of valijson's findings, as a sentence; empty for those that only repeat a deeper one.
@@ -210,7 +224,7 @@ std::vector<Diagnostic> check_schema(const JsonDocument& document) {
                                                      "{…} that begins with \"format\": "
                                                      "\"asperity.protocol/1\"")};
   }
-  check_keys(document, root, root, document.root(), "", found);
+  if (!check_keys(document, root, root, document.root(), "", found)) return found;
 
   valijson::Schema schema{};
   valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
