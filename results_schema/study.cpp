@@ -41,6 +41,26 @@ int number_of(Database& database, const char* sql) {
   return number;
 }
 
+void make_database(const std::filesystem::path& folder, const std::string& name) {
+  Database database(folder, database_in(folder), Database::Mode::create);
+  Statement journal(database, "PRAGMA journal_mode = WAL");
+  std::string mode;
+  if (journal.step()) journal.read(mode);
+  journal.run();
+  if (mode != "wal") {
+    throw ResultsError("a study cannot be made in " + folder.string() +
+                           ": its file system offers no write-ahead log; use a local disk",
+                       folder);
+  }
+  Transaction transaction(database);
+  database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
+  migrate(database, 0);
+  Statement(database, std::string("INSERT INTO study VALUES (1, ?, ") + kUtcNow + ")")
+      .bind(name)
+      .run();
+  transaction.commit();
+}
+
 const char* const kFolders[] = {"protocols", "stimuli", "recordings", "locks"};
 
 }  // namespace
@@ -204,33 +224,17 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
       std::filesystem::create_directory(folder / part, error);
       if (error) fail_on_file(folder / part, "made", error.value());
     }
-    Database database(folder, database_in(folder), Database::Mode::create);
-    Statement journal(database, "PRAGMA journal_mode = WAL");
-    std::string mode;
-    if (journal.step()) journal.read(mode);
-    journal.run();
-    if (mode != "wal") {
-      throw ResultsError("a study cannot be made in " + folder.string() +
-                             ": its file system offers no write-ahead log; use a local disk",
-                         folder);
-    }
-    Transaction transaction(database);
-    database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
-    migrate(database, 0);
-    Statement(database, std::string("INSERT INTO study VALUES (1, ?, ") + kUtcNow + ")")
-        .bind(name)
-        .run();
-    transaction.commit();
+    make_database(folder, name);
     sync_folder(folder);
+    return open(folder, Access::read_write);
   } catch (...) {
     for (const char* const part : kFolders) std::filesystem::remove(folder / part, error);
-    for (const char* const suffix : {"", "-wal", "-shm"}) {
+    for (const char* const suffix : {"", "-wal", "-shm", "-journal"}) {
       std::filesystem::remove(log_of(database_in(folder), suffix), error);
     }
     if (made_folder) std::filesystem::remove(folder, error);
     throw;
   }
-  return open(folder, Access::read_write);
 }
 
 Study Study::open(const std::filesystem::path& folder, Access access) {
