@@ -1,0 +1,133 @@
+// Studies of earlier programs open and say what they said then.
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "results_schema/atomic_file.h"
+#include "results_schema/recording.h"
+#include "results_schema/study.h"
+#include "results_schema/table.h"
+#include "tests/results_schema/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+const std::filesystem::path kFixture =
+    std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/results_schema/fixtures/study_version_1";
+
+TEST(StudyOfSchemaVersion1, Opens) {
+  const Study study = Study::open(kFixture, Access::read_only);
+  EXPECT_EQ(study.name(), "fixture");
+  ASSERT_EQ(study.participants().size(), 2U);
+  EXPECT_TRUE(study.participants()[0].is_virtual);
+  EXPECT_FALSE(study.participants()[1].is_virtual);
+  ASSERT_EQ(study.sessions().size(), 1U);
+  const SessionRow session = study.sessions()[0];
+  EXPECT_EQ(session.state, SessionState::completed);
+  EXPECT_EQ(session.seed, "18446744073709551615");
+  EXPECT_EQ(study.protocol(session.protocol_id).source, R"({"name":"selection"})");
+  EXPECT_EQ(study.plan(session.id).size(), 2U);
+  EXPECT_EQ(study.session_answers(session.id).at(0).answer, "left");
+  EXPECT_EQ(study.events(session.id).at(0).text, "done");
+  EXPECT_EQ(study.solution("key"), R"({"A_m":0.0001})");
+  const std::vector<AttemptRow> attempts = study.attempts(session.id);
+  ASSERT_EQ(attempts.size(), 3U);
+  EXPECT_EQ(attempts[0].outcome, AttemptOutcome::aborted);
+  EXPECT_EQ(attempts[1].attempt, 2);
+  EXPECT_EQ(attempts[1].responses.at(0).answer, "B");
+  EXPECT_EQ(attempts[2].servo->lost_records, 5);
+  EXPECT_EQ(attempts[2].presentations.at(0).matched_texture_force_N, 0.1);
+  EXPECT_EQ(attempts[2].compliance.at(0).p95, 1.2);
+}
+
+TEST(StudyOfSchemaVersion1, Verifies) {
+  EXPECT_THAT(Study::open(kFixture, Access::read_only).verify({}), testing::IsEmpty());
+}
+
+TEST(StudyOfSchemaVersion1, GoesOnInACopy) {
+  const TemporaryFolder folder;
+  Study::open(kFixture, Access::read_only).copy_to(folder / "copy");
+  Study study = Study::open(folder / "copy", Access::read_write);
+  study.add_participant({.label = "P03"});
+  EXPECT_EQ(study.participants().size(), 3U);
+}
+
+/// The program between ```python and ``` in a page of documentation.
+std::string python_of(const std::filesystem::path& page) {
+  const std::string text = read_file(page);
+  const std::string opening = "```python\n";
+  const std::size_t start = text.find(opening) + opening.size();
+  return text.substr(start, text.find("```", start) - start);
+}
+
+std::string output_of(const std::string& command) {
+  FILE* const pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return "";
+  std::string output;
+  for (int character = std::fgetc(pipe); character != EOF; character = std::fgetc(pipe)) {
+    output += static_cast<char>(character);
+  }
+  EXPECT_EQ(::pclose(pipe), 0) << command;
+  return output;
+}
+
+TEST(RecordingDocumentation, HasAReaderThatReadsWhatWeRead) {
+  const std::filesystem::path formats = std::filesystem::path(ASPERITY_SOURCE_DIR) / "docs/formats";
+  const TemporaryFolder folder;
+  write_file(folder / "reader.py", python_of(formats / "recording.md"), Overwrite::refuse);
+  const std::filesystem::path file = kFixture / "recordings/P01-1-2.asprec";
+  const Table table = read_tsv(
+      output_of("python3 '" + (folder / "reader.py").string() + "' '" + file.string() + "'"),
+      "python's output");
+  const Recording recording = read_recording(file);
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"time_ns", "x_m", "force_N"}));
+  ASSERT_EQ(table.rows.size(), 25U);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto number = [&table, i](std::size_t column) {
+      return number_in(std::get<std::string>(table.rows[i][column]));
+    };
+    EXPECT_EQ(number(0), static_cast<double>(recording.time_ns[i]));
+    EXPECT_EQ(number(1), static_cast<double>(recording.columns[0][i]));
+    EXPECT_EQ(number(2), static_cast<double>(recording.columns[1][i]));
+  }
+}
+
+TEST(StudyDocumentation, HasAReaderThatReadsTheFixture) {
+  const std::filesystem::path formats = std::filesystem::path(ASPERITY_SOURCE_DIR) / "docs/formats";
+  const TemporaryFolder folder;
+  write_file(folder / "reader.py", python_of(formats / "study.md"), Overwrite::refuse);
+  EXPECT_EQ(
+      output_of("python3 '" + (folder / "reader.py").string() + "' '" + kFixture.string() + "'"),
+      "P01 1 1 2 which B 1\nP01 1 1 2 confidence sure None\n"
+      "P01 1 2 1 which B 1\nP01 1 2 1 confidence sure None\n");
+}
+
+/// Every table and column of the schema is explained.
+TEST(StudyDocumentation, NamesEveryTableAndColumn) {
+  const std::filesystem::path source(ASPERITY_SOURCE_DIR);
+  const std::string page = read_file(source / "docs/formats/study.md");
+  const std::string output = output_of(
+      "python3 -c \"import sqlite3, sys\n"
+      "c = sqlite3.connect('file:" +
+      (kFixture / "study.sqlite").string() +
+      "?immutable=1', uri=True)\n"
+      "for (t,) in c.execute('SELECT name FROM sqlite_schema WHERE type IN (\\\"table\\\", "
+      "\\\"view\\\")').fetchall():\n"
+      "  print(t)\n"
+      "  if not t.startswith('tidy'):\n"
+      "    for r in c.execute('PRAGMA table_info(' + t + ')'): print(r[1])\n\"");
+  std::size_t start = 0;
+  int names = 0;
+  for (std::size_t end = 0; (end = output.find('\n', start)) != std::string::npos;
+       start = end + 1, ++names) {
+    const std::string name = "`" + output.substr(start, end - start) + "`";
+    EXPECT_NE(page.find(name), std::string::npos) << name;
+  }
+  EXPECT_GT(names, 100);
+}
+
+}  // namespace
+}  // namespace asperity

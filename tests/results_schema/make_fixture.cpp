@@ -1,0 +1,52 @@
+// Makes the study of tests/results_schema/fixtures/ for the current schema version: run once per
+// version. Usage: asperity_make_fixture_study FOLDER
+
+#include <cstdio>
+
+#include "results_schema/atomic_file.h"
+#include "results_schema/recording.h"
+#include "tests/results_schema/rows_for_tests.h"
+
+int main(int count, char** arguments) {
+  using namespace asperity;
+  if (count != 2) {
+    std::fputs("usage: asperity_make_fixture_study FOLDER\n", stderr);
+    return 2;
+  }
+  const std::filesystem::path folder = arguments[1];
+  Study study = Study::create(folder, "fixture");
+  write_file(folder / "stimuli" / "metal.txt", "not a picture\n", Overwrite::refuse);
+  study.add_participant(some_participant("P01"));
+  study.add_participant({.label = "P02", .created_utc = "2026-03-01T09:00:00Z"});
+  SessionRow session = some_session(study.add_protocol(some_protocol()));
+  session.files = {
+      {.path = "stimuli/metal.txt", .sha256 = sha256_of("not a picture\n"), .bytes = 14}};
+  const std::int64_t id = study.add_session(session, some_plan(2));
+  study.begin_segment(id, 1'000'000'000);
+  study.add_session_answer(id, {.question = "hand", .answer = "left", .source = "virtual"});
+
+  AttemptRow aborted = some_attempt(1);
+  aborted.outcome = AttemptOutcome::aborted;
+  aborted.valid = false;
+  aborted.invalid_reason = "the participant stopped";
+  study.add_attempt(id, aborted);
+  for (int trial = 1; trial <= 2; ++trial) {
+    AttemptRow attempt = some_attempt(trial, trial == 1 ? 2 : 1);
+    RecordingWriter writer(
+        folder, "recordings/P01-1-" + std::to_string(trial) + ".asprec",
+        {.rate_Hz = 10.0,
+         .columns = {{.name = "x_m", .unit = "m", .meaning = "position"},
+                     {.name = "force_N", .unit = "N", .meaning = "force on the hand"}}});
+    for (int i = 0; i < 25; ++i) {
+      const float values[] = {0.01F * static_cast<float>(i), 1.0F + static_cast<float>(trial)};
+      writer.append(attempt.onset_ns + std::int64_t{100'000'000} * i, values);
+    }
+    attempt.recording = writer.finish();
+    study.add_attempt(id, attempt);
+  }
+  study.add_event(id, {.time_ns = 9'000'000'000, .kind = "note", .text = "done"});
+  study.end_segment(id, 1, 9'000'000'000, "completed");
+  study.end_session(id, SessionState::completed, "2026-03-01T09:30:00Z");
+  study.remember_solution("key", R"({"A_m":0.0001})");
+  return 0;
+}
