@@ -41,8 +41,6 @@ GatheredAnswer answer_of(const ParticipantRow& participant, const std::string& c
   answer.participant = participant.label;
   answer.sex = participant.sex;
   answer.column = column;
-  std::sort(attempt.presentations.begin(), attempt.presentations.end(),
-            [](const auto& a, const auto& b) { return a.position < b.position; });
   for (const PresentationRow& surface : attempt.presentations) {
     answer.surfaces.push_back({surface.item, surface.model, surface.texture,
                                surface.matched_texture_force_N, surface.achieved_texture_force_N});
@@ -64,11 +62,7 @@ void gather_session(const Study& study, const ParticipantRow& participant,
     if (trial.phase == kMainPhase) column_of_trial[trial.trial] = column_of(trial);
   }
   gathered.count.planned_trials += column_of_trial.size();
-  std::vector<AttemptRow> attempts = study.attempts(session.id);
-  std::sort(attempts.begin(), attempts.end(), [](const AttemptRow& a, const AttemptRow& b) {
-    return std::pair(a.trial, a.attempt) < std::pair(b.trial, b.attempt);
-  });
-  for (AttemptRow& attempt : attempts) {
+  for (AttemptRow& attempt : study.attempts(session.id)) {
     const auto column = column_of_trial.find(attempt.trial);
     if (column == column_of_trial.end()) continue;
     if (!attempt.valid || attempt.responses.empty()) {
@@ -101,11 +95,7 @@ std::vector<GatheredAnswers> gather_answers(const Study& study,
   std::map<std::tuple<std::string, std::string, AnswerGroup>, GatheredAnswers> groups{};
   std::map<std::tuple<std::string, std::string, AnswerGroup>, std::set<std::string>> people{};
   std::map<std::tuple<std::string, std::string, AnswerGroup>, std::set<std::string>> sources{};
-  std::vector<SessionRow> sessions = study.sessions();
-  std::sort(sessions.begin(), sessions.end(), [](const SessionRow& a, const SessionRow& b) {
-    return std::pair(a.participant, a.session) < std::pair(b.participant, b.session);
-  });
-  for (const SessionRow& session : sessions) {
+  for (const SessionRow& session : study.sessions()) {
     const ProtocolRow of = study.protocol(session.protocol_id);
     if (protocol && of.name != *protocol) continue;
     const ParticipantRow participant = study.participant(session.participant).value();

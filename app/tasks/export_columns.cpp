@@ -2,6 +2,8 @@
 
 #include "app/tasks/export_columns.h"
 
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -86,6 +88,29 @@ ExportColumn dropped(ExportColumn made) {
   return made;
 }
 
+/// Names end in their unit; a longer ending stands before a shorter one that it contains.
+std::optional<std::string> unit_at_end_of(std::string_view name) {
+  static constexpr std::array<std::pair<std::string_view, const char*>, 14> kUnits{
+      {{"_N_s_per_m", "N s/m"},
+       {"_N_per_m", "N/m"},
+       {"_N_m", "N m"},
+       {"_m_per_s2", "m/s2"},
+       {"_m_per_s", "m/s"},
+       {"_rad_per_s", "rad/s"},
+       {"_per_m", "1/m"},
+       {"_per_s", "1/s"},
+       {"_rad", "rad"},
+       {"_kg", "kg"},
+       {"_Hz", "Hz"},
+       {"_N", "N"},
+       {"_m", "m"},
+       {"_s", "s"}}};
+  for (const auto& [ending, unit] : kUnits) {
+    if (name.ends_with(ending)) return unit;
+  }
+  return std::nullopt;
+}
+
 enum class Key { participant, session, trial, attempt };
 
 /// The keys down to `last`, then what no table may be without: who is virtual, and in which mode.
@@ -161,8 +186,8 @@ Columns session_columns() {
   Columns columns = keys_to(Key::session);
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
   const auto text = [&add](const char* name, const char* description, auto member) {
-    add(column(name, "text", "", description,
-               [member](const Place& at) { return at.session->*member; }));
+    add(missing("not known", column(name, "text", "", description,
+                                    [member](const Place& at) { return at.session->*member; })));
   };
   const auto of_protocol = [&add](const char* name, const char* description, auto member) {
     add(column(name, "text", "", description,
@@ -195,6 +220,7 @@ Columns session_columns() {
   text("pacing", "real_time, or stepped on a simulated clock", &SessionRow::pacing);
   columns.back().levels = {"stepped", "real_time"};
   text("scheduling", "scheduling of the servo thread", &SessionRow::scheduling);
+  columns.back().missing = "there is no servo thread";
   add(at_least(0, column("rate_Hz", "number", "Hz", "rate of the servo loop",
                          [](const Place& at) { return at.session->rate_Hz; })));
   add(at_least(0, column("stimulus_files", "integer", "1", "files that the session used",
@@ -252,7 +278,9 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
   for (const auto& [name, factor] : vocabulary.factors) {
     ExportColumn made = missing(
         "the trial does not have this factor",
-        column("factor_" + name, factor.numeric ? "number" : "text", factor.unit,
+        column("factor_" + name, factor.numeric ? "number" : "text",
+               factor.unit.empty() && factor.numeric ? unit_at_end_of(name).value_or("1")
+                                                     : factor.unit,
                factor.meaning.empty() ? "level of the factor \"" + name + "\"" : factor.meaning,
                [name = name](const Place& at) { return member_of(at.trial->factors_json, name); }));
     made.levels = factor.levels;
@@ -358,16 +386,19 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                                  [](const Place& at) {
                                    return optional_cell(at.presentation->achieved_texture_force_N);
                                  }))));
-  for (const auto& [name, models] : vocabulary.parameters) {
+  for (const auto& [name, parameter] : vocabulary.parameters) {
     std::string of{};
-    for (const std::string& model : models) of += (of.empty() ? "" : ", ") + model;
-    add(missing("the model does not have this parameter",
-                column("parameter_" + name, "number or text", "",
-                       "parameter of the force model as rendered; of: " + of +
-                           "; its unit is the end of its name",
-                       [name = name](const Place& at) {
-                         return member_of(at.presentation->parameters_json, name);
-                       })));
+    for (const std::string& model : parameter.models) of += (of.empty() ? "" : ", ") + model;
+    const bool numeric = parameter.levels.empty();
+    ExportColumn made = missing("the model does not have this parameter",
+                                column("parameter_" + name, numeric ? "number" : "text",
+                                       numeric ? unit_at_end_of(name).value_or("1") : "",
+                                       "parameter of the force model as rendered; of: " + of,
+                                       [name = name](const Place& at) {
+                                         return member_of(at.presentation->parameters_json, name);
+                                       }));
+    made.levels.assign(parameter.levels.begin(), parameter.levels.end());
+    columns.push_back(std::move(made));
   }
   return columns;
 }

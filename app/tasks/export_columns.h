@@ -63,12 +63,16 @@ struct StudyVocabulary {
     std::vector<std::string> levels{};
     bool numeric = true;
   };
+  struct ParameterMeaning {
+    std::set<std::string> models{};  ///< that have it
+    std::set<std::string> levels{};  ///< of one that is no number
+  };
   struct AnswerMeaning {
     std::string prompt{};
     bool free_text = true;  ///< unless a protocol declares a choice or a number
   };
   std::map<std::string, FactorMeaning> factors{};
-  std::map<std::string, std::set<std::string>> parameters{};  ///< name → models that have it
+  std::map<std::string, ParameterMeaning> parameters{};
   std::set<std::string> participant_answers{};
   std::map<std::string, AnswerMeaning> questions{};
 };

@@ -77,7 +77,9 @@ StudyVocabulary vocabulary_of(const Study& study, const std::vector<SessionRow>&
       for (const PresentationRow& presentation : attempt.presentations) {
         const nlohmann::json parameters = nlohmann::json::parse(presentation.parameters_json);
         for (const auto& [name, value] : parameters.items()) {
-          vocabulary.parameters[name].insert(presentation.model);
+          StudyVocabulary::ParameterMeaning& parameter = vocabulary.parameters[name];
+          parameter.models.insert(presentation.model);
+          if (value.is_string()) parameter.levels.insert(value.get<std::string>());
         }
       }
     }
@@ -122,7 +124,10 @@ class Tables final {
         const bool hidden = audience_ == ExportAudience::published &&
                             column.publication == Publication::without_free_text &&
                             at.response_is_free_text;
-        row.push_back(hidden ? Cell{} : column.cell(at));
+        Cell cell = hidden ? Cell{} : column.cell(at);
+        const auto* text = std::get_if<std::string>(&cell);
+        if (text != nullptr && text->empty()) cell = Cell{};
+        row.push_back(std::move(cell));
       }
     }
   }
@@ -144,8 +149,6 @@ void sort_responses(std::vector<ResponseRow>& responses) {
 void add_attempt(Tables& tables, ExportPlace at, AttemptRow attempt) {
   at.attempt = &attempt;
   tables.add("attempts", at);
-  std::sort(attempt.presentations.begin(), attempt.presentations.end(),
-            [](const auto& a, const auto& b) { return a.position < b.position; });
   for (const PresentationRow& presentation : attempt.presentations) {
     ExportPlace here = at;
     here.presentation = &presentation;
@@ -190,16 +193,12 @@ void add_session(Tables& tables, const Study& study, const StudyVocabulary& voca
   for (AttemptRow& attempt : study.attempts(at.session->id)) {
     attempts_by_trial[attempt.trial].push_back(std::move(attempt));
   }
-  std::vector<PlannedTrialRow> plan = study.plan(at.session->id);
-  std::sort(plan.begin(), plan.end(),
-            [](const auto& a, const auto& b) { return a.trial < b.trial; });
-  for (const PlannedTrialRow& trial : plan) {
+  for (const PlannedTrialRow& trial : study.plan(at.session->id)) {
     at.trial = &trial;
     tables.add("trials", at);
-    std::vector<AttemptRow>& attempts = attempts_by_trial[trial.trial];
-    std::sort(attempts.begin(), attempts.end(),
-              [](const auto& a, const auto& b) { return a.attempt < b.attempt; });
-    for (AttemptRow& attempt : attempts) add_attempt(tables, at, std::move(attempt));
+    for (AttemptRow& attempt : attempts_by_trial[trial.trial]) {
+      add_attempt(tables, at, std::move(attempt));
+    }
   }
 }
 
@@ -264,9 +263,7 @@ ExportTables export_tables(const Study& study, ExportAudience audience) {
   for (const ParticipantRow& participant : study.participants()) {
     ExportPlace at{};
     at.participant = &participant;
-    std::vector<const SessionRow*>& own = sessions_of[participant.label];
-    std::sort(own.begin(), own.end(),
-              [](const SessionRow* a, const SessionRow* b) { return a->session < b->session; });
+    const std::vector<const SessionRow*>& own = sessions_of[participant.label];
     std::string mode{};
     for (const SessionRow* session : own) {
       const std::string word = text_of(session->mode);
@@ -292,13 +289,12 @@ std::vector<ExportedFile> export_study(const Study& study, const fs::path& folde
   const ExportTables made = export_tables(study, audience);
   std::set<std::string> own_files{kCodebook, kManifest};
   for (const ExportTable& table : made.tables) own_files.insert(table.name + ".tsv");
-  if (const auto obstacle = obstacle_in(target, overwrite, own_files)) {
-    throw ResultsError("the folder " + target.string() + " " + *obstacle, target);
-  }
-
   std::vector<ExportedFile> written{};
   Table manifest{{"file", "rows", "sha256", "left_out"}, {}};
   try {
+    if (const auto obstacle = obstacle_in(target, overwrite, own_files)) {
+      throw ResultsError("the folder " + target.string() + " " + *obstacle, target);
+    }
     FolderInTheMaking making(target);
     const auto write = [&](const std::string& name, const Table& table,
                            const std::vector<std::string>& left_out) {

@@ -125,6 +125,26 @@ TEST(Export, DescribesEveryColumnInTheCodebookAndNoOther) {
   }
 }
 
+TEST(Export, LeavesNoCellEmptyAndMissesNoneThatTheCodebookPromises) {
+  MadeUpStudy made;
+  fill(made);
+  const ExportTables tables = export_tables(made.study(), ExportAudience::own);
+  std::size_t described = 0;
+  for (const ExportTable& table : tables.tables) {
+    for (const std::string& column : table.table.columns) {
+      const std::vector<Cell>& description = tables.codebook.rows.at(described++);
+      for (std::size_t row = 0; row < table.table.rows.size(); ++row) {
+        const Cell cell = cell_of(table.table, row, column);
+        EXPECT_NE(cell, Cell{""}) << column;
+        if (description[8] == Cell{"never"}) {
+          EXPECT_NE(cell, Cell{}) << column;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(described, tables.codebook.rows.size());
+}
+
 TEST(Export, BeginsEveryTableWithItsKeysAndSaysWhoIsVirtual) {
   MadeUpStudy made;
   fill(made);
@@ -185,6 +205,13 @@ TEST(Export, GivesEachParameterOfAModelAColumn) {
   EXPECT_EQ(cell_of(surfaces, 0, "parameter_amplitude_m"), Cell{});
   EXPECT_EQ(cell_of(surfaces, 1, "parameter_amplitude_m"), Cell{0.0001});
   EXPECT_EQ(cell_of(surfaces, 0, "parameter_stiffness_N_per_m"), Cell{500.0});
+  const auto row = std::find_if(tables.codebook.rows.begin(), tables.codebook.rows.end(),
+                                [](const std::vector<Cell>& cells) {
+                                  return cells[1] == Cell{"parameter_stiffness_N_per_m"};
+                                });
+  ASSERT_NE(row, tables.codebook.rows.end());
+  EXPECT_EQ((*row)[2], Cell{"parameter of the force model as rendered; of: height_map, sinusoid"});
+  EXPECT_EQ((*row)[4], Cell{"N/m"});
 }
 
 // The made-up session's clock begins at 5 s, its first attempt at 6 s.
