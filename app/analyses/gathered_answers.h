@@ -62,7 +62,7 @@ struct GatheredAnswers {
   std::size_t sources = 0;  ///< different files that carry this name and version
   AnswerGroup group = AnswerGroup::people;
   AnswerCount count{};
-  std::vector<GatheredAnswer> answers{};  ///< by participant, session, trial
+  std::vector<GatheredAnswer> answers{};  ///< by participant and session
 };
 
 /// By protocol, version and group; empty groups are absent. With a `protocol` only those of that
