@@ -1,0 +1,84 @@
+// asperity check: every problem of a protocol, and what its plan amounts to.
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/terminal.h"
+#include "app/tasks/protocol_files.h"
+
+namespace asperity {
+
+namespace {
+
+nlohmann::ordered_json json_of(const ProtocolCheck& check) {
+  nlohmann::ordered_json diagnostics = nlohmann::ordered_json::array();
+  for (const Diagnostic& diagnostic : check.diagnostics) {
+    diagnostics.push_back({{"line", diagnostic.line},
+                           {"column", diagnostic.column},
+                           {"pointer", diagnostic.pointer},
+                           {"message", diagnostic.message}});
+  }
+  nlohmann::ordered_json json{
+      {"file", check.file}, {"valid", check.diagnostics.empty()}, {"diagnostics", diagnostics}};
+  if (check.protocol) {
+    json["name"] = check.protocol->name;
+    json["version"] = check.protocol->version;
+    json["trials"] = check.cost.trials;
+    json["contacts"] = check.cost.contacts;
+    json["contact_s"] = check.cost.contact_s;
+    json["total_s"] = check.cost.total_s;
+    json["longest_without_break_s"] = check.cost.longest_without_break_s;
+  }
+  return json;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Job& job) {
+  struct Options {
+    std::vector<std::string> files{};
+    std::optional<std::string> study{};
+    std::optional<std::string> device{};
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "check", "Check protocols: every problem, or what the plan amounts to.");
+  command->add_option("FILE", options->files, "Protocol files")->required();
+  command->add_option("--study", options->study, "Look also for the files that the protocols name");
+  command->add_option("--device", options->device, "Compare with this device");
+  command->add_flag("--json", options->json, "Print one JSON document");
+  command->callback([options, &job] {
+    job = [options] {
+      const ModelRegistry models = built_in_models();
+      nlohmann::ordered_json json{{"format", "asperity.check/1"},
+                                  {"protocols", nlohmann::ordered_json::array()}};
+      bool acceptable = true;
+      for (const std::string& file : options->files) {
+        const ProtocolCheck check = check_protocol(file, models, options->study, options->device);
+        acceptable = acceptable && check.diagnostics.empty();
+        for (const Diagnostic& diagnostic : check.diagnostics) say(text_of(diagnostic));
+        if (options->json) {
+          json["protocols"].push_back(json_of(check));
+        } else if (check.diagnostics.empty()) {
+          std::cout << check.file << ": " << check.protocol->name << ' ' << check.protocol->version
+                    << ": " << check.cost.trials << " trials, " << check.cost.contacts
+                    << " contacts, " << fixed(check.cost.contact_s / 60.0, 1)
+                    << " min of contact, about " << fixed(check.cost.total_s / 60.0, 0)
+                    << " min in all, at most "
+                    << fixed(check.cost.longest_without_break_s / 60.0, 1)
+                    << " min without a break\n";
+        }
+      }
+      if (options->json) std::cout << json.dump(2) << '\n';
+      return acceptable ? 0 : 1;
+    };
+  });
+}
+
+}  // namespace asperity

@@ -1,0 +1,37 @@
+// The subcommands of the program: each adds itself and leaves a job to do.
+
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+
+namespace CLI {
+class App;
+}
+
+namespace asperity {
+
+/// What the parsed command line asks for. Returns the exit status; throws what it cannot do.
+using Job = std::function<int()>;
+
+void add_analyze(CLI::App& program, Job& job);
+void add_check(CLI::App& program, Job& job);
+void add_copy(CLI::App& program, Job& job);
+void add_export(CLI::App& program, Job& job);
+void add_models(CLI::App& program, Job& job);
+void add_new(CLI::App& program, Job& job);
+void add_render(CLI::App& program, Job& job);
+void add_replay(CLI::App& program, Job& job);
+void add_run(CLI::App& program, Job& job);
+void add_simulate(CLI::App& program, Job& job);
+void add_synth(CLI::App& program, Job& job);
+void add_texture(CLI::App& program, Job& job);
+void add_verify(CLI::App& program, Job& job);
+
+/// A wrong use of the command line that parsing cannot see: exit status 2, the sentence on standard
+/// error.
+class WrongUsage final : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace asperity

@@ -1,0 +1,87 @@
+// asperity models: the force models and their declared parameters.
+
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/parameter_option.h"
+#include "renderers/force_model.h"
+
+namespace asperity {
+
+namespace {
+
+const char* text_of(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::number:
+      return "number";
+    case ParameterKind::integer:
+      return "integer";
+    case ParameterKind::choice:
+      return "choice";
+  }
+  return "";
+}
+
+nlohmann::ordered_json json_of(const ModelDeclaration& model) {
+  nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+  for (const Parameter& parameter : model.parameters) {
+    const bool is_choice = parameter.kind == ParameterKind::choice;
+    nlohmann::ordered_json json{{"name", parameter.name}, {"kind", text_of(parameter.kind)}};
+    json["unit"] = is_choice ? nlohmann::ordered_json() : nlohmann::ordered_json(parameter.unit);
+    json["minimum"] =
+        is_choice ? nlohmann::ordered_json() : nlohmann::ordered_json(parameter.minimum);
+    json["maximum"] =
+        is_choice ? nlohmann::ordered_json() : nlohmann::ordered_json(parameter.maximum);
+    json["choices"] =
+        is_choice ? nlohmann::ordered_json(parameter.choices) : nlohmann::ordered_json();
+    if (const double* number = std::get_if<double>(&parameter.default_value)) {
+      json["default"] = *number;
+    } else {
+      json["default"] = std::get<std::string>(parameter.default_value);
+    }
+    json["meaning"] = parameter.meaning;
+    parameters.push_back(std::move(json));
+  }
+  return {{"id", model.id},
+          {"version", model.version},
+          {"summary", model.summary},
+          {"source", model.source},
+          {"parameters", parameters}};
+}
+
+void print(const ModelDeclaration& model) {
+  std::cout << model.id << "  (version " << model.version << ")\n  " << model.summary << "\n  "
+            << model.source << '\n'
+            << described(model.parameters) << '\n';
+}
+
+}  // namespace
+
+void add_models(CLI::App& program, Job& job) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command =
+      program.add_subcommand("models", "The force models and their declared parameters.");
+  command->add_flag("--json", *json, "Print one JSON document");
+  command->callback([json, &job] {
+    job = [json] {
+      const ModelRegistry registry = built_in_models();
+      if (*json) {
+        nlohmann::ordered_json document{{"format", "asperity.models/1"},
+                                        {"models", nlohmann::ordered_json::array()}};
+        for (const ForceModel& model : registry.models()) {
+          document["models"].push_back(json_of(model.declaration));
+        }
+        std::cout << document.dump(2) << '\n';
+      } else {
+        for (const ForceModel& model : registry.models()) print(model.declaration);
+      }
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity

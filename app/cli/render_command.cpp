@@ -1,0 +1,94 @@
+// asperity render: a force model along a given path.
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/parameter_option.h"
+#include "app/height_field_files.h"
+#include "app/tasks/path_table.h"
+#include "renderers/force_model.h"
+#include "renderers/offline/along_path.h"
+
+namespace asperity {
+
+namespace {
+
+const ForceModel& model_named(const ModelRegistry& models, const std::string& id) {
+  if (const ForceModel* model = models.find(id)) return *model;
+  std::string sentence = "there is no force model \"" + id + "\"; there are:";
+  for (const ForceModel& model : models.models()) sentence += ' ' + model.declaration.id;
+  throw std::runtime_error(sentence);
+}
+
+}  // namespace
+
+void add_render(CLI::App& program, Job& job) {
+  struct Options {
+    std::string model{};
+    std::vector<std::string> parameters{};
+    std::optional<std::string> stimulus{};
+    Material material{};
+    std::uint64_t seed = 0;
+    std::filesystem::path path{};
+    std::filesystem::path out{};
+    bool force = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("render", "Evaluate a force model along a path, without a device.");
+  command->add_option("--model", options->model, "A force model; see: asperity models")->required();
+  command->add_option("--param", options->parameters, "NAME=VALUE of the model's parameters");
+  command->add_option("--stimulus", options->stimulus,
+                      "A height field: FILE.png or plane:FILE.png; repeats without end");
+  command
+      ->add_option("--stiffness-n-per-m", options->material.stiffness_N_per_m,
+                   "Of the surface, N/m")
+      ->capture_default_str();
+  command
+      ->add_option("--friction", options->material.friction, "Coulomb coefficient of the surface")
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Of a model that draws random numbers")
+      ->capture_default_str();
+  command->add_option("--path", options->path, "Table of the probe's path (TSV)")->required();
+  command->add_option("--out", options->out, "Table of the forces (TSV)")->required();
+  command->add_flag("--force", options->force, "Replace an existing file");
+  command->callback([options, &job] {
+    job = [options] {
+      const ModelRegistry models = built_in_models();
+      const ForceModel& model = model_named(models, options->model);
+      RendererInputs inputs{};
+      inputs.parameters =
+          parameters_from(options->parameters, model.declaration.parameters, options->model);
+      inputs.material = options->material;
+      // A plane without end: the path is given, so no hand can leave it.
+      inputs.patch.extent_m = {1e3, 1e3};
+      inputs.patch.edge_width_m = 1e-3;
+      inputs.seed = options->seed;
+      if (options->stimulus) {
+        std::string file = *options->stimulus;
+        if (file.starts_with("plane:")) file.erase(0, 6);
+        inputs.height_field = load_height_field(file).field;
+        if (model.suggested_by) {
+          ParameterValues suggested = model.suggested_by(*inputs.height_field, inputs.material);
+          for (const auto& [name, value] : inputs.parameters) suggested[name] = value;
+          inputs.parameters = std::move(suggested);
+        }
+      }
+      const std::vector<ProbeState> path =
+          path_in(read_file(options->path), options->path.string());
+      const auto renderer = make_renderer(model, inputs);
+      const std::vector<RenderedTick> forces = along_path(*renderer, path, rate_Hz_of(path));
+      write_file(options->out, forces_tsv(path, forces),
+                 options->force ? Overwrite::allow : Overwrite::refuse);
+      std::cout << options->out.string() << ": " << forces.size() << " rows\n";
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity

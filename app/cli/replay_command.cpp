@@ -1,0 +1,101 @@
+// asperity replay: a recorded hand through any force model.
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/parameter_option.h"
+#include "app/tasks/path_table.h"
+#include "app/tasks/recorded_attempt.h"
+#include "renderers/offline/replay.h"
+#include "results_schema/atomic_file.h"
+
+namespace asperity {
+
+void add_replay(CLI::App& program, Job& job) {
+  struct Options {
+    std::string study{};
+    std::string attempt{};
+    int surface = 1;
+    std::optional<std::string> model{};
+    std::vector<std::string> parameters{};
+    std::filesystem::path out{};
+    bool force = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "replay", "Put a recorded hand through the model it felt, or through another one.");
+  command->add_option("STUDY", options->study, "Folder of the study")->required();
+  command
+      ->add_option("--attempt", options->attempt,
+                   "Row number of the exported attempts.tsv, or PARTICIPANT/SESSION/TRIAL/ATTEMPT")
+      ->required();
+  command->add_option("--surface", options->surface, "Which of the surfaces of the trial")
+      ->capture_default_str();
+  command->add_option("--model", options->model, "Another force model on the same texture");
+  command->add_option("--param", options->parameters, "NAME=VALUE of that model's parameters");
+  command->add_option("--out", options->out, "Table of the forces (TSV)")->required();
+  command->add_flag("--force", options->force, "Replace an existing file");
+  command->callback([options, &job] {
+    job = [options] {
+      const Study study = Study::open(options->study, Access::read_only);
+      const ModelRegistry models = built_in_models();
+      const AttemptRow attempt = find_attempt(study, options->attempt);
+      const SessionRow session = study.session(study.session_of(attempt.id));
+      const Plan plan = plan_of(study, session, models);
+      StimulusBuilder builder(models, study.folder());
+      const RecordedAttempt recorded = recorded_attempt(
+          study, session, plan.trials.at(static_cast<std::size_t>(attempt.trial - 1)), attempt,
+          builder);
+      if (options->surface < 1 || options->surface > static_cast<int>(recorded.surfaces.size())) {
+        throw std::runtime_error("the trial has " + std::to_string(recorded.surfaces.size()) +
+                                 " surfaces; there is no surface " +
+                                 std::to_string(options->surface));
+      }
+      const RecordedSurface& surface =
+          recorded.surfaces[static_cast<std::size_t>(options->surface - 1)];
+      std::unique_ptr<ForceRenderer> renderer{};
+      if (options->model) {
+        const ForceModel* model = models.find(*options->model);
+        if (model == nullptr) {
+          throw std::runtime_error("there is no force model \"" + *options->model +
+                                   "\"; see: asperity models");
+        }
+        RendererInputs inputs = surface.stimulus.inputs;
+        inputs.parameters.clear();
+        if (model->suggested_by && inputs.height_field) {
+          inputs.parameters = model->suggested_by(*inputs.height_field, inputs.material);
+        }
+        for (const auto& [name, value] :
+             parameters_from(options->parameters, model->declaration.parameters, *options->model)) {
+          inputs.parameters[name] = value;
+        }
+        renderer = make_renderer(*model, inputs);
+      } else {
+        if (!options->parameters.empty()) throw WrongUsage("--param goes with --model");
+        renderer = make_renderer(*surface.stimulus.model, surface.stimulus.inputs);
+      }
+      std::vector<TickRecord> felt{};
+      std::vector<ProbeState> path{};
+      for (const TickRecord& record : recorded.records) {
+        if (record.presentation != static_cast<std::uint64_t>(options->surface) ||
+            !record.has(TickFlag::presenting)) {
+          continue;
+        }
+        felt.push_back(record);
+        path.push_back(record.probe);
+      }
+      const std::vector<RenderedTick> forces = replay(*renderer, felt, recorded.rate_Hz);
+      write_file(options->out, forces_tsv(path, forces),
+                 options->force ? Overwrite::allow : Overwrite::refuse);
+      std::cout << options->out.string() << ": " << forces.size() << " rows\n";
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity

@@ -1,0 +1,100 @@
+// asperity run: one session.
+
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <random>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/session_output.h"
+#include "app/cli/signals.h"
+#include "app/cli/terminal.h"
+#include "app/conductor/terminal_respondent.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/sessions.h"
+
+namespace asperity {
+
+namespace {
+
+std::uint64_t seed_of_this_machine() {
+  std::random_device source;
+  return (std::uint64_t{source()} << 32U) | source();
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Job& job) {
+  struct Options {
+    RunInputs inputs{};
+    std::string device = "simulated";
+    std::optional<std::uint64_t> seed{};
+    bool fast = false;
+    bool realtime = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("run", "Run one session.");
+  command->add_option("PROTOCOL", options->inputs.protocol, "Protocol file")->required();
+  command->add_option("--study", options->inputs.study, "Folder of the study")->required();
+  command
+      ->add_option("--participant", options->inputs.participant,
+                   "Label: 1 to 32 letters and digits")
+      ->required();
+  command->add_option("--device", options->device, "Device to run on")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the session; drawn anew by default");
+  const std::map<std::string, SessionMode> modes{{"run", SessionMode::run},
+                                                 {"pilot", SessionMode::pilot}};
+  command->add_option("--mode", options->inputs.mode, "run, or pilot: kept apart in the data")
+      ->transform(CLI::CheckedTransformer(modes))
+      ->default_str("run");
+  command->add_flag("--resume", options->inputs.resume, "Go on with an unfinished session");
+  CLI::Option* stand_in =
+      command->add_flag("--virtual", options->inputs.is_virtual,
+                        "A virtual hand and observer stand in for the participant");
+  CLI::Option* fast = command->add_flag("--as-fast-as-possible", options->fast,
+                                        "Simulated clock (default with --virtual)");
+  CLI::Option* realtime = command->add_flag("--realtime", options->realtime, "Real time");
+  fast->needs(stand_in)->excludes(realtime);
+  realtime->needs(stand_in);
+  command->callback([options, &job] {
+    job = [options]() -> int {
+      RunInputs& inputs = options->inputs;
+      if (options->device != "simulated") {
+        throw std::runtime_error("there is no device \"" + options->device +
+                                 "\"; this program has: simulated");
+      }
+      if (const auto complaint = complaint_about_label(inputs.participant)) {
+        throw std::runtime_error(*complaint);
+      }
+      inputs.seed = options->seed ? *options->seed : seed_of_this_machine();
+      inputs.pacing =
+          inputs.is_virtual && !options->realtime ? RunPacing::stepped : RunPacing::real_time;
+      std::optional<TerminalRespondent> person{};
+      if (!inputs.is_virtual) {
+        if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) {
+          throw WrongUsage(
+              "run asks its questions on a terminal, and there is none; use --virtual "
+              "for a virtual participant");
+        }
+        person.emplace(STDIN_FILENO, std::cout);
+      }
+      const InterruptWatch interrupt;
+      const ModelRegistry models = built_in_models();
+      const SessionEnd end =
+          run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), say_done);
+      if (end.state != SessionState::completed) {
+        say("asperity: the session stopped: " + end.reason);
+        return 1;
+      }
+      say("session complete: " + std::to_string(end.attempts) + " attempts in " +
+          fixed(end.duration_s, 0) + " s");
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity

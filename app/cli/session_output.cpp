@@ -1,0 +1,14 @@
+#include "app/cli/session_output.h"
+
+#include <string>
+
+#include "app/cli/terminal.h"
+
+namespace asperity {
+
+void say_done(const AttemptDone& done) {
+  say("done " + done.participant + ' ' + std::to_string(done.session) + ' ' +
+      std::to_string(done.trial) + ' ' + std::to_string(done.attempt));
+}
+
+}  // namespace asperity

@@ -1,0 +1,79 @@
+// asperity simulate: virtual participants through the whole study.
+
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/session_output.h"
+#include "app/cli/signals.h"
+#include "app/cli/terminal.h"
+#include "app/tasks/sessions.h"
+
+namespace asperity {
+
+void add_simulate(CLI::App& program, Job& job) {
+  struct Options {
+    SimulationInputs inputs{};
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "simulate", "Add virtual participants to a study, each doing every given protocol.");
+  command
+      ->add_option("PROTOCOL", options->inputs.protocols,
+                   "Protocol files, in the order of the sessions")
+      ->required();
+  command
+      ->add_option("--study", options->inputs.study,
+                   "Folder of the study (created if it does not exist)")
+      ->required();
+  command->add_option("--participants", options->inputs.participants, "How many to add")
+      ->required()
+      ->check(CLI::Range(1, 9999));
+  command->add_option("--seed", options->inputs.seed, "Same seed, same results")->required();
+  command
+      ->add_option("--jobs", options->inputs.jobs, "Sessions at the same time; changes no result")
+      ->check(CLI::Range(1, 256));
+  const std::map<std::string, Recordings> recordings{
+      {"all", Recordings::all}, {"first", Recordings::first}, {"none", Recordings::none}};
+  command
+      ->add_option("--recordings", options->inputs.recordings,
+                   "Keep the tick records of all participants, the first one, or none")
+      ->transform(CLI::CheckedTransformer(recordings))
+      ->default_str("first");
+  command->add_flag("--resume", options->inputs.resume,
+                    "Go on with an interrupted simulation of the same arguments");
+  command->add_flag("--json", options->json, "Print the totals as JSON");
+  command->callback([options, &job] {
+    job = [options] {
+      const InterruptWatch interrupt;
+      const ModelRegistry models = built_in_models();
+      SimulationResult result{};
+      {
+        Progress progress("simulating");
+        result = simulate(
+            options->inputs, models, interrupt.token(),
+            [&progress](double fraction) { progress.show(fraction); }, say_done);
+      }
+      if (options->json) {
+        const nlohmann::ordered_json json{{"format", "asperity.simulate/1"},
+                                          {"sessions", result.sessions},
+                                          {"attempts", result.attempts},
+                                          {"simulated_s", result.simulated_s},
+                                          {"wall_s", result.wall_s}};
+        std::cout << json.dump(2) << '\n';
+      } else {
+        std::cout << result.sessions << " sessions, " << result.attempts << " attempts, "
+                  << fixed(result.simulated_s, 0) << " s of sessions in " << fixed(result.wall_s, 1)
+                  << " s\n";
+      }
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity

@@ -1,0 +1,96 @@
+// asperity synth: known surfaces from formulas, and their "photographs".
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/parameter_option.h"
+#include "app/cli/terminal.h"
+#include "app/height_field_files.h"
+#include "stimuli/synthetic_photograph.h"
+#include "stimuli/synthetic_surface.h"
+
+namespace asperity {
+
+void add_synth(CLI::App& program, Job& job) {
+  struct Options {
+    std::string kind{};
+    std::filesystem::path out{};
+    std::vector<std::string> parameters{};
+    SurfaceCanvas canvas{};
+    std::vector<std::string> photograph{};
+    bool force = false;
+  };
+  auto options = std::make_shared<Options>();
+  std::string kinds{};
+  std::string footer{};
+  for (const SurfaceDeclaration& surface : synthetic_surfaces()) {
+    kinds += (kinds.empty() ? "" : " ") + surface.kind;
+    footer += surface.kind + ": " + surface.summary + '\n' + described(surface.parameters);
+  }
+  CLI::App* command = program.add_subcommand("synth", "Make a surface with known heights.");
+  command->footer("Kinds and their parameters\n" + footer);
+  command->add_option("KIND", options->kind, "One of: " + kinds)->required();
+  command
+      ->add_option("--out", options->out,
+                   "The height field, FILE.png (its sidecar is FILE.png.json)")
+      ->required();
+  command->add_option("--param", options->parameters, "NAME=VALUE of the kind's parameters");
+  command->add_option("--width-m", options->canvas.width_m, "Side of the square")
+      ->capture_default_str();
+  command->add_option("--pixels", options->canvas.pixels, "Samples a side")->capture_default_str();
+  command->add_option("--seed", options->canvas.seed, "Of everything random")
+      ->capture_default_str();
+  command
+      ->add_option("--photo", options->photograph,
+                   "bright_height, lambert or albedo, and FILE.png: also its photograph")
+      ->expected(2);
+  command->add_flag("--force", options->force, "Replace existing files");
+  command->callback([options, &job] {
+    job = [options] {
+      const std::vector<SurfaceDeclaration> surfaces = synthetic_surfaces();
+      const auto surface = std::find_if(
+          surfaces.begin(), surfaces.end(),
+          [&](const SurfaceDeclaration& candidate) { return candidate.kind == options->kind; });
+      if (surface == surfaces.end()) {
+        std::string sentence = "there is no kind of surface \"" + options->kind + "\"; there are:";
+        for (const SurfaceDeclaration& candidate : surfaces) sentence += ' ' + candidate.kind;
+        throw std::runtime_error(sentence);
+      }
+      const ParameterValues values =
+          parameters_from(options->parameters, surface->parameters, surface->kind);
+      const HeightField field = make_surface(surface->kind, values, options->canvas);
+      const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
+      save_height_field(options->out, field,
+                        {surface->kind, values, options->canvas.seed, "", "", ""}, overwrite);
+      if (!options->photograph.empty()) {
+        static const std::map<std::string, PhotographCase> kCases{
+            {"bright_height", PhotographCase::bright_height},
+            {"lambert", PhotographCase::lambert},
+            {"albedo", PhotographCase::albedo}};
+        const auto found = kCases.find(options->photograph[0]);
+        if (found == kCases.end()) {
+          throw WrongUsage("--photo takes bright_height, lambert or albedo, not \"" +
+                           options->photograph[0] + '"');
+        }
+        PhotographSettings settings{};
+        settings.photograph_case = found->second;
+        settings.seed = options->canvas.seed;
+        save_picture(options->photograph[1], synthetic_photograph(field, settings), overwrite);
+      }
+      std::cout << options->out.string() << ": " << field.grid().columns << " × "
+                << field.grid().rows << " samples, pitch " << fixed(field.grid().pitch_m * 1e6, 1)
+                << " µm, height " << fixed(field.minimum_m() * 1e6, 1) << " to "
+                << fixed(field.maximum_m() * 1e6, 1) << " µm, RMS " << fixed(field.rms_m() * 1e6, 1)
+                << " µm\n";
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity

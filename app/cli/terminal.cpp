@@ -1,0 +1,110 @@
+#include "app/cli/terminal.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+std::mutex& error_stream_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+void write_error(std::string_view text) {
+  const std::lock_guard lock(error_stream_mutex());
+  while (!text.empty()) {
+    const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+    if (written <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+/// Characters as a terminal counts them: UTF-8 continuation bytes take no room.
+std::size_t width_of(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+  }));
+}
+
+std::string text_of_cell(const Cell& cell) {
+  if (std::holds_alternative<std::monostate>(cell)) return "n/a";
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
+  if (const auto* number = std::get_if<double>(&cell)) return text_of_number(*number);
+  return std::get<std::string>(cell);
+}
+
+}  // namespace
+
+Progress::Progress(std::string what)
+    : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  if (terminal_ && last_ >= 0) write_error("\r\x1b[K");
+}
+
+void Progress::show(double fraction) {
+  const std::lock_guard lock(mutex_);
+  const int percent = static_cast<int>(std::floor(100.0 * std::clamp(fraction, 0.0, 1.0)));
+  const int step = terminal_ ? percent : percent / 10 * 10;
+  if (step <= last_) return;
+  last_ = step;
+  if (!terminal_) {
+    write_error(what_ + ": " + std::to_string(step) + " %\n");
+    return;
+  }
+  constexpr int kWidth = 30;
+  const int full = kWidth * percent / 100;
+  std::string bar{};
+  for (int i = 0; i < kWidth; ++i) bar += i < full ? "█" : "░";
+  write_error("\r\x1b[K" + what_ + ' ' + bar + ' ' + std::to_string(percent) + " %");
+}
+
+void say(const std::string& line) { write_error(line + '\n'); }
+
+std::string aligned(const Table& table) {
+  const std::size_t columns = table.columns.size();
+  std::vector<std::size_t> widths(columns, 0);
+  std::vector<bool> numeric(columns, true);
+  std::vector<std::vector<std::string>> texts{};
+  for (std::size_t column = 0; column < columns; ++column) {
+    widths[column] = width_of(table.columns[column]);
+  }
+  for (const std::vector<Cell>& row : table.rows) {
+    std::vector<std::string>& cells = texts.emplace_back();
+    for (std::size_t column = 0; column < columns; ++column) {
+      cells.push_back(text_of_cell(row.at(column)));
+      widths[column] = std::max(widths[column], width_of(cells.back()));
+      if (std::holds_alternative<std::string>(row[column])) numeric[column] = false;
+    }
+  }
+  std::string out{};
+  const auto line = [&](const std::vector<std::string>& cells) {
+    std::string text{};
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::string room(widths[column] - width_of(cells[column]), ' ');
+      if (column > 0) text += "  ";
+      text += numeric[column] ? room + cells[column] : cells[column] + room;
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    out += text + '\n';
+  };
+  line(table.columns);
+  for (const std::vector<std::string>& cells : texts) line(cells);
+  return out;
+}
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 64> text{};
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
+                                    std::chars_format::fixed, decimals);
+  return {text.data(), result.ptr};
+}
+
+}  // namespace asperity

@@ -1,0 +1,43 @@
+// What the command line prints with: progress and tables that fit a terminal.
+
+#pragma once
+
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "results_schema/table.h"
+
+namespace asperity {
+
+/// A bar on a terminal, a plain line every tenth otherwise; on standard error.
+///
+/// Threads: any.
+class Progress final {
+ public:
+  explicit Progress(std::string what);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// `fraction` from 0 to 1.
+  void show(double fraction);
+
+ private:
+  std::string what_{};
+  bool terminal_ = false;
+  int last_ = -1;
+  std::mutex mutex_{};
+};
+
+/// One line on standard error, whole, whoever else writes. Threads: any.
+void say(const std::string& line);
+
+/// Aligned columns: text to the left, numbers to the right, two spaces between.
+std::string aligned(const Table& table);
+
+/// A number with a fixed number of decimals, whatever the locale.
+std::string fixed(double value, int decimals);
+
+}  // namespace asperity

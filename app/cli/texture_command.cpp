@@ -1,0 +1,95 @@
+// asperity texture: a photograph becomes a height field.
+
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/terminal.h"
+#include "app/height_field_files.h"
+#include "stimuli/photograph_advice.h"
+#include "stimuli/preview.h"
+#include "stimuli/texture_from_photograph.h"
+
+namespace asperity {
+
+void add_texture(CLI::App& program, Job& job) {
+  struct Options {
+    std::filesystem::path photograph{};
+    std::filesystem::path out{};
+    std::optional<std::filesystem::path> preview{};
+    TextureRecipe recipe{};
+    int sign = 1;
+    bool force = false;
+  };
+  constexpr std::size_t kPreviewRows = 320;
+  auto options = std::make_shared<Options>();
+  TextureRecipe& recipe = options->recipe;
+  CLI::App* command = program.add_subcommand(
+      "texture", "Make a height field from a photograph: grey, homomorphic filter, f − g.");
+  command->add_option("PHOTO", options->photograph, "PNG, JPEG, TIFF, BMP or WebP")->required();
+  command
+      ->add_option("--out", options->out,
+                   "The height field, FILE.png (its sidecar is FILE.png.json)")
+      ->required();
+  command->add_option("--width-m", recipe.width_m, "What the photograph shows, left to right")
+      ->required();
+  command
+      ->add_option("--gaussian-wavelength-m", recipe.gaussian_wavelength_m,
+                   "Cut-off of the low-pass g; longer waves are left out")
+      ->capture_default_str();
+  command
+      ->add_option("--homomorphic-wavelength-m", recipe.homomorphic_wavelength_m,
+                   "Cut-off of the homomorphic filter")
+      ->capture_default_str();
+  command->add_option("--gamma-low", recipe.gamma_low, "Its gain for long waves")
+      ->capture_default_str();
+  command->add_option("--gamma-high", recipe.gamma_high, "Its gain for short waves")
+      ->capture_default_str();
+  command->add_option("--rms-m", recipe.rms_m, "RMS of the heights")->capture_default_str();
+  command->add_option("--sign", options->sign, "1: bright is high; -1: dark is high")
+      ->check(CLI::IsMember({1, -1}))
+      ->capture_default_str();
+  const std::map<std::string, HistogramTransformation> histograms{
+      {"none", HistogramTransformation::none}, {"equalize", HistogramTransformation::equalize}};
+  command->add_option("--histogram", recipe.histogram, "none or equalize")
+      ->transform(CLI::CheckedTransformer(histograms))
+      ->default_str("none");
+  command->add_option("--preview", options->preview, "PNG of the steps, for looking at");
+  command->add_flag("--force", options->force, "Replace existing files");
+  command->callback([options, &job] {
+    job = [options] {
+      TextureRecipe& chosen = options->recipe;
+      chosen.sign = options->sign == 1 ? HeightSign::bright_is_high : HeightSign::dark_is_high;
+      const std::string name = options->photograph.string();
+      const LoadedPhotograph loaded = load_photograph(options->photograph);
+      const PhotographTexture texture =
+          texture_from_photograph(loaded.photograph.grey, chosen, name);
+      const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
+      save_height_field(options->out, texture.field,
+                        {"photograph",
+                         parameter_values(chosen),
+                         {},
+                         options->photograph.filename().string(),
+                         loaded.sha256,
+                         ""},
+                        overwrite);
+      if (options->preview) {
+        save_picture(*options->preview, texture_steps(texture, kPreviewRows), overwrite);
+      }
+      const HeightField& field = texture.field;
+      std::cout << options->out.string() << ": " << field.grid().columns << " × "
+                << field.grid().rows << " samples, pitch " << fixed(field.grid().pitch_m * 1e6, 1)
+                << " µm, height " << fixed(field.minimum_m() * 1e6, 1) << " to "
+                << fixed(field.maximum_m() * 1e6, 1) << " µm, RMS " << fixed(field.rms_m() * 1e6, 1)
+                << " µm\n"
+                << advice(examine_photograph(loaded.photograph.grey, chosen, name)) << '\n';
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity

@@ -1,0 +1,55 @@
+// asperity verify: does a study hold what it says?
+
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/signals.h"
+#include "app/cli/terminal.h"
+#include "app/tasks/verify_study.h"
+
+namespace asperity {
+
+void add_verify(CLI::App& program, Job& job) {
+  struct Options {
+    std::string study{};
+    bool replay = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "verify", "Check a study: every hash and constraint, and the plans against their seeds.");
+  command->add_option("STUDY", options->study, "Folder of the study")->required();
+  command->add_flag("--replay", options->replay,
+                    "Also put every recorded hand through its renderers");
+  command->callback([options, &job] {
+    job = [options] {
+      const InterruptWatch interrupt;
+      Study study = Study::open(options->study, Access::read_only);
+      const ModelRegistry models = built_in_models();
+      VerifyResult result{};
+      {
+        Progress progress("verifying");
+        result = verify_study(study, models, options->replay, interrupt.token(),
+                              [&progress](double fraction) { progress.show(fraction); });
+      }
+      if (interrupt.token().stop_requested()) {
+        say("asperity: stopped before everything was verified");
+        return 1;
+      }
+      for (const std::string& problem : result.problems) say("asperity: " + problem);
+      for (const std::string& rule : result.rules) std::cout << rule << '\n';
+      if (options->replay) {
+        std::cout << result.recordings_replayed << " recordings replayed\n";
+      }
+      std::cout << (result.problems.empty()
+                        ? std::string("everything holds")
+                        : std::to_string(result.problems.size()) + " things do not hold")
+                << '\n';
+      return result.problems.empty() ? 0 : 1;
+    };
+  });
+}
+
+}  // namespace asperity

@@ -1,0 +1,271 @@
+#include "app/conductor/attempt_measures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "analysis/compliance.h"
+#include "analysis/spectrum.h"
+#include "analysis/summary.h"
+#include "renderers/offline/replay.h"
+
+namespace asperity {
+
+namespace {
+
+// A stretch of contact shorter than this holds too few periods of the band's lower border (5 Hz).
+constexpr double kShortestStretch_s = 0.25;
+// Band limits are asked for along a stroke; a turn of the hand is no stroke.
+constexpr double kMoving_m_per_s = 0.010;
+
+bool belongs(const TickRecord& record, std::uint64_t presentation) {
+  return record.presentation == presentation && record.has(TickFlag::presenting);
+}
+
+bool touches(const TickRecord& record, std::uint64_t presentation) {
+  return belongs(record, presentation) && record.penetration_m > 0.0;
+}
+
+double speed_of(const TickRecord& record) {
+  const glm::dvec3& velocity = record.probe.velocity_m_per_s;
+  return tangential_speed_m_per_s({velocity.x, velocity.y, velocity.z}, {0.0, 0.0, 1.0});
+}
+
+std::vector<double> sorted_seconds(std::vector<double> nanoseconds) {
+  for (double& value : nanoseconds) value *= 1e-9;
+  std::sort(nanoseconds.begin(), nanoseconds.end());
+  return nanoseconds;
+}
+
+ComplianceRow row_of(const std::string& quantity, std::span<const double> samples,
+                     const Band& band) {
+  ComplianceRow row{};
+  row.quantity = quantity;
+  row.minimum = band.minimum;
+  row.maximum = band.maximum;
+  if (const auto compliance = compliance_of(samples, {band.minimum, band.maximum})) {
+    row.mean = compliance->summary.mean;
+    row.sd = compliance->summary.sd;
+    row.p05 = compliance->summary.p05;
+    row.p50 = compliance->summary.p50;
+    row.p95 = compliance->summary.p95;
+    row.fraction_in_band = compliance->fraction_inside;
+  }
+  return row;
+}
+
+bool is_declared(const Band& band) { return band.minimum || band.maximum; }
+
+/// A quantity that varies during contact: enough of it has to lie inside.
+ComplianceRow judged_by_fraction(const std::string& quantity, std::span<const double> samples,
+                                 const Band& band, double required_fraction) {
+  ComplianceRow row = row_of(quantity, samples, band);
+  if (is_declared(band)) row.passed = row.fraction_in_band.value_or(0.0) >= required_fraction;
+  return row;
+}
+
+/// A quantity with one value per surface, or whose mean is asked for.
+ComplianceRow judged_by_mean(const std::string& quantity, std::span<const double> samples,
+                             const Band& band) {
+  ComplianceRow row = row_of(quantity, samples, band);
+  if (is_declared(band)) {
+    row.passed = !samples.empty() && row.mean >= band.minimum.value_or(row.mean) &&
+                 row.mean <= band.maximum.value_or(row.mean);
+  }
+  return row;
+}
+
+}  // namespace
+
+ServoQualityRow servo_quality_of(std::span<const TickRecord> records, double rate_Hz,
+                                 std::uint64_t lost_records) {
+  ServoQualityRow row{};
+  row.rate_Hz = rate_Hz;
+  row.ticks = static_cast<std::int64_t>(records.size());
+  row.lost_records = static_cast<std::int64_t>(lost_records);
+  std::vector<double> periods{};
+  std::vector<double> lateness{};
+  std::vector<double> execution{};
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const TickRecord& record = records[i];
+    if (i > 0) {
+      periods.push_back(static_cast<double>(record.probe.time_ns - records[i - 1].probe.time_ns));
+    }
+    lateness.push_back(record.lateness_ns);
+    execution.push_back(record.execution_ns);
+    if (record.has(TickFlag::missed_deadline)) ++row.missed_deadlines;
+    if (record.has(TickFlag::limited_force) || record.has(TickFlag::limited_torque)) {
+      ++row.saturated_ticks;
+    }
+    if (record.has(TickFlag::limited_slew)) ++row.slew_limited_ticks;
+    if (record.has(TickFlag::limited_not_finite)) ++row.not_finite_ticks;
+  }
+  if (periods.empty()) return row;
+  periods = sorted_seconds(std::move(periods));
+  lateness = sorted_seconds(std::move(lateness));
+  execution = sorted_seconds(std::move(execution));
+  const Summary summary = *summary_of(periods);
+  row.period_mean_s = summary.mean;
+  row.period_sd_s = summary.sd;
+  row.period_p50_s = quantile(periods, 0.5);
+  row.period_p99_s = quantile(periods, 0.99);
+  row.period_p99_9_s = quantile(periods, 0.999);
+  row.period_maximum_s = periods.back();
+  row.lateness_p50_s = quantile(lateness, 0.5);
+  row.lateness_p99_s = quantile(lateness, 0.99);
+  row.lateness_maximum_s = lateness.back();
+  row.execution_p99_s = quantile(execution, 0.99);
+  row.execution_maximum_s = execution.back();
+  return row;
+}
+
+void fill_times(std::span<const TickRecord> records, std::uint64_t presentation, double rate_Hz,
+                PresentationRow& row) {
+  std::int64_t contact_ticks = 0;
+  for (const TickRecord& record : records) {
+    if (!belongs(record, presentation)) continue;
+    if (!row.onset_ns) row.onset_ns = record.probe.time_ns;
+    row.offset_ns = record.probe.time_ns;
+    if (!touches(record, presentation)) continue;
+    if (!row.contact_ns) row.contact_ns = record.probe.time_ns;
+    ++contact_ticks;
+  }
+  row.contact_s = static_cast<double>(contact_ticks) / rate_Hz;
+}
+
+ForceFeatures features_of(std::span<const TickRecord> records, std::uint64_t presentation) {
+  std::vector<double> time_s{};
+  std::vector<double> travel_m{};
+  std::vector<double> normal_N{};
+  std::vector<double> lateral_N{};
+  double travelled_m = 0.0;
+  const TickRecord* previous = nullptr;
+  for (const TickRecord& record : records) {
+    if (!touches(record, presentation)) {
+      previous = nullptr;
+      continue;
+    }
+    const glm::dvec3 motion_m = previous == nullptr
+                                    ? glm::dvec3{0.0}
+                                    : record.probe.position_m - previous->probe.position_m;
+    travelled_m += std::hypot(motion_m.x, motion_m.y);
+    previous = &record;
+    const double speed_m_per_s = speed_of(record);
+    const glm::dvec3& velocity = record.probe.velocity_m_per_s;
+    const glm::dvec3& force = record.sent.force_N;
+    const double along_N =
+        speed_m_per_s > 0.0 ? -(force.x * velocity.x + force.y * velocity.y) / speed_m_per_s : 0.0;
+    time_s.push_back(static_cast<double>(record.probe.time_ns - records.front().probe.time_ns) *
+                     1e-9);
+    travel_m.push_back(travelled_m);
+    normal_N.push_back(force.z);
+    lateral_N.push_back(along_N);
+  }
+  return force_features({time_s, travel_m, normal_N, lateral_N});
+}
+
+std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
+                                         std::uint64_t presentation, double rate_Hz,
+                                         const Exploration& exploration) {
+  std::vector<double> force_N{};
+  std::vector<double> speed_m_per_s{};
+  std::vector<double> stroke_lengths_m{};
+  std::vector<double> contact_position_m{};
+  std::int64_t contact_ticks = 0;
+  const double cosine = std::cos(exploration.direction_rad);
+  const double sine = std::sin(exploration.direction_rad);
+  const auto end_of_contact = [&] {
+    for (const StrokePassage& stroke : strokes_along(contact_position_m)) {
+      stroke_lengths_m.push_back(std::abs(stroke.length_m));
+    }
+    contact_position_m.clear();
+  };
+  for (const TickRecord& record : records) {
+    if (!touches(record, presentation)) {
+      end_of_contact();
+      continue;
+    }
+    ++contact_ticks;
+    const double speed = speed_of(record);
+    force_N.push_back(record.sent.force_N.z);
+    if (speed >= kMoving_m_per_s) speed_m_per_s.push_back(speed);
+    contact_position_m.push_back(cosine * record.probe.position_m.x +
+                                 sine * record.probe.position_m.y);
+  }
+  end_of_contact();
+  const double fraction = exploration.required_fraction_in_band;
+  const std::array<double, 1> contact_s{static_cast<double>(contact_ticks) / rate_Hz};
+  const std::array<double, 1> strokes{static_cast<double>(stroke_lengths_m.size())};
+  const Band contact_band{exploration.minimum_contact_s, {}, {}};
+  return {judged_by_fraction("normal_force_N", force_N, exploration.normal_force_N, fraction),
+          judged_by_fraction("speed_m_per_s", speed_m_per_s, exploration.speed_m_per_s, fraction),
+          judged_by_mean("contact_s", contact_s, contact_band),
+          judged_by_mean("strokes", strokes, exploration.strokes),
+          judged_by_mean("stroke_length_m", stroke_lengths_m, exploration.stroke_length_m)};
+}
+
+std::optional<double> achieved_texture_force_N(std::span<const TickRecord> records,
+                                               std::uint64_t presentation, double rate_Hz,
+                                               const PreparedStimulus& stimulus,
+                                               const EqualForce& band) {
+  std::vector<TickRecord> felt{};
+  for (const TickRecord& record : records) {
+    if (belongs(record, presentation)) felt.push_back(record);
+  }
+  if (felt.empty()) return {};
+  const auto plain_renderer =
+      stimulus.model->make(without_texture(stimulus.model->declaration, stimulus.inputs));
+  const std::vector<RenderedTick> plain = replay(*plain_renderer, felt, rate_Hz);
+
+  const auto shortest = static_cast<std::size_t>(kShortestStretch_s * rate_Hz);
+  std::array<std::vector<double>, 3> stretch{};
+  double sum_of_squares_N2 = 0.0;
+  std::size_t samples = 0;
+  const auto end_of_stretch = [&] {
+    const std::size_t length = stretch[0].size();
+    if (length >= shortest) {
+      for (const std::vector<double>& axis : stretch) {
+        const double rms_N =
+            band_rms(axis, rate_Hz, band.band_low_Hz, std::min(band.band_high_Hz, 0.5 * rate_Hz));
+        sum_of_squares_N2 += rms_N * rms_N * static_cast<double>(length);
+      }
+      samples += length;
+    }
+    for (std::vector<double>& axis : stretch) axis.clear();
+  };
+  for (std::size_t i = 0; i < felt.size(); ++i) {
+    const bool unbroken = i == 0 || felt[i].probe.time_ns - felt[i - 1].probe.time_ns <
+                                        static_cast<std::int64_t>(2.5e9 / rate_Hz);
+    if (felt[i].penetration_m <= 0.0 || felt[i].gain < 1.0 || !unbroken) {
+      end_of_stretch();
+      continue;
+    }
+    const glm::dvec3 texture_N = felt[i].rendered.force_N - plain[i].wrench.force_N;
+    stretch[0].push_back(texture_N.x);
+    stretch[1].push_back(texture_N.y);
+    stretch[2].push_back(texture_N.z);
+  }
+  end_of_stretch();
+  if (samples == 0) return {};
+  return std::sqrt(sum_of_squares_N2 / static_cast<double>(samples));
+}
+
+HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch) {
+  const auto aim = [](const Band& band, double otherwise) {
+    if (band.target) return *band.target;
+    if (band.minimum && band.maximum) return 0.5 * (*band.minimum + *band.maximum);
+    return band.maximum ? std::min(otherwise, *band.maximum)
+                        : std::max(otherwise, band.minimum.value_or(otherwise));
+  };
+  HandHabits habits{};
+  habits.centre_m = patch.centre_m;
+  habits.direction_rad = exploration.direction_rad;
+  habits.stroke_length_m = aim(exploration.stroke_length_m, habits.stroke_length_m);
+  habits.speed_m_per_s = aim(exploration.speed_m_per_s, habits.speed_m_per_s);
+  habits.normal_force_N = aim(exploration.normal_force_N, habits.normal_force_N);
+  return habits;
+}
+
+}  // namespace asperity

@@ -1,0 +1,40 @@
+#include "app/conductor/clock.h"
+
+#include <chrono>
+#include <ctime>
+#include <stdexcept>
+
+#include "renderers/servo_thread.h"
+
+namespace asperity {
+
+std::string utc_text(std::int64_t since_1970_ns) {
+  const std::int64_t milliseconds = since_1970_ns / 1'000'000;
+  const std::time_t seconds = static_cast<std::time_t>(milliseconds / 1000);
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  const auto padded = [](std::int64_t number, std::size_t width) {
+    std::string digits = std::to_string(number);
+    if (digits.size() < width) digits.insert(0, width - digits.size(), '0');
+    return digits;
+  };
+  return padded(parts.tm_year + 1900, 4) + '-' + padded(parts.tm_mon + 1, 2) + '-' +
+         padded(parts.tm_mday, 2) + 'T' + padded(parts.tm_hour, 2) + ':' + padded(parts.tm_min, 2) +
+         ':' + padded(parts.tm_sec, 2) + '.' + padded(milliseconds % 1000, 3) + 'Z';
+}
+
+std::int64_t SystemClock::now_ns() const noexcept { return monotonic_now_ns(); }
+
+std::string SystemClock::utc() const {
+  const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+  return utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(since_1970).count());
+}
+
+std::string SimulatedClock::utc() const { return utc_text(kEpoch_s * 1'000'000'000 + now_ns_); }
+
+void SimulatedClock::move_to(std::int64_t now_ns) {
+  if (now_ns < now_ns_) throw std::logic_error("a simulated clock cannot go back");
+  now_ns_ = now_ns;
+}
+
+}  // namespace asperity

@@ -1,0 +1,58 @@
+// What time it is, for a session.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace asperity {
+
+/// The clock of a session: a monotonic count that every stored time is on, and the date it began.
+///
+/// A session in real time runs on the system's clocks. A simulated one has its own, which only the
+/// conductor moves, from a fixed date; so the same simulation has the same time stamps for ever.
+class Clock {
+ public:
+  virtual ~Clock() = default;
+  Clock(const Clock&) = delete;
+  Clock& operator=(const Clock&) = delete;
+
+  virtual std::int64_t now_ns() const noexcept = 0;
+  /// Now, as UTC ISO 8601 with milliseconds: "2026-01-01T00:00:00.000Z".
+  virtual std::string utc() const = 0;
+
+ protected:
+  Clock() = default;
+};
+
+/// The machine's monotonic clock and its date.
+class SystemClock final : public Clock {
+ public:
+  SystemClock() = default;
+  std::int64_t now_ns() const noexcept override;
+  std::string utc() const override;
+};
+
+/// Stands still until it is moved. The n-th session of a simulation begins n hours after the epoch.
+class SimulatedClock final : public Clock {
+ public:
+  /// 2026-01-01T00:00:00Z, in seconds since 1970.
+  static constexpr std::int64_t kEpoch_s = 1767225600;
+
+  explicit SimulatedClock(std::int64_t session_index)
+      : begin_ns_(session_index * 3'600'000'000'000), now_ns_(begin_ns_) {}
+
+  std::int64_t now_ns() const noexcept override { return now_ns_; }
+  std::string utc() const override;
+  /// Errors: std::logic_error when time would go back.
+  void move_to(std::int64_t now_ns);
+
+ private:
+  std::int64_t begin_ns_ = 0;
+  std::int64_t now_ns_ = 0;
+};
+
+/// Nanoseconds since 1970 as UTC ISO 8601 with milliseconds.
+std::string utc_text(std::int64_t since_1970_ns);
+
+}  // namespace asperity

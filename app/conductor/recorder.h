@@ -1,0 +1,67 @@
+// The other end of the ring: keeps what happened in an attempt and writes it down.
+
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "renderers/record_ring.h"
+#include "renderers/tick_record.h"
+#include "results_schema/recording.h"
+
+namespace asperity {
+
+/// What the conductor watches while a surface is felt.
+struct LiveContact {
+  double contact_s = 0.0;  ///< with the present surface, since it was presented
+  bool touching = false;
+  bool presented = false;  ///< the servo has taken the surface
+};
+
+/// Takes the records out of the ring between `begin` and `finish`; throws them away otherwise.
+///
+/// Every record is first made what its recording will give again (`as_recorded`).
+///
+/// Errors: a recording that cannot be written (a full disk) does not disturb the loop: the attempt
+/// goes on in memory, and `finish` throws what the disk said.
+///
+/// Threads: belongs to the conductor's thread.
+class Recorder final {
+ public:
+  Recorder() = default;
+
+  /// `writer` may be null: the attempt is then not recorded, only measured.
+  void begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz, const RecordRing& records);
+  void drain(RecordRing& records);
+  /// Counts contact anew for the surface presented next.
+  void watch(std::uint64_t presentation) noexcept;
+  LiveContact live() const noexcept { return live_; }
+  bool is_open() const noexcept { return open_; }
+  /// Of the attempt under way, as they will be recorded.
+  const std::vector<TickRecord>& records() const noexcept { return records_; }
+
+  struct Attempt {
+    std::vector<TickRecord> records{};
+    std::optional<RecordingRow> recording{};
+    std::uint64_t lost_records = 0;
+  };
+  /// Ends the attempt. Throws the writer's ResultsError, if there was one.
+  Attempt finish(const RecordRing& records);
+  /// Ends the attempt, keeping nothing (an unfinished recording stays as `.part`).
+  void abandon() noexcept;
+
+ private:
+  bool open_ = false;
+  double rate_Hz_ = 1000.0;
+  std::uint64_t lost_before_ = 0;
+  std::uint64_t watched_ = 0;
+  LiveContact live_{};
+  std::vector<TickRecord> records_{};
+  std::unique_ptr<RecordingWriter> writer_{};
+  std::exception_ptr write_error_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,31 @@
+// A tick record as the floats of a recording, and back.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "renderers/tick_record.h"
+#include "results_schema/recording.h"
+
+namespace asperity {
+
+inline constexpr std::size_t kRecordingColumns = 32;
+
+/// Name, unit and meaning of each column, in order.
+const std::vector<RecordingColumn>& recording_columns();
+
+std::array<float, kRecordingColumns> columns_of(const TickRecord& record) noexcept;
+TickRecord record_of(std::int64_t time_ns,
+                     std::span<const float, kRecordingColumns> values) noexcept;
+
+/// The record as its recording will give it again. Everything that is computed of an attempt is
+/// computed from these values, so that live and later results are the same numbers.
+TickRecord as_recorded(const TickRecord& record) noexcept;
+
+/// All records of a recording. Errors: ResultsError when its columns are not those of this program.
+std::vector<TickRecord> records_of(const Recording& recording);
+
+}  // namespace asperity

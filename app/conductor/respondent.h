@@ -1,0 +1,64 @@
+// Who answers: a person at a terminal, or a virtual participant.
+
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analysis/force_features.h"
+#include "protocols/plan.h"
+#include "protocols/protocol.h"
+#include "results_schema/rows.h"
+
+namespace asperity {
+
+/// Lets time go by while somebody thinks: seconds to wait. The servo ticks on meanwhile.
+using Wait = std::function<void(double)>;
+
+/// What came back from the question of a trial.
+struct Reply {
+  /// Chosen options by index, one per item of the question (see TrialQuestion); empty when the time
+  /// was over or the person wants to feel a surface again.
+  std::vector<std::size_t> options{};
+  std::optional<int> feel_again{};  ///< position of the surface to be felt again
+};
+
+/// The person left: closed the terminal, asked to stop.
+class RespondentGone final : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The side of the participant. Every call may take its time through `wait`.
+class Respondent {
+ public:
+  virtual ~Respondent() = default;
+  Respondent(const Respondent&) = delete;
+  Respondent& operator=(const Respondent&) = delete;
+
+  /// Instructions, breaks, thanks: returns when they have been read.
+  virtual void read(const std::string& text, double minimum_s, const Wait& wait) = 0;
+  /// The surface of this code can be felt now.
+  virtual void announce(const Trial& trial, const PlannedPresentation& surface) = 0;
+  /// `felt` are the features of what each surface felt like, by position.
+  virtual Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
+                    std::optional<double> deadline_s, const Wait& wait) = 0;
+  /// Feedback after a practice trial.
+  virtual void tell(const std::string& text, const Wait& wait) = 0;
+  /// Answers to a question about the person or the session, as text; empty where optional and left
+  /// out.
+  virtual std::string answer(const Question& question, const Wait& wait) = 0;
+  /// "terminal", "virtual": where the answers come from.
+  virtual std::string source() const = 0;
+  /// Before each attempt; a virtual participant takes its random stream for it from here.
+  virtual void begin_attempt(int trial, int attempt) = 0;
+
+ protected:
+  Respondent() = default;
+};
+
+}  // namespace asperity

@@ -1,0 +1,105 @@
+#include "app/conductor/rig.h"
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "app/conductor/recorder.h"
+
+namespace asperity {
+
+namespace {
+
+// Short enough that the ring (8 s at 1 kHz) is never near full and a stop is felt at once.
+constexpr double kRealTimeSlice_s = 0.005;
+constexpr std::int64_t kTicksBetweenDrains = 256;
+
+}  // namespace
+
+struct SteppedRig::Assembly {
+  Assembly(const RigSettings& settings, const HandHabits& habits, const Random& random)
+      : hand(habits, random), device(hand, settings.device), loop(device, records, settings.servo) {
+    device.set_limits(settings.limits);
+  }
+  VirtualHand hand;
+  SimulatedDevice device;
+  RecordRing records{2 * kTicksBetweenDrains};
+  ServoLoop loop;
+};
+
+SteppedRig::SteppedRig(const RigSettings& settings, std::int64_t session_index)
+    : settings_(settings), clock_(session_index) {
+  prepare_attempt(HandHabits{}, Random(0));
+}
+
+SteppedRig::~SteppedRig() = default;
+
+ServoLoop& SteppedRig::loop() noexcept { return assembly_->loop; }
+RecordRing& SteppedRig::records() noexcept { return assembly_->records; }
+VirtualHand& SteppedRig::hand() noexcept { return assembly_->hand; }
+const DeviceCapability& SteppedRig::capability() const noexcept {
+  return assembly_->device.capability();
+}
+
+void SteppedRig::prepare_attempt(const HandHabits& habits, const Random& random) {
+  assembly_ = std::make_unique<Assembly>(settings_, habits, random);
+  grid_origin_ns_ = clock_.now_ns();
+  ticks_since_origin_ = 0;
+  owed_s_ = 0.0;
+}
+
+void SteppedRig::pass(double duration_s, Recorder& recorder) {
+  // Ticks lie on the grid origin + n/rate; what is left of a duration is owed to the next call, so
+  // that many short waits are as long as one long one.
+  owed_s_ += duration_s;
+  const double rate_Hz = settings_.servo.rate_Hz;
+  const auto ticks = static_cast<std::int64_t>(std::floor(owed_s_ * rate_Hz + 1e-9));
+  owed_s_ -= static_cast<double>(ticks) / rate_Hz;
+  for (std::int64_t tick = 0; tick < ticks; ++tick) {
+    ++ticks_since_origin_;
+    const double since_origin_ns = static_cast<double>(ticks_since_origin_) * 1e9 / rate_Hz;
+    clock_.move_to(grid_origin_ns_ + std::llround(since_origin_ns));
+    assembly_->loop.heartbeat();
+    assembly_->loop.tick(clock_.now_ns());
+    if (tick % kTicksBetweenDrains == kTicksBetweenDrains - 1) recorder.drain(records());
+  }
+  recorder.drain(records());
+}
+
+namespace {
+
+/// A scripted stall takes real time only where there is some.
+SimulatedDeviceSettings in_real_time(SimulatedDeviceSettings settings) {
+  settings.sleep = [](double duration_s) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(duration_s));
+  };
+  return settings;
+}
+
+}  // namespace
+
+RealTimeRig::RealTimeRig(const RigSettings& settings, const HandHabits& habits,
+                         const Random& random, Scheduling scheduling)
+    : hand_(habits, random),
+      device_(hand_, in_real_time(settings.device)),
+      loop_((device_.set_limits(settings.limits), device_), records_, settings.servo),
+      thread_(loop_, device_, scheduling) {}
+
+RealTimeRig::~RealTimeRig() = default;
+
+void RealTimeRig::prepare_attempt(const HandHabits& habits, const Random&) {
+  hand_.set_habits(habits);
+}
+
+void RealTimeRig::pass(double duration_s, Recorder& recorder) {
+  const std::int64_t until_ns = clock_.now_ns() + std::llround(duration_s * 1e9);
+  for (;;) {
+    loop_.heartbeat();
+    recorder.drain(records_);
+    const double left_s = static_cast<double>(until_ns - clock_.now_ns()) * 1e-9;
+    if (left_s <= 0.0) return;
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, kRealTimeSlice_s)));
+  }
+}
+
+}  // namespace asperity

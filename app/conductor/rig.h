@@ -1,0 +1,114 @@
+// A device, the servo loop that drives it, and what paces the loop: the physical side of a session.
+
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "analysis/random.h"
+#include "app/conductor/clock.h"
+#include "device/simulated_device.h"
+#include "device/virtual_hand.h"
+#include "renderers/record_ring.h"
+#include "renderers/servo_loop.h"
+#include "renderers/servo_thread.h"
+
+namespace asperity {
+
+class Recorder;
+
+struct RigSettings {
+  ServoSettings servo{};
+  ForceLimits limits{};
+  SimulatedDeviceSettings device{};
+};
+
+/// What the conductor needs of the physical side.
+///
+/// `pass` is how time goes by in a session: ticks happen, the recorder takes their records, the
+/// loop hears the conductor's heartbeat. Everything the conductor waits for, it waits for in
+/// `pass`.
+///
+/// Threads: all of it belongs to the conductor's thread, but for `loop().emergency_stop()`.
+class Rig {
+ public:
+  virtual ~Rig() = default;
+  Rig(const Rig&) = delete;
+  Rig& operator=(const Rig&) = delete;
+
+  virtual const Clock& clock() const noexcept = 0;
+  virtual ServoLoop& loop() noexcept = 0;
+  virtual RecordRing& records() noexcept = 0;
+  virtual VirtualHand& hand() noexcept = 0;
+  virtual const DeviceCapability& capability() const noexcept = 0;
+  /// "stepped" or "real_time", and how the thread is scheduled.
+  virtual std::string pacing() const = 0;
+  virtual std::string scheduling() const = 0;
+
+  /// The hand as it is for the next attempt, lifted. A stepped rig starts anew, so that an attempt
+  /// does not depend on the ones before it.
+  virtual void prepare_attempt(const HandHabits& habits, const Random& random) = 0;
+
+  virtual void pass(double duration_s, Recorder& recorder) = 0;
+
+ protected:
+  Rig() = default;
+};
+
+/// A simulated device on a simulated clock: as fast as the machine can.
+class SteppedRig final : public Rig {
+ public:
+  SteppedRig(const RigSettings& settings, std::int64_t session_index);
+  ~SteppedRig() override;
+
+  const Clock& clock() const noexcept override { return clock_; }
+  ServoLoop& loop() noexcept override;
+  RecordRing& records() noexcept override;
+  VirtualHand& hand() noexcept override;
+  const DeviceCapability& capability() const noexcept override;
+  std::string pacing() const override { return "stepped"; }
+  std::string scheduling() const override { return "none"; }
+  void prepare_attempt(const HandHabits& habits, const Random& random) override;
+  void pass(double duration_s, Recorder& recorder) override;
+
+  /// A resumed session goes on after what was stored.
+  void move_clock_to(std::int64_t now_ns) { clock_.move_to(now_ns); }
+
+ private:
+  struct Assembly;
+  RigSettings settings_{};
+  SimulatedClock clock_;
+  std::int64_t grid_origin_ns_ = 0;
+  std::int64_t ticks_since_origin_ = 0;
+  double owed_s_ = 0.0;
+  std::unique_ptr<Assembly> assembly_;
+};
+
+/// A simulated device in real time, on a servo thread.
+class RealTimeRig final : public Rig {
+ public:
+  RealTimeRig(const RigSettings& settings, const HandHabits& habits, const Random& random,
+              Scheduling scheduling);
+  ~RealTimeRig() override;
+
+  const Clock& clock() const noexcept override { return clock_; }
+  ServoLoop& loop() noexcept override { return loop_; }
+  RecordRing& records() noexcept override { return records_; }
+  VirtualHand& hand() noexcept override { return hand_; }
+  const DeviceCapability& capability() const noexcept override { return device_.capability(); }
+  std::string pacing() const override { return "real_time"; }
+  std::string scheduling() const override { return thread_.scheduling(); }
+  void prepare_attempt(const HandHabits& habits, const Random& random) override;
+  void pass(double duration_s, Recorder& recorder) override;
+
+ private:
+  SystemClock clock_{};
+  VirtualHand hand_;
+  SimulatedDevice device_;
+  RecordRing records_{};
+  ServoLoop loop_;
+  ServoThread thread_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,217 @@
+#include "app/conductor/session_setup.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/random.h"
+#include "protocols/protocol_reader.h"
+#include "results_schema/sha256.h"
+
+namespace asperity {
+
+namespace {
+
+std::string kind_text(ProtocolKind kind) {
+  switch (kind) {
+    case ProtocolKind::selection:
+      return "selection";
+    case ProtocolKind::matching:
+      return "matching";
+    case ProtocolKind::recognition:
+      return "recognition";
+  }
+  return {};
+}
+
+std::string phase_text(Phase phase) {
+  switch (phase) {
+    case Phase::familiarisation:
+      return "familiarisation";
+    case Phase::practice:
+      return "practice";
+    case Phase::main:
+      return "main";
+  }
+  return {};
+}
+
+std::string factors_json(const Trial& trial) {
+  nlohmann::ordered_json factors = nlohmann::ordered_json::object();
+  for (const auto& [name, level] : trial.factors) {
+    if (const double* number = std::get_if<double>(&level)) {
+      factors[name] = *number;
+    } else {
+      factors[name] = std::get<std::string>(level);
+    }
+  }
+  return factors.dump();
+}
+
+std::string capability_json(const DeviceCapability& device) {
+  const auto corner = [](const glm::dvec3& p) {
+    return nlohmann::ordered_json::array({p.x, p.y, p.z});
+  };
+  const nlohmann::ordered_json json{
+      {"name", device.name},
+      {"model", device.model},
+      {"serial", device.serial},
+      {"sensed_degrees_of_freedom", device.sensed_degrees_of_freedom},
+      {"actuated_degrees_of_freedom", device.actuated_degrees_of_freedom},
+      {"workspace_minimum_m", corner(device.workspace_minimum_m)},
+      {"workspace_maximum_m", corner(device.workspace_maximum_m)},
+      {"peak_force_N", device.peak_force_N},
+      {"continuous_force_N", device.continuous_force_N},
+      {"position_resolution_m", device.position_resolution_m},
+      {"maximum_rate_Hz", device.maximum_rate_Hz}};
+  return json.dump();
+}
+
+ProtocolRow row_of(const Protocol& protocol) {
+  ProtocolRow row{};
+  row.name = protocol.name;
+  row.version = protocol.version;
+  row.kind = kind_text(protocol.kind);
+  row.design = protocol.design == ProtocolDesign::chapter ? "chapter" : "improved";
+  row.source_sha256 = sha256_of(protocol.source);
+  row.source = protocol.source;
+  return row;
+}
+
+std::vector<PlannedTrialRow> rows_of(const Plan& plan) {
+  std::vector<PlannedTrialRow> rows{};
+  rows.reserve(plan.trials.size());
+  for (const Trial& trial : plan.trials) {
+    PlannedTrialRow row{};
+    row.trial = trial.ordinal;
+    row.block = trial.block;
+    row.block_ordinal = trial.block_ordinal;
+    row.phase = phase_text(trial.phase);
+    row.repetition = trial.repetition;
+    row.factors_json = factors_json(trial);
+    row.plan_json = json_of(trial);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
+                                        const std::filesystem::path& study_folder) {
+  std::set<std::string> paths{};
+  for (const NamedFile& file : files_of(protocol, protocol.name)) {
+    paths.insert(file.path);
+    if (file.is_height_field) paths.insert(file.path + ".json");
+  }
+  std::vector<StimulusFileRow> rows{};
+  std::string missing{};
+  for (const std::string& path : paths) {
+    const std::filesystem::path full = study_folder / path;
+    std::error_code error{};
+    const auto bytes = std::filesystem::file_size(full, error);
+    if (error) {
+      missing += (missing.empty() ? "" : "\n") + std::string("the protocol \"") + protocol.name +
+                 "\" names the file " + path + ", which is not in the study " +
+                 study_folder.string();
+      continue;
+    }
+    rows.push_back({path, sha256_of_file(full), static_cast<std::int64_t>(bytes)});
+  }
+  if (!missing.empty()) throw std::runtime_error(missing);
+  return rows;
+}
+
+OpenSession begin_session(Study& study, const Protocol& protocol, const std::string& participant,
+                          const SessionConditions& conditions, const ProgramIdentity& program) {
+  OpenSession session{};
+  SessionRow& row = session.row;
+  row.participant = participant;
+  row.protocol_id = study.add_protocol(row_of(protocol));
+  row.mode = conditions.mode;
+  row.seed = std::to_string(conditions.seed);
+  row.generator = Random::kName;
+  row.program_version = program.version;
+  row.program_commit = program.commit;
+  row.program_build = program.build;
+  row.program_sha256 = program.sha256;
+  row.instruction_set = program.instruction_set;
+  row.os = program.os;
+  row.device = conditions.device.model.empty()
+                   ? conditions.device.name
+                   : conditions.device.name + ' ' + conditions.device.model;
+  row.device_json = capability_json(conditions.device);
+  row.pacing = conditions.pacing;
+  row.scheduling = conditions.scheduling;
+  row.rate_Hz = protocol.rate_Hz;
+  row.started_utc = conditions.started_utc;
+  row.clock_zero_ns = conditions.clock_zero_ns;
+  if (!protocol.consent_version.empty()) {
+    row.consent_version = protocol.consent_version;
+    row.consent_utc = conditions.started_utc;
+  }
+  row.observer_json = conditions.observer_json;
+  row.files = hash_files(protocol, study.folder());
+  if (conditions.counterbalance_row) {
+    row.counterbalance_row = *conditions.counterbalance_row;
+    session.plan = make_plan(protocol, {conditions.seed, row.counterbalance_row});
+    row.id = study.add_session(row, rows_of(session.plan));
+  } else {
+    row.id = study.add_session(row, counterbalance_rows(protocol), [&](int counterbalance_row) {
+      session.plan = make_plan(protocol, {conditions.seed, counterbalance_row});
+      return rows_of(session.plan);
+    });
+  }
+  row = study.session(row.id);
+  return session;
+}
+
+OpenSession reopen(Study& study, const Protocol& protocol, const SessionRow& row) {
+  OpenSession session{};
+  session.row = row;
+  session.resumed = true;
+  session.plan = make_plan(protocol, {std::stoull(row.seed), row.counterbalance_row});
+  const std::vector<PlannedTrialRow> stored = study.plan(row.id);
+  const std::vector<PlannedTrialRow> made = rows_of(session.plan);
+  bool same = stored.size() == made.size();
+  for (std::size_t i = 0; same && i < stored.size(); ++i) {
+    same = stored[i].plan_json == made[i].plan_json && stored[i].block == made[i].block;
+  }
+  const std::string which =
+      "session " + std::to_string(row.session) + " of participant " + row.participant;
+  if (!same) {
+    throw std::runtime_error(which +
+                             " cannot go on: this program makes another plan of its protocol than "
+                             "the one it began with (it was begun by asperity " +
+                             row.program_version + ", commit " + row.program_commit + ")");
+  }
+  const std::vector<StimulusFileRow> files = hash_files(protocol, study.folder());
+  for (const StimulusFileRow& before : row.files) {
+    const auto now = std::find_if(files.begin(), files.end(),
+                                  [&before](const auto& file) { return file.path == before.path; });
+    if (now == files.end() || now->sha256 != before.sha256) {
+      throw std::runtime_error(which + " cannot go on: the file " + before.path +
+                               " has changed since it began; put the old one back");
+    }
+  }
+  session.attempts = study.attempts(row.id);
+  return session;
+}
+
+OpenSession resume_session(Study& study, const Protocol& protocol, const std::string& participant) {
+  std::optional<SessionRow> found{};
+  for (const SessionRow& row : study.sessions()) {
+    if (row.participant != participant || row.state == SessionState::completed) continue;
+    if (study.protocol(row.protocol_id).source == protocol.source) found = row;
+  }
+  if (!found) {
+    throw std::runtime_error("participant " + participant +
+                             " has no unfinished session of the protocol \"" + protocol.name +
+                             "\" as it is in this file; leave out --resume to begin one");
+  }
+  return reopen(study, protocol, *found);
+}
+
+}  // namespace asperity

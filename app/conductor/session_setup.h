@@ -1,0 +1,61 @@
+// Opens a session in the store, or finds the one to go on with.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/program.h"
+#include "device/device_capability.h"
+#include "protocols/plan.h"
+#include "protocols/protocol.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+/// How a new session is to be run; stored with it.
+struct SessionConditions {
+  SessionMode mode = SessionMode::run;
+  std::uint64_t seed = 0;
+  std::optional<int> counterbalance_row{};  ///< otherwise the least used one
+  std::string pacing{};
+  std::string scheduling{};
+  DeviceCapability device{};
+  std::string started_utc{};
+  std::int64_t clock_zero_ns = 0;
+  std::string observer_json = "null";
+};
+
+/// A session that is about to run: its row, its plan, and what has been done of it.
+struct OpenSession {
+  SessionRow row{};
+  Plan plan{};
+  std::vector<AttemptRow> attempts{};
+  bool resumed = false;
+};
+
+/// The files that a protocol names, with their hashes.
+///
+/// Errors: std::runtime_error with one sentence per file that is missing.
+std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
+                                        const std::filesystem::path& study_folder);
+
+/// Stores a new session of `participant` with its whole plan. Errors: ResultsError.
+OpenSession begin_session(Study& study, const Protocol& protocol, const std::string& participant,
+                          const SessionConditions& conditions, const ProgramIdentity& program);
+
+/// The latest session of this participant and protocol that is not completed, ready to go on.
+///
+/// The plan is made again from the stored seed and row and has to be the stored one; the files have
+/// to be those it began with.
+///
+/// Errors: std::runtime_error saying that there is none, or what has changed.
+OpenSession resume_session(Study& study, const Protocol& protocol, const std::string& participant);
+
+/// Every step of resuming, for one session of the store.
+OpenSession reopen(Study& study, const Protocol& protocol, const SessionRow& row);
+
+}  // namespace asperity

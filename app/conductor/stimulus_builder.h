@@ -1,0 +1,60 @@
+// A planned presentation → everything a renderer is built from.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "app/height_field_files.h"
+#include "protocols/plan.h"
+#include "renderers/force_model.h"
+
+namespace asperity {
+
+class Study;
+
+/// A stimulus made ready: files read, parameters complete, forces matched.
+struct PreparedStimulus {
+  const ForceModel* model = nullptr;
+  RendererInputs inputs{};  ///< parameters complete; seed still 0
+  std::optional<std::string> height_field_sha256{};
+  std::optional<double> matched_texture_force_N{};
+};
+
+/// Reads the study's height fields (once each), takes parameters from samples where a model does
+/// so, and solves requests for equal texture force.
+///
+/// A solution depends on the model and its version, the parameters, the material, the patch, the
+/// content of the height field and the target; it is kept under all of these in the study, so that
+/// every session renders the same stimulus.
+///
+/// Errors: std::runtime_error naming the stimulus and the file or parameter.
+///
+/// Threads: any; sessions that are simulated in parallel share one.
+class StimulusBuilder final {
+ public:
+  StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder);
+
+  /// `study` is where solutions are kept; it belongs to the calling thread.
+  PreparedStimulus prepare(const PlannedPresentation& presentation, Study& study);
+
+  LoadedHeightField height_field(const std::string& study_path);
+  const ModelRegistry& models() const noexcept { return models_; }
+
+ private:
+  double target_rms_N(const EqualForce& request, const RendererInputs& inputs) const;
+  void match(PreparedStimulus& prepared, const EqualForce& request, Study& study);
+
+  const ModelRegistry& models_;
+  std::filesystem::path study_folder_{};
+  std::mutex mutex_{};
+  std::map<std::string, LoadedHeightField> fields_{};
+  std::map<std::string, std::string> solutions_{};  ///< as kept in the study, by key
+};
+
+}  // namespace asperity

@@ -1,0 +1,176 @@
+#include "app/conductor/terminal_respondent.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <unistd.h>
+
+#include <poll.h>
+
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kPoll_s = 0.05;
+
+std::optional<std::size_t> whole_number(const std::string& text) {
+  std::size_t number = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) return {};
+  return number;
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+}  // namespace
+
+std::optional<std::string> complaint_about_answer(const Question& question, std::string& answer) {
+  if (answer.empty()) {
+    if (question.optional) return {};
+    return "This question needs an answer.";
+  }
+  switch (question.form) {
+    case Question::Form::text:
+      return {};
+    case Question::Form::number: {
+      const std::optional<double> number = number_in(answer);
+      const bool low = number && question.minimum && *number < *question.minimum;
+      const bool high = number && question.maximum && *number > *question.maximum;
+      if (number && !low && !high) return {};
+      std::string sentence = "A number is needed";
+      if (question.minimum && question.maximum) {
+        sentence += " from " + text_of_number(*question.minimum) + " to " +
+                    text_of_number(*question.maximum);
+      }
+      return sentence + '.';
+    }
+    case Question::Form::choice: {
+      const std::optional<std::size_t> number = whole_number(answer);
+      if (number && *number >= 1 && *number <= question.options.size()) {
+        answer = question.options[*number - 1];
+        return {};
+      }
+      const bool known = std::find(question.options.begin(), question.options.end(), answer) !=
+                         question.options.end();
+      if (known) return {};
+      return "A number from 1 to " + std::to_string(question.options.size()) + " is needed.";
+    }
+  }
+  return {};
+}
+
+TerminalRespondent::TerminalRespondent(int input, std::ostream& output)
+    : input_(input), output_(output) {}
+
+std::optional<std::string> TerminalRespondent::line(const Wait& wait,
+                                                    std::optional<double> deadline_s) {
+  double passed_s = 0.0;
+  for (;;) {
+    if (const auto end = buffer_.find('\n'); end != std::string::npos) {
+      std::string text = trimmed(buffer_.substr(0, end));
+      buffer_.erase(0, end + 1);
+      return text;
+    }
+    if (deadline_s && passed_s >= *deadline_s) return {};
+    pollfd ready{input_, POLLIN, 0};
+    if (::poll(&ready, 1, 0) > 0) {
+      std::array<char, 512> bytes{};
+      const ssize_t count = ::read(input_, bytes.data(), bytes.size());
+      if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) {
+        throw RespondentGone("the terminal was closed; go on later with --resume");
+      }
+      if (count > 0) buffer_.append(bytes.data(), static_cast<std::size_t>(count));
+      continue;
+    }
+    wait(kPoll_s);
+    passed_s += kPoll_s;
+  }
+}
+
+void TerminalRespondent::read(const std::string& text, double minimum_s, const Wait& wait) {
+  output_ << '\n' << text << '\n';
+  if (minimum_s > 0.0) {
+    output_ << "(at least " << static_cast<int>(minimum_s) << " s)\n" << std::flush;
+    wait(minimum_s);
+  }
+  output_ << "Press Return to go on. " << std::flush;
+  line(wait);
+}
+
+void TerminalRespondent::announce(const Trial&, const PlannedPresentation& surface) {
+  output_ << "\nFeel surface " << surface.code << " now." << std::endl;
+}
+
+Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>,
+                              std::optional<double> deadline_s, const Wait& wait) {
+  const TrialQuestion& question = trial.question;
+  const bool assignment = question.form == TrialQuestion::Form::assignment;
+  output_ << '\n' << question.prompt << '\n';
+  for (std::size_t i = 0; i < question.options.size(); ++i) {
+    const Option& option = question.options[i];
+    output_ << "  " << i + 1 << "  " << option.label;
+    if (option.picture) output_ << "  (picture " << option.label << " of the printed sheet)";
+    output_ << '\n';
+  }
+  if (question.allow_revisit) {
+    output_ << "To feel a surface again, type: feel and its letter.\n";
+  }
+  Reply reply{};
+  const std::size_t items = assignment ? trial.presentations.size() : 1;
+  while (reply.options.size() < items) {
+    if (assignment) {
+      output_ << "Surface " << trial.presentations[reply.options.size()].code << " is picture: ";
+    } else {
+      output_ << "Your answer: ";
+    }
+    output_ << std::flush;
+    const std::optional<std::string> typed = line(wait, deadline_s);
+    if (!typed) return {};
+    if (question.allow_revisit && typed->rfind("feel", 0) == 0) {
+      const std::string code = trimmed(typed->substr(4));
+      for (const PlannedPresentation& surface : trial.presentations) {
+        if (surface.code == code) return {{}, surface.position};
+      }
+      output_ << "There is no surface " << code << ".\n";
+      continue;
+    }
+    const std::optional<std::size_t> number = whole_number(*typed);
+    if (!number || *number < 1 || *number > question.options.size()) {
+      output_ << "Please type a number from 1 to " << question.options.size() << ".\n";
+      continue;
+    }
+    if (std::find(reply.options.begin(), reply.options.end(), *number - 1) != reply.options.end()) {
+      output_ << "That picture is taken; each belongs to one surface.\n";
+      continue;
+    }
+    reply.options.push_back(*number - 1);
+  }
+  return reply;
+}
+
+void TerminalRespondent::tell(const std::string& text, const Wait&) {
+  output_ << text << std::endl;
+}
+
+std::string TerminalRespondent::answer(const Question& question, const Wait& wait) {
+  output_ << '\n' << question.prompt << (question.optional ? " (may be left empty)" : "") << '\n';
+  for (std::size_t i = 0; i < question.options.size(); ++i) {
+    output_ << "  " << i + 1 << "  " << question.options[i] << '\n';
+  }
+  for (;;) {
+    output_ << "Your answer: " << std::flush;
+    std::string typed = line(wait).value_or(std::string());
+    const std::optional<std::string> complaint = complaint_about_answer(question, typed);
+    if (!complaint) return typed;
+    output_ << *complaint << '\n';
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,180 @@
+#include "app/conductor/virtual_participant.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "app/conductor/attempt_measures.h"
+#include "app/conductor/recorder.h"
+#include "app/conductor/rig.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kReading_s = 2.0;
+constexpr double kExpectationContact_s = 4.0;
+constexpr std::uint64_t kExpectationPresentation = 1;
+
+ForceFeatures felt_once(const ForceModel& model, const RendererInputs& inputs,
+                        const Protocol& protocol, const HandHabits& habits, const Random& random) {
+  RigSettings settings{};
+  settings.servo.rate_Hz = protocol.rate_Hz;
+  settings.limits.force_N = protocol.force_limit_N;
+  SteppedRig rig(settings, 0);
+  Recorder recorder;
+  rig.prepare_attempt(habits, random.split("hand"));
+  recorder.begin(nullptr, protocol.rate_Hz, rig.records());
+  rig.pass(0.1, recorder);
+  RendererInputs seeded = inputs;
+  seeded.seed = random.split("renderer").bits();
+  rig.loop().present({kExpectationPresentation, model.make(seeded)});
+  recorder.watch(kExpectationPresentation);
+  rig.hand().stroke();
+  const double limit_s = 4.0 * kExpectationContact_s;
+  for (double passed_s = 0.0;
+       recorder.live().contact_s < kExpectationContact_s && passed_s < limit_s; passed_s += 0.1) {
+    rig.pass(0.1, recorder);
+  }
+  const Recorder::Attempt attempt = recorder.finish(rig.records());
+  return features_of(attempt.records, kExpectationPresentation);
+}
+
+}  // namespace
+
+Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
+                             const Random& random) {
+  Expectations expectations{};
+  using Source = ObserverDeclaration::Expectation;
+  for (const auto& [name, texture] : protocol.textures) {
+    switch (protocol.observer.expectation) {
+      case Source::none:
+        break;
+      case Source::prior:
+        if (texture.prior) expectations[name] = *texture.prior;
+        break;
+      case Source::true_surface: {
+        if (!texture.true_height_field) break;
+        const ForceModel* model = builder.models().find("height_map");
+        if (model == nullptr) throw std::logic_error("there is no model height_map");
+        RendererInputs inputs{};
+        inputs.parameters = complete_values(model->declaration, {});
+        inputs.material = protocol.material;
+        inputs.patch = protocol.patch;
+        inputs.height_field = builder.height_field(*texture.true_height_field).field;
+        const HandHabits habits =
+            protocol.explorations.empty()
+                ? HandHabits{}
+                : habits_for(protocol.explorations.begin()->second, protocol.patch);
+        expectations[name] =
+            felt_once(*model, inputs, protocol, habits, random.split("expectation").split(name));
+        break;
+      }
+    }
+  }
+  return expectations;
+}
+
+VirtualParticipant::VirtualParticipant(const Protocol& protocol, Expectations expectations,
+                                       ParticipantRow person, const Random& random)
+    : protocol_(protocol),
+      expectations_(std::move(expectations)),
+      person_(std::move(person)),
+      random_(random),
+      attempt_random_(random) {}
+
+void VirtualParticipant::begin_attempt(int trial, int attempt) {
+  attempt_random_ = random_.split("attempt")
+                        .split(static_cast<std::uint64_t>(trial))
+                        .split(static_cast<std::uint64_t>(attempt));
+}
+
+void VirtualParticipant::read(const std::string&, double minimum_s, const Wait& wait) {
+  wait(std::max(minimum_s, kReading_s));
+}
+
+void VirtualParticipant::tell(const std::string&, const Wait& wait) { wait(1.0); }
+
+Reply VirtualParticipant::ask(const Trial& trial, std::span<const ForceFeatures> felt,
+                              std::optional<double> deadline_s, const Wait& wait) {
+  VirtualObserver observer(protocol_.observer, attempt_random_);
+  const double thinking_s = observer.response_time_s();
+  if (deadline_s && thinking_s > *deadline_s) {
+    wait(*deadline_s);
+    return {};
+  }
+  wait(thinking_s);
+  const TrialQuestion& question = trial.question;
+  const auto expectation_of = [this](const std::string& texture) -> const ForceFeatures* {
+    const auto found = expectations_.find(texture);
+    return found == expectations_.end() ? nullptr : &found->second;
+  };
+  if (protocol_.kind == ProtocolKind::selection) {
+    const ForceFeatures* expected = expectation_of(trial.presentations.front().stimulus.texture);
+    if (expected == nullptr) return {{observer.guess(question.options.size())}, {}};
+    const std::size_t best = observer.select(felt, *expected);
+    const std::string& item = trial.presentations.at(best).item;
+    for (std::size_t option = 0; option < question.options.size(); ++option) {
+      if (question.options[option].value == item) return {{option}, {}};
+    }
+    throw std::logic_error("no option stands for the surface that was chosen");
+  }
+  std::vector<ForceFeatures> expected{};
+  std::vector<std::size_t> options{};
+  for (std::size_t option = 0; option < question.options.size(); ++option) {
+    if (const ForceFeatures* features = expectation_of(question.options[option].value)) {
+      expected.push_back(*features);
+      options.push_back(option);
+    }
+  }
+  if (question.form == TrialQuestion::Form::choice) {
+    if (expected.empty()) return {{observer.guess(question.options.size())}, {}};
+    return {{options[observer.recognise(felt.front(), expected)]}, {}};
+  }
+  Reply reply{};
+  if (expected.size() == felt.size()) {
+    for (const std::size_t chosen : observer.match(felt, expected)) {
+      reply.options.push_back(options[chosen]);
+    }
+  } else {
+    reply.options.resize(felt.size());
+    for (std::size_t i = 0; i < felt.size(); ++i) reply.options[i] = i;
+    attempt_random_.shuffle(std::span<std::size_t>(reply.options));
+  }
+  return reply;
+}
+
+std::string VirtualParticipant::answer(const Question& question, const Wait& wait) {
+  wait(kReading_s);
+  switch (question.form) {
+    case Question::Form::choice:
+      return question.options.empty() ? std::string() : question.options.front();
+    case Question::Form::number: {
+      const double low = question.minimum.value_or(0.0);
+      const double high = question.maximum.value_or(low + 10.0);
+      return std::to_string(static_cast<int>(0.5 * (low + high)));
+    }
+    case Question::Form::text:
+      return {};
+  }
+  return {};
+}
+
+ParticipantRow virtual_person(int number, const Random& random, const std::string& created_utc) {
+  Random draws = random.split("person").split(static_cast<std::uint64_t>(number));
+  ParticipantRow person{};
+  std::string digits = std::to_string(number);
+  if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
+  person.label = "virtual" + digits;
+  person.is_virtual = true;
+  person.sex = number % 2 == 1 ? "F" : "M";
+  person.age_years = 20.0 + static_cast<double>(draws.below(9));  // mean 24, as in the chapter
+  person.handedness = draws.below(10) == 0 ? "left" : "right";
+  person.answers_json = R"({"hand_used":")" + *person.handedness + R"("})";
+  person.created_utc = created_utc;
+  return person;
+}
+
+}  // namespace asperity

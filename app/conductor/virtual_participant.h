@@ -1,0 +1,56 @@
+// A participant made of arithmetic, with a body and a biography.
+
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "app/conductor/respondent.h"
+#include "app/conductor/stimulus_builder.h"
+#include "device/simulated_device.h"
+#include "protocols/virtual_observer.h"
+
+namespace asperity {
+
+/// What a texture is expected to feel like, by texture. Empty where nothing is expected.
+using Expectations = std::map<std::string, ForceFeatures, std::less<>>;
+
+/// Expectations of one virtual participant under a protocol's declaration.
+///
+/// For `true_surface` the true height field of each texture is felt once, by the same kind of hand
+/// on another stroke with another seed, through the plain law of `height_map` at its defaults:
+/// never through a renderer of the session. For `prior` they are those stated in the protocol.
+Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
+                             const Random& random);
+
+/// Answers as a VirtualObserver judges. Every attempt draws from its own stream, so that a session
+/// which was interrupted and resumed gets the answers of one that was not.
+///
+/// Where nothing is expected (no truth and no prior) the answer is a guess, and `source` says so.
+class VirtualParticipant final : public Respondent {
+ public:
+  VirtualParticipant(const Protocol& protocol, Expectations expectations, ParticipantRow person,
+                     const Random& random);
+
+  void read(const std::string& text, double minimum_s, const Wait& wait) override;
+  void announce(const Trial&, const PlannedPresentation&) override {}
+  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
+            std::optional<double> deadline_s, const Wait& wait) override;
+  void tell(const std::string& text, const Wait& wait) override;
+  std::string answer(const Question& question, const Wait& wait) override;
+  std::string source() const override { return "virtual"; }
+  void begin_attempt(int trial, int attempt) override;
+
+ private:
+  const Protocol& protocol_;
+  Expectations expectations_{};
+  ParticipantRow person_{};
+  Random random_;
+  Random attempt_random_;
+};
+
+/// The n-th virtual participant of a study: label "virtual0001", sex alternating F, M, an age and a
+/// hand from its stream.
+ParticipantRow virtual_person(int number, const Random& random, const std::string& created_utc);
+
+}  // namespace asperity

@@ -1,0 +1,69 @@
+#include "app/height_field_files.h"
+
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "app/program.h"
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+namespace {
+
+std::filesystem::path sidecar_of(const std::filesystem::path& png) {
+  std::filesystem::path sidecar = png;
+  sidecar += ".json";
+  return sidecar;
+}
+
+std::span<const std::byte> bytes_of(const std::string& content) {
+  return std::as_bytes(std::span(content.data(), content.size()));
+}
+
+std::string_view text_of(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+LoadedHeightField load_height_field(const std::filesystem::path& png) {
+  const std::string content = read_file(png);
+  const std::string sidecar = read_file(sidecar_of(png));
+  StoredHeightField stored = decode_height_field(bytes_of(content), sidecar, png.string());
+  LoadedHeightField loaded{};
+  loaded.sha256 = sha256_of(content);
+  if (loaded.sha256 != stored.sha256) {
+    throw std::runtime_error(png.string() + " is not the picture that its sidecar " +
+                             sidecar_of(png).string() +
+                             " describes: the SHA-256 differs; make both again");
+  }
+  loaded.field = std::make_shared<const HeightField>(std::move(stored.field));
+  return loaded;
+}
+
+void save_height_field(const std::filesystem::path& png, const HeightField& field,
+                       HeightFieldProvenance provenance, Overwrite overwrite) {
+  const std::filesystem::path sidecar = sidecar_of(png);
+  if (overwrite == Overwrite::refuse && std::filesystem::exists(sidecar)) {
+    throw ResultsError(sidecar.string() + " exists already; use --force to replace it", sidecar);
+  }
+  provenance.program_version = version_line();
+  const std::vector<std::byte> content = encode_height_field_png(field);
+  const std::string text =
+      encode_height_field_sidecar(field, provenance, sha256_of(text_of(content)));
+  write_file(png, content, overwrite);
+  write_file(sidecar, text, overwrite);
+}
+
+void save_picture(const std::filesystem::path& png, const GreyImage& picture, Overwrite overwrite) {
+  write_file(png, encode_png(picture), overwrite);
+}
+
+LoadedPhotograph load_photograph(const std::filesystem::path& file) {
+  const std::string content = read_file(file);
+  return {decode_photograph(bytes_of(content), file.string()), sha256_of(content)};
+}
+
+}  // namespace asperity

@@ -1,0 +1,43 @@
+// Height fields and pictures on disk.
+
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "results_schema/atomic_file.h"
+#include "stimuli/grey_image.h"
+#include "stimuli/height_field.h"
+#include "stimuli/height_field_file.h"
+#include "stimuli/photograph.h"
+
+namespace asperity {
+
+/// A height field as it was read: the heights, and the name of their content.
+struct LoadedHeightField {
+  std::shared_ptr<const HeightField> field{};
+  std::string sha256{};  ///< of the PNG
+};
+
+/// Reads FILE.png and FILE.png.json and compares the PNG with the SHA-256 that the sidecar states.
+///
+/// Errors: ResultsError or std::invalid_argument, naming the file.
+LoadedHeightField load_height_field(const std::filesystem::path& png);
+
+/// Writes FILE.png and FILE.png.json. With `Overwrite::refuse`, nothing is written when either is
+/// there. The program's version is noted in the provenance.
+void save_height_field(const std::filesystem::path& png, const HeightField& field,
+                       HeightFieldProvenance provenance, Overwrite overwrite);
+
+/// An 8-bit PNG for people.
+void save_picture(const std::filesystem::path& png, const GreyImage& picture, Overwrite overwrite);
+
+/// A decoded photograph and the name of its content.
+struct LoadedPhotograph {
+  Photograph photograph{};
+  std::string sha256{};
+};
+LoadedPhotograph load_photograph(const std::filesystem::path& file);
+
+}  // namespace asperity

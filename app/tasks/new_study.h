@@ -1,0 +1,22 @@
+// A new study, empty or with the demonstration in it.
+
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+namespace asperity {
+
+/// Makes the folder with an empty store. Errors: ResultsError when there is something already.
+void new_study(const std::filesystem::path& folder);
+
+/// The demonstration study: the chapter's protocols, and its textures as procedural surfaces of
+/// known heights. Of each texture there are the true height field, a "photograph" of it, and the
+/// height field made from that photograph, which is what is rendered; of the distractors only the
+/// first two.
+///
+/// Works without a network, and gives the same files everywhere.
+void new_demo_study(const std::filesystem::path& folder,
+                    const std::function<void(double)>& progress);
+
+}  // namespace asperity

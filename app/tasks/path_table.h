@@ -1,0 +1,29 @@
+// Paths of a probe and forces along them, as tables.
+
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "device/probe_state.h"
+#include "renderers/rendered_tick.h"
+
+namespace asperity {
+
+/// A path: `time_s x_m y_m z_m`, optionally `qw qx qy qz` and
+/// `vx_m_per_s vy_m_per_s vz_m_per_s wx_rad_per_s wy_rad_per_s wz_rad_per_s`. Velocities that are
+/// absent are central differences of position and orientation (one-sided at the ends).
+///
+/// Errors: std::runtime_error naming the file, line and column: a column that is missing or
+/// unknown, a cell that is not a finite number, time that does not increase, fewer than two rows.
+std::vector<ProbeState> path_in(std::string_view tsv, const std::string& file_name);
+
+/// `time_s fx_N fy_N fz_N tx_N_m ty_N_m tz_N_m penetration_m`, shortest digits that read back.
+std::string forces_tsv(std::span<const ProbeState> path, std::span<const RenderedTick> forces);
+
+/// Samples per second of a path: the reciprocal of its median step.
+double rate_Hz_of(std::span<const ProbeState> path);
+
+}  // namespace asperity

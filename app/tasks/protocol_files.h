@@ -1,0 +1,43 @@
+// Protocol files as the program meets them: on disk, against the force models that there are.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocols/plan.h"
+#include "protocols/protocol_reader.h"
+#include "renderers/force_model.h"
+
+namespace asperity {
+
+/// The declarations of a registry, as a protocol is checked against them.
+std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models);
+
+/// Reads and checks a protocol file. A name without a file is looked for in the study's
+/// `protocols/`.
+///
+/// Errors: ProtocolError; ResultsError when there is no such file.
+Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& models,
+                       const std::optional<std::filesystem::path>& study);
+
+/// Every problem of one file, and what its plan amounts to when there is none.
+struct ProtocolCheck {
+  std::string file{};
+  std::vector<Diagnostic> diagnostics{};
+  std::optional<Protocol> protocol{};
+  PlanCost cost{};
+};
+
+/// Never throws for what the file says. With a study, the files that the protocol names are looked
+/// for and the height fields read; with a device, its capability is compared.
+ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
+                             const std::optional<std::filesystem::path>& study,
+                             const std::optional<std::string>& device);
+
+/// What is wrong with a label that is to become part of file names; nothing when it is acceptable.
+std::optional<std::string> complaint_about_label(const std::string& label);
+
+}  // namespace asperity

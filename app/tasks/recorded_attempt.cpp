@@ -1,0 +1,109 @@
+#include "app/tasks/recorded_attempt.h"
+
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "app/conductor/recording_columns.h"
+#include "app/tasks/protocol_files.h"
+
+namespace asperity {
+
+namespace {
+
+ParameterValues parameters_in(const std::string& text) {
+  ParameterValues values{};
+  const nlohmann::json json = nlohmann::json::parse(text);
+  for (const auto& [name, value] : json.items()) {
+    if (value.is_number()) {
+      values[name] = value.get<double>();
+    } else {
+      values[name] = value.get<std::string>();
+    }
+  }
+  return values;
+}
+
+std::string natural_key(const SessionRow& session, const AttemptRow& attempt) {
+  return session.participant + '/' + std::to_string(session.session) + '/' +
+         std::to_string(attempt.trial) + '/' + std::to_string(attempt.attempt);
+}
+
+}  // namespace
+
+Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry& models) {
+  const ProtocolRow row = study.protocol(session.protocol_id);
+  const Protocol protocol = read_protocol(row.source, row.name, declarations_of(models));
+  Plan plan = make_plan(protocol, {std::stoull(session.seed), session.counterbalance_row});
+  const std::vector<PlannedTrialRow> stored = study.plan(session.id);
+  bool same = stored.size() == plan.trials.size();
+  for (std::size_t i = 0; same && i < stored.size(); ++i) {
+    same = stored[i].plan_json == json_of(plan.trials[i]);
+  }
+  if (!same) {
+    throw std::runtime_error(
+        "session " + std::to_string(session.session) + " of participant " + session.participant +
+        ": its stored plan is not the one that its protocol, seed and row give");
+  }
+  return plan;
+}
+
+RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, const Trial& trial,
+                                 const AttemptRow& attempt, StimulusBuilder& builder) {
+  if (!attempt.recording) {
+    throw std::runtime_error("attempt " + natural_key(session, attempt) + " was not recorded");
+  }
+  RecordedAttempt recorded{};
+  recorded.row = attempt;
+  recorded.session = session;
+  const Recording recording = read_recording(study.folder() / attempt.recording->path);
+  recorded.rate_Hz = recording.header.rate_Hz;
+  recorded.records = records_of(recording);
+  for (const PresentationRow& row : attempt.presentations) {
+    RecordedSurface surface{};
+    surface.row = row;
+    PreparedStimulus& stimulus = surface.stimulus;
+    stimulus.model = builder.models().find(row.model);
+    if (stimulus.model == nullptr) {
+      throw std::runtime_error("this program has no force model \"" + row.model +
+                               "\", which attempt " + natural_key(session, attempt) +
+                               " was rendered with");
+    }
+    const StimulusDescription& described =
+        trial.presentations.at(static_cast<std::size_t>(row.position - 1)).stimulus;
+    stimulus.inputs.parameters = parameters_in(row.parameters_json);
+    stimulus.inputs.seed = std::stoull(row.seed);
+    stimulus.inputs.material = described.material;
+    stimulus.inputs.patch = described.patch;
+    if (row.height_field_sha256 && described.height_field) {
+      const LoadedHeightField loaded = builder.height_field(*described.height_field);
+      if (loaded.sha256 != *row.height_field_sha256) {
+        throw std::runtime_error("attempt " + natural_key(session, attempt) + ": the file " +
+                                 *described.height_field +
+                                 " is not the one that was felt (its SHA-256 differs)");
+      }
+      stimulus.inputs.height_field = loaded.field;
+      stimulus.height_field_sha256 = loaded.sha256;
+    }
+    recorded.surfaces.push_back(std::move(surface));
+  }
+  return recorded;
+}
+
+AttemptRow find_attempt(const Study& study, const std::string& what) {
+  std::size_t number = 0;
+  const bool is_key = what.find('/') != std::string::npos;
+  for (const SessionRow& session : study.sessions()) {
+    for (const AttemptRow& attempt : study.attempts(session.id)) {
+      ++number;
+      if (is_key ? natural_key(session, attempt) == what : std::to_string(number) == what) {
+        return attempt;
+      }
+    }
+  }
+  throw std::runtime_error("there is no attempt " + what + " in " + study.folder().string() +
+                           ": give a row number of the exported attempts.tsv, 1 to " +
+                           std::to_string(number) + ", or PARTICIPANT/SESSION/TRIAL/ATTEMPT");
+}
+
+}  // namespace asperity

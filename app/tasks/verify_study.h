@@ -1,0 +1,28 @@
+// Does a study hold what it says?
+
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "renderers/force_model.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+struct VerifyResult {
+  std::vector<std::string> problems{};  ///< a sentence each; empty: everything holds
+  int recordings_replayed = 0;
+  std::vector<std::string> rules{};  ///< how replays were compared, one line per rule applied
+};
+
+/// Constraints, hashes, and that every stored plan is the one its protocol, seed and row give. With
+/// `replay_too`, every recorded hand goes through its renderers again: bit for bit where the
+/// session was run by this build on this kind of machine, within each model's declared tolerance
+/// otherwise.
+VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay_too,
+                          const std::stop_token& stop, const std::function<void(double)>& progress);
+
+}  // namespace asperity
