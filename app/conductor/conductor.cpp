@@ -404,6 +404,9 @@ AttemptRow Conductor::run_attempt(const Trial& trial, int attempt) {
   std::int64_t cue_ns = 0;
   std::int64_t answer_ns = 0;
   try {
+    if (!trial.question.experimenter_prompt.empty()) {
+      respondent_.read(trial.question.experimenter_prompt, 0.0, waiting);
+    }
     wait(block.pause_before_trial_s);
     for (std::size_t i = 0; i < trial.presentations.size(); ++i) {
       if (i > 0) wait(block.pause_between_surfaces_s);

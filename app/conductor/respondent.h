@@ -40,7 +40,8 @@ class Respondent {
   Respondent(const Respondent&) = delete;
   Respondent& operator=(const Respondent&) = delete;
 
-  /// Instructions, breaks, thanks: returns when they have been read.
+  /// Instructions, breaks, thanks, and what the experimenter is to do before a trial: returns when
+  /// they have been read.
   virtual void read(const std::string& text, double minimum_s, const Wait& wait) = 0;
   /// The surface of this code can be felt now.
   virtual void announce(const Trial& trial, const PlannedPresentation& surface) = 0;

@@ -1,0 +1,320 @@
+// One session, from its plan to its rows: the real loop, the real store, a scripted person.
+
+#include "app/conductor/conductor.h"
+
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "app/program.h"
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+/// Answers the first option, unless told otherwise; does something at the n-th question.
+class ScriptedPerson final : public Respondent {
+ public:
+  std::function<Reply(int, const Trial&)> at_question{};
+  std::vector<std::string> texts{};
+  std::vector<int> felt_positions{};
+  std::vector<ForceFeatures> last_felt{};
+  int questions = 0;
+
+  void read(const std::string& text, double minimum_s, const Wait& wait) override {
+    texts.push_back(text);
+    wait(minimum_s + 0.1);
+  }
+  void announce(const Trial&, const PlannedPresentation& surface) override {
+    felt_positions.push_back(surface.position);
+  }
+  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt, std::optional<double>,
+            const Wait& wait) override {
+    last_felt.assign(felt.begin(), felt.end());
+    wait(0.2);
+    ++questions;
+    if (at_question) return at_question(questions, trial);
+    return {{0}, {}};
+  }
+  void tell(const std::string& text, const Wait&) override { texts.push_back(text); }
+  std::string answer(const Question& question, const Wait&) override {
+    return question.options.empty() ? std::string() : question.options.front();
+  }
+  std::string source() const override { return "keyboard"; }
+  void begin_attempt(int, int) override {}
+};
+
+class ConductorTest : public testing::Test {
+ protected:
+  void begin(const std::string& text, const std::vector<ScriptedFault>& faults = {}) {
+    make_small_study(folder_.path() / "study");
+    protocol_ = read_small_protocol(models_, text);
+    study_.emplace(Study::open(folder_.path() / "study", Access::read_write));
+    study_->add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
+    builder_ = std::make_unique<StimulusBuilder>(models_, folder_.path() / "study");
+    make_rig(faults);
+    SessionConditions conditions{};
+    conditions.seed = 7;
+    conditions.pacing = rig_->pacing();
+    conditions.started_utc = rig_->clock().utc();
+    conditions.device = rig_->capability();
+    session_ = begin_session(*study_, protocol_, "p1", conditions, this_program());
+  }
+
+  void make_rig(const std::vector<ScriptedFault>& faults) {
+    RigSettings settings{};
+    settings.device.faults = faults;
+    rig_ = std::make_unique<SteppedRig>(settings, 0);
+  }
+
+  SessionEnd run() {
+    conductor_ = std::make_unique<Conductor>(
+        *study_, protocol_, *builder_, *rig_, person_,
+        ConductorSettings{.record = true,
+                          .done = [this](const AttemptDone& done) { done_.push_back(done); }});
+    return conductor_->run(session_);
+  }
+
+  std::vector<AttemptRow> attempts() const { return study_->attempts(session_.row.id); }
+
+  TemporaryFolder folder_{};
+  ModelRegistry models_ = built_in_models();
+  Protocol protocol_{};
+  std::optional<Study> study_{};
+  std::unique_ptr<StimulusBuilder> builder_{};
+  std::unique_ptr<SteppedRig> rig_{};
+  ScriptedPerson person_{};
+  std::unique_ptr<Conductor> conductor_{};
+  OpenSession session_{};
+  std::vector<AttemptDone> done_{};
+};
+
+TEST_F(ConductorTest, StoresEveryTrialOfThePlanInOrder) {
+  begin(small_protocol());
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 3U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].trial, static_cast<int>(i) + 1);
+    EXPECT_TRUE(rows[i].valid);
+    ASSERT_EQ(rows[i].presentations.size(), 2U);
+    ASSERT_EQ(rows[i].responses.size(), 1U);
+    // The first option of a selection is the first surface.
+    EXPECT_EQ(rows[i].responses[0].answer, rows[i].presentations[0].item);
+    EXPECT_NEAR(*rows[i].responses[0].from_cue_s, 0.2, 1e-3);
+  }
+  EXPECT_EQ(study_->session(session_.row.id).state, SessionState::completed);
+  EXPECT_EQ(done_.size(), 3U);
+}
+
+TEST_F(ConductorTest, LetsEverySurfaceBeFeltAsLongAsAskedFor) {
+  begin(small_protocol());
+  run();
+  for (const AttemptRow& row : attempts()) {
+    for (const PresentationRow& surface : row.presentations) {
+      EXPECT_GE(surface.contact_s, 0.5);
+      EXPECT_LT(surface.contact_s, 1.0);
+      EXPECT_LE(*surface.onset_ns, *surface.contact_ns);
+      EXPECT_LT(*surface.contact_ns, *surface.offset_ns);
+    }
+    // Reaction times count from the first contact with the first surface.
+    EXPECT_NEAR(
+        *row.responses[0].from_contact_s,
+        static_cast<double>(row.responses[0].time_ns - *row.presentations[0].contact_ns) * 1e-9,
+        1e-9);
+  }
+}
+
+TEST_F(ConductorTest, ReportsATrialOnlyWhenItsRowIsStored) {
+  begin(small_protocol());
+  Conductor conductor(
+      *study_, protocol_, *builder_, *rig_, person_,
+      {.record = true, .done = [this](const AttemptDone& done) {
+         const Study other = Study::open(folder_.path() / "study", Access::read_only);
+         const auto rows = other.attempts(session_.row.id);
+         ASSERT_FALSE(rows.empty());
+         EXPECT_EQ(rows.back().trial, done.trial);
+         EXPECT_TRUE(std::filesystem::exists(other.folder() / rows.back().recording->path));
+       }});
+  conductor.run(session_);
+}
+
+TEST_F(ConductorTest, RecordsEveryTickOfAnAttempt) {
+  begin(small_protocol());
+  run();
+  const AttemptRow row = attempts().front();
+  const Recording recording = read_recording(folder_.path() / "study" / row.recording->path);
+  EXPECT_EQ(static_cast<std::int64_t>(recording.time_ns.size()), row.servo->ticks);
+  EXPECT_EQ(row.servo->lost_records, 0);
+  EXPECT_NEAR(static_cast<double>(row.servo->ticks) / 1000.0,
+              static_cast<double>(row.offset_ns - row.onset_ns) * 1e-9, 0.002);
+}
+
+TEST_F(ConductorTest, KeepsAnAbortedAttemptAndAsksAgainAfterAResume) {
+  begin(small_protocol());
+  person_.at_question = [this](int question, const Trial&) -> Reply {
+    if (question < 2) return {{0}, {}};
+    conductor_->abort("the fire alarm rang");
+    return {{}, 1};  // feels surface 1 again, and is interrupted in it
+  };
+  SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::stopped);
+  EXPECT_EQ(end.reason, "the fire alarm rang");
+  ASSERT_EQ(attempts().size(), 2U);
+  EXPECT_EQ(attempts()[1].outcome, AttemptOutcome::aborted);
+  EXPECT_EQ(attempts()[1].invalid_reason, "the fire alarm rang");
+
+  make_rig({});
+  rig_->move_clock_to(1'000'000'000'000);
+  person_.at_question = {};
+  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+  end = run();
+  EXPECT_EQ(end.state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[2].trial, 2);
+  EXPECT_EQ(rows[2].attempt, 2);
+  EXPECT_EQ(rows[2].segment, 2);
+  EXPECT_EQ(rows[3].trial, 3);
+}
+
+TEST_F(ConductorTest, StopsAfterTheTrialWhenAsked) {
+  begin(small_protocol());
+  person_.at_question = [this](int, const Trial&) -> Reply {
+    conductor_->stop_after(Conductor::After::trial);
+    return {{0}, {}};
+  };
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::stopped);
+  ASSERT_EQ(attempts().size(), 1U);
+  EXPECT_TRUE(attempts().front().valid);
+}
+
+TEST_F(ConductorTest, KeepsASkippedTrialAndDoesNotAskItAgain) {
+  begin(small_protocol());
+  person_.at_question = [this](int question, const Trial&) -> Reply {
+    if (question == 1) {
+      conductor_->skip("the picture fell down");
+      return {{}, 1};  // feels again, and is interrupted in it
+    }
+    return {{0}, {}};
+  };
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::skipped);
+  EXPECT_EQ(rows[0].invalid_reason, "the picture fell down");
+  EXPECT_TRUE(rows[0].responses.empty());
+  EXPECT_EQ(rows[1].trial, 2);
+}
+
+TEST_F(ConductorTest, LetsASurfaceBeFeltAgainBeforeTheAnswer) {
+  begin(small_protocol());
+  person_.at_question = [](int question, const Trial&) -> Reply {
+    if (question == 1) return {{}, 2};
+    return {{1}, {}};
+  };
+  run();
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(person_.felt_positions, (std::vector<int>{1, 2, 2, 1, 2, 1, 2}));
+  EXPECT_GT(rows[0].presentations[1].contact_s, 1.8 * rows[0].presentations[0].contact_s);
+}
+
+TEST_F(ConductorTest, AsksATrialAgainAtOnceWhenItWasNotExploredAsAsked) {
+  // The hand aims at the middle of the band, but the narrow band is not kept for 99 % of the time.
+  begin(small_protocol("", R"(, "normal_force_N": {"minimum": 0.999, "maximum": 1.001},
+       "required_fraction_in_band": 0.99, "on_failure": "repeat_now", "maximum_repeats": 1)"));
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::not_compliant);
+  EXPECT_FALSE(rows[0].valid);
+  EXPECT_EQ(rows[1].trial, 1);
+  EXPECT_EQ(rows[1].attempt, 2);
+  EXPECT_TRUE(rows[1].valid);    // the last repeat counts
+  EXPECT_TRUE(rows[1].flagged);  // and says what was wrong
+  EXPECT_NE(rows[1].flag_reason->find("normal_force_N of surface 1"), std::string::npos);
+}
+
+TEST_F(ConductorTest, AsksATrialAgainAtTheEndOfTheBlock) {
+  begin(small_protocol("", R"(, "normal_force_N": {"minimum": 0.999, "maximum": 1.001},
+       "required_fraction_in_band": 0.99, "on_failure": "requeue_at_end_of_block",
+       "maximum_repeats": 1)"));
+  run();
+  std::vector<int> trials{};
+  for (const AttemptDone& done : done_) trials.push_back(done.trial);
+  EXPECT_EQ(trials, (std::vector<int>{1, 2, 3, 1, 2, 3}));
+}
+
+TEST_F(ConductorTest, LatchesZeroForceAndStopsWhenTheDeviceIsLost) {
+  begin(small_protocol(), {{.kind = ScriptedFault::Kind::lost, .at_s = 1.0}});
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::stopped);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::device_fault);
+  EXPECT_EQ(rows[0].servo->fault, "device_lost");
+  EXPECT_FALSE(rows[0].valid);
+
+  make_rig({});
+  rig_->move_clock_to(1'000'000'000'000);
+  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+  EXPECT_EQ(run().state, SessionState::completed);
+  const auto all = attempts();
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all[1].trial, 1);
+  EXPECT_EQ(all[1].attempt, 2);
+}
+
+TEST_F(ConductorTest, LatchesZeroForceWhenTheDeviceSaysNotANumber) {
+  begin(small_protocol(), {{.kind = ScriptedFault::Kind::nan, .at_s = 1.0}});
+  EXPECT_EQ(run().state, SessionState::stopped);
+  ASSERT_EQ(attempts().size(), 1U);
+  EXPECT_EQ(attempts()[0].servo->fault, "not_finite");
+}
+
+TEST_F(ConductorTest, AnswersTheQuestionsOfTheSessionOnce) {
+  begin(small_protocol());
+  run();
+  const auto answers = study_->session_answers(session_.row.id);
+  ASSERT_EQ(answers.size(), 1U);  // the optional one was left out
+  EXPECT_EQ(answers[0].question, "comfort");
+  EXPECT_EQ(answers[0].answer, "well");
+}
+
+TEST_F(ConductorTest, GivesTheRespondentWhatEachSurfaceFeltLike) {
+  begin(small_protocol("", R"(, "strokes": {"target": 4})"));
+  run();
+  ASSERT_EQ(person_.last_felt.size(), 2U);
+  EXPECT_NE(person_.last_felt[0].size, person_.last_felt[1].size);
+}
+
+TEST_F(ConductorTest, RendersTheSameForcesInASecondRunOfTheSameSeed) {
+  begin(small_protocol());
+  run();
+  const std::string first = attempts()[2].recording->sha256;
+  make_rig({});
+  SessionConditions conditions{};
+  conditions.seed = 7;
+  conditions.pacing = rig_->pacing();
+  conditions.started_utc = rig_->clock().utc();
+  conditions.device = rig_->capability();
+  session_ = begin_session(*study_, protocol_, "p1", conditions, this_program());
+  run();
+  const AttemptRow again = attempts()[2];
+  const Recording one = read_recording(folder_.path() / "study" / again.recording->path);
+  EXPECT_FALSE(one.time_ns.empty());
+  EXPECT_NE(first, again.recording->sha256);  // another session number stands in the header …
+  Study& study = *study_;
+  const auto sessions = study.sessions();
+  const AttemptRow before = study.attempts(sessions[0].id)[2];
+  const Recording other = read_recording(folder_.path() / "study" / before.recording->path);
+  EXPECT_EQ(one.columns, other.columns);  // … but every value is the same
+}
+
+}  // namespace
+}  // namespace asperity

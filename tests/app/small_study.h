@@ -1,0 +1,36 @@
+// A study small enough for a unit test: one texture, two models, a few short trials.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "protocols/protocol.h"
+#include "renderers/force_model.h"
+
+namespace asperity {
+
+/// A folder that is removed with the object; in memory where the machine has such a place.
+class TemporaryFolder final {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_{};
+};
+
+/// Makes a study with stimuli/grain.png in it. `folder` must not exist.
+void make_small_study(const std::filesystem::path& folder);
+
+/// The protocol of that study: `main` has three trials of two surfaces each, felt for half a
+/// second. `block` and `exploration` are JSON members added to the block and the exploration, each
+/// with a comma before it; empty for none.
+std::string small_protocol(const std::string& block = "", const std::string& exploration = "");
+
+Protocol read_small_protocol(const ModelRegistry& models, const std::string& text);
+
+}  // namespace asperity
