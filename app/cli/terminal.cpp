@@ -66,7 +66,11 @@ void Progress::show(double fraction) {
   write_error("\r\x1b[K" + what_ + ' ' + bar + ' ' + std::to_string(percent) + " %");
 }
 
-void say(const std::string& line) { write_error(line + '\n'); }
+void say(const std::string& line) {
+  // A progress bar may stand on the line; it comes back below with its next step.
+  static const bool terminal = isatty(STDERR_FILENO) == 1;
+  write_error((terminal ? "\r\x1b[K" : "") + line + '\n');
+}
 
 std::string aligned(const Table& table) {
   const std::size_t columns = table.columns.size();

@@ -43,8 +43,16 @@ double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   return static_cast<double>(to_ns - from_ns) * 1e-9;
 }
 
-bool is_technical(const AttemptRow& attempt) {
-  return attempt.invalid_reason && attempt.outcome == AttemptOutcome::answered;
+bool is_right(const AttemptRow& attempt) {
+  return !attempt.responses.empty() &&
+         std::all_of(attempt.responses.begin(), attempt.responses.end(),
+                     [](const ResponseRow& response) { return response.correct.value_or(false); });
+}
+
+/// The attempt failed for a reason that the participant's way of exploring has no part in.
+bool failed_technically(const AttemptRow& attempt) {
+  return !attempt.valid &&
+         (attempt.outcome == AttemptOutcome::answered || attempt.responses.empty());
 }
 
 }  // namespace
@@ -254,12 +262,10 @@ bool Conductor::is_criterion_reached(const Trial& trial) const {
   if (!block.until) return false;
   std::vector<bool> correct{};
   for (const AttemptRow& attempt : session_.attempts) {
-    if (!attempt.valid || attempt.responses.empty()) continue;
+    if (!attempt.valid) continue;
     const Trial& tried = session_.plan.trials.at(static_cast<std::size_t>(attempt.trial - 1));
     if (tried.block_ordinal != trial.block_ordinal) continue;
-    correct.push_back(
-        std::all_of(attempt.responses.begin(), attempt.responses.end(),
-                    [](const ResponseRow& response) { return response.correct.value_or(false); }));
+    correct.push_back(is_right(attempt));
   }
   return state_of(*block.until, correct) != BlockState::go_on;
 }
@@ -280,16 +286,14 @@ const Exploration& Conductor::exploration_of(const Trial& trial) const {
 
 void Conductor::run_trial(const Trial& trial) {
   const Exploration& exploration = exploration_of(trial);
-  int technical = 0;
+  int failures = 0;
   for (;;) {
     between_trials();
     if (stopped_) return;
     AttemptRow attempt = run_attempt(trial, attempts_of(trial.ordinal) + 1);
     if (attempt.valid && attempt.outcome == AttemptOutcome::answered &&
         protocol_.blocks.at(trial.block).feedback != Protocol::Block::Feedback::none) {
-      const bool right =
-          std::all_of(attempt.responses.begin(), attempt.responses.end(),
-                      [](const ResponseRow& response) { return response.correct.value_or(false); });
+      const bool right = is_right(attempt);
       std::string text = right ? "That was right." : "That was not right.";
       if (!right &&
           protocol_.blocks.at(trial.block).feedback == Protocol::Block::Feedback::correct_answer) {
@@ -316,12 +320,12 @@ void Conductor::run_trial(const Trial& trial) {
       return;
     }
     if (attempt.valid || attempt.outcome == AttemptOutcome::skipped) break;
-    if (is_technical(attempt) && ++technical >= kTechnicalRepeats) {
-      stopped_ = SessionEnd{SessionState::stopped,
-                            "trial " + std::to_string(trial.ordinal) + " failed " +
-                                std::to_string(technical) + " times (" +
-                                attempt.invalid_reason.value_or("") +
-                                "); this machine cannot keep the rate that the protocol asks for"};
+    if (failed_technically(attempt)) {
+      if (++failures < kTechnicalRepeats) continue;
+      stopped_ =
+          SessionEnd{SessionState::stopped, "trial " + std::to_string(trial.ordinal) + " failed " +
+                                                std::to_string(failures) + " times in a row (" +
+                                                attempt.invalid_reason.value_or("") + ")"};
       return;
     }
     if (attempt.outcome == AttemptOutcome::not_compliant &&
@@ -427,9 +431,6 @@ AttemptRow Conductor::run_attempt(const Trial& trial, int attempt) {
       respondent_.announce(trial, trial.presentations.at(again));
       feel(again, surfaces, exploration);
     }
-    if (reply.options.empty()) {
-      interruption = Interruption{AttemptOutcome::timed_out, "no answer before the deadline"};
-    }
   } catch (const Interruption& caught) {
     interruption = caught;
   } catch (const RespondentGone& gone) {
@@ -449,6 +450,8 @@ AttemptRow Conductor::run_attempt(const Trial& trial, int attempt) {
     row.valid = false;
     row.invalid_reason = interruption->reason;
   } else {
+    // No answer before the deadline is an outcome of the trial, and stays without a response.
+    if (reply.options.empty()) row.outcome = AttemptOutcome::timed_out;
     for (std::size_t item = 0; item < reply.options.size(); ++item) {
       ResponseRow response{};
       response.question = trial.question.name;
@@ -505,7 +508,7 @@ void Conductor::feel(std::size_t index, Surfaces& surfaces, const Exploration& e
     presentation = rig_.loop().collect();
   }
   if (recorder_.live().contact_s <= 0.0) {
-    throw Interruption{AttemptOutcome::timed_out,
+    throw Interruption{AttemptOutcome::not_compliant,
                        "surface " + std::to_string(id) + " was not touched"};
   }
 }

@@ -148,9 +148,9 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
   row.rate_Hz = protocol.rate_Hz;
   row.started_utc = conditions.started_utc;
   row.clock_zero_ns = conditions.clock_zero_ns;
-  if (!protocol.consent_version.empty()) {
+  if (conditions.consent_utc) {
     row.consent_version = protocol.consent_version;
-    row.consent_utc = conditions.started_utc;
+    row.consent_utc = conditions.consent_utc;
   }
   row.observer_json = conditions.observer_json;
   row.files = hash_files(protocol, study.folder());

@@ -26,6 +26,7 @@ struct SessionConditions {
   DeviceCapability device{};
   std::string started_utc{};
   std::int64_t clock_zero_ns = 0;
+  std::optional<std::string> consent_utc{};  ///< when the person agreed to the protocol's statement
   std::string observer_json = "null";
 };
 

@@ -134,7 +134,10 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
     const std::optional<std::string> typed = line(wait, deadline_s);
     if (!typed) return {};
     if (question.allow_revisit && typed->rfind("feel", 0) == 0) {
-      const std::string code = trimmed(typed->substr(4));
+      std::string code = trimmed(typed->substr(4));
+      for (char& letter : code) {
+        if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+      }
       for (const PlannedPresentation& surface : trial.presentations) {
         if (surface.code == code) return {{}, surface.position};
       }

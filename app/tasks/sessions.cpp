@@ -232,17 +232,29 @@ SimulationResult simulate(const SimulationInputs& inputs, const ModelRegistry& m
 
 namespace {
 
+void wait_idly(double duration_s) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(duration_s));
+}
+
+/// Asks a person to agree to the protocol's statement; nothing is stored of one who does not.
+void ask_consent(const Protocol& protocol, Respondent& respondent) {
+  const Question question{.name = "consent",
+                          .prompt = protocol.consent_statement + "\n\nDo you agree?",
+                          .form = Question::Form::choice,
+                          .options = {"yes", "no"}};
+  if (respondent.answer(question, wait_idly) != "yes") {
+    throw std::runtime_error("the participant did not agree to take part; nothing was stored");
+  }
+}
+
 ParticipantRow ask_person(const Protocol& protocol, const std::string& label,
                           Respondent& respondent, const std::string& created_utc) {
   ParticipantRow person{};
   person.label = label;
   person.created_utc = created_utc;
   nlohmann::ordered_json others = nlohmann::ordered_json::object();
-  const Wait nobody_waits = [](double duration_s) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(duration_s));
-  };
   for (const Question& question : protocol.participant_questions) {
-    const std::string answer = respondent.answer(question, nobody_waits);
+    const std::string answer = respondent.answer(question, wait_idly);
     if (answer.empty()) continue;
     if (question.name == "sex") {
       person.sex = answer == "female" ? "F" : answer == "male" ? "M" : "X";
@@ -303,6 +315,11 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
                                         random.split("hand"), Scheduling::fifo_if_permitted);
   }
 
+  std::optional<std::string> consent_utc{};
+  if (!inputs.is_virtual && !open && !protocol.consent_statement.empty()) {
+    ask_consent(protocol, *respondent);
+    consent_utc = rig->clock().utc();
+  }
   std::unique_ptr<VirtualParticipant> stand_in{};
   ParticipantRow person{};
   if (known) {
@@ -330,6 +347,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
     conditions.device = rig->capability();
     conditions.started_utc = rig->clock().utc();
     conditions.clock_zero_ns = rig->clock().now_ns();
+    conditions.consent_utc = consent_utc;
     if (inputs.is_virtual) conditions.observer_json = observer_json(protocol);
     open = begin_session(study, protocol, inputs.participant, conditions, this_program());
   }

@@ -250,6 +250,32 @@ TEST_F(ConductorTest, AsksATrialAgainAtTheEndOfTheBlock) {
   EXPECT_EQ(trials, (std::vector<int>{1, 2, 3, 1, 2, 3}));
 }
 
+TEST_F(ConductorTest, TakesALateAnswerForNoneAndGoesOn) {
+  begin(small_protocol());
+  person_.at_question = [](int question, const Trial&) -> Reply {
+    return question == 2 ? Reply{} : Reply{{0}, {}};
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1].outcome, AttemptOutcome::timed_out);
+  EXPECT_TRUE(rows[1].valid);
+  EXPECT_TRUE(rows[1].responses.empty());
+}
+
+TEST_F(ConductorTest, GivesUpATrialWhoseSurfaceCannotBeTouched) {
+  std::string text = small_protocol();
+  text.insert(text.find("\"textures\""), R"("surface": {"centre_m": [0, 0, -1]}, )");
+  begin(text);
+  protocol_.patch.centre_m = {0.0, 0.0, 0.0};  // the hand strokes there, a metre above the surface
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::stopped);
+  EXPECT_NE(end.reason.find("surface 1 was not touched"), std::string::npos);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 3U);
+  for (const AttemptRow& row : rows) EXPECT_EQ(row.outcome, AttemptOutcome::not_compliant);
+}
+
 TEST_F(ConductorTest, LatchesZeroForceAndStopsWhenTheDeviceIsLost) {
   begin(small_protocol(), {{.kind = ScriptedFault::Kind::lost, .at_s = 1.0}});
   const SessionEnd end = run();
