@@ -48,6 +48,14 @@ void SteppedRig::prepare_attempt(const HandHabits& habits, const Random& random)
   owed_s_ = 0.0;
 }
 
+void SteppedRig::move_clock_to(std::int64_t now_ns) {
+  clock_.move_to(now_ns);
+  // The ticks before the next attempt (a screen, a break) count from here.
+  grid_origin_ns_ = now_ns;
+  ticks_since_origin_ = 0;
+  owed_s_ = 0.0;
+}
+
 void SteppedRig::pass(double duration_s, Recorder& recorder) {
   // Ticks lie on the grid origin + n/rate; what is left of a duration is owed to the next call, so
   // that many short waits are as long as one long one.

@@ -1,0 +1,182 @@
+// kill -9: what was reported done is there, and the session goes on to the same answers.
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <random>
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+/// "done PARTICIPANT SESSION TRIAL ATTEMPT" of every stored attempt, read from outside.
+std::set<std::string> stored_attempts(const fs::path& study) {
+  sqlite3* database = nullptr;
+  EXPECT_EQ(
+      sqlite3_open_v2((study / "study.sqlite").c_str(), &database, SQLITE_OPEN_READWRITE, nullptr),
+      SQLITE_OK);
+  sqlite3_stmt* statement = nullptr;
+  EXPECT_EQ(sqlite3_prepare_v2(database,
+                               "SELECT 'done ' || p.label || ' ' || s.session || ' ' || a.trial || "
+                               "' ' || a.attempt FROM attempt a JOIN session s ON s.id = "
+                               "a.session_id JOIN participant p ON p.id = s.participant_id",
+                               -1, &statement, nullptr),
+            SQLITE_OK)
+      << sqlite3_errmsg(database);
+  std::set<std::string> stored{};
+  while (sqlite3_step(statement) == SQLITE_ROW) {
+    stored.insert(reinterpret_cast<const char*>(sqlite3_column_text(statement, 0)));
+  }
+  sqlite3_finalize(statement);
+  sqlite3_close(database);
+  return stored;
+}
+
+void expect_all_stored(const fs::path& study, const std::vector<std::string>& done) {
+  if (done.empty()) return;
+  const std::set<std::string> stored = stored_attempts(study);
+  for (const std::string& line : done) EXPECT_TRUE(stored.contains(line)) << line;
+}
+
+/// What does not hold afterwards is what a dead program had begun to record, and nothing else:
+/// a hand's movement is not thrown away.
+void expect_sound(const fs::path& study) {
+  std::istringstream lines(asperity({"verify", study}).err);
+  for (std::string line{}; std::getline(lines, line);) {
+    if (line.rfind("asperity: ", 0) != 0) continue;  // progress
+    EXPECT_NE(line.find("left by a program that died"), std::string::npos) << line;
+  }
+}
+
+/// Kills the program `after` its n-th done line; before the first one for n = 0. Returns the lines
+/// that it had said.
+std::vector<std::string> killed(const std::vector<std::string>& arguments, std::size_t done_before,
+                                microseconds after) {
+  Invocation invocation{};
+  invocation.arguments = arguments;
+  Program program(invocation);
+  program.read_until([done_before](const std::string&, const std::string& err) {
+    return done_lines(err).size() >= done_before;
+  });
+  program.read_for(after);
+  program.send(SIGKILL);
+  return done_lines(program.finish().err);
+}
+
+TEST(Kill, LosesNoTrialOfASimulationThatWasReportedDone) {
+  // 2 participants × (2 × 5 selections + 2 × 5 recognitions) = 40 trials.
+  const SmallStudy small(5);
+  constexpr std::size_t kTrials = 40;
+  const fs::path never_killed = small.place() / "never_killed";
+  copy_stimuli(small, never_killed);
+  ASSERT_EQ(asperity(simulate_arguments(small, never_killed, 2, 5)).status, 0);
+  const auto expected = exported(never_killed, small.place() / "expected");
+
+  std::mt19937 random(20);
+  int after_the_first_done = 0;
+  // Each round kills four times, going on in between, and then lets it finish.
+  constexpr int kRounds = 4;
+  constexpr int kKills = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    const fs::path study = small.place() / ("killed_" + std::to_string(round));
+    copy_stimuli(small, study);
+    std::vector<std::string> arguments = simulate_arguments(small, study, 2, 5);
+    arguments.emplace_back("--resume");
+    std::vector<std::string> done{};
+    for (int kill = 0; kill < kKills; ++kill) {
+      const std::size_t more = 1 + random() % (kTrials / kKills - 2);
+      const auto said = killed(arguments, more, microseconds(random() % 20'000));
+      EXPECT_GE(said.size(), more);
+      if (!said.empty()) ++after_the_first_done;
+      done.insert(done.end(), said.begin(), said.end());
+      expect_all_stored(study, done);
+    }
+    const Outcome finished = asperity(arguments);
+    ASSERT_EQ(finished.status, 0) << finished.err;
+    const auto tables = exported(study, small.place() / ("tables_" + std::to_string(round)));
+    EXPECT_EQ(tables.at("responses.tsv").size(), expected.at("responses.tsv").size());
+    EXPECT_EQ(tsv(tables.at("responses.tsv")).column("answer"),
+              tsv(expected.at("responses.tsv")).column("answer"));
+    EXPECT_EQ(tables.at("trials.tsv"), expected.at("trials.tsv"));
+    expect_sound(study);
+  }
+  EXPECT_GE(after_the_first_done, 15);
+}
+
+TEST(Kill, BeforeTheFirstTrialLeavesAStudyThatGoesOn) {
+  const SmallStudy small(1);
+  std::mt19937 random(21);
+  for (int i = 0; i < 5; ++i) {
+    const fs::path study = small.place() / ("early_" + std::to_string(i));
+    copy_stimuli(small, study);
+    std::vector<std::string> arguments = simulate_arguments(small, study, 1, 5);
+    arguments.emplace_back("--resume");
+    expect_all_stored(study, killed(arguments, 0, microseconds(random() % 60'000)));
+    const Outcome finished = asperity(arguments);
+    ASSERT_EQ(finished.status, 0) << finished.err;
+    EXPECT_EQ(stored_attempts(study).size(), 4U);
+    expect_sound(study);
+  }
+}
+
+TEST(Kill, LosesNoTrialOfAVirtualRun) {
+  const SmallStudy small(30);  // 60 trials
+  const auto arguments = [&small](const fs::path& study, bool resume) {
+    std::vector<std::string> words{"run",      small.selection(), "--study", study, "--participant",
+                                   "standin1", "--virtual",       "--seed",  "9"};
+    if (resume) words.emplace_back("--resume");
+    return words;
+  };
+  const fs::path never_killed = small.place() / "never_killed";
+  copy_stimuli(small, never_killed);
+  ASSERT_EQ(asperity(arguments(never_killed, false)).status, 0);
+  const auto expected = exported(never_killed, small.place() / "expected");
+
+  std::mt19937 random(22);
+  const fs::path study = small.study();
+  std::vector<std::string> done{};
+  for (int kill = 0; kill < 4; ++kill) {
+    const auto said =
+        killed(arguments(study, kill > 0), 1 + random() % 3, microseconds(random() % 20'000));
+    EXPECT_GE(said.size(), 1U);
+    done.insert(done.end(), said.begin(), said.end());
+    expect_all_stored(study, done);
+  }
+  const Outcome finished = asperity(arguments(study, true));
+  ASSERT_EQ(finished.status, 0) << finished.err;
+  const auto tables = exported(study, small.place() / "tables");
+  EXPECT_EQ(tsv(tables.at("responses.tsv")).column("answer"),
+            tsv(expected.at("responses.tsv")).column("answer"));
+  EXPECT_EQ(tsv(tables.at("sessions.tsv")).column("state"), std::vector<std::string>{"completed"});
+}
+
+TEST(Interrupt, StopsASimulationAfterItsTrialAndSaysHowToGoOn) {
+  const SmallStudy small(40);
+  std::vector<std::string> arguments = simulate_arguments(small, small.study(), 2, 5);
+  Invocation invocation{};
+  invocation.arguments = arguments;
+  Program program(invocation);
+  program.read_until(
+      [](const std::string&, const std::string& err) { return done_lines(err).size() >= 2; });
+  program.send(SIGINT);
+  const Outcome stopped = program.finish();
+  EXPECT_EQ(stopped.status, 1);
+  EXPECT_NE(stopped.err.find("--resume"), std::string::npos) << stopped.err;
+  const std::vector<std::string> done = done_lines(stopped.err);
+  EXPECT_LT(done.size(), 160U);
+  EXPECT_EQ(stored_attempts(small.study()), std::set<std::string>(done.begin(), done.end()));
+}
+
+}  // namespace
+}  // namespace asperity::test

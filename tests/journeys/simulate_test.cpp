@@ -1,0 +1,110 @@
+// simulate: the same seed gives the same tables, and as many rows as were planned.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+// 2 textures × 3 repetitions.
+constexpr int kRepetitions = 3;
+constexpr std::size_t kTrialsPerSession = 6;
+
+std::map<std::string, std::string> tables_of(const SmallStudy& small, const std::string& name,
+                                             int seed, const std::vector<std::string>& more = {}) {
+  const fs::path study = small.place() / name;
+  copy_stimuli(small, study);
+  std::vector<std::string> arguments = simulate_arguments(small, study, 3, seed);
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = asperity(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return exported(study, small.place() / (name + "_tables"));
+}
+
+TEST(Simulate, ExportsTheSameBytesForTheSameSeed) {
+  const SmallStudy small(kRepetitions);
+  const auto first = tables_of(small, "first", 7);
+  for (const char* table : {"participants", "sessions", "trials", "attempts", "presentations",
+                            "responses", "servo_quality", "compliance", "codebook"}) {
+    EXPECT_TRUE(first.contains(std::string(table) + ".tsv")) << table;
+  }
+  EXPECT_TRUE(tables_of(small, "second", 7) == first);
+  EXPECT_TRUE(tables_of(small, "two_jobs", 7, {"--jobs", "2"}) == first);
+}
+
+TEST(Simulate, AnswersOtherwiseForAnotherSeed) {
+  const SmallStudy small(kRepetitions);
+  const Tsv one = tsv(tables_of(small, "one", 7).at("responses.tsv"));
+  const Tsv other = tsv(tables_of(small, "other", 8).at("responses.tsv"));
+  ASSERT_EQ(one.rows.size(), other.rows.size());
+  EXPECT_NE(one.column("answer"), other.column("answer"));
+}
+
+TEST(Simulate, HasAsManyRowsAsPlanned) {
+  const SmallStudy small(kRepetitions);
+  const auto tables = tables_of(small, "study_of_rows", 3);
+  // 3 participants × 2 protocols × 6 trials; a selection presents two surfaces, a recognition one.
+  EXPECT_EQ(tsv(tables.at("participants.tsv")).rows.size(), 3U);
+  EXPECT_EQ(tsv(tables.at("sessions.tsv")).rows.size(), 6U);
+  EXPECT_EQ(tsv(tables.at("trials.tsv")).rows.size(), 6 * kTrialsPerSession);
+  EXPECT_EQ(tsv(tables.at("attempts.tsv")).rows.size(), 6 * kTrialsPerSession);
+  EXPECT_EQ(tsv(tables.at("responses.tsv")).rows.size(), 6 * kTrialsPerSession);
+  EXPECT_EQ(tsv(tables.at("presentations.tsv")).rows.size(), 3 * (2 + 1) * kTrialsPerSession);
+  EXPECT_EQ(tsv(tables.at("servo_quality.tsv")).rows.size(), 6 * kTrialsPerSession);
+  EXPECT_EQ(tsv(tables.at("participants.tsv")).column("sex"),
+            (std::vector<std::string>{"F", "M", "F"}));
+  EXPECT_EQ(tsv(tables.at("participants.tsv")).column("participant"),
+            (std::vector<std::string>{"virtual0001", "virtual0002", "virtual0003"}));
+}
+
+TEST(Simulate, SaysItsTotalsAsOneJsonDocumentAndEachCommitOnStandardError) {
+  const SmallStudy small(kRepetitions);
+  std::vector<std::string> arguments = simulate_arguments(small, small.study(), 1, 3);
+  arguments.emplace_back("--json");
+  const Outcome outcome = asperity(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("{\n  \"format\": \"asperity.simulate/1\"", 0), 0U) << outcome.out;
+  const auto totals = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(totals.at("sessions"), 2);
+  EXPECT_EQ(totals.at("attempts"), 2 * kTrialsPerSession);
+  EXPECT_GT(totals.at("simulated_s"), totals.at("wall_s"));
+  const std::vector<std::string> done = done_lines(outcome.err);
+  ASSERT_EQ(done.size(), 2 * kTrialsPerSession);
+  EXPECT_EQ(done.front(), "done virtual0001 1 1 1");
+  EXPECT_EQ(done.back(), "done virtual0001 2 6 1");
+}
+
+TEST(Simulate, AddsParticipantsToThoseThatAreThere) {
+  const SmallStudy small(1);
+  ASSERT_EQ(asperity(simulate_arguments(small, small.study(), 2, 3)).status, 0);
+  ASSERT_EQ(asperity(simulate_arguments(small, small.study(), 1, 3)).status, 0);
+  const auto tables = exported(small.study(), small.place() / "tables");
+  EXPECT_EQ(tsv(tables.at("participants.tsv")).column("participant"),
+            (std::vector<std::string>{"virtual0001", "virtual0002", "virtual0003"}));
+}
+
+TEST(Simulate, KeepsTheRecordingsThatWereAskedFor) {
+  const SmallStudy small(1);
+  const auto recorded_by = [&small](const std::string& which) {
+    const fs::path study = small.place() / ("recordings_" + which);
+    copy_stimuli(small, study);
+    std::vector<std::string> arguments = simulate_arguments(small, study, 2, 3);
+    arguments.insert(arguments.end(), {"--recordings", which});
+    EXPECT_EQ(asperity(arguments).status, 0);
+    std::size_t files = 0;
+    for (const auto& [name, content] : contents_of(study / "recordings")) {
+      if (name.ends_with(".rec")) ++files;
+    }
+    return files;
+  };
+  // 2 protocols × 2 trials each.
+  EXPECT_EQ(recorded_by("all"), 8U);
+  EXPECT_EQ(recorded_by("first"), 4U);
+  EXPECT_EQ(recorded_by("none"), 0U);
+}
+
+}  // namespace
+}  // namespace asperity::test

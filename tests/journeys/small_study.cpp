@@ -1,0 +1,186 @@
+#include "tests/journeys/small_study.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include "tests/journeys/program.h"
+
+namespace asperity::test {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void must(const Outcome& outcome) {
+  if (outcome.status != 0) throw std::runtime_error("the program refused: " + outcome.err);
+}
+
+Json common(const std::string& kind) {
+  return Json::parse(R"({
+    "format": "asperity.protocol/1",
+    "kind": ")" + kind +
+                     R"(",
+    "design": "improved",
+    "name": "small_)" +
+                     kind + R"(",
+    "version": "1.0.0",
+    "title": "A small one",
+    "consent": {"version": "1.0", "statement": "I take part."},
+    "textures": {
+      "walnut": {"code": "T1", "height_field": "stimuli/walnut.png",
+                 "picture": "stimuli/walnut_photo.png", "true_height_field": "stimuli/walnut.png"},
+      "slate": {"code": "T2", "height_field": "stimuli/slate.png",
+                "picture": "stimuli/slate_photo.png", "true_height_field": "stimuli/slate.png"}
+    },
+    "device": {"rate_Hz": 1000, "force_limit_N": 5, "maximum_missed_deadlines": 100000,
+               "maximum_lost_records": 100000},
+    "explorations": {"short": {"minimum_contact_s": 0.2, "maximum_contact_s": 1}},
+    "observer": {"expectation": "true_surface", "deaf": false, "feature_noise": 0.5,
+                 "position_bias": 0, "lapse": 0.2}
+  })");
+}
+
+}  // namespace
+
+Json small_selection(int repetitions) {
+  Json protocol = common("selection");
+  protocol["realism_standard"] = "photograph";
+  protocol["factors"] = Json::parse(R"({"texture": {"levels": ["walnut", "slate"]},
+                                        "model": {"levels": ["height_map", "sinusoid"]}})");
+  protocol["stimuli"] = Json::parse(
+      R"({"rendered": {"model": {"factor": "model"}, "texture": {"factor": "texture"}}})");
+  protocol["blocks"] = Json::parse(R"({"main": {
+      "crossed": ["texture"],
+      "presented": [{"stimulus": "rendered", "with": {"model": "height_map"}},
+                    {"stimulus": "rendered", "with": {"model": "sinusoid"}}],
+      "positions": "balanced",
+      "pause_before_trial_s": 0,
+      "pause_between_surfaces_s": 0,
+      "question": {"name": "most_realistic", "prompt": "Which was most like the picture?"},
+      "exploration": "short"}})");
+  protocol["blocks"]["main"]["repetitions"] = repetitions;
+  protocol["flow"] = Json::parse(R"([{"screen": "Welcome. You may stop at any moment."},
+                                     {"run": "main"}, {"screen": "Thank you."}])");
+  return protocol;
+}
+
+Json small_recognition(int repetitions) {
+  Json protocol = common("recognition");
+  protocol["factors"] = Json::parse(R"({"texture": {"levels": ["walnut", "slate"]}})");
+  protocol["stimuli"] =
+      Json::parse(R"({"rendered": {"model": "height_map", "texture": {"factor": "texture"}}})");
+  protocol["blocks"] = Json::parse(R"({"main": {
+      "crossed": ["texture"],
+      "order": "shuffle",
+      "pause_before_trial_s": 0,
+      "presented": [{"stimulus": "rendered"}],
+      "question": {"name": "recognised", "prompt": "Which did you feel?",
+                   "pictures": ["walnut", "slate"], "correct_factor": "texture"},
+      "exploration": "short"}})");
+  protocol["blocks"]["main"]["repetitions"] = repetitions;
+  protocol["flow"] = Json::parse(R"([{"screen": "Welcome. You may stop at any moment."},
+                                     {"run": "main"}, {"screen": "Thank you."}])");
+  return protocol;
+}
+
+void make_small_stimuli(const fs::path& folder) {
+  must(asperity({"synth", "sinusoid", "--out", folder / "walnut.png", "--pixels", "128",
+                 "--width-m", "0.02", "--photo", "bright_height", folder / "walnut_photo.png"}));
+  must(asperity({"synth", "noise", "--out", folder / "slate.png", "--pixels", "128", "--width-m",
+                 "0.02", "--photo", "bright_height", folder / "slate_photo.png"}));
+}
+
+SmallStudy::SmallStudy(int repetitions) {
+  must(asperity({"new", study()}));
+  make_small_stimuli(study() / "stimuli");
+  write_text(selection(), small_selection(repetitions).dump(2));
+  write_text(recognition(), small_recognition(repetitions).dump(2));
+}
+
+void copy_stimuli(const SmallStudy& small, const fs::path& study) {
+  must(asperity({"new", study}));
+  for (const fs::directory_entry& file : fs::directory_iterator(small.study() / "stimuli")) {
+    fs::copy_file(file.path(), study / "stimuli" / file.path().filename());
+  }
+}
+
+std::vector<std::string> simulate_arguments(const SmallStudy& small, const fs::path& study,
+                                            int participants, int seed) {
+  return {"simulate",
+          small.selection(),
+          small.recognition(),
+          "--study",
+          study,
+          "--participants",
+          std::to_string(participants),
+          "--seed",
+          std::to_string(seed)};
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error("cannot read " + file.string());
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
+}
+
+std::map<std::string, std::string> contents_of(const fs::path& folder) {
+  std::map<std::string, std::string> contents{};
+  if (!fs::exists(folder)) return contents;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    contents[entry.path().lexically_relative(folder)] =
+        entry.is_regular_file() ? text_of(entry.path()) : "";
+  }
+  return contents;
+}
+
+std::map<std::string, std::string> exported(const fs::path& study, const fs::path& out) {
+  must(asperity({"export", study, "--out", out}));
+  return contents_of(out);
+}
+
+std::vector<std::string> Tsv::column(const std::string& name) const {
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end()) throw std::runtime_error("there is no column " + name);
+  std::vector<std::string> cells{};
+  for (const std::vector<std::string>& row : rows) {
+    cells.push_back(row.at(static_cast<std::size_t>(found - columns.begin())));
+  }
+  return cells;
+}
+
+Tsv tsv(const std::string& text) {
+  Tsv table{};
+  std::istringstream lines(text);
+  for (std::string line{}; std::getline(lines, line);) {
+    std::vector<std::string> cells{};
+    std::istringstream rest(line);
+    for (std::string cell{}; std::getline(rest, cell, '\t');) cells.push_back(cell);
+    if (table.columns.empty()) {
+      table.columns = cells;
+    } else {
+      table.rows.push_back(cells);
+    }
+  }
+  return table;
+}
+
+std::vector<std::string> done_lines(const std::string& err) {
+  std::vector<std::string> found{};
+  std::istringstream lines(err);
+  for (std::string line{}; std::getline(lines, line);) {
+    // The last line may have been cut by a kill; without its end it was not said.
+    if (line.rfind("done ", 0) == 0 && !lines.eof()) found.push_back(line);
+  }
+  return found;
+}
+
+}  // namespace asperity::test

@@ -1,0 +1,68 @@
+// A study that runs in a moment: two small textures, and protocols of a few short trials.
+
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/results_schema/temporary_folder.h"
+
+namespace asperity::test {
+
+namespace fs = std::filesystem;
+
+/// A selection between two models, felt for a fraction of a second; textures "walnut" and "slate".
+nlohmann::ordered_json small_selection(int repetitions);
+/// A recognition of one texture among two pictures.
+nlohmann::ordered_json small_recognition(int repetitions);
+
+/// A folder "study" made by the program, with the textures in stimuli/ and the protocols in
+/// protocols/.
+class SmallStudy final {
+ public:
+  explicit SmallStudy(int repetitions = 4);
+
+  const fs::path& place() const noexcept { return folder_.path(); }
+  fs::path study() const { return folder_ / "study"; }
+  fs::path selection() const { return study() / "protocols" / "small_selection.json"; }
+  fs::path recognition() const { return study() / "protocols" / "small_recognition.json"; }
+
+ private:
+  TemporaryFolder folder_{};
+};
+
+/// The stimuli that the small protocols name, without a study around them.
+void make_small_stimuli(const fs::path& folder);
+
+/// simulate of the small selection and recognition into `study`.
+std::vector<std::string> simulate_arguments(const SmallStudy& small, const fs::path& study,
+                                            int participants, int seed);
+
+/// A new study with the stimuli of `small`.
+void copy_stimuli(const SmallStudy& small, const fs::path& study);
+
+std::string text_of(const fs::path& file);
+void write_text(const fs::path& file, const std::string& text);
+
+/// Every file below a folder with its content: equal when nothing was written.
+std::map<std::string, std::string> contents_of(const fs::path& folder);
+
+/// The tables of `export`, by file name.
+std::map<std::string, std::string> exported(const fs::path& study, const fs::path& out);
+
+/// Rows of a TSV without its heading; the heading of a column → its cells.
+struct Tsv {
+  std::vector<std::string> columns{};
+  std::vector<std::vector<std::string>> rows{};
+  std::vector<std::string> column(const std::string& name) const;
+};
+Tsv tsv(const std::string& text);
+
+/// The lines that begin with "done ".
+std::vector<std::string> done_lines(const std::string& err);
+
+}  // namespace asperity::test
