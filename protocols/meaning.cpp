@@ -423,13 +423,19 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
   }
   for (const auto& [id, at] : texts_of(stimulus.model, pointer + "/model")) {
     const auto model = models_.find(id);
-    if (model == models_.end() || id == equal.to_model) continue;
+    if (model == models_.end()) continue;
+    // The model that the others are made equal to is compared as it is by default: an amplitude of
+    // its own would make it the only one of another strength.
     if (!model->second->amplitude_parameter) {
+      if (id == equal.to_model) continue;
       report(at, "the model " + in_quotes(id) +
                      " has no amplitude that could make its texture force equal");
     } else if (stimulus.parameters.contains(*model->second->amplitude_parameter)) {
       report_key(pointer_to(pointer + "/parameters", *model->second->amplitude_parameter),
-                 "equal_force solves this parameter of " + in_quotes(id) + "; do not give it");
+                 id == equal.to_model ? "the others are made equal to " + in_quotes(id) +
+                                            " with this parameter at its default; do not give it"
+                                      : "equal_force solves this parameter of " + in_quotes(id) +
+                                            "; do not give it");
     }
   }
 }
