@@ -45,3 +45,12 @@ build() {
     quietly "$root/build/$preset-build.log" cmake --build "${arguments[@]}"
   fi
 }
+
+# The program as people run it.
+# shellcheck disable=SC2034  # used by those who source this
+asperity=$root/build/release/bin/asperity
+build_program() {
+  "$root/scripts/install" build
+  configure release -DASPERITY_BUILD_TESTS=OFF -DASPERITY_BUILD_BENCH=OFF
+  build release asperity
+}
