@@ -1,0 +1,109 @@
+// The force of a recorded hand, taken apart.
+
+#include "renderers/offline/recorded_force.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "analysis/compliance.h"
+#include "analysis/spectrum.h"
+#include "renderers/offline/replay.h"
+
+namespace asperity {
+namespace {
+
+// A shorter stretch of contact holds too few periods of the band's lower border (5 Hz).
+constexpr double kShortestStretch_s = 0.25;
+// Two records further apart than this many periods do not belong to one stretch.
+constexpr double kGap = 2.5;
+
+bool belongs(const TickRecord& record, std::uint64_t presentation) {
+  return record.presentation == presentation && record.has(TickFlag::presenting);
+}
+
+}  // namespace
+
+ForceFeatures recorded_force_features(const RecordedSurfaceSpan& surface) {
+  std::vector<double> time_s{};
+  std::vector<double> travel_m{};
+  std::vector<double> normal_N{};
+  std::vector<double> lateral_N{};
+  double travelled_m = 0.0;
+  const TickRecord* previous = nullptr;
+  for (const TickRecord& record : surface.records) {
+    if (!belongs(record, surface.presentation) || record.penetration_m <= 0.0) {
+      previous = nullptr;
+      continue;
+    }
+    const glm::dvec3& velocity = record.probe.velocity_m_per_s;
+    const glm::dvec3& force = record.sent.force_N;
+    if (previous != nullptr) {
+      const glm::dvec3 motion_m = record.probe.position_m - previous->probe.position_m;
+      travelled_m += std::hypot(motion_m.x, motion_m.y);
+    }
+    previous = &record;
+    const double speed_m_per_s =
+        tangential_speed_m_per_s({velocity.x, velocity.y, velocity.z}, {0.0, 0.0, 1.0});
+    const double along_N =
+        speed_m_per_s > 0.0 ? -(force.x * velocity.x + force.y * velocity.y) / speed_m_per_s : 0.0;
+    time_s.push_back(
+        static_cast<double>(record.probe.time_ns - surface.records.front().probe.time_ns) * 1e-9);
+    travel_m.push_back(travelled_m);
+    normal_N.push_back(force.z);
+    lateral_N.push_back(along_N);
+  }
+  return force_features({time_s, travel_m, normal_N, lateral_N});
+}
+
+std::optional<double> recorded_texture_force_rms_N(const ForceModel& model,
+                                                   const RendererInputs& inputs,
+                                                   const RecordedSurfaceSpan& surface,
+                                                   const TextureForceBand& band) {
+  std::vector<TickRecord> felt{};
+  for (const TickRecord& record : surface.records) {
+    if (belongs(record, surface.presentation)) felt.push_back(record);
+  }
+  if (felt.empty()) return {};
+  RendererInputs plain_inputs = without_texture(model.declaration, inputs);
+  plain_inputs.material.friction = inputs.material.friction;
+  const auto plain_renderer = make_renderer(model, plain_inputs);
+  const std::vector<RenderedTick> plain = replay(*plain_renderer, felt, surface.rate_Hz);
+
+  const auto shortest = static_cast<std::size_t>(kShortestStretch_s * surface.rate_Hz);
+  std::array<std::vector<double>, 3> stretch_N{};
+  double sum_of_squares_N2 = 0.0;
+  std::size_t samples = 0;
+  const auto end_of_stretch = [&] {
+    const std::size_t length = stretch_N[0].size();
+    if (length >= shortest) {
+      for (const std::vector<double>& axis_N : stretch_N) {
+        const double rms_N = band_rms(axis_N, surface.rate_Hz, band.low_Hz,
+                                      std::min(band.high_Hz, 0.5 * surface.rate_Hz));
+        sum_of_squares_N2 += rms_N * rms_N * static_cast<double>(length);
+      }
+      samples += length;
+    }
+    for (std::vector<double>& axis_N : stretch_N) axis_N.clear();
+  };
+  const auto longest_gap_ns = static_cast<std::int64_t>(kGap * 1e9 / surface.rate_Hz);
+  for (std::size_t i = 0; i < felt.size(); ++i) {
+    const bool unbroken =
+        i == 0 || felt[i].probe.time_ns - felt[i - 1].probe.time_ns < longest_gap_ns;
+    if (!unbroken) end_of_stretch();
+    if (felt[i].penetration_m <= 0.0 || felt[i].gain < 1.0) {
+      end_of_stretch();
+      continue;
+    }
+    const glm::dvec3 texture_N = felt[i].rendered.force_N - plain[i].wrench.force_N;
+    stretch_N[0].push_back(texture_N.x);
+    stretch_N[1].push_back(texture_N.y);
+    stretch_N[2].push_back(texture_N.z);
+  }
+  end_of_stretch();
+  if (samples == 0) return {};
+  return std::sqrt(sum_of_squares_N2 / static_cast<double>(samples));
+}
+
+}  // namespace asperity
