@@ -2,6 +2,8 @@
 
 #include <sys/utsname.h>
 
+#include <gnu/libc-version.h>
+
 #include "app/program_identity.h"  // written by CMake
 #include "results_schema/sha256.h"
 
@@ -32,7 +34,8 @@ ProgramIdentity this_program() {
   identity.instruction_set = compiled_instruction_set();
   utsname system{};
   if (uname(&system) == 0) {
-    identity.os = std::string(system.sysname) + ' ' + system.release + ' ' + system.machine;
+    identity.os = std::string(system.sysname) + ' ' + system.release + ' ' + system.machine +
+                  ", glibc " + gnu_get_libc_version();
   }
   return identity;
 }

@@ -12,7 +12,7 @@ struct ProgramIdentity {
   std::string build{};
   std::string sha256{};           ///< of the executable
   std::string instruction_set{};  ///< what the numerical code was compiled for
-  std::string os{};
+  std::string os{};  ///< kernel, processor, C library (whose mathematics the forces rest on)
 };
 
 /// Of the running program. Reads the executable once per call.

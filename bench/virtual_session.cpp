@@ -14,7 +14,7 @@
 
 #include "app/program.h"
 #include "app/tasks/new_study.h"
-#include "app/tasks/sessions.h"
+#include "app/tasks/simulation.h"
 
 namespace asperity {
 namespace {

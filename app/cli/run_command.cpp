@@ -15,7 +15,7 @@
 #include "app/cli/terminal.h"
 #include "app/conductor/terminal_respondent.h"
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/sessions.h"
+#include "app/tasks/run_session.h"
 
 namespace asperity {
 
@@ -67,7 +67,7 @@ void add_run(CLI::App& program, Job& job) {
         throw std::runtime_error("there is no device \"" + options->device +
                                  "\"; this program has: simulated");
       }
-      if (const auto complaint = complaint_about_label(inputs.participant)) {
+      if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
         throw std::runtime_error(*complaint);
       }
       inputs.seed = options->seed ? *options->seed : seed_of_this_machine();

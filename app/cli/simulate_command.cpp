@@ -11,7 +11,7 @@
 #include "app/cli/session_output.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
-#include "app/tasks/sessions.h"
+#include "app/tasks/simulation.h"
 
 namespace asperity {
 

@@ -45,7 +45,9 @@ void add_verify(CLI::App& program, Job& job) {
       }
       std::cout << (result.problems.empty()
                         ? std::string("everything holds")
-                        : std::to_string(result.problems.size()) + " things do not hold")
+                        : std::to_string(result.problems.size()) +
+                              (result.problems.size() == 1 ? " thing does" : " things do") +
+                              " not hold")
                 << '\n';
       return result.problems.empty() ? 0 : 1;
     };

@@ -4,19 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include <glm/geometric.hpp>
-
 #include "analysis/compliance.h"
-#include "analysis/spectrum.h"
 #include "analysis/summary.h"
-#include "renderers/offline/replay.h"
 
 namespace asperity {
 
 namespace {
 
-// A stretch of contact shorter than this holds too few periods of the band's lower border (5 Hz).
-constexpr double kShortestStretch_s = 0.25;
 // Band limits are asked for along a stroke; a turn of the hand is no stroke.
 constexpr double kMoving_m_per_s = 0.010;
 
@@ -135,37 +129,6 @@ void fill_times(std::span<const TickRecord> records, std::uint64_t presentation,
   row.contact_s = static_cast<double>(contact_ticks) / rate_Hz;
 }
 
-ForceFeatures features_of(std::span<const TickRecord> records, std::uint64_t presentation) {
-  std::vector<double> time_s{};
-  std::vector<double> travel_m{};
-  std::vector<double> normal_N{};
-  std::vector<double> lateral_N{};
-  double travelled_m = 0.0;
-  const TickRecord* previous = nullptr;
-  for (const TickRecord& record : records) {
-    if (!touches(record, presentation)) {
-      previous = nullptr;
-      continue;
-    }
-    const glm::dvec3 motion_m = previous == nullptr
-                                    ? glm::dvec3{0.0}
-                                    : record.probe.position_m - previous->probe.position_m;
-    travelled_m += std::hypot(motion_m.x, motion_m.y);
-    previous = &record;
-    const double speed_m_per_s = speed_of(record);
-    const glm::dvec3& velocity = record.probe.velocity_m_per_s;
-    const glm::dvec3& force = record.sent.force_N;
-    const double along_N =
-        speed_m_per_s > 0.0 ? -(force.x * velocity.x + force.y * velocity.y) / speed_m_per_s : 0.0;
-    time_s.push_back(static_cast<double>(record.probe.time_ns - records.front().probe.time_ns) *
-                     1e-9);
-    travel_m.push_back(travelled_m);
-    normal_N.push_back(force.z);
-    lateral_N.push_back(along_N);
-  }
-  return force_features({time_s, travel_m, normal_N, lateral_N});
-}
-
 std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
                                          std::uint64_t presentation, double rate_Hz,
                                          const Exploration& exploration) {
@@ -198,58 +161,12 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
   const double fraction = exploration.required_fraction_in_band;
   const std::array<double, 1> contact_s{static_cast<double>(contact_ticks) / rate_Hz};
   const std::array<double, 1> strokes{static_cast<double>(stroke_lengths_m.size())};
-  const Band contact_band{exploration.minimum_contact_s, {}, {}};
+  const Band contact_band{exploration.minimum_contact_s, {}, exploration.maximum_contact_s};
   return {judged_by_fraction("normal_force_N", force_N, exploration.normal_force_N, fraction),
           judged_by_fraction("speed_m_per_s", speed_m_per_s, exploration.speed_m_per_s, fraction),
           judged_by_mean("contact_s", contact_s, contact_band),
           judged_by_mean("strokes", strokes, exploration.strokes),
           judged_by_mean("stroke_length_m", stroke_lengths_m, exploration.stroke_length_m)};
-}
-
-std::optional<double> achieved_texture_force_N(std::span<const TickRecord> records,
-                                               std::uint64_t presentation, double rate_Hz,
-                                               const PreparedStimulus& stimulus,
-                                               const EqualForce& band) {
-  std::vector<TickRecord> felt{};
-  for (const TickRecord& record : records) {
-    if (belongs(record, presentation)) felt.push_back(record);
-  }
-  if (felt.empty()) return {};
-  const auto plain_renderer =
-      stimulus.model->make(without_texture(stimulus.model->declaration, stimulus.inputs));
-  const std::vector<RenderedTick> plain = replay(*plain_renderer, felt, rate_Hz);
-
-  const auto shortest = static_cast<std::size_t>(kShortestStretch_s * rate_Hz);
-  std::array<std::vector<double>, 3> stretch{};
-  double sum_of_squares_N2 = 0.0;
-  std::size_t samples = 0;
-  const auto end_of_stretch = [&] {
-    const std::size_t length = stretch[0].size();
-    if (length >= shortest) {
-      for (const std::vector<double>& axis : stretch) {
-        const double rms_N =
-            band_rms(axis, rate_Hz, band.band_low_Hz, std::min(band.band_high_Hz, 0.5 * rate_Hz));
-        sum_of_squares_N2 += rms_N * rms_N * static_cast<double>(length);
-      }
-      samples += length;
-    }
-    for (std::vector<double>& axis : stretch) axis.clear();
-  };
-  for (std::size_t i = 0; i < felt.size(); ++i) {
-    const bool unbroken = i == 0 || felt[i].probe.time_ns - felt[i - 1].probe.time_ns <
-                                        static_cast<std::int64_t>(2.5e9 / rate_Hz);
-    if (felt[i].penetration_m <= 0.0 || felt[i].gain < 1.0 || !unbroken) {
-      end_of_stretch();
-      continue;
-    }
-    const glm::dvec3 texture_N = felt[i].rendered.force_N - plain[i].wrench.force_N;
-    stretch[0].push_back(texture_N.x);
-    stretch[1].push_back(texture_N.y);
-    stretch[2].push_back(texture_N.z);
-  }
-  end_of_stretch();
-  if (samples == 0) return {};
-  return std::sqrt(sum_of_squares_N2 / static_cast<double>(samples));
 }
 
 HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch) {

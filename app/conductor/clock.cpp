@@ -1,5 +1,6 @@
 #include "app/conductor/clock.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <stdexcept>
@@ -23,7 +24,10 @@ std::string utc_text(std::int64_t since_1970_ns) {
          ':' + padded(parts.tm_sec, 2) + '.' + padded(milliseconds % 1000, 3) + 'Z';
 }
 
-std::int64_t SystemClock::now_ns() const noexcept { return monotonic_now_ns(); }
+SystemClock::SystemClock(std::int64_t not_before_ns)
+    : ahead_ns_(std::max<std::int64_t>(0, not_before_ns - monotonic_now_ns())) {}
+
+std::int64_t SystemClock::now_ns() const noexcept { return monotonic_now_ns() + ahead_ns_; }
 
 std::string SystemClock::utc() const {
   const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();

@@ -28,9 +28,16 @@ class Clock {
 /// The machine's monotonic clock and its date.
 class SystemClock final : public Clock {
  public:
-  SystemClock() = default;
+  /// The machine's clock starts anew with the machine; a session that goes on after that needs one
+  /// that does not: it then runs ahead of the machine's, from `not_before_ns`.
+  explicit SystemClock(std::int64_t not_before_ns);
   std::int64_t now_ns() const noexcept override;
+  /// How far this clock is ahead of the machine's; 0 but after a restart of the machine.
+  std::int64_t ahead_ns() const noexcept { return ahead_ns_; }
   std::string utc() const override;
+
+ private:
+  std::int64_t ahead_ns_ = 0;
 };
 
 /// Stands still until it is moved. The n-th session of a simulation begins n hours after the epoch.

@@ -8,6 +8,8 @@
 
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/recording_columns.h"
+#include "app/parameter_json.h"
+#include "renderers/offline/recorded_force.h"
 
 namespace asperity {
 
@@ -16,6 +18,9 @@ namespace {
 // A virtual hand explores a little longer than the protocol asks for at least, as people do.
 constexpr double kBeyondMinimum = 1.25;
 constexpr double kSlice_s = 0.02;
+// From the wish to lift to the end of the contact.
+constexpr double kLifting_s = 0.3;
+constexpr double kCheck_s = 0.2;  // longer than a surface takes to fade out
 // A surface that is not touched at all is given up after this much more than the longest contact.
 constexpr double kPatience_s = 5.0;
 // A device or machine that fails a trial three times will not do better the fourth time.
@@ -25,18 +30,6 @@ std::string options_json(const TrialQuestion& question) {
   nlohmann::ordered_json options = nlohmann::ordered_json::array();
   for (const Option& option : question.options) options.push_back(option.value);
   return options.dump();
-}
-
-std::string parameters_json(const ParameterValues& values) {
-  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : values) {
-    if (const double* number = std::get_if<double>(&value)) {
-      parameters[name] = *number;
-    } else {
-      parameters[name] = std::get<std::string>(value);
-    }
-  }
-  return parameters.dump();
 }
 
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
@@ -79,15 +72,20 @@ SessionEnd Conductor::run(OpenSession session) {
   const std::int64_t began_ns = rig_.clock().now_ns();
   if (session_.resumed) study_.reopen_session(session_.row.id);
   segment_ = study_.begin_segment(session_.row.id, began_ns);
-  event(session_.resumed ? "session_resumed" : "session_began", "");
+  study_.add_event(session_.row.id,
+                   {began_ns, session_.resumed ? "session_resumed" : "session_began", "",
+                    settings_.conditions_json});
 
   SessionEnd end{};
   try {
     run_steps();
   } catch (const Interruption& interruption) {  // outside an attempt
-    stopped_ = SessionEnd{SessionState::stopped, interruption.reason};
+    stop(interruption.reason);
   } catch (const RespondentGone& gone) {
-    stopped_ = SessionEnd{SessionState::stopped, gone.what()};
+    stop(gone.what());
+  } catch (const std::exception& error) {
+    end_after(error);
+    throw;
   }
   rig_.loop().withdraw();
   if (stopped_) end = *stopped_;
@@ -99,6 +97,20 @@ SessionEnd Conductor::run(OpenSession session) {
                      end.state == SessionState::completed ? "completed" : "stopped");
   study_.end_session(session_.row.id, end.state, rig_.clock().utc());
   return end;
+}
+
+/// The store, a file or a renderer failed: every finished trial is on disk. Says so in the session
+/// as far as the store still takes it; if it does not, the session is found as crashed.
+void Conductor::end_after(const std::exception& error) noexcept {
+  recorder_.abandon();
+  rig_.loop().withdraw();
+  try {
+    event("session_failed", error.what());
+    study_.end_segment(session_.row.id, segment_, rig_.clock().now_ns(), "stopped");
+    study_.end_session(session_.row.id, SessionState::stopped, rig_.clock().utc());
+  } catch (const std::exception&) {
+    // The first error is the one that the caller is told.
+  }
 }
 
 // --- requests ------------------------------------------------------------------------------------
@@ -144,6 +156,10 @@ void Conductor::run_steps() {
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
     if (step != nullptr && attempts_of(session_.plan.trials[step->trial].ordinal) > 0) first = i;
   }
+  // The checks of the device are: it may be another one now, or the same one after a fault.
+  for (std::size_t i = 0; i < first; ++i) {
+    if (std::holds_alternative<Protocol::Check>(steps[i])) run_other(steps[i]);
+  }
   int block = 0;
   for (std::size_t i = first; i < steps.size() && !stopped_; ++i) {
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
@@ -153,7 +169,7 @@ void Conductor::run_steps() {
         if (block != 0) finish_block(block);
         block = trial.block_ordinal;
       }
-      if (stopped_ || is_done(trial) || is_criterion_reached(trial)) continue;
+      if (stopped_ || is_done(trial) || is_over(trial)) continue;
       run_trial(trial);
       continue;
     }
@@ -165,7 +181,7 @@ void Conductor::run_steps() {
       if (const TrialStep* next = std::get_if<TrialStep>(&steps[later])) {
         const Trial& trial = session_.plan.trials[next->trial];
         next_block = trial.block_ordinal;
-        more_to_come = !is_criterion_reached(trial);
+        more_to_come = !is_over(trial);
       }
     }
     if (block != 0 && next_block == block) {
@@ -186,19 +202,13 @@ void Conductor::run_other(const PlanStep& step) {
   } else if (const auto* pause = std::get_if<Protocol::Break>(&step)) {
     event("break_began", "");
     if (pause->zero_force) {
-      rig_.loop().withdraw();
+      check_device();
       event("force_zeroed", "break");
     }
     respondent_.read(pause->text, pause->minimum_s, waiting);
     event("break_ended", "");
   } else if (const auto* check = std::get_if<Protocol::Check>(&step)) {
-    rig_.loop().withdraw();
-    wait(0.2);
-    const ServoStatus status = rig_.loop().status();
-    if (status.fault != Fault::none) {
-      throw Interruption{AttemptOutcome::device_fault,
-                         std::string("the device is not ready: ") + name_of(status.fault)};
-    }
+    check_device();
     event("check_passed", check->what == Protocol::Check::What::device ? "device" : "force_zero");
   } else if (const auto* ask = std::get_if<Protocol::Ask>(&step)) {
     const std::vector<ResponseRow> answered = study_.session_answers(session_.row.id);
@@ -222,30 +232,50 @@ void Conductor::run_other(const PlanStep& step) {
   }
 }
 
+/// Nothing is rendered: the device has to answer at the servo's rate and be sent zero force.
+void Conductor::check_device() {
+  rig_.loop().withdraw();
+  recorder_.begin(nullptr, protocol_.rate_Hz, rig_.records());
+  wait(kCheck_s);
+  const std::vector<TickRecord> records = recorder_.finish(rig_.records()).records;
+  std::string problem{};
+  if (records.empty()) {
+    problem = "it does not tick";
+  } else if (records.back().has(TickFlag::device_lost)) {
+    problem = "it does not answer";
+  } else if (records.back().sent.force_N != glm::dvec3{0.0}) {
+    problem = "it is sent a force although there is no surface";
+  }
+  if (!problem.empty()) {
+    throw Interruption{AttemptOutcome::device_fault, "the device is not ready: " + problem};
+  }
+}
+
 void Conductor::finish_block(int block_ordinal) {
   for (const Trial& trial : session_.plan.trials) {
     while (trial.block_ordinal == block_ordinal && !stopped_ && !is_done(trial) &&
-           !is_criterion_reached(trial)) {
+           !is_over(trial)) {
       run_trial(trial);
     }
   }
   if (stopped_) return;
-  for (const Trial& trial : session_.plan.trials) {
-    if (trial.block_ordinal != block_ordinal) continue;
-    const Protocol::Block& block = protocol_.blocks.at(trial.block);
-    if (block.until && !is_criterion_reached(trial)) {
-      event("criterion_not_reached", trial.block);
-      if (block.until->on_failure == Protocol::Criterion::OnFailure::end_session) {
-        stopped_ = SessionEnd{SessionState::stopped,
-                              "the criterion of the block \"" + trial.block + "\" was not reached"};
-      }
+  const auto of_block = std::find_if(
+      session_.plan.trials.begin(), session_.plan.trials.end(),
+      [block_ordinal](const Trial& trial) { return trial.block_ordinal == block_ordinal; });
+  const Protocol::Block& block = protocol_.blocks.at(of_block->block);
+  if (block.until && criterion_of(*of_block) != BlockState::criterion_met) {
+    event("criterion_not_met", of_block->block);
+    if (block.until->on_failure == Protocol::Criterion::OnFailure::end_session) {
+      stopped_ =
+          SessionEnd{.state = SessionState::stopped,
+                     .reason = "the criterion of the block \"" + of_block->block + "\" was not met",
+                     .as_the_protocol_says = true};
     }
-    break;
   }
   const std::lock_guard lock(requests_mutex_);
   if (requests_.stop == After::block) {
     requests_.stop.reset();
-    stopped_ = SessionEnd{SessionState::stopped, "stopped after the block, as asked"};
+    stop("stopped after the block, as asked");
   }
 }
 
@@ -257,9 +287,13 @@ bool Conductor::is_done(const Trial& trial) const {
                      });
 }
 
-bool Conductor::is_criterion_reached(const Trial& trial) const {
+bool Conductor::is_over(const Trial& trial) const {
+  return criterion_of(trial) != BlockState::go_on;
+}
+
+BlockState Conductor::criterion_of(const Trial& trial) const {
   const Protocol::Block& block = protocol_.blocks.at(trial.block);
-  if (!block.until) return false;
+  if (!block.until) return BlockState::go_on;
   std::vector<bool> correct{};
   for (const AttemptRow& attempt : session_.attempts) {
     if (!attempt.valid) continue;
@@ -267,7 +301,7 @@ bool Conductor::is_criterion_reached(const Trial& trial) const {
     if (tried.block_ordinal != trial.block_ordinal) continue;
     correct.push_back(is_right(attempt));
   }
-  return state_of(*block.until, correct) != BlockState::go_on;
+  return state_of(*block.until, correct);
 }
 
 int Conductor::attempts_of(int trial) const {
@@ -280,6 +314,10 @@ const Exploration& Conductor::exploration_of(const Trial& trial) const {
   static const Exploration kFree{};
   const std::string& name = protocol_.blocks.at(trial.block).exploration;
   return name.empty() ? kFree : protocol_.explorations.at(name);
+}
+
+void Conductor::stop(const std::string& reason) {
+  stopped_ = SessionEnd{.state = SessionState::stopped, .reason = reason};
 }
 
 // --- one trial -----------------------------------------------------------------------------------
@@ -309,23 +347,20 @@ void Conductor::run_trial(const Trial& trial) {
       respondent_.tell(text, [this](double duration_s) { wait(duration_s); });
     }
     if (attempt.outcome == AttemptOutcome::device_fault) {
-      stopped_ = SessionEnd{SessionState::stopped,
-                            "the device failed in trial " + std::to_string(trial.ordinal) + ": " +
-                                attempt.invalid_reason.value_or("fault") +
-                                "; every finished trial is stored, go on with --resume"};
+      stop("the device failed in trial " + std::to_string(trial.ordinal) + ": " +
+           attempt.invalid_reason.value_or("fault") +
+           "; every finished trial is stored, go on with --resume");
       return;
     }
     if (attempt.outcome == AttemptOutcome::aborted) {
-      stopped_ = SessionEnd{SessionState::stopped, attempt.invalid_reason.value_or("aborted")};
+      stop(attempt.invalid_reason.value_or("aborted"));
       return;
     }
     if (attempt.valid || attempt.outcome == AttemptOutcome::skipped) break;
     if (failed_technically(attempt)) {
       if (++failures < kTechnicalRepeats) continue;
-      stopped_ =
-          SessionEnd{SessionState::stopped, "trial " + std::to_string(trial.ordinal) + " failed " +
-                                                std::to_string(failures) + " times in a row (" +
-                                                attempt.invalid_reason.value_or("") + ")"};
+      stop("trial " + std::to_string(trial.ordinal) + " failed " + std::to_string(failures) +
+           " times in a row (" + attempt.invalid_reason.value_or("") + ")");
       return;
     }
     if (attempt.outcome == AttemptOutcome::not_compliant &&
@@ -336,7 +371,7 @@ void Conductor::run_trial(const Trial& trial) {
   const std::lock_guard lock(requests_mutex_);
   if (requests_.stop == After::trial) {
     requests_.stop.reset();
-    stopped_ = SessionEnd{SessionState::stopped, "stopped after the trial, as asked"};
+    stop("stopped after the trial, as asked");
   }
 }
 
@@ -347,7 +382,7 @@ void Conductor::between_trials() {
     {
       const std::lock_guard lock(requests_mutex_);
       if (requests_.abort) {
-        stopped_ = SessionEnd{SessionState::stopped, *requests_.abort};
+        stop(*requests_.abort);
         requests_.abort.reset();
         return;
       }
@@ -403,6 +438,7 @@ AttemptRow Conductor::run_attempt(const Trial& trial, int attempt) {
   row.onset_ns = rig_.clock().now_ns();
 
   const Wait waiting = [this](double duration_s) { wait(duration_s); };
+  in_attempt_ = true;
   std::optional<Interruption> interruption{};
   Reply reply{};
   std::int64_t cue_ns = 0;
@@ -420,8 +456,9 @@ AttemptRow Conductor::run_attempt(const Trial& trial, int attempt) {
     for (;;) {
       std::vector<ForceFeatures> felt{};
       for (const PlannedPresentation& surface : trial.presentations) {
-        felt.push_back(
-            features_of(recorder_.records(), static_cast<std::uint64_t>(surface.position)));
+        felt.push_back(recorded_force_features({recorder_.records(),
+                                                static_cast<std::uint64_t>(surface.position),
+                                                protocol_.rate_Hz}));
       }
       cue_ns = rig_.clock().now_ns();
       reply = respondent_.ask(trial, felt, block.response_deadline_s, waiting);
@@ -436,6 +473,7 @@ AttemptRow Conductor::run_attempt(const Trial& trial, int attempt) {
   } catch (const RespondentGone& gone) {
     interruption = Interruption{AttemptOutcome::aborted, gone.what()};
   }
+  in_attempt_ = false;
   row.offset_ns = rig_.clock().now_ns();
   if (interruption) take_surface_away();
 
@@ -489,9 +527,10 @@ void Conductor::feel(std::size_t index, Surfaces& surfaces, const Exploration& e
   const HandHabits habits = habits_for(exploration, protocol_.patch);
   const double strokes_s = exploration.strokes.target.value_or(0.0) * kBeyondMinimum *
                            habits.stroke_length_m / habits.speed_m_per_s;
+  const double longest_s =
+      std::max(exploration.minimum_contact_s, exploration.maximum_contact_s - kLifting_s);
   const double wanted_s =
-      std::min(std::max(kBeyondMinimum * exploration.minimum_contact_s, strokes_s),
-               exploration.maximum_contact_s);
+      std::min(std::max(kBeyondMinimum * exploration.minimum_contact_s, strokes_s), longest_s);
   double passed_s = 0.0;
   while (recorder_.live().contact_s < wanted_s &&
          passed_s < exploration.maximum_contact_s + kPatience_s) {
@@ -528,13 +567,15 @@ void Conductor::measure(const Trial& trial, const Surfaces& surfaces,
     presentation.model = prepared.model->declaration.id;
     presentation.model_version = prepared.model->declaration.version;
     presentation.texture = planned.stimulus.texture;
-    presentation.parameters_json = parameters_json(prepared.inputs.parameters);
+    presentation.parameters_json = json_text_of(prepared.inputs.parameters);
     presentation.height_field_sha256 = prepared.height_field_sha256;
     presentation.seed = std::to_string(surfaces.seeds[i]);
     presentation.matched_texture_force_N = prepared.matched_texture_force_N;
     fill_times(records, id, protocol_.rate_Hz, presentation);
-    presentation.achieved_texture_force_N = achieved_texture_force_N(
-        records, id, protocol_.rate_Hz, prepared, planned.equal_force.value_or(EqualForce{}));
+    const EqualForce request = planned.equal_force.value_or(EqualForce{});
+    presentation.achieved_texture_force_N = recorded_texture_force_rms_N(
+        *prepared.model, prepared.inputs, {records, id, protocol_.rate_Hz},
+        {request.band_low_Hz, request.band_high_Hz});
     if (presentation.onset_ns) {
       for (ComplianceRow& compliance : compliance_of(records, id, protocol_.rate_Hz, exploration)) {
         compliance.position = planned.position;
@@ -618,7 +659,7 @@ void Conductor::wait(double duration_s) {
       requests_.abort.reset();
       throw Interruption{AttemptOutcome::aborted, reason};
     }
-    if (requests_.skip && recorder_.is_open()) {
+    if (requests_.skip && in_attempt_) {
       const std::string reason = *requests_.skip;
       requests_.skip.reset();
       throw Interruption{AttemptOutcome::skipped, reason};

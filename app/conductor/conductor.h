@@ -29,6 +29,8 @@ struct AttemptDone {
 
 struct ConductorSettings {
   bool record = true;  ///< keep the tick records of every attempt
+  /// What runs this stretch of the session (program, scheduling); stored with its beginning.
+  std::string conditions_json = "null";
   /// Called after each commit, and only then.
   std::function<void(const AttemptDone&)> done{};
 };
@@ -36,7 +38,9 @@ struct ConductorSettings {
 /// How a session ended.
 struct SessionEnd {
   SessionState state = SessionState::completed;
-  std::string reason{};     ///< a sentence, where the session was stopped
+  std::string reason{};  ///< a sentence, where the session was stopped
+  /// Stopped by a rule of the protocol (a criterion), not by a person or a fault.
+  bool as_the_protocol_says = false;
   int attempts = 0;         ///< made now
   double duration_s = 0.0;  ///< on the session's clock
 };
@@ -72,7 +76,7 @@ class Conductor final {
   void pause();
   void resume();
   void note(const std::string& text);
-  void emergency_stop() noexcept { rig_.loop().emergency_stop(); }
+  void emergency_stop() noexcept { rig_.emergency_stop(); }
 
  private:
   struct Requests {
@@ -91,6 +95,9 @@ class Conductor final {
 
   void run_steps();
   void run_other(const PlanStep& step);
+  void stop(const std::string& reason);
+  void check_device();
+  void end_after(const std::exception& error) noexcept;
   void finish_block(int block_ordinal);
   void run_trial(const Trial& trial);
   AttemptRow run_attempt(const Trial& trial, int attempt);
@@ -104,7 +111,9 @@ class Conductor final {
   void store_notes();
   void event(const std::string& kind, const std::string& text);
   bool is_done(const Trial& trial) const;
-  bool is_criterion_reached(const Trial& trial) const;
+  BlockState criterion_of(const Trial& trial) const;
+  /// The block of this trial is practised to a criterion and needs no more trials.
+  bool is_over(const Trial& trial) const;
   int attempts_of(int trial) const;
   std::string recording_path(const Trial& trial, int attempt) const;
   const Exploration& exploration_of(const Trial& trial) const;
@@ -120,6 +129,7 @@ class Conductor final {
   int segment_ = 0;
   std::optional<SessionEnd> stopped_{};  ///< set once the session is to end early
   int attempts_made_ = 0;
+  bool in_attempt_ = false;
   std::mutex requests_mutex_{};
   Requests requests_{};
 };

@@ -6,8 +6,9 @@
 
 namespace asperity {
 
-void Recorder::begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz,
-                     const RecordRing& records) {
+void Recorder::begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz, RecordRing& records) {
+  open_ = false;
+  drain(records);
   open_ = true;
   rate_Hz_ = rate_Hz;
   lost_before_ = records.lost();
@@ -18,10 +19,11 @@ void Recorder::begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz,
   write_error_ = nullptr;
 }
 
-void Recorder::drain(RecordRing& records) {
+void Recorder::drain(RecordRing& records, std::int64_t ahead_ns) {
   TickRecord raw{};
   while (records.pop(raw)) {
     if (!open_) continue;
+    raw.probe.time_ns += ahead_ns;
     const TickRecord record = as_recorded(raw);
     records_.push_back(record);
     if (watched_ != 0 && record.presentation == watched_) {

@@ -34,8 +34,10 @@ class Recorder final {
   Recorder() = default;
 
   /// `writer` may be null: the attempt is then not recorded, only measured.
-  void begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz, const RecordRing& records);
-  void drain(RecordRing& records);
+  /// What is still in the ring belongs to the time before, and is thrown away.
+  void begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz, RecordRing& records);
+  /// `ahead_ns` is added to the times of the records: the session's clock against the servo's.
+  void drain(RecordRing& records, std::int64_t ahead_ns = 0);
   /// Counts contact anew for the surface presented next.
   void watch(std::uint64_t presentation) noexcept;
   LiveContact live() const noexcept { return live_; }

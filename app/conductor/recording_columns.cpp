@@ -1,5 +1,7 @@
 #include "app/conductor/recording_columns.h"
 
+#include <cmath>
+
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -97,8 +99,10 @@ TickRecord record_of(std::int64_t time_ns,
   record.gain = values[27];
   record.presentation = static_cast<std::uint64_t>(values[28]);
   record.flags = static_cast<std::uint32_t>(values[29]);
-  record.lateness_ns = static_cast<std::int32_t>(static_cast<double>(values[30]) * 1e9);
-  record.execution_ns = static_cast<std::int32_t>(static_cast<double>(values[31]) * 1e9);
+  record.lateness_ns =
+      static_cast<std::int32_t>(std::lround(static_cast<double>(values[30]) * 1e9));
+  record.execution_ns =
+      static_cast<std::int32_t>(std::lround(static_cast<double>(values[31]) * 1e9));
   return record;
 }
 

@@ -10,8 +10,10 @@ namespace asperity {
 
 namespace {
 
-// Short enough that the ring (8 s at 1 kHz) is never near full and a stop is felt at once.
+// Short enough that the ring is never near full and a stop is felt at once.
 constexpr double kRealTimeSlice_s = 0.005;
+// What the ring holds: longer than any disk keeps the conductor waiting.
+constexpr double kRing_s = 8.0;
 constexpr std::int64_t kTicksBetweenDrains = 256;
 
 }  // namespace
@@ -68,6 +70,7 @@ void SteppedRig::pass(double duration_s, Recorder& recorder) {
     const double since_origin_ns = static_cast<double>(ticks_since_origin_) * 1e9 / rate_Hz;
     clock_.move_to(grid_origin_ns_ + std::llround(since_origin_ns));
     assembly_->loop.heartbeat();
+    if (stop_wanted_.load()) assembly_->loop.emergency_stop();
     assembly_->loop.tick(clock_.now_ns());
     if (tick % kTicksBetweenDrains == kTicksBetweenDrains - 1) recorder.drain(records());
   }
@@ -87,9 +90,11 @@ SimulatedDeviceSettings in_real_time(SimulatedDeviceSettings settings) {
 }  // namespace
 
 RealTimeRig::RealTimeRig(const RigSettings& settings, const HandHabits& habits,
-                         const Random& random, Scheduling scheduling)
-    : hand_(habits, random),
+                         const Random& random, Scheduling scheduling, std::int64_t not_before_ns)
+    : clock_(not_before_ns),
+      hand_(habits, random),
       device_(hand_, in_real_time(settings.device)),
+      records_(static_cast<std::size_t>(kRing_s * settings.servo.rate_Hz)),
       loop_((device_.set_limits(settings.limits), device_), records_, settings.servo),
       thread_(loop_, device_, scheduling) {}
 
@@ -103,7 +108,7 @@ void RealTimeRig::pass(double duration_s, Recorder& recorder) {
   const std::int64_t until_ns = clock_.now_ns() + std::llround(duration_s * 1e9);
   for (;;) {
     loop_.heartbeat();
-    recorder.drain(records_);
+    recorder.drain(records_, clock_.ahead_ns());
     const double left_s = static_cast<double>(until_ns - clock_.now_ns()) * 1e-9;
     if (left_s <= 0.0) return;
     std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, kRealTimeSlice_s)));

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,7 +31,7 @@ struct RigSettings {
 /// loop hears the conductor's heartbeat. Everything the conductor waits for, it waits for in
 /// `pass`.
 ///
-/// Threads: all of it belongs to the conductor's thread, but for `loop().emergency_stop()`.
+/// Threads: all of it belongs to the conductor's thread, but for `emergency_stop`.
 class Rig {
  public:
   virtual ~Rig() = default;
@@ -52,6 +53,9 @@ class Rig {
 
   virtual void pass(double duration_s, Recorder& recorder) = 0;
 
+  /// Zero force at once, latched; from any thread.
+  virtual void emergency_stop() noexcept = 0;
+
  protected:
   Rig() = default;
 };
@@ -71,6 +75,8 @@ class SteppedRig final : public Rig {
   std::string scheduling() const override { return "none"; }
   void prepare_attempt(const HandHabits& habits, const Random& random) override;
   void pass(double duration_s, Recorder& recorder) override;
+  /// Reaches the loop with its next tick, whichever attempt that belongs to.
+  void emergency_stop() noexcept override { stop_wanted_.store(true); }
 
   /// A resumed session goes on after what was stored.
   void move_clock_to(std::int64_t now_ns);
@@ -82,14 +88,17 @@ class SteppedRig final : public Rig {
   std::int64_t grid_origin_ns_ = 0;
   std::int64_t ticks_since_origin_ = 0;
   double owed_s_ = 0.0;
+  std::atomic<bool> stop_wanted_{false};
   std::unique_ptr<Assembly> assembly_;
 };
 
 /// A simulated device in real time, on a servo thread.
 class RealTimeRig final : public Rig {
  public:
+  /// `not_before_ns`: the session's clock goes on from there when the machine's is behind it (it
+  /// starts anew with the machine).
   RealTimeRig(const RigSettings& settings, const HandHabits& habits, const Random& random,
-              Scheduling scheduling);
+              Scheduling scheduling, std::int64_t not_before_ns);
   ~RealTimeRig() override;
 
   const Clock& clock() const noexcept override { return clock_; }
@@ -101,12 +110,13 @@ class RealTimeRig final : public Rig {
   std::string scheduling() const override { return thread_.scheduling(); }
   void prepare_attempt(const HandHabits& habits, const Random& random) override;
   void pass(double duration_s, Recorder& recorder) override;
+  void emergency_stop() noexcept override { loop_.emergency_stop(); }
 
  private:
-  SystemClock clock_{};
+  SystemClock clock_;
   VirtualHand hand_;
   SimulatedDevice device_;
-  RecordRing records_{};
+  RecordRing records_;
   ServoLoop loop_;
   ServoThread thread_;
 };

@@ -168,7 +168,7 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
   return session;
 }
 
-OpenSession reopen(Study& study, const Protocol& protocol, const SessionRow& row) {
+OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRow& row) {
   OpenSession session{};
   session.row = row;
   session.resumed = true;
@@ -200,7 +200,8 @@ OpenSession reopen(Study& study, const Protocol& protocol, const SessionRow& row
   return session;
 }
 
-OpenSession resume_session(Study& study, const Protocol& protocol, const std::string& participant) {
+SessionRow find_unfinished(const Study& study, const Protocol& protocol,
+                           const std::string& participant) {
   std::optional<SessionRow> found{};
   for (const SessionRow& row : study.sessions()) {
     if (row.participant != participant || row.state == SessionState::completed) continue;
@@ -211,7 +212,7 @@ OpenSession resume_session(Study& study, const Protocol& protocol, const std::st
                              " has no unfinished session of the protocol \"" + protocol.name +
                              "\" as it is in this file; leave out --resume to begin one");
   }
-  return reopen(study, protocol, *found);
+  return *found;
 }
 
 }  // namespace asperity

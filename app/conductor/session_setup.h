@@ -48,15 +48,18 @@ std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
 OpenSession begin_session(Study& study, const Protocol& protocol, const std::string& participant,
                           const SessionConditions& conditions, const ProgramIdentity& program);
 
-/// The latest session of this participant and protocol that is not completed, ready to go on.
+/// The latest session of this participant and protocol that is not completed.
+///
+/// Errors: std::runtime_error saying that there is none.
+SessionRow find_unfinished(const Study& study, const Protocol& protocol,
+                           const std::string& participant);
+
+/// A session of the store, ready to go on.
 ///
 /// The plan is made again from the stored seed and row and has to be the stored one; the files have
 /// to be those it began with.
 ///
-/// Errors: std::runtime_error saying that there is none, or what has changed.
-OpenSession resume_session(Study& study, const Protocol& protocol, const std::string& participant);
-
-/// Every step of resuming, for one session of the store.
-OpenSession reopen(Study& study, const Protocol& protocol, const SessionRow& row);
+/// Errors: std::runtime_error saying what has changed.
+OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRow& row);
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/parameter_json.h"
 #include "renderers/offline/force_matching.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
@@ -20,35 +21,39 @@ TextureForcePath path_of(const EqualForce& request) {
   return path;
 }
 
-nlohmann::ordered_json json_of(const ParameterValues& values) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : values) {
-    if (const double* number = std::get_if<double>(&value)) {
-      json[name] = *number;
-    } else {
-      json[name] = std::get<std::string>(value);
-    }
-  }
-  return json;
-}
-
 /// Everything that the solution of a matching problem depends on, as a name.
-std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request) {
+std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
+                   const ForceModel* reference, const ParameterValues& reference_parameters) {
   const RendererInputs& inputs = stimulus.inputs;
-  nlohmann::ordered_json problem{
+  const TextureForcePath path = path_of(request);
+  const nlohmann::ordered_json problem{
       {"model", stimulus.model->declaration.id},
       {"version", stimulus.model->declaration.version},
-      {"parameters", json_of(inputs.parameters)},
+      {"parameters", json_text_of(inputs.parameters)},
+      {"reference", reference == nullptr ? "" : reference->declaration.id},
+      {"reference_version", reference == nullptr ? "" : reference->declaration.version},
+      {"reference_parameters", json_text_of(reference_parameters)},
+      {"rms_N", request.rms_N.value_or(0.0)},
       {"stiffness_N_per_m", inputs.material.stiffness_N_per_m},
       {"friction", inputs.material.friction},
       {"motion_scale", inputs.patch.motion_scale},
+      {"centre_m", {inputs.patch.centre_m.x, inputs.patch.centre_m.y, inputs.patch.centre_m.z}},
       {"height_field", stimulus.height_field_sha256.value_or("")},
-      {"to_model", request.to_model},
-      {"rms_N", request.rms_N.value_or(0.0)},
-      {"low_Hz", request.band_low_Hz},
-      {"high_Hz", request.band_high_Hz},
-  };
+      {"path",
+       {path.speed_m_per_s, path.duration_s, path.dropped_s, path.rate_Hz, path.mean_normal_force_N,
+        path.low_Hz, path.high_Hz}}};
   return sha256_of(problem.dump());
+}
+
+/// What the sample suggests, what was given, and the model's defaults for the rest.
+ParameterValues parameters_for(const ForceModel& model, const RendererInputs& inputs,
+                               const ParameterValues& given) {
+  ParameterValues values{};
+  if (inputs.height_field && model.suggested_by) {
+    values = model.suggested_by(*inputs.height_field, inputs.material);
+  }
+  for (const auto& [name, value] : given) values[name] = value;
+  return complete_values(model.declaration, values);
 }
 
 }  // namespace
@@ -57,7 +62,7 @@ StimulusBuilder::StimulusBuilder(const ModelRegistry& models, std::filesystem::p
     : models_(models), study_folder_(std::move(study_folder)) {}
 
 LoadedHeightField StimulusBuilder::height_field(const std::string& study_path) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(fields_mutex_);
   const auto found = fields_.find(study_path);
   if (found != fields_.end()) return found->second;
   return fields_.emplace(study_path, load_height_field(study_folder_ / study_path)).first->second;
@@ -78,56 +83,52 @@ PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentatio
     LoadedHeightField loaded = height_field(*description.height_field);
     inputs.height_field = std::move(loaded.field);
     prepared.height_field_sha256 = std::move(loaded.sha256);
-    if (prepared.model->suggested_by) {
-      inputs.parameters = prepared.model->suggested_by(*inputs.height_field, inputs.material);
-    }
   }
-  for (const auto& [name, value] : description.parameters) inputs.parameters[name] = value;
-  inputs.parameters = complete_values(prepared.model->declaration, inputs.parameters);
+  inputs.parameters = parameters_for(*prepared.model, inputs, description.parameters);
   if (presentation.equal_force) match(prepared, *presentation.equal_force, study);
   return prepared;
 }
 
-double StimulusBuilder::target_rms_N(const EqualForce& request,
-                                     const RendererInputs& inputs) const {
-  if (request.rms_N) return *request.rms_N;
-  const ForceModel* reference = models_.find(request.to_model);
-  if (reference == nullptr) {
-    throw std::runtime_error("equal force is asked for with the model \"" + request.to_model +
-                             "\", which this program does not have");
-  }
-  RendererInputs plain = inputs;
-  plain.parameters = complete_values(reference->declaration, {});
-  return texture_force_rms_N(*reference, plain, path_of(request));
-}
-
 void StimulusBuilder::match(PreparedStimulus& prepared, const EqualForce& request, Study& study) {
-  const std::string key = key_of(prepared, request);
-  // One problem at a time: sessions that run in parallel wait for the first to solve it.
-  const std::lock_guard lock(mutex_);
-  std::string& known = solutions_[key];
-  if (known.empty()) {
-    if (const auto stored = study.solution(key)) {
-      known = *stored;
-    } else {
-      const double target_N = target_rms_N(request, prepared.inputs);
-      nlohmann::ordered_json solution{{"model", prepared.model->declaration.id},
-                                      {"target_rms_N", target_N}};
-      if (prepared.model->declaration.id != request.to_model || request.rms_N) {
-        const SolvedAmplitude solved =
-            solve_amplitude(*prepared.model, prepared.inputs, target_N, path_of(request));
-        solution["parameter"] = solved.parameter;
-        solution["value"] = solved.value;
-        solution["texture_force_rms_N"] = solved.texture_force_rms_N;
-      }
-      known = solution.dump();
-      study.remember_solution(key, known);
+  RendererInputs& inputs = prepared.inputs;
+  const ForceModel* reference = nullptr;
+  RendererInputs reference_inputs = inputs;
+  reference_inputs.parameters.clear();
+  if (!request.rms_N) {
+    reference = models_.find(request.to_model);
+    if (reference == nullptr) {
+      throw std::runtime_error("equal force is asked for with the model \"" + request.to_model +
+                               "\", which this program does not have");
     }
+    reference_inputs.parameters = parameters_for(*reference, inputs, {});
+  }
+  const std::string key = key_of(prepared, request, reference, reference_inputs.parameters);
+  // One problem at a time: sessions that run in parallel wait for the first to solve it.
+  const std::lock_guard lock(matching_mutex_);
+  std::string& known = solutions_[key];
+  if (known.empty()) known = study.solution(key).value_or(std::string());
+  if (known.empty()) {
+    const double target_N =
+        request.rms_N ? *request.rms_N
+                      : texture_force_rms_N(*reference, reference_inputs, path_of(request));
+    nlohmann::ordered_json solution{{"model", prepared.model->declaration.id},
+                                    {"target_rms_N", target_N}};
+    // The reference itself is as strong as it is; everything else is solved for.
+    const bool is_reference =
+        prepared.model == reference && inputs.parameters == reference_inputs.parameters;
+    if (!is_reference) {
+      const SolvedAmplitude solved =
+          solve_amplitude(*prepared.model, inputs, target_N, path_of(request));
+      solution["parameter"] = solved.parameter;
+      solution["value"] = solved.value;
+      solution["texture_force_rms_N"] = solved.texture_force_rms_N;
+    }
+    known = solution.dump();
+    study.remember_solution(key, known);
   }
   const nlohmann::json solution = nlohmann::json::parse(known);
   if (solution.contains("parameter")) {
-    prepared.inputs.parameters[solution["parameter"].get<std::string>()] =
-        solution["value"].get<double>();
+    inputs.parameters[solution["parameter"].get<std::string>()] = solution["value"].get<double>();
   }
   prepared.matched_texture_force_N = solution["target_rms_N"].get<double>();
 }

@@ -29,9 +29,12 @@ struct PreparedStimulus {
 /// Reads the study's height fields (once each), takes parameters from samples where a model does
 /// so, and solves requests for equal texture force.
 ///
-/// A solution depends on the model and its version, the parameters, the material, the patch, the
-/// content of the height field and the target; it is kept under all of these in the study, so that
-/// every session renders the same stimulus.
+/// Equal force is that of the reference model as it would be rendered with this texture and nothing
+/// else said: parameters from the sample, defaults for the rest. A solution depends on both models
+/// and their versions, the parameters, the material, the patch, the content of the height field,
+/// the target and the prescribed path; it is kept under all of these in the study, so that every
+/// session renders the same stimulus. A model that draws random numbers is solved with one seed and
+/// felt with another: its texture force scatters about the solution by some 2 %.
 ///
 /// Errors: std::runtime_error naming the stimulus and the file or parameter.
 ///
@@ -47,12 +50,12 @@ class StimulusBuilder final {
   const ModelRegistry& models() const noexcept { return models_; }
 
  private:
-  double target_rms_N(const EqualForce& request, const RendererInputs& inputs) const;
   void match(PreparedStimulus& prepared, const EqualForce& request, Study& study);
 
   const ModelRegistry& models_;
   std::filesystem::path study_folder_{};
-  std::mutex mutex_{};
+  std::mutex fields_mutex_{};
+  std::mutex matching_mutex_{};
   std::map<std::string, LoadedHeightField> fields_{};
   std::map<std::string, std::string> solutions_{};  ///< as kept in the study, by key
 };

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <poll.h>
+#include <termios.h>
 
 #include "results_schema/table.h"
 
@@ -45,10 +46,8 @@ std::optional<std::string> complaint_about_answer(const Question& question, std:
       const bool high = number && question.maximum && *number > *question.maximum;
       if (number && !low && !high) return {};
       std::string sentence = "A number is needed";
-      if (question.minimum && question.maximum) {
-        sentence += " from " + text_of_number(*question.minimum) + " to " +
-                    text_of_number(*question.maximum);
-      }
+      if (question.minimum) sentence += ", " + text_of_number(*question.minimum) + " or more";
+      if (question.maximum) sentence += ", " + text_of_number(*question.maximum) + " or less";
       return sentence + '.';
     }
     case Question::Form::choice: {
@@ -70,15 +69,14 @@ TerminalRespondent::TerminalRespondent(int input, std::ostream& output)
     : input_(input), output_(output) {}
 
 std::optional<std::string> TerminalRespondent::line(const Wait& wait,
-                                                    std::optional<double> deadline_s) {
-  double passed_s = 0.0;
+                                                    const std::optional<double>& left_s) {
   for (;;) {
     if (const auto end = buffer_.find('\n'); end != std::string::npos) {
       std::string text = trimmed(buffer_.substr(0, end));
       buffer_.erase(0, end + 1);
       return text;
     }
-    if (deadline_s && passed_s >= *deadline_s) return {};
+    if (left_s && *left_s <= 0.0) return {};
     pollfd ready{input_, POLLIN, 0};
     if (::poll(&ready, 1, 0) > 0) {
       std::array<char, 512> bytes{};
@@ -90,7 +88,6 @@ std::optional<std::string> TerminalRespondent::line(const Wait& wait,
       continue;
     }
     wait(kPoll_s);
-    passed_s += kPoll_s;
   }
 }
 
@@ -110,7 +107,13 @@ void TerminalRespondent::announce(const Trial&, const PlannedPresentation& surfa
 
 Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>,
                               std::optional<double> deadline_s, const Wait& wait) {
+  // What was typed while the surfaces were felt is no answer to the question that comes now.
+  ::tcflush(input_, TCIFLUSH);
+  buffer_.clear();
   const TrialQuestion& question = trial.question;
+  if (question.standard_picture) {
+    output_ << "\nLook at the picture that the experimenter shows you.\n";
+  }
   const bool assignment = question.form == TrialQuestion::Form::assignment;
   output_ << '\n' << question.prompt << '\n';
   for (std::size_t i = 0; i < question.options.size(); ++i) {
@@ -122,6 +125,12 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
   if (question.allow_revisit) {
     output_ << "To feel a surface again, type: feel and its letter.\n";
   }
+  // One deadline for the whole question, however many lines it takes.
+  std::optional<double> left_s = deadline_s;
+  const Wait timed = [&](double duration_s) {
+    wait(duration_s);
+    if (left_s) left_s = std::max(0.0, *left_s - duration_s);
+  };
   Reply reply{};
   const std::size_t items = assignment ? trial.presentations.size() : 1;
   while (reply.options.size() < items) {
@@ -131,7 +140,7 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
       output_ << "Your answer: ";
     }
     output_ << std::flush;
-    const std::optional<std::string> typed = line(wait, deadline_s);
+    const std::optional<std::string> typed = line(timed, left_s);
     if (!typed) return {};
     if (question.allow_revisit && typed->rfind("feel", 0) == 0) {
       std::string code = trimmed(typed->substr(4));
@@ -139,7 +148,9 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
         if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
       }
       for (const PlannedPresentation& surface : trial.presentations) {
-        if (surface.code == code) return {{}, surface.position};
+        if (surface.code != code) continue;
+        if (!reply.options.empty()) output_ << "After that, please assign all pictures anew.\n";
+        return {{}, surface.position};
       }
       output_ << "There is no surface " << code << ".\n";
       continue;

@@ -29,8 +29,8 @@ class TerminalRespondent final : public Respondent {
   void begin_attempt(int, int) override {}
 
  private:
-  /// The next line typed; nothing when `deadline_s` passes first.
-  std::optional<std::string> line(const Wait& wait, std::optional<double> deadline_s = {});
+  /// The next line typed; nothing when no time is left. `wait` may count `left_s` down.
+  std::optional<std::string> line(const Wait& wait, const std::optional<double>& left_s = {});
 
   int input_ = 0;
   std::ostream& output_;

@@ -9,6 +9,7 @@
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/recorder.h"
 #include "app/conductor/rig.h"
+#include "renderers/offline/recorded_force.h"
 
 namespace asperity {
 
@@ -39,7 +40,7 @@ ForceFeatures felt_once(const ForceModel& model, const RendererInputs& inputs,
     rig.pass(0.1, recorder);
   }
   const Recorder::Attempt attempt = recorder.finish(rig.records());
-  return features_of(attempt.records, kExpectationPresentation);
+  return recorded_force_features({attempt.records, kExpectationPresentation, protocol.rate_Hz});
 }
 
 }  // namespace

@@ -75,11 +75,16 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
   return check;
 }
 
-std::optional<std::string> complaint_about_label(const std::string& label) {
+std::optional<std::string> complaint_about_label(const std::string& label, bool is_virtual) {
   const bool characters = std::all_of(label.begin(), label.end(), [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
   });
-  if (characters && !label.empty() && label.size() <= 32) return {};
+  if (characters && !label.empty() && label.size() <= 32) {
+    if (is_virtual || !label.starts_with("virtual")) return {};
+    return "the participant label \"" + label +
+           "\" is not acceptable for a person: labels that begin with \"virtual\" are those of "
+           "virtual participants";
+  }
   return "the participant label \"" + label +
          "\" is not acceptable: 1 to 32 letters and digits (0-9, A-Z, a-z) are";
 }

@@ -38,6 +38,7 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
                              const std::optional<std::string>& device);
 
 /// What is wrong with a label that is to become part of file names; nothing when it is acceptable.
-std::optional<std::string> complaint_about_label(const std::string& label);
+/// Labels that begin with "virtual" are kept for virtual participants.
+std::optional<std::string> complaint_about_label(const std::string& label, bool is_virtual);
 
 }  // namespace asperity

@@ -2,34 +2,16 @@
 
 #include <stdexcept>
 
-#include <nlohmann/json.hpp>
-
 #include "app/conductor/recording_columns.h"
+#include "app/parameter_json.h"
 #include "app/tasks/protocol_files.h"
 
 namespace asperity {
-
-namespace {
-
-ParameterValues parameters_in(const std::string& text) {
-  ParameterValues values{};
-  const nlohmann::json json = nlohmann::json::parse(text);
-  for (const auto& [name, value] : json.items()) {
-    if (value.is_number()) {
-      values[name] = value.get<double>();
-    } else {
-      values[name] = value.get<std::string>();
-    }
-  }
-  return values;
-}
 
 std::string natural_key(const SessionRow& session, const AttemptRow& attempt) {
   return session.participant + '/' + std::to_string(session.session) + '/' +
          std::to_string(attempt.trial) + '/' + std::to_string(attempt.attempt);
 }
-
-}  // namespace
 
 Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry& models) {
   const ProtocolRow row = study.protocol(session.protocol_id);
@@ -71,7 +53,7 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
     }
     const StimulusDescription& described =
         trial.presentations.at(static_cast<std::size_t>(row.position - 1)).stimulus;
-    stimulus.inputs.parameters = parameters_in(row.parameters_json);
+    stimulus.inputs.parameters = parameter_values_in(row.parameters_json);
     stimulus.inputs.seed = std::stoull(row.seed);
     stimulus.inputs.material = described.material;
     stimulus.inputs.patch = described.patch;

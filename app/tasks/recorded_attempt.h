@@ -39,6 +39,9 @@ Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry&
 RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, const Trial& trial,
                                  const AttemptRow& attempt, StimulusBuilder& builder);
 
+/// "PARTICIPANT/SESSION/TRIAL/ATTEMPT".
+std::string natural_key(const SessionRow& session, const AttemptRow& attempt);
+
 /// The attempt that a person means: "PARTICIPANT/SESSION/TRIAL/ATTEMPT", or the number of its row
 /// in the exported attempts.tsv (counted from 1).
 ///

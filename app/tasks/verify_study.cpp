@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include <nlohmann/json.hpp>
 
 #include "app/program.h"
 #include "app/tasks/recorded_attempt.h"
@@ -44,6 +47,43 @@ double replay_difference_N(const RecordedAttempt& attempt, const RecordedSurface
   return difference_N;
 }
 
+/// For each segment of a session, whether this very program ran it on a system like this one. What
+/// ran a segment is stored with its beginning.
+std::vector<bool> segments_of_this_program(const Study& study, const SessionRow& session,
+                                           const ProgramIdentity& program) {
+  std::vector<bool> same{};
+  for (const EventRow& event : study.events(session.id)) {
+    if (event.kind != "session_began" && event.kind != "session_resumed") continue;
+    const auto data = nlohmann::json::parse(event.data_json, nullptr, false);
+    same.push_back(data.is_object() && data.value("program_sha256", "") == program.sha256 &&
+                   data.value("instruction_set", "") == program.instruction_set &&
+                   data.value("os", "") == program.os);
+  }
+  return same;
+}
+
+/// Every answer has to be one of the options of the planned question, and to be marked as it says.
+void check_answers(const SessionRow& session, const Trial& trial, const AttemptRow& attempt,
+                   std::vector<std::string>& problems) {
+  for (const ResponseRow& response : attempt.responses) {
+    const std::string where = "attempt " + natural_key(session, attempt) + ", item " +
+                              std::to_string(response.item) + ": ";
+    const auto& options = trial.question.options;
+    const bool is_option = std::any_of(options.begin(), options.end(), [&](const Option& option) {
+      return option.value == response.answer;
+    });
+    if (!is_option) problems.push_back(where + "the answer is not among the options of the trial");
+    const auto item = static_cast<std::size_t>(response.item - 1);
+    std::optional<bool> correct{};
+    if (item < trial.question.correct.size()) {
+      correct = response.answer == trial.question.correct[item];
+    }
+    if (correct != response.correct) {
+      problems.push_back(where + "the answer is not marked as the planned trial says");
+    }
+  }
+}
+
 }  // namespace
 
 VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay_too,
@@ -68,26 +108,21 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
       result.problems.emplace_back(error.what());
       continue;
     }
-    if (!replay_too) continue;
-    const bool same_program = session.program_sha256 == program.sha256 &&
-                              session.instruction_set == program.instruction_set &&
-                              session.os == program.os;
+    const std::vector<bool> same_program = segments_of_this_program(study, session, program);
     for (const AttemptRow& attempt : study.attempts(session.id)) {
-      if (!attempt.recording || stop.stop_requested()) continue;
-      const std::string name = session.participant + '/' + std::to_string(session.session) + '/' +
-                               std::to_string(attempt.trial) + '/' +
-                               std::to_string(attempt.attempt);
+      const Trial& trial = plan.trials.at(static_cast<std::size_t>(attempt.trial - 1));
+      check_answers(session, trial, attempt, result.problems);
+      if (!replay_too || !attempt.recording || stop.stop_requested()) continue;
+      const bool exact = same_program.at(static_cast<std::size_t>(attempt.segment - 1));
+      const std::string name = natural_key(session, attempt);
       try {
-        const RecordedAttempt recorded = recorded_attempt(
-            study, session, plan.trials.at(static_cast<std::size_t>(attempt.trial - 1)), attempt,
-            builder);
+        const RecordedAttempt recorded = recorded_attempt(study, session, trial, attempt, builder);
         ++result.recordings_replayed;
         for (const RecordedSurface& surface : recorded.surfaces) {
           const double difference_N = replay_difference_N(recorded, surface);
           const double tolerance_N =
-              same_program ? 0.0
-                           : surface.stimulus.model->declaration.replay_tolerance_N + kFloatStep_N;
-          (same_program ? exact_used : tolerance_used) = true;
+              exact ? 0.0 : surface.stimulus.model->declaration.replay_tolerance_N + kFloatStep_N;
+          (exact ? exact_used : tolerance_used) = true;
           if (difference_N <= tolerance_N) continue;
           std::string sentence = "attempt " + name + ", surface " +
                                  std::to_string(surface.row.position) + " (" + surface.row.model +

@@ -4,8 +4,10 @@
 
 #include <map>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/conductor/recording_columns.h"
 #include "app/program.h"
 #include "tests/app/small_study.h"
 
@@ -248,6 +250,108 @@ TEST_F(ConductorTest, AsksATrialAgainAtTheEndOfTheBlock) {
   std::vector<int> trials{};
   for (const AttemptDone& done : done_) trials.push_back(done.trial);
   EXPECT_EQ(trials, (std::vector<int>{1, 2, 3, 1, 2, 3}));
+}
+
+/// A recognition whose practice asks for three right answers in a row, of five trials at most.
+std::string practised_protocol(const std::string& on_failure) {
+  return R"({
+  "format": "asperity.protocol/1", "kind": "recognition", "design": "improved",
+  "name": "practised", "version": "1.0.0", "title": "With practice",
+  "consent": {"version": "1.0", "statement": "I take part of my own free will."},
+  "textures": {"grain": {"height_field": "stimuli/grain.png", "picture": "stimuli/grain_photo.png"},
+               "other": {"picture": "stimuli/grain_photo.png"}},
+  "factors": {"texture": {"levels": ["grain"]}},
+  "stimuli": {"rendered": {"model": "height_map", "texture": {"factor": "texture"}}},
+  "explorations": {"short": {"minimum_contact_s": 0.3, "maximum_contact_s": 2}},
+  "blocks": {
+    "practice": {
+      "phase": "practice", "crossed": ["texture"], "repetitions": 5,
+      "presented": [{"stimulus": "rendered"}],
+      "question": {"name": "which", "prompt": "Which was it?", "pictures": ["grain", "other"],
+                   "correct_factor": "texture"},
+      "exploration": "short", "feedback": "correctness",
+      "until": {"correct": 3, "of_last": 3, "maximum_trials": 5, "on_failure": ")" +
+         on_failure + R"("}},
+    "main": {
+      "crossed": ["texture"], "presented": [{"stimulus": "rendered"}],
+      "question": {"name": "which", "prompt": "Which was it?", "pictures": ["grain", "other"],
+                   "correct_factor": "texture"},
+      "exploration": "short"}
+  },
+  "flow": [{"run": "practice"}, {"run": "main"}]
+})";
+}
+
+Reply answer_with(const Trial& trial, bool right) {
+  for (std::size_t i = 0; i < trial.question.options.size(); ++i) {
+    if ((trial.question.options[i].value == trial.question.correct[0]) == right) return {{i}, {}};
+  }
+  return {};
+}
+
+std::vector<std::string> kinds_of(const std::vector<EventRow>& events) {
+  std::vector<std::string> kinds{};
+  for (const EventRow& event : events) kinds.push_back(event.kind);
+  return kinds;
+}
+
+TEST_F(ConductorTest, EndsAPracticeWithItsCriterion) {
+  begin(practised_protocol("end_session"));
+  person_.at_question = [](int question, const Trial& trial) {
+    return answer_with(trial, question != 1);
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 5U);  // wrong, right, right, right, and the main trial
+  EXPECT_EQ(rows[4].trial, 6);
+  EXPECT_EQ(person_.texts[0], "That was not right.");
+  EXPECT_EQ(person_.texts[1], "That was right.");
+}
+
+TEST_F(ConductorTest, EndsTheSessionWhereThePracticeFailsAndTheProtocolSaysSo) {
+  begin(practised_protocol("end_session"));
+  person_.at_question = [](int, const Trial& trial) { return answer_with(trial, false); };
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::stopped);
+  EXPECT_TRUE(end.as_the_protocol_says);
+  EXPECT_EQ(attempts().size(), 5U);
+  EXPECT_THAT(kinds_of(study_->events(session_.row.id)), testing::Contains("criterion_not_met"));
+}
+
+TEST_F(ConductorTest, GoesOnMarkedWhereThePracticeFailsAndTheProtocolSaysSo) {
+  begin(practised_protocol("continue_flagged"));
+  person_.at_question = [](int, const Trial& trial) { return answer_with(trial, false); };
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_EQ(attempts().size(), 6U);
+  EXPECT_THAT(kinds_of(study_->events(session_.row.id)), testing::Contains("criterion_not_met"));
+}
+
+TEST_F(ConductorTest, StopsTheForceAtOnceWhenTheEmergencyStopIsPressed) {
+  begin(small_protocol());
+  person_.at_question = [this](int, const Trial&) -> Reply {
+    conductor_->emergency_stop();
+    return {{}, 1};
+  };
+  EXPECT_EQ(run().state, SessionState::stopped);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].servo->fault, "emergency_stop");
+  const Recording recording = read_recording(folder_.path() / "study" / rows[0].recording->path);
+  const std::vector<TickRecord> records = records_of(recording);
+  EXPECT_EQ(records.back().sent.force_N, glm::dvec3{0.0});
+}
+
+TEST_F(ConductorTest, ReportsTheTextureForceWithoutTheFrictionOfTheTurningHand) {
+  // A plain plate: whatever the hand does, there is no texture in its force.
+  begin(small_protocol("", R"(, "strokes": {"target": 4})"));
+  protocol_.stimuli.at("rendered").parameters["height_scale"] = {ParameterValue{0.0}, ""};
+  protocol_.blocks.at("main").presented.pop_back();
+  session_.plan = make_plan(protocol_, {7, 0});
+  run();
+  for (const AttemptRow& row : attempts()) {
+    ASSERT_TRUE(row.presentations[0].achieved_texture_force_N);
+    EXPECT_NEAR(*row.presentations[0].achieved_texture_force_N, 0.0, 1e-6);
+  }
 }
 
 TEST_F(ConductorTest, TakesALateAnswerForNoneAndGoesOn) {

@@ -1,0 +1,17 @@
+// Parameters of a stimulus as JSON text, and back.
+
+#pragma once
+
+#include <string>
+
+#include "stimuli/parameter.h"
+
+namespace asperity {
+
+/// One object, names in order; the same values give the same text.
+std::string json_text_of(const ParameterValues& values);
+
+/// Reads what `json_text_of` writes.
+ParameterValues parameter_values_in(const std::string& json);
+
+}  // namespace asperity

@@ -1,0 +1,257 @@
+// Many virtual participants through a study.
+
+#include "app/tasks/simulation.h"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "app/conductor/virtual_participant.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/sitting.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kLabel = "virtual";
+
+/// Which participants belong together; stored with each of them, so that an interrupted simulation
+/// can be recognised.
+struct Batch {
+  std::uint64_t seed = 0;
+  int first = 1;
+  int participants = 0;
+  bool operator==(const Batch&) const = default;
+};
+
+std::string with_batch(const std::string& answers_json, const Batch& batch) {
+  nlohmann::ordered_json answers = nlohmann::ordered_json::parse(answers_json);
+  answers["simulation_seed"] = std::to_string(batch.seed);
+  answers["simulation_first"] = batch.first;
+  answers["simulation_participants"] = batch.participants;
+  return answers.dump();
+}
+
+std::optional<Batch> batch_of(const ParticipantRow& person) {
+  const auto answers = nlohmann::json::parse(person.answers_json, nullptr, false);
+  if (!answers.is_object() || !answers.contains("simulation_seed")) return {};
+  return Batch{std::stoull(answers.value("simulation_seed", "0")),
+               answers.value("simulation_first", 1), answers.value("simulation_participants", 0)};
+}
+
+int number_in_label(const std::string& label) {
+  int number = 0;
+  if (label.rfind(kLabel, 0) == 0) {
+    std::from_chars(label.data() + kLabel.size(), label.data() + label.size(), number);
+  }
+  return number;
+}
+
+/// The batch to add, or the one to go on with.
+Batch choose_batch(const Study& study, const SimulationInputs& inputs) {
+  int largest_number = 0;
+  std::optional<Batch> begun{};
+  bool any_virtual = false;
+  for (const ParticipantRow& person : study.participants()) {
+    largest_number = std::max(largest_number, number_in_label(person.label));
+    any_virtual = any_virtual || person.is_virtual;
+    const std::optional<Batch> batch = batch_of(person);
+    if (batch && batch->seed == inputs.seed && batch->participants == inputs.participants) {
+      begun = batch;  // the latest of equals: labels come in order
+    }
+  }
+  if (!inputs.resume) return {inputs.seed, largest_number + 1, inputs.participants};
+  if (begun) return *begun;
+  if (!any_virtual) return {inputs.seed, 1, inputs.participants};
+  throw std::runtime_error("there is nothing to go on with in " + inputs.study.string() +
+                           ": no simulation of " + std::to_string(inputs.participants) +
+                           " participants with the seed " + std::to_string(inputs.seed) +
+                           " was begun there; leave out --resume to add one");
+}
+
+/// Sessions of a participant with this very protocol, in order.
+std::vector<SessionRow> sessions_with(const Study& study, const std::string& participant,
+                                      const Protocol& protocol) {
+  std::vector<SessionRow> found{};
+  for (const SessionRow& row : study.sessions()) {
+    if (row.participant == participant &&
+        study.protocol(row.protocol_id).source == protocol.source) {
+      found.push_back(row);
+    }
+  }
+  return found;
+}
+
+/// What all jobs share.
+class Simulation final {
+ public:
+  Simulation(const SimulationInputs& inputs, const ModelRegistry& models, std::stop_token stop,
+             const std::function<void(double)>& progress,
+             const std::function<void(const AttemptDone&)>& done)
+      : inputs_(inputs),
+        random_(inputs.seed),
+        builder_(models, inputs.study),
+        stop_(std::move(stop)),
+        progress_(progress),
+        done_(done) {
+    for (const auto& file : inputs.protocols) {
+      protocols_.push_back(load_protocol(file, models, inputs.study));
+      sessions_each_ += protocols_.back().sessions;
+    }
+    for (const Protocol& protocol : protocols_) hash_files(protocol, inputs.study);
+  }
+
+  SimulationResult run();
+
+ private:
+  void prepare(Study& study);
+  void work();
+  void take_through(Study& study, int number);
+  void hold(Study& study, const ParticipantRow& person, const Protocol& protocol,
+            std::int64_t calendar_index, std::uint64_t seed, std::optional<SessionRow> unfinished);
+
+  const SimulationInputs& inputs_;
+  Random random_;
+  std::vector<Protocol> protocols_{};
+  int sessions_each_ = 0;
+  StimulusBuilder builder_;
+  ProgramIdentity program_ = this_program();
+  Batch batch_{};
+  std::stop_token stop_;
+  const std::function<void(double)>& progress_;
+  const std::function<void(const AttemptDone&)>& done_;
+  std::atomic<int> next_{0};
+  std::mutex mutex_{};  // of what follows
+  SimulationResult result_{};
+  int sessions_seen_ = 0;
+  std::exception_ptr failure_{};
+};
+
+void Simulation::prepare(Study& study) {
+  study.mark_crashed_sessions();
+  batch_ = choose_batch(study, inputs_);
+  for (int i = 0; i < batch_.participants; ++i) {
+    const std::int64_t first_sitting = std::int64_t{batch_.first + i - 1} * sessions_each_;
+    ParticipantRow person =
+        virtual_person(batch_.first + i, random_, SimulatedClock(first_sitting).utc());
+    person.answers_json = with_batch(person.answers_json, batch_);
+    if (!study.participant(person.label)) study.add_participant(person);
+  }
+}
+
+SimulationResult Simulation::run() {
+  const auto began = std::chrono::steady_clock::now();
+  {
+    Study study = Study::exists(inputs_.study)
+                      ? Study::open(inputs_.study, Access::read_write)
+                      : Study::create(inputs_.study, inputs_.study.filename().string());
+    prepare(study);
+  }
+  {
+    std::vector<std::jthread> workers{};
+    for (int job = 1; job < std::max(1, inputs_.jobs); ++job) {
+      workers.emplace_back([this] { work(); });
+    }
+    work();
+  }
+  if (failure_) std::rethrow_exception(failure_);
+  if (stop_.stop_requested()) {
+    throw std::runtime_error(
+        "stopped as asked; every finished trial is stored, go on with the same arguments and "
+        "--resume");
+  }
+  result_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return result_;
+}
+
+void Simulation::work() {
+  try {
+    Study study = Study::open(inputs_.study, Access::read_write);
+    for (int i = next_++; i < batch_.participants && !stop_.stop_requested(); i = next_++) {
+      take_through(study, batch_.first + i);
+    }
+  } catch (...) {
+    next_ = batch_.participants;
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = std::current_exception();
+  }
+}
+
+void Simulation::take_through(Study& study, int number) {
+  const ParticipantRow person =
+      study.participant(virtual_person(number, random_, "").label).value();
+  int sitting = 0;
+  for (const Protocol& protocol : protocols_) {
+    const std::vector<SessionRow> before = sessions_with(study, person.label, protocol);
+    for (std::size_t repeat = 0; repeat < static_cast<std::size_t>(protocol.sessions);
+         ++repeat, ++sitting) {
+      if (stop_.stop_requested()) return;
+      const std::uint64_t seed = random_.split("session")
+                                     .split(static_cast<std::uint64_t>(number))
+                                     .split(static_cast<std::uint64_t>(sitting))
+                                     .bits();
+      const std::int64_t index = std::int64_t{number - 1} * sessions_each_ + sitting;
+      const std::optional<SessionRow> row =
+          repeat < before.size() ? std::optional(before[repeat]) : std::nullopt;
+      if (row && row->seed != std::to_string(seed)) {
+        throw std::runtime_error("session " + std::to_string(row->session) + " of " + person.label +
+                                 " has another seed than this simulation gives it; it was not "
+                                 "begun with these arguments");
+      }
+      if (!row || row->state != SessionState::completed) {
+        hold(study, person, protocol, index, seed, row);
+      }
+      const std::lock_guard lock(mutex_);
+      progress_(static_cast<double>(++sessions_seen_) / (batch_.participants * sessions_each_));
+    }
+  }
+}
+
+void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol& protocol,
+                      std::int64_t calendar_index, std::uint64_t seed,
+                      std::optional<SessionRow> unfinished) {
+  const int number = number_in_label(person.label);
+  Sitting sitting{};
+  sitting.participant = person;
+  sitting.mode = SessionMode::simulate;
+  sitting.seed = seed;
+  sitting.counterbalance_row = (number - 1) % counterbalance_rows(protocol);
+  sitting.record = inputs_.recordings == Recordings::all ||
+                   (inputs_.recordings == Recordings::first && number == batch_.first);
+  const StudyLock lock(study.folder(), Study::session_lock_name(person.label));
+  SteppedRig rig(rig_settings_for(protocol, {}), calendar_index);
+  if (unfinished) {
+    rig.move_clock_to(std::max(rig.clock().now_ns(), last_time_ns(study, *unfinished)));
+    sitting.unfinished = std::move(unfinished);
+  }
+  const SessionEnd end =
+      sit(study, protocol, builder_, program_, sitting, rig, nullptr, stop_, done_);
+  if (end.state != SessionState::completed && !end.as_the_protocol_says &&
+      !stop_.stop_requested()) {
+    throw std::runtime_error("the session of " + person.label + " with \"" + protocol.name +
+                             "\" stopped: " + end.reason);
+  }
+  const std::lock_guard result_lock(mutex_);
+  ++result_.sessions;
+  result_.attempts += end.attempts;
+  result_.simulated_s += end.duration_s;
+}
+
+}  // namespace
+
+SimulationResult simulate(const SimulationInputs& inputs, const ModelRegistry& models,
+                          const std::stop_token& stop, const std::function<void(double)>& progress,
+                          const std::function<void(const AttemptDone&)>& done) {
+  return Simulation(inputs, models, stop, progress, done).run();
+}
+
+}  // namespace asperity

@@ -1,0 +1,51 @@
+// Many virtual participants through a study.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "app/conductor/conductor.h"
+#include "renderers/force_model.h"
+
+namespace asperity {
+
+enum class Recordings { all, first, none };
+
+struct SimulationInputs {
+  std::vector<std::filesystem::path> protocols{};
+  std::filesystem::path study{};
+  int participants = 1;
+  std::uint64_t seed = 1;
+  int jobs = 1;
+  Recordings recordings = Recordings::first;
+  /// Go on with the interrupted simulation of the same seed and number of participants, or begin it
+  /// in a study that has no virtual participants yet.
+  bool resume = false;
+};
+
+/// Of the sessions that were begun or gone on with now.
+struct SimulationResult {
+  int sessions = 0;
+  int attempts = 0;
+  double simulated_s = 0.0;
+  double wall_s = 0.0;
+};
+
+/// Adds virtual participants to a study (created if it does not exist), each doing every protocol
+/// in the given order, once per session that the protocol declares.
+///
+/// Deterministic in the seed, whatever `jobs`: labels, seeds, counterbalance rows and clocks are
+/// dealt out before the first session begins. When it is stopped, sessions under way end after
+/// their trial and can be gone on with; each participant's row says which simulation it belongs to.
+///
+/// Errors: ProtocolError, ResultsError, std::runtime_error (a session that was stopped by a fault;
+/// nothing to go on with).
+SimulationResult simulate(const SimulationInputs& inputs, const ModelRegistry& models,
+                          const std::stop_token& stop, const std::function<void(double)>& progress,
+                          const std::function<void(const AttemptDone&)>& done);
+
+}  // namespace asperity

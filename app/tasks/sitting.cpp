@@ -1,0 +1,100 @@
+// One session on a rig.
+
+#include "app/tasks/sitting.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/conductor/virtual_participant.h"
+
+namespace asperity {
+
+namespace {
+
+std::string observer_json(const Protocol& protocol) {
+  const ObserverDeclaration& observer = protocol.observer;
+  const char* expectation = "none";
+  if (observer.expectation == ObserverDeclaration::Expectation::true_surface) {
+    expectation = "true_surface";
+  } else if (observer.expectation == ObserverDeclaration::Expectation::prior) {
+    expectation = "prior";
+  }
+  return nlohmann::ordered_json{{"expectation", expectation},
+                                {"deaf", observer.deaf},
+                                {"feature_noise", observer.feature_noise},
+                                {"position_bias", observer.position_bias},
+                                {"lapse", observer.lapse}}
+      .dump();
+}
+
+std::string conditions_json(const ProgramIdentity& program, const Rig& rig) {
+  return nlohmann::ordered_json{{"program_version", program.version},
+                                {"program_commit", program.commit},
+                                {"program_sha256", program.sha256},
+                                {"instruction_set", program.instruction_set},
+                                {"os", program.os},
+                                {"pacing", rig.pacing()},
+                                {"scheduling", rig.scheduling()}}
+      .dump();
+}
+
+}  // namespace
+
+RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults) {
+  RigSettings settings{};
+  settings.servo.rate_Hz = protocol.rate_Hz;
+  settings.limits.force_N = protocol.force_limit_N;
+  settings.device.faults = faults;
+  return settings;
+}
+
+std::int64_t last_time_ns(const Study& study, const SessionRow& session) {
+  std::int64_t last_ns = session.clock_zero_ns;
+  for (const AttemptRow& attempt : study.attempts(session.id)) {
+    last_ns = std::max(last_ns, attempt.offset_ns);
+  }
+  for (const EventRow& event : study.events(session.id)) {
+    last_ns = std::max(last_ns, event.time_ns);
+  }
+  return last_ns;
+}
+
+SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
+               const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
+               const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done) {
+  OpenSession session{};
+  if (sitting.unfinished) {
+    session = reopen(study, protocol, *sitting.unfinished);
+  } else {
+    SessionConditions conditions{};
+    conditions.mode = sitting.mode;
+    conditions.seed = sitting.seed;
+    conditions.counterbalance_row = sitting.counterbalance_row;
+    conditions.consent_utc = sitting.consent_utc;
+    conditions.pacing = rig.pacing();
+    conditions.scheduling = rig.scheduling();
+    conditions.device = rig.capability();
+    conditions.started_utc = rig.clock().utc();
+    conditions.clock_zero_ns = rig.clock().now_ns();
+    if (person == nullptr) conditions.observer_json = observer_json(protocol);
+    session = begin_session(study, protocol, sitting.participant.label, conditions, program);
+  }
+  std::unique_ptr<VirtualParticipant> stand_in{};
+  if (person == nullptr) {
+    const Random random = Random(std::stoull(session.row.seed)).split("participant");
+    stand_in = std::make_unique<VirtualParticipant>(
+        protocol, expectations_of(protocol, builder, random), sitting.participant, random);
+    person = stand_in.get();
+  }
+  Conductor conductor(
+      study, protocol, builder, rig, *person,
+      {.record = sitting.record, .conditions_json = conditions_json(program, rig), .done = done});
+  const std::stop_callback on_stop(stop,
+                                   [&conductor] { conductor.stop_after(Conductor::After::trial); });
+  return conductor.run(std::move(session));
+}
+
+}  // namespace asperity

@@ -1,0 +1,39 @@
+// One session on a rig: begun or gone on with, a person's or a virtual participant's.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "app/conductor/conductor.h"
+#include "app/program.h"
+
+namespace asperity {
+
+/// What a session needs beside its rig.
+struct Sitting {
+  ParticipantRow participant{};
+  std::optional<SessionRow> unfinished{};  ///< to go on with; otherwise a new one is begun
+  SessionMode mode = SessionMode::run;
+  std::uint64_t seed = 0;
+  std::optional<int> counterbalance_row{};
+  std::optional<std::string> consent_utc{};
+  bool record = true;
+};
+
+/// The physical side as a protocol asks for it.
+RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults);
+
+/// The latest time that is stored of a session, on its clock; a session goes on after it.
+std::int64_t last_time_ns(const Study& study, const SessionRow& session);
+
+/// Runs the session. `person` is null for a virtual participant, who then answers as the protocol's
+/// observer does. The caller holds the participant's lock. `stop` asks for the end after the trial
+/// under way.
+SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
+               const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
+               const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done);
+
+}  // namespace asperity
