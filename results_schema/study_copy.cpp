@@ -106,7 +106,8 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
 
 void Study::copy_to(const std::filesystem::path& folder) const {
   const std::filesystem::path from = std::filesystem::canonical(store_->folder);
-  const std::filesystem::path to = std::filesystem::weakly_canonical(folder);
+  const std::filesystem::path to =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
   if (std::filesystem::exists(std::filesystem::symlink_status(to))) {
     throw ResultsError("a study cannot be copied to " + folder.string() +
                            ", which exists already; name a folder that does not",

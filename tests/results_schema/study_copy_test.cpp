@@ -45,6 +45,16 @@ StudyWithSession recorded_study(const std::filesystem::path& folder) {
   return {std::move(study), id};
 }
 
+TEST(StudyCopy, GoesToABareNameInTheCurrentFolder) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  EXPECT_NO_THROW(study.copy_to("copy"));
+  std::filesystem::current_path(before);
+  EXPECT_TRUE(Study::exists(folder / "copy"));
+}
+
 TEST(StudyCopy, HoldsWhatTheStudyHolds) {
   const TemporaryFolder folder;
   const auto [study, session_id] = recorded_study(folder / "s");
