@@ -102,33 +102,52 @@ TEST(LibraryProtocols, ShowDistractorsThatNobodyFeels) {
   }
 }
 
-// What virtual hands felt on three strokes of the textures that scripts/demo-photos makes of the
-// photographs (scripts/fetch-photos), rendered by height_map.
+// What virtual hands felt on six strokes (seeds 1 to 6) of the textures that scripts/demo-photos
+// makes of the photographs (scripts/fetch-photos), rendered by height_map.
 const std::vector<std::vector<ForceFeatures>>& strokes_over_the_photographs() {
   static const std::vector<std::vector<ForceFeatures>> kStrokes{
       {ForceFeatures{
-           {-4.79, -4.92, -3.99, -3.75, -3.38, -3.58, -4.4, -5.0, -5.78, -6.68}, -2.88, -3.04},
+           {-4.76, -4.89, -3.98, -3.74, -3.37, -3.58, -4.39, -4.95, -5.61, -6.05}, -2.88, -4.22},
        ForceFeatures{
-           {-4.21, -4.07, -3.82, -3.78, -3.75, -3.96, -4.27, -4.67, -5.42, -6.21}, -2.95, -2.96},
+           {-4.2, -4.06, -3.82, -3.78, -3.74, -3.95, -4.26, -4.65, -5.33, -5.86}, -2.95, -4.35},
        ForceFeatures{
-           {-4.67, -4.66, -4.22, -4.01, -3.74, -4.04, -4.12, -4.45, -5.13, -5.78}, -3.1, -3.1}},
+           {-4.65, -4.64, -4.21, -4.01, -3.74, -4.03, -4.11, -4.44, -5.07, -5.61}, -3.1, -4.35}},
       {ForceFeatures{
-           {-5.28, -5.03, -4.11, -3.87, -3.53, -3.7, -4.47, -5.12, -5.94, -6.79}, -3.01, -3.25},
+           {-5.21, -4.98, -4.1, -3.86, -3.52, -3.7, -4.46, -5.07, -5.71, -6.08}, -3.01, -4.37},
        ForceFeatures{
-           {-4.52, -4.1, -3.83, -3.84, -3.73, -3.97, -4.22, -4.49, -5.31, -6.02}, -2.97, -3.28},
+           {-4.5, -4.09, -3.83, -3.84, -3.73, -3.96, -4.21, -4.47, -5.23, -5.76}, -2.97, -4.34},
        ForceFeatures{
-           {-4.5, -4.34, -3.88, -3.75, -3.8, -3.79, -3.99, -4.4, -4.96, -5.66}, -2.93, -3.1}},
+           {-4.48, -4.33, -3.88, -3.74, -3.79, -3.79, -3.99, -4.39, -4.92, -5.52}, -2.93, -4.29}},
       {ForceFeatures{
-           {-4.62, -4.81, -4.11, -3.84, -3.51, -3.68, -4.43, -5.17, -5.81, -6.59}, -2.97, -3.05},
+           {-4.6, -4.78, -4.1, -3.84, -3.5, -3.68, -4.42, -5.11, -5.63, -6.02}, -2.97, -4.36},
        ForceFeatures{
-           {-4.64, -4.27, -4.1, -3.86, -3.83, -4.1, -4.34, -4.7, -5.31, -6.03}, -3.1, -3.26},
+           {-4.62, -4.26, -4.1, -3.85, -3.83, -4.09, -4.33, -4.68, -5.23, -5.77}, -3.1, -4.39},
        ForceFeatures{
-           {-4.39, -4.33, -4.07, -3.78, -3.8, -3.78, -4.07, -4.38, -5.01, -5.88}, -2.97, -3.06}}};
+           {-4.38, -4.32, -4.07, -3.77, -3.8, -3.78, -4.06, -4.36, -4.97, -5.67}, -2.96, -4.3}},
+      {ForceFeatures{
+           {-4.96, -5.03, -4.05, -3.76, -3.45, -3.63, -4.38, -5.02, -5.67, -5.99}, -2.93, -4.28},
+       ForceFeatures{
+           {-4.41, -4.08, -3.73, -3.77, -3.66, -4.09, -4.21, -4.72, -5.29, -5.9}, -2.94, -4.32},
+       ForceFeatures{
+           {-4.97, -4.89, -4.12, -3.99, -3.95, -3.9, -3.97, -4.52, -5.03, -5.71}, -3.11, -4.41}},
+      {ForceFeatures{
+           {-4.85, -4.86, -4.11, -3.84, -3.47, -3.65, -4.33, -5.03, -5.6, -5.99}, -2.96, -4.35},
+       ForceFeatures{
+           {-4.58, -4.25, -3.99, -3.8, -3.66, -4.02, -4.34, -4.71, -5.23, -5.77}, -3.02, -4.34},
+       ForceFeatures{
+           {-4.67, -4.4, -4.04, -3.83, -3.96, -3.93, -3.97, -4.36, -4.98, -5.64}, -3.03, -4.31}},
+      {ForceFeatures{
+           {-4.89, -4.91, -4.04, -3.78, -3.49, -3.7, -4.44, -5.01, -5.65, -5.99}, -2.97, -4.33},
+       ForceFeatures{
+           {-4.75, -4.26, -3.86, -3.81, -3.71, -4.18, -4.31, -4.71, -5.23, -5.81}, -3.04, -4.39},
+       ForceFeatures{
+           {-4.89, -4.67, -4.09, -3.78, -3.7, -3.95, -4.18, -4.48, -4.96, -5.7}, -3.04, -4.36}}};
   return kStrokes;
 }
 
-// The priors come from another recipe and another stroke, and still fit: an observer without noise
-// gets all three right, which chance does once in 6³ = 216 times.
+// The priors come from another recipe and another stroke, and still tell the three apart: by chance
+// all three are right once in 3! = 6 strokes, and in five or more of six with a probability of
+// (6·5 + 1)/6⁶ = 0.0007.
 TEST(LibraryProtocols, StatePriorsByWhichThePhotographsCanBeMatched) {
   for (const LibraryProtocol& each : library_protocols()) {
     if (!each.name.starts_with("photo_")) continue;
@@ -141,10 +160,12 @@ TEST(LibraryProtocols, StatePriorsByWhichThePhotographsCanBeMatched) {
     ideal.feature_noise = 0.0;
     ideal.position_bias = 0.0;
     ideal.lapse = 0.0;
+    int all_right = 0;
     for (const std::vector<ForceFeatures>& felt : strokes_over_the_photographs()) {
       VirtualObserver observer(ideal, Random(1));
-      EXPECT_EQ(observer.match(felt, expected), (std::vector<std::size_t>{0, 1, 2})) << each.name;
+      if (observer.match(felt, expected) == std::vector<std::size_t>{0, 1, 2}) ++all_right;
     }
+    EXPECT_GE(all_right, 5) << each.name;
   }
 }
 
