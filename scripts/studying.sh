@@ -33,7 +33,7 @@ simulate_and_analyze() {
       exit 1
     fi
   done
-  echo "Simulating $kParticipants virtual participants, ${#files[@]} sessions each" >&2
+  echo "Completing $kParticipants virtual participants, ${#files[@]} sessions each" >&2
   # Without the line for every finished trial. At Ctrl-C asperity finishes the trials under way and says so.
   "$asperity" simulate "${files[@]}" --study "$study" --participants "$kParticipants" --seed "$kSeed" \
     --jobs "$(nproc)" --resume 2>&1 | (trap '' INT; awk '!/^done / { print; fflush() }') >&2
