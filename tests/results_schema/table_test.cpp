@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <locale.h>
+#include <stdlib.h>
 
 #include "results_schema/study.h"
 
@@ -101,10 +102,13 @@ TEST(NumberText, TakesAllOfTheTextOrNothing) {
 
 TEST(NumberText, DoesNotHeedTheLocale) {
   const std::string before = ::setlocale(LC_ALL, nullptr);
-  if (::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) GTEST_SKIP() << "no German locale here";
+  ::setenv("LOCPATH", ASPERITY_LOCALE_FOLDER, 1);
+  ASSERT_NE(::setlocale(LC_ALL, "de_DE.UTF-8"), nullptr);
+  ASSERT_STREQ(::localeconv()->decimal_point, ",");
   EXPECT_EQ(text_of_number(1.5), "1.5");
   EXPECT_EQ(number_in("1.5"), 1.5);
   ::setlocale(LC_ALL, before.c_str());
+  ::unsetenv("LOCPATH");
 }
 
 }  // namespace
