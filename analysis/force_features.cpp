@@ -19,7 +19,6 @@ constexpr double kSettle_s = 0.1;
 constexpr double kCell_m = 0.1e-3;
 constexpr std::size_t kWindow = 256;
 constexpr std::size_t kLeastWindows = 3;
-constexpr double kFloorRatio = 1e-4;
 
 constexpr double kRoot2 = std::numbers::sqrt2;
 constexpr std::array<double, kFeatureBands + 1> kBorders_m{
@@ -78,23 +77,24 @@ std::vector<Stretch> steady_contacts(std::span<const double> time_s) {
 
 // The mean of the force over each cell of distance; what is left after the last whole cell is
 // dropped. The force is a straight line between samples, so each piece adds its middle value.
-std::vector<double> over_distance(const FeltForce& felt, const Stretch& stretch) {
+std::vector<double> over_distance(std::span<const double> force_N, std::span<const double> travel_m,
+                                  const Stretch& stretch) {
   std::vector<double> cells;
-  const double start_m = felt.travel_m[stretch.begin];
+  const double start_m = travel_m[stretch.begin];
   double sum_Nm = 0.0;
   for (std::size_t i = stretch.begin + 1; i < stretch.end; ++i) {
-    const double from_m = felt.travel_m[i - 1] - start_m;
-    const double to_m = felt.travel_m[i] - start_m;
+    const double from_m = travel_m[i - 1] - start_m;
+    const double to_m = travel_m[i] - start_m;
     if (!(to_m > from_m)) {
       continue;
     }
-    const double slope = (felt.normal_N[i] - felt.normal_N[i - 1]) / (to_m - from_m);
+    const double slope = (force_N[i] - force_N[i - 1]) / (to_m - from_m);
     double at_m = from_m;
     while (at_m < to_m) {
       const double cell_end_m = kCell_m * static_cast<double>(cells.size() + 1);
       const double piece_end_m = std::min(to_m, cell_end_m);
       const double middle_m = 0.5 * (at_m + piece_end_m);
-      sum_Nm += (piece_end_m - at_m) * (felt.normal_N[i - 1] + slope * (middle_m - from_m));
+      sum_Nm += (piece_end_m - at_m) * (force_N[i - 1] + slope * (middle_m - from_m));
       if (piece_end_m == cell_end_m) {
         cells.push_back(sum_Nm / kCell_m);
         sum_Nm = 0.0;
@@ -166,7 +166,9 @@ class LineSpectrum final {
   std::size_t windows_ = 0;
 };
 
-double floored_log(double ratio) { return std::log(std::max(ratio, kFloorRatio)); }
+// What nobody feels adds to every feature as noise does, in squares, so that it bends away
+// smoothly.
+double ln_felt(double ratio) { return 0.5 * std::log(ratio * ratio + kFeltRatio * kFeltRatio); }
 
 }  // namespace
 
@@ -174,49 +176,39 @@ std::span<const double> feature_band_borders_m() noexcept { return kBorders_m; }
 
 ForceFeatures force_features(const FeltForce& felt) {
   refuse_unusable(felt);
-  const double floor = std::log(kFloorRatio);
+  const double floor = ln_felt(0.0);
   ForceFeatures features;
   features.spectrum.fill(floor);
   features.size = floor;
   features.roughness = floor;
 
-  LineSpectrum lines;
+  LineSpectrum normal;
+  LineSpectrum lateral;
   double normal_sum_N = 0.0;
-  double lateral_sum_N = 0.0;
   std::size_t count = 0;
-  const std::vector<Stretch> stretches = steady_contacts(felt.time_s);
-  for (const Stretch& stretch : stretches) {
-    lines.add(over_distance(felt, stretch));
-    for (std::size_t i = stretch.begin; i < stretch.end; ++i) {
-      normal_sum_N += felt.normal_N[i];
-      lateral_sum_N += felt.lateral_N[i];
-    }
+  for (const Stretch& stretch : steady_contacts(felt.time_s)) {
+    normal.add(over_distance(felt.normal_N, felt.travel_m, stretch));
+    lateral.add(over_distance(felt.lateral_N, felt.travel_m, stretch));
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i) normal_sum_N += felt.normal_N[i];
     count += stretch.end - stretch.begin;
   }
-  if (lines.windows() < kLeastWindows) {
+  if (normal.windows() < kLeastWindows) {
     return features;
   }
   const double normal_N = normal_sum_N / static_cast<double>(count);
   if (!(normal_N > 0.0)) {
     return features;  // a surface that does not push back is not felt
   }
-  const double lateral_mean_N = lateral_sum_N / static_cast<double>(count);
-  double lateral_square_sum_N2 = 0.0;
-  for (const Stretch& stretch : stretches) {
-    for (std::size_t i = stretch.begin; i < stretch.end; ++i) {
-      const double about_mean_N = felt.lateral_N[i] - lateral_mean_N;
-      lateral_square_sum_N2 += about_mean_N * about_mean_N;
-    }
-  }
 
   for (std::size_t band = 0; band < kFeatureBands; ++band) {
-    const double power_N2 = lines.power_between(kBorders_m[band], kBorders_m[band + 1]);
-    features.spectrum[band] = floored_log(std::sqrt(power_N2) / normal_N);
+    const double power_N2 = normal.power_between(kBorders_m[band], kBorders_m[band + 1]);
+    features.spectrum[band] = ln_felt(std::sqrt(power_N2) / normal_N);
   }
-  const double texture_N2 = lines.power_between(kBorders_m.front(), kBorders_m.back());
-  features.size = floored_log(std::sqrt(texture_N2) / normal_N);
-  features.roughness =
-      floored_log(std::sqrt(lateral_square_sum_N2 / static_cast<double>(count)) / normal_N);
+  const auto in_all_bands_N = [](const LineSpectrum& lines) {
+    return std::sqrt(lines.power_between(kBorders_m.front(), kBorders_m.back()));
+  };
+  features.size = ln_felt(in_all_bands_N(normal) / normal_N);
+  features.roughness = ln_felt(in_all_bands_N(lateral) / normal_N);
   return features;
 }
 

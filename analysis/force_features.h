@@ -19,6 +19,10 @@ struct FeltForce {
 };
 
 inline constexpr std::size_t kFeatureBands = 10;
+/// What is felt of a force r times the mean normal force is √(r² + kFeltRatio²): 2 mN on 1 N. That
+/// is what 4 µm of relief do on 500 N/m; a fingertip hardly notices less, while the logarithm of
+/// such a force would make much of a camera's noise and of the device's steps.
+inline constexpr double kFeltRatio = 2e-3;
 /// A pause in the samples longer than this is a lift; a shorter one is a lost sample.
 inline constexpr double kLift_s = 0.020;
 
@@ -26,7 +30,9 @@ inline constexpr double kLift_s = 0.020;
 ///
 /// The spectrum is over travelled distance, so that it belongs to the surface and not to the speed
 /// of the hand: the RMS of the normal force (its mean and slow drift removed) in logarithmic bands
-/// of wavelength, as a fraction of the mean normal force, in natural logarithm.
+/// of wavelength, as a fraction of the mean normal force, in natural logarithm with a soft floor
+/// (kFeltRatio). Roughness is the same of the lateral force, in all bands together: the hand's own
+/// drift, which friction passes on to it, lies in longer waves and is no part of it.
 ///
 /// How it is made: of every unbroken contact the first and last 0.1 s are dropped (landing and
 /// lifting are the hand's, not the surface's). Force as a function of travel, straight between
@@ -38,13 +44,11 @@ inline constexpr double kLift_s = 0.020;
 /// than half a wavelength per sample shows nothing of it.
 ///
 /// Contacts shorter than a window are left out; with fewer than three windows in all, which is 51.2
-/// mm of one contact, there is nothing to judge and every feature is at its floor.
+/// mm of one contact, there is nothing to judge and every feature is at its floor, ln kFeltRatio.
 struct ForceFeatures {
-  std::array<double, kFeatureBands>
-      spectrum{};     ///< ln(band RMS / mean normal force), floor ln(1e-4)
-  double size = 0.0;  ///< ln(RMS in all bands together / mean normal force), same floor
-  double roughness =
-      0.0;  ///< ln(RMS of the lateral force about its mean / mean normal force), same floor
+  std::array<double, kFeatureBands> spectrum{};  ///< ln(band RMS / mean normal force)
+  double size = 0.0;                             ///< likewise, in all bands together
+  double roughness = 0.0;  ///< ln(RMS of the lateral force in all bands / mean normal force)
 };
 
 /// Wavelengths in metres at the borders of the bands, longest first: kFeatureBands + 1 of them.

@@ -18,7 +18,7 @@ namespace asperity {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-const double kFloor = std::log(1e-4);
+const double kFloor = std::log(kFeltRatio);
 
 struct Record {
   std::vector<double> time_s{};
@@ -127,14 +127,14 @@ TEST(ForceFeatures, MeasuresSizeAndRoughnessRelativeToTheMeanForce) {
 }
 
 // 1.05 mm is the middle of a band. It keeps the power of the wave but for the average over 0.1 mm
-// (1.5 %) and the skirts of the window.
+// (1.5 %) and the skirts of the window. Each band has what nobody feels on top.
 TEST(ForceFeatures, PutsTheWholePowerOfASinusoidInItsBands) {
   const ForceFeatures features =
       force_features(felt_on(sinusoid(1.05e-3, 0.1), {.duration_s = 10.0}).felt());
   EXPECT_NEAR(features.spectrum[6], std::log(0.0707), 0.05);
   double power = 0.0;
   for (const double ln_ratio : features.spectrum) {
-    power += std::exp(2.0 * ln_ratio);
+    power += std::exp(2.0 * ln_ratio) - kFeltRatio * kFeltRatio;
   }
   EXPECT_NEAR(0.5 * std::log(power), features.size, 0.001);
 }
@@ -221,7 +221,18 @@ TEST(ForceFeatures, DoNotTakeTheHandForTheSurface) {
   const Surface flat = [](double) { return 0.0; };
   const ForceFeatures features =
       force_features(felt_on(flat, {.drift_N = 0.5, .landing_s = 0.05}).felt());
-  EXPECT_LT(features.size, std::log(0.001));
+  EXPECT_LT(features.size, std::log(1.1 * kFeltRatio));
+  EXPECT_LT(features.roughness, std::log(1.1 * kFeltRatio));
+}
+
+// √(r² + r²) is 0.35 above either in the logarithm; a tenth of it is 0.005 above.
+TEST(ForceFeatures, FadeIntoTheFloorSmoothly) {
+  const auto size_of = [](double rms_N) {
+    const double amplitude_N = std::numbers::sqrt2 * rms_N;
+    return force_features(felt_on(sinusoid(2e-3, amplitude_N), {.duration_s = 10.0}).felt()).size;
+  };
+  EXPECT_NEAR(size_of(kFeltRatio), kFloor + 0.5 * std::log(2.0), 0.02);
+  EXPECT_NEAR(size_of(0.1 * kFeltRatio), kFloor + 0.005, 0.002);
 }
 
 TEST(ForceFeatures, BridgeNoLift) {
