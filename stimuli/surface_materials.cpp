@@ -109,7 +109,8 @@ Heights make_brick(const ParameterValues& values, const SurfaceCanvas& canvas) {
   for (std::size_t i = 0; i < canvas.pixels; ++i) {
     for (std::size_t j = 0; j < canvas.pixels; ++j) {
       const SurfacePoint p = point_of(canvas, i, j);
-      const double up = (p.y_m + 0.5 * canvas.width_m) / course_m;
+      // The middle of the picture is the middle of a course: a stroke across it meets bricks.
+      const double up = (p.y_m + 0.5 * canvas.width_m) / course_m + 0.5;
       const double course = std::floor(up);
       const double stagger = std::fmod(course, 2.0) == 0.0 ? 0.0 : 0.5;  // running bond
       const double along = (p.x_m + 0.5 * canvas.width_m) / length_m + stagger;

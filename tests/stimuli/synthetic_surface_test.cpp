@@ -135,6 +135,22 @@ TEST(Cones, AreShiftedByJitter) {
   EXPECT_NEAR(straight.mean_m(), shifted.mean_m(), 0.02 * straight.mean_m());  // none was lost
 }
 
+// Courses of 10 mm: at y = 0 the middle of one, at 5 mm a joint, 0.4 mm deep all along.
+TEST(Brick, HasACourseInItsMiddle) {
+  const HeightField field = make_surface("brick", {{"face_rms_m", 0.0}}, {});
+  double course_m = 0.0;
+  double joint_m = 0.0;
+  constexpr int kSamples = 1000;
+  for (int k = 0; k < kSamples; ++k) {
+    const double x_m = 1e-4 * k;
+    course_m += field.sample(x_m, 0.0, Tiling::repeat).height_m / kSamples;
+    joint_m += field.sample(x_m, 0.005, Tiling::repeat).height_m / kSamples;
+  }
+  EXPECT_NEAR(joint_m, -4e-4, 1e-6);
+  // A head joint takes 1.6 mm of every 20 mm.
+  EXPECT_NEAR(course_m, -4e-4 * 1.6 / 20.0, 1e-5);
+}
+
 TEST(Noise, HasItsRmsAndOnlyItsWavelengths) {
   const HeightField field = make_surface(
       "noise", {{"rms_m", 5e-5}, {"shortest_wavelength_m", 0.002}, {"longest_wavelength_m", 0.004}},
