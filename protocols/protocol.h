@@ -125,6 +125,10 @@ struct ObserverDeclaration {
     prior,         ///< features stated in the protocol (Texture::prior)
   };
   Expectation expectation = Expectation::none;
+  /// With true_surface: what is expected is the true surface without its longer waves, by the same
+  /// Gaussian that a height field from a photograph has lost them to (TextureRecipe). Nothing: the
+  /// whole surface.
+  std::optional<double> gaussian_wavelength_m{};
   bool deaf = false;           ///< ignores what was felt, answers uniformly over the open options
   double feature_noise = 0.1;  ///< standard deviation added to every feature
   double position_bias = 0.0;  ///< added to the evidence of the first position

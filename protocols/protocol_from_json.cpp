@@ -343,6 +343,7 @@ void read_observer(const json& root, Protocol& protocol) {
                 {{"none", Expectation::none},
                  {"true_surface", Expectation::true_surface},
                  {"prior", Expectation::prior}});
+    read(*found, "gaussian_wavelength_m", observer.gaussian_wavelength_m);
     read(*found, "deaf", observer.deaf);
     read(*found, "feature_noise", observer.feature_noise);
     read(*found, "position_bias", observer.position_bias);

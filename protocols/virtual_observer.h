@@ -25,7 +25,12 @@ namespace asperity {
 ///
 /// Errors: std::invalid_argument for numbers of surfaces or options that make no question.
 ///
-/// Virtual answers exercise the machinery of a study. They say nothing about what people feel.
+/// What is expected may be limited to the band that a photograph keeps, by declaration
+/// (ObserverDeclaration::gaussian_wavelength_m); nothing else of how a texture came about is known
+/// to the observer.
+///
+/// Virtual answers exercise the machinery of a study. They say nothing about what people feel, nor
+/// about which model they prefer.
 class VirtualObserver final {
  public:
   VirtualObserver(const ObserverDeclaration& declaration, Random random);

@@ -9,6 +9,7 @@
 #include "renderers/offline/force_matching.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
+#include "stimuli/texture_from_photograph.h"
 
 namespace asperity {
 
@@ -66,6 +67,18 @@ LoadedHeightField StimulusBuilder::height_field(const std::string& study_path) {
   const auto found = fields_.find(study_path);
   if (found != fields_.end()) return found->second;
   return fields_.emplace(study_path, load_height_field(study_folder_ / study_path)).first->second;
+}
+
+std::shared_ptr<const HeightField> StimulusBuilder::height_field_without_long_wavelengths(
+    const std::string& study_path, double gaussian_wavelength_m) {
+  const LoadedHeightField whole = height_field(study_path);
+  const std::lock_guard lock(fields_mutex_);
+  std::shared_ptr<const HeightField>& filtered = filtered_[{study_path, gaussian_wavelength_m}];
+  if (filtered == nullptr) {
+    filtered = std::make_shared<const HeightField>(
+        without_long_wavelengths(*whole.field, gaussian_wavelength_m));
+  }
+  return filtered;
 }
 
 PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentation, Study& study) {

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/height_field_files.h"
 #include "protocols/plan.h"
@@ -47,6 +48,9 @@ class StimulusBuilder final {
   PreparedStimulus prepare(const PlannedPresentation& presentation, Study& study);
 
   LoadedHeightField height_field(const std::string& study_path);
+  /// The same as a photograph's heights would have it (without_long_wavelengths), filtered once.
+  std::shared_ptr<const HeightField> height_field_without_long_wavelengths(
+      const std::string& study_path, double gaussian_wavelength_m);
   const ModelRegistry& models() const noexcept { return models_; }
 
  private:
@@ -57,6 +61,7 @@ class StimulusBuilder final {
   std::mutex fields_mutex_{};
   std::mutex matching_mutex_{};
   std::map<std::string, LoadedHeightField> fields_{};
+  std::map<std::pair<std::string, double>, std::shared_ptr<const HeightField>> filtered_{};
   std::map<std::string, std::string> solutions_{};  ///< as kept in the study, by key
 };
 

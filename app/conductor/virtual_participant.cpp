@@ -64,7 +64,11 @@ Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
         inputs.parameters = complete_values(model->declaration, {});
         inputs.material = protocol.material;
         inputs.patch = protocol.patch;
-        inputs.height_field = builder.height_field(*texture.true_height_field).field;
+        const std::string& file = *texture.true_height_field;
+        const std::optional<double> cutoff_m = protocol.observer.gaussian_wavelength_m;
+        inputs.height_field = cutoff_m
+                                  ? builder.height_field_without_long_wavelengths(file, *cutoff_m)
+                                  : builder.height_field(file).field;
         const HandHabits habits =
             protocol.explorations.empty()
                 ? HandHabits{}

@@ -19,7 +19,10 @@ using Expectations = std::map<std::string, ForceFeatures, std::less<>>;
 ///
 /// For `true_surface` the true height field of each texture is felt once, by the same kind of hand
 /// on another stroke with another seed, through the plain law of `height_map` at its defaults:
-/// never through a renderer of the session. For `prior` they are those stated in the protocol.
+/// never through a renderer of the session. Where the declaration gives a `gaussian_wavelength_m`,
+/// the long waves are taken from the true heights first, as a photograph's heights lack them; the
+/// expectation knows that band, and nothing else of how a texture was made. For `prior` they are
+/// those stated in the protocol.
 Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
                              const Random& random);
 

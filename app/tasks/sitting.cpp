@@ -22,12 +22,15 @@ std::string observer_json(const Protocol& protocol) {
   } else if (observer.expectation == ObserverDeclaration::Expectation::prior) {
     expectation = "prior";
   }
-  return nlohmann::ordered_json{{"expectation", expectation},
-                                {"deaf", observer.deaf},
-                                {"feature_noise", observer.feature_noise},
-                                {"position_bias", observer.position_bias},
-                                {"lapse", observer.lapse}}
-      .dump();
+  nlohmann::ordered_json json{{"expectation", expectation}};
+  if (observer.gaussian_wavelength_m) {
+    json["gaussian_wavelength_m"] = *observer.gaussian_wavelength_m;
+  }
+  json["deaf"] = observer.deaf;
+  json["feature_noise"] = observer.feature_noise;
+  json["position_bias"] = observer.position_bias;
+  json["lapse"] = observer.lapse;
+  return json.dump();
 }
 
 std::string conditions_json(const ProgramIdentity& program, const Rig& rig) {
