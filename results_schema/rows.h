@@ -111,7 +111,7 @@ struct ResponseRow {
   std::int64_t time_ns = 0;
   std::optional<double> from_contact_s{};  ///< reaction time from the first contact
   std::optional<double> from_cue_s{};      ///< reaction time from the question
-  std::string source{};                    ///< "keyboard", "virtual", …
+  std::string source{};                    ///< "keyboard", "virtual", "virtual_guess"
 };
 
 struct ServoQualityRow {

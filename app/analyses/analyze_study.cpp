@@ -47,7 +47,7 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   if (count.guessing_sessions > 0) {
     outcome.remarks.push_back(
         "Sessions of observers that are deaf or expect nothing, so that their "
-        "answers are guesses: " +
+        "answers are guesses (source virtual_guess): " +
         std::to_string(count.guessing_sessions) + '.');
   }
   std::string not_counted{};

@@ -53,7 +53,7 @@ class Respondent {
   /// Answers to a question about the person or the session, as text; empty where optional and left
   /// out.
   virtual std::string answer(const Question& question, const Wait& wait) = 0;
-  /// "terminal", "virtual": where the answers come from.
+  /// Where the last answer came from: "keyboard", "virtual", "virtual_guess".
   virtual std::string source() const = 0;
   /// Before each attempt; a virtual participant takes its random stream for it from here.
   virtual void begin_attempt(int trial, int attempt) = 0;

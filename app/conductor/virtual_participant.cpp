@@ -1,7 +1,7 @@
 #include "app/conductor/virtual_participant.h"
 
 #include <algorithm>
-#include <array>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -41,6 +41,13 @@ ForceFeatures felt_once(const ForceModel& model, const RendererInputs& inputs,
   }
   const Recorder::Attempt attempt = recorder.finish(rig.records());
   return recorded_force_features({attempt.records, kExpectationPresentation, protocol.rate_Hz});
+}
+
+std::size_t option_with(const TrialQuestion& question, const std::string& value) {
+  for (std::size_t option = 0; option < question.options.size(); ++option) {
+    if (question.options[option].value == value) return option;
+  }
+  throw std::logic_error("no option stands for " + value);
 }
 
 }  // namespace
@@ -102,6 +109,20 @@ void VirtualParticipant::read(const std::string&, double minimum_s, const Wait& 
 
 void VirtualParticipant::tell(const std::string&, const Wait& wait) { wait(1.0); }
 
+std::vector<std::size_t> VirtualParticipant::open_options(const Trial& trial) const {
+  std::vector<std::size_t> open{};
+  if (protocol_.kind == ProtocolKind::selection) {
+    for (const PlannedPresentation& surface : trial.presentations) {
+      open.push_back(option_with(trial.question, surface.item));
+    }
+    return open;
+  }
+  for (std::size_t option = 0; option < trial.question.options.size(); ++option) {
+    if (protocol_.textures.contains(trial.question.options[option].value)) open.push_back(option);
+  }
+  return open;
+}
+
 Reply VirtualParticipant::ask(const Trial& trial, std::span<const ForceFeatures> felt,
                               std::optional<double> deadline_s, const Wait& wait) {
   VirtualObserver observer(protocol_.observer, attempt_random_);
@@ -111,48 +132,45 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const ForceFeatures>
     return {};
   }
   wait(thinking_s);
-  const TrialQuestion& question = trial.question;
-  const auto expectation_of = [this](const std::string& texture) -> const ForceFeatures* {
-    const auto found = expectations_.find(texture);
-    return found == expectations_.end() ? nullptr : &found->second;
-  };
-  if (protocol_.kind == ProtocolKind::selection) {
-    const ForceFeatures* expected = expectation_of(trial.presentations.front().stimulus.texture);
-    if (expected == nullptr) return {{observer.guess(question.options.size())}, {}};
-    const std::size_t best = observer.select(felt, *expected);
-    const std::string& item = trial.presentations.at(best).item;
-    for (std::size_t option = 0; option < question.options.size(); ++option) {
-      if (question.options[option].value == item) return {{option}, {}};
-    }
-    throw std::logic_error("no option stands for the surface that was chosen");
-  }
+  const bool selects = protocol_.kind == ProtocolKind::selection;
+  const std::vector<std::size_t> open = open_options(trial);
   std::vector<ForceFeatures> expected{};
-  std::vector<std::size_t> options{};
-  for (std::size_t option = 0; option < question.options.size(); ++option) {
-    if (const ForceFeatures* features = expectation_of(question.options[option].value)) {
-      expected.push_back(*features);
-      options.push_back(option);
-    }
+  const auto expect = [&](const std::string& texture) {
+    const auto found = expectations_.find(texture);
+    if (found != expectations_.end()) expected.push_back(found->second);
+  };
+  if (selects) {
+    expect(trial.presentations.front().stimulus.texture);
+  } else {
+    for (const std::size_t option : open) expect(trial.question.options[option].value);
   }
-  if (question.form == TrialQuestion::Form::choice) {
-    if (expected.empty()) return {{observer.guess(question.options.size())}, {}};
-    return {{options[observer.recognise(felt.front(), expected)]}, {}};
+  const bool knows = expected.size() == (selects ? 1 : open.size());
+  source_ = knows && !protocol_.observer.deaf ? "virtual" : "virtual_guess";
+
+  const bool assigns = trial.question.form == TrialQuestion::Form::assignment;
+  std::vector<std::size_t> chosen{};
+  if (!knows && assigns) {
+    chosen.resize(felt.size());
+    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+    Random guessing = attempt_random_.split("assignment");
+    guessing.shuffle(std::span<std::size_t>(chosen));
+  } else if (!knows) {
+    chosen = {observer.guess(open.size())};
+  } else if (selects) {
+    chosen = {observer.select(felt, expected.front())};
+  } else if (assigns) {
+    chosen = observer.match(felt, expected);
+  } else {
+    chosen = {observer.recognise(felt.front(), expected)};
   }
   Reply reply{};
-  if (expected.size() == felt.size()) {
-    for (const std::size_t chosen : observer.match(felt, expected)) {
-      reply.options.push_back(options[chosen]);
-    }
-  } else {
-    reply.options.resize(felt.size());
-    for (std::size_t i = 0; i < felt.size(); ++i) reply.options[i] = i;
-    attempt_random_.shuffle(std::span<std::size_t>(reply.options));
-  }
+  for (const std::size_t index : chosen) reply.options.push_back(open[index]);
   return reply;
 }
 
 std::string VirtualParticipant::answer(const Question& question, const Wait& wait) {
   wait(kReading_s);
+  source_ = "virtual";
   switch (question.form) {
     case Question::Form::choice:
       return question.options.empty() ? std::string() : question.options.front();

@@ -2,8 +2,10 @@
 
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "app/conductor/respondent.h"
 #include "app/conductor/stimulus_builder.h"
@@ -29,7 +31,11 @@ Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
 /// Answers as a VirtualObserver judges. Every attempt draws from its own stream, so that a session
 /// which was interrupted and resumed gets the answers of one that was not.
 ///
-/// Where nothing is expected (no truth and no prior) the answer is a guess, and `source` says so.
+/// Where nothing is expected (no truth and no prior) or the observer is deaf, the answer is a guess
+/// among the surfaces or pictures that are open; "I cannot tell" is never answered. `source` is
+/// "virtual_guess" after a guess and "virtual" after any other answer; lapses belong to judging.
+///
+/// Virtual results exercise the machinery and say nothing about which model people prefer.
 class VirtualParticipant final : public Respondent {
  public:
   VirtualParticipant(const Protocol& protocol, Expectations expectations, ParticipantRow person,
@@ -41,15 +47,19 @@ class VirtualParticipant final : public Respondent {
             std::optional<double> deadline_s, const Wait& wait) override;
   void tell(const std::string& text, const Wait& wait) override;
   std::string answer(const Question& question, const Wait& wait) override;
-  std::string source() const override { return "virtual"; }
+  std::string source() const override { return source_; }
   void begin_attempt(int trial, int attempt) override;
 
  private:
+  /// The options that stand for surfaces (by position) or pictures, by index.
+  std::vector<std::size_t> open_options(const Trial& trial) const;
+
   const Protocol& protocol_;
   Expectations expectations_{};
   ParticipantRow person_{};
   Random random_;
   Random attempt_random_;
+  std::string source_{};  ///< of the last answer
 };
 
 /// The n-th virtual participant of a study: label "virtual0001", sex alternating F, M, an age and a

@@ -440,7 +440,9 @@ Columns response_columns() {
       "not measured",
       at_least(0, column("from_cue_s", "number", "s", "time from the question to the answer",
                          [](const Place& at) { return optional_cell(at.response->from_cue_s); }))));
-  add(column("source", "text", "", "how the answer was given",
+  add(column("source", "text", "",
+             "how the answer was given: keyboard; virtual, by a simulated observer; "
+             "virtual_guess, by one that is deaf or expects nothing",
              [](const Place& at) { return at.response->source; }));
   return columns;
 }

@@ -344,7 +344,7 @@ TEST(AnalyzeStudy, SaysWhenTheAnswersAreGuessesByDeclaration) {
   made.add_session("virtual0001", made.add_protocol("recognition", "recognition"),
                    {recognition("stone", "stone")}, SessionMode::simulate);
   EXPECT_THAT(analyze_study(made.study()).front().remarks,
-              testing::Contains(HasSubstr("answers are guesses: 1")));
+              testing::Contains(HasSubstr("answers are guesses (source virtual_guess): 1")));
 }
 
 TEST(AnalyzeStudy, NeverMixesPeoplePilotsAndVirtualParticipants) {
