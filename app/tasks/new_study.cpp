@@ -1,8 +1,8 @@
 #include "app/tasks/new_study.h"
 
-#include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/height_field_files.h"
 #include "protocols/library_protocols.h"
@@ -21,24 +21,30 @@ struct DemoTexture {
   std::string_view kind{};
   bool is_rendered = true;
   std::uint64_t seed = 0;
+  ParameterValues parameters{};
 };
 
-constexpr std::array kDemoTextures{DemoTexture{"metal", "metal", true, 11},
-                                   DemoTexture{"stone", "stone", true, 12},
-                                   DemoTexture{"wood", "wood", true, 13},
-                                   DemoTexture{"brick", "brick", true, 14},
-                                   DemoTexture{"sandpaper", "sandpaper", false, 15},
-                                   DemoTexture{"pebbles", "cones", false, 16}};
+/// Pebbles are made as grains are, close together, but of 4 mm: a stroke along any line meets them.
+std::vector<DemoTexture> demo_textures() {
+  return {
+      {"metal", "metal", true, 11, {}},
+      {"stone", "stone", true, 12, {}},
+      {"wood", "wood", true, 13, {}},
+      {"brick", "brick", true, 14, {}},
+      {"sandpaper", "sandpaper", false, 15, {}},
+      {"pebbles", "sandpaper", false, 16, {{"grain_spacing_m", 0.004}, {"grain_height_m", 6e-4}}}};
+}
 
 constexpr double kWidth_m = 0.10;
 constexpr std::size_t kPixels = 1024;
 
 void make_texture(const DemoTexture& texture, const std::filesystem::path& folder) {
   const std::string name(texture.name);
-  const HeightField surface =
-      make_surface(texture.kind, {}, SurfaceCanvas{kWidth_m, kPixels, texture.seed});
+  const HeightField surface = make_surface(texture.kind, texture.parameters,
+                                           SurfaceCanvas{kWidth_m, kPixels, texture.seed});
   HeightFieldProvenance made{};
   made.kind = texture.kind;
+  made.parameters = texture.parameters;
   made.seed = texture.seed;
   save_height_field(folder / (name + "_true.png"), surface, made, Overwrite::refuse);
 
@@ -79,9 +85,10 @@ void new_demo_study(const std::filesystem::path& folder,
     write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,
                Overwrite::refuse);
   }
-  for (std::size_t i = 0; i < kDemoTextures.size(); ++i) {
-    progress(static_cast<double>(i) / kDemoTextures.size());
-    make_texture(kDemoTextures[i], folder / "stimuli");
+  const std::vector<DemoTexture> textures = demo_textures();
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    progress(static_cast<double>(i) / static_cast<double>(textures.size()));
+    make_texture(textures[i], folder / "stimuli");
   }
   progress(1.0);
 }
