@@ -9,6 +9,7 @@
 #include "renderers/offline/force_matching.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
+#include "results_schema/table.h"
 #include "stimuli/texture_from_photograph.h"
 
 namespace asperity {
@@ -46,17 +47,6 @@ std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
   return sha256_of(problem.dump());
 }
 
-/// What the sample suggests, what was given, and the model's defaults for the rest.
-ParameterValues parameters_for(const ForceModel& model, const RendererInputs& inputs,
-                               const ParameterValues& given) {
-  ParameterValues values{};
-  if (inputs.height_field && model.suggested_by) {
-    values = model.suggested_by(*inputs.height_field, inputs.material);
-  }
-  for (const auto& [name, value] : given) values[name] = value;
-  return complete_values(model.declaration, values);
-}
-
 }  // namespace
 
 StimulusBuilder::StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder)
@@ -81,6 +71,28 @@ std::shared_ptr<const HeightField> StimulusBuilder::height_field_without_long_wa
   return filtered;
 }
 
+ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
+                                                const PreparedStimulus& stimulus,
+                                                const ParameterValues& given) {
+  const RendererInputs& inputs = stimulus.inputs;
+  ParameterValues values{};
+  if (inputs.height_field && model.suggested_by) {
+    // A suggestion takes the spectrum of the whole sample; every attempt asks for the same few.
+    const std::string key = model.declaration.id + ' ' + stimulus.height_field_sha256.value_or("") +
+                            ' ' + text_of_number(inputs.material.stiffness_N_per_m) + ' ' +
+                            text_of_number(inputs.material.friction);
+    const std::lock_guard lock(suggestions_mutex_);
+    auto found = suggestions_.find(key);
+    if (found == suggestions_.end()) {
+      found = suggestions_.emplace(key, model.suggested_by(*inputs.height_field, inputs.material))
+                  .first;
+    }
+    values = found->second;
+  }
+  for (const auto& [name, value] : given) values[name] = value;
+  return complete_values(model.declaration, values);
+}
+
 PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentation, Study& study) {
   const StimulusDescription& description = presentation.stimulus;
   PreparedStimulus prepared{};
@@ -97,7 +109,7 @@ PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentatio
     inputs.height_field = std::move(loaded.field);
     prepared.height_field_sha256 = std::move(loaded.sha256);
   }
-  inputs.parameters = parameters_for(*prepared.model, inputs, description.parameters);
+  inputs.parameters = parameters_for(*prepared.model, prepared, description.parameters);
   if (presentation.equal_force) match(prepared, *presentation.equal_force, study);
   return prepared;
 }
@@ -113,7 +125,7 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const EqualForce& reques
       throw std::runtime_error("equal force is asked for with the model \"" + request.to_model +
                                "\", which this program does not have");
     }
-    reference_inputs.parameters = parameters_for(*reference, inputs, {});
+    reference_inputs.parameters = parameters_for(*reference, prepared, {});
   }
   const std::string key = key_of(prepared, request, reference, reference_inputs.parameters);
   // One problem at a time: sessions that run in parallel wait for the first to solve it.

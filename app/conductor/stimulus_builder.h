@@ -54,11 +54,16 @@ class StimulusBuilder final {
   const ModelRegistry& models() const noexcept { return models_; }
 
  private:
+  /// What the sample suggests, what was given, and the model's defaults for the rest.
+  ParameterValues parameters_for(const ForceModel& model, const PreparedStimulus& stimulus,
+                                 const ParameterValues& given);
   void match(PreparedStimulus& prepared, const EqualForce& request, Study& study);
 
   const ModelRegistry& models_;
   std::filesystem::path study_folder_{};
   std::mutex fields_mutex_{};
+  std::mutex suggestions_mutex_{};
+  std::map<std::string, ParameterValues> suggestions_{};
   std::mutex matching_mutex_{};
   std::map<std::string, LoadedHeightField> fields_{};
   std::map<std::pair<std::string, double>, std::shared_ptr<const HeightField>> filtered_{};

@@ -211,7 +211,10 @@ void Simulation::take_through(Study& study, int number) {
         hold(study, person, protocol, index, seed, row);
       }
       const std::lock_guard lock(mutex_);
-      progress_(static_cast<double>(++sessions_seen_) / (batch_.participants * sessions_each_));
+      ++sessions_seen_;
+      if (progress_) {
+        progress_(static_cast<double>(sessions_seen_) / (batch_.participants * sessions_each_));
+      }
     }
   }
 }

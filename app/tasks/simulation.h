@@ -42,6 +42,8 @@ struct SimulationResult {
 /// dealt out before the first session begins. When it is stopped, sessions under way end after
 /// their trial and can be gone on with; each participant's row says which simulation it belongs to.
 ///
+/// `progress` and `done` may be empty. Both are called from the jobs' threads.
+///
 /// Errors: ProtocolError, ResultsError, std::runtime_error (a session that was stopped by a fault;
 /// nothing to go on with).
 SimulationResult simulate(const SimulationInputs& inputs, const ModelRegistry& models,
