@@ -51,6 +51,6 @@ build() {
 asperity=$root/build/release/bin/asperity
 build_program() {
   "$root/scripts/install" build
-  configure release -DASPERITY_BUILD_TESTS=OFF -DASPERITY_BUILD_BENCH=OFF
+  configure release -DASPERITY_BUILD_TESTS=OFF -DASPERITY_BUILD_BENCH=OFF -DASPERITY_WARNINGS_AS_ERRORS=OFF
   build release asperity
 }
