@@ -12,12 +12,6 @@ namespace asperity {
 
 namespace {
 
-std::filesystem::path sidecar_of(const std::filesystem::path& png) {
-  std::filesystem::path sidecar = png;
-  sidecar += ".json";
-  return sidecar;
-}
-
 std::span<const std::byte> bytes_of(const std::string& content) {
   return std::as_bytes(std::span(content.data(), content.size()));
 }
@@ -27,6 +21,21 @@ std::string_view text_of(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
+
+std::filesystem::path sidecar_of(const std::filesystem::path& png) {
+  std::filesystem::path sidecar = png;
+  sidecar += ".json";
+  return sidecar;
+}
+
+void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite overwrite) {
+  if (overwrite == Overwrite::allow) return;
+  for (const std::filesystem::path& file : files) {
+    if (std::filesystem::exists(file)) {
+      throw ResultsError(file.string() + " exists already; use --force to replace it", file);
+    }
+  }
+}
 
 LoadedHeightField load_height_field(const std::filesystem::path& png) {
   const std::string content = read_file(png);
@@ -46,9 +55,7 @@ LoadedHeightField load_height_field(const std::filesystem::path& png) {
 void save_height_field(const std::filesystem::path& png, const HeightField& field,
                        HeightFieldProvenance provenance, Overwrite overwrite) {
   const std::filesystem::path sidecar = sidecar_of(png);
-  if (overwrite == Overwrite::refuse && std::filesystem::exists(sidecar)) {
-    throw ResultsError(sidecar.string() + " exists already; use --force to replace it", sidecar);
-  }
+  refuse_existing({png, sidecar}, overwrite);
   provenance.program_version = version_line();
   const std::vector<std::byte> content = encode_height_field_png(field);
   const std::string text =

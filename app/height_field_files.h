@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "results_schema/atomic_file.h"
 #include "stimuli/grey_image.h"
@@ -24,6 +25,13 @@ struct LoadedHeightField {
 ///
 /// Errors: ResultsError or std::invalid_argument, naming the file.
 LoadedHeightField load_height_field(const std::filesystem::path& png);
+
+std::filesystem::path sidecar_of(const std::filesystem::path& png);
+
+/// Before the first of several files is written: refuses when one of them is there already.
+///
+/// Errors: ResultsError naming it.
+void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite overwrite);
 
 /// Writes FILE.png and FILE.png.json. With `Overwrite::refuse`, nothing is written when either is
 /// there. The program's version is noted in the provenance.

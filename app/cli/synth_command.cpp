@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <iostream>
-#include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +16,17 @@
 #include "stimuli/synthetic_surface.h"
 
 namespace asperity {
+
+namespace {
+
+PhotographCase photograph_case(const std::string& word) {
+  if (word == "bright_height") return PhotographCase::bright_height;
+  if (word == "lambert") return PhotographCase::lambert;
+  if (word == "albedo") return PhotographCase::albedo;
+  throw WrongUsage("--photo takes bright_height, lambert or albedo, not \"" + word + '"');
+}
+
+}  // namespace
 
 void add_synth(CLI::App& program, Job& job) {
   struct Options {
@@ -64,24 +75,21 @@ void add_synth(CLI::App& program, Job& job) {
       }
       const ParameterValues values =
           parameters_from(options->parameters, surface->parameters, surface->kind);
-      const HeightField field = make_surface(surface->kind, values, options->canvas);
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
+      std::vector<std::filesystem::path> files{options->out, sidecar_of(options->out)};
+      std::optional<PhotographSettings> photograph{};
+      if (!options->photograph.empty()) {
+        photograph.emplace();
+        photograph->photograph_case = photograph_case(options->photograph[0]);
+        photograph->seed = options->canvas.seed;
+        files.emplace_back(options->photograph[1]);
+      }
+      refuse_existing(files, overwrite);
+      const HeightField field = make_surface(surface->kind, values, options->canvas);
       save_height_field(options->out, field,
                         {surface->kind, values, options->canvas.seed, "", "", ""}, overwrite);
-      if (!options->photograph.empty()) {
-        static const std::map<std::string, PhotographCase> kCases{
-            {"bright_height", PhotographCase::bright_height},
-            {"lambert", PhotographCase::lambert},
-            {"albedo", PhotographCase::albedo}};
-        const auto found = kCases.find(options->photograph[0]);
-        if (found == kCases.end()) {
-          throw WrongUsage("--photo takes bright_height, lambert or albedo, not \"" +
-                           options->photograph[0] + '"');
-        }
-        PhotographSettings settings{};
-        settings.photograph_case = found->second;
-        settings.seed = options->canvas.seed;
-        save_picture(options->photograph[1], synthetic_photograph(field, settings), overwrite);
+      if (photograph) {
+        save_picture(options->photograph[1], synthetic_photograph(field, *photograph), overwrite);
       }
       std::cout << options->out.string() << ": " << field.grid().columns << " × "
                 << field.grid().rows << " samples, pitch " << fixed(field.grid().pitch_m * 1e6, 1)

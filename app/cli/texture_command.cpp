@@ -64,11 +64,14 @@ void add_texture(CLI::App& program, Job& job) {
     job = [options] {
       TextureRecipe& chosen = options->recipe;
       chosen.sign = options->sign == 1 ? HeightSign::bright_is_high : HeightSign::dark_is_high;
+      const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
+      std::vector<std::filesystem::path> files{options->out, sidecar_of(options->out)};
+      if (options->preview) files.push_back(*options->preview);
+      refuse_existing(files, overwrite);
       const std::string name = options->photograph.string();
       const LoadedPhotograph loaded = load_photograph(options->photograph);
       const PhotographTexture texture =
           texture_from_photograph(loaded.photograph.grey, chosen, name);
-      const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       save_height_field(options->out, texture.field,
                         {"photograph",
                          parameter_values(chosen),

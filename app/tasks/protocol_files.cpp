@@ -1,10 +1,11 @@
 #include "app/tasks/protocol_files.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
-#include "app/conductor/stimulus_builder.h"
 #include "results_schema/atomic_file.h"
-#include "results_schema/study.h"
+#include "stimuli/photograph.h"
 
 namespace asperity {
 
@@ -20,6 +21,55 @@ std::filesystem::path found_file(const std::filesystem::path& file,
   return file;
 }
 
+/// Whether the file lies below the study, whatever links lead to it.
+bool lies_in(const std::filesystem::path& study, const std::filesystem::path& file) {
+  const std::filesystem::path relative =
+      std::filesystem::canonical(file).lexically_relative(std::filesystem::canonical(study));
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+/// Why a file that a protocol names cannot be used; nothing when it can.
+std::optional<std::string> complaint_about_file(const NamedFile& named,
+                                                const std::filesystem::path& study,
+                                                StimulusBuilder& builder) {
+  std::vector<std::string> paths{named.path};
+  if (named.is_height_field) paths.push_back(named.path + ".json");
+  for (const std::string& path : paths) {
+    if (!std::filesystem::is_regular_file(study / path)) {
+      return "the file " + path + " is not in the study " + study.string();
+    }
+    if (!lies_in(study, study / path)) {
+      return "the file " + path + " is a link to " +
+             std::filesystem::canonical(study / path).string() + ", which is outside the study " +
+             study.string() + "; copy the file into the study";
+    }
+  }
+  try {
+    if (named.is_height_field) {
+      builder.height_field(named.path);
+    } else {
+      const std::string content = read_file(study / named.path);
+      inspect_picture(std::as_bytes(std::span(content)), (study / named.path).string());
+    }
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::string& file_name,
+                                          const std::filesystem::path& study,
+                                          StimulusBuilder& builder) {
+  std::vector<Diagnostic> problems{};
+  for (const NamedFile& named : files_of(protocol, file_name)) {
+    if (const auto complaint = complaint_about_file(named, study, builder)) {
+      problems.push_back(named.place);
+      problems.back().message = *complaint;
+    }
+  }
+  return problems;
+}
+
 }  // namespace
 
 std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models) {
@@ -32,6 +82,15 @@ Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& m
                        const std::optional<std::filesystem::path>& study) {
   const std::filesystem::path found = found_file(file, study);
   return read_protocol(read_file(found), found.string(), declarations_of(models));
+}
+
+Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
+                              StimulusBuilder& builder) {
+  Protocol protocol = load_protocol(file, builder.models(), study);
+  std::vector<Diagnostic> problems =
+      problems_of_files(protocol, found_file(file, study).string(), study, builder);
+  if (!problems.empty()) throw ProtocolError(std::move(problems));
+  return protocol;
 }
 
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
@@ -53,20 +112,7 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
   }
   if (study) {
     StimulusBuilder builder(models, *study);
-    for (const NamedFile& named : files_of(*check.protocol, check.file)) {
-      Diagnostic problem = named.place;
-      if (!std::filesystem::is_regular_file(*study / named.path)) {
-        problem.message = "the file " + named.path + " is not in the study " + study->string();
-        check.diagnostics.push_back(problem);
-      } else if (named.is_height_field) {
-        try {
-          builder.height_field(named.path);
-        } catch (const std::exception& error) {
-          problem.message = error.what();
-          check.diagnostics.push_back(problem);
-        }
-      }
-    }
+    check.diagnostics = problems_of_files(*check.protocol, check.file, *study, builder);
   }
   if (device && *device != "simulated") {
     whole_file("there is no device \"" + *device + "\"; this program has: simulated");

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/conductor/stimulus_builder.h"
 #include "protocols/plan.h"
 #include "protocols/protocol_reader.h"
 #include "renderers/force_model.h"
@@ -22,6 +23,13 @@ std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models);
 /// Errors: ProtocolError; ResultsError when there is no such file.
 Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                        const std::optional<std::filesystem::path>& study);
+
+/// The same for a protocol that is about to run: the files that it names are looked at as well.
+///
+/// Errors: ProtocolError with every file that is not there, not in the study (a link may lead out
+/// of it), no height field or no picture; otherwise as above.
+Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
+                              StimulusBuilder& builder);
 
 /// Every problem of one file, and what its plan amounts to when there is none.
 struct ProtocolCheck {

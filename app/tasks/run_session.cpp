@@ -107,8 +107,8 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
     throw std::runtime_error(*complaint);
   }
-  const Protocol protocol = load_protocol(inputs.protocol, models, inputs.study);
-  hash_files(protocol, inputs.study);
+  StimulusBuilder builder(models, inputs.study);
+  const Protocol protocol = load_protocol_to_run(inputs.protocol, inputs.study, builder);
   Study study = Study::open(inputs.study, Access::read_write);
   study.mark_crashed_sessions();
   const StudyLock lock(inputs.study, Study::session_lock_name(inputs.participant));
@@ -140,7 +140,6 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
     }
     study.add_participant(sitting.participant);
   }
-  StimulusBuilder builder(models, inputs.study);
   return sit(study, protocol, builder, this_program(), sitting, *rig,
              inputs.is_virtual ? nullptr : respondent, stop, done);
 }

@@ -104,10 +104,9 @@ class Simulation final {
         progress_(progress),
         done_(done) {
     for (const auto& file : inputs.protocols) {
-      protocols_.push_back(load_protocol(file, models, inputs.study));
+      protocols_.push_back(load_protocol_to_run(file, inputs.study, builder_));
       sessions_each_ += protocols_.back().sessions;
     }
-    for (const Protocol& protocol : protocols_) hash_files(protocol, inputs.study);
   }
 
   SimulationResult run();

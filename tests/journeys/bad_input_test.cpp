@@ -1,0 +1,391 @@
+// Bad input: a sentence that names the file, the place and what would be right; exit 1; nothing
+// written.
+
+#include <functional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    EXPECT_NE(text.find(word), std::string::npos) << "without \"" << word << "\":\n" << text;
+  }
+}
+
+/// Refused, with these words, and the folder is as it was.
+void expect_refused(const fs::path& folder, const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& words) {
+  const auto before = contents_of(folder);
+  const Outcome outcome = asperity(arguments);
+  EXPECT_EQ(outcome.status, 1) << arguments.front();
+  EXPECT_EQ(outcome.out, "");
+  expect_words(outcome.err, words);
+  for (const auto& [name, content] : contents_of(folder)) {
+    const auto was = before.find(name);
+    if (was == before.end()) {
+      ADD_FAILURE() << arguments.front() << " wrote " << name;
+    } else {
+      EXPECT_TRUE(content == was->second) << arguments.front() << " changed " << name;
+    }
+  }
+}
+
+/// The protocol is refused by everything that reads one.
+void expect_protocol_refused(const SmallStudy& small, const fs::path& protocol,
+                             const std::vector<std::string>& words) {
+  std::vector<std::string> with_file = words;
+  with_file.push_back(protocol.filename());
+  expect_refused(small.place(), {"check", protocol, "--study", small.study()}, with_file);
+  expect_refused(
+      small.place(),
+      {"simulate", protocol, "--study", small.study(), "--participants", "1", "--seed", "1"},
+      words);
+  expect_refused(small.place(),
+                 {"run", protocol, "--study", small.study(), "--participant", "p1", "--virtual"},
+                 words);
+}
+
+/// The small selection with one thing changed.
+void expect_change_refused(const std::function<void(Json&)>& change,
+                           const std::vector<std::string>& words) {
+  const SmallStudy small(1);
+  Json protocol = small_selection(1);
+  change(protocol);
+  const fs::path file = small.place() / "changed.json";
+  write_text(file, protocol.dump(2));
+  expect_protocol_refused(small, file, words);
+}
+
+TEST(BadProtocol, IsNotThere) {
+  const SmallStudy small(1);
+  expect_protocol_refused(small, small.place() / "nowhere.json", {"nowhere.json"});
+}
+
+TEST(BadProtocol, IsNotJson) {
+  const SmallStudy small(1);
+  const fs::path file = small.place() / "torn.json";
+  write_text(file, "{\n  \"format\": \"asperity.protocol/1\",\n  \"kind\": selection\n}\n");
+  expect_protocol_refused(small, file, {"torn.json:3:11: error: "});
+  write_text(file, "");
+  expect_protocol_refused(small, file, {"torn.json:1:1: error: "});
+}
+
+TEST(BadProtocol, HasSeveralFaultsAllSaidAtOnce) {
+  const SmallStudy small(1);
+  Json protocol = small_selection(1);
+  protocol["kind"] = "selecting";
+  protocol["device"]["rate_Hz"] = "fast";
+  protocol["blocks"]["main"]["repetitions"] = 0;
+  const fs::path file = small.place() / "several.json";
+  write_text(file, protocol.dump(2));
+  expect_protocol_refused(
+      small, file, {"(/kind)", "(/device/rate_Hz)", "(/blocks/main/repetitions)", "selection"});
+}
+
+TEST(BadProtocol, HasAnUnknownKey) {
+  expect_change_refused([](Json& protocol) { protocol["blocks"]["main"]["repetition"] = 2; },
+                        {"changed.json:", ": error: ", "repetition"});
+}
+
+TEST(BadProtocol, HasAKeyTwice) {
+  const SmallStudy small(1);
+  std::string text = small_selection(1).dump(2);
+  text.insert(1, "\n  \"version\": \"2.0.0\",");
+  const fs::path file = small.place() / "twice.json";
+  write_text(file, text);
+  expect_protocol_refused(small, file, {"twice.json:", "version"});
+}
+
+TEST(BadProtocol, NamesAModelThatDoesNotExist) {
+  expect_change_refused(
+      [](Json& protocol) {
+        protocol["factors"]["model"]["levels"][0] = "hight_map";
+        protocol["blocks"]["main"]["presented"][0]["with"]["model"] = "hight_map";
+      },
+      {"hight_map", "height_map", "/factors/model/levels/0"});
+}
+
+TEST(BadProtocol, NamesAParameterThatDoesNotExist) {
+  expect_change_refused(
+      [](Json& protocol) {
+        protocol["stimuli"]["rendered"] = Json::parse(
+            R"({"model": "sinusoid", "texture": {"factor": "texture"}, "parameters": {"amplitude": 1}})");
+      },
+      {"amplitude", "amplitude_m", "/stimuli/rendered/parameters"});
+}
+
+TEST(BadProtocol, HasAParameterOutOfRange) {
+  expect_change_refused(
+      [](Json& protocol) {
+        protocol["stimuli"]["rendered"] = Json::parse(
+            R"({"model": "sinusoid", "texture": {"factor": "texture"}, "parameters": {"amplitude_m": 2}})");
+      },
+      {"amplitude_m", "/stimuli/rendered/parameters", " to "});
+}
+
+TEST(BadProtocol, NamesAStimulusOutsideTheStudy) {
+  const SmallStudy small(1);
+  fs::copy_file(small.study() / "stimuli/walnut.png", small.place() / "walnut.png");
+  fs::copy_file(small.study() / "stimuli/walnut.png.json", small.place() / "walnut.png.json");
+  const auto with_height_field = [&small](const std::string& path) {
+    Json protocol = small_selection(1);
+    protocol["textures"]["walnut"]["height_field"] = path;
+    const fs::path file = small.place() / "outside.json";
+    write_text(file, protocol.dump(2));
+    return file;
+  };
+  expect_protocol_refused(small, with_height_field("../walnut.png"),
+                          {"../walnut.png", "/textures/walnut/height_field"});
+  expect_protocol_refused(small, with_height_field("stimuli/../../walnut.png"),
+                          {"stimuli/../../walnut.png"});
+  expect_protocol_refused(small, with_height_field(small.place() / "walnut.png"),
+                          {"/textures/walnut/height_field"});
+  fs::create_symlink(small.place() / "walnut.png", small.study() / "stimuli/link.png");
+  fs::create_symlink(small.place() / "walnut.png.json", small.study() / "stimuli/link.png.json");
+  expect_protocol_refused(small, with_height_field("stimuli/link.png"),
+                          {"stimuli/link.png", "outside"});
+  fs::create_directory_symlink(small.place(), small.study() / "stimuli/elsewhere");
+  expect_protocol_refused(small, with_height_field("stimuli/elsewhere/walnut.png"),
+                          {"stimuli/elsewhere/walnut.png", "outside"});
+}
+
+TEST(BadProtocol, NamesAStimulusThatIsMissingOrBroken) {
+  const SmallStudy small(1);
+  const auto with_height_field = [&small](const std::string& path) {
+    Json protocol = small_selection(1);
+    protocol["textures"]["walnut"]["height_field"] = path;
+    const fs::path file = small.place() / "missing.json";
+    write_text(file, protocol.dump(2));
+    return file;
+  };
+  expect_protocol_refused(small, with_height_field("stimuli/oak.png"), {"stimuli/oak.png"});
+  const std::string whole = text_of(small.study() / "stimuli/walnut.png");
+  fs::copy_file(small.study() / "stimuli/walnut.png.json", small.study() / "stimuli/half.png.json");
+  write_text(small.study() / "stimuli/half.png", whole.substr(0, whole.size() / 2));
+  expect_protocol_refused(small, with_height_field("stimuli/half.png"), {"half.png"});
+  write_text(small.study() / "stimuli/alone.png", whole);
+  expect_protocol_refused(small, with_height_field("stimuli/alone.png"), {"alone.png.json"});
+}
+
+TEST(BadProtocol, AsksForAForceAboveTheLimit) {
+  expect_change_refused(
+      [](Json& protocol) {
+        protocol["explorations"]["short"]["normal_force_N"] = {{"target", 6}, {"maximum", 7}};
+      },
+      {"normal_force_N", "force_limit_N", "5"});
+  expect_change_refused([](Json& protocol) { protocol["device"]["force_limit_N"] = 500; },
+                        {"/device/force_limit_N"});
+}
+
+TEST(BadProtocol, HasAnOrderThatCannotBeKept) {
+  expect_change_refused(
+      [](Json& protocol) {
+        // Four trials of the only texture cannot be kept apart.
+        protocol["factors"]["texture"]["levels"] = {"walnut"};
+        protocol["blocks"]["main"]["repetitions"] = 4;
+        protocol["blocks"]["main"]["order"] = "shuffle";
+        protocol["blocks"]["main"]["maximum_in_a_row"] = {{"texture", 2}};
+      },
+      {"maximum_in_a_row"});
+}
+
+TEST(BadPicture, IsRefusedByTextureWithoutAFile) {
+  const SmallStudy small(1);
+  const auto refuse = [&small](const std::string& name, const std::vector<std::string>& words) {
+    std::vector<std::string> with_file = words;
+    with_file.push_back(name);
+    expect_refused(
+        small.place(),
+        {"texture", small.place() / name, "--out", small.place() / "made.png", "--width-m", "0.1"},
+        with_file);
+  };
+  const std::string whole = text_of(small.study() / "stimuli/walnut_photo.png");
+  refuse("nowhere.png", {});
+  write_text(small.place() / "empty.png", "");
+  refuse("empty.png", {"empty"});
+  write_text(small.place() / "truncated.png", whole.substr(0, whole.size() / 2));
+  refuse("truncated.png", {});
+  write_text(small.place() / "head.png", whole.substr(0, 20));
+  refuse("head.png", {});
+  write_text(small.place() / "text.png", "this is no picture");
+  refuse("text.png", {"PNG", "JPEG"});
+  // A PNG's width and height stand behind its signature, and the length and name of its first
+  // chunk.
+  std::string gigantic = whole;
+  gigantic.replace(16, 8, std::string("\0\1\0\0\0\0\x10\0", 8));  // 65536 × 4096
+  write_text(small.place() / "gigantic.png", gigantic);
+  refuse("gigantic.png", {"65536", "16"});
+}
+
+TEST(BadPicture, LeavesNothingHalfWritten) {
+  const SmallStudy small(1);
+  const fs::path photograph = small.study() / "stimuli/walnut_photo.png";
+  write_text(small.place() / "taken.png", "mine");
+  // The preview is in the way, so the height field is not made either.
+  expect_refused(small.place(),
+                 {"texture", photograph, "--out", small.place() / "made.png", "--width-m", "0.02",
+                  "--preview", small.place() / "taken.png"},
+                 {"taken.png", "--force"});
+  expect_refused(small.place(),
+                 {"synth", "sinusoid", "--out", small.place() / "made.png", "--photo",
+                  "bright_height", small.place() / "taken.png"},
+                 {"taken.png", "--force"});
+  const auto before = contents_of(small.place());
+  EXPECT_EQ(asperity({"synth", "sinusoid", "--out", small.place() / "made.png", "--photo", "dark",
+                      small.place() / "photo.png"})
+                .status,
+            2);
+  EXPECT_TRUE(contents_of(small.place()) == before);
+}
+
+TEST(BadPicture, OrSettingIsRefusedWithItsRange) {
+  const SmallStudy small(1);
+  const fs::path photograph = small.study() / "stimuli/walnut_photo.png";
+  const fs::path made = small.place() / "made.png";
+  expect_refused(small.place(), {"texture", photograph, "--out", made, "--width-m", "-1"},
+                 {"width_m"});
+  expect_refused(small.place(),
+                 {"texture", photograph, "--out", made, "--width-m", "0.02", "--rms-m", "nan"},
+                 {"rms_m"});
+  expect_refused(small.place(), {"synth", "velvet", "--out", made},
+                 {"velvet", "sinusoid", "brick"});
+  expect_refused(small.place(), {"synth", "sinusoid", "--out", made, "--param", "height=1"},
+                 {"height", "amplitude_m"});
+  expect_refused(small.place(), {"synth", "sinusoid", "--out", made, "--pixels", "0"}, {"pixels"});
+}
+
+/// What needs a study, on a folder that is none that this program can use.
+void expect_study_refused(const SmallStudy& small, const fs::path& study,
+                          const std::vector<std::string>& words) {
+  const fs::path protocol = small.selection();
+  const std::string out = small.place() / "out";
+  expect_refused(small.place(), {"analyze", study}, words);
+  expect_refused(small.place(), {"export", study, "--out", out}, words);
+  expect_refused(small.place(), {"verify", study}, words);
+  expect_refused(small.place(), {"copy", study, out}, words);
+  expect_refused(small.place(), {"replay", study, "--attempt", "1", "--out", out}, words);
+  expect_refused(small.place(),
+                 {"run", protocol, "--study", study, "--participant", "p1", "--virtual"}, words);
+}
+
+TEST(BadStudy, IsNotThere) {
+  const SmallStudy small(1);
+  const fs::path bare = small.place() / "bare";  // stimuli but no store
+  fs::create_directory(bare);
+  fs::copy(small.study() / "stimuli", bare / "stimuli");
+  expect_study_refused(small, bare, {"bare", "study"});
+  expect_refused(small.place(), simulate_arguments(small, bare, 1, 1), {"bare"});
+}
+
+TEST(BadStudy, IsSomethingElse) {
+  const SmallStudy small(1);
+  write_text(small.study() / "study.sqlite", std::string(5000, 'x'));
+  expect_study_refused(small, small.study(), {"study.sqlite"});
+  expect_refused(small.place(), simulate_arguments(small, small.study(), 1, 1), {"study.sqlite"});
+}
+
+TEST(BadStudy, IsAnotherProgramsDatabase) {
+  const SmallStudy small(1);
+  fs::remove(small.study() / "study.sqlite");
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open((small.study() / "study.sqlite").c_str(), &database), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(database, "CREATE TABLE recipes (name TEXT)", nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(database);
+  expect_study_refused(small, small.study(), {"study.sqlite"});
+}
+
+TEST(BadStudy, IsOfANewerProgram) {
+  const SmallStudy small(1);
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open((small.study() / "study.sqlite").c_str(), &database), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(database, "PRAGMA user_version = 99", nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(database);
+  expect_study_refused(small, small.study(), {"99", "newer"});
+  expect_refused(small.place(), simulate_arguments(small, small.study(), 1, 1), {"99", "newer"});
+}
+
+TEST(BadStudy, IsNotMadeOverSomethingElse) {
+  const SmallStudy small(1);
+  expect_refused(small.place(), {"new", small.study()}, {"study"});
+  write_text(small.place() / "notes.txt", "mine");
+  expect_refused(small.place(), {"new", small.place(), "--demo"}, {small.place()});
+}
+
+TEST(BadLabel, IsRefused) {
+  const SmallStudy small(1);
+  for (const std::string label : {"../p1", "a/b", "x'; DROP TABLE session; --", "p 1", "Zoë", "",
+                                  "012345678901234567890123456789012"}) {
+    expect_refused(
+        small.place(),
+        {"run", small.selection(), "--study", small.study(), "--participant=" + label, "--virtual"},
+        {label, "1 to 32 letters and digits"});
+  }
+}
+
+TEST(BadDevice, IsRefusedWithThoseThatThereAre) {
+  const SmallStudy small(1);
+  expect_refused(small.place(),
+                 {"run", small.selection(), "--study", small.study(), "--participant", "p1",
+                  "--virtual", "--device", "phantom"},
+                 {"phantom", "simulated"});
+  expect_refused(small.place(), {"check", small.selection(), "--device", "phantom"},
+                 {"phantom", "simulated"});
+}
+
+TEST(WrongUsage, EndsWithTwo) {
+  const SmallStudy small(1);
+  const std::vector<std::vector<std::string>> wrong{
+      {},
+      {"fly"},
+      {"new"},
+      {"models", "--jsn"},
+      {"simulate", small.selection(), "--study", small.study(), "--participants", "0", "--seed",
+       "1"},
+      {"simulate", small.selection(), "--study", small.study(), "--participants", "1"},
+      {"run", small.selection(), "--study", small.study(), "--participant", "p1", "--realtime"},
+      {"run", small.selection(), "--study", small.study(), "--participant", "p1", "--virtual",
+       "--realtime", "--as-fast-as-possible"},
+      {"render", "--model", "sinusoid", "--param", "amplitude_m", "--path", "p", "--out", "o"}};
+  const auto before = contents_of(small.place());
+  for (const std::vector<std::string>& arguments : wrong) {
+    const Outcome outcome = asperity(arguments);
+    EXPECT_EQ(outcome.status, 2) << (arguments.empty() ? "" : arguments.front()) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err, "");
+  }
+  EXPECT_TRUE(contents_of(small.place()) == before);
+}
+
+TEST(Help, IsThereForEverything) {
+  const Outcome all = asperity({"--help"});
+  EXPECT_EQ(all.status, 0);
+  for (const std::string command :
+       {"new", "check", "run", "simulate", "analyze", "export", "models", "render", "texture",
+        "synth", "verify", "replay", "copy"}) {
+    EXPECT_NE(all.out.find("\n  " + command), std::string::npos) << command;
+    const Outcome help = asperity({command, "--help"});
+    EXPECT_EQ(help.status, 0) << command;
+    EXPECT_NE(help.out, "") << command;
+  }
+}
+
+TEST(Version, SaysVersionCommitAndBuildType) {
+  const Outcome version = asperity({"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_THAT(version.out,
+              testing::MatchesRegex("asperity [0-9.]+ \\(commit [^ ]+, [A-Za-z]+\\)\n"));
+}
+
+}  // namespace
+}  // namespace asperity::test
