@@ -59,6 +59,8 @@ void add_render(CLI::App& program, Job& job) {
   command->add_flag("--force", options->force, "Replace an existing file");
   command->callback([options, &job] {
     job = [options] {
+      const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
+      refuse_existing({options->out}, overwrite);
       const ModelRegistry models = built_in_models();
       const ForceModel& model = model_named(models, options->model);
       RendererInputs inputs{};
@@ -83,8 +85,7 @@ void add_render(CLI::App& program, Job& job) {
           path_in(read_file(options->path), options->path.string());
       const auto renderer = make_renderer(model, inputs);
       const std::vector<RenderedTick> forces = along_path(*renderer, path, rate_Hz_of(path));
-      write_file(options->out, forces_tsv(path, forces),
-                 options->force ? Overwrite::allow : Overwrite::refuse);
+      write_file(options->out, forces_tsv(path, forces), overwrite);
       std::cout << options->out.string() << ": " << forces.size() << " rows\n";
       return 0;
     };

@@ -9,6 +9,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/parameter_option.h"
+#include "app/height_field_files.h"
 #include "app/tasks/path_table.h"
 #include "app/tasks/recorded_attempt.h"
 #include "renderers/offline/replay.h"
@@ -42,6 +43,8 @@ void add_replay(CLI::App& program, Job& job) {
   command->add_flag("--force", options->force, "Replace an existing file");
   command->callback([options, &job] {
     job = [options] {
+      const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
+      refuse_existing({options->out}, overwrite);
       const Study study = Study::open(options->study, Access::read_only);
       const ModelRegistry models = built_in_models();
       const AttemptRow attempt = find_attempt(study, options->attempt);
@@ -90,8 +93,7 @@ void add_replay(CLI::App& program, Job& job) {
         path.push_back(record.probe);
       }
       const std::vector<RenderedTick> forces = replay(*renderer, felt, recorded.rate_Hz);
-      write_file(options->out, forces_tsv(path, forces),
-                 options->force ? Overwrite::allow : Overwrite::refuse);
+      write_file(options->out, forces_tsv(path, forces), overwrite);
       std::cout << options->out.string() << ": " << forces.size() << " rows\n";
       return 0;
     };

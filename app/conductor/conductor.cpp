@@ -80,7 +80,10 @@ SessionEnd Conductor::run(OpenSession session) {
   try {
     run_steps();
   } catch (const Interruption& interruption) {  // outside an attempt
-    stop(interruption.reason);
+    stop(interruption.outcome == AttemptOutcome::device_fault
+             ? "the device failed between trials: " + interruption.reason +
+                   "; every finished trial is stored, go on with --resume"
+             : interruption.reason);
   } catch (const RespondentGone& gone) {
     stop(gone.what());
   } catch (const std::exception& error) {

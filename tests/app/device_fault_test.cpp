@@ -1,0 +1,124 @@
+// A device that fails in real time: what is finished stays, the force is gone, the session goes on.
+
+#include <gtest/gtest.h>
+
+#include "app/conductor/recording_columns.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/run_session.h"
+#include "results_schema/atomic_file.h"
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+struct Failing {
+  ScriptedFault::Kind kind = ScriptedFault::Kind::lost;
+  std::string name{};  ///< as stored
+};
+
+/// When the first surface of the second trial has been felt for 0.2 s: the same session on a
+/// simulated clock says so.
+double moment_s(RunInputs inputs, const ModelRegistry& models) {
+  const TemporaryFolder folder{};
+  inputs.study = folder.path() / "study";
+  make_small_study(inputs.study);
+  inputs.pacing = RunPacing::stepped;
+  run_session(inputs, models, nullptr, {}, {});
+  const Study study = Study::open(inputs.study, Access::read_only);
+  const SessionRow session = study.sessions().at(0);
+  const AttemptRow second = study.attempts(session.id).at(1);
+  return static_cast<double>(*second.presentations.at(0).contact_ns - session.clock_zero_ns) *
+             1e-9 +
+         0.2;
+}
+
+class DeviceFault : public testing::TestWithParam<Failing> {};
+
+TEST_P(DeviceFault, InRealTimeLosesNothingThatIsFinished) {
+  const TemporaryFolder folder{};
+  const auto study_folder = folder.path() / "study";
+  make_small_study(study_folder);
+  write_file(study_folder / "protocols" / "small.json", small_protocol(), Overwrite::refuse);
+  const ModelRegistry models = built_in_models();
+  RunInputs inputs{};
+  inputs.protocol = study_folder / "protocols" / "small.json";
+  inputs.study = study_folder;
+  inputs.participant = "standin1";
+  inputs.seed = 5;
+  inputs.is_virtual = true;
+  inputs.pacing = RunPacing::real_time;
+  const double at_s = moment_s(inputs, models);
+  inputs.faults = {{.kind = GetParam().kind, .at_s = at_s}};
+  int done = 0;
+  const SessionEnd end =
+      run_session(inputs, models, nullptr, {}, [&done](const AttemptDone&) { ++done; });
+  EXPECT_EQ(end.state, SessionState::stopped);
+  EXPECT_NE(end.reason.find(GetParam().name), std::string::npos) << end.reason;
+  EXPECT_NE(end.reason.find("--resume"), std::string::npos) << end.reason;
+  {
+    const Study study = Study::open(study_folder, Access::read_only);
+    const SessionRow session = study.sessions().at(0);
+    EXPECT_EQ(session.state, SessionState::stopped);
+    const std::vector<AttemptRow> attempts = study.attempts(session.id);
+    ASSERT_EQ(attempts.size(), static_cast<std::size_t>(done));
+    ASSERT_EQ(attempts.size(), 2U);
+    const AttemptRow& failed = attempts.back();
+    EXPECT_EQ(failed.outcome, AttemptOutcome::device_fault);
+    EXPECT_FALSE(failed.valid);
+    EXPECT_EQ(failed.servo->fault, GetParam().name);
+    EXPECT_EQ(failed.invalid_reason, GetParam().name);
+    for (std::size_t i = 0; i + 1 < attempts.size(); ++i) EXPECT_TRUE(attempts[i].valid);
+    // Nothing is sent any more once the fault is known.
+    const auto records = records_of(read_recording(study_folder / failed.recording->path));
+    bool is_over = false;
+    for (const TickRecord& record : records) {
+      is_over = is_over || record.has(TickFlag::fault_latched);
+      if (is_over) {
+        EXPECT_EQ(record.sent.force_N, glm::dvec3{0.0});
+      }
+    }
+    EXPECT_TRUE(is_over);
+  }
+  inputs.faults.clear();
+  inputs.resume = true;
+  EXPECT_EQ(run_session(inputs, models, nullptr, {}, {}).state, SessionState::completed);
+  const Study study = Study::open(study_folder, Access::read_only);
+  int valid = 0;
+  for (const AttemptRow& attempt : study.attempts(study.sessions().at(0).id)) {
+    if (attempt.valid) ++valid;
+  }
+  EXPECT_EQ(valid, 3);
+}
+
+// The first trial takes a little over a second: the fault comes in the second one, or in the first
+// on a machine that was slow to begin.
+INSTANTIATE_TEST_SUITE_P(Each, DeviceFault,
+                         testing::Values(Failing{ScriptedFault::Kind::lost, "device_lost"},
+                                         Failing{ScriptedFault::Kind::nan, "not_finite"}),
+                         [](const auto& each) { return each.param.name; });
+
+TEST(DeviceStall, IsCountedAndTheTrialIsTriedAgain) {
+  const TemporaryFolder folder{};
+  RunInputs inputs{};
+  inputs.study = folder.path() / "study";
+  make_small_study(inputs.study);
+  inputs.protocol = folder.path() / "small.json";
+  write_file(inputs.protocol, small_protocol(), Overwrite::refuse);
+  inputs.participant = "standin1";
+  inputs.seed = 5;
+  inputs.is_virtual = true;
+  inputs.pacing = RunPacing::real_time;
+  const ModelRegistry models = built_in_models();
+  const double at_s = moment_s(inputs, models);
+  inputs.faults = {{.kind = ScriptedFault::Kind::stall, .at_s = at_s, .duration_s = 0.15}};
+  const SessionEnd end = run_session(inputs, models, nullptr, {}, {});
+  const Study study = Study::open(inputs.study, Access::read_only);
+  const std::vector<AttemptRow> attempts = study.attempts(study.sessions().at(0).id);
+  ASSERT_GE(attempts.size(), 2U);
+  EXPECT_GE(attempts[1].servo->missed_deadlines, 1);
+  EXPECT_GE(attempts[1].servo->period_maximum_s, 0.15);
+  EXPECT_EQ(end.state, SessionState::completed) << end.reason;
+}
+
+}  // namespace
+}  // namespace asperity

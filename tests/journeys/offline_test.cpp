@@ -1,0 +1,276 @@
+// What works without a study: surfaces, photographs, models, forces along a path, protocols.
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "results_schema/table.h"
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+using Json = nlohmann::json;
+
+std::vector<double> numbers(const Tsv& table, const std::string& column) {
+  std::vector<double> values{};
+  for (const std::string& cell : table.column(column)) values.push_back(number_in(cell).value());
+  return values;
+}
+
+std::string number(double value) { return text_of_number(value); }
+
+/// Renders `path` and returns the forces.
+Tsv forces_along(const fs::path& place, const std::string& path,
+                 const std::vector<std::string>& more) {
+  write_text(place / "path.tsv", path);
+  std::vector<std::string> arguments{
+      "render", "--path", place / "path.tsv", "--out", place / "forces.tsv", "--force"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Outcome outcome = asperity(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return tsv(text_of(place / "forces.tsv"));
+}
+
+TEST(Render, OfAFlatFieldIsASpringWithFriction) {
+  const TemporaryFolder place{};
+  ASSERT_EQ(asperity({"synth", "sinusoid", "--param", "amplitude_m=0", "--pixels", "64",
+                      "--width-m", "0.02", "--out", place / "flat.png"})
+                .status,
+            0);
+  // Along +x at 60 mm/s, 1 mm deep, then above the surface.
+  const Tsv forces = forces_along(
+      place.path(),
+      "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t-0.001\n0.001\t0.00006\t0\t-0.001\n"
+      "0.002\t0.00012\t0\t-0.001\n0.003\t0.00018\t0\t0.001\n0.004\t0.00024\t0\t0.001\n",
+      {"--model", "height_map", "--stimulus", place / "flat.png"});
+  EXPECT_EQ(forces.columns, (std::vector<std::string>{"time_s", "fx_N", "fy_N", "fz_N", "tx_N_m",
+                                                      "ty_N_m", "tz_N_m", "penetration_m"}));
+  ASSERT_EQ(forces.rows.size(), 5U);
+  EXPECT_EQ(forces.column("time_s"),
+            (std::vector<std::string>{"0", "0.001", "0.002", "0.003", "0.004"}));
+  // F_n = k w = 500 N/m · 1 mm; friction −μ F_n v/√(v² + v₀²), v₀ = 10 mm/s.
+  const double friction_N = 0.2 * 0.5 * 0.06 / std::hypot(0.06, 0.01);
+  EXPECT_NEAR(numbers(forces, "fz_N")[1], 0.5, 1e-12);
+  EXPECT_NEAR(numbers(forces, "fx_N")[1], -friction_N, 1e-9);
+  EXPECT_EQ(forces.column("fy_N")[1], "0");
+  EXPECT_NEAR(numbers(forces, "penetration_m")[1], 0.001, 1e-15);
+  EXPECT_EQ(forces.column("fz_N")[4], "0");
+  EXPECT_EQ(forces.column("fx_N")[4], "0");
+}
+
+TEST(Render, OfASinusoidFollowsItsHeights) {
+  const TemporaryFolder place{};
+  constexpr double kAmplitude_m = 2e-4;
+  constexpr double kSpacing_m = 2e-3;
+  constexpr double kPitch_m = 0.02 / 128;
+  ASSERT_EQ(asperity({"synth", "sinusoid", "--param", "amplitude_m=0.0002", "spacing_m=0.002",
+                      "--pixels", "128", "--width-m", "0.02", "--out", place / "wave.png"})
+                .status,
+            0);
+  // On samples, where nothing is interpolated: half a pitch beside the centre and whole ones on.
+  std::string path = "time_s\tx_m\ty_m\tz_m\n";
+  std::vector<double> x_m{};
+  for (int i = 0; i < 6; ++i) {
+    x_m.push_back((i - 2.5) * kPitch_m);
+    path += number(i * 0.001) + '\t' + number(x_m.back()) + '\t' + number(0.5 * kPitch_m) +
+            "\t-0.001\n";
+  }
+  const Tsv forces =
+      forces_along(place.path(), path,
+                   {"--model", "height_map", "--stimulus", "plane:" + (place / "wave.png").string(),
+                    "--friction", "0", "--stiffness-n-per-m", "800"});
+  const std::vector<double> normal_N = numbers(forces, "fz_N");
+  for (std::size_t i = 0; i < x_m.size(); ++i) {
+    const double height_m = kAmplitude_m * std::sin(2.0 * std::numbers::pi * x_m[i] / kSpacing_m);
+    // 16 bits over 0.4 mm are steps of 6 nm, which are 5 µN here.
+    EXPECT_NEAR(normal_N[i], 800.0 * (0.001 + height_m), 1e-5) << i;
+  }
+}
+
+TEST(Render, SaysWhatIsWrongWithAPath) {
+  const TemporaryFolder place{};
+  const auto refused = [&place](const std::string& path, const std::vector<std::string>& words) {
+    write_text(place / "path.tsv", path);
+    const Outcome outcome = asperity({"render", "--model", "sinusoid", "--path", place / "path.tsv",
+                                      "--out", place / "forces.tsv"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_FALSE(fs::exists(place / "forces.tsv"));
+    EXPECT_NE(outcome.err.find("path.tsv"), std::string::npos) << outcome.err;
+    for (const std::string& word : words) {
+      EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " in " << outcome.err;
+    }
+  };
+  refused("", {});
+  refused("time_s\tx_m\ty_m\n0\t0\t0\n1\t0\t0\n", {"z_m"});
+  refused("time_s\tx_m\ty_m\tz_mm\n0\t0\t0\t0\n1\t0\t0\t0\n", {"z_mm", "z_m"});
+  refused("time_s\tx_m\ty_m\tz_m\tqw\n0\t0\t0\t0\t1\n1\t0\t0\t0\t1\n", {"qx qy qz"});
+  refused("time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n", {"two rows"});
+  refused("time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n0\t0\t0\t0\n", {":3:", "increase"});
+  refused("time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n1\t0\tdeep\t0\n", {":3:", "y_m"});
+  refused("time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n1\t0\t0\tn/a\n", {":3:", "z_m"});
+  refused("time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n1\t0\t0\n", {":3"});
+}
+
+TEST(Render, RefusesAModelOrParameterThatThereIsNot) {
+  const TemporaryFolder place{};
+  write_text(place / "path.tsv", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n1\t0\t0\t0\n");
+  const auto refused = [&place](std::vector<std::string> more, const std::string& word) {
+    std::vector<std::string> arguments{"render", "--path", place / "path.tsv", "--out",
+                                       place / "forces.tsv"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = asperity(arguments);
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " in " << outcome.err;
+    EXPECT_FALSE(fs::exists(place / "forces.tsv"));
+  };
+  refused({"--model", "velvet"}, "height_map");
+  refused({"--model", "sinusoid", "--param", "amplitude=1"}, "amplitude_m");
+  refused({"--model", "sinusoid", "--param", "amplitude_m=1"}, "0.005");
+  refused({"--model", "sinusoid", "--param", "amplitude_m=0,001"}, "0,001");
+  refused({"--model", "height_map"}, "height field");
+  refused({"--model", "height_map", "--stimulus", place / "nowhere.png"}, "nowhere.png");
+  refused({"--model", "sinusoid", "--stiffness-n-per-m", "-5"}, "stiffness_N_per_m");
+}
+
+TEST(Render, OverwritesOnlyWithForce) {
+  const TemporaryFolder place{};
+  write_text(place / "path.tsv", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n1\t0\t0\t0\n");
+  write_text(place / "forces.tsv", "mine");
+  const std::vector<std::string> arguments{
+      "render", "--model", "sinusoid", "--path", place / "path.tsv", "--out", place / "forces.tsv"};
+  const Outcome refused = asperity(arguments);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("--force"), std::string::npos);
+  EXPECT_EQ(text_of(place / "forces.tsv"), "mine");
+}
+
+TEST(Synth, MakesEveryKindAndItsPhotograph) {
+  const TemporaryFolder place{};
+  const std::vector<std::string> photographs{"bright_height", "lambert", "albedo"};
+  std::size_t next = 0;
+  for (const std::string kind :
+       {"sinusoid", "grating", "cones", "noise", "metal", "stone", "wood", "brick", "sandpaper"}) {
+    const fs::path file = place / (kind + ".png");
+    const fs::path photo = place / (kind + "_photo.png");
+    const Outcome outcome = asperity({"synth", kind, "--out", file, "--pixels", "256", "--width-m",
+                                      "0.025", "--photo", photographs[next++ % 3], photo});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Json sidecar = Json::parse(text_of(file.string() + ".json"));
+    EXPECT_DOUBLE_EQ(sidecar.at("pitch_m").get<double>(), 0.025 / 256);
+    EXPECT_LT(sidecar.at("height_min_m"), sidecar.at("height_max_m"));
+    EXPECT_NE(sidecar.dump().find(kind), std::string::npos);
+    EXPECT_EQ(text_of(photo).substr(1, 3), "PNG");
+    // A photograph is what texture takes.
+    EXPECT_EQ(
+        asperity({"texture", photo, "--out", place / (kind + "_again.png"), "--width-m", "0.025"})
+            .status,
+        0);
+  }
+}
+
+TEST(Texture, StoresHeightsWithASidecarAndOverwritesOnlyWithForce) {
+  const TemporaryFolder place{};
+  make_small_stimuli(place.path());
+  const fs::path made = place / "made.png";
+  const std::vector<std::string> arguments{"texture",   place / "slate_photo.png",
+                                           "--out",     made,
+                                           "--width-m", "0.02",
+                                           "--rms-m",   "0.00005",
+                                           "--sign",    "-1",
+                                           "--preview", place / "steps.png"};
+  const Outcome outcome = asperity(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("RMS 50.0 µm"), std::string::npos) << outcome.out;
+  const std::string png = text_of(made);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png[24], 16);  // bit depth in the header
+  const Json sidecar = Json::parse(text_of(made.string() + ".json"));
+  EXPECT_DOUBLE_EQ(sidecar.at("pitch_m").get<double>(), 0.02 / 128);
+  EXPECT_LT(sidecar.at("height_min_m"), 0.0);
+  EXPECT_GT(sidecar.at("height_max_m"), 0.0);
+  EXPECT_NE(sidecar.dump().find("slate_photo.png"), std::string::npos);
+  EXPECT_TRUE(fs::exists(place / "steps.png"));
+
+  const auto before = contents_of(place.path());
+  EXPECT_EQ(asperity(arguments).status, 1);
+  EXPECT_TRUE(contents_of(place.path()) == before);
+  std::vector<std::string> again = arguments;
+  again.emplace_back("--force");
+  EXPECT_EQ(asperity(again).status, 0);
+  EXPECT_TRUE(contents_of(place.path()) == before);  // the same recipe, the same bytes
+}
+
+TEST(Models, AreDeclaredInOneJsonDocument) {
+  const Outcome outcome = asperity({"models", "--json"});
+  ASSERT_EQ(outcome.status, 0);
+  const auto document = nlohmann::ordered_json::parse(outcome.out);
+  EXPECT_EQ(document.begin().key(), "format");
+  EXPECT_EQ(document.at("format"), "asperity.models/1");
+  std::vector<std::string> ids{};
+  for (const auto& model : document.at("models")) {
+    ids.push_back(model.at("id"));
+    for (const char* key : {"version", "summary", "source", "parameters"}) {
+      EXPECT_TRUE(model.contains(key)) << key;
+    }
+    for (const auto& parameter : model.at("parameters")) {
+      std::vector<std::string> keys{};
+      for (const auto& [key, value] : parameter.items()) keys.push_back(key);
+      EXPECT_EQ(keys, (std::vector<std::string>{"name", "kind", "unit", "minimum", "maximum",
+                                                "choices", "default", "meaning"}));
+      EXPECT_THAT((std::vector<std::string>{"number", "integer", "choice"}),
+                  testing::Contains(parameter.at("kind").get<std::string>()));
+    }
+  }
+  EXPECT_THAT(ids,
+              testing::IsSupersetOf({"height_map", "sinusoid", "stochastic", "lateral_gradient"}));
+}
+
+TEST(Check, SaysWhatAPlanAmountsTo) {
+  const SmallStudy small(3);
+  const Outcome outcome = asperity({"check", small.selection(), small.recognition(), "--study",
+                                    small.study(), "--device", "simulated", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto document = nlohmann::ordered_json::parse(outcome.out);
+  EXPECT_EQ(document.begin().key(), "format");
+  EXPECT_EQ(document.at("format"), "asperity.check/1");
+  const auto& selection = document.at("protocols").at(0);
+  EXPECT_EQ(selection.at("valid"), true);
+  EXPECT_EQ(selection.at("trials"), 6);     // 2 textures × 3
+  EXPECT_EQ(selection.at("contacts"), 12);  // of two surfaces each
+  EXPECT_NEAR(selection.at("contact_s").get<double>(), 12 * 0.2, 1e-9);
+  EXPECT_EQ(document.at("protocols").at(1).at("contacts"), 6);
+}
+
+TEST(Check, PutsTheFaultsOfEveryFileIntoTheDocument) {
+  const SmallStudy small(1);
+  write_text(small.place() / "bad.json", "{\"kind\": \"selecting\"}");
+  const Outcome outcome =
+      asperity({"check", small.selection(), small.place() / "bad.json", "--json"});
+  EXPECT_EQ(outcome.status, 1);
+  const Json document = Json::parse(outcome.out);
+  EXPECT_EQ(document.at("protocols").at(0).at("valid"), true);
+  EXPECT_EQ(document.at("protocols").at(1).at("valid"), false);
+  const Json& diagnostics = document.at("protocols").at(1).at("diagnostics");
+  EXPECT_GT(diagnostics.size(), 1U);
+  EXPECT_EQ(diagnostics.at(0).at("line"), 1);
+  EXPECT_GT(diagnostics.at(0).at("column"), 0);
+}
+
+TEST(Check, AcceptsEveryProtocolOfTheLibrary) {
+  std::vector<std::string> arguments{"check"};
+  for (const fs::directory_entry& file :
+       fs::directory_iterator(fs::path(ASPERITY_SOURCE_DIR) / "protocols" / "library")) {
+    arguments.push_back(file.path());
+  }
+  ASSERT_GT(arguments.size(), 6U);
+  const Outcome outcome = asperity(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+}  // namespace
+}  // namespace asperity::test

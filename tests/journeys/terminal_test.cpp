@@ -1,0 +1,168 @@
+// run with a person at a terminal.
+
+#include <csignal>
+
+#include <gtest/gtest.h>
+
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+std::vector<std::string> run_arguments(const SmallStudy& small, const fs::path& protocol) {
+  return {"run", protocol, "--study", small.study(), "--participant", "anna", "--seed", "4"};
+}
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+/// A person who agrees, reads and answers everything with `choice`, until `done` trials are stored.
+void answer_everything(Program& program, const std::string& choice, std::size_t done) {
+  std::size_t answered = 0;
+  const auto prompts = [](const std::string& out) {
+    return count_of(out, "Your answer: ") + count_of(out, "Press Return to go on. ");
+  };
+  while (program.read_until([&](const std::string& out, const std::string& err) {
+    return prompts(out) > answered || done_lines(err).size() >= done;
+  })) {
+    if (done_lines(program.err()).size() >= done) return;
+    ++answered;
+    const bool is_question = program.out().rfind("Your answer: ") != std::string::npos &&
+                             program.out().ends_with("Your answer: ");
+    program.type(is_question ? choice + "\n" : "\n");
+  }
+}
+
+TEST(Terminal, TakesAPersonThroughASession) {
+  const SmallStudy small(1);  // two trials
+  Invocation invocation{};
+  invocation.arguments = run_arguments(small, small.selection());
+  invocation.on_terminal = true;
+  Program program(invocation);
+  answer_everything(program, "1", 1000);
+  const Outcome outcome = program.finish();
+  EXPECT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  EXPECT_EQ(done_lines(outcome.err),
+            (std::vector<std::string>{"done anna 1 1 1", "done anna 1 2 1"}));
+
+  const auto tables = exported(small.study(), small.place() / "tables");
+  const Tsv sessions = tsv(tables.at("sessions.tsv"));
+  EXPECT_EQ(sessions.column("state"), std::vector<std::string>{"completed"});
+  EXPECT_EQ(sessions.column("pacing"), std::vector<std::string>{"real_time"});
+  EXPECT_EQ(sessions.column("mode"), std::vector<std::string>{"run"});
+  EXPECT_EQ(sessions.column("virtual"), std::vector<std::string>{"0"});
+  EXPECT_EQ(sessions.column("consent_version"), std::vector<std::string>{"1.0"});
+  // The first option is surface A, the first one felt.
+  const Tsv presentations = tsv(tables.at("presentations.tsv"));
+  const Tsv responses = tsv(tables.at("responses.tsv"));
+  ASSERT_EQ(responses.rows.size(), 2U);
+  EXPECT_EQ(responses.column("answer")[0], presentations.column("item")[0]);
+  EXPECT_EQ(responses.column("answer")[1], presentations.column("item")[2]);
+  EXPECT_EQ(asperity({"verify", small.study()}).status, 0);
+}
+
+TEST(Terminal, NeverShowsANameOfATextureOrModel) {
+  const SmallStudy small(1);
+  for (const fs::path& protocol : {small.selection(), small.recognition()}) {
+    Invocation invocation{};
+    invocation.arguments = run_arguments(small, protocol);
+    invocation.on_terminal = true;
+    Program program(invocation);
+    answer_everything(program, "1", 1000);
+    const Outcome outcome = program.finish();
+    ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+    const std::string shown = outcome.out + outcome.err;
+    EXPECT_NE(shown.find("Feel surface A now."), std::string::npos);
+    for (const char* name : {"walnut", "slate", "height_map", "sinusoid", "rendered", "T1", "T2"}) {
+      EXPECT_EQ(shown.find(name), std::string::npos) << name << " in:\n" << shown;
+    }
+  }
+}
+
+TEST(Terminal, AsksAgainForWhatIsNoOption) {
+  const SmallStudy small(1);
+  Invocation invocation{};
+  invocation.arguments = run_arguments(small, small.selection());
+  invocation.on_terminal = true;
+  Program program(invocation);
+  const auto shows = [&program](const std::string& text) {
+    return program.read_until([&text](const std::string& out, const std::string&) {
+      return out.find(text) != std::string::npos;
+    });
+  };
+  ASSERT_TRUE(shows("Your answer: ")) << program.out();  // consent
+  program.type("1\n");
+  ASSERT_TRUE(shows("Press Return")) << program.out();
+  program.type("\n");
+  ASSERT_TRUE(shows("Which was most like the picture?"));
+  program.type("7\n");
+  EXPECT_TRUE(shows("Please type a number from 1 to 2."));
+  program.type("2\n");
+  EXPECT_TRUE(program.read_until(
+      [](const std::string&, const std::string& err) { return !done_lines(err).empty(); }));
+}
+
+TEST(Terminal, StopsAfterTheTrialAndGoesOnLater) {
+  const SmallStudy small(2);  // four trials
+  Invocation invocation{};
+  invocation.arguments = run_arguments(small, small.recognition());
+  invocation.on_terminal = true;
+  {
+    Program program(invocation);
+    answer_everything(program, "1", 1);
+    program.type("\x03");  // Ctrl-C
+    // The trial under way is finished first.
+    answer_everything(program, "1", 2);
+    const Outcome stopped = program.finish();
+    EXPECT_EQ(stopped.status, 1) << stopped.err;
+    EXPECT_EQ(done_lines(stopped.err).size(), 2U) << stopped.err;
+    EXPECT_NE(stopped.err.find("stopped after the trial, as asked"), std::string::npos);
+  }
+  invocation.arguments.emplace_back("--resume");
+  Program program(invocation);
+  answer_everything(program, "1", 1000);
+  const Outcome resumed = program.finish();
+  EXPECT_EQ(resumed.status, 0) << resumed.err << resumed.out;
+  EXPECT_EQ(done_lines(resumed.err),
+            (std::vector<std::string>{"done anna 1 3 1", "done anna 1 4 1"}));
+}
+
+TEST(Terminal, ThatIsClosedLeavesASessionToGoOnWith) {
+  const SmallStudy small(1);
+  Invocation invocation{};
+  invocation.arguments = run_arguments(small, small.recognition());
+  invocation.on_terminal = true;
+  {
+    Program program(invocation);
+    answer_everything(program, "1", 1);
+    program.type("\x04");  // end of input
+    const Outcome stopped = program.finish();
+    EXPECT_EQ(stopped.status, 1);
+    EXPECT_NE(stopped.err.find("--resume"), std::string::npos) << stopped.err;
+  }
+  const auto tables = exported(small.study(), small.place() / "tables");
+  EXPECT_EQ(tsv(tables.at("sessions.tsv")).column("state"), std::vector<std::string>{"stopped"});
+  EXPECT_EQ(tsv(tables.at("attempts.tsv")).column("valid").front(), "1");
+  invocation.arguments.emplace_back("--resume");
+  Program program(invocation);
+  answer_everything(program, "1", 1000);
+  EXPECT_EQ(program.finish().status, 0);
+}
+
+TEST(Terminal, IsNeededWithoutAVirtualParticipant) {
+  const SmallStudy small(1);
+  const auto before = contents_of(small.place());
+  const Outcome outcome = asperity(run_arguments(small, small.recognition()));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("--virtual"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(contents_of(small.place()) == before);
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,152 @@
+// verify and replay: a study says itself when it is no longer what was measured.
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "app/conductor/recording_columns.h"
+#include "results_schema/table.h"
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+class Verify : public testing::Test {
+ protected:
+  Verify() {
+    std::vector<std::string> arguments = simulate_arguments(small_, study_, 1, 3);
+    arguments.insert(arguments.end(), {"--recordings", "all"});
+    if (asperity(arguments).status != 0) throw std::runtime_error("nothing was simulated");
+  }
+
+  Outcome verify(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"verify", study_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return asperity(arguments);
+  }
+
+  /// Everything holds before, and names `word` after a byte in the middle has changed.
+  void expect_found(const fs::path& file, const std::string& word) const {
+    ASSERT_EQ(verify().status, 0) << verify().err;
+    std::string content = text_of(file);
+    content[content.size() / 2] = static_cast<char>(content[content.size() / 2] ^ 1);
+    write_text(file, content);
+    const Outcome outcome = verify();
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+  }
+
+  fs::path first_recording() const {
+    return study_ / "recordings/virtual0001/session-01/trial-0001_attempt-1.rec";
+  }
+
+  SmallStudy small_{1};
+  fs::path study_ = small_.study();
+};
+
+TEST_F(Verify, FindsEverythingAsItWas) {
+  const Outcome outcome = verify({"--replay"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("bit for bit"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("4 recordings replayed"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("everything holds"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Verify, FindsAChangedByteOfARecording) {
+  expect_found(first_recording(), "trial-0001_attempt-1.rec");
+}
+
+TEST_F(Verify, FindsAChangedByteOfAStimulus) {
+  expect_found(study_ / "stimuli/walnut.png", "stimuli/walnut.png");
+}
+
+TEST_F(Verify, FindsAMissingRecording) {
+  fs::remove(first_recording());
+  const Outcome outcome = verify();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("trial-0001_attempt-1.rec"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Verify, FindsAChangedByteOfAStoredProtocol) {
+  // In the file itself, past SQLite and every constraint.
+  std::string content = text_of(study_ / "study.sqlite");
+  const std::size_t place = content.find("A small one");
+  ASSERT_NE(place, std::string::npos);
+  content[place + 2] = 'S';
+  write_text(study_ / "study.sqlite", content);
+  const Outcome outcome = verify();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("protocol"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Verify, FindsAnAnswerWhoseAttemptIsGone) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open((study_ / "study.sqlite").c_str(), &database), SQLITE_OK);
+  // Only somebody who takes the locks off can do so at all.
+  EXPECT_NE(sqlite3_exec(database, "DELETE FROM attempt WHERE id = 1", nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(database);
+  EXPECT_EQ(verify().status, 0);
+}
+
+TEST_F(Verify, WritesNothing) {
+  const auto before = contents_of(study_);
+  EXPECT_EQ(verify({"--replay"}).status, 0);
+  EXPECT_EQ(asperity({"analyze", study_}).status, 0);
+  EXPECT_EQ(asperity({"export", study_, "--out", small_.place() / "tables"}).status, 0);
+  EXPECT_TRUE(contents_of(study_) == before);
+}
+
+TEST_F(Verify, ReplayReproducesTheRecordedForces) {
+  std::size_t surfaces = 0;
+  for (int surface = 1; surface <= 2; ++surface) {
+    const fs::path out = small_.place() / ("replayed_" + std::to_string(surface) + ".tsv");
+    const Outcome outcome = asperity({"replay", study_, "--attempt", "virtual0001/1/1/1",
+                                      "--surface", std::to_string(surface), "--out", out});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Tsv replayed = tsv(text_of(out));
+    const std::vector<std::string> normal = replayed.column("fz_N");
+    std::size_t row = 0;
+    double largest_N = 0.0;
+    for (const TickRecord& record : records_of(read_recording(first_recording()))) {
+      if (record.presentation != static_cast<std::uint64_t>(surface) ||
+          !record.has(TickFlag::presenting)) {
+        continue;
+      }
+      ASSERT_LT(row, normal.size());
+      const auto again = static_cast<float>(number_in(normal[row]).value());
+      EXPECT_EQ(again, static_cast<float>(record.rendered.force_N.z)) << "row " << row;
+      largest_N = std::max(largest_N, record.rendered.force_N.z);
+      ++row;
+    }
+    EXPECT_EQ(row, normal.size());
+    EXPECT_GT(largest_N, 0.1);  // it was touched
+    ++surfaces;
+  }
+  EXPECT_EQ(surfaces, 2U);
+}
+
+TEST_F(Verify, ReplayPutsTheSameHandThroughAnotherModel) {
+  const fs::path out = small_.place() / "other.tsv";
+  ASSERT_EQ(asperity({"replay", study_, "--attempt", "1", "--model", "stochastic", "--param",
+                      "noise_sd_N=0", "--out", out})
+                .status,
+            0);
+  EXPECT_GT(tsv(text_of(out)).rows.size(), 100U);
+  const auto refused = [&](const std::string& attempt, const std::string& word) {
+    const Outcome outcome =
+        asperity({"replay", study_, "--attempt", attempt, "--out", small_.place() / "none.tsv"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(small_.place() / "none.tsv"));
+  };
+  refused("99", "1 to 4");
+  refused("virtual0001/9/1/1", "PARTICIPANT/SESSION/TRIAL/ATTEMPT");
+}
+
+}  // namespace
+}  // namespace asperity::test
