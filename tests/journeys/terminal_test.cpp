@@ -141,6 +141,11 @@ TEST(Terminal, ThatIsClosedLeavesASessionToGoOnWith) {
   {
     Program program(invocation);
     answer_everything(program, "1", 1);
+    // At the next question: what is typed before it is thrown away.
+    const std::size_t said = program.out().size();
+    program.read_until([said](const std::string& out, const std::string&) {
+      return out.size() > said && out.ends_with("Your answer: ");
+    });
     program.type("\x04");  // end of input
     const Outcome stopped = program.finish();
     EXPECT_EQ(stopped.status, 1);
