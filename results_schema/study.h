@@ -132,8 +132,12 @@ class Study final {
   /// A consistent copy of a study that may be in use, into a folder that does not exist yet.
   void copy_to(const std::filesystem::path& folder) const;
 
-  /// Everything that does not hold: constraints, hashes of files and recordings, orphans.
+  /// Everything that does not hold: constraints, hashes of files and recordings, rows that
+  /// contradict each other.
   std::vector<std::string> verify(const std::function<void(double)>& progress) const;
+  /// Files that no row vouches for: what a program that died was writing. They contradict nothing,
+  /// and whether they are of use is for a person to decide.
+  std::vector<std::string> leftovers() const;
 
  private:
   struct Store;

@@ -131,29 +131,6 @@ void check_file(const std::filesystem::path& study, const VouchedFile& file, Fin
   }
 }
 
-void check_orphans(const std::filesystem::path& study, const std::vector<VouchedFile>& vouched,
-                   Findings& findings) {
-  std::set<std::string> known;
-  for (const VouchedFile& file : vouched) known.insert(file.path);
-  Findings orphans;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(study)) {
-    if (!entry.is_regular_file()) continue;
-    const std::filesystem::path relative = std::filesystem::relative(entry.path(), study);
-    const std::string path = relative.string();
-    if (relative.extension() == ".part" || relative.extension() == ".tmp") {
-      orphans.push_back(path +
-                        ": an unfinished file, being written now or left by a program that "
-                        "died");
-    } else if (*relative.begin() == "recordings" && !known.contains(path)) {
-      orphans.push_back(path +
-                        ": a recording that belongs to no attempt, being written now or "
-                        "left by a program that died");
-    }
-  }
-  std::sort(orphans.begin(), orphans.end());
-  findings.insert(findings.end(), orphans.begin(), orphans.end());
-}
-
 }  // namespace
 
 std::vector<std::string> Study::verify(const std::function<void(double)>& progress) const {
@@ -178,8 +155,33 @@ std::vector<std::string> Study::verify(const std::function<void(double)>& progre
     bytes_done += static_cast<double>(file.bytes);
     if (progress && bytes > 0.0) progress(bytes_done / bytes);
   }
-  check_orphans(store_->folder, files, findings);
   return findings;
+}
+
+std::vector<std::string> Study::leftovers() const {
+  std::set<std::string> known;
+  for (const VouchedFile& file :
+       store_->read([](Database& database) { return vouched_files(database); })) {
+    known.insert(file.path);
+  }
+  const std::filesystem::path& study = store_->folder;
+  std::vector<std::string> leftovers;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(study)) {
+    if (!entry.is_regular_file()) continue;
+    const std::filesystem::path relative = std::filesystem::relative(entry.path(), study);
+    const std::string path = relative.string();
+    if (relative.extension() == ".part" || relative.extension() == ".tmp") {
+      leftovers.push_back(path +
+                          ": an unfinished file, being written now or left by a program that "
+                          "died");
+    } else if (*relative.begin() == "recordings" && !known.contains(path)) {
+      leftovers.push_back(path +
+                          ": a recording that belongs to no attempt, being written now or "
+                          "left by a program that died");
+    }
+  }
+  std::sort(leftovers.begin(), leftovers.end());
+  return leftovers;
 }
 
 }  // namespace asperity

@@ -39,6 +39,7 @@ void add_verify(CLI::App& program, Job& job) {
         return 1;
       }
       for (const std::string& problem : result.problems) say("asperity: " + problem);
+      for (const std::string& remark : result.remarks) std::cout << "remark: " << remark << '\n';
       for (const std::string& rule : result.rules) std::cout << rule << '\n';
       if (options->replay) {
         std::cout << result.recordings_replayed << " recordings replayed\n";

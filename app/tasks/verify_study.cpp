@@ -92,6 +92,7 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   VerifyResult result{};
   const double store_share = replay_too ? 0.3 : 0.9;
   result.problems = study.verify([&](double fraction) { progress(store_share * fraction); });
+  result.remarks = study.leftovers();
   const std::vector<SessionRow> sessions = study.sessions();
   StimulusBuilder builder(models, study.folder());
   const ProgramIdentity program = this_program();

@@ -14,6 +14,7 @@ namespace asperity {
 
 struct VerifyResult {
   std::vector<std::string> problems{};  ///< a sentence each; empty: everything holds
+  std::vector<std::string> remarks{};   ///< what a person may want to know: leftovers of a crash
   int recordings_replayed = 0;
   std::vector<std::string> rules{};  ///< how replays were compared, one line per rule applied
 };

@@ -140,7 +140,8 @@ TEST(StudyVerify, FindsWhatACrashLeft) {
   record(folder / "s", "recordings/P01/b.asprec");
   write_file(folder / "s" / "recordings" / "c.asprec.part", "x", Overwrite::refuse);
   write_file(folder / "s" / "stimuli" / "d.png.1-0.tmp", "x", Overwrite::refuse);
-  EXPECT_THAT(study.verify({}),
+  EXPECT_THAT(study.verify({}), testing::IsEmpty());
+  EXPECT_THAT(study.leftovers(),
               ElementsAre(HasSubstr("recordings/P01/b.asprec: a recording that belongs to no"),
                           HasSubstr("recordings/c.asprec.part: an unfinished file"),
                           HasSubstr("stimuli/d.png.1-0.tmp: an unfinished file")));
