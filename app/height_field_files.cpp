@@ -42,12 +42,12 @@ LoadedHeightField load_height_field(const std::filesystem::path& png) {
   const std::string sidecar = read_file(sidecar_of(png));
   StoredHeightField stored = decode_height_field(bytes_of(content), sidecar, png.string());
   LoadedHeightField loaded{};
-  loaded.sha256 = sha256_of(content);
-  if (loaded.sha256 != stored.sha256) {
+  if (sha256_of(content) != stored.sha256) {
     throw std::runtime_error(png.string() + " is not the picture that its sidecar " +
                              sidecar_of(png).string() +
                              " describes: the SHA-256 differs; make both again");
   }
+  loaded.sha256 = sha256_of(sidecar);
   loaded.field = std::make_shared<const HeightField>(std::move(stored.field));
   return loaded;
 }

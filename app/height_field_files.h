@@ -18,7 +18,9 @@ namespace asperity {
 /// A height field as it was read: the heights, and the name of their content.
 struct LoadedHeightField {
   std::shared_ptr<const HeightField> field{};
-  std::string sha256{};  ///< of the PNG
+  /// Of the sidecar, which holds pitch and range of the heights and names the PNG by its SHA-256:
+  /// two fields with the same one are the same relief.
+  std::string sha256{};
 };
 
 /// Reads FILE.png and FILE.png.json and compares the PNG with the SHA-256 that the sidecar states.

@@ -80,18 +80,23 @@ void add_run(CLI::App& program, Job& job) {
               "run asks its questions on a terminal, and there is none; use --virtual "
               "for a virtual participant");
         }
-        person.emplace(STDIN_FILENO, std::cout);
+        person.emplace(STDIN_FILENO, std::cout, inputs.study,
+                       inputs.study / ("sheet-" + inputs.participant + ".png"));
       }
       const InterruptWatch interrupt;
       const ModelRegistry models = built_in_models();
       const SessionEnd end =
           run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), say_done);
       if (end.state != SessionState::completed) {
-        say("asperity: the session stopped: " + end.reason);
+        say("asperity: the session stopped: " + end.reason +
+            (end.as_the_protocol_says ? ""
+                                      : "; every finished trial is stored, go on with the same "
+                                        "command and --resume"));
         return 1;
       }
-      say("session complete: " + std::to_string(end.attempts) + " attempts in " +
-          fixed(end.duration_s, 0) + " s");
+      say("session complete: " + std::to_string(end.attempts) +
+          (end.attempts == 1 ? " attempt" : " attempts") + " in " + fixed(end.duration_s, 0) +
+          " s");
       return 0;
     };
   });

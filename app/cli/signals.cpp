@@ -26,6 +26,8 @@ InterruptWatch::InterruptWatch() {
   interrupts = 0;
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
+  // A terminal that is closed shows as the end of its input, and the session ends in order.
+  std::signal(SIGHUP, SIG_IGN);
   watcher_ = std::jthread([this](const std::stop_token& ended) {
     while (!ended.stop_requested()) {
       if (interrupts > 0) {
@@ -42,6 +44,7 @@ InterruptWatch::~InterruptWatch() {
   watcher_.request_stop();
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGHUP, SIG_DFL);
 }
 
 }  // namespace asperity

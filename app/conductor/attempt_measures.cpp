@@ -137,6 +137,8 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
   std::vector<double> stroke_lengths_m{};
   std::vector<double> contact_position_m{};
   std::int64_t contact_ticks = 0;
+  std::int64_t visit_ticks = 0;  // of contact since the surface was last presented
+  std::int64_t longest_visit_ticks = 0;
   const double cosine = std::cos(exploration.direction_rad);
   const double sine = std::sin(exploration.direction_rad);
   const auto end_of_contact = [&] {
@@ -146,11 +148,15 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
     contact_position_m.clear();
   };
   for (const TickRecord& record : records) {
+    if (belongs(record, presentation) && record.has(TickFlag::first_of_presentation)) {
+      visit_ticks = 0;
+    }
     if (!touches(record, presentation)) {
       end_of_contact();
       continue;
     }
     ++contact_ticks;
+    longest_visit_ticks = std::max(longest_visit_ticks, ++visit_ticks);
     const double speed = speed_of(record);
     force_N.push_back(record.sent.force_N.z);
     if (speed >= kMoving_m_per_s) speed_m_per_s.push_back(speed);
@@ -161,11 +167,17 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
   const double fraction = exploration.required_fraction_in_band;
   const std::array<double, 1> contact_s{static_cast<double>(contact_ticks) / rate_Hz};
   const std::array<double, 1> strokes{static_cast<double>(stroke_lengths_m.size())};
-  const Band contact_band{exploration.minimum_contact_s, {}, exploration.maximum_contact_s};
+  // The minimum is asked of all visits together, the maximum of each: who may go back may feel
+  // longer.
+  ComplianceRow contact = row_of(
+      "contact_s", contact_s, {exploration.minimum_contact_s, {}, exploration.maximum_contact_s});
+  contact.fraction_in_band.reset();
+  contact.passed =
+      contact_s[0] >= exploration.minimum_contact_s &&
+      static_cast<double>(longest_visit_ticks) / rate_Hz <= exploration.maximum_contact_s;
   return {judged_by_fraction("normal_force_N", force_N, exploration.normal_force_N, fraction),
           judged_by_fraction("speed_m_per_s", speed_m_per_s, exploration.speed_m_per_s, fraction),
-          judged_by_mean("contact_s", contact_s, contact_band),
-          judged_by_mean("strokes", strokes, exploration.strokes),
+          contact, judged_by_mean("strokes", strokes, exploration.strokes),
           judged_by_mean("stroke_length_m", stroke_lengths_m, exploration.stroke_length_m)};
 }
 

@@ -42,10 +42,14 @@ bool is_right(const AttemptRow& attempt) {
                      [](const ResponseRow& response) { return response.correct.value_or(false); });
 }
 
-/// The attempt failed for a reason that the participant's way of exploring has no part in.
+/// The attempt failed for a reason that the participant's way of exploring has no part in: the
+/// machine was too slow, or a surface could not be touched at all.
 bool failed_technically(const AttemptRow& attempt) {
-  return !attempt.valid &&
-         (attempt.outcome == AttemptOutcome::answered || attempt.responses.empty());
+  if (attempt.valid) return false;
+  return attempt.outcome == AttemptOutcome::answered ||
+         attempt.outcome == AttemptOutcome::timed_out ||
+         std::any_of(attempt.presentations.begin(), attempt.presentations.end(),
+                     [](const PresentationRow& surface) { return surface.contact_s <= 0.0; });
 }
 
 }  // namespace
@@ -72,9 +76,11 @@ SessionEnd Conductor::run(OpenSession session) {
   const std::int64_t began_ns = rig_.clock().now_ns();
   if (session_.resumed) study_.reopen_session(session_.row.id);
   segment_ = study_.begin_segment(session_.row.id, began_ns);
-  study_.add_event(session_.row.id,
-                   {began_ns, session_.resumed ? "session_resumed" : "session_began", "",
-                    settings_.conditions_json});
+  auto conditions = nlohmann::ordered_json::parse(settings_.conditions_json);
+  if (conditions.is_object()) conditions["segment"] = segment_;
+  study_.add_event(
+      session_.row.id,
+      {began_ns, session_.resumed ? "session_resumed" : "session_began", "", conditions.dump()});
 
   SessionEnd end{};
   try {
@@ -165,6 +171,7 @@ void Conductor::run_steps() {
   }
   int block = 0;
   for (std::size_t i = first; i < steps.size() && !stopped_; ++i) {
+    if (is_asked_to_stop()) break;
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
     if (step != nullptr) {
       const Trial& trial = session_.plan.trials[step->trial];
@@ -196,6 +203,15 @@ void Conductor::run_steps() {
     if (!stopped_) run_other(steps[i]);
   }
   if (block != 0 && !stopped_) finish_block(block);
+}
+
+/// A stop that was asked for while something was read or answered: there is no trial to wait for.
+bool Conductor::is_asked_to_stop() {
+  const std::lock_guard lock(requests_mutex_);
+  if (requests_.stop != After::trial) return false;
+  requests_.stop.reset();
+  stop("as asked");
+  return true;
 }
 
 void Conductor::run_other(const PlanStep& step) {
@@ -255,10 +271,15 @@ void Conductor::check_device() {
 }
 
 void Conductor::finish_block(int block_ordinal) {
-  for (const Trial& trial : session_.plan.trials) {
-    while (trial.block_ordinal == block_ordinal && !stopped_ && !is_done(trial) &&
-           !is_over(trial)) {
+  // Rounds over what is still open: a trial that is asked again comes after all others.
+  for (bool again = true; again && !stopped_;) {
+    again = false;
+    for (const Trial& trial : session_.plan.trials) {
+      if (trial.block_ordinal != block_ordinal || stopped_ || is_done(trial) || is_over(trial)) {
+        continue;
+      }
       run_trial(trial);
+      again = true;
     }
   }
   if (stopped_) return;
@@ -276,9 +297,9 @@ void Conductor::finish_block(int block_ordinal) {
     }
   }
   const std::lock_guard lock(requests_mutex_);
-  if (requests_.stop == After::block) {
+  if (requests_.stop == After::block && !stopped_) {
     requests_.stop.reset();
-    stop("stopped after the block, as asked");
+    stop("as asked, after the block");
   }
 }
 
@@ -305,6 +326,14 @@ BlockState Conductor::criterion_of(const Trial& trial) const {
     correct.push_back(is_right(attempt));
   }
   return state_of(*block.until, correct);
+}
+
+int Conductor::explored_wrongly(int trial) const {
+  return static_cast<int>(std::count_if(
+      session_.attempts.begin(), session_.attempts.end(), [trial](const AttemptRow& attempt) {
+        return attempt.trial == trial && attempt.outcome == AttemptOutcome::not_compliant &&
+               !failed_technically(attempt);
+      }));
 }
 
 int Conductor::attempts_of(int trial) const {
@@ -350,9 +379,10 @@ void Conductor::run_trial(const Trial& trial) {
       respondent_.tell(text, [this](double duration_s) { wait(duration_s); });
     }
     if (attempt.outcome == AttemptOutcome::device_fault) {
-      stop("the device failed in trial " + std::to_string(trial.ordinal) + ": " +
-           attempt.invalid_reason.value_or("fault") +
-           "; every finished trial is stored, go on with --resume");
+      const bool by_hand = rig_.loop().status().fault == Fault::emergency_stop;
+      stop((by_hand ? "the emergency stop was pressed in trial " : "the device failed in trial ") +
+           std::to_string(trial.ordinal) +
+           (by_hand ? "" : ": " + attempt.invalid_reason.value_or("fault")));
       return;
     }
     if (attempt.outcome == AttemptOutcome::aborted) {
@@ -374,7 +404,7 @@ void Conductor::run_trial(const Trial& trial) {
   const std::lock_guard lock(requests_mutex_);
   if (requests_.stop == After::trial) {
     requests_.stop.reset();
-    stop("stopped after the trial, as asked");
+    stop("as asked, after the trial");
   }
 }
 
@@ -441,6 +471,10 @@ AttemptRow Conductor::run_attempt(const Trial& trial, int attempt) {
   row.onset_ns = rig_.clock().now_ns();
 
   const Wait waiting = [this](double duration_s) { wait(duration_s); };
+  {
+    const std::lock_guard lock(requests_mutex_);
+    requests_.skip.reset();  // one that came between trials has nothing to skip
+  }
   in_attempt_ = true;
   std::optional<Interruption> interruption{};
   Reply reply{};
@@ -510,7 +544,7 @@ AttemptRow Conductor::run_attempt(const Trial& trial, int attempt) {
       response.source = respondent_.source();
       row.responses.push_back(std::move(response));
     }
-    judge(exploration, attempt, row);
+    judge(exploration, row);
   }
   row.id = study_.add_attempt(session_.row.id, row);
   session_.attempts.push_back(row);
@@ -589,7 +623,7 @@ void Conductor::measure(const Trial& trial, const Surfaces& surfaces,
   }
 }
 
-void Conductor::judge(const Exploration& exploration, int attempt, AttemptRow& row) const {
+void Conductor::judge(const Exploration& exploration, AttemptRow& row) const {
   const ServoQualityRow& servo = *row.servo;
   if (servo.missed_deadlines > protocol_.maximum_missed_deadlines) {
     row.valid = false;
@@ -619,7 +653,7 @@ void Conductor::judge(const Exploration& exploration, int attempt, AttemptRow& r
   }
   if (!failures.empty()) {
     const bool ask_again = exploration.on_failure != Exploration::OnFailure::flag &&
-                           attempt <= exploration.maximum_repeats;
+                           explored_wrongly(row.trial) < exploration.maximum_repeats;
     if (ask_again) {
       row.outcome = AttemptOutcome::not_compliant;
       row.valid = false;

@@ -54,7 +54,8 @@ struct SessionEnd {
 /// says. A fault of the device stores the attempt and stops the session, which can be resumed.
 ///
 /// Threads: `run` belongs to one thread, the only writer of the session's rows. The requests may
-/// come from any thread; they take effect between trials, but for `emergency_stop`, which is
+/// come from any thread. `stop_after` and `pause` take effect between trials, `abort` and `skip`
+/// within a few hundredths of a second (a skip between trials skips nothing); `emergency_stop` is
 /// immediate and does not pass the conductor.
 ///
 /// Errors: `run` throws ResultsError when the store fails; every attempt reported done is on disk.
@@ -104,7 +105,7 @@ class Conductor final {
   void feel(std::size_t index, Surfaces& surfaces, const Exploration& exploration);
   void measure(const Trial& trial, const Surfaces& surfaces, const Exploration& exploration,
                const std::vector<TickRecord>& records, AttemptRow& row) const;
-  void judge(const Exploration& exploration, int attempt, AttemptRow& row) const;
+  void judge(const Exploration& exploration, AttemptRow& row) const;
   void take_surface_away();
   void between_trials();
   void wait(double duration_s);
@@ -115,6 +116,8 @@ class Conductor final {
   /// The block of this trial is practised to a criterion and needs no more trials.
   bool is_over(const Trial& trial) const;
   int attempts_of(int trial) const;
+  int explored_wrongly(int trial) const;
+  bool is_asked_to_stop();
   std::string recording_path(const Trial& trial, int attempt) const;
   const Exploration& exploration_of(const Trial& trial) const;
 

@@ -5,11 +5,14 @@
 #include <cerrno>
 #include <charconv>
 #include <unistd.h>
+#include <utility>
 
 #include <poll.h>
 #include <termios.h>
 
+#include "app/height_field_files.h"
 #include "results_schema/table.h"
+#include "stimuli/preview.h"
 
 namespace asperity {
 
@@ -65,8 +68,18 @@ std::optional<std::string> complaint_about_answer(const Question& question, std:
   return {};
 }
 
-TerminalRespondent::TerminalRespondent(int input, std::ostream& output)
-    : input_(input), output_(output) {}
+TerminalRespondent::TerminalRespondent(int input, std::ostream& output, std::filesystem::path study,
+                                       std::filesystem::path sheet)
+    : input_(input), output_(output), study_(std::move(study)), sheet_(std::move(sheet)) {}
+
+void TerminalRespondent::show(const std::vector<std::string>& pictures) {
+  constexpr std::size_t kRows = 400;
+  std::vector<GreyImage> images{};
+  for (const std::string& picture : pictures) {
+    images.push_back(load_photograph(study_ / picture).photograph.grey);
+  }
+  save_picture(sheet_, side_by_side(images, kRows), Overwrite::allow);
+}
 
 std::optional<std::string> TerminalRespondent::line(const Wait& wait,
                                                     const std::optional<double>& left_s) {
@@ -82,7 +95,7 @@ std::optional<std::string> TerminalRespondent::line(const Wait& wait,
       std::array<char, 512> bytes{};
       const ssize_t count = ::read(input_, bytes.data(), bytes.size());
       if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) {
-        throw RespondentGone("the terminal was closed; go on later with --resume");
+        throw RespondentGone("the terminal was closed");
       }
       if (count > 0) buffer_.append(bytes.data(), static_cast<std::size_t>(count));
       continue;
@@ -101,7 +114,11 @@ void TerminalRespondent::read(const std::string& text, double minimum_s, const W
   line(wait);
 }
 
-void TerminalRespondent::announce(const Trial&, const PlannedPresentation& surface) {
+void TerminalRespondent::announce(const Trial& trial, const PlannedPresentation& surface) {
+  if (surface.position == 1 && trial.question.standard_picture) {
+    show({*trial.question.standard_picture});
+    output_ << "\nThe picture is in " << sheet_.string() << ".\n";
+  }
   output_ << "\nFeel surface " << surface.code << " now." << std::endl;
 }
 
@@ -111,16 +128,18 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
   ::tcflush(input_, TCIFLUSH);
   buffer_.clear();
   const TrialQuestion& question = trial.question;
-  if (question.standard_picture) {
-    output_ << "\nLook at the picture that the experimenter shows you.\n";
-  }
   const bool assignment = question.form == TrialQuestion::Form::assignment;
   output_ << '\n' << question.prompt << '\n';
+  std::vector<std::string> pictures{};
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     const Option& option = question.options[i];
-    output_ << "  " << i + 1 << "  " << option.label;
-    if (option.picture) output_ << "  (picture " << option.label << " of the printed sheet)";
-    output_ << '\n';
+    if (option.picture) pictures.push_back(*option.picture);
+    output_ << "  " << i + 1 << "  " << (option.picture ? "picture " : "") << option.label << '\n';
+  }
+  if (!pictures.empty()) {
+    show(pictures);
+    output_ << "The pictures are in " << sheet_.string() << ", 1 to " << pictures.size()
+            << " from left to right.\n";
   }
   if (question.allow_revisit) {
     output_ << "To feel a surface again, type: feel and its letter.\n";

@@ -2,8 +2,10 @@
 
 #pragma once
 
+#include <filesystem>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "app/conductor/respondent.h"
 
@@ -12,12 +14,16 @@ namespace asperity {
 /// Asks on a terminal. While it waits for a line the session goes on ticking.
 ///
 /// What it shows are prompts, codes and option numbers, never names of textures or models.
+/// Pictures, which a terminal cannot show, are put side by side into one file in the order of the
+/// options, made anew for each question; any viewer can keep it open beside the terminal.
 ///
-/// Errors: RespondentGone when the input ends.
+/// Errors: RespondentGone when the input ends; what reading a picture or writing the sheet throws.
 class TerminalRespondent final : public Respondent {
  public:
   /// `input` is a file descriptor that can be polled (standard input); both outlive the respondent.
-  TerminalRespondent(int input, std::ostream& output);
+  /// Pictures are read from `study` and put into `sheet`, a PNG.
+  TerminalRespondent(int input, std::ostream& output, std::filesystem::path study,
+                     std::filesystem::path sheet);
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;
   void announce(const Trial& trial, const PlannedPresentation& surface) override;
@@ -32,8 +38,13 @@ class TerminalRespondent final : public Respondent {
   /// The next line typed; nothing when no time is left. `wait` may count `left_s` down.
   std::optional<std::string> line(const Wait& wait, const std::optional<double>& left_s = {});
 
+  /// Writes the sheet with these pictures (paths in the study), from left to right.
+  void show(const std::vector<std::string>& pictures);
+
   int input_ = 0;
   std::ostream& output_;
+  std::filesystem::path study_{};
+  std::filesystem::path sheet_{};
   std::string buffer_{};
 };
 

@@ -356,7 +356,8 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
               })));
   add(missing(
       "no height field is involved",
-      column("height_field_sha256", "text", "", "SHA-256 of the height field's file",
+      column("height_field_sha256", "text", "",
+             "SHA-256 of the height field's sidecar, which names its picture's",
              [](const Place& at) { return optional_cell(at.presentation->height_field_sha256); })));
   text("seed", "seed of the renderer, an integer of 64 bits", &PresentationRow::seed);
   const auto time = [&add](const char* name, const char* description, const char* when,

@@ -1,10 +1,15 @@
+
+
 #include "app/tasks/protocol_files.h"
 
 #include <algorithm>
 #include <span>
 #include <utility>
 
+#include "analysis/random.h"
+#include "device/simulated_device.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/table.h"
 #include "stimuli/photograph.h"
 
 namespace asperity {
@@ -116,9 +121,33 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
   }
   if (device && *device != "simulated") {
     whole_file("there is no device \"" + *device + "\"; this program has: simulated");
+  } else if (device) {
+    VirtualHand hand(HandHabits{}, Random(0));
+    const SimulatedDevice simulated(hand, SimulatedDeviceSettings{});
+    for (const std::string& complaint :
+         complaints_about_device(*check.protocol, simulated.capability())) {
+      whole_file(complaint);
+    }
   }
   check.cost = cost_of(*check.protocol, make_plan(*check.protocol, {1, 0}));
   return check;
+}
+
+std::vector<std::string> complaints_about_device(const Protocol& protocol,
+                                                 const DeviceCapability& device) {
+  std::vector<std::string> complaints{};
+  if (protocol.force_limit_N > device.peak_force_N) {
+    complaints.push_back("the protocol's force_limit_N of " +
+                         text_of_number(protocol.force_limit_N) + " N is more than the device \"" +
+                         device.name + "\" can give, " + text_of_number(device.peak_force_N) +
+                         " N");
+  }
+  if (protocol.rate_Hz > device.maximum_rate_Hz) {
+    complaints.push_back("the protocol's rate_Hz of " + text_of_number(protocol.rate_Hz) +
+                         " Hz is more than the device \"" + device.name + "\" can do, " +
+                         text_of_number(device.maximum_rate_Hz) + " Hz");
+  }
+  return complaints;
 }
 
 std::optional<std::string> complaint_about_label(const std::string& label, bool is_virtual) {
@@ -132,7 +161,7 @@ std::optional<std::string> complaint_about_label(const std::string& label, bool 
            "virtual participants";
   }
   return "the participant label \"" + label +
-         "\" is not acceptable: 1 to 32 letters and digits (0-9, A-Z, a-z) are";
+         "\" is not acceptable: it has to be 1 to 32 letters and digits (0-9, A-Z, a-z)";
 }
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/conductor/stimulus_builder.h"
+#include "device/device_capability.h"
 #include "protocols/plan.h"
 #include "protocols/protocol_reader.h"
 #include "renderers/force_model.h"
@@ -44,6 +45,10 @@ struct ProtocolCheck {
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                              const std::optional<std::filesystem::path>& study,
                              const std::optional<std::string>& device);
+
+/// What a protocol asks for that a device cannot do, a sentence each.
+std::vector<std::string> complaints_about_device(const Protocol& protocol,
+                                                 const DeviceCapability& device);
 
 /// What is wrong with a label that is to become part of file names; nothing when it is acceptable.
 /// Labels that begin with "virtual" are kept for virtual participants.

@@ -99,6 +99,29 @@ SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
   return row;
 }
 
+/// A person begins a session only when the last one is finished and the protocol plans another.
+void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol& protocol) {
+  int completed = 0;
+  for (const SessionRow& row : study.sessions()) {
+    if (row.participant != inputs.participant || row.mode != inputs.mode ||
+        study.protocol(row.protocol_id).source != protocol.source) {
+      continue;
+    }
+    if (row.state != SessionState::completed) {
+      throw std::runtime_error("participant " + inputs.participant + " has an unfinished session " +
+                               std::to_string(row.session) +
+                               " of this protocol; go on with it by --resume");
+    }
+    ++completed;
+  }
+  if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
+    throw std::runtime_error("participant " + inputs.participant +
+                             " has done all sessions of this "
+                             "protocol, which plans " +
+                             std::to_string(protocol.sessions) + " per participant");
+  }
+}
+
 }  // namespace
 
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
@@ -121,6 +144,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   Sitting sitting{};
   sitting.mode = inputs.is_virtual ? SessionMode::simulate : inputs.mode;
   sitting.seed = inputs.seed;
+  if (!inputs.resume && !inputs.is_virtual) check_may_begin(study, inputs, protocol);
   if (inputs.resume) sitting.unfinished = unfinished_session(study, inputs, protocol);
   const std::unique_ptr<Rig> rig = make_rig(inputs, protocol, study, sitting.unfinished);
 

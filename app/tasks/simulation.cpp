@@ -113,6 +113,8 @@ class Simulation final {
 
  private:
   void prepare(Study& study);
+  void check_sessions(const Study& study) const;
+  std::uint64_t seed_of(int number, int sitting) const;
   void work();
   void take_through(Study& study, int number);
   void hold(Study& study, const ParticipantRow& person, const Protocol& protocol,
@@ -135,9 +137,48 @@ class Simulation final {
   std::exception_ptr failure_{};
 };
 
+std::uint64_t Simulation::seed_of(int number, int sitting) const {
+  return random_.split("session")
+      .split(static_cast<std::uint64_t>(number))
+      .split(static_cast<std::uint64_t>(sitting))
+      .bits();
+}
+
+/// Before anything is written: every session that is there has to be one of this simulation.
+void Simulation::check_sessions(const Study& study) const {
+  for (std::size_t i = 0; i < protocols_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (protocols_[i].source == protocols_[j].source) {
+        throw std::runtime_error("the protocol \"" + protocols_[i].name +
+                                 "\" is given twice; the number of its sessions stands in it");
+      }
+    }
+  }
+  for (int i = 0; i < batch_.participants; ++i) {
+    const int number = batch_.first + i;
+    const std::string label = virtual_person(number, random_, "").label;
+    int sitting = 0;
+    for (const Protocol& protocol : protocols_) {
+      const std::vector<SessionRow> before = sessions_with(study, label, protocol);
+      for (std::size_t repeat = 0; repeat < static_cast<std::size_t>(protocol.sessions);
+           ++repeat, ++sitting) {
+        if (repeat >= before.size() ||
+            before[repeat].seed == std::to_string(seed_of(number, sitting))) {
+          continue;
+        }
+        throw std::runtime_error("session " + std::to_string(before[repeat].session) + " of " +
+                                 label +
+                                 " was not begun with these protocols in this order; nothing was "
+                                 "written");
+      }
+    }
+  }
+}
+
 void Simulation::prepare(Study& study) {
   study.mark_crashed_sessions();
   batch_ = choose_batch(study, inputs_);
+  check_sessions(study);
   for (int i = 0; i < batch_.participants; ++i) {
     const std::int64_t first_sitting = std::int64_t{batch_.first + i - 1} * sessions_each_;
     ParticipantRow person =
@@ -194,18 +235,10 @@ void Simulation::take_through(Study& study, int number) {
     for (std::size_t repeat = 0; repeat < static_cast<std::size_t>(protocol.sessions);
          ++repeat, ++sitting) {
       if (stop_.stop_requested()) return;
-      const std::uint64_t seed = random_.split("session")
-                                     .split(static_cast<std::uint64_t>(number))
-                                     .split(static_cast<std::uint64_t>(sitting))
-                                     .bits();
+      const std::uint64_t seed = seed_of(number, sitting);
       const std::int64_t index = std::int64_t{number - 1} * sessions_each_ + sitting;
       const std::optional<SessionRow> row =
           repeat < before.size() ? std::optional(before[repeat]) : std::nullopt;
-      if (row && row->seed != std::to_string(seed)) {
-        throw std::runtime_error("session " + std::to_string(row->session) + " of " + person.label +
-                                 " has another seed than this simulation gives it; it was not "
-                                 "begun with these arguments");
-      }
       if (!row || row->state != SessionState::completed) {
         hold(study, person, protocol, index, seed, row);
       }
@@ -240,7 +273,8 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
   if (end.state != SessionState::completed && !end.as_the_protocol_says &&
       !stop_.stop_requested()) {
     throw std::runtime_error("the session of " + person.label + " with \"" + protocol.name +
-                             "\" stopped: " + end.reason);
+                             "\" stopped: " + end.reason +
+                             "; every finished trial is stored, go on with --resume");
   }
   const std::lock_guard result_lock(mutex_);
   ++result_.sessions;

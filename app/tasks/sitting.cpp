@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/conductor/virtual_participant.h"
+#include "app/tasks/protocol_files.h"
 
 namespace asperity {
 
@@ -68,6 +69,8 @@ std::int64_t last_time_ns(const Study& study, const SessionRow& session) {
 SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
                const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done) {
+  const std::vector<std::string> complaints = complaints_about_device(protocol, rig.capability());
+  if (!complaints.empty()) throw std::runtime_error(complaints.front());
   OpenSession session{};
   if (sitting.unfinished) {
     session = reopen(study, protocol, *sitting.unfinished);

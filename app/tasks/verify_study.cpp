@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
 #include "app/tasks/recorded_attempt.h"
 #include "renderers/offline/replay.h"
+#include "results_schema/table.h"
 
 namespace asperity {
 
@@ -47,17 +49,19 @@ double replay_difference_N(const RecordedAttempt& attempt, const RecordedSurface
   return difference_N;
 }
 
-/// For each segment of a session, whether this very program ran it on a system like this one. What
+/// The segments of a session that this very program ran on a system like this one. What
 /// ran a segment is stored with its beginning.
-std::vector<bool> segments_of_this_program(const Study& study, const SessionRow& session,
-                                           const ProgramIdentity& program) {
-  std::vector<bool> same{};
+std::set<int> segments_of_this_program(const Study& study, const SessionRow& session,
+                                       const ProgramIdentity& program) {
+  std::set<int> same{};
   for (const EventRow& event : study.events(session.id)) {
     if (event.kind != "session_began" && event.kind != "session_resumed") continue;
     const auto data = nlohmann::json::parse(event.data_json, nullptr, false);
-    same.push_back(data.is_object() && data.value("program_sha256", "") == program.sha256 &&
-                   data.value("instruction_set", "") == program.instruction_set &&
-                   data.value("os", "") == program.os);
+    if (data.is_object() && data.value("program_sha256", "") == program.sha256 &&
+        data.value("instruction_set", "") == program.instruction_set &&
+        data.value("os", "") == program.os) {
+      same.insert(data.value("segment", 0));
+    }
   }
   return same;
 }
@@ -109,12 +113,12 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
       result.problems.emplace_back(error.what());
       continue;
     }
-    const std::vector<bool> same_program = segments_of_this_program(study, session, program);
+    const std::set<int> same_program = segments_of_this_program(study, session, program);
     for (const AttemptRow& attempt : study.attempts(session.id)) {
       const Trial& trial = plan.trials.at(static_cast<std::size_t>(attempt.trial - 1));
       check_answers(session, trial, attempt, result.problems);
       if (!replay_too || !attempt.recording || stop.stop_requested()) continue;
-      const bool exact = same_program.at(static_cast<std::size_t>(attempt.segment - 1));
+      const bool exact = same_program.contains(attempt.segment);
       const std::string name = natural_key(session, attempt);
       try {
         const RecordedAttempt recorded = recorded_attempt(study, session, trial, attempt, builder);
@@ -129,7 +133,7 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
                                  std::to_string(surface.row.position) + " (" + surface.row.model +
                                  "): the recorded hand is not given the recorded force again; "
                                  "largest difference " +
-                                 std::to_string(difference_N) + " N";
+                                 text_of_number(difference_N) + " N";
           if (attempt.servo && attempt.servo->lost_records > 0) {
             sentence +=
                 " (" + std::to_string(attempt.servo->lost_records) + " records of it were lost)";

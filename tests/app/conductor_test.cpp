@@ -380,6 +380,37 @@ TEST_F(ConductorTest, GivesUpATrialWhoseSurfaceCannotBeTouched) {
   for (const AttemptRow& row : rows) EXPECT_EQ(row.outcome, AttemptOutcome::not_compliant);
 }
 
+TEST_F(ConductorTest, AsksARequeuedTrialAgainAfterAllOthersEveryTime) {
+  begin(small_protocol("", R"(, "normal_force_N": {"minimum": 0.999, "maximum": 1.001},
+       "required_fraction_in_band": 0.99, "on_failure": "requeue_at_end_of_block",
+       "maximum_repeats": 2)"));
+  run();
+  std::vector<int> trials{};
+  for (const AttemptDone& done : done_) trials.push_back(done.trial);
+  EXPECT_EQ(trials, (std::vector<int>{1, 2, 3, 1, 2, 3, 1, 2, 3}));
+}
+
+TEST_F(ConductorTest, HoldsTheLongestContactOfEachVisitAgainstTheMaximum) {
+  begin(small_protocol());
+  person_.at_question = [](int question, const Trial&) -> Reply {
+    if (question < 5) return {{}, 1};  // goes back to the first surface four times, 0.6 s each
+    return {{0}, {}};
+  };
+  run();
+  const AttemptRow row = attempts().front();
+  EXPECT_GT(row.presentations[0].contact_s, 2.0);  // more than a single visit may last
+  EXPECT_FALSE(row.flagged) << row.flag_reason.value_or("");
+}
+
+TEST_F(ConductorTest, EndsAtOnceWhenAskedToStopWhileSomethingIsRead) {
+  begin(small_protocol());
+  conductor_ = std::make_unique<Conductor>(*study_, protocol_, *builder_, *rig_, person_,
+                                           ConductorSettings{});
+  conductor_->stop_after(Conductor::After::trial);
+  EXPECT_EQ(conductor_->run(session_).state, SessionState::stopped);
+  EXPECT_TRUE(attempts().empty());
+}
+
 TEST_F(ConductorTest, LatchesZeroForceAndStopsWhenTheDeviceIsLost) {
   begin(small_protocol(), {{.kind = ScriptedFault::Kind::lost, .at_s = 1.0}});
   const SessionEnd end = run();

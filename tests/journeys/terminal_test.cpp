@@ -122,7 +122,8 @@ TEST(Terminal, StopsAfterTheTrialAndGoesOnLater) {
     const Outcome stopped = program.finish();
     EXPECT_EQ(stopped.status, 1) << stopped.err;
     EXPECT_EQ(done_lines(stopped.err).size(), 2U) << stopped.err;
-    EXPECT_NE(stopped.err.find("stopped after the trial, as asked"), std::string::npos);
+    EXPECT_NE(stopped.err.find("as asked, after the trial"), std::string::npos);
+    EXPECT_NE(stopped.err.find("--resume"), std::string::npos) << stopped.err;
   }
   invocation.arguments.emplace_back("--resume");
   Program program(invocation);
