@@ -35,12 +35,10 @@ enum class Access { read_only, read_write };
 /// What the caller may rely on:
 /// - When a writing function returns, its rows survive a power loss (WAL, synchronous=FULL).
 /// - Attempts and what hangs on them are append-only, enforced by the schema on every connection.
-/// - A transaction is all or nothing; after any error the study holds what was committed before.
-/// (One
-///   that was written and could not be synced, or whose program was killed before it was told, may
-///   be there as well: whoever goes on reads first what is there.)
-/// - A study opened `read_only` is never written to, not even by SQLite's own bookkeeping, so that
-/// it
+/// - A transaction is all or nothing; after any error the study holds what was committed before. (One
+///   that was written and could not be synced, or whose program was killed before it was told, may be
+///   there as well: whoever goes on reads first what is there.)
+/// - A study opened `read_only` is never written to, not even by SQLite's own bookkeeping, so that it
 ///   may lie on a medium that cannot be written. While somebody else writes, the reader follows.
 /// - Whatever is returned in order is ordered by natural keys, never by the order of writing.
 ///
