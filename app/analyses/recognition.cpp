@@ -57,14 +57,15 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   counts.note = chance_note(all, "of the answers right");
   add_counts(counts, columns, count_of, outcome);
 
-  ShareTable shares{"shares",
-                    "Share of right answers",
-                    "Chance is 1 of the pictures shown; \"cannot_tell\" is not right. p: exact "
-                    "binomial test, two-sided, not corrected for the number of rows.",
-                    {"column", "person"},
-                    "correct",
-                    "share_correct",
-                    {}};
+  ShareTable shares{
+      "shares",
+      "Share of right answers",
+      "Chance is 1 in the number of pictures shown; \"cannot_tell\" is not right. p: exact "
+      "binomial test, two-sided, not corrected for the number of rows.",
+      {"column", "person"},
+      "correct",
+      "share_correct",
+      {}};
   for (const std::string& column : columns) {
     for (const std::string& label : counts.labels) {
       ShareRow& row = shares.rows.emplace_back(ShareRow{{column, label}, {}});

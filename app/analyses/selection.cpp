@@ -102,15 +102,16 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   };
   add_counts(counts, columns, count_of, outcome);
 
-  ShareTable shares{"shares",
-                    "Share of each model among the choices",
-                    "Chance is 1 of the surfaces felt. p: exact binomial test, two-sided, not "
-                    "corrected for the number of rows; the shares of one column depend on each "
-                    "other.",
-                    {"column", "item"},
-                    "chosen",
-                    "share_chosen",
-                    {}};
+  ShareTable shares{
+      "shares",
+      "Share of each model among the choices",
+      "Chance is 1 in the number of surfaces felt. p: exact binomial test, two-sided, not "
+      "corrected for the number of rows; the shares of one column depend on each "
+      "other.",
+      {"column", "item"},
+      "chosen",
+      "share_chosen",
+      {}};
   ShareTable pairs{"pairs",
                    "One model against another, among the choices of either",
                    "The chance is 1/2: a choice of a third model says nothing about the two.",
