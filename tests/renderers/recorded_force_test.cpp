@@ -2,12 +2,11 @@
 
 #include "renderers/offline/recorded_force.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include <gtest/gtest.h>
 
 namespace asperity {
 namespace {
