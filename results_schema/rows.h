@@ -69,6 +69,7 @@ struct SessionRow {
   std::optional<std::string> consent_version{};
   std::optional<std::string> consent_utc{};
   std::string observer_json = "null";  ///< of a virtual participant
+  bool mirrored = false;               ///< left-handed layout: x of the workspace is negated
   std::vector<StimulusFileRow> files{};
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -26,6 +27,16 @@ struct Reply {
   /// was over or the person wants to feel a surface again.
   std::vector<std::size_t> options{};
   std::optional<int> feel_again{};  ///< position of the surface to be felt again
+  /// When the answer was given, on the session's clock: the time stamp of the key or button itself.
+  /// Absent where nobody knows better than the time at which `ask` returns.
+  std::optional<std::int64_t> answered_ns{};
+};
+
+/// A button of the device went down or up, seen in the servo's records.
+struct ButtonChange {
+  int button = 0;  ///< from 1
+  bool down = false;
+  std::int64_t time_ns = 0;  ///< of the tick, on the session's clock
 };
 
 /// The person left: closed the terminal, asked to stop.
@@ -57,6 +68,20 @@ class Respondent {
   virtual std::string source() const = 0;
   /// Before each attempt; a virtual participant takes its random stream for it from here.
   virtual void begin_attempt(int trial, int attempt) = 0;
+
+  /// Asked again and again while a surface is felt: whether the person has had enough of it. Until
+  /// the shortest contact that the protocol asks for (`may_go`), a wish to go on is refused.
+  virtual bool wants_next(bool may_go) {
+    static_cast<void>(may_go);
+    return false;
+  }
+  /// The eye mask is to be put on or taken off; returns when that was confirmed.
+  virtual void put_mask(bool on, const Wait& wait);
+  /// Called while time goes by in `wait`.
+  virtual void button_changed(const ButtonChange& change) { static_cast<void>(change); }
+  /// What happened at the participant's side since the last call, for the store: keys with press
+  /// and release, refusals, changes of an assignment.
+  virtual std::vector<EventRow> take_events() { return {}; }
 
  protected:
   Respondent() = default;

@@ -126,7 +126,7 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
 
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
                        const std::stop_token& stop,
-                       const std::function<void(const AttemptDone&)>& done) {
+                       const std::function<void(const AttemptDone&)>& done, const SessionLinks&) {
   if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
     throw std::runtime_error(*complaint);
   }

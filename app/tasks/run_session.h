@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "app/conductor/conductor.h"
+#include "app/conductor/session_links.h"
 #include "device/simulated_device.h"
 #include "renderers/force_model.h"
 
@@ -27,6 +29,13 @@ struct RunInputs {
   bool is_virtual = false;
   RunPacing pacing = RunPacing::real_time;
   std::vector<ScriptedFault> faults{};  ///< of the simulated device
+  /// The workspace and the strokes are mirrored left to right, for a left hand.
+  bool mirrored = false;
+  /// Somebody who is new and was already asked the protocol's questions (the label is
+  /// `participant`); otherwise the respondent is asked.
+  std::optional<ParticipantRow> new_person{};
+  /// The person has agreed to the protocol's statement; otherwise the respondent is asked.
+  bool has_consented = false;
 };
 
 /// Runs it. `respondent` is null for a virtual participant.
@@ -39,6 +48,7 @@ struct RunInputs {
 /// consent, a session that cannot be gone on with.
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
                        const std::stop_token& stop,
-                       const std::function<void(const AttemptDone&)>& done);
+                       const std::function<void(const AttemptDone&)>& done,
+                       const SessionLinks& links = {});
 
 }  // namespace asperity

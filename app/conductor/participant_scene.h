@@ -1,0 +1,100 @@
+// What a participant is shown, as a value: the same for the window, its mirror and a terminal.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocols/plan.h"
+#include "protocols/protocol.h"
+
+namespace asperity {
+
+/// One thing at a time. Nothing in it names a stimulus, a texture or a model.
+struct ParticipantScene {
+  enum class Kind {
+    blank,     ///< a calm ground, between trials
+    text,      ///< something to be read; goes on with a confirmation
+    feel,      ///< surface `surface` of `surfaces` can be felt now
+    question,  ///< the answer to the trial
+    feedback,  ///< after an answer; goes by itself
+    rest,      ///< a break; goes on with a confirmation, not before `rest_until_ns`
+    form,      ///< a question about the person or the session (`question`)
+    mask_on,   ///< the eye mask is to be put on and that confirmed
+    mask_off,
+    paused,  ///< the experimenter made a pause, or something is being seen to
+    ended,   ///< thanks
+  };
+  /// A surface of the trial, by its code "A", "B", …
+  struct Surface {
+    std::string code{};
+    bool felt = false;
+    bool now = false;     ///< under the hand
+    bool can_go = false;  ///< may be chosen to be felt (again) now
+  };
+  /// An option of the question.
+  struct Choice {
+    std::string key{};                     ///< what is pressed for it and stands on it: "1", "A"
+    std::optional<std::string> picture{};  ///< study-relative; a surface or "cannot tell" has none
+    std::string text{};         ///< for what is neither picture nor surface ("I cannot tell")
+    bool chosen = false;        ///< of a choice
+    std::string assigned_to{};  ///< of an assignment: the code of the surface that has it; or empty
+  };
+
+  Kind kind = Kind::blank;
+  std::string text{};  ///< the instruction, prompt or feedback
+  std::string
+      cue{};  ///< a short refusal or reminder ("Please feel surface C first."); usually empty
+  std::uint64_t cue_number = 0;  ///< counts the cues, so that the same one can be shown again
+  int block = 0;                 ///< "block 3 of 6"; 0: no progress is shown
+  int blocks = 0;
+
+  std::vector<Surface> surfaces{};
+  std::vector<Choice> choices{};
+  bool is_assignment = false;
+  /// Of an assignment: the surface (index in `surfaces`) that the next picture is given to.
+  std::optional<std::size_t> assigning{};
+  bool can_confirm = false;                       ///< the answer is complete
+  bool can_switch = false;                        ///< surfaces may be felt again before the answer
+  std::optional<std::string> standard_picture{};  ///< what realism is measured against
+
+  std::optional<Question> question{};           ///< of a form
+  std::optional<std::int64_t> rest_until_ns{};  ///< on the session's clock
+  /// While a surface is felt: show the workspace (object, tool, probe) to who is allowed to see it.
+  bool show_workspace = false;
+  /// A response of the trial is open: keys of any window belong to it.
+  bool response_open = false;
+};
+
+/// Something that the participant did, stamped when it happened.
+struct ParticipantInput {
+  enum class Kind {
+    option,   ///< option `number` (from 1) of the question: chosen, or given to the present surface
+    assign,   ///< option `number` given to surface `surface` (both from 1), by click or drag
+    surface,  ///< surface `number` (from 1) wanted under the hand
+    next,     ///< "enough of this surface"; on the question: the next surface to feel again
+    confirm,  ///< goes on; confirms an answer that is complete
+    text,     ///< the answer to a form, as text; empty where optional and left out
+    /// A button of the device, `number` from 1, pressed for `held_s`.
+    device_button,
+  };
+  Kind kind = Kind::confirm;
+  int number = 0;
+  int surface = 0;
+  std::string text{};
+  std::int64_t time_ns = 0;  ///< on the session's clock: when it was pressed, not when it was heard
+  double held_s = 0.0;
+  std::string source = "keyboard";  ///< "keyboard", "mouse", "device_button", "experimenter"
+};
+
+/// The scenes of a session; the conductor shows them, whoever answers.
+ParticipantScene scene_to_read(const std::string& text);
+/// `felt`: positions that were felt in this attempt; `now`: the position under the hand.
+ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now);
+ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt);
+ParticipantScene scene_of_form(const Question& question);
+ParticipantScene scene_of_mask(bool on);
+
+}  // namespace asperity

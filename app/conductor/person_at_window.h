@@ -1,0 +1,54 @@
+// The person at the participant's window, as the conductor meets them.
+
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "app/conductor/respondent.h"
+#include "app/conductor/session_monitor.h"
+#include "app/conductor/sound.h"
+
+namespace asperity {
+
+/// Takes what the participant does from whichever window or device it comes. The conductor shows
+/// each scene in the monitor; this class keeps its marks: what is chosen, assigned, refused.
+///
+/// The rules of answering live here, without any window: digits and letters choose, `next` switches
+/// surfaces where that is allowed, `confirm` answers when the answer is complete; an answer before
+/// all was felt is refused with a cue; each picture is given once, and an assignment may be changed
+/// until it is confirmed. With a device button alone: button 1 steps through the options, a tone
+/// for each; button 2, or button 1 held for 0.8 s, confirms.
+///
+/// Threads: `post` from any thread; everything else from the conductor's.
+class PersonAtWindow final : public Respondent {
+ public:
+  /// `monitor` and `sound` (may be null) must outlive this.
+  PersonAtWindow(SessionMonitor& monitor, Sound* sound);
+  ~PersonAtWindow() override;
+
+  /// From any thread. Inputs are heard in the order of posting; what the present scene has no use
+  /// for does nothing.
+  void post(ParticipantInput input);
+
+  void read(const std::string& text, double minimum_s, const Wait& wait) override;
+  void announce(const Trial& trial, const PlannedPresentation& surface) override;
+  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
+            std::optional<double> deadline_s, const Wait& wait) override;
+  void tell(const std::string& text, const Wait& wait) override;
+  std::string answer(const Question& question, const Wait& wait) override;
+  std::string source() const override;
+  void begin_attempt(int trial, int attempt) override;
+  bool wants_next(bool may_go) override;
+  void put_mask(bool on, const Wait& wait) override;
+  void button_changed(const ButtonChange& change) override;
+  std::vector<EventRow> take_events() override;
+
+ private:
+  struct Desk;
+  std::unique_ptr<Desk> desk_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,116 @@
+#include "app/conductor/session_requests.h"
+
+#include <utility>
+
+#include "app/conductor/rig.h"
+
+namespace asperity {
+
+void SessionRequests::stop_after(StopAfter what) {
+  const std::lock_guard lock(mutex_);
+  stop_ = what;
+}
+
+void SessionRequests::go_on() {
+  const std::lock_guard lock(mutex_);
+  stop_.reset();
+}
+
+void SessionRequests::pause() {
+  const std::lock_guard lock(mutex_);
+  paused_ = true;
+}
+
+void SessionRequests::resume() {
+  const std::lock_guard lock(mutex_);
+  paused_ = false;
+}
+
+void SessionRequests::repeat_last(const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  repeat_ = reason;
+}
+
+void SessionRequests::skip(const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  skip_ = reason;
+}
+
+void SessionRequests::abort(const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  abort_ = reason;
+}
+
+void SessionRequests::note(const std::string& text) { remark("note", text); }
+
+void SessionRequests::remark(const std::string& kind, const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  remarks_.push_back({rig_ == nullptr ? 0 : rig_->clock().now_ns(), kind, text});
+}
+
+void SessionRequests::emergency_stop() noexcept {
+  const std::lock_guard lock(mutex_);
+  stop_wanted_ = true;
+  if (rig_ != nullptr) rig_->emergency_stop();
+}
+
+void SessionRequests::clear_fault() {
+  const std::lock_guard lock(mutex_);
+  clear_fault_ = true;
+  stop_wanted_ = false;
+}
+
+SessionRequests::Pending SessionRequests::pending() const {
+  const std::lock_guard lock(mutex_);
+  return {stop_, paused_, repeat_.has_value()};
+}
+
+void SessionRequests::attach(Rig& rig) {
+  const std::lock_guard lock(mutex_);
+  rig_ = &rig;
+  if (stop_wanted_) rig_->emergency_stop();
+}
+
+void SessionRequests::detach() {
+  const std::lock_guard lock(mutex_);
+  rig_ = nullptr;
+}
+
+bool SessionRequests::is_paused() const {
+  const std::lock_guard lock(mutex_);
+  return paused_;
+}
+
+bool SessionRequests::take_stop(StopAfter what) {
+  const std::lock_guard lock(mutex_);
+  if (stop_ != what) return false;
+  stop_.reset();
+  return true;
+}
+
+std::optional<std::string> SessionRequests::take_repeat() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(repeat_, std::nullopt);
+}
+
+std::optional<std::string> SessionRequests::take_skip() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(skip_, std::nullopt);
+}
+
+std::optional<std::string> SessionRequests::take_abort() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(abort_, std::nullopt);
+}
+
+bool SessionRequests::take_clear_fault() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(clear_fault_, false);
+}
+
+std::vector<SessionRequests::Remark> SessionRequests::take_remarks() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(remarks_, {});
+}
+
+}  // namespace asperity

@@ -1,0 +1,94 @@
+// What an experimenter asks of a session that is running on another thread.
+
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+class Rig;
+
+enum class StopAfter { trial, block };
+
+/// The verbs towards a running session, from any thread.
+///
+/// The conductor takes them up: `pause`, `stop_after` and `repeat_last` between trials, `abort` and
+/// `skip` within a few hundredths of a second (a skip between trials skips nothing), `clear_fault`
+/// while a fault is latched. `emergency_stop` is immediate: it goes to the servo loop and does not
+/// wait for the conductor.
+///
+/// Everything stays asked for until it was done, or until it is withdrawn (`resume` withdraws a
+/// pause, `go_on` a stop).
+class SessionRequests final {
+ public:
+  SessionRequests() = default;
+  SessionRequests(const SessionRequests&) = delete;
+  SessionRequests& operator=(const SessionRequests&) = delete;
+
+  void stop_after(StopAfter what);
+  /// Withdraws `stop_after`.
+  void go_on();
+  void pause();
+  void resume();
+  /// The last trial that was answered or skipped is asked once more, as a new attempt; the earlier
+  /// attempt stays, no longer valid.
+  void repeat_last(const std::string& reason);
+  /// The trial under way is kept as skipped and not asked again.
+  void skip(const std::string& reason);
+  /// Ends the session at once; the attempt under way is kept as aborted.
+  void abort(const std::string& reason);
+  /// Stamped now, stored between trials.
+  void note(const std::string& text);
+  /// What is to stand in the session's record beside notes, stamped now: "unblinded",
+  /// "focus_changed".
+  void remark(const std::string& kind, const std::string& text);
+  /// Zero force in the next servo tick, latched.
+  void emergency_stop() noexcept;
+  /// The reason of the fault is mended: go on with the trial that it interrupted.
+  void clear_fault();
+
+  struct Remark {
+    std::int64_t time_ns = 0;
+    std::string kind{};
+    std::string text{};
+  };
+  /// What is asked for now, for whoever shows it.
+  struct Pending {
+    std::optional<StopAfter> stop{};
+    bool pause = false;
+    bool repeat_last = false;
+  };
+  Pending pending() const;
+
+  // --- the conductor's side ---
+
+  /// `rig` is the one that is to be stopped in an emergency, and whose clock stamps remarks.
+  void attach(Rig& rig);
+  void detach();
+  bool is_paused() const;
+  /// Each gives what was asked for and forgets it.
+  bool take_stop(StopAfter what);
+  std::optional<std::string> take_repeat();
+  std::optional<std::string> take_skip();
+  std::optional<std::string> take_abort();
+  bool take_clear_fault();
+  std::vector<Remark> take_remarks();
+
+ private:
+  mutable std::mutex mutex_{};
+  Rig* rig_ = nullptr;
+  bool stop_wanted_ = false;  ///< an emergency stop from before there was a rig
+  std::optional<StopAfter> stop_{};
+  bool paused_ = false;
+  std::optional<std::string> repeat_{};
+  std::optional<std::string> skip_{};
+  std::optional<std::string> abort_{};
+  bool clear_fault_ = false;
+  std::vector<Remark> remarks_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,57 @@
+// What a session needs of loudspeakers or headphones.
+
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace asperity {
+
+/// A signal to the participant. Number: of the surface or option.
+enum class Cue {
+  surface,   ///< surface `number` can be felt: as many short tones
+  next,      ///< enough of this surface: lift
+  question,  ///< the answer is open
+  option,    ///< option `number` is the one that a confirmation would choose
+  accepted,
+  refused,  ///< not yet: something has to be felt or done first
+  right,
+  wrong,
+  rest,  ///< a break begins or ends
+  paused,
+  mask_on,
+  mask_off,
+  finished,
+};
+
+struct MaskingNoise {
+  enum class Kind { none, white, pink } kind = Kind::none;
+  double gain = 0.1;                     ///< RMS of the noise, full scale 1
+  std::optional<double> declared_dBA{};  ///< by the protocol
+  std::optional<double> measured_dBA{};  ///< at the ear, by a person
+  std::string verified_by{};
+};
+
+/// Plays masking noise and mixes cues into it.
+///
+/// Threads: any; calls return at once. A session without sound has none of it (a null pointer).
+class Sound {
+ public:
+  virtual ~Sound() = default;
+  Sound(const Sound&) = delete;
+  Sound& operator=(const Sound&) = delete;
+
+  /// Fades in or out in 0.2 s.
+  virtual void set_masking(bool on) = 0;
+  virtual void play(Cue cue, int number) = 0;
+  /// Samples have been consumed within the last half second. A session that needs its noise pauses
+  /// when this becomes false.
+  virtual bool is_running() const = 0;
+  /// What is stored with the session: kind, gain, levels, who verified them, output device.
+  virtual std::string description_json() const = 0;
+
+ protected:
+  Sound() = default;
+};
+
+}  // namespace asperity

@@ -1,0 +1,52 @@
+#include "app/gui/look/background_task.h"
+
+#include <exception>
+
+#include <QtCore/QMetaObject>
+
+namespace asperity {
+
+BackgroundTask::BackgroundTask(QObject* parent) : QObject(parent) {}
+
+BackgroundTask::~BackgroundTask() {
+  // The worker may be posting to this object: it has to end first.
+  worker_.request_stop();
+  if (worker_.joinable()) worker_.join();
+}
+
+void BackgroundTask::begin(std::function<void(const std::stop_token&, const Progress&)> work,
+                           std::function<void()> done, std::function<void(QString)> failed) {
+  worker_.request_stop();
+  if (worker_.joinable()) worker_.join();
+  const std::uint64_t number = ++number_;
+  running_ = true;
+  emit started();
+  worker_ = std::jthread([this, number, work = std::move(work), done = std::move(done),
+                          failed = std::move(failed)](const std::stop_token& stop) {
+    const Progress progress = [this, number](double fraction) {
+      QMetaObject::invokeMethod(
+          this,
+          [this, number, fraction] {
+            if (number == number_) emit progressed(fraction);
+          },
+          Qt::QueuedConnection);
+    };
+    std::function<void()> deliver = done;
+    try {
+      work(stop, progress);
+    } catch (const std::exception& error) {
+      deliver = [failed, what = QString::fromUtf8(error.what())] { failed(what); };
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, number, deliver] {
+          if (number != number_) return;
+          running_ = false;
+          deliver();
+          emit finished();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+}  // namespace asperity

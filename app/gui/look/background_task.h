@@ -1,0 +1,58 @@
+// Long work away from the GUI thread: with progress, cancellable, its result delivered back.
+
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+#include <QtCore/QObject>
+#include <QtCore/QString>
+
+namespace asperity {
+
+/// One piece of work. Belongs to the GUI thread; `work` runs on a thread of its own.
+///
+/// When the task is destroyed, `work` is asked to stop and waited for, and nothing is delivered any
+/// more.
+class BackgroundTask final : public QObject {
+  Q_OBJECT
+ public:
+  using Progress = std::function<void(double)>;  ///< 0 to 1; callable from the worker
+
+  explicit BackgroundTask(QObject* parent = nullptr);
+  ~BackgroundTask() override;
+
+  bool is_running() const noexcept { return running_; }
+  void cancel() { worker_.request_stop(); }
+
+  /// Runs `work`, then one of the two on the GUI thread. A task that still runs is cancelled and
+  /// waited for first. `failed` gets what an exception says.
+  template <class Result>
+  void run(std::function<Result(const std::stop_token&, const Progress&)> work,
+           std::function<void(Result)> done, std::function<void(QString)> failed) {
+    auto result = std::make_shared<std::unique_ptr<Result>>();
+    begin(
+        [work = std::move(work), result](const std::stop_token& stop, const Progress& progress) {
+          *result = std::make_unique<Result>(work(stop, progress));
+        },
+        [done = std::move(done), result] { done(std::move(**result)); }, std::move(failed));
+  }
+
+ signals:
+  void progressed(double fraction);
+  void started();
+  void finished();  ///< after `done` or `failed`
+
+ private:
+  void begin(std::function<void(const std::stop_token&, const Progress&)> work,
+             std::function<void()> done, std::function<void(QString)> failed);
+
+  std::jthread worker_{};
+  bool running_ = false;
+  std::uint64_t number_ = 0;  ///< of the run; what an earlier one delivers late is dropped
+};
+
+}  // namespace asperity

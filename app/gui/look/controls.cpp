@@ -1,0 +1,220 @@
+#include "app/gui/look/controls.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QtGui/QClipboard>
+#include <QtGui/QShortcut>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QTableView>
+
+namespace asperity {
+
+namespace {
+
+const char* role_name(ButtonRole role) {
+  switch (role) {
+    case ButtonRole::primary:
+      return "primary";
+    case ButtonRole::danger:
+      return "danger";
+    case ButtonRole::link:
+      return "link";
+    case ButtonRole::selector:
+      return "switch";
+    case ButtonRole::plain:
+      break;
+  }
+  return "plain";
+}
+
+QLabel* make_label(const QString& text, QWidget* parent, TextSize size, bool bold) {
+  auto* label = new QLabel(text, parent);
+  label->setFont(text_font(size, bold));
+  label->setWordWrap(true);
+  return label;
+}
+
+void copy_selection(const QTableView& table) {
+  QModelIndexList cells = table.selectionModel()->selectedIndexes();
+  std::sort(cells.begin(), cells.end());
+  QString text{};
+  int row = -1;
+  for (const QModelIndex& cell : std::as_const(cells)) {
+    if (row >= 0) text += cell.row() == row ? '\t' : '\n';
+    row = cell.row();
+    text += cell.data().toString();
+  }
+  if (!text.isEmpty()) QApplication::clipboard()->setText(text);
+}
+
+}  // namespace
+
+QPushButton* make_button(const QString& verb, ButtonRole role, QWidget* parent) {
+  auto* button = new QPushButton(verb, parent);
+  button->setProperty("role", role_name(role));
+  button->setCheckable(role == ButtonRole::selector);
+  button->setAutoDefault(false);
+  button->setCursor(Qt::PointingHandCursor);
+  return button;
+}
+
+QLabel* make_title(const QString& text, QWidget* parent) {
+  return make_label(text, parent, TextSize::title, true);
+}
+
+QLabel* make_heading(const QString& text, QWidget* parent) {
+  return make_label(text, parent, TextSize::heading, true);
+}
+
+QLabel* make_text(const QString& text, QWidget* parent, bool muted) {
+  QLabel* label = make_label(text, parent, TextSize::body, false);
+  if (muted) label->setProperty("role", "muted");
+  return label;
+}
+
+QFrame* make_card(QWidget* parent, QVBoxLayout*& layout) {
+  auto* card = new QFrame(parent);
+  card->setProperty("role", "card");
+  layout = new QVBoxLayout(card);
+  layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  layout->setSpacing(kGrid);
+  return card;
+}
+
+QString shape_of(State state) {
+  switch (state) {
+    case State::fine:
+      return "✓";
+    case State::look:
+      return "▲";
+    case State::stop:
+      return "✕";
+    case State::unknown:
+      break;
+  }
+  return "·";
+}
+
+QColor color_of(State state) {
+  switch (state) {
+    case State::fine:
+      return theme().fine;
+    case State::look:
+      return theme().look;
+    case State::stop:
+      return theme().stop;
+    case State::unknown:
+      break;
+  }
+  return theme().muted;
+}
+
+StateLabel::StateLabel(QWidget* parent) : QLabel(parent) { setWordWrap(true); }
+
+void StateLabel::set_state(State state, const QString& text) {
+  state_ = state;
+  setTextFormat(Qt::RichText);
+  setText(QString("<span style='color:%1'><b>%2</b></span>&nbsp; %3")
+              .arg(color_of(state).name(), shape_of(state), text.toHtmlEscaped()));
+}
+
+Banner::Banner(QWidget* parent) : QFrame(parent) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(kMargin, kGrid, kGrid, kGrid);
+  layout->setSpacing(kMargin);
+  shape_ = new QLabel(this);
+  shape_->setFont(text_font(TextSize::heading, true));
+  text_ = make_text({}, this);
+  action_ = make_button({}, ButtonRole::plain, this);
+  QPushButton* away = make_button(tr("Dismiss"), ButtonRole::link, this);
+  layout->addWidget(shape_);
+  layout->addWidget(text_, 1);
+  layout->addWidget(action_);
+  layout->addWidget(away);
+  connect(action_, &QPushButton::clicked, this, [this] {
+    const auto act = on_action_;  // may show other news
+    hide();
+    if (act) act();
+  });
+  connect(away, &QPushButton::clicked, this, &QWidget::hide);
+  hide();
+}
+
+void Banner::show_news(State state, const QString& text, const QString& action,
+                       std::function<void()> on_action) {
+  const QString color = color_of(state).name();
+  setStyleSheet(QString("asperity--Banner { background: %1; border: 1px solid %2; "
+                        "border-left: 6px solid %2; border-radius: 4px; }")
+                    .arg(theme().panel.name(), color));
+  shape_->setText(shape_of(state));
+  shape_->setStyleSheet("color: " + color);
+  text_->setText(text);
+  action_->setText(action);
+  action_->setVisible(!action.isEmpty());
+  on_action_ = std::move(on_action);
+  show();
+}
+
+QString Banner::text() const { return text_->text(); }
+
+ModeBand::ModeBand(QWidget* parent) : QLabel(parent) {
+  setAlignment(Qt::AlignCenter);
+  setFont(text_font(TextSize::body, true));
+  setFixedHeight(kControlHeight);
+  hide();
+}
+
+void ModeBand::set_mode(SessionMode mode) {
+  setVisible(mode != SessionMode::run);
+  const bool pilot = mode == SessionMode::pilot;
+  setText(pilot ? tr("PILOT: not study data") : tr("SIMULATED: no person"));
+  setStyleSheet(
+      QString("background: %1; color: %2")
+          .arg((pilot ? theme().pilot : theme().simulated).name(), theme().on_band.name()));
+}
+
+EmptyState::EmptyState(const QString& title, const QString& text, QWidget* parent)
+    : QWidget(parent) {
+  auto* outer = new QHBoxLayout(this);
+  outer->addStretch(1);
+  layout_ = new QVBoxLayout();
+  layout_->setSpacing(kMargin);
+  layout_->addStretch(1);
+  layout_->addWidget(make_heading(title, this));
+  QLabel* words = make_text(text, this, true);
+  words->setMinimumWidth(420);
+  layout_->addWidget(words);
+  layout_->addStretch(2);
+  outer->addLayout(layout_, 2);
+  outer->addStretch(1);
+}
+
+QPushButton* EmptyState::add_action(const QString& verb, ButtonRole role,
+                                    std::function<void()> on_click) {
+  QPushButton* button = make_button(verb, role, this);
+  connect(button, &QPushButton::clicked, this, [act = std::move(on_click)] { act(); });
+  layout_->insertWidget(layout_->count() - 1, button, 0, Qt::AlignLeft);
+  return button;
+}
+
+void style_table(QTableView& table) {
+  table.setSelectionBehavior(QAbstractItemView::SelectRows);
+  table.setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table.setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table.setSortingEnabled(true);
+  table.setShowGrid(false);
+  table.setAlternatingRowColors(false);
+  table.setWordWrap(false);
+  table.verticalHeader()->hide();
+  table.verticalHeader()->setDefaultSectionSize(kControlHeight);
+  table.horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table.horizontalHeader()->setStretchLastSection(true);
+  auto* copy = new QShortcut(QKeySequence::Copy, &table);
+  copy->setContext(Qt::WidgetShortcut);
+  QObject::connect(copy, &QShortcut::activated, &table, [&table] { copy_selection(table); });
+}
+
+}  // namespace asperity

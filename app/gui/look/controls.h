@@ -1,0 +1,93 @@
+// Pieces that every page is made of.
+
+#pragma once
+
+#include <functional>
+
+#include <QtCore/QString>
+#include <QtWidgets/QFrame>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QWidget>
+
+#include "app/gui/look/theme.h"
+#include "results_schema/rows.h"
+
+class QTableView;
+class QVBoxLayout;
+
+namespace asperity {
+
+enum class ButtonRole {
+  plain,
+  primary,   ///< the one filled button of a page
+  danger,    ///< names what it does, stands apart
+  link,      ///< words in blue
+  selector,  ///< one of several, checkable
+};
+QPushButton* make_button(const QString& verb, ButtonRole role, QWidget* parent);
+
+QLabel* make_title(const QString& text, QWidget* parent);    ///< of a page
+QLabel* make_heading(const QString& text, QWidget* parent);  ///< of a group
+/// Wraps; `muted` for secondary text.
+QLabel* make_text(const QString& text, QWidget* parent, bool muted = false);
+/// A panel with a border; its layout has the usual margins.
+QFrame* make_card(QWidget* parent, QVBoxLayout*& layout);
+
+/// How something stands, as a shape and a word: never colour alone.
+enum class State { fine, look, stop, unknown };
+class StateLabel final : public QLabel {
+  Q_OBJECT
+ public:
+  explicit StateLabel(QWidget* parent = nullptr);
+  /// "✓ text", "▲ text", "✕ text" or "· text".
+  void set_state(State state, const QString& text);
+  State state() const noexcept { return state_; }
+
+ private:
+  State state_ = State::unknown;
+};
+QString shape_of(State state);
+QColor color_of(State state);
+
+/// News in place, with the button that helps. Hidden until `show_news`.
+class Banner final : public QFrame {
+  Q_OBJECT
+ public:
+  explicit Banner(QWidget* parent = nullptr);
+  /// `action` empty: no button but the one that takes the banner away.
+  void show_news(State state, const QString& text, const QString& action = {},
+                 std::function<void()> on_action = {});
+  QString text() const;
+
+ private:
+  QLabel* shape_ = nullptr;
+  QLabel* text_ = nullptr;
+  QPushButton* action_ = nullptr;
+  std::function<void()> on_action_{};
+};
+
+/// The coloured band on top of a window: amber for a pilot, violet for a simulation, none in a run.
+class ModeBand final : public QLabel {
+  Q_OBJECT
+ public:
+  explicit ModeBand(QWidget* parent = nullptr);
+  void set_mode(SessionMode mode);
+};
+
+/// What a page shows while it has nothing: what it is for and the next step.
+class EmptyState final : public QWidget {
+  Q_OBJECT
+ public:
+  EmptyState(const QString& title, const QString& text, QWidget* parent = nullptr);
+  QPushButton* add_action(const QString& verb, ButtonRole role, std::function<void()> on_click);
+
+ private:
+  QVBoxLayout* layout_ = nullptr;
+};
+
+/// Rows are selected as a whole, sorted by a click on a header, and copied as tab-separated text by
+/// Ctrl+C.
+void style_table(QTableView& table);
+
+}  // namespace asperity

@@ -1,0 +1,8 @@
+#include "app/gui/study/open_study.h"
+
+namespace asperity {
+
+OpenStudy::OpenStudy(const std::filesystem::path& folder, QObject* parent)
+    : QObject(parent), study_(Study::open(folder, Access::read_only)) {}
+
+}  // namespace asperity

@@ -1,0 +1,67 @@
+#include "app/gui/look/background_task.h"
+
+#include <atomic>
+#include <stdexcept>
+
+#include <QtCore/QThread>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+TEST(BackgroundTask, DeliversItsResultOnTheGuiThread) {
+  BackgroundTask task{};
+  QSignalSpy finished(&task, &BackgroundTask::finished);
+  QThread* worked_on = nullptr;
+  QThread* delivered_on = nullptr;
+  int result = 0;
+  task.run<int>(
+      [&worked_on](const std::stop_token&, const BackgroundTask::Progress&) {
+        worked_on = QThread::currentThread();
+        return 7;
+      },
+      [&](int value) {
+        delivered_on = QThread::currentThread();
+        result = value;
+      },
+      [](const QString&) { FAIL(); });
+  ASSERT_TRUE(finished.wait(5000));
+  EXPECT_EQ(result, 7);
+  EXPECT_NE(worked_on, QThread::currentThread());
+  EXPECT_EQ(delivered_on, QThread::currentThread());
+  EXPECT_FALSE(task.is_running());
+}
+
+TEST(BackgroundTask, SaysWhatAnExceptionSays) {
+  BackgroundTask task{};
+  QSignalSpy finished(&task, &BackgroundTask::finished);
+  QString said{};
+  task.run<int>(
+      [](const std::stop_token&, const BackgroundTask::Progress&) -> int {
+        throw std::runtime_error("no such photograph");
+      },
+      [](int) { FAIL(); }, [&said](const QString& what) { said = what; });
+  ASSERT_TRUE(finished.wait(5000));
+  EXPECT_EQ(said, "no such photograph");
+}
+
+TEST(BackgroundTask, StopsItsWorkWhenItIsDestroyed) {
+  std::atomic<bool> stopped{false};
+  {
+    BackgroundTask task{};
+    task.run<int>(
+        [&stopped](const std::stop_token& stop, const BackgroundTask::Progress&) {
+          while (!stop.stop_requested()) QThread::yieldCurrentThread();
+          stopped = true;
+          return 0;
+        },
+        [](int) { FAIL(); }, [](const QString&) { FAIL(); });
+  }
+  EXPECT_TRUE(stopped);
+  QTest::qWait(1);  // nothing is delivered to the dead task
+}
+
+}  // namespace
+}  // namespace asperity

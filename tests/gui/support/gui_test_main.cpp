@@ -1,0 +1,21 @@
+// An application off screen around the tests of the windows.
+
+#include <QtCore/QStandardPaths>
+#include <QtWidgets/QApplication>
+#include <gtest/gtest.h>
+#include <locale.h>
+
+#include "app/gui/look/theme.h"
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  // Settings of the person who runs the tests are neither read nor written.
+  QStandardPaths::setTestModeEnabled(true);
+  QApplication application(argc, argv);
+  setlocale(LC_NUMERIC, "C");
+  QApplication::setOrganizationName("asperity");
+  QApplication::setApplicationName("asperity-tests");
+  asperity::apply_theme(application, asperity::ThemeChoice::light);
+  return RUN_ALL_TESTS();
+}
