@@ -48,4 +48,18 @@ const char* text_of(AttemptOutcome outcome) noexcept {
   return "";
 }
 
+const char* text_of(Verdict verdict) noexcept {
+  switch (verdict) {
+    case Verdict::set_aside:
+      return "set_aside";
+    case Verdict::flag:
+      return "flag";
+    case Verdict::exclude:
+      return "exclude";
+    case Verdict::include:
+      return "include";
+  }
+  return "";
+}
+
 }  // namespace asperity

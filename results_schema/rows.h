@@ -68,8 +68,9 @@ struct SessionRow {
   std::optional<std::string> ended_utc{};
   std::optional<std::string> consent_version{};
   std::optional<std::string> consent_utc{};
-  std::string observer_json = "null";  ///< of a virtual participant
-  bool mirrored = false;               ///< left-handed layout: x of the workspace is negated
+  std::string observer_json = "null";     ///< of a virtual participant
+  bool mirrored = false;                  ///< left-handed layout: x of the workspace is negated
+  std::optional<std::string> excluded{};  ///< why analyses leave the session out, if they do
   std::vector<StimulusFileRow> files{};
 };
 
@@ -177,8 +178,11 @@ struct AttemptRow {
   int attempt = 0;  ///< 1-based within the trial
   int segment = 0;  ///< which uninterrupted stretch of the session
   AttemptOutcome outcome = AttemptOutcome::answered;
-  bool valid = true;
+  bool valid = true;  ///< as read: and not set aside
   std::optional<std::string> invalid_reason{};
+  /// As read: why analyses leave it out although it is valid, if they do (it or its session was
+  /// excluded).
+  std::optional<std::string> excluded{};
   bool flagged = false;
   std::optional<std::string> flag_reason{};
   std::int64_t onset_ns = 0;
@@ -191,6 +195,24 @@ struct AttemptRow {
   std::vector<EventRow> events{};
 };
 
+/// What somebody decided about data: they stay, and the decision stands beside them.
+enum class Verdict {
+  set_aside,  ///< of an attempt: no longer the valid one of its trial, which is asked again; final
+  flag,       ///< of an attempt: counts, but look at it
+  exclude,    ///< of an attempt or a session: analyses leave it out
+  include,    ///< takes an exclusion back
+};
+
+struct DecisionRow {
+  std::optional<int> trial{};  ///< both absent: about the whole session
+  std::optional<int> attempt{};
+  Verdict verdict = Verdict::exclude;
+  std::string reason{};
+  std::string decided_by{};   ///< may be empty
+  std::string decided_utc{};  ///< empty: now
+};
+
+const char* text_of(Verdict verdict) noexcept;
 const char* text_of(SessionMode mode) noexcept;
 const char* text_of(SessionState state) noexcept;
 const char* text_of(AttemptOutcome outcome) noexcept;

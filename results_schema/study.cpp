@@ -167,7 +167,7 @@ void Study::Store::check_identity() {
                            " was made by an older Asperity: open it once for writing, which brings "
                            "its schema from version " +
                            std::to_string(version) + " to " + std::to_string(kSchemaVersion),
-                       folder);
+                       folder, kOlderSchema);
   }
   if (number_of(*database, "SELECT count(*) FROM study") != 1) {
     throw ResultsError("the study " + folder.string() +
@@ -239,6 +239,16 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
 
 Study Study::open(const std::filesystem::path& folder, Access access) {
   return Study(std::make_unique<Store>(folder, access));
+}
+
+Study Study::open_up_to_date(const std::filesystem::path& folder) {
+  try {
+    return open(folder, Access::read_only);
+  } catch (const ResultsError& error) {
+    if (error.code() != kOlderSchema) throw;
+  }
+  open(folder, Access::read_write);
+  return open(folder, Access::read_only);
 }
 
 bool Study::exists(const std::filesystem::path& folder) {

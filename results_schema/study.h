@@ -28,6 +28,9 @@ class ResultsError final : public std::runtime_error {
   int code_ = 0;
 };
 
+/// ResultsError::code of a study that an older program made and nobody has brought up to date.
+inline constexpr int kOlderSchema = -2;
+
 enum class Access { read_only, read_write };
 
 /// A study on disk: `study.sqlite`, `protocols/`, `stimuli/`, `recordings/`.
@@ -49,11 +52,14 @@ enum class Access { read_only, read_write };
 /// the same study. Writers wait for each other.
 class Study final {
  public:
-  static constexpr int kSchemaVersion = 1;
+  static constexpr int kSchemaVersion = 2;
 
   /// Makes a new, empty study. Refuses a folder that already holds something.
   static Study create(const std::filesystem::path& folder, const std::string& name);
   static Study open(const std::filesystem::path& folder, Access access);
+  /// For reading, as `open` does; but a study of an older program is brought up to date first, which
+  /// writes to it.
+  static Study open_up_to_date(const std::filesystem::path& folder);
   static bool exists(const std::filesystem::path& folder);
 
   Study(Study&&) noexcept;
@@ -113,6 +119,15 @@ class Study final {
   std::optional<AttemptRow> attempt(std::int64_t id) const;
   /// The session of an attempt.
   std::int64_t session_of(std::int64_t attempt_id) const;
+
+  /// What somebody decides about data that stay as they are. What is read of attempts and sessions
+  /// afterwards says so: see AttemptRow::valid and `excluded`. Errors: ResultsError for an attempt
+  /// that is not there, an empty reason, an attempt to set aside of a session that is not open.
+  void add_decision(std::int64_t session_id, const DecisionRow& decision);
+  std::vector<DecisionRow> decisions(std::int64_t session_id) const;  ///< in the order of deciding
+  /// The attempt no longer counts, for ever, so that its trial can be asked again: the verdict
+  /// `set_aside`, decided now by the experimenter.
+  void set_aside(std::int64_t session_id, int trial, int attempt, const std::string& reason);
 
   /// Answers to questions that belong to a session rather than a trial.
   void add_session_answer(std::int64_t session_id, const ResponseRow& answer);

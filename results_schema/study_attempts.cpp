@@ -1,6 +1,7 @@
 // Attempts of a study, with everything that hangs on them.
 
 #include <algorithm>
+#include <map>
 
 #include "results_schema/file_system.h"
 #include "results_schema/study.h"
@@ -12,6 +13,8 @@ namespace {
 constexpr std::array kOutcomes{AttemptOutcome::answered,      AttemptOutcome::timed_out,
                                AttemptOutcome::not_compliant, AttemptOutcome::aborted,
                                AttemptOutcome::device_fault,  AttemptOutcome::skipped};
+constexpr std::array kVerdicts{Verdict::set_aside, Verdict::flag, Verdict::exclude,
+                               Verdict::include};
 
 void insert_presentations(Database& database, std::int64_t attempt_id,
                           const std::vector<PresentationRow>& rows) {
@@ -195,6 +198,47 @@ void read_events(Database& database, const std::string& which, std::int64_t key,
   }
 }
 
+/// What was decided about attempts, or about their session, in the order of deciding.
+void apply_decisions(Database& database, const std::string& which, std::int64_t key,
+                     Attempts& attempts) {
+  Statement statement(
+      database,
+      "SELECT attempt.id, verdict, reason, decision.trial IS NULL FROM attempt JOIN decision "
+      "ON decision.session_id = attempt.session_id AND (decision.trial IS NULL OR "
+      "(decision.trial = attempt.trial AND decision.attempt = attempt.attempt)) "
+      "WHERE attempt.id IN (SELECT id FROM attempt WHERE " +
+          which + ") ORDER BY decision.trial IS NULL, decision.id");
+  statement.bind(key);
+  std::map<std::int64_t, std::optional<std::string>> of_session;
+  while (statement.step()) {
+    std::int64_t id = 0;
+    std::string verdict;
+    std::string reason;
+    bool is_of_session = false;
+    statement.read(id, verdict, reason, is_of_session);
+    AttemptRow& row = attempts.of(id);
+    switch (enum_of(verdict, kVerdicts)) {
+      case Verdict::set_aside:
+        row.valid = false;
+        row.invalid_reason = "set aside: " + reason;
+        break;
+      case Verdict::flag:
+        row.flagged = true;
+        row.flag_reason = row.flag_reason ? *row.flag_reason + "; " + reason : reason;
+        break;
+      case Verdict::exclude:
+        (is_of_session ? of_session[id] : row.excluded) = reason;
+        break;
+      case Verdict::include:
+        (is_of_session ? of_session[id] : row.excluded).reset();
+        break;
+    }
+  }
+  for (const auto& [id, reason] : of_session) {
+    if (reason && !attempts.of(id).excluded) attempts.of(id).excluded = reason;
+  }
+}
+
 /// `which` selects attempts by the one parameter `key`.
 std::vector<AttemptRow> read_attempts(Database& database, const std::string& which,
                                       std::int64_t key) {
@@ -212,6 +256,7 @@ std::vector<AttemptRow> read_attempts(Database& database, const std::string& whi
     row.outcome = enum_of(outcome, kOutcomes);
     attempts.add(std::move(row));
   }
+  apply_decisions(database, which, key, attempts);
   const std::string hanging = "attempt_id IN (SELECT id FROM attempt WHERE " + which + ")";
   read_presentations(database, hanging, key, attempts);
   read_responses(database, hanging, key, attempts);

@@ -80,14 +80,15 @@ void insert_session(Database& database, const SessionRow& row, int ordinal,
       "INSERT INTO session (participant_id, session, protocol_id, mode, state, seed, "
       "generator, counterbalance_row, program_version, program_commit, program_build, "
       "program_sha256, instruction_set, os, device, device_json, pacing, scheduling, rate_Hz, "
-      "started_utc, clock_zero_ns, ended_utc, consent_version, consent_utc, observer_json) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      "started_utc, clock_zero_ns, ended_utc, consent_version, consent_utc, observer_json, "
+      "mirrored) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(participant_id, ordinal, row.protocol_id, text_of(row.mode), text_of(row.state),
             row.seed, row.generator, row.counterbalance_row, row.program_version,
             row.program_commit, row.program_build, row.program_sha256, row.instruction_set, row.os,
             row.device, row.device_json, row.pacing, row.scheduling, row.rate_Hz, row.started_utc,
             row.clock_zero_ns, row.ended_utc, row.consent_version, row.consent_utc,
-            row.observer_json)
+            row.observer_json, row.mirrored)
       .run();
 }
 
@@ -136,7 +137,9 @@ constexpr const char* kSelectSessions =
     "SELECT session.id, participant.label, session.session, protocol_id, mode, state, seed, "
     "generator, counterbalance_row, program_version, program_commit, program_build, "
     "program_sha256, instruction_set, os, device, device_json, pacing, scheduling, rate_Hz, "
-    "started_utc, clock_zero_ns, ended_utc, consent_version, consent_utc, observer_json "
+    "started_utc, clock_zero_ns, ended_utc, consent_version, consent_utc, observer_json, mirrored, "
+    "(SELECT iif(verdict = 'exclude', reason, NULL) FROM decision WHERE session_id = session.id "
+    "AND trial IS NULL ORDER BY decision.id DESC LIMIT 1) "
     "FROM session JOIN participant ON participant.id = session.participant_id ";
 
 void read_session(Statement& statement, SessionRow& row) {
@@ -147,7 +150,7 @@ void read_session(Statement& statement, SessionRow& row) {
                  row.program_build, row.program_sha256, row.instruction_set, row.os, row.device,
                  row.device_json, row.pacing, row.scheduling, row.rate_Hz, row.started_utc,
                  row.clock_zero_ns, row.ended_utc, row.consent_version, row.consent_utc,
-                 row.observer_json);
+                 row.observer_json, row.mirrored, row.excluded);
   row.mode = enum_of(mode, kModes);
   row.state = enum_of(state, kStates);
 }

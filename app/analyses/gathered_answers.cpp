@@ -71,6 +71,10 @@ void gather_session(const Study& study, const ParticipantRow& participant,
       ++gathered.count.not_counted[outcome == "answered" ? "answered but invalid" : outcome];
       continue;
     }
+    if (attempt.excluded) {
+      ++gathered.count.not_counted["excluded"];
+      continue;
+    }
     if (attempt.flagged) ++gathered.count.flagged;
     gathered.answers.push_back(answer_of(participant, column->second, std::move(attempt)));
   }

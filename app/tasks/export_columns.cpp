@@ -210,6 +210,8 @@ Columns session_columns() {
   add(at_least(
       0, column("counterbalance_row", "integer", "", "row of the counterbalancing square, from 0",
                 [](const Place& at) { return integer(at.session->counterbalance_row); })));
+  add(column("mirrored", "boolean", "", "1: the workspace was laid out for a left hand",
+             [](const Place& at) { return boolean(at.session->mirrored); }));
   text("program_version", "version of the program", &SessionRow::program_version);
   text("program_commit", "commit the program was built from", &SessionRow::program_commit);
   text("program_build", "how the program was built", &SessionRow::program_build);
@@ -306,11 +308,18 @@ Columns attempt_columns() {
               column("invalid_reason", "text", "",
                      "why the attempt does not count; may be in the experimenter's words",
                      [](const Place& at) { return optional_cell(at.attempt->invalid_reason); }))));
+  add(column("excluded", "boolean", "", "1: somebody excluded it or its session: leave it out",
+             [](const Place& at) { return boolean(at.attempt->excluded.has_value()); }));
+  add(dropped(missing("not excluded", column("exclusion_reason", "text", "",
+                                             "why, in that person's words", [](const Place& at) {
+                                               return optional_cell(at.attempt->excluded);
+                                             }))));
   add(column("flagged", "boolean", "", "1: the attempt counts, but look at it",
              [](const Place& at) { return boolean(at.attempt->flagged); }));
-  add(missing("not flagged",
-              column("flag_reason", "text", "", "what to look at, in the program's words",
-                     [](const Place& at) { return optional_cell(at.attempt->flag_reason); })));
+  add(dropped(missing(
+      "not flagged",
+      column("flag_reason", "text", "", "what to look at, in the program's or somebody's words",
+             [](const Place& at) { return optional_cell(at.attempt->flag_reason); }))));
   add(column("onset_s", "number", "s", "beginning, since the session began",
              [](const Place& at) { return seconds_in_session(at, at.attempt->onset_ns); }));
   add(column("offset_s", "number", "s", "end, since the session began",

@@ -168,6 +168,24 @@ TEST(Selection, CountsCannotTellButKeepsItOutOfTheShares) {
   EXPECT_DOUBLE_EQ(number(shares, {"all", "sinusoid"}, "chance"), 1.0 / 3.0);
 }
 
+TEST(Selection, LeavesOutWhatSomebodyExcludedAndSaysSo) {
+  MadeUpStudy made;
+  made.add_person("p1", "F");
+  made.add_person("p2", "F");
+  const std::int64_t protocol = made.add_protocol("selection", "selection");
+  const std::vector<MadeUpTrial> trials{choice_among_models(kModels[0], kTextures[0]),
+                                        choice_among_models(kModels[1], kTextures[0])};
+  const std::int64_t first = made.add_session("p1", protocol, trials);
+  const std::int64_t second = made.add_session("p2", protocol, trials);
+  made.study().add_decision(
+      first, {.trial = 2, .attempt = 1, .verdict = Verdict::exclude, .reason = "coughed"});
+  EXPECT_EQ(analyze_study(made.study()).at(0).answers, 3U);
+  made.study().add_decision(second, {.verdict = Verdict::exclude, .reason = "was asleep"});
+  const AnalysisOutcome outcome = analyze_study(made.study()).at(0);
+  EXPECT_EQ(outcome.answers, 1U);
+  EXPECT_THAT(outcome.remarks, testing::Contains(HasSubstr("3 excluded")));
+}
+
 TEST(Selection, WarnsWherePersonsArePooledAndGivesThePersonsAsUnit) {
   const AnalysisOutcome& outcome = selections_of_the_chapter();
   EXPECT_THAT(outcome.remarks, testing::Contains(HasSubstr("60 answers of 20 persons")));

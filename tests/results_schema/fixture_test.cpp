@@ -15,11 +15,28 @@
 namespace asperity {
 namespace {
 
-const std::filesystem::path kFixture =
-    std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/results_schema/fixtures/study_version_1";
+const std::filesystem::path kFixtures =
+    std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/results_schema/fixtures";
 
-TEST(StudyOfSchemaVersion1, Opens) {
-  const Study study = Study::open(kFixture, Access::read_only);
+/// A copy of the fixture of a schema version, so that opening it may bring it up to date.
+class Fixture {
+ public:
+  explicit Fixture(int version) : path_(folder_ / "study") {
+    std::filesystem::copy(kFixtures / ("study_version_" + std::to_string(version)), path_,
+                          std::filesystem::copy_options::recursive);
+  }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  TemporaryFolder folder_{};
+  std::filesystem::path path_;
+};
+
+class StudyOfSchemaVersion : public testing::TestWithParam<int> {};
+
+TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
+  const Fixture fixture(GetParam());
+  const Study study = Study::open_up_to_date(fixture.path());
   EXPECT_EQ(study.name(), "fixture");
   ASSERT_EQ(study.participants().size(), 2U);
   EXPECT_TRUE(study.participants()[0].is_virtual);
@@ -28,6 +45,7 @@ TEST(StudyOfSchemaVersion1, Opens) {
   const SessionRow session = study.sessions()[0];
   EXPECT_EQ(session.state, SessionState::completed);
   EXPECT_EQ(session.seed, "18446744073709551615");
+  EXPECT_EQ(session.mirrored, GetParam() >= 2);
   EXPECT_EQ(study.protocol(session.protocol_id).source, R"({"name":"selection"})");
   EXPECT_EQ(study.plan(session.id).size(), 2U);
   EXPECT_EQ(study.session_answers(session.id).at(0).answer, "left");
@@ -38,21 +56,35 @@ TEST(StudyOfSchemaVersion1, Opens) {
   EXPECT_EQ(attempts[0].outcome, AttemptOutcome::aborted);
   EXPECT_EQ(attempts[1].attempt, 2);
   EXPECT_EQ(attempts[1].responses.at(0).answer, "B");
+  EXPECT_TRUE(attempts[1].valid);
   EXPECT_EQ(attempts[2].servo->lost_records, 5);
   EXPECT_EQ(attempts[2].presentations.at(0).matched_texture_force_N, 0.1);
   EXPECT_EQ(attempts[2].compliance.at(0).p95, 1.2);
+  EXPECT_EQ(attempts[2].excluded.value_or("counts"), GetParam() >= 2 ? "sneezed" : "counts");
 }
 
-TEST(StudyOfSchemaVersion1, Verifies) {
-  EXPECT_THAT(Study::open(kFixture, Access::read_only).verify({}), testing::IsEmpty());
+TEST_P(StudyOfSchemaVersion, Verifies) {
+  const Fixture fixture(GetParam());
+  EXPECT_THAT(Study::open_up_to_date(fixture.path()).verify({}), testing::IsEmpty());
 }
 
-TEST(StudyOfSchemaVersion1, GoesOnInACopy) {
+TEST_P(StudyOfSchemaVersion, GoesOnInACopy) {
+  const Fixture fixture(GetParam());
   const TemporaryFolder folder;
-  Study::open(kFixture, Access::read_only).copy_to(folder / "copy");
+  Study::open_up_to_date(fixture.path()).copy_to(folder / "copy");
   Study study = Study::open(folder / "copy", Access::read_write);
   study.add_participant({.label = "P03"});
   EXPECT_EQ(study.participants().size(), 3U);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, StudyOfSchemaVersion, testing::Range(1, Study::kSchemaVersion + 1),
+                         testing::PrintToStringParamName());
+
+TEST(OlderStudy, IsNotWrittenToByWhoeverOnlyReads) {
+  const Fixture fixture(1);
+  const std::string before = read_file(fixture.path() / "study.sqlite");
+  EXPECT_THROW(Study::open(fixture.path(), Access::read_only), ResultsError);
+  EXPECT_EQ(read_file(fixture.path() / "study.sqlite"), before);
 }
 
 /// The program between ```python and ``` in a page of documentation.
@@ -78,7 +110,7 @@ TEST(RecordingDocumentation, HasAReaderThatReadsWhatWeRead) {
   const std::filesystem::path formats = std::filesystem::path(ASPERITY_SOURCE_DIR) / "docs/formats";
   const TemporaryFolder folder;
   write_file(folder / "reader.py", python_of(formats / "recording.md"), Overwrite::refuse);
-  const std::filesystem::path file = kFixture / "recordings/P01-1-2.asprec";
+  const std::filesystem::path file = kFixtures / "study_version_1" / "recordings/P01-1-2.asprec";
   const Table table = read_tsv(
       output_of("python3 '" + (folder / "reader.py").string() + "' '" + file.string() + "'"),
       "python's output");
@@ -99,10 +131,9 @@ TEST(StudyDocumentation, HasAReaderThatReadsTheFixture) {
   const std::filesystem::path formats = std::filesystem::path(ASPERITY_SOURCE_DIR) / "docs/formats";
   const TemporaryFolder folder;
   write_file(folder / "reader.py", python_of(formats / "study.md"), Overwrite::refuse);
-  EXPECT_EQ(
-      output_of("python3 '" + (folder / "reader.py").string() + "' '" + kFixture.string() + "'"),
-      "P01 1 1 2 which B 1\nP01 1 1 2 confidence sure None\n"
-      "P01 1 2 1 which B 1\nP01 1 2 1 confidence sure None\n");
+  EXPECT_EQ(output_of("python3 '" + (folder / "reader.py").string() + "' '" +
+                      (kFixtures / "study_version_2").string() + "'"),
+            "P01 1 1 2 which B 1\nP01 1 1 2 confidence sure None\n");
 }
 
 /// Every table and column of the schema is explained.
@@ -112,7 +143,7 @@ TEST(StudyDocumentation, NamesEveryTableAndColumn) {
   const std::string output = output_of(
       "python3 -c \"import sqlite3, sys\n"
       "c = sqlite3.connect('file:" +
-      (kFixture / "study.sqlite").string() +
+      (kFixtures / "study_version_1" / "study.sqlite").string() +
       "?immutable=1', uri=True)\n"
       "for (t,) in c.execute('SELECT name FROM sqlite_schema WHERE type IN (\\\"table\\\", "
       "\\\"view\\\")').fetchall():\n"

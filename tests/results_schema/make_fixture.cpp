@@ -21,6 +21,7 @@ int main(int count, char** arguments) {
   SessionRow session = some_session(study.add_protocol(some_protocol()));
   session.files = {
       {.path = "stimuli/metal.txt", .sha256 = sha256_of("not a picture\n"), .bytes = 14}};
+  session.mirrored = true;
   const std::int64_t id = study.add_session(session, some_plan(2));
   study.begin_segment(id, 1'000'000'000);
   study.add_session_answer(id, {.question = "hand", .answer = "left", .source = "virtual"});
@@ -47,6 +48,12 @@ int main(int count, char** arguments) {
   study.add_event(id, {.time_ns = 9'000'000'000, .kind = "note", .text = "done"});
   study.end_segment(id, 1, 9'000'000'000, "completed");
   study.end_session(id, SessionState::completed, "2026-03-01T09:30:00Z");
+  study.add_decision(id, {.trial = 2,
+                          .attempt = 1,
+                          .verdict = Verdict::exclude,
+                          .reason = "sneezed",
+                          .decided_by = "someone",
+                          .decided_utc = "2026-03-02T09:00:00Z"});
   study.remember_solution("key", R"({"A_m":0.0001})");
   return 0;
 }

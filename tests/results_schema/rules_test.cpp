@@ -15,6 +15,7 @@
 namespace asperity {
 namespace {
 
+const std::string kNow = "2026-01-01T00:00:00Z";
 const std::string kHash = "'" + std::string(64, 'a') + "'";
 
 /// Another program's connection, with SQLite's defaults or worse.
@@ -77,10 +78,19 @@ void fill(const std::filesystem::path& folder) {
   study.begin_segment(second, 0);
   study.end_segment(second, 1, 1, "pause");
   study.begin_segment(second, 2);
+  AttemptRow of_second = some_attempt(1);
+  of_second.segment = 2;
+  study.add_attempt(second, of_second);
+  study.end_session(second, SessionState::stopped, kNow);
   study.add_participant({.label = "Person"});
   const std::int64_t completed = study.add_session(some_session(1), some_plan(1));
   study.begin_segment(completed, 0);
   study.end_session(completed, SessionState::completed, "2026-03-01T10:00:00Z");
+  study.add_decision(session_id, {.trial = 1,
+                                  .attempt = 1,
+                                  .verdict = Verdict::flag,
+                                  .reason = "a noise outside",
+                                  .decided_utc = kNow});
 }
 
 struct Forbidden {
@@ -99,11 +109,27 @@ std::string session(const std::string& participant, const std::string& ordinal,
          ", state, seed, generator, counterbalance_row, program_version, program_commit, "
          "program_build, program_sha256, instruction_set, os, device, device_json, pacing, "
          "scheduling, rate_Hz, started_utc, clock_zero_ns, ended_utc, consent_version, "
-         "consent_utc, observer_json FROM session WHERE id = 1";
+         "consent_utc, observer_json, mirrored FROM session WHERE id = 1";
+}
+
+std::string decision(const std::string& values) {
+  return "INSERT INTO decision VALUES (" + values + ", 'because', '', '" + kNow + "')";
 }
 
 std::vector<Forbidden> forbidden_statements() {
   return {
+      {"update decision", "UPDATE decision SET verdict = 'exclude'"},
+      {"delete decision", "DELETE FROM decision"},
+      {"decision replaced", "INSERT OR REPLACE" + decision("1, 1, 1, 1, 'include'").substr(6)},
+      {"decision about no session", decision("NULL, 99, NULL, NULL, 'exclude'")},
+      {"decision about no attempt", decision("NULL, 1, 1, 7, 'exclude'")},
+      {"unknown verdict", decision("NULL, 1, 1, 1, 'forget'")},
+      {"whole session set aside", decision("NULL, 1, NULL, NULL, 'set_aside'")},
+      {"attempt without its trial", decision("NULL, 1, NULL, 1, 'exclude'")},
+      {"decision without a reason",
+       "INSERT INTO decision VALUES (NULL, 1, 1, 1, 'exclude', '', '', '" + kNow + "')"},
+      {"set aside in a session that is over", decision("NULL, 2, 1, 1, 'set_aside'")},
+      {"other layout", "UPDATE session SET mirrored = 1 WHERE id = 1"},
       {"second valid attempt", attempt("(9,1,1,3,1,'answered',1,NULL,0,NULL,0,1)")},
       {"invalid without reason", attempt("(9,1,2,1,1,'aborted',0,NULL,0,NULL,0,1)")},
       {"valid with a reason why not", attempt("(9,1,2,1,1,'answered',1,'x',0,NULL,0,1)")},
@@ -314,12 +340,14 @@ TEST(TidyViews, GiveOneRowPerThingWithNaturalKeysFirst) {
   EXPECT_THAT(tool.column("SELECT participant || ' ' || session || ' ' || "
                           "trial || ' ' || attempt || ' ' || outcome || ' ' || onset_s || ' ' || "
                           "duration_s || ' ' || ifnull(recording_path, '-') "
-                          "FROM tidy_attempt"),
+                          "FROM tidy_attempt WHERE session = 1"),
               testing::ElementsAre("P01 1 1 1 not_compliant 1.0 1.5 -",
                                    "P01 1 1 2 answered 1.0 1.5 recordings/r"));
-  EXPECT_THAT(tool.column("SELECT attempt || question || answer FROM tidy_response WHERE valid"),
+  EXPECT_THAT(tool.column("SELECT attempt || question || answer FROM tidy_response "
+                          "WHERE valid AND session = 1"),
               testing::ElementsAre("2whichB", "2confidencesure"));
-  EXPECT_THAT(tool.column("SELECT attempt || position || item FROM tidy_presentation WHERE valid"),
+  EXPECT_THAT(tool.column("SELECT attempt || position || item FROM tidy_presentation "
+                          "WHERE valid AND session = 1"),
               testing::ElementsAre("21A", "22B"));
 }
 

@@ -210,11 +210,12 @@ TEST(StudyOpening, RefusesWhatIsNoStudy) {
 TEST(StudyOpening, RefusesAStudyOfANewerProgram) {
   const TemporaryFolder folder;
   make_closed_study(folder / "s");
-  run_sql(folder / "s" / "study.sqlite", "PRAGMA user_version = 2");
+  run_sql(folder / "s" / "study.sqlite", "PRAGMA user_version = 99");
   for (const Access access : {Access::read_only, Access::read_write}) {
     EXPECT_THAT(refusal([&] { Study::open(folder / "s", access); }),
-                HasSubstr("made by a newer Asperity: its schema is version 2, this program knows "
-                          "versions up to 1"));
+                HasSubstr("made by a newer Asperity: its schema is version 99, this program knows "
+                          "versions up to " +
+                          std::to_string(Study::kSchemaVersion)));
   }
 }
 

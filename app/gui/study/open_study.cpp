@@ -3,6 +3,6 @@
 namespace asperity {
 
 OpenStudy::OpenStudy(const std::filesystem::path& folder, QObject* parent)
-    : QObject(parent), study_(Study::open(folder, Access::read_only)) {}
+    : QObject(parent), study_(Study::open_up_to_date(folder)) {}
 
 }  // namespace asperity

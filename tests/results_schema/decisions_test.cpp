@@ -1,0 +1,87 @@
+// What people decide about data, beside the data.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "results_schema/study.h"
+#include "tests/results_schema/rows_for_tests.h"
+#include "tests/results_schema/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+AttemptRow of(const Study& study, std::int64_t session, int attempt) {
+  for (AttemptRow& row : study.attempts(session)) {
+    if (row.trial == 1 && row.attempt == attempt) return row;
+  }
+  ADD_FAILURE() << "no attempt " << attempt;
+  return {};
+}
+
+TEST(Decision, SetsAnAttemptAsideSoThatItsTrialCanBeAskedAgain) {
+  const TemporaryFolder folder;
+  auto [study, session] = study_with_session(folder / "s", 1);
+  study.add_attempt(session, some_attempt(1, 1));
+  EXPECT_THROW(study.add_attempt(session, some_attempt(1, 2)), ResultsError);
+  study.set_aside(session, 1, 1, "the door opened");
+  EXPECT_FALSE(of(study, session, 1).valid);
+  EXPECT_EQ(of(study, session, 1).invalid_reason, "set aside: the door opened");
+  study.add_attempt(session, some_attempt(1, 2));
+  EXPECT_TRUE(of(study, session, 2).valid);
+  EXPECT_THROW(study.add_attempt(session, some_attempt(1, 3)), ResultsError);
+  EXPECT_THAT(study.verify({}), testing::IsEmpty());
+}
+
+TEST(Decision, ExcludesAndIncludesAgain) {
+  const TemporaryFolder folder;
+  auto [study, session] = study_with_session(folder / "s", 1);
+  study.add_attempt(session, some_attempt(1, 1));
+  EXPECT_FALSE(of(study, session, 1).excluded);
+  study.add_decision(session,
+                     {.trial = 1, .attempt = 1, .verdict = Verdict::exclude, .reason = "asleep"});
+  EXPECT_EQ(of(study, session, 1).excluded, "asleep");
+  EXPECT_TRUE(of(study, session, 1).valid);
+  study.add_decision(
+      session,
+      {.trial = 1, .attempt = 1, .verdict = Verdict::include, .reason = "awake after all"});
+  EXPECT_FALSE(of(study, session, 1).excluded);
+  EXPECT_EQ(study.decisions(session).size(), 2U);
+  EXPECT_EQ(study.decisions(session)[0].reason, "asleep");
+}
+
+TEST(Decision, ExcludesAWholeSessionWithItsAttempts) {
+  const TemporaryFolder folder;
+  auto [study, session] = study_with_session(folder / "s", 1);
+  study.add_attempt(session, some_attempt(1, 1));
+  study.add_decision(session, {.verdict = Verdict::exclude, .reason = "wrong glove"});
+  EXPECT_EQ(study.session(session).excluded, "wrong glove");
+  EXPECT_EQ(study.sessions().at(0).excluded, "wrong glove");
+  EXPECT_EQ(of(study, session, 1).excluded, "wrong glove");
+  // Taking an attempt's own exclusion back does not bring it past the session's.
+  study.add_decision(session,
+                     {.trial = 1, .attempt = 1, .verdict = Verdict::include, .reason = "fine"});
+  EXPECT_EQ(of(study, session, 1).excluded, "wrong glove");
+  study.add_decision(session, {.verdict = Verdict::include, .reason = "no glove"});
+  EXPECT_FALSE(study.session(session).excluded);
+  EXPECT_FALSE(of(study, session, 1).excluded);
+}
+
+TEST(Decision, AddsAFlagToThoseOfTheProgram) {
+  const TemporaryFolder folder;
+  auto [study, session] = study_with_session(folder / "s", 1);
+  study.add_attempt(session, some_attempt(1, 1));
+  study.add_decision(session,
+                     {.trial = 1, .attempt = 1, .verdict = Verdict::flag, .reason = "a noise"});
+  EXPECT_EQ(of(study, session, 1).flag_reason, "saturated for 3 ticks; a noise");
+}
+
+TEST(Decision, NeedsAReasonAndSomethingToDecideAbout) {
+  const TemporaryFolder folder;
+  auto [study, session] = study_with_session(folder / "s", 1);
+  EXPECT_THROW(study.add_decision(session, {.verdict = Verdict::exclude}), ResultsError);
+  EXPECT_THROW(study.set_aside(session, 1, 1, "no such attempt"), ResultsError);
+  EXPECT_THROW(study.add_decision(99, {.verdict = Verdict::exclude, .reason = "x"}), ResultsError);
+}
+
+}  // namespace
+}  // namespace asperity
