@@ -357,17 +357,6 @@ std::string json_of(const Trial& trial) {
     return std::visit([](const auto& held) { return json(held); }, value);
   };
   const auto optional = [](const auto& value) { return value ? json(*value) : json(nullptr); };
-  const auto phase = [](Phase value) {
-    switch (value) {
-      case Phase::familiarisation:
-        return "familiarisation";
-      case Phase::practice:
-        return "practice";
-      case Phase::main:
-        break;
-    }
-    return "main";
-  };
   json factors = json::object();
   for (const auto& [name, value] : trial.factors) factors[name] = level(value);
   json presentations = json::array();
@@ -401,7 +390,7 @@ std::string json_of(const Trial& trial) {
       {"ordinal", trial.ordinal},
       {"block", trial.block},
       {"block_ordinal", trial.block_ordinal},
-      {"phase", phase(trial.phase)},
+      {"phase", text_of(trial.phase)},
       {"repetition", trial.repetition},
       {"factors", factors},
       {"presentations", presentations},

@@ -33,7 +33,28 @@ enum class RealismStandard {
   memory,           ///< the participant's own idea of the material
 };
 
+/// What the participant sees.
+enum class Vision {
+  free,           ///< hand, device and screen
+  hand_occluded,  ///< the screen, not the hand
+  blindfold,      ///< nothing: an eye mask is on while surfaces are felt
+};
+
+/// How object, tool and probe are drawn for a participant who may see them while feeling.
+enum class VisualTexture {
+  on,       ///< the surface shows its relief
+  off,      ///< the surface is plain
+  neutral,  ///< the surface shows a pattern that belongs to no texture
+};
+
 enum class Phase { familiarisation, practice, main };
+
+/// As it stands in a protocol file and in the store.
+const char* text_of(ProtocolKind kind) noexcept;
+const char* text_of(ProtocolDesign design) noexcept;
+const char* text_of(Vision vision) noexcept;
+const char* text_of(VisualTexture texture) noexcept;
+const char* text_of(Phase phase) noexcept;
 
 /// A range and what to aim at; any part may be open.
 struct Band {
@@ -95,6 +116,10 @@ struct StimulusTemplate {
   std::optional<EqualForce> equal_force{};
 };
 
+/// Every name that `Protocol::speech` may have: "surface_1" … "surface_26", "option_1" …
+/// "option_26" and the cues without a number.
+std::vector<std::string> speech_cues();
+
 using Level = std::variant<double, std::string>;
 std::string text_of(const Level& level);
 
@@ -152,8 +177,19 @@ struct Protocol {
   int sessions = 1;                                   ///< per participant
   std::vector<Question> participant_questions{};      ///< asked once, before the first session
   std::optional<RealismStandard> realism_standard{};  ///< of a selection
-  std::string vision{};                               ///< "full", "hand_occluded", "blindfold"
-  std::string masking_noise{};  ///< "none", "white", "pink", with level where stated
+
+  Vision vision = Vision::free;
+  std::optional<VisualTexture> scene{};  ///< shown while feeling; absent: nothing is
+  /// Over headphones, so that the device is not heard.
+  struct Noise {
+    enum class Kind { none, white, pink };
+    Kind kind = Kind::none;
+    std::optional<double> level_dBA{};  ///< at the ear; stated for every noise but none
+  };
+  Noise masking_noise{};
+  /// Recorded speech in the place of tones: the cue ("surface_1", "question"; see `speech_cues`) →
+  /// a study-relative WAV file.
+  std::map<std::string, std::string, std::less<>> speech{};
 
   double rate_Hz = 1000.0;
   double force_limit_N = 5.0;

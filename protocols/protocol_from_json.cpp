@@ -7,8 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/wording.h"
-
 namespace asperity {
 
 namespace {
@@ -296,17 +294,32 @@ void read_head(const json& root, Protocol& protocol) {
   }
 }
 
+void read_senses(const json& environment, Protocol& protocol) {
+  read_choice(environment, "vision", protocol.vision,
+              {{"free", Vision::free},
+               {"hand_occluded", Vision::hand_occluded},
+               {"blindfold", Vision::blindfold}});
+  if (const auto scene = environment.find("scene"); scene != environment.end()) {
+    protocol.scene.emplace();
+    read_choice(*scene, "visual_texture", *protocol.scene,
+                {{"on", VisualTexture::on},
+                 {"off", VisualTexture::off},
+                 {"neutral", VisualTexture::neutral}});
+  }
+  if (const auto noise = environment.find("masking_noise"); noise != environment.end()) {
+    using Kind = Protocol::Noise::Kind;
+    read_choice(*noise, "kind", protocol.masking_noise.kind,
+                {{"none", Kind::none}, {"white", Kind::white}, {"pink", Kind::pink}});
+    read(*noise, "level_dBA", protocol.masking_noise.level_dBA);
+  }
+  for_each_named(environment, "speech", [&](const std::string& cue, const json& path) {
+    protocol.speech[cue] = path.get<std::string>();
+  });
+}
+
 void read_setting(const json& root, Protocol& protocol) {
-  protocol.vision = "full";
-  protocol.masking_noise = "none";
   if (const auto found = root.find("environment"); found != root.end()) {
-    read(*found, "vision", protocol.vision);
-    if (const auto noise = found->find("masking_noise"); noise != found->end()) {
-      read(*noise, "kind", protocol.masking_noise);
-      if (const auto level = noise->find("level_dBA"); level != noise->end()) {
-        protocol.masking_noise += " " + digits(level->get<double>()) + " dBA";
-      }
-    }
+    read_senses(*found, protocol);
   }
   if (const auto found = root.find("device"); found != root.end()) {
     read(*found, "rate_Hz", protocol.rate_Hz);

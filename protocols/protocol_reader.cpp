@@ -40,6 +40,9 @@ std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& fil
     add(texture.picture, "picture", false);
     add(texture.true_height_field, "true_height_field", true);
   }
+  for (const auto& [cue, path] : protocol.speech) {
+    files.push_back({path, document.at(pointer_to("/environment/speech", cue), ""), false});
+  }
   return files;
 }
 

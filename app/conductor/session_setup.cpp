@@ -14,30 +14,6 @@ namespace asperity {
 
 namespace {
 
-std::string kind_text(ProtocolKind kind) {
-  switch (kind) {
-    case ProtocolKind::selection:
-      return "selection";
-    case ProtocolKind::matching:
-      return "matching";
-    case ProtocolKind::recognition:
-      return "recognition";
-  }
-  return {};
-}
-
-std::string phase_text(Phase phase) {
-  switch (phase) {
-    case Phase::familiarisation:
-      return "familiarisation";
-    case Phase::practice:
-      return "practice";
-    case Phase::main:
-      return "main";
-  }
-  return {};
-}
-
 std::string factors_json(const Trial& trial) {
   nlohmann::ordered_json factors = nlohmann::ordered_json::object();
   for (const auto& [name, level] : trial.factors) {
@@ -73,8 +49,8 @@ ProtocolRow row_of(const Protocol& protocol) {
   ProtocolRow row{};
   row.name = protocol.name;
   row.version = protocol.version;
-  row.kind = kind_text(protocol.kind);
-  row.design = protocol.design == ProtocolDesign::chapter ? "chapter" : "improved";
+  row.kind = text_of(protocol.kind);
+  row.design = text_of(protocol.design);
   row.source_sha256 = sha256_of(protocol.source);
   row.source = protocol.source;
   return row;
@@ -88,7 +64,7 @@ std::vector<PlannedTrialRow> rows_of(const Plan& plan) {
     row.trial = trial.ordinal;
     row.block = trial.block;
     row.block_ordinal = trial.block_ordinal;
-    row.phase = phase_text(trial.phase);
+    row.phase = text_of(trial.phase);
     row.repetition = trial.repetition;
     row.factors_json = factors_json(trial);
     row.plan_json = json_of(trial);
