@@ -12,6 +12,34 @@
 
 namespace asperity {
 
+/// A sentence of the program's own (not the protocol's), by number, so that a window can say it in
+/// its language.
+struct Saying {
+  enum class What {
+    nothing,
+    feel_surface,   ///< surface `code` can be felt now
+    put_mask_on,    ///< and confirm
+    take_mask_off,  ///< and confirm
+    cannot_tell,    ///< as an option
+    feel_first,     ///< refused: surface `code` has to be felt before the answer
+    feel_longer,    ///< refused: surface `code` is to be felt a little longer
+    wait,           ///< refused: not before `number` seconds have gone by
+    choose_first,   ///< refused: nothing is chosen yet
+    assign_first,   ///< refused: surface `code` has no picture yet
+    no_going_back,  ///< refused: surfaces cannot be felt again in this trial
+    answer_needed,  ///< refused: this question cannot be left out
+    number_needed,  ///< refused: a number, not below `minimum`, not above `maximum`
+    option_needed,  ///< refused: one of the options
+  };
+  What what = What::nothing;
+  std::string code{};
+  int number = 0;
+  std::optional<double> minimum{};
+  std::optional<double> maximum{};
+};
+/// In English; empty for nothing.
+std::string text_of(const Saying& saying);
+
 /// One thing at a time. Nothing in it names a stimulus, a texture or a model.
 struct ParticipantScene {
   enum class Kind {
@@ -36,9 +64,12 @@ struct ParticipantScene {
   };
   /// An option of the question.
   struct Choice {
-    std::string key{};                     ///< what is pressed for it and stands on it: "1", "A"
+    /// What is pressed for it and stands on it: "1" … for pictures, "A" … for surfaces, "0" for "I
+    /// cannot tell".
+    std::string key{};
     std::optional<std::string> picture{};  ///< study-relative; a surface or "cannot tell" has none
     std::string text{};         ///< for what is neither picture nor surface ("I cannot tell")
+    Saying saying{};            ///< the same, where it is the program's own
     bool chosen = false;        ///< of a choice
     std::string assigned_to{};  ///< of an assignment: the code of the surface that has it; or empty
   };
@@ -47,6 +78,8 @@ struct ParticipantScene {
   std::string text{};  ///< the instruction, prompt or feedback
   std::string
       cue{};  ///< a short refusal or reminder ("Please feel surface C first."); usually empty
+  Saying text_saying{};          ///< what `text` says, where it is not the protocol's
+  Saying cue_saying{};           ///< what `cue` says
   std::uint64_t cue_number = 0;  ///< counts the cues, so that the same one can be shown again
   int block = 0;                 ///< "block 3 of 6"; 0: no progress is shown
   int blocks = 0;
@@ -71,7 +104,7 @@ struct ParticipantScene {
 /// Something that the participant did, stamped when it happened.
 struct ParticipantInput {
   enum class Kind {
-    option,   ///< option `number` (from 1) of the question: chosen, or given to the present surface
+    option,  ///< option `number` (place in `choices`, from 1): chosen, or given to the present surface
     assign,   ///< option `number` given to surface `surface` (both from 1), by click or drag
     surface,  ///< surface `number` (from 1) wanted under the hand
     next,     ///< "enough of this surface"; on the question: the next surface to feel again
@@ -91,7 +124,9 @@ struct ParticipantInput {
 
 /// The scenes of a session; the conductor shows them, whoever answers.
 ParticipantScene scene_to_read(const std::string& text);
-/// `felt`: positions that were felt in this attempt; `now`: the position under the hand.
+/// `felt`: positions that were felt in this attempt; `now`: the position under the hand. Pictures
+/// stand beside, unless they are to be seen only after feeling. `show_workspace` is left to the
+/// caller.
 ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now);
 ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt);
 ParticipantScene scene_of_form(const Question& question);

@@ -1,0 +1,155 @@
+#include "app/conductor/participant_scene.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+bool contains(const std::vector<int>& positions, int position) {
+  return std::find(positions.begin(), positions.end(), position) != positions.end();
+}
+
+std::vector<ParticipantScene::Surface> surfaces_of(const Trial& trial,
+                                                   const std::vector<int>& felt) {
+  std::vector<ParticipantScene::Surface> surfaces{};
+  for (const PlannedPresentation& planned : trial.presentations) {
+    surfaces.push_back({.code = planned.code, .felt = contains(felt, planned.position)});
+  }
+  return surfaces;
+}
+
+std::vector<ParticipantScene::Choice> choices_of(const Trial& trial) {
+  std::vector<ParticipantScene::Choice> choices{};
+  for (const Option& option : trial.question.options) {
+    ParticipantScene::Choice choice{};
+    choice.picture = option.picture;
+    const bool is_surface = std::any_of(
+        trial.presentations.begin(), trial.presentations.end(),
+        [&option](const PlannedPresentation& planned) { return planned.code == option.label; });
+    if (option.picture || is_surface) {
+      choice.key = option.label;
+    } else {
+      choice.key = "0";
+      choice.saying.what = Saying::What::cannot_tell;
+      choice.text = text_of(choice.saying);
+    }
+    choices.push_back(std::move(choice));
+  }
+  return choices;
+}
+
+bool shows_pictures(const Trial& trial) {
+  return std::any_of(trial.question.options.begin(), trial.question.options.end(),
+                     [](const Option& option) { return option.picture.has_value(); });
+}
+
+ParticipantScene scene_that_says(ParticipantScene::Kind kind, Saying saying) {
+  ParticipantScene scene{};
+  scene.kind = kind;
+  scene.text = text_of(saying);
+  scene.text_saying = std::move(saying);
+  return scene;
+}
+
+}  // namespace
+
+std::string text_of(const Saying& saying) {
+  switch (saying.what) {
+    case Saying::What::nothing:
+      return {};
+    case Saying::What::feel_surface:
+      return "Feel surface " + saying.code + " now.";
+    case Saying::What::put_mask_on:
+      return "Please put on the eye mask.";
+    case Saying::What::take_mask_off:
+      return "Please take off the eye mask.";
+    case Saying::What::cannot_tell:
+      return "I cannot tell";
+    case Saying::What::feel_first:
+      return "Please feel surface " + saying.code + " first.";
+    case Saying::What::feel_longer:
+      return "Please feel surface " + saying.code + " a little longer.";
+    case Saying::What::wait:
+      return saying.number == 1 ? "Please wait 1 more second."
+                                : "Please wait " + std::to_string(saying.number) + " more seconds.";
+    case Saying::What::choose_first:
+      return "Please choose first.";
+    case Saying::What::assign_first:
+      return "Please give surface " + saying.code + " a picture first.";
+    case Saying::What::no_going_back:
+      return "The surfaces cannot be felt again.";
+    case Saying::What::answer_needed:
+      return "This question needs an answer.";
+    case Saying::What::number_needed: {
+      std::string sentence = "A number is needed";
+      if (saying.minimum) sentence += ", " + number_text(*saying.minimum) + " or more";
+      if (saying.maximum) sentence += ", " + number_text(*saying.maximum) + " or less";
+      return sentence + '.';
+    }
+    case Saying::What::option_needed:
+      return "Please choose one of the answers.";
+  }
+  return {};
+}
+
+ParticipantScene scene_to_read(const std::string& text) {
+  ParticipantScene scene{};
+  scene.kind = ParticipantScene::Kind::text;
+  scene.text = text;
+  return scene;
+}
+
+ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now) {
+  Saying saying{.what = Saying::What::feel_surface};
+  for (const PlannedPresentation& planned : trial.presentations) {
+    if (planned.position == now) saying.code = planned.code;
+  }
+  ParticipantScene scene = scene_that_says(ParticipantScene::Kind::feel, std::move(saying));
+  scene.surfaces = surfaces_of(trial, felt);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    scene.surfaces[i].now = trial.presentations[i].position == now;
+  }
+  scene.standard_picture = trial.question.standard_picture;
+  if (shows_pictures(trial) && !trial.question.pictures_after_feeling) {
+    scene.choices = choices_of(trial);
+  }
+  return scene;
+}
+
+ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt) {
+  ParticipantScene scene{};
+  scene.kind = ParticipantScene::Kind::question;
+  scene.text = trial.question.prompt;
+  scene.surfaces = surfaces_of(trial, felt);
+  scene.can_switch = trial.question.allow_revisit;
+  for (ParticipantScene::Surface& surface : scene.surfaces) surface.can_go = scene.can_switch;
+  const bool all_felt =
+      std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
+                  [](const ParticipantScene::Surface& surface) { return surface.felt; });
+  if (all_felt || !trial.question.pictures_after_feeling) scene.choices = choices_of(trial);
+  scene.is_assignment = trial.question.form == TrialQuestion::Form::assignment;
+  if (scene.is_assignment) scene.assigning = 0;
+  scene.standard_picture = trial.question.standard_picture;
+  scene.response_open = true;
+  return scene;
+}
+
+ParticipantScene scene_of_form(const Question& question) {
+  ParticipantScene scene{};
+  scene.kind = ParticipantScene::Kind::form;
+  scene.text = question.prompt;
+  scene.question = question;
+  return scene;
+}
+
+ParticipantScene scene_of_mask(bool on) {
+  return on ? scene_that_says(ParticipantScene::Kind::mask_on, {.what = Saying::What::put_mask_on})
+            : scene_that_says(ParticipantScene::Kind::mask_off,
+                              {.what = Saying::What::take_mask_off});
+}
+
+}  // namespace asperity
