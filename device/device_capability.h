@@ -25,6 +25,7 @@ struct DeviceCapability {
   double continuous_force_N = 0.0;
   double position_resolution_m = 0.0;
   double maximum_rate_Hz = 1000.0;
+  int buttons = 0;  ///< that a participant can press; bits of ProbeState::buttons
   Pacing pacing = Pacing::ours;
 };
 

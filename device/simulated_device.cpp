@@ -21,7 +21,8 @@ DeviceCapability capability_of(const SimulatedDeviceSettings& settings) {
           .model = "mass, spring and damper",
           .peak_force_N = settings.peak_force_N,
           .continuous_force_N = settings.peak_force_N,
-          .maximum_rate_Hz = 10'000.0};
+          .maximum_rate_Hz = 10'000.0,
+          .buttons = VirtualHand::kButtons};
 }
 
 void check(const SimulatedDeviceSettings& settings) {
@@ -93,6 +94,7 @@ bool SimulatedDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
   }
   move_until(now_ns);
 
+  probe_.buttons = hand_.take_buttons();
   state = probe_;
   if (not_a_number) {
     state.position_m = glm::dvec3(std::numeric_limits<double>::quiet_NaN());

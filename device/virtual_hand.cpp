@@ -64,6 +64,13 @@ void check_variation(const char* field, double value) {
   }
 }
 
+std::uint32_t bit_of(int button) {
+  if (button < 1 || button > VirtualHand::kButtons) {
+    refuse("button of the virtual hand", button, "1 or 2");
+  }
+  return std::uint32_t{1} << (button - 1);
+}
+
 void check(const HandHabits& habits) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(habits.centre_m[axis])) {
@@ -113,6 +120,22 @@ bool VirtualHand::takes_up_new_habits() noexcept {
   }
   next_habits_in_use_.clear(std::memory_order_release);
   return true;
+}
+
+void VirtualHand::press(int button) {
+  const std::uint32_t bit = bit_of(button);
+  buttons_pressed_.fetch_or(bit, std::memory_order_relaxed);
+  buttons_down_.fetch_or(bit, std::memory_order_relaxed);
+}
+
+void VirtualHand::release(int button) {
+  buttons_down_.fetch_and(~bit_of(button), std::memory_order_relaxed);
+}
+
+std::uint32_t VirtualHand::take_buttons() noexcept {
+  // Down is read first: a press in between is seen now or with the next reading, never lost.
+  const std::uint32_t down = buttons_down_.load(std::memory_order_relaxed);
+  return down | buttons_pressed_.exchange(0, std::memory_order_relaxed);
 }
 
 HandIntent VirtualHand::intent(std::int64_t time_ns) noexcept {

@@ -53,12 +53,17 @@ inline constexpr std::int64_t kLongestGap_ns = 100'000'000;
 /// the defaults 40 mm and 10 mm). The motion is a function of the seed, the habits and the times of
 /// the calls; how often `intent` is called in between does not move the strokes.
 ///
-/// Threads: `stroke`, `lift` and `set_habits` from any thread; `intent` from the one that reads the
-/// device.
+/// It also holds down the buttons of the handle that it is told to. Nothing of its motion depends on
+/// them.
 ///
-/// Real-time: `intent` does not allocate, lock or throw.
+/// Threads: `stroke`, `lift`, `press`, `release` and `set_habits` from any thread; `intent` and
+/// `take_buttons` from the one that reads the device.
+///
+/// Real-time: `intent` and `take_buttons` do not allocate, lock or throw.
 class VirtualHand final {
  public:
+  static constexpr int kButtons = 2;
+
   /// Errors: std::invalid_argument naming the habit that is not positive or finite (variations and
   /// the drift may be zero; a variation is at most 0.3, so that every stroke moves and presses).
   VirtualHand(const HandHabits& habits, Random random);
@@ -67,6 +72,13 @@ class VirtualHand final {
   void lift() noexcept { wants_contact_.store(false, std::memory_order_release); }
   /// Taken up when the hand next waits above the surface. Errors: as the constructor's.
   void set_habits(const HandHabits& habits);
+
+  /// `button` counts from 1. Errors: std::invalid_argument where there is no such button.
+  void press(int button);
+  void release(int button);
+  /// The buttons that are down, as a bit mask, and those that went down and up again since the last
+  /// call: a press between two readings is seen in one of them.
+  std::uint32_t take_buttons() noexcept;
 
   /// `time_ns` never goes back.
   HandIntent intent(std::int64_t time_ns) noexcept;
@@ -96,6 +108,8 @@ class VirtualHand final {
   HandHabits habits_{};
   Random random_;
   std::atomic<bool> wants_contact_{false};
+  std::atomic<std::uint32_t> buttons_down_{0};
+  std::atomic<std::uint32_t> buttons_pressed_{0};  ///< since `take_buttons`
 
   HandHabits next_habits_{};
   std::atomic<bool> has_next_habits_{false};

@@ -41,7 +41,8 @@ std::string capability_json(const DeviceCapability& device) {
       {"peak_force_N", device.peak_force_N},
       {"continuous_force_N", device.continuous_force_N},
       {"position_resolution_m", device.position_resolution_m},
-      {"maximum_rate_Hz", device.maximum_rate_Hz}};
+      {"maximum_rate_Hz", device.maximum_rate_Hz},
+      {"buttons", device.buttons}};
   return json.dump();
 }
 

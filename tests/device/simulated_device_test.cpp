@@ -455,6 +455,49 @@ TEST(SimulatedDevice, LetsTheProbeGoAtZeroForce) {
   EXPECT_NEAR(device.read(nanoseconds(1.5)).value().position_m.y, 0.0, 1e-6);
 }
 
+TEST(SimulatedDevice, ReadsTheButtonsThatTheHandHoldsDown) {
+  VirtualHand hand(HandHabits{}, Random(18));
+  SimulatedDevice device(hand, {});
+  EXPECT_EQ(device.capability().buttons, 2);
+  EXPECT_EQ(device.read(0).value().buttons, 0U);
+  hand.press(1);
+  EXPECT_EQ(device.read(kTick_ns).value().buttons, 1U);
+  hand.press(2);
+  EXPECT_EQ(device.read(2 * kTick_ns).value().buttons, 3U);
+  hand.release(1);
+  EXPECT_EQ(device.read(3 * kTick_ns).value().buttons, 2U);
+  hand.release(2);
+  EXPECT_EQ(device.read(4 * kTick_ns).value().buttons, 0U);
+}
+
+TEST(SimulatedDevice, SeesAPressThatFallsBetweenTwoReadingsOnce) {
+  VirtualHand hand(HandHabits{}, Random(19));
+  SimulatedDevice device(hand, {});
+  device.read(0);
+  hand.press(2);
+  hand.release(2);
+  EXPECT_EQ(device.read(kTick_ns).value().buttons, 2U);
+  EXPECT_EQ(device.read(2 * kTick_ns).value().buttons, 0U);
+}
+
+TEST(SimulatedDevice, MovesTheSameWhateverButtonsArePressed) {
+  VirtualHand still(HandHabits{}, Random(20));
+  VirtualHand pressing(HandHabits{}, Random(20));
+  still.stroke();
+  pressing.stroke();
+  pressing.press(1);
+  SimulatedDevice one(still, {});
+  SimulatedDevice other(pressing, {});
+  EXPECT_EQ(run(one, 1000.0, 0.0, 1.0, plate(500.0)).back().probe.position_m,
+            run(other, 1000.0, 0.0, 1.0, plate(500.0)).back().probe.position_m);
+}
+
+TEST(VirtualHandButtons, RefusesAButtonThatIsNotThere) {
+  VirtualHand hand(HandHabits{}, Random(21));
+  EXPECT_THROW(hand.press(0), std::invalid_argument);
+  EXPECT_THROW(hand.release(3), std::invalid_argument);
+}
+
 TEST(SimulatedDevice, SaysWhatItCanDoAndLowersLimitsToIt) {
   VirtualHand hand(HandHabits{}, Random(15));
   SimulatedDevice strong(hand, {});
