@@ -1,0 +1,459 @@
+#include "app/tasks/session_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "app/conductor/attempt_measures.h"
+#include "app/conductor/recorder.h"
+#include "app/conductor/recording_columns.h"
+#include "app/conductor/rig.h"
+#include "app/conductor/session_setup.h"
+#include "app/conductor/stimulus_builder.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/sitting.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/sha256.h"
+
+namespace asperity {
+
+namespace {
+
+using State = SessionCheck::State;
+
+constexpr double kTrial_s = 0.3;         // of the servo loop
+constexpr double kWarmUp_s = 0.05;       // a thread's first wake-ups are its latest ones
+constexpr double kStoreBytes = 20e6;     // rows of a session, and what SQLite needs to write them
+constexpr double kWantedSessions = 2.0;  // room for one more than this
+constexpr double kSlowestRate = 0.9;     // of what the protocol asks for
+constexpr const char* kStudyCheckLock = "session-check";
+
+std::string fixed_text(double value, int decimals) {
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::fixed, decimals);
+  return std::string(text.data(), end.ptr);
+}
+
+std::string bytes_text(double bytes) {
+  if (bytes >= 1e9) return fixed_text(bytes * 1e-9, 1) + " GB";
+  return fixed_text(bytes * 1e-6, 0) + " MB";
+}
+
+std::string time_text(double duration_s) {
+  if (duration_s >= 1e-3) return fixed_text(duration_s * 1e3, 2) + " ms";
+  return fixed_text(duration_s * 1e6, 0) + " µs";
+}
+
+/// What an exception says, with a capital letter and a full stop.
+std::string as_sentence(std::string text) {
+  if (text.empty()) return text;
+  if (text.front() >= 'a' && text.front() <= 'z')
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  if (text.back() != '.') text += '.';
+  return text;
+}
+
+SessionCheck fine(const std::string& id, const std::string& title, const std::string& text) {
+  return {.id = id, .title = title, .state = State::fine, .text = text};
+}
+
+// --- one check each ------------------------------------------------------------------------------
+
+SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol) {
+  SessionCheck check{.id = "protocol", .title = "Protocol"};
+  const std::string sha256 = sha256_of(protocol.source);
+  if (!inputs.protocol_sha256.empty() && sha256 != inputs.protocol_sha256) {
+    check.state = State::stop;
+    check.text = "The file has changed since it was chosen: it was " +
+                 short_hash(inputs.protocol_sha256) + " and is " + short_hash(sha256) + " now.";
+    check.remedy = "Choose the protocol again to read the new version, or put the old file back.";
+    return check;
+  }
+  check.text = "Valid, version " + protocol.version + ", SHA-256 " + short_hash(sha256) + ".";
+  return check;
+}
+
+/// A label that names nobody yet, somebody who may begin, or somebody whose session goes on.
+SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protocol) {
+  SessionCheck check{.id = "participant", .title = "Participant", .state = State::stop};
+  const bool is_virtual = inputs.mode == SessionMode::simulate;
+  if (inputs.participant.empty()) {
+    check.text = "Nobody is chosen yet.";
+    check.remedy = "Choose a participant, or enter a new label.";
+    return check;
+  }
+  if (const auto complaint = complaint_about_label(inputs.participant, is_virtual)) {
+    check.text = as_sentence(*complaint);
+    check.remedy = "Enter another label.";
+    return check;
+  }
+  if (const auto holder =
+          StudyLock::holder(inputs.study, Study::session_lock_name(inputs.participant))) {
+    check.text = "A session of " + inputs.participant + " runs in " + *holder + ".";
+    check.remedy = "Wait until it has ended, or stop it there.";
+    return check;
+  }
+  const Study study = Study::open(inputs.study, Access::read_only);
+  const std::optional<ParticipantRow> known = study.participant(inputs.participant);
+  if (known && known->is_virtual != is_virtual) {
+    check.text =
+        inputs.participant + (known->is_virtual ? " is a virtual participant." : " is a person.");
+    check.remedy = known->is_virtual ? "Choose a person, or switch to Simulate."
+                                     : "Leave the label to the program, or switch to Run or Pilot.";
+    return check;
+  }
+  int completed = 0;
+  std::optional<SessionRow> unfinished{};
+  for (const SessionRow& row : study.sessions()) {
+    if (row.participant != inputs.participant || row.mode != inputs.mode ||
+        study.protocol(row.protocol_id).source != protocol.source) {
+      continue;
+    }
+    if (row.state == SessionState::completed) {
+      ++completed;
+    } else {
+      unfinished = row;
+    }
+  }
+  if (inputs.resume) {
+    if (!unfinished) {
+      check.text = inputs.participant + " has no unfinished session of this protocol as it is now.";
+      check.remedy = "Start a new session instead.";
+      return check;
+    }
+    check.state = State::fine;
+    check.text = "Session " + std::to_string(unfinished->session) + " is free and can go on.";
+    return check;
+  }
+  if (!is_virtual && unfinished) {
+    check.text =
+        "Session " + std::to_string(unfinished->session) + " of this protocol is unfinished.";
+    check.remedy = "Go on with it; a new one can begin when it is complete.";
+    return check;
+  }
+  if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
+    check.text = inputs.participant + " has done " + std::to_string(completed) + " of " +
+                 std::to_string(protocol.sessions) + " planned sessions.";
+    check.remedy = "Choose somebody else.";
+    return check;
+  }
+  check.state = State::fine;
+  check.text =
+      (known ? inputs.participant + " is known to the study" : inputs.participant + " is new") +
+      "; no session of theirs runs elsewhere.";
+  return check;
+}
+
+SessionCheck study_check(const CheckInputs& inputs) {
+  try {
+    // Takes what a session takes: a lock that can be trusted, in a folder that can be written.
+    const StudyLock lock(inputs.study, kStudyCheckLock);
+    return fine("study", "Study folder", "On a local disk, and can be written.");
+  } catch (const ResultsError& error) {
+    return {.id = "study",
+            .title = "Study folder",
+            .state = State::stop,
+            .text = as_sentence(error.what()),
+            .remedy = "Move the study to a folder on a local disk that you may write to."};
+  }
+}
+
+SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
+                           const ModelRegistry& models) {
+  SessionCheck check{.id = "stimuli", .title = "Stimuli", .state = State::stop};
+  try {
+    StimulusBuilder builder(models, inputs.study);
+    load_protocol_to_run(inputs.protocol, inputs.study, builder);
+  } catch (const ProtocolError& error) {
+    for (const Diagnostic& problem : error.diagnostics()) {
+      check.text += (check.text.empty() ? "" : " ") + as_sentence(problem.message);
+    }
+    check.remedy = "Put the files into the study as they were made, or make them again.";
+    return check;
+  }
+  const std::vector<StimulusFileRow> files = hash_files(protocol, inputs.study);
+  if (inputs.resume) {
+    const Study study = Study::open(inputs.study, Access::read_only);
+    const SessionRow row = find_unfinished(study, protocol, inputs.participant);
+    for (const StimulusFileRow& before : row.files) {
+      const bool same = std::any_of(files.begin(), files.end(), [&before](const auto& file) {
+        return file.path == before.path && file.sha256 == before.sha256;
+      });
+      if (same) continue;
+      check.text = "The file " + before.path + " has changed since session " +
+                   std::to_string(row.session) + " began.";
+      check.remedy = "Put the old file back; this session cannot go on with another one.";
+      return check;
+    }
+  }
+  check.state = State::fine;
+  check.text = files.empty()
+                   ? "The protocol names no files."
+                   : std::to_string(files.size()) + (files.size() == 1 ? " file" : " files") +
+                         (inputs.resume ? ", the same as when the session began."
+                                        : ", all there and unchanged since they were made.");
+  return check;
+}
+
+SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
+  SessionCheck check{.id = "device", .title = "Device"};
+  const SteppedRig rig(rig_settings_for(protocol, {}), 0);
+  const DeviceCapability& device = rig.capability();
+  const std::vector<std::string> complaints = complaints_about_device(protocol, device);
+  if (!complaints.empty()) {
+    check.state = State::stop;
+    check.text = as_sentence(complaints.front());
+    check.remedy = "Choose another device, or ask for less in the protocol.";
+    return check;
+  }
+  check.text = "\"" + device.name + "\" gives " + fixed_text(device.peak_force_N, 1) +
+               " N at up to " + fixed_text(device.maximum_rate_Hz, 0) +
+               " Hz; the protocol asks for " + fixed_text(protocol.force_limit_N, 1) + " N at " +
+               fixed_text(protocol.rate_Hz, 0) + " Hz.";
+  if (inputs.mode == SessionMode::run && device.name == "simulated") {
+    check.state = State::look;
+    check.text += " It is simulated: nobody's hand feels anything.";
+    check.remedy =
+        "For real data choose a device; to try the session out choose Pilot or Simulate.";
+  }
+  return check;
+}
+
+/// What a few hundred ticks of the loop that the session will run on say, nothing being felt.
+struct LoopTrial {
+  ServoQualityRow quality{};
+  double strongest_N = 0.0;
+  Fault fault = Fault::none;
+};
+LoopTrial try_loop(const Protocol& protocol) {
+  RealTimeRig rig(rig_settings_for(protocol, {}), HandHabits{}, Random(0),
+                  Scheduling::fifo_if_permitted, 0);
+  Recorder recorder{};
+  rig.pass(kWarmUp_s, recorder);
+  recorder.begin(nullptr, protocol.rate_Hz, rig.records());
+  rig.pass(kTrial_s, recorder);
+  LoopTrial trial{};
+  trial.fault = rig.loop().status().fault;
+  const Recorder::Attempt attempt = recorder.finish(rig.records());
+  trial.quality = servo_quality_of(attempt.records, protocol.rate_Hz, attempt.lost_records);
+  for (const TickRecord& record : attempt.records) {
+    trial.strongest_N = std::max(trial.strongest_N, glm::length(record.sent.force_N));
+  }
+  return trial;
+}
+
+struct LoopChecks {
+  SessionCheck zero{};
+  SessionCheck rate{};
+};
+LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol) {
+  if (inputs.pacing == RunPacing::stepped) {
+    return {fine("force_zero", "Force zero", "Not needed: nothing is held in a fast simulation."),
+            fine("rate", "Rate", "Not needed: a fast simulation has a clock of its own.")};
+  }
+  const LoopTrial trial = try_loop(protocol);
+  const ServoQualityRow& quality = trial.quality;
+  SessionCheck zero{.id = "force_zero", .title = "Force zero"};
+  if (trial.fault != Fault::none) {
+    zero.state = State::stop;
+    zero.text = std::string("The device reported a fault: ") + name_of(trial.fault) + ".";
+    zero.remedy = "See to the device, then check again.";
+  } else if (trial.strongest_N > 0.0) {
+    zero.state = State::stop;
+    zero.text =
+        "A force of " + fixed_text(trial.strongest_N, 3) + " N was sent with nothing to feel.";
+    zero.remedy = "Let go of the handle, switch the device off and on, then check again.";
+  } else {
+    zero.text = "Exactly 0 N in " + std::to_string(quality.ticks) + " ticks.";
+  }
+  SessionCheck rate{.id = "rate", .title = "Rate"};
+  const double measured_Hz = quality.period_mean_s > 0.0 ? 1.0 / quality.period_mean_s : 0.0;
+  rate.text = fixed_text(measured_Hz, 0) + " of " + fixed_text(protocol.rate_Hz, 0) +
+              " Hz; period p99 " + time_text(quality.period_p99_s) + ", lateness p99 " +
+              time_text(quality.lateness_p99_s) + ", " + std::to_string(quality.missed_deadlines) +
+              " missed.";
+  if (measured_Hz < kSlowestRate * protocol.rate_Hz) {
+    rate.state = State::stop;
+    rate.remedy = "This machine is too slow or too busy: close other programs, then check again.";
+  } else if (quality.missed_deadlines > 0 || quality.lateness_p99_s > 0.5 / protocol.rate_Hz) {
+    rate.state = State::look;
+    rate.remedy = "Close other programs; a trial with more than " +
+                  std::to_string(protocol.maximum_missed_deadlines) +
+                  " missed deadlines does not count.";
+  }
+  return {zero, rate};
+}
+
+SessionCheck screens_check(const CheckInputs& inputs) {
+  if (inputs.mode == SessionMode::simulate) {
+    return fine("screens", "Screens", "Not needed: nobody looks at the participant's window.");
+  }
+  if (inputs.screens >= 2) {
+    return fine("screens", "Screens",
+                std::to_string(inputs.screens) + " screens: one for each window.");
+  }
+  return {
+      .id = "screens",
+      .title = "Screens",
+      .state = State::look,
+      .text = "One screen: the two windows stand side by side, and the participant can see both.",
+      .remedy = "Connect a second screen for the participant."};
+}
+
+SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
+  const std::string id = "masking_noise";
+  const std::string title = "Masking noise";
+  const MaskingNoise declared = declared_noise(protocol);
+  if (declared.kind == MaskingNoise::Kind::none) {
+    return fine(id, title, "The protocol asks for none.");
+  }
+  if (inputs.mode == SessionMode::simulate) {
+    return fine(id, title, "Not needed: nobody listens.");
+  }
+  SessionCheck check{.id = id, .title = title};
+  if (!inputs.sound_card) {
+    check.state = State::look;
+    check.text = "There is no sound output: the noise that the protocol asks for is not heard.";
+    check.remedy = "Connect headphones, or play the noise from elsewhere and note its level.";
+    return check;
+  }
+  // A pilot may find out what the level has to be; study data needs it as declared.
+  const State when_wrong = inputs.mode == SessionMode::run ? State::stop : State::look;
+  if (!inputs.noise.measured_dBA || inputs.noise.verified_by.empty()) {
+    check.state = when_wrong;
+    check.text = inputs.noise.measured_dBA ? "It is not said who measured the level at the ear."
+                                           : "The level at the ear was not measured.";
+    check.remedy = "Play the noise, measure it at the ear, and enter the level and your name.";
+    return check;
+  }
+  const std::string measured = fixed_text(*inputs.noise.measured_dBA, 1) + " dBA";
+  if (declared.declared_dBA &&
+      std::abs(*inputs.noise.measured_dBA - *declared.declared_dBA) > kNoiseTolerance_dBA) {
+    check.state = when_wrong;
+    check.text = measured + " at the ear; the protocol asks for " +
+                 fixed_text(*declared.declared_dBA, 1) + " dBA within " +
+                 fixed_text(kNoiseTolerance_dBA, 0) + " dBA.";
+    check.remedy = "Change the gain and measure again.";
+    return check;
+  }
+  check.text = measured + " at the ear, verified by " + inputs.noise.verified_by + ".";
+  return check;
+}
+
+SessionCheck disk_check_of(const CheckInputs& inputs, const Protocol& protocol) {
+  std::error_code error{};
+  const std::filesystem::space_info space = std::filesystem::space(inputs.study, error);
+  if (error) {
+    return {.id = "disk",
+            .title = "Disk space",
+            .state = State::look,
+            .text = "The free space cannot be told: " + error.message() + ".",
+            .remedy = "Make sure that the disk has room for the recordings."};
+  }
+  return disk_check({.wanted_bytes = recording_bytes(protocol) + kStoreBytes,
+                     .free_bytes = static_cast<double>(space.available)});
+}
+
+/// What goes wrong in looking is what was found.
+template <class Look>
+SessionCheck looked_at(const std::string& id, const std::string& title, Look look) {
+  try {
+    return look();
+  } catch (const std::exception& error) {
+    return {.id = id,
+            .title = title,
+            .state = State::stop,
+            .text = as_sentence(error.what()),
+            .remedy = "Mend it, then check again."};
+  }
+}
+
+}  // namespace
+
+std::vector<SessionCheck> check_session(const CheckInputs& inputs, const ModelRegistry& models,
+                                        const std::stop_token& stop) {
+  std::vector<SessionCheck> checks{};
+  std::optional<Protocol> protocol{};
+  checks.push_back(looked_at("protocol", "Protocol", [&] {
+    protocol = load_protocol(inputs.protocol, models, inputs.study);
+    return protocol_check(inputs, *protocol);
+  }));
+  if (!protocol) return checks;
+  const auto add = [&](const std::string& id, const std::string& title, auto look) {
+    if (!stop.stop_requested()) checks.push_back(looked_at(id, title, look));
+  };
+  add("participant", "Participant", [&] { return participant_check(inputs, *protocol); });
+  add("study", "Study folder", [&] { return study_check(inputs); });
+  add("disk", "Disk space", [&] { return disk_check_of(inputs, *protocol); });
+  add("stimuli", "Stimuli", [&] { return stimuli_check(inputs, *protocol, models); });
+  add("device", "Device", [&] { return device_check(inputs, *protocol); });
+  add("calibration", "Calibration", [] {
+    return fine("calibration", "Calibration", "Not needed: the simulated device has none.");
+  });
+  std::optional<SessionCheck> rate{};  // found in the same few hundred ticks
+  add("force_zero", "Force zero", [&] {
+    auto [zero, its_rate] = loop_checks(inputs, *protocol);
+    rate = its_rate;
+    return zero;
+  });
+  if (rate) checks.push_back(*rate);
+  add("screens", "Screens", [&] { return screens_check(inputs); });
+  add("masking_noise", "Masking noise", [&] { return noise_check(inputs, *protocol); });
+  return checks;
+}
+
+MaskingNoise declared_noise(const Protocol& protocol) {
+  MaskingNoise noise{};
+  switch (protocol.masking_noise.kind) {
+    case Protocol::Noise::Kind::none:
+      noise.kind = MaskingNoise::Kind::none;
+      break;
+    case Protocol::Noise::Kind::white:
+      noise.kind = MaskingNoise::Kind::white;
+      break;
+    case Protocol::Noise::Kind::pink:
+      noise.kind = MaskingNoise::Kind::pink;
+      break;
+  }
+  noise.declared_dBA = protocol.masking_noise.level_dBA;
+  return noise;
+}
+
+double recording_bytes(const Protocol& protocol) {
+  if (!protocol.record) return 0.0;
+  // An attempt is recorded from its first pause to its answer: at most the whole session.
+  constexpr double kBytesPerRecord = sizeof(std::int64_t) + kRecordingColumns * sizeof(float);
+  const PlanCost cost = cost_of(protocol, make_plan(protocol, {1, 0}));
+  return cost.total_s * protocol.rate_Hz * kBytesPerRecord;
+}
+
+SessionCheck disk_check(const DiskSpace& space) {
+  SessionCheck check{.id = "disk", .title = "Disk space"};
+  check.text = bytes_text(space.free_bytes) + " free; this session takes at most " +
+               bytes_text(space.wanted_bytes) + ".";
+  if (space.free_bytes < space.wanted_bytes) {
+    check.state = State::stop;
+    check.remedy = "Free some space on the disk of the study.";
+  } else if (space.free_bytes < kWantedSessions * space.wanted_bytes) {
+    check.state = State::look;
+    check.remedy = "Enough for this session, but hardly for another one: free some space soon.";
+  }
+  return check;
+}
+
+void require_unchanged(const std::filesystem::path& protocol, const std::string& sha256) {
+  const std::string now = sha256_of_file(protocol);
+  if (now == sha256) return;
+  throw ProtocolChangedSinceCheck("the protocol " + protocol.string() +
+                                  " has changed since it was checked: it was " +
+                                  short_hash(sha256) + " and is " + short_hash(now) +
+                                  " now; choose it again to read and check the new version");
+}
+
+std::string short_hash(const std::string& sha256) { return sha256.substr(0, 8); }
+
+}  // namespace asperity

@@ -1,0 +1,85 @@
+// Can this session begin? What is looked at before a person sits down.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/conductor/sound.h"
+#include "app/tasks/run_session.h"
+#include "protocols/protocol.h"
+#include "renderers/force_model.h"
+
+namespace asperity {
+
+/// One line of the checklist.
+struct SessionCheck {
+  enum class State {
+    fine,
+    look,  ///< the session can begin, and somebody should know this
+    stop,  ///< it cannot
+  };
+  std::string id{};  ///< "disk", for programs
+  std::string title{};
+  State state = State::fine;
+  std::string text{};    ///< what was found
+  std::string remedy{};  ///< what to do about it; empty when fine
+};
+
+/// What a check is told by whoever has looked already.
+struct CheckInputs {
+  std::filesystem::path study{};
+  std::filesystem::path protocol{};
+  /// Of the protocol that the person was shown; empty: nothing to compare with.
+  std::string protocol_sha256{};
+  std::string participant{};
+  SessionMode mode = SessionMode::run;
+  bool resume = false;
+  RunPacing pacing = RunPacing::real_time;
+  MaskingNoise noise{};     ///< what will be played, and the level that a person has measured
+  bool sound_card = false;  ///< there is a sound output
+  int screens = 1;
+};
+
+/// Looks at everything, in the order in which a person would mend it: "protocol", "participant",
+/// "study", "disk", "stimuli", "device", "calibration", "force_zero", "rate", "screens",
+/// "masking_noise". A protocol that cannot be read is the only line.
+///
+/// In real time the servo loop really runs, for some 0.3 s. Where `stop` is requested, the rest is
+/// left out. Never throws for what it finds.
+std::vector<SessionCheck> check_session(const CheckInputs& inputs, const ModelRegistry& models,
+                                        const std::stop_token& stop);
+
+/// The noise that a protocol asks for; kind `none` when it asks for none.
+MaskingNoise declared_noise(const Protocol& protocol);
+
+/// A measured level counts as the declared one within this.
+inline constexpr double kNoiseTolerance_dBA = 2.0;
+
+/// What the recordings of one session take at most, before compression.
+double recording_bytes(const Protocol& protocol);
+
+struct DiskSpace {
+  double wanted_bytes = 0.0;  ///< for one session
+  double free_bytes = 0.0;
+};
+SessionCheck disk_check(const DiskSpace& space);
+
+/// The protocol file is no longer the one that was checked.
+class ProtocolChangedSinceCheck final : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Compares the file with the SHA-256 of its content when it was checked.
+///
+/// Errors: ProtocolChangedSinceCheck; ResultsError when there is no such file.
+void require_unchanged(const std::filesystem::path& protocol, const std::string& sha256);
+
+/// The first eight digits of a SHA-256, for people.
+std::string short_hash(const std::string& sha256);
+
+}  // namespace asperity

@@ -1,0 +1,237 @@
+// The checklist before a session, against real studies.
+
+#include "app/tasks/session_checks.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "results_schema/atomic_file.h"
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+using State = SessionCheck::State;
+
+class SessionChecks : public testing::Test {
+ protected:
+  void SetUp() override {
+    make_small_study(study);
+    write_protocol(small_protocol());
+    inputs.study = study;
+    inputs.protocol = study / "protocols" / "small.json";
+    inputs.participant = "P001";
+    inputs.screens = 2;
+    inputs.pacing = RunPacing::stepped;  // where the loop matters it runs in real time
+  }
+
+  void write_protocol(const std::string& text) {
+    std::filesystem::create_directories(study / "protocols");
+    write_file(study / "protocols" / "small.json", text, Overwrite::allow);
+  }
+
+  /// The small protocol with masking noise.
+  void ask_for_noise() {
+    std::string text = small_protocol();
+    text.replace(text.find("\"textures\""), 0,
+                 R"("environment": {"masking_noise": {"kind": "pink", "level_dBA": 65}}, )");
+    write_protocol(text);
+  }
+
+  SessionCheck check(const std::string& id) {
+    const std::vector<SessionCheck> checks = check_session(inputs, models, {});
+    const auto found = std::find_if(checks.begin(), checks.end(),
+                                    [&id](const auto& line) { return line.id == id; });
+    return found == checks.end() ? SessionCheck{.id = "absent"} : *found;
+  }
+
+  SessionEnd run_virtual(bool resume, const std::stop_token& stop = {}) {
+    const RunInputs run{.protocol = inputs.protocol,
+                        .study = study,
+                        .participant = "virtual0001",
+                        .seed = 3,
+                        .mode = SessionMode::simulate,
+                        .resume = resume,
+                        .is_virtual = true,
+                        .pacing = RunPacing::stepped};
+    return run_session(run, models, nullptr, stop, {});
+  }
+
+  TemporaryFolder folder{};
+  std::filesystem::path study = folder.path() / "study";
+  ModelRegistry models = built_in_models();
+  CheckInputs inputs{};
+};
+
+TEST_F(SessionChecks, SayInOrderThatASmallStudyIsReady) {
+  inputs.mode = SessionMode::pilot;
+  inputs.pacing = RunPacing::real_time;
+  const std::vector<SessionCheck> checks = check_session(inputs, models, {});
+  std::vector<std::string> ids{};
+  for (const SessionCheck& line : checks) {
+    ids.push_back(line.id);
+    EXPECT_FALSE(line.text.empty()) << line.id;
+    if (line.id == "rate") continue;  // a busy machine may be late
+    EXPECT_EQ(line.state, State::fine) << line.id << ": " << line.text;
+    EXPECT_TRUE(line.remedy.empty()) << line.id;
+  }
+  EXPECT_EQ(ids, (std::vector<std::string>{"protocol", "participant", "study", "disk", "stimuli",
+                                           "device", "calibration", "force_zero", "rate", "screens",
+                                           "masking_noise"}));
+}
+
+TEST_F(SessionChecks, RunTheLoopInRealTimeAndFindNoForce) {
+  inputs.pacing = RunPacing::real_time;
+  const SessionCheck zero = check("force_zero");
+  EXPECT_EQ(zero.state, State::fine);
+  EXPECT_EQ(zero.text.find("Exactly 0 N in "), 0U) << zero.text;
+  EXPECT_NE(check("rate").text.find("of 1000 Hz; period p99 "), std::string::npos);
+}
+
+TEST_F(SessionChecks, NeedNoLoopInAFastSimulation) {
+  EXPECT_NE(check("rate").text.find("Not needed"), std::string::npos);
+  EXPECT_EQ(check("rate").state, State::fine);
+}
+
+TEST_F(SessionChecks, RefuseAProtocolThatChangedSinceItWasChosen) {
+  inputs.protocol_sha256 = sha256_of(small_protocol());
+  EXPECT_EQ(check("protocol").state, State::fine);
+  write_protocol(small_protocol() + "\n");
+  const SessionCheck changed = check("protocol");
+  EXPECT_EQ(changed.state, State::stop);
+  EXPECT_NE(changed.text.find(short_hash(inputs.protocol_sha256)), std::string::npos);
+  EXPECT_NE(changed.text.find(short_hash(sha256_of(small_protocol() + "\n"))), std::string::npos);
+  EXPECT_THROW(require_unchanged(inputs.protocol, inputs.protocol_sha256),
+               ProtocolChangedSinceCheck);
+}
+
+TEST_F(SessionChecks, StopAtAProtocolThatIsNotValid) {
+  write_protocol("{");
+  const std::vector<SessionCheck> checks = check_session(inputs, models, {});
+  ASSERT_EQ(checks.size(), 1U);
+  EXPECT_EQ(checks.front().id, "protocol");
+  EXPECT_EQ(checks.front().state, State::stop);
+}
+
+TEST_F(SessionChecks, NameTheHolderOfAParticipantWhoseSessionRuns) {
+  const StudyLock elsewhere(study, Study::session_lock_name("P001"));
+  const SessionCheck held = check("participant");
+  EXPECT_EQ(held.state, State::stop);
+  EXPECT_NE(held.text.find("A session of P001 runs in process "), std::string::npos) << held.text;
+  EXPECT_NE(held.text.find(" on host "), std::string::npos);
+}
+
+TEST_F(SessionChecks, RefuseLabelsThatCannotBe) {
+  inputs.participant = "no spaces";
+  EXPECT_EQ(check("participant").state, State::stop);
+  inputs.participant = "";
+  EXPECT_EQ(check("participant").state, State::stop);
+  inputs.participant = "virtual0001";  // in Run: not for a person
+  EXPECT_EQ(check("participant").state, State::stop);
+}
+
+TEST_F(SessionChecks, FindTheUnfinishedSessionThatCanGoOn) {
+  inputs.participant = "virtual0001";
+  inputs.mode = SessionMode::simulate;
+  inputs.resume = true;
+  EXPECT_EQ(check("participant").state, State::stop);  // nothing to go on with yet
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(run_virtual(false, stop.get_token()).state, SessionState::stopped);
+  EXPECT_EQ(check("participant").state, State::fine);
+  EXPECT_EQ(check("stimuli").state, State::fine);
+
+  // The same bytes but one: the session began with another file.
+  std::ofstream(study / "stimuli" / "grain_photo.png", std::ios::app) << ' ';
+  const SessionCheck changed = check("stimuli");
+  EXPECT_EQ(changed.state, State::stop);
+  EXPECT_NE(changed.text.find("grain_photo.png has changed since session 1 began"),
+            std::string::npos)
+      << changed.text;
+}
+
+TEST_F(SessionChecks, HoldStimuliToTheirSidecars) {
+  EXPECT_EQ(check("stimuli").state, State::fine);
+  std::ofstream(study / "stimuli" / "grain.png", std::ios::app) << ' ';
+  const SessionCheck changed = check("stimuli");
+  EXPECT_EQ(changed.state, State::stop);
+  EXPECT_NE(changed.text.find("grain.png"), std::string::npos) << changed.text;
+  std::filesystem::remove(study / "stimuli" / "grain.png");
+  EXPECT_EQ(check("stimuli").state, State::stop);
+}
+
+TEST_F(SessionChecks, RefuseWhatTheDeviceCannotDo) {
+  std::string text = small_protocol();
+  text.replace(text.find("\"textures\""), 0, R"("device": {"force_limit_N": 12}, )");
+  write_protocol(text);
+  const SessionCheck weak = check("device");
+  EXPECT_EQ(weak.state, State::stop);
+  EXPECT_NE(weak.text.find("force_limit_N"), std::string::npos) << weak.text;
+}
+
+TEST_F(SessionChecks, WarnThatASimulatedDeviceGivesNoStudyData) {
+  EXPECT_EQ(check("device").state, State::look);
+  inputs.mode = SessionMode::pilot;
+  EXPECT_EQ(check("device").state, State::fine);
+}
+
+TEST_F(SessionChecks, WantRoomForTwoSessions) {
+  EXPECT_EQ(disk_check({.wanted_bytes = 1e9, .free_bytes = 2e9}).state, State::fine);
+  EXPECT_EQ(disk_check({.wanted_bytes = 1e9, .free_bytes = 1.9e9}).state, State::look);
+  const SessionCheck full = disk_check({.wanted_bytes = 1e9, .free_bytes = 3e8});
+  EXPECT_EQ(full.state, State::stop);
+  EXPECT_EQ(full.text, "300 MB free; this session takes at most 1.0 GB.");
+}
+
+TEST_F(SessionChecks, ExpectTheBytesThatAWholeSessionWouldRecord) {
+  const Protocol protocol = read_small_protocol(models, small_protocol());
+  const double total_s = cost_of(protocol, make_plan(protocol, {1, 0})).total_s;
+  // 8 bytes of time and 32 floats, a thousand times a second.
+  EXPECT_DOUBLE_EQ(recording_bytes(protocol), total_s * 1000.0 * (8 + 32 * 4));
+}
+
+TEST_F(SessionChecks, SayThatOneScreenShowsBothWindows) {
+  inputs.screens = 1;
+  EXPECT_EQ(check("screens").state, State::look);
+  inputs.mode = SessionMode::simulate;
+  EXPECT_EQ(check("screens").state, State::fine);
+}
+
+TEST_F(SessionChecks, HoldTheNoiseToTheDeclaredLevelInARun) {
+  ask_for_noise();
+  EXPECT_EQ(check("masking_noise").state, State::look);  // no sound output
+  inputs.sound_card = true;
+  EXPECT_EQ(check("masking_noise").state, State::stop);  // not measured
+  inputs.noise.measured_dBA = 66.9;
+  EXPECT_EQ(check("masking_noise").state, State::stop);  // by whom?
+  inputs.noise.verified_by = "MW";
+  EXPECT_EQ(check("masking_noise").state, State::fine);
+  inputs.noise.measured_dBA = 67.1;
+  EXPECT_EQ(check("masking_noise").state, State::stop);
+  inputs.mode = SessionMode::pilot;
+  EXPECT_EQ(check("masking_noise").state, State::look);
+}
+
+TEST_F(SessionChecks, ReadTheNoiseThatAProtocolDeclares) {
+  ask_for_noise();
+  const MaskingNoise noise =
+      declared_noise(read_small_protocol(models, read_file(study / "protocols" / "small.json")));
+  EXPECT_EQ(noise.kind, MaskingNoise::Kind::pink);
+  EXPECT_EQ(noise.declared_dBA, 65.0);
+}
+
+TEST_F(SessionChecks, RefuseAStudyThatCannotBeWritten) {
+  // A file where the folder of the locks has to be: refused to every user, root included.
+  std::filesystem::remove_all(study / "locks");
+  std::ofstream(study / "locks") << "not a folder";
+  const SessionCheck check_line = check("study");
+  EXPECT_EQ(check_line.state, State::stop);
+  EXPECT_NE(check_line.text.find("locks"), std::string::npos) << check_line.text;
+}
+
+}  // namespace
+}  // namespace asperity
