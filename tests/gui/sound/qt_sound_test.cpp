@@ -1,0 +1,254 @@
+// Sound without a sound card: the stream, its pace, its loss, and what is stored of it.
+
+#include "app/gui/sound/qt_sound.h"
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <numbers>
+
+#include <QtCore/QElapsedTimer>
+#include <QtCore/QIODevice>
+#include <QtCore/QTemporaryDir>
+#include <QtCore/QThread>
+#include <QtCore/QTimer>
+#include <QtTest/QTest>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/sound/speech_file.h"
+
+namespace asperity {
+namespace {
+
+/// A card for tests: takes 10 ms of samples every 10 ms until it is told to stop or to break.
+struct FakeCard {
+  std::atomic<bool> stands_still{false};
+  std::atomic<bool> lost{false};
+  std::atomic<int> opened{0};
+  std::atomic<double> peak{0.0};
+};
+
+class FakeConsumer final : public SampleConsumer {
+ public:
+  FakeConsumer(FakeCard& card, QIODevice& samples) : card_(card) {
+    ++card_.opened;
+    QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, &samples] {
+      if (card_.stands_still || card_.lost) return;
+      std::array<char, 480 * 8> bytes{};
+      samples.read(bytes.data(), std::ssize(bytes));
+      for (std::size_t i = 0; i < bytes.size(); i += 4) {
+        float value = 0.0F;
+        std::memcpy(&value, bytes.data() + i, sizeof(value));
+        card_.peak = std::max(card_.peak.load(), std::abs(static_cast<double>(value)));
+      }
+    });
+    timer_.start(10);
+  }
+  bool is_working() const override { return !card_.lost; }
+
+ private:
+  FakeCard& card_;
+  QTimer timer_{};
+};
+
+SoundOutput output_of(FakeCard& card) {
+  SoundOutput output{};
+  output.name = "Headphones";
+  output.is_null = false;
+  output.buffer_s = 0.02;
+  output.open = [&card](QIODevice& samples) -> std::unique_ptr<SampleConsumer> {
+    if (card.lost) return nullptr;
+    return std::make_unique<FakeConsumer>(card, samples);
+  };
+  return output;
+}
+
+MaskingNoise pink_noise() {
+  MaskingNoise noise{};
+  noise.kind = MaskingNoise::Kind::pink;
+  noise.declared_dBA = 65.0;
+  noise.measured_dBA = 64.5;
+  noise.verified_by = "M. Weber";
+  return noise;
+}
+
+TEST(QtSound, IsSilentUntilTheNoiseIsAskedFor) {
+  FakeCard card{};
+  QtSound sound(pink_noise(), {}, output_of(card));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return card.opened == 1 && sound.is_running(); }));
+  EXPECT_EQ(card.peak, 0.0);
+  sound.set_masking(true);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.05; }));
+}
+
+TEST(QtSound, IsNotRunningWhenTheOutputStopsTakingSamples) {
+  FakeCard card{};
+  QtSound sound(pink_noise(), {}, output_of(card));
+  sound.set_masking(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.0; }));
+  EXPECT_TRUE(sound.is_running());
+  card.stands_still = true;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !sound.is_running(); }));
+  card.stands_still = false;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return sound.is_running(); }));
+}
+
+// A person without noise in their headphones is not masked, whatever else could take samples.
+TEST(QtSound, ALostCardIsNotReplacedByTheNullOutputAndIsOpenedAgainWhenItIsBack) {
+  FakeCard card{};
+  QtSound sound(pink_noise(), {}, output_of(card));
+  card.lost = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !sound.is_running(); }));
+  EXPECT_FALSE(sound.is_null());
+  card.lost = false;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return sound.is_running() && card.opened == 2; }));
+}
+
+TEST(QtSound, ABusyWindowDoesNotStopTheStream) {
+  FakeCard card{};
+  QtSound sound(pink_noise(), {}, output_of(card));
+  sound.set_masking(true);
+  QElapsedTimer busy{};
+  busy.start();
+  while (card.peak < 0.05 && busy.elapsed() < 5000) {  // without an event loop
+  }
+  EXPECT_GT(card.peak, 0.05);
+}
+
+TEST(QtSound, AnOutputThatCannotBeOpenedIsReplacedByTheNullOutput) {
+  FakeCard card{};
+  card.lost = true;
+  QtSound sound(pink_noise(), {}, output_of(card));
+  EXPECT_TRUE(sound.is_null());
+  EXPECT_EQ(sound.device_name(), QString());
+  EXPECT_TRUE(sound.is_running());
+}
+
+TEST(QtSound, TheNullOutputTakesSamplesAtTheirRate) {
+  std::atomic<std::int64_t> frames{0};
+  SoundStream stream(null_output(), [&frames](std::span<float> stereo) {
+    frames += static_cast<std::int64_t>(stereo.size() / 2);
+  });
+  EXPECT_TRUE(stream.output().is_null);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return frames > 0; }));
+  QElapsedTimer clock{};
+  clock.start();
+  const std::int64_t before = frames;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return frames - before >= 24000; }, 20000));
+  // Half a second of samples takes no less; how much more depends on how busy the machine is. What
+  // stood in the clock's step before counts for at most a quarter of a second.
+  EXPECT_GE(clock.elapsed(), 240);
+}
+
+TEST(QtSound, WhatIsStoredNamesNoiseLevelsAndOutput) {
+  FakeCard card{};
+  QtSound sound(pink_noise(), {}, output_of(card));
+  auto stored = nlohmann::json::parse(sound.description_json());
+  EXPECT_EQ(stored.at("kind"), "pink");
+  EXPECT_EQ(stored.at("gain"), 0.1);
+  EXPECT_EQ(stored.at("declared_dBA"), 65.0);
+  EXPECT_EQ(stored.at("measured_dBA"), 64.5);
+  EXPECT_EQ(stored.at("verified_by"), "M. Weber");
+  EXPECT_EQ(stored.at("output"), "Headphones");
+  EXPECT_EQ(stored.at("heard"), true);
+  EXPECT_EQ(stored.at("buffer_s"), 0.02);
+  sound.set_gain(0.05);
+  stored = nlohmann::json::parse(sound.description_json());
+  EXPECT_EQ(stored.at("gain"), 0.05);
+  EXPECT_TRUE(stored.at("measured_dBA").is_null()) << "it was measured at another gain";
+  EXPECT_EQ(stored.at("verified_by"), "");
+}
+
+TEST(QtSound, TheDefaultOutputIsNullExactlyWhereThereIsNoSoundCard) {
+  QtSound sound(pink_noise());
+  EXPECT_EQ(sound.is_null(), sound_outputs().empty());
+  EXPECT_EQ(nlohmann::json::parse(sound.description_json()).at("heard"), !sound.is_null());
+}
+
+TEST(WriteFrames, GivesEachFormWhatItTakes) {
+  const std::array<float, 4> stereo = {0.5F, -0.25F, 2.0F, -2.0F};
+  std::array<std::int16_t, 4> words{};
+  write_frames({.type = SampleForm::Type::int16}, stereo, reinterpret_cast<char*>(words.data()));
+  EXPECT_EQ(words, (std::array<std::int16_t, 4>{16384, -8192, 32767, -32767}));
+  std::array<float, 2> mono{};
+  write_frames({.channels = 1}, stereo, reinterpret_cast<char*>(mono.data()));
+  EXPECT_EQ(mono, (std::array<float, 2>{0.125F, 0.0F}));
+  std::array<float, 8> quad{};
+  write_frames({.channels = 4}, stereo, reinterpret_cast<char*>(quad.data()));
+  EXPECT_EQ(quad, (std::array<float, 8>{0.5F, -0.25F, 0.0F, 0.0F, 2.0F, -2.0F, 0.0F, 0.0F}));
+}
+
+/// A WAV file with the given 16-bit samples, channels in turn.
+std::filesystem::path write_wav(const QTemporaryDir& folder, std::uint16_t channels,
+                                std::uint16_t bits, const std::vector<std::int16_t>& samples) {
+  const std::filesystem::path file = folder.filePath("word.wav").toStdString();
+  std::ofstream out(file, std::ios::binary);
+  const auto put = [&out](auto value) {
+    out.write(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  const auto bytes = static_cast<std::uint32_t>(samples.size() * 2);
+  const auto block = static_cast<std::uint16_t>(channels * bits / 8);
+  out << "RIFF";
+  put(bytes + 36);
+  out << "WAVEfmt ";
+  put(std::uint32_t{16});
+  put(std::uint16_t{1});
+  put(channels);
+  put(std::uint32_t{16000});
+  put(std::uint32_t{16000} * block);
+  put(block);
+  put(bits);
+  out << "data";
+  put(bytes);
+  out.write(reinterpret_cast<const char*>(samples.data()), bytes);
+  return file;
+}
+
+TEST(SpeechFile, ReadsOneChannelAndAveragesTwo) {
+  QTemporaryDir folder{};
+  const auto mono = read_speech(write_wav(folder, 1, 16, {0, 16384, -32768}));
+  EXPECT_EQ(mono.rate_Hz, 16000.0);
+  EXPECT_EQ(mono.samples, (std::vector<float>{0.0F, 0.5F, -1.0F}));
+  const auto stereo = read_speech(write_wav(folder, 2, 16, {16384, 0, -32768, -32768}));
+  EXPECT_EQ(stereo.samples, (std::vector<float>{0.25F, -1.0F}));
+}
+
+TEST(SpeechFile, SaysWhatIsWrongWithAFile) {
+  QTemporaryDir folder{};
+  const auto said = [](const std::filesystem::path& file) {
+    try {
+      read_speech(file);
+    } catch (const std::runtime_error& error) {
+      return QString::fromUtf8(error.what());
+    }
+    return QString();
+  };
+  EXPECT_TRUE(said(folder.filePath("none.wav").toStdString()).contains("cannot be read"));
+  EXPECT_TRUE(said(write_wav(folder, 1, 8, {1, 2, 3})).contains("has to be 16-bit PCM"));
+  EXPECT_TRUE(said(write_wav(folder, 1, 16, std::vector<std::int16_t>(31 * 16000)))
+                  .contains("longer than 30 s"));
+  const std::filesystem::path text = folder.filePath("text.wav").toStdString();
+  std::ofstream(text) << std::string(200, 'x');
+  EXPECT_TRUE(said(text).contains("is not a WAV file"));
+}
+
+TEST(QtSound, PlaysTheRecordedWordOfItsProtocol) {
+  QTemporaryDir folder{};
+  std::vector<std::int16_t> word(1600);
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    word[i] = static_cast<std::int16_t>(8000.0 * std::sin(0.2 * static_cast<double>(i)));
+  }
+  FakeCard card{};
+  QtSound sound({}, {{"question", write_wav(folder, 1, 16, word)}}, output_of(card));
+  sound.play(Cue::question, 0);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.1; }));
+  EXPECT_THROW(QtSound({}, {{"question", folder.filePath("none.wav").toStdString()}}),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace asperity
