@@ -6,66 +6,20 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <numbers>
 
 #include <QtCore/QElapsedTimer>
-#include <QtCore/QIODevice>
 #include <QtCore/QTemporaryDir>
-#include <QtCore/QThread>
-#include <QtCore/QTimer>
 #include <QtTest/QTest>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/sound/speech_file.h"
+#include "tests/gui/sound/fake_card.h"
 
 namespace asperity {
 namespace {
-
-/// A card for tests: takes 10 ms of samples every 10 ms until it is told to stop or to break.
-struct FakeCard {
-  std::atomic<bool> stands_still{false};
-  std::atomic<bool> lost{false};
-  std::atomic<int> opened{0};
-  std::atomic<double> peak{0.0};
-};
-
-class FakeConsumer final : public SampleConsumer {
- public:
-  FakeConsumer(FakeCard& card, QIODevice& samples) : card_(card) {
-    ++card_.opened;
-    QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, &samples] {
-      if (card_.stands_still || card_.lost) return;
-      std::array<char, 480 * 8> bytes{};
-      samples.read(bytes.data(), std::ssize(bytes));
-      for (std::size_t i = 0; i < bytes.size(); i += 4) {
-        float value = 0.0F;
-        std::memcpy(&value, bytes.data() + i, sizeof(value));
-        card_.peak = std::max(card_.peak.load(), std::abs(static_cast<double>(value)));
-      }
-    });
-    timer_.start(10);
-  }
-  bool is_working() const override { return !card_.lost; }
-
- private:
-  FakeCard& card_;
-  QTimer timer_{};
-};
-
-SoundOutput output_of(FakeCard& card) {
-  SoundOutput output{};
-  output.name = "Headphones";
-  output.is_null = false;
-  output.buffer_s = 0.02;
-  output.open = [&card](QIODevice& samples) -> std::unique_ptr<SampleConsumer> {
-    if (card.lost) return nullptr;
-    return std::make_unique<FakeConsumer>(card, samples);
-  };
-  return output;
-}
 
 MaskingNoise pink_noise() {
   MaskingNoise noise{};

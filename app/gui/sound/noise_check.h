@@ -1,0 +1,64 @@
+// Where an experimenter sets the masking noise to its level before a session.
+
+#pragma once
+
+#include <memory>
+
+#include <QtWidgets/QWidget>
+
+#include "app/conductor/sound.h"
+#include "app/gui/sound/sound_output.h"
+
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSlider;
+
+namespace asperity {
+
+class QtSound;
+class StateLabel;
+
+/// Plays the noise that a protocol declares, so that its level can be set and measured, and takes
+/// down what was measured by whom. A test cue shows that cues are heard through the noise.
+///
+/// The sound card is opened by the first button that needs it, and let go when the widget is hidden.
+/// Turning the gain makes an earlier measurement void: it has to be made again.
+class NoiseCheck final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit NoiseCheck(const MaskingNoise& declared, QWidget* parent = nullptr);
+  NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget* parent = nullptr);
+  ~NoiseCheck() override;
+
+  /// As declared, with the gain, the measured level and the name that stand here now.
+  MaskingNoise value() const { return value_; }
+  /// There is no sound card, or the noise was not measured, or it is off by more than 3 dB: a
+  /// sentence for the checklist; empty when all is well.
+  QString reservation() const;
+
+ signals:
+  void changed();
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  QtSound& sound();
+  void play_noise(bool on);
+  void set_gain(int slider);
+  void show_state();
+
+  MaskingNoise value_{};
+  SoundOutput output_{};
+  std::unique_ptr<QtSound> sound_{};
+  QPushButton* noise_ = nullptr;
+  QSlider* gain_ = nullptr;
+  QLabel* gain_text_ = nullptr;
+  QDoubleSpinBox* measured_ = nullptr;
+  QLineEdit* verified_by_ = nullptr;
+  StateLabel* state_ = nullptr;
+};
+
+}  // namespace asperity

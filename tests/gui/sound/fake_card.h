@@ -1,0 +1,66 @@
+// A sound card for tests: takes 10 ms of samples every 10 ms until it stands still or is lost.
+
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include <QtCore/QIODevice>
+#include <QtCore/QTimer>
+
+#include "app/gui/sound/sound_output.h"
+
+namespace asperity {
+
+struct FakeCard {
+  std::atomic<bool> stands_still{false};
+  std::atomic<bool> lost{false};
+  std::atomic<int> opened{0};
+  std::atomic<bool> open{false};
+  std::atomic<double> peak{0.0};  ///< of the last 10 ms
+};
+
+class FakeConsumer final : public SampleConsumer {
+ public:
+  FakeConsumer(FakeCard& card, QIODevice& samples) : card_(card) {
+    ++card_.opened;
+    card_.open = true;
+    QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, &samples] {
+      if (card_.stands_still || card_.lost) return;
+      std::array<char, 480 * 8> bytes{};
+      samples.read(bytes.data(), std::ssize(bytes));
+      double peak = 0.0;
+      for (std::size_t i = 0; i < bytes.size(); i += 4) {
+        float value = 0.0F;
+        std::memcpy(&value, bytes.data() + i, sizeof(value));
+        peak = std::max(peak, std::abs(static_cast<double>(value)));
+      }
+      card_.peak = peak;
+    });
+    timer_.start(10);
+  }
+  ~FakeConsumer() override { card_.open = false; }
+  bool is_working() const override { return !card_.lost; }
+
+ private:
+  FakeCard& card_;
+  QTimer timer_{};
+};
+
+inline SoundOutput output_of(FakeCard& card) {
+  SoundOutput output{};
+  output.name = "Headphones";
+  output.is_null = false;
+  output.buffer_s = 0.02;
+  output.open = [&card](QIODevice& samples) -> std::unique_ptr<SampleConsumer> {
+    if (card.lost) return nullptr;
+    return std::make_unique<FakeConsumer>(card, samples);
+  };
+  return output;
+}
+
+}  // namespace asperity
