@@ -1,11 +1,18 @@
-// The program: one binary, one subcommand per job.
+// The program: one binary, one subcommand per job; without one, the window.
 
 #include <exception>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
+#ifdef ASPERITY_WITH_WINDOWS
+#include "app/gui/program_window.h"
+#endif
 #include "app/program.h"
 #include "protocols/diagnostic.h"
 
@@ -14,14 +21,43 @@ namespace {
 constexpr int kNotAcceptable = 1;
 constexpr int kWrongUsage = 2;
 
+#ifdef ASPERITY_WITH_WINDOWS
+/// No subcommand, and perhaps the folder of a study: the window.
+void add_windows(CLI::App& program, asperity::Job& job, int& argc, char** argv) {
+  auto study = std::make_shared<std::optional<std::filesystem::path>>();
+  program.require_subcommand(0, 1);
+  program.add_option("STUDY", *study,
+                     "Folder of a study to show in the window, which opens without a subcommand");
+  program.callback([&program, &job, &argc, argv, study] {
+    if (!program.get_subcommands().empty()) {
+      if (*study) {
+        throw CLI::ValidationError("\"" + (*study)->string() + "\" before the subcommand " +
+                                   program.get_subcommands().front()->get_name() +
+                                   " has no meaning; a subcommand comes first");
+      }
+      return;
+    }
+    if (*study && !std::filesystem::is_directory(**study)) {
+      throw CLI::ValidationError("there is no subcommand and no folder \"" + (*study)->string() +
+                                 "\"");
+    }
+    job = [&argc, argv, study] { return asperity::run_windows(argc, argv, *study); };
+  });
+}
+#endif
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace asperity;
   CLI::App program{"Asperity: psychophysics experiments on haptic texture.", "asperity"};
   program.set_version_flag("--version", version_line());
-  program.require_subcommand(1);
   Job job{};
+#ifdef ASPERITY_WITH_WINDOWS
+  add_windows(program, job, argc, argv);
+#else
+  program.require_subcommand(1);
+#endif
   add_new(program, job);
   add_check(program, job);
   add_run(program, job);

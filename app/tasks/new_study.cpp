@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "app/height_field_files.h"
@@ -91,6 +92,25 @@ void new_demo_study(const std::filesystem::path& folder,
     make_texture(textures[i], folder / "stimuli");
   }
   progress(1.0);
+}
+
+bool holds_demo_study(const std::filesystem::path& folder) {
+  std::error_code ignored{};
+  if (!std::filesystem::is_regular_file(folder / "study.sqlite", ignored)) return false;
+  for (const LibraryProtocol& protocol : library_protocols()) {
+    if (!protocol.name.starts_with("chapter_")) continue;
+    if (!std::filesystem::is_regular_file(
+            folder / "protocols" / (std::string(protocol.name) + ".json"), ignored)) {
+      return false;
+    }
+  }
+  for (const DemoTexture& texture : demo_textures()) {
+    const std::string last = std::string(texture.name) + (texture.is_rendered ? "" : "_photo");
+    if (!std::filesystem::is_regular_file(folder / "stimuli" / (last + ".png"), ignored)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace asperity

@@ -15,8 +15,13 @@ void new_study(const std::filesystem::path& folder);
 /// height field made from that photograph, which is what is rendered; of the distractors only the
 /// first two.
 ///
-/// Works without a network, and gives the same files everywhere.
+/// Works without a network, and gives the same files everywhere. `progress` may throw to end it;
+/// what was made until then stays.
 void new_demo_study(const std::filesystem::path& folder,
                     const std::function<void(double)>& progress);
+
+/// Whether the folder holds the whole demonstration study: one that was cut off in the making does
+/// not. What was added or changed since does not matter.
+bool holds_demo_study(const std::filesystem::path& folder);
 
 }  // namespace asperity

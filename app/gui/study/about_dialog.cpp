@@ -1,0 +1,52 @@
+#include "app/gui/study/about_dialog.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QDir>
+
+#include "app/gui/look/controls.h"
+#include "app/program.h"
+
+namespace asperity {
+
+QString documents_folder() {
+  // Beside an installed program, or in the source tree that a build lies in.
+  const QDir program(QCoreApplication::applicationDirPath());
+  for (const char* place : {"../share/doc/asperity", "../docs", "../../docs", "../../../docs"}) {
+    const QString folder = QDir::cleanPath(program.absoluteFilePath(place));
+    if (QDir(folder).exists("command-line.md")) return folder;
+  }
+  return {};
+}
+
+AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
+  setObjectName("about_dialog");
+  setWindowTitle(tr("About Asperity"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setMinimumWidth(560);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_title(tr("Asperity"), this));
+  layout->addWidget(make_text(tr("Psychophysics experiments on haptic texture."), this));
+  QLabel* version = make_text(QString::fromStdString(version_line()), this, true);
+  version->setObjectName("about_version");
+  version->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  layout->addWidget(version);
+  layout->addWidget(make_text(
+      tr("Free software under the GNU General Public License, version 3 or later, without any "
+         "warranty."),
+      this, true));
+  const QString documents = documents_folder();
+  layout->addWidget(make_text(documents.isEmpty()
+                                  ? tr("The documents are not installed on this machine.")
+                                  : tr("The documents are in %1.").arg(documents),
+                              this, true));
+  auto* row = new QHBoxLayout();
+  QPushButton* close = make_button(tr("Close"), ButtonRole::plain, this);
+  connect(close, &QPushButton::clicked, this, &QDialog::accept);
+  row->addStretch(1);
+  row->addWidget(close);
+  layout->addLayout(row);
+}
+
+}  // namespace asperity

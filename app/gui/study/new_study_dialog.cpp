@@ -1,0 +1,107 @@
+#include "app/gui/study/new_study_dialog.h"
+
+#include <system_error>
+
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QFormLayout>
+#include <QtWidgets/QLineEdit>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/study/shown_text.h"
+
+namespace asperity {
+
+NewStudyDialog::NewStudyDialog(const std::filesystem::path& place, QWidget* parent)
+    : QDialog(parent) {
+  setObjectName("new_study_dialog");
+  setWindowTitle(tr("Create a study"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setMinimumWidth(640);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_heading(tr("Create a study"), this));
+  layout->addWidget(make_text(
+      tr("A study is a folder: its protocols, its stimuli, and everything that is answered."), this,
+      true));
+
+  auto* form = new QFormLayout();
+  form->setSpacing(kGrid);
+  form->setHorizontalSpacing(kMargin);
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  name_ = new QLineEdit(this);
+  name_->setObjectName("new_study_name");
+  name_->setPlaceholderText(tr("for example: Rough surfaces 2026"));
+  form->addRow(tr("Name"), name_);
+  place_ = new QLineEdit(text_of_path(place), this);
+  place_->setObjectName("new_study_place");
+  QPushButton* browse = make_button(tr("Choose…"), ButtonRole::plain, this);
+  auto* place_row = new QHBoxLayout();
+  place_row->setSpacing(kGrid);
+  place_row->addWidget(place_, 1);
+  place_row->addWidget(browse);
+  form->addRow(tr("In the folder"), place_row);
+  layout->addLayout(form);
+
+  what_follows_ = make_text({}, this, true);
+  what_follows_->setObjectName("new_study_what_follows");
+  layout->addWidget(what_follows_);
+  layout->addStretch(1);
+
+  auto* buttons = new QHBoxLayout();
+  buttons->setSpacing(kGrid);
+  QPushButton* cancel = make_button(tr("Cancel"), ButtonRole::plain, this);
+  create_ = make_button(tr("Create study"), ButtonRole::primary, this);
+  create_->setObjectName("new_study_create");
+  create_->setDefault(true);
+  buttons->addStretch(1);
+  buttons->addWidget(cancel);
+  buttons->addWidget(create_);
+  layout->addLayout(buttons);
+
+  connect(name_, &QLineEdit::textChanged, this, &NewStudyDialog::show_what_follows);
+  connect(place_, &QLineEdit::textChanged, this, &NewStudyDialog::show_what_follows);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(create_, &QPushButton::clicked, this, [this] {
+    emit wanted(folder());
+    accept();
+  });
+  connect(browse, &QPushButton::clicked, this, [this] {
+    auto* chooser = new QFileDialog(this, tr("Where the study is to lie"), place_->text());
+    chooser->setAttribute(Qt::WA_DeleteOnClose);
+    chooser->setFileMode(QFileDialog::Directory);
+    chooser->setOption(QFileDialog::ShowDirsOnly);
+    connect(chooser, &QFileDialog::fileSelected, place_, &QLineEdit::setText);
+    chooser->open();
+  });
+  show_what_follows();
+}
+
+std::filesystem::path NewStudyDialog::folder() const {
+  return path_of_text(place_->text().trimmed()) / name_->text().trimmed().toStdString();
+}
+
+QString NewStudyDialog::complaint() const {
+  const QString name = name_->text().trimmed();
+  if (name.isEmpty()) return tr("The study needs a name.");
+  if (name.contains('/') || name == "." || name == "..") {
+    return tr("The name becomes that of a folder: it cannot be \"%1\".").arg(name);
+  }
+  if (!path_of_text(place_->text().trimmed()).is_absolute()) {
+    return tr("The folder has to be written in full, beginning with \"/\" or \"~\".");
+  }
+  std::error_code ignored{};
+  if (std::filesystem::exists(folder(), ignored)) {
+    return tr("There is something at %1 already; choose another name.").arg(text_of_path(folder()));
+  }
+  return {};
+}
+
+void NewStudyDialog::show_what_follows() {
+  const QString wrong = complaint();
+  create_->setEnabled(wrong.isEmpty());
+  what_follows_->setText(
+      wrong.isEmpty() ? tr("The study will lie in %1.").arg(text_of_path(folder())) : wrong);
+}
+
+}  // namespace asperity

@@ -1,0 +1,109 @@
+#include "app/gui/study/settings.h"
+
+#include <algorithm>
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QDir>
+#include <QtCore/QLocale>
+#include <QtCore/QSettings>
+#include <QtCore/QTranslator>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kMostRecent = 10;
+
+QString text_of_path(const std::filesystem::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+void write_recent(const std::vector<RecentStudy>& studies) {
+  QSettings settings{};
+  settings.beginWriteArray("recent", static_cast<int>(studies.size()));
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    settings.setArrayIndex(static_cast<int>(i));
+    settings.setValue("folder", text_of_path(studies[i].folder));
+    settings.setValue("name", studies[i].name);
+    settings.setValue("used", studies[i].used);
+  }
+  settings.endArray();
+}
+
+}  // namespace
+
+std::vector<RecentStudy> recent_studies() {
+  std::vector<RecentStudy> studies{};
+  QSettings settings{};
+  const int count = settings.beginReadArray("recent");
+  for (int i = 0; i < count; ++i) {
+    settings.setArrayIndex(i);
+    studies.push_back({settings.value("folder").toString().toStdString(),
+                       settings.value("name").toString(), settings.value("used").toDateTime()});
+  }
+  settings.endArray();
+  return studies;
+}
+
+void remember_study(const std::filesystem::path& folder, const QString& name) {
+  std::vector<RecentStudy> studies = recent_studies();
+  std::erase_if(studies, [&folder](const RecentStudy& study) { return study.folder == folder; });
+  studies.insert(studies.begin(), {folder, name, QDateTime::currentDateTime()});
+  if (studies.size() > kMostRecent) studies.resize(kMostRecent);
+  write_recent(studies);
+}
+
+void forget_study(const std::filesystem::path& folder) {
+  std::vector<RecentStudy> studies = recent_studies();
+  std::erase_if(studies, [&folder](const RecentStudy& study) { return study.folder == folder; });
+  write_recent(studies);
+}
+
+ThemeChoice theme_choice() {
+  const QString name = QSettings{}.value("theme").toString();
+  if (name == "light") return ThemeChoice::light;
+  if (name == "dark") return ThemeChoice::dark;
+  return ThemeChoice::system;
+}
+
+void remember_theme(ThemeChoice choice) {
+  const char* name = "system";
+  if (choice == ThemeChoice::light) name = "light";
+  if (choice == ThemeChoice::dark) name = "dark";
+  QSettings{}.setValue("theme", name);
+}
+
+QString language_choice() { return QSettings{}.value("language", "system").toString(); }
+
+void remember_language(const QString& code) { QSettings{}.setValue("language", code); }
+
+QStringList available_languages() {
+  QStringList codes{"en"};
+  for (const QString& file : QDir(":/translations").entryList({"asperity_*.qm"})) {
+    codes.append(file.mid(9, file.size() - 12));
+  }
+  return codes;
+}
+
+void apply_language(const QString& choice) {
+  const QLocale locale = choice == "system" ? QLocale::system() : QLocale(choice);
+  QCoreApplication* const program = QCoreApplication::instance();
+  const QString name = "asperity-translator";
+  delete program->findChild<QTranslator*>(name);  // takes its texts with it
+  auto* translator = new QTranslator(program);
+  translator->setObjectName(name);
+  if (locale.language() != QLocale::English &&
+      translator->load(locale, "asperity", "_", ":/translations")) {
+    QCoreApplication::installTranslator(translator);
+  }
+}
+
+bool restore_geometry(QWidget& window, const QString& name) {
+  return window.restoreGeometry(QSettings{}.value("geometry/" + name).toByteArray());
+}
+
+void remember_geometry(const QWidget& window, const QString& name) {
+  QSettings{}.setValue("geometry/" + name, window.saveGeometry());
+}
+
+}  // namespace asperity

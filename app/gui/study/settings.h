@@ -1,0 +1,45 @@
+// What the program remembers of its user from one start to the next.
+
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <QtCore/QDateTime>
+#include <QtCore/QString>
+
+#include "app/gui/look/theme.h"
+
+class QWidget;
+
+namespace asperity {
+
+/// A study that was open once.
+struct RecentStudy {
+  std::filesystem::path folder{};
+  QString name{};
+  QDateTime used{};
+};
+
+/// At most ten, the latest first. A study that is gone stays in the list until it is forgotten.
+std::vector<RecentStudy> recent_studies();
+void remember_study(const std::filesystem::path& folder, const QString& name);
+void forget_study(const std::filesystem::path& folder);
+
+ThemeChoice theme_choice();
+void remember_theme(ThemeChoice choice);
+
+/// "system", or the code of a language: "en", "de".
+QString language_choice();
+void remember_language(const QString& code);
+/// Those that the program has texts in: English, in which it is written, and every
+/// :/translations/asperity_CODE.qm.
+QStringList available_languages();
+/// Its texts from now on in that language; windows that are open have to be filled anew.
+void apply_language(const QString& choice);
+
+/// Where a window was, by its name; false when it has never been anywhere.
+bool restore_geometry(QWidget& window, const QString& name);
+void remember_geometry(const QWidget& window, const QString& name);
+
+}  // namespace asperity

@@ -1,0 +1,61 @@
+#include "app/gui/study/shown_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QtCore/QDateTime>
+#include <QtCore/QDir>
+#include <QtCore/QLocale>
+
+namespace asperity {
+
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("asperity::ShownText", text);
+}
+
+}  // namespace
+
+QString text_of_path(const std::filesystem::path& path) {
+  const QString text = QString::fromStdString(path.string());
+  const QString home = QDir::homePath();
+  if (text == home || text.startsWith(home + '/')) return '~' + text.mid(home.size());
+  return text;
+}
+
+std::filesystem::path path_of_text(const QString& text) {
+  if (text == "~" || text.startsWith("~/")) return (QDir::homePath() + text.mid(1)).toStdString();
+  return text.toStdString();
+}
+
+QString text_of_time(const std::string& utc) {
+  const QString written = QString::fromStdString(utc);
+  QDateTime time = QDateTime::fromString(written, Qt::ISODateWithMs);
+  if (!time.isValid()) return written;
+  time = time.toLocalTime();
+  const QString clock = time.time().toString("HH:mm");
+  const qint64 days = time.date().daysTo(QDate::currentDate());
+  if (days == 0) return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "today %1")).arg(clock);
+  if (days == 1) {
+    return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "yesterday %1")).arg(clock);
+  }
+  return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "%1, %2"))
+      .arg(time.date().toString(Qt::ISODate), clock);
+}
+
+QString text_of_duration(double duration_s) {
+  const auto whole_s = static_cast<long>(std::lround(std::max(0.0, duration_s)));
+  if (whole_s < 60) {
+    return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "%1 s")).arg(whole_s);
+  }
+  const long minutes = (whole_s + 30) / 60;
+  if (minutes < 60) {
+    return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "%1 min")).arg(minutes);
+  }
+  return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "%1 h %2 min"))
+      .arg(minutes / 60)
+      .arg(minutes % 60, 2, 10, QChar('0'));
+}
+
+}  // namespace asperity

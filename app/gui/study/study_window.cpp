@@ -1,0 +1,348 @@
+#include "app/gui/study/study_window.h"
+
+#include <exception>
+
+#include <QtCore/QDateTime>
+#include <QtCore/QDir>
+#include <QtCore/QFileInfo>
+#include <QtCore/QFileSystemWatcher>
+#include <QtCore/QUrl>
+#include <QtGui/QActionGroup>
+#include <QtGui/QCloseEvent>
+#include <QtGui/QDesktopServices>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
+#include <QtWidgets/QStackedWidget>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/study/about_dialog.h"
+#include "app/gui/study/navigation_list.h"
+#include "app/gui/study/new_study_dialog.h"
+#include "app/gui/study/settings.h"
+#include "app/gui/study/shown_text.h"
+#include "app/gui/study/welcome_page.h"
+#include "app/tasks/new_study.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kGeometry = "study_window";
+
+/// Changes whenever somebody has written to the store.
+QString state_of_store(const std::filesystem::path& folder) {
+  QString state{};
+  for (const char* name : {"study.sqlite", "study.sqlite-wal"}) {
+    const QFileInfo file(QString::fromStdString((folder / name).string()));
+    state += QString("%1 %2 ").arg(file.size()).arg(file.lastModified().toMSecsSinceEpoch());
+  }
+  return state;
+}
+
+}  // namespace
+
+StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
+  setObjectName("study_window");
+  if (!restore_geometry(*this, kGeometry)) resize(1280, 800);
+  watcher_ = new QFileSystemWatcher(this);
+  connect(watcher_, &QFileSystemWatcher::directoryChanged, this, &StudyWindow::watch_folder);
+  refill();
+}
+
+StudyWindow::~StudyWindow() {
+  remove_pages();  // while the study that they show is still there
+}
+
+void StudyWindow::refill() {
+  const QString shown = shown_page();
+  remove_pages();
+  make_menus();
+  auto* centre = new QWidget(this);
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  banner_ = new Banner(centre);
+  banner_->setObjectName("study_banner");
+  layout->addWidget(banner_);
+  auto* row = new QHBoxLayout();
+  row->setSpacing(0);
+  layout->addLayout(row, 1);
+  navigation_ = new NavigationList(centre);
+  pages_ = new QStackedWidget(centre);
+  row->addWidget(navigation_);
+  line_ = new QFrame(centre);
+  line_->setFixedWidth(1);
+  line_->setStyleSheet("background: " + theme().line.name());
+  row->addWidget(line_);
+  row->addWidget(pages_, 1);
+  connect(navigation_, &NavigationList::page_selected, this, &StudyWindow::show_page);
+  welcome_ = new WelcomePage(pages_);
+  pages_->addWidget(welcome_);
+  connect(welcome_, &WelcomePage::study_wanted, this, &StudyWindow::open_study);
+  connect(welcome_, &WelcomePage::new_study_wanted, this, &StudyWindow::ask_for_new_study);
+  connect(welcome_, &WelcomePage::open_wanted, this, &StudyWindow::ask_for_study);
+  setCentralWidget(centre);  // deletes the one before
+  make_pages();
+  if (!shown.isEmpty() && page(shown) != nullptr) show_page(shown);
+}
+
+void StudyWindow::make_pages() {
+  const bool open = study_ != nullptr;
+  navigation_->setVisible(open);
+  line_->setVisible(open);
+  close_action_->setEnabled(open);
+  if (!open) {
+    setWindowTitle(tr("Asperity"));
+    pages_->setCurrentWidget(welcome_);
+    welcome_->show_recent();
+    return;
+  }
+  setWindowTitle(tr("Asperity ─ %1").arg(QString::fromStdString(study_->study().name())));
+  emit study_opened(study_.get());
+  navigation_->setCurrentRow(0);
+}
+
+void StudyWindow::remove_pages() {
+  if (pages_ == nullptr) return;
+  navigation_->clear();
+  for (int i = pages_->count() - 1; i >= 0; --i) {
+    QWidget* widget = pages_->widget(i);
+    if (widget == welcome_) continue;
+    pages_->removeWidget(widget);
+    delete widget;
+  }
+}
+
+void StudyWindow::add_page(const QString& key, const QString& name, QWidget* page) {
+  page->setProperty("page", key);
+  pages_->addWidget(page);
+  if (!name.isEmpty()) navigation_->add_page(key, name);
+}
+
+void StudyWindow::show_page(const QString& key) {
+  QWidget* widget = page(key);
+  if (widget == nullptr) return;
+  pages_->setCurrentWidget(widget);
+  navigation_->select(key);
+}
+
+QString StudyWindow::shown_page() const {
+  if (pages_ == nullptr || pages_->currentWidget() == nullptr) return {};
+  return pages_->currentWidget()->property("page").toString();
+}
+
+QWidget* StudyWindow::page(const QString& key) const {
+  for (int i = 0; i < pages_->count(); ++i) {
+    if (pages_->widget(i)->property("page").toString() == key) return pages_->widget(i);
+  }
+  return nullptr;
+}
+
+void StudyWindow::set_count(const QString& key, const QString& count) {
+  navigation_->set_count(key, count);
+}
+
+bool StudyWindow::open_study(const std::filesystem::path& folder) {
+  if (refuse_when_busy()) return false;
+  std::unique_ptr<OpenStudy> opened{};
+  QString name{};
+  try {
+    opened = std::make_unique<OpenStudy>(std::filesystem::absolute(folder).lexically_normal());
+    name = QString::fromStdString(opened->study().name());
+  } catch (const std::exception& error) {
+    banner_->show_news(
+        State::stop, tr("The study could not be opened: %1").arg(QString::fromUtf8(error.what())));
+    return false;
+  }
+  close_study();
+  study_ = std::move(opened);
+  remember_study(study_->folder(), name);
+  banner_->hide();
+  connect(study_.get(), &OpenStudy::changed, this,
+          [this] { seen_store_ = state_of_store(study_->folder()); });
+  seen_store_ = state_of_store(study_->folder());
+  watcher_->addPath(QString::fromStdString(study_->folder().string()));
+  make_pages();
+  return true;
+}
+
+void StudyWindow::close_study() {
+  if (study_ == nullptr) return;
+  if (const QStringList watched = watcher_->directories(); !watched.isEmpty()) {
+    watcher_->removePaths(watched);
+  }
+  emit study_closed();
+  remove_pages();
+  study_.reset();
+  banner_->hide();
+  make_pages();
+}
+
+void StudyWindow::set_busy(const QString& reason) { busy_ = reason; }
+
+bool StudyWindow::refuse_when_busy() {
+  if (busy_.isEmpty()) return false;
+  banner_->show_news(State::look, busy_);
+  return true;
+}
+
+void StudyWindow::watch_folder() {
+  if (study_ == nullptr || Study::exists(study_->folder())) return;
+  banner_->show_news(State::stop,
+                     tr("The study is no longer at %1: its folder was removed, renamed, or is on a "
+                        "medium that is gone. Bring it back, or close the study.")
+                         .arg(text_of_path(study_->folder())),
+                     tr("Close study"), [this] {
+                       if (!refuse_when_busy()) close_study();
+                     });
+}
+
+void StudyWindow::look_whether_changed() {
+  if (study_ == nullptr) return;
+  watch_folder();
+  if (state_of_store(study_->folder()) != seen_store_) study_->announce_change();
+}
+
+void StudyWindow::changeEvent(QEvent* event) {
+  // Another program may have written meanwhile; while this one runs a session, it says so itself.
+  if (event->type() == QEvent::ActivationChange && isActiveWindow() && busy_.isEmpty()) {
+    look_whether_changed();
+  }
+  QMainWindow::changeEvent(event);
+}
+
+void StudyWindow::closeEvent(QCloseEvent* event) {
+  if (refuse_when_busy()) {
+    event->ignore();
+    return;
+  }
+  remember_geometry(*this, kGeometry);
+  QMainWindow::closeEvent(event);
+}
+
+void StudyWindow::make_menus() {
+  menuBar()->clear();
+  make_study_menu();
+  make_view_menu();
+  make_help_menu();
+}
+
+void StudyWindow::make_study_menu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Study"));
+  menu->addAction(tr("&New…"), QKeySequence::New, this, &StudyWindow::ask_for_new_study);
+  menu->addAction(tr("&Open…"), QKeySequence::Open, this, &StudyWindow::ask_for_study);
+  menu->addAction(tr("Open the &demo study"), this, &StudyWindow::open_demo);
+  QMenu* recent = menu->addMenu(tr("&Recent"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { fill_recent_menu(*recent); });
+  menu->addSeparator();
+  close_action_ = menu->addAction(tr("&Close"), QKeySequence::Close, this, [this] {
+    if (!refuse_when_busy()) close_study();
+  });
+  menu->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+}
+
+void StudyWindow::fill_recent_menu(QMenu& menu) {
+  menu.clear();
+  for (const RecentStudy& study : recent_studies()) {
+    QString text = tr("%1 (%2)").arg(study.name, text_of_path(study.folder));
+    text.replace('&', "&&");
+    menu.addAction(text, this, [this, folder = study.folder] { open_study(folder); });
+  }
+  if (menu.isEmpty()) menu.addAction(tr("No study was opened yet"))->setEnabled(false);
+}
+
+void StudyWindow::make_view_menu() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  QMenu* themes = menu->addMenu(tr("&Theme"));
+  auto* theme_group = new QActionGroup(themes);
+  const auto add_theme = [&](const QString& name, ThemeChoice choice) {
+    QAction* action = themes->addAction(name, this, [this, choice] { choose_theme(choice); });
+    action->setCheckable(true);
+    action->setChecked(theme_choice() == choice);
+    theme_group->addAction(action);
+  };
+  add_theme(tr("As the &system"), ThemeChoice::system);
+  add_theme(tr("&Light"), ThemeChoice::light);
+  add_theme(tr("&Dark"), ThemeChoice::dark);
+
+  QMenu* languages = menu->addMenu(tr("L&anguage"));
+  auto* language_group = new QActionGroup(languages);
+  const auto add_language = [&](const QString& name, const QString& code) {
+    QAction* action = languages->addAction(name, this, [this, code] { choose_language(code); });
+    action->setCheckable(true);
+    action->setChecked(language_choice() == code);
+    language_group->addAction(action);
+  };
+  add_language(tr("As the &system"), "system");
+  for (const QString& code : available_languages()) {
+    // "en" alone is American English to Qt, which says so.
+    add_language(code == "en" ? QString("English") : QLocale(code).nativeLanguageName(), code);
+  }
+}
+
+void StudyWindow::make_help_menu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  if (const QString folder = documents_folder(); !folder.isEmpty()) {
+    menu->addAction(tr("&Documents"), QKeySequence::HelpContents, this,
+                    [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+  }
+  menu->addAction(tr("&About Asperity"), this, &StudyWindow::show_about);
+}
+
+void StudyWindow::show_about() { (new AboutDialog(this))->open(); }
+
+// Menus, pages and the banner are made anew: not while one of them is still at work.
+void StudyWindow::choose_theme(ThemeChoice choice) {
+  if (refuse_when_busy()) return;
+  remember_theme(choice);
+  apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), choice);
+  QMetaObject::invokeMethod(this, &StudyWindow::refill, Qt::QueuedConnection);
+}
+
+void StudyWindow::choose_language(const QString& code) {
+  if (refuse_when_busy()) return;
+  remember_language(code);
+  apply_language(code);
+  QMetaObject::invokeMethod(this, &StudyWindow::refill, Qt::QueuedConnection);
+}
+
+void StudyWindow::ask_for_new_study() {
+  if (refuse_when_busy()) return;
+  auto* dialog = new NewStudyDialog((QDir::homePath() + "/Asperity").toStdString(), this);
+  connect(dialog, &NewStudyDialog::wanted, this, &StudyWindow::make_new_study);
+  dialog->open();
+}
+
+void StudyWindow::make_new_study(const std::filesystem::path& folder) {
+  make_task_.run<bool>(
+      [folder](const std::stop_token&, const BackgroundTask::Progress&) {
+        std::filesystem::create_directories(folder.parent_path());
+        new_study(folder);
+        return true;
+      },
+      [this, folder](bool) { open_study(folder); },
+      [this](const QString& what) {
+        banner_->show_news(State::stop, tr("The study could not be made: %1").arg(what));
+      });
+}
+
+void StudyWindow::ask_for_study() {
+  if (refuse_when_busy()) return;
+  auto* chooser = new QFileDialog(this, tr("Open the folder of a study"), QDir::homePath());
+  chooser->setAttribute(Qt::WA_DeleteOnClose);
+  chooser->setFileMode(QFileDialog::Directory);
+  chooser->setOption(QFileDialog::ShowDirsOnly);
+  connect(chooser, &QFileDialog::fileSelected, this,
+          [this](const QString& folder) { open_study(folder.toStdString()); });
+  chooser->open();
+}
+
+void StudyWindow::open_demo() {
+  if (refuse_when_busy()) return;
+  close_study();
+  welcome_->open_demo();
+}
+
+}  // namespace asperity

@@ -1,0 +1,179 @@
+// The study window as a person meets it: from the welcome page to a study and back.
+
+#include "app/gui/study/study_window.h"
+
+#include <QtCore/QFile>
+#include <QtGui/QAction>
+#include <QtTest/QTest>
+#include <QtWidgets/QDialog>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QTableWidget>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/study/settings.h"
+#include "app/tasks/new_study.h"
+#include "tests/gui/study/quiet_home.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+class StudyWindowTest : public QuietHome {
+ protected:
+  void click(StudyWindow& window, const char* button) {
+    QTest::mouseClick(&child<QPushButton>(window, button), Qt::LeftButton);
+  }
+};
+
+TEST_F(StudyWindowTest, OpensTheDemoStudyFromTheWelcomePageByOneClick) {
+  StudyWindow window{};
+  window.show();
+  click(window, "welcome_demo");
+  ASSERT_TRUE(eventually([&] { return window.study() != nullptr; }));
+  EXPECT_EQ(window.study()->folder(), home() / "Asperity" / "demo");
+  EXPECT_EQ(window.windowTitle(), "Asperity ─ demo");
+  EXPECT_TRUE(holds_demo_study(window.study()->folder()));
+}
+
+TEST_F(StudyWindowTest, OpensTheDemoStudyThatIsThereAndLeavesOtherFoldersAlone) {
+  std::filesystem::create_directories(home() / "Asperity" / "demo" / "of something else");
+  {
+    StudyWindow window{};
+    click(window, "welcome_demo");
+    ASSERT_TRUE(eventually([&] { return window.study() != nullptr; }));
+    EXPECT_EQ(window.study()->folder(), home() / "Asperity" / "demo-2");
+  }
+  StudyWindow window{};
+  click(window, "welcome_demo");
+  ASSERT_NE(window.study(), nullptr);  // without making anything
+  EXPECT_EQ(window.study()->folder(), home() / "Asperity" / "demo-2");
+}
+
+TEST_F(StudyWindowTest, LeavesNothingOfACancelledDemoStudy) {
+  StudyWindow window{};
+  window.show();
+  click(window, "welcome_demo");
+  click(window, "welcome_demo_cancel");
+  auto& demo = child<QPushButton>(window, "welcome_demo");
+  ASSERT_TRUE(eventually([&] { return demo.isEnabled(); }));
+  EXPECT_EQ(window.study(), nullptr);
+  EXPECT_FALSE(std::filesystem::exists(home() / "Asperity" / "demo"));
+}
+
+TEST_F(StudyWindowTest, MakesAStudyOfTheNameThatIsTyped) {
+  StudyWindow window{};
+  window.show();
+  click(window, "welcome_new");
+  auto& dialog = child<QDialog>(window, "new_study_dialog");
+  auto& create = child<QPushButton>(dialog, "new_study_create");
+  EXPECT_FALSE(create.isEnabled());
+  child<QLineEdit>(dialog, "new_study_place")
+      .setText(QString::fromStdString((home() / "studies").string()));
+  QTest::keyClicks(&child<QLineEdit>(dialog, "new_study_name"), "Rough surfaces");
+  ASSERT_TRUE(create.isEnabled());
+  QTest::keyClick(&child<QLineEdit>(dialog, "new_study_name"), Qt::Key_Return);
+  ASSERT_TRUE(eventually([&] { return window.study() != nullptr; }));
+  EXPECT_EQ(window.study()->folder(), home() / "studies" / "Rough surfaces");
+  EXPECT_EQ(window.study()->study().name(), "Rough surfaces");
+}
+
+TEST_F(StudyWindowTest, RefusesANameThatIsTaken) {
+  std::filesystem::create_directories(home() / "taken");
+  StudyWindow window{};
+  window.show();
+  click(window, "welcome_new");
+  auto& dialog = child<QDialog>(window, "new_study_dialog");
+  child<QLineEdit>(dialog, "new_study_place").setText("~");
+  child<QLineEdit>(dialog, "new_study_name").setText("taken");
+  EXPECT_FALSE(child<QPushButton>(dialog, "new_study_create").isEnabled());
+  EXPECT_EQ(child<QLabel>(dialog, "new_study_what_follows").text(),
+            "There is something at ~/taken already; choose another name.");
+}
+
+TEST_F(StudyWindowTest, SaysOnTheBannerWhatCannotBeOpened) {
+  StudyWindow window{};
+  window.show();
+  EXPECT_FALSE(window.open_study(home() / "nothing"));
+  EXPECT_EQ(window.study(), nullptr);
+  EXPECT_TRUE(window.banner().isVisible());
+  EXPECT_TRUE(window.banner().text().contains("nothing"));
+}
+
+TEST_F(StudyWindowTest, ListsRecentStudiesLatestFirstAndGreysThoseThatAreGone) {
+  new_study(home() / "first");
+  new_study(home() / "second");
+  StudyWindow window{};
+  window.show();
+  ASSERT_TRUE(window.open_study(home() / "first"));
+  ASSERT_TRUE(window.open_study(home() / "second"));
+  window.close_study();
+  std::filesystem::remove_all(home() / "first");
+  child<QTableWidget>(window, "welcome_recent");
+  StudyWindow another{};
+  another.show();
+  auto& recent = child<QTableWidget>(another, "welcome_recent");
+  ASSERT_TRUE(eventually([&] { return recent.rowCount() == 2; }));
+  EXPECT_EQ(recent.item(0, 0)->text(), "second");
+  EXPECT_EQ(recent.item(0, 1)->text(), "~/second");
+  EXPECT_EQ(recent.item(1, 2)->text(), "no study there any more");
+  EXPECT_EQ(recent.item(1, 0)->foreground().color(), theme().muted);
+
+  recent.selectRow(1);
+  EXPECT_FALSE(child<QPushButton>(another, "welcome_recent_open").isEnabled());
+  click(another, "welcome_recent_forget");
+  ASSERT_TRUE(eventually([&] { return recent.rowCount() == 1; }));
+  recent.selectRow(0);
+  click(another, "welcome_recent_open");
+  ASSERT_NE(another.study(), nullptr);
+  EXPECT_EQ(another.windowTitle(), "Asperity ─ second");
+}
+
+TEST_F(StudyWindowTest, SaysWhenTheStudyDisappears) {
+  new_study(home() / "study");
+  StudyWindow window{};
+  window.show();
+  ASSERT_TRUE(window.open_study(home() / "study"));
+  std::filesystem::rename(home() / "study", home() / "elsewhere");
+  ASSERT_TRUE(eventually([&] { return window.banner().isVisible(); }));
+  EXPECT_TRUE(window.banner().text().startsWith("The study is no longer at ~/study"));
+}
+
+TEST_F(StudyWindowTest, DoesNotCloseWhileBusyAndSaysWhy) {
+  StudyWindow window{};
+  window.show();
+  window.set_busy("A session is running.");
+  window.close();
+  EXPECT_TRUE(window.isVisible());
+  EXPECT_EQ(window.banner().text(), "A session is running.");
+  window.set_busy({});
+  window.close();
+  EXPECT_FALSE(window.isVisible());
+}
+
+TEST_F(StudyWindowTest, RemembersWhereItWas) {
+  {
+    StudyWindow window{};
+    window.resize(1111, 777);
+    window.show();
+    window.close();
+  }
+  StudyWindow window{};
+  EXPECT_EQ(window.size(), QSize(1111, 777));
+}
+
+TEST_F(StudyWindowTest, WelcomePictures) {
+  new_study(home() / "Rough surfaces 2026");
+  remember_study(home() / "Lost on a stick", "Lost on a stick");
+  remember_study(home() / "Rough surfaces 2026", "Rough surfaces 2026");
+  StudyWindow window{};
+  auto& recent = child<QTableWidget>(window, "welcome_recent");
+  ASSERT_TRUE(eventually([&] { return recent.rowCount() == 2; }));
+  take_screenshot(window, "study-welcome");
+  take_screenshot(window, "study-welcome-large", {1920, 1080});
+}
+
+}  // namespace
+}  // namespace asperity
