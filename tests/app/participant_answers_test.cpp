@@ -1,0 +1,78 @@
+// Labels and answers of people.
+
+#include "app/tasks/participant_answers.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+std::vector<ParticipantRow> people(const std::vector<std::string>& labels) {
+  std::vector<ParticipantRow> rows{};
+  for (const std::string& label : labels) {
+    rows.push_back({.label = label, .is_virtual = label.starts_with("virtual")});
+  }
+  return rows;
+}
+
+TEST(SuggestedLabel, ContinuesThePatternOfTheStudy) {
+  EXPECT_EQ(suggested_label(people({})), "sub001");
+  EXPECT_EQ(suggested_label(people({"P008", "P009"})), "P010");
+  EXPECT_EQ(suggested_label(people({"sub999"})), "sub1000");
+  EXPECT_EQ(suggested_label(people({"7"})), "8");
+  EXPECT_EQ(suggested_label(people({"anna"})), "sub001");
+  EXPECT_EQ(suggested_label(people({"pilot01", "P001", "P002"})), "P003");
+}
+
+TEST(SuggestedLabel, PassesOverVirtualParticipants) {
+  EXPECT_EQ(suggested_label(people({"virtual0001", "virtual0002"})), "sub001");
+  EXPECT_EQ(next_virtual_label(people({"virtual0001", "virtual0002", "P009"})), "virtual0003");
+  EXPECT_EQ(next_virtual_label(people({})), "virtual0001");
+}
+
+TEST(AnswerOfAParticipant, IsHeldToItsQuestion) {
+  const Question age{
+      .prompt = "How old are you?", .form = Question::Form::number, .minimum = 18, .maximum = 120};
+  EXPECT_FALSE(complaint_about_answer(age, "18"));
+  EXPECT_EQ(complaint_about_answer(age, ""), "\"How old are you?\" is not answered.");
+  EXPECT_EQ(complaint_about_answer(age, "17.5"),
+            "The answer to \"How old are you?\" has to be 18 or more.");
+  EXPECT_TRUE(complaint_about_answer(age, "121"));
+  EXPECT_TRUE(complaint_about_answer(age, "old"));
+  const Question hand{
+      .prompt = "Which hand?", .form = Question::Form::choice, .options = {"left", "right"}};
+  EXPECT_FALSE(complaint_about_answer(hand, "left"));
+  EXPECT_TRUE(complaint_about_answer(hand, "both"));
+  const Question free_text{.prompt = "Else?", .form = Question::Form::text, .optional = true};
+  EXPECT_FALSE(complaint_about_answer(free_text, ""));
+}
+
+TEST(PersonWithAnswers, HasThemWhereTheStoreKeepsThem) {
+  Protocol protocol{};
+  for (const char* name : {"age", "sex", "handedness", "hand_used", "remarks"}) {
+    protocol.participant_questions.push_back({.name = name});
+  }
+  const ParticipantRow person =
+      person_of("P001", protocol,
+                {{"age", "31"}, {"sex", "female"}, {"handedness", "either"}, {"hand_used", "left"}},
+                "2026-03-01T09:00:00Z");
+  EXPECT_EQ(person.label, "P001");
+  EXPECT_EQ(person.age_years, 31.0);
+  EXPECT_EQ(person.sex, "F");
+  EXPECT_EQ(person.handedness, "ambidextrous");
+  EXPECT_EQ(person.answers_json, R"({"hand_used":"left"})");
+  EXPECT_EQ(person.created_utc, "2026-03-01T09:00:00Z");
+  EXPECT_TRUE(uses_left_hand(person));
+}
+
+TEST(PersonWithAnswers, HoldsTheHandleAsTheyWriteUnlessTheySayOtherwise) {
+  EXPECT_TRUE(uses_left_hand({.handedness = "left"}));
+  EXPECT_FALSE(uses_left_hand({.handedness = "right"}));
+  EXPECT_FALSE(uses_left_hand({.handedness = "left", .answers_json = R"({"hand_used":"right"})"}));
+  EXPECT_FALSE(uses_left_hand({}));
+}
+
+}  // namespace
+}  // namespace asperity
