@@ -1,0 +1,124 @@
+#include "app/gui/session/session_runner.h"
+
+#include <cassert>
+#include <exception>
+#include <utility>
+
+#include <QtCore/QMetaObject>
+
+#include "app/tasks/session_checks.h"
+
+namespace asperity {
+
+namespace {
+
+/// What an exception says, as a sentence of its own.
+QString as_sentence(const std::string& what) {
+  QString text = QString::fromStdString(what).trimmed();
+  if (text.isEmpty()) return text;
+  text[0] = text[0].toUpper();
+  const QChar last = text.back();
+  if (last != '.' && last != '!' && last != '?') text += '.';
+  return text;
+}
+
+}  // namespace
+
+SessionRunner::SessionRunner(QObject* parent) : QObject(parent) {
+  qRegisterMetaType<asperity::SessionOrder>();
+  qRegisterMetaType<asperity::SessionEnd>();
+}
+
+SessionRunner::~SessionRunner() {
+  if (!worker_.joinable()) return;
+  requests_.abort("the window was closed");
+  worker_.request_stop();
+  worker_.join();
+}
+
+PersonAtWindow& SessionRunner::person() noexcept {
+  assert(person_);
+  return *person_;
+}
+
+void SessionRunner::start(const SessionOrder& order) {
+  assert(!worker_.joinable());
+  order_ = order;
+  person_ = std::make_unique<PersonAtWindow>(monitor_, sound_.get());
+  if (!order.consent_seen_by.empty()) {
+    requests_.remark("consent_seen", "agreement seen by " + order.consent_seen_by);
+  }
+  running_ = true;
+  worker_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void SessionRunner::run(const std::stop_token& stop) {
+  try {
+    if (!order_.protocol_sha256.empty()) {
+      require_unchanged(order_.inputs.protocol, order_.protocol_sha256);
+    }
+    const SessionLinks links{.requests = &requests_,
+                             .monitor = &monitor_,
+                             .sound = sound_.get(),
+                             .experimenter_is_there = true};
+    Respondent* respondent = order_.inputs.is_virtual ? nullptr : person_.get();
+    const SessionEnd end = run_session(
+        order_.inputs, models_, respondent, stop,
+        [this](const AttemptDone&) { announce_attempt(); }, links);
+    QMetaObject::invokeMethod(
+        this,
+        [this, end] {
+          running_ = false;
+          emit ended(end);
+        },
+        Qt::QueuedConnection);
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+}
+
+void SessionRunner::announce_attempt() {
+  ++attempts_;
+  if (announced_.exchange(true)) return;
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        announced_ = false;
+        emit attempt_done();
+      },
+      Qt::QueuedConnection);
+}
+
+void SessionRunner::fail(const std::string& what) {
+  // Every attempt that was reported is on disk: the conductor tells of none before its commit.
+  const bool had_begun = attempts_ > 0 || monitor_.facts() != nullptr;
+  QString text = as_sentence(what) + ' ';
+  if (had_begun) {
+    text +=
+        tr("The force is at zero and the session has stopped. Every finished trial is stored "
+           "(%n of them in this stretch). When the cause is mended, go on with this session "
+           "from the start page.",
+           nullptr, attempts_);
+  } else {
+    text +=
+        tr("The session did not begin and no trial was run. When the cause is mended, start it "
+           "again.");
+  }
+  monitor_.show({.kind = ParticipantScene::Kind::ended,
+                 .text = tr("Please wait for the experimenter.").toStdString()});
+  monitor_.update([&text](SessionSnapshot& snapshot) {
+    snapshot.phase = SessionPhase::ended;
+    snapshot.trouble = SessionTrouble{.what = text.toStdString(),
+                                      .time_ns = snapshot.now_ns,
+                                      .remedy = SessionTrouble::Remedy::try_again};
+  });
+  QMetaObject::invokeMethod(
+      this,
+      [this, text] {
+        running_ = false;
+        emit failed(text);
+      },
+      Qt::QueuedConnection);
+}
+
+}  // namespace asperity

@@ -1,0 +1,95 @@
+// A session on a thread of its own, for windows that watch it.
+
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <QtCore/QMetaType>
+#include <QtCore/QObject>
+#include <QtCore/QString>
+
+#include "app/conductor/person_at_window.h"
+#include "app/conductor/session_monitor.h"
+#include "app/conductor/session_requests.h"
+#include "app/conductor/sound.h"
+#include "app/tasks/run_session.h"
+#include "renderers/force_model.h"
+
+namespace asperity {
+
+/// A session as it was decided before it starts.
+struct SessionOrder {
+  RunInputs inputs{};
+  MaskingNoise noise{};
+  /// The participant answers on a keyboard of their own or by the device's buttons: text fields of
+  /// the experimenter stay usable while a response is open.
+  bool own_keyboard = false;
+  QString participant_screen{};  ///< its name; empty: both windows on one screen
+  /// Recorded cues of the protocol: by cue, the file.
+  std::map<std::string, std::filesystem::path> speech{};
+  /// Who saw the participant agree; stored among the session's events. Empty: nobody has to say.
+  std::string consent_seen_by{};
+  /// Of the protocol as it was checked. Empty: whatever the file says when the session starts.
+  std::string protocol_sha256{};
+};
+
+/// Runs one session, and only one: what watches it holds references into this object.
+///
+/// Whatever goes wrong is reported, never thrown: `failed` says what happened, what is safe and what
+/// to do; the monitor then shows the phase `ended` with its trouble.
+///
+/// Threads: belongs to the GUI thread, where all signals come. The session has a thread of its own;
+/// the monitor, the requests and `PersonAtWindow::post` may be used from any thread.
+///
+/// When it is destroyed, a session under way is aborted (finished trials are stored, it can be gone
+/// on with) and waited for.
+class SessionRunner final : public QObject {
+  Q_OBJECT
+ public:
+  explicit SessionRunner(QObject* parent = nullptr);
+  ~SessionRunner() override;
+
+  /// Once in the life of this object.
+  void start(const SessionOrder& order);
+  /// From `start` until `ended` or `failed`.
+  bool is_running() const noexcept { return running_; }
+
+  SessionMonitor& monitor() noexcept { return monitor_; }
+  SessionRequests& requests() noexcept { return requests_; }
+  /// Only after `start`.
+  PersonAtWindow& person() noexcept;
+  /// As started.
+  const SessionOrder& order() const noexcept { return order_; }
+
+ signals:
+  /// At least one more attempt is on disk; several that come quickly are announced together.
+  void attempt_done();
+  void ended(const asperity::SessionEnd& end);
+  void failed(const QString& text);
+
+ private:
+  void run(const std::stop_token& stop);
+  void announce_attempt();
+  void fail(const std::string& what);
+
+  SessionOrder order_{};
+  ModelRegistry models_ = built_in_models();
+  SessionMonitor monitor_{};
+  SessionRequests requests_{};
+  std::unique_ptr<Sound> sound_{};
+  std::unique_ptr<PersonAtWindow> person_{};
+  bool running_ = false;
+  std::atomic<int> attempts_{0};
+  std::atomic<bool> announced_{false};  ///< an announcement is on its way
+  std::jthread worker_{};
+};
+
+}  // namespace asperity
+
+Q_DECLARE_METATYPE(asperity::SessionOrder)
+Q_DECLARE_METATYPE(asperity::SessionEnd)
