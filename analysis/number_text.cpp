@@ -13,4 +13,11 @@ std::string number_text(double number) {
   return {text.data(), result.ptr};
 }
 
+std::string fixed(double number, int decimals) {
+  std::array<char, 64> text{};
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), number,
+                                    std::chars_format::fixed, decimals);
+  return {text.data(), result.ptr};
+}
+
 }  // namespace asperity

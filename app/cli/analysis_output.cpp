@@ -2,14 +2,13 @@
 
 #include "app/cli/analysis_output.h"
 
-#include <array>
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <variant>
 
 #include <nlohmann/json.hpp>
 
+#include "app/analyses/reading_table.h"
 #include "app/cli/terminal.h"
 
 namespace asperity {
@@ -18,62 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kLow = "_low";
-constexpr std::string_view kHigh = "_high";
 constexpr std::size_t kLineWidth = 100;
-
-/// 2.5e-23
-std::string scientific(double value) {
-  std::array<char, 32> text{};
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
-                                    std::chars_format::scientific, 1);
-  return {text.data(), result.ptr};
-}
-
-/// A share to two decimals, a force to a millinewton, a p to three decimals or in powers of ten.
-std::string reading_number(const std::string& column, double value) {
-  if (column == "p") return value < 0.001 ? scientific(value) : fixed(value, 3);
-  if (column == "chance" || column.ends_with("_N")) return fixed(value, 3);
-  return fixed(value, 2);
-}
-
-std::string reading_cell(const std::string& column, const Cell& cell) {
-  if (const auto* number = std::get_if<double>(&cell)) return reading_number(column, *number);
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  return "n/a";
-}
-
-/// The same table with `x_low` and `x_high` as one column x: "[0.36, 0.81]".
-Table reading_table(const Table& table) {
-  Table reading{};
-  std::vector<std::size_t> lows{};
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const std::string& name = table.columns[i];
-    if (name.ends_with(kHigh)) continue;
-    reading.columns.push_back(
-        name.ends_with(kLow) ? name.substr(0, name.size() - kLow.size()) + " 95 %" : name);
-  }
-  for (const std::vector<Cell>& row : table.rows) {
-    std::vector<Cell>& cells = reading.rows.emplace_back();
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string& name = table.columns[i];
-      if (name.ends_with(kHigh)) continue;
-      const bool is_interval = name.ends_with(kLow) && i + 1 < row.size();
-      if (std::holds_alternative<std::monostate>(row[i])) {
-        cells.emplace_back();
-      } else if (is_interval) {
-        cells.emplace_back('[' + reading_cell(name, row[i]) + ", " +
-                           reading_cell(name, row[i + 1]) + ']');
-      } else if (std::holds_alternative<double>(row[i])) {
-        cells.emplace_back(reading_cell(name, row[i]));
-      } else {
-        cells.push_back(row[i]);
-      }
-    }
-  }
-  return reading;
-}
 
 /// Lines no longer than a terminal is wide; `prefix` before the first, as much room before others.
 std::string wrapped(const std::string& prefix, std::string_view text) {

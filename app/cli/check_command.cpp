@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
 #include "app/tasks/protocol_files.h"

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/session_output.h"
 #include "app/cli/signals.h"

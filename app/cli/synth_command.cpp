@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/parameter_option.h"
 #include "app/cli/terminal.h"

@@ -104,11 +104,4 @@ std::string aligned(const Table& table) {
   return out;
 }
 
-std::string fixed(double value, int decimals) {
-  std::array<char, 64> text{};
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
-                                    std::chars_format::fixed, decimals);
-  return {text.data(), result.ptr};
-}
-
 }  // namespace asperity

@@ -37,7 +37,4 @@ void say(const std::string& line);
 /// Aligned columns: text to the left, numbers to the right, two spaces between.
 std::string aligned(const Table& table);
 
-/// A number with a fixed number of decimals, whatever the locale.
-std::string fixed(double value, int decimals);
-
 }  // namespace asperity

@@ -1,0 +1,15 @@
+// Tables of an analysis as people read them.
+
+#pragma once
+
+#include "results_schema/table.h"
+
+namespace asperity {
+
+/// The same table with every number in the digits that mean something (a share to two decimals, a
+/// force to a millinewton, a p to three decimals or in powers of ten), and `x_low` and `x_high` as
+/// one column: "[0.36, 0.81]". Numbers are shortened here and nowhere before. Whole numbers stay
+/// numbers; everything else is text or missing.
+Table reading_table(const Table& table);
+
+}  // namespace asperity

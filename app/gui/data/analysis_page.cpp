@@ -1,0 +1,417 @@
+#include "app/gui/data/analysis_page.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <variant>
+
+#include <QtGui/QStandardItemModel>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
+#include <QtWidgets/QStackedWidget>
+#include <QtWidgets/QTableView>
+#include <qcustomplot.h>
+
+#include "analysis/number_text.h"
+#include "app/analyses/analyze_study.h"
+#include "app/analyses/reading_table.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/study/open_study.h"
+#include "app/tasks/export_study.h"
+
+namespace asperity {
+
+namespace {
+
+/// A table whose rows are shares with an interval: where its columns are.
+struct ShareColumns {
+  std::size_t keys = 0;  ///< the first so many columns say what the row is about
+  std::size_t hits = 0;
+  std::size_t of = 0;
+  std::size_t share = 0;
+  std::optional<std::size_t> low{};  ///< of the share's own interval; the high end is beside it
+  std::optional<std::size_t> chance{};
+};
+
+std::optional<std::size_t> column_of(const Table& table, const std::string& name) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+  if (found == table.columns.end()) return {};
+  return static_cast<std::size_t>(found - table.columns.begin());
+}
+
+std::optional<ShareColumns> share_columns(const Table& table) {
+  const auto share = column_of(table, "share");
+  const auto of = column_of(table, "of");
+  if (!share || !of || *of == 0) return {};
+  ShareColumns columns{};
+  columns.hits = *of - 1;
+  columns.keys = columns.hits;
+  columns.of = *of;
+  columns.share = *share;
+  columns.low = column_of(table, "wilson_low");
+  columns.chance = column_of(table, "chance");
+  return columns;
+}
+
+QString text_of(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return QString::fromStdString(*text);
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return QString::number(*whole);
+  if (const auto* number = std::get_if<double>(&cell)) {
+    return QString::fromStdString(number_text(*number));
+  }
+  return "–";
+}
+
+std::optional<double> number_of(const Cell& cell) {
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
+  if (const auto* number = std::get_if<double>(&cell)) return *number;
+  return {};
+}
+
+QString percent(const Cell& cell) {
+  const auto share = number_of(cell);
+  return share ? QString::fromStdString(fixed(100.0 * *share, 0)) + " %" : "–";
+}
+
+/// The words of a row's key columns: "all Total".
+QString key_of(const std::vector<Cell>& row, const ShareColumns& columns) {
+  QStringList words{};
+  for (std::size_t i = 0; i < columns.keys; ++i) words << text_of(row[i]);
+  return words.join(" ");
+}
+
+/// "column_1" is a word for programs.
+QString heading_of(const std::string& column) {
+  return QString::fromStdString(column).replace('_', ' ');
+}
+
+QTableView* make_table(const Table& table, QWidget* parent) {
+  const Table reading = reading_table(table);
+  auto* view = new QTableView(parent);
+  auto* model = new QStandardItemModel(view);
+  QStringList headings{};
+  for (const std::string& column : reading.columns) headings << heading_of(column);
+  model->setHorizontalHeaderLabels(headings);
+  for (const std::vector<Cell>& row : reading.rows) {
+    QList<QStandardItem*> items{};
+    for (const Cell& cell : row) {
+      auto* item = new QStandardItem(text_of(cell));
+      const bool is_number =
+          number_of(cell) ||
+          (!item->text().isEmpty() && (item->text().at(0).isDigit() || item->text().at(0) == '['));
+      item->setTextAlignment((is_number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+      items << item;
+    }
+    model->appendRow(items);
+  }
+  for (int column = 0; column < model->columnCount(); ++column) {
+    const bool is_number =
+        model->rowCount() > 0 && model->item(0, column)->textAlignment().testFlag(Qt::AlignRight);
+    model->horizontalHeaderItem(column)->setTextAlignment(
+        (is_number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  }
+  view->setModel(model);
+  style_table(*view);
+  view->setSortingEnabled(false);  // rows belong together: parts, then totals
+  view->resizeColumnsToContents();
+  for (int column = 0; column < model->columnCount(); ++column) {
+    view->setColumnWidth(column, view->columnWidth(column) + kMargin);
+  }
+  // The page scrolls, not the table.
+  view->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  view->setFixedHeight(view->horizontalHeader()->sizeHint().height() +
+                       kControlHeight * model->rowCount() +
+                       view->horizontalScrollBar()->sizeHint().height() / 2 + 4);
+  return view;
+}
+
+/// Shares with their intervals as points on one scale, a row below the other; chance is a line.
+QCustomPlot* make_forest(const Table& table, const ShareColumns& columns, QWidget* parent) {
+  auto* plot = new QCustomPlot(parent);
+  auto labels = QSharedPointer<QCPAxisTickerText>::create();
+  QVector<double> shares{};
+  QVector<double> places{};
+  QVector<double> below{};
+  QVector<double> above{};
+  const double rows = static_cast<double>(table.rows.size());
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::vector<Cell>& row = table.rows[i];
+    const auto share = number_of(row[columns.share]);
+    const double place = rows - static_cast<double>(i);
+    labels->addTick(place, key_of(row, columns));
+    if (!share) continue;
+    const auto low = columns.low ? number_of(row[*columns.low]) : std::nullopt;
+    const auto high = columns.low ? number_of(row[*columns.low + 1]) : std::nullopt;
+    shares << *share;
+    places << place;
+    below << *share - low.value_or(*share);
+    above << high.value_or(*share) - *share;
+  }
+  QCPGraph* points = plot->addGraph(plot->yAxis, plot->xAxis);
+  points->setData(places, shares);
+  points->setLineStyle(QCPGraph::lsNone);
+  points->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, series_color(0), 8));
+  auto* bars = new QCPErrorBars(plot->yAxis, plot->xAxis);
+  bars->setDataPlottable(points);
+  bars->setErrorType(QCPErrorBars::etValueError);
+  bars->setPen(QPen(series_color(0), 1.5));
+  bars->setData(below, above);
+  if (columns.chance && !table.rows.empty()) {
+    if (const auto chance = number_of(table.rows.back()[*columns.chance])) {
+      auto* line = new QCPItemStraightLine(plot);
+      line->point1->setCoords(*chance, 0.0);
+      line->point2->setCoords(*chance, 1.0);
+      line->setPen(QPen(theme().muted, 1.0, Qt::DashLine));
+      auto* word = new QCPItemText(plot);
+      word->position->setTypeX(QCPItemPosition::ptPlotCoords);
+      word->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+      word->position->setCoords(*chance, 0.0);
+      word->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+      word->setText(" " + AnalysisPage::tr("chance"));
+      word->setColor(theme().muted);
+      word->setFont(text_font(TextSize::small));
+    }
+  }
+  plot->xAxis->setRange(-0.02, 1.02);
+  plot->xAxis->setLabel(AnalysisPage::tr("share, with its 95 % interval (Wilson)"));
+  plot->yAxis->setRange(0.3, rows + 0.9);
+  plot->yAxis->setTicker(labels);
+  style_plot(*plot);
+  plot->yAxis->grid()->setVisible(false);
+  plot->setFixedHeight(static_cast<int>(rows) * 26 + 88);
+  plot->setMaximumWidth(900);
+  return plot;
+}
+
+/// A line to press that shows or hides what is under it.
+void add_folded(const QString& words, const QString& text, QVBoxLayout& layout, QWidget* parent) {
+  QPushButton* fold = make_button("▸ " + words, ButtonRole::link, parent);
+  fold->setCheckable(true);
+  QLabel* note = make_text(text, parent, true);
+  note->setMaximumWidth(900);
+  note->hide();
+  QObject::connect(fold, &QPushButton::toggled, note, [fold, note, words](bool open) {
+    fold->setText((open ? "▾ " : "▸ ") + words);
+    note->setVisible(open);
+  });
+  layout.addWidget(fold, 0, Qt::AlignLeft);
+  layout.addWidget(note);
+}
+
+QString group_text(AnswerGroup group) {
+  switch (group) {
+    case AnswerGroup::people:
+      return AnalysisPage::tr("people");
+    case AnswerGroup::pilot:
+      return AnalysisPage::tr("pilot sessions");
+    case AnswerGroup::virtual_participants:
+      return AnalysisPage::tr("virtual participants");
+  }
+  return {};
+}
+
+QString question_of(const AnalysisOutcome& outcome) {
+  if (outcome.kind == "selection") {
+    return AnalysisPage::tr("Which rendering was chosen as the most realistic?");
+  }
+  if (outcome.kind == "matching") {
+    return AnalysisPage::tr("Were felt textures matched to their pictures?");
+  }
+  if (outcome.kind == "recognition") {
+    return AnalysisPage::tr("Was the felt texture recognised among the pictures?");
+  }
+  return QString::fromStdString(outcome.kind);
+}
+
+QWidget* make_outcome(const AnalysisOutcome& outcome) {
+  auto* page = new QWidget();
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(kMargin, 0, kMargin, kMargin);
+  layout->setSpacing(kGrid);
+  if (outcome.group != AnswerGroup::people) {
+    auto* band = new ModeBand(page);
+    band->set_mode(outcome.group == AnswerGroup::pilot ? SessionMode::pilot
+                                                       : SessionMode::simulate);
+    layout->addWidget(band);
+  }
+  layout->addWidget(make_title(question_of(outcome), page));
+  for (const NamedTable& table : outcome.tables) {
+    const QString sentence = sentence_of(table);
+    if (sentence.isEmpty()) continue;
+    QLabel* answer = make_heading(sentence, page);
+    answer->setObjectName("answer");
+    layout->addWidget(answer);
+    break;
+  }
+  layout->addWidget(make_text(
+      AnalysisPage::tr("%1 %2 · %3 · %n answer(s) counted", nullptr,
+                       static_cast<int>(outcome.answers))
+          .arg(QString::fromStdString(outcome.protocol), QString::fromStdString(outcome.version),
+               AnalysisPage::tr("%n participant(s)", nullptr,
+                                static_cast<int>(outcome.count.participants))),
+      page, true));
+  for (const std::string& remark : outcome.remarks) {
+    auto* line = new StateLabel(page);
+    line->setMaximumWidth(900);
+    line->set_state(State::look, QString::fromStdString(remark));
+    layout->addWidget(line);
+  }
+  bool has_figure = false;
+  for (const NamedTable& table : outcome.tables) {
+    layout->addSpacing(kMargin);
+    layout->addWidget(make_heading(QString::fromStdString(table.title), page));
+    const auto shares = share_columns(table.table);
+    if (shares && shares->low && !has_figure) {
+      layout->addWidget(make_forest(table.table, *shares, page));
+      has_figure = true;
+    }
+    layout->addWidget(make_table(table.table, page));
+    if (!table.note.empty()) {
+      add_folded(AnalysisPage::tr("How it was computed"), QString::fromStdString(table.note),
+                 *layout, page);
+    }
+  }
+  layout->addStretch(1);
+  return page;
+}
+
+}  // namespace
+
+QString sentence_of(const NamedTable& table) {
+  const auto columns = share_columns(table.table);
+  if (!columns || !columns->low || table.table.rows.empty()) return {};
+  // The row over everything comes last where there is one; otherwise the greatest share speaks.
+  const auto total =
+      std::find_if(table.table.rows.rbegin(), table.table.rows.rend(), [&columns](const auto& row) {
+        const QString key = key_of(row, *columns);
+        return key == "all Total" || key == "all" || key == "Total";
+      });
+  const auto greatest = std::max_element(table.table.rows.begin(), table.table.rows.end(),
+                                         [&columns](const auto& one, const auto& other) {
+                                           return number_of(one[columns->share]).value_or(-1.0) <
+                                                  number_of(other[columns->share]).value_or(-1.0);
+                                         });
+  const bool has_total = total != table.table.rows.rend();
+  const std::vector<Cell>& row = has_total ? *total : *greatest;
+  if (!number_of(row[columns->share])) return {};
+  const QString numbers =
+      AnalysisPage::tr("%1 of %2 (%3; 95 % interval %4 to %5)")
+          .arg(text_of(row[columns->hits]), text_of(row[columns->of]), percent(row[columns->share]),
+               percent(row[*columns->low]), percent(row[*columns->low + 1]));
+  const QString chance = columns->chance ? percent(row[*columns->chance]) : QString();
+  const QString what = has_total ? AnalysisPage::tr("In all") : key_of(row, *columns);
+  if (chance.isEmpty()) return AnalysisPage::tr("%1: %2.").arg(what, numbers);
+  return AnalysisPage::tr("%1: %2, where chance is %3.").arg(what, numbers, chance);
+}
+
+AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study_(study) {
+  setObjectName("analysis_page");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  layout->setSpacing(kMargin);
+  auto* header = new QHBoxLayout();
+  header->addWidget(make_title(tr("Analysis"), this), 1);
+  export_ = make_button(tr("Export the tables…"), ButtonRole::plain, this);
+  export_->setObjectName("export_tables");
+  header->addWidget(export_);
+  layout->addLayout(header);
+  banner_ = new Banner(this);
+  layout->addWidget(banner_);
+  stack_ = new QStackedWidget(this);
+  layout->addWidget(stack_, 1);
+  stack_->addWidget(
+      new EmptyState(tr("No answers yet"),
+                     tr("When a session has been run or simulated, its answers are "
+                        "counted and tested here. Start one from the page Protocols."),
+                     stack_));
+  auto* both = new QWidget(stack_);
+  auto* columns = new QHBoxLayout(both);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(kMargin);
+  list_ = new QListWidget(both);
+  list_->setObjectName("outcomes");
+  list_->setFixedWidth(280);
+  list_->setWordWrap(true);
+  area_ = new QScrollArea(both);
+  area_->setWidgetResizable(true);
+  columns->addWidget(list_);
+  columns->addWidget(area_, 1);
+  stack_->addWidget(both);
+  connect(list_, &QListWidget::currentRowChanged, this, &AnalysisPage::show_outcome);
+  connect(export_, &QPushButton::clicked, this, &AnalysisPage::ask_where_to_export);
+  connect(&study_, &OpenStudy::changed, this, [this] {
+    outdated_ = true;
+    if (isVisible()) refresh();
+  });
+}
+
+void AnalysisPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (outdated_) refresh();
+}
+
+void AnalysisPage::refresh() {
+  outdated_ = false;
+  analysis_.run<std::vector<AnalysisOutcome>>(
+      [folder = study_.folder()](const std::stop_token&, const BackgroundTask::Progress&) {
+        return analyze_study(Study::open(folder, Access::read_only));
+      },
+      [this](std::vector<AnalysisOutcome> outcomes) { show_outcomes(std::move(outcomes)); },
+      [this](const QString& what) {
+        banner_->show_news(State::stop, what, tr("Try again"), [this] { refresh(); });
+      });
+}
+
+void AnalysisPage::show_outcomes(std::vector<AnalysisOutcome> outcomes) {
+  const int shown = std::max(0, list_->currentRow());
+  outcomes_ = std::move(outcomes);
+  list_->clear();
+  for (const AnalysisOutcome& outcome : outcomes_) {
+    list_->addItem(tr("%1 %2\n%3 · %n answer(s)", nullptr, static_cast<int>(outcome.answers))
+                       .arg(QString::fromStdString(outcome.protocol),
+                            QString::fromStdString(outcome.version), group_text(outcome.group)));
+  }
+  stack_->setCurrentIndex(outcomes_.empty() ? 0 : 1);
+  export_->setEnabled(!outcomes_.empty());
+  export_->setToolTip(outcomes_.empty() ? tr("There are no sessions to export yet.") : QString());
+  list_->setCurrentRow(std::min(shown, list_->count() - 1));
+  emit refreshed();
+}
+
+void AnalysisPage::show_outcome(int index) {
+  if (index < 0) return;
+  area_->setWidget(make_outcome(outcomes_.at(static_cast<std::size_t>(index))));
+}
+
+void AnalysisPage::ask_where_to_export() {
+  auto* dialog = new QFileDialog(this, tr("A new folder for the tables"));
+  dialog->setObjectName("export_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setOption(QFileDialog::DontUseNativeDialog);
+  dialog->selectFile("tables");
+  connect(dialog, &QFileDialog::fileSelected, this, &AnalysisPage::export_to);
+  dialog->open();
+}
+
+void AnalysisPage::export_to(const QString& folder) {
+  exporting_.run<std::size_t>(
+      [study = study_.folder(), to = std::filesystem::path(folder.toStdString())](
+          const std::stop_token&, const BackgroundTask::Progress&) {
+        return export_study(Study::open(study, Access::read_only), to, ExportAudience::own,
+                            Overwrite::refuse)
+            .size();
+      },
+      [this, folder](std::size_t files) {
+        banner_->show_news(State::fine,
+                           tr("%n file(s) are in %1; codebook.tsv says what every column means.",
+                              nullptr, static_cast<int>(files))
+                               .arg(folder));
+      },
+      [this](const QString& what) { banner_->show_news(State::stop, what); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,60 @@
+// What the study's answers come to: the question, the answer in a sentence, the figure, the tables.
+
+#pragma once
+
+#include <vector>
+
+#include <QtWidgets/QWidget>
+
+#include "app/analyses/analysis_outcome.h"
+#include "app/gui/look/background_task.h"
+
+class QListWidget;
+class QPushButton;
+class QScrollArea;
+class QStackedWidget;
+
+namespace asperity {
+
+class Banner;
+class OpenStudy;
+
+/// One entry per protocol, version and group of participants; the groups never mix. Read anew
+/// whenever the study changes while the page is seen.
+class AnalysisPage final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit AnalysisPage(OpenStudy& study, QWidget* parent = nullptr);
+
+  const std::vector<AnalysisOutcome>& outcomes() const noexcept { return outcomes_; }
+
+ signals:
+  void refreshed();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void refresh();
+  void show_outcomes(std::vector<AnalysisOutcome> outcomes);
+  void show_outcome(int index);
+  void ask_where_to_export();
+  void export_to(const QString& folder);
+
+  OpenStudy& study_;
+  bool outdated_ = true;
+  std::vector<AnalysisOutcome> outcomes_{};
+  Banner* banner_ = nullptr;
+  QStackedWidget* stack_ = nullptr;
+  QListWidget* list_ = nullptr;
+  QScrollArea* area_ = nullptr;
+  QPushButton* export_ = nullptr;
+  BackgroundTask analysis_{};
+  BackgroundTask exporting_{};
+};
+
+/// The answer of a table of shares in one sentence, from its row over everything: empty for a table
+/// of another kind.
+QString sentence_of(const NamedTable& table);
+
+}  // namespace asperity

@@ -1,0 +1,106 @@
+#include "app/gui/data/analysis_page.h"
+
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QTableView>
+#include <gtest/gtest.h>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/study/open_study.h"
+#include "tests/app/made_up_study.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+/// Ten people choose between two models; `hits` of their twenty choices are height_map.
+void add_choices(MadeUpStudy& made, int hits) {
+  const std::int64_t protocol = made.add_protocol("which_is_real", "selection");
+  for (int person = 0; person < 10; ++person) {
+    const std::string label = "p" + std::to_string(10 + person);
+    made.add_person(label, person % 2 == 0 ? "F" : "M");
+    std::vector<MadeUpTrial> trials{};
+    for (int column = 1; column <= 2; ++column) {
+      MadeUpTrial trial{};
+      trial.options = {"height_map", "sinusoid"};
+      for (const std::string& model : trial.options) {
+        trial.surfaces.push_back(surface_of(model, model, "brick"));
+      }
+      const int number = 2 * person + column - 1;
+      trial.answers = {trial.options[number < hits ? 0 : 1]};
+      trial.factors_json = R"({"column": )" + std::to_string(column) + "}";
+      trials.push_back(trial);
+    }
+    made.add_session(label, protocol, trials);
+  }
+}
+
+TEST(AnalysisPage, SaysTheAnswerInASentenceAboveItsTables) {
+  MadeUpStudy made;
+  add_choices(made, 15);
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_EQ(page.outcomes().size(), 1U);
+  const auto* answer = page.findChild<QLabel*>("answer");
+  ASSERT_NE(answer, nullptr);
+  // 15 of 20, and the Wilson interval of it: (0.531, 0.888).
+  EXPECT_TRUE(answer->text().contains("15 of 20 (75 %; 95 % interval 53 % to 89 %)"))
+      << answer->text().toStdString();
+  EXPECT_TRUE(answer->text().contains("chance is 50 %")) << answer->text().toStdString();
+  EXPECT_GE(page.findChildren<QTableView*>().size(), 2);
+  take_screenshot(page, "data-analysis");
+}
+
+TEST(AnalysisPage, SaysWhatToDoWhileThereIsNothing) {
+  MadeUpStudy made;
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(10000));
+  EXPECT_FALSE(page.findChild<QPushButton*>("export_tables")->isEnabled());
+  EXPECT_TRUE(page.findChild<EmptyState*>()->isVisible());
+  take_screenshot(page, "data-analysis-empty", {1366, 768});
+}
+
+TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
+  MadeUpStudy made;
+  add_choices(made, 10);
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(10000));
+  page.findChild<QPushButton*>("export_tables")->click();
+  auto* dialog = page.findChild<QFileDialog*>("export_dialog");
+  ASSERT_NE(dialog, nullptr);
+  emit dialog->fileSelected(QString::fromStdString(made.beside("tables").string()));
+  auto* banner = page.findChild<Banner*>();
+  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 10000));
+  EXPECT_TRUE(std::filesystem::exists(made.beside("tables") / "responses.tsv"));
+  EXPECT_TRUE(banner->text().contains("codebook.tsv")) << banner->text().toStdString();
+}
+
+TEST(AnalysisPage, ReadsAgainWhenTheStudyChanges) {
+  MadeUpStudy made;
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(10000));
+  add_choices(made, 15);
+  study.announce_change();
+  ASSERT_TRUE(refreshed.wait(10000));
+  EXPECT_EQ(page.outcomes().size(), 1U);
+  EXPECT_EQ(page.findChild<QListWidget*>("outcomes")->count(), 1);
+}
+
+}  // namespace
+}  // namespace asperity
