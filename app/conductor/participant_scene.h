@@ -75,6 +75,9 @@ struct ParticipantScene {
   };
 
   Kind kind = Kind::blank;
+  /// When it was shown, on the session's clock: what was pressed before does not answer it. 0 where
+  /// whoever shows it does not say.
+  std::int64_t shown_ns = 0;
   std::string text{};  ///< the instruction, prompt or feedback
   std::string
       cue{};  ///< a short refusal or reminder ("Please feel surface C first."); usually empty
@@ -105,13 +108,20 @@ struct ParticipantScene {
 struct ParticipantInput {
   enum class Kind {
     option,  ///< option `number` (place in `choices`, from 1): chosen, or given to the present surface
-    assign,   ///< option `number` given to surface `surface` (both from 1), by click or drag
-    surface,  ///< surface `number` (from 1) wanted under the hand
+    /// Option `number` given to surface `surface` (both from 1), by click or drag; surface 0: taken
+    /// back.
+    assign,
+    /// Surface `number` (from 1) wanted under the hand; in an assignment without feeling again, the
+    /// surface that the next option is given to.
+    surface,
     next,     ///< "enough of this surface"; on the question: the next surface to feel again
     confirm,  ///< goes on; confirms an answer that is complete
     text,     ///< the answer to a form, as text; empty where optional and left out
     /// A button of the device, `number` from 1, pressed for `held_s`.
     device_button,
+    /// The key or button `text`, pressed at `time_ns`, was let go `held_s` later: stored, answers
+    /// nothing.
+    released,
   };
   Kind kind = Kind::confirm;
   int number = 0;

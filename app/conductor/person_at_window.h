@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -19,8 +18,18 @@ namespace asperity {
 /// The rules of answering live here, without any window: digits and letters choose, `next` switches
 /// surfaces where that is allowed, `confirm` answers when the answer is complete; an answer before
 /// all was felt is refused with a cue; each picture is given once, and an assignment may be changed
-/// until it is confirmed. With a device button alone: button 1 steps through the options, a tone
-/// for each; button 2, or button 1 held for 0.8 s, confirms.
+/// until it is confirmed (AnswerSheet). What was pressed before a scene was shown never answers it.
+///
+/// With device buttons alone: button 1 steps through the options, a tone for each; button 2, or
+/// button 1 held for 0.8 s, confirms. In an assignment that gives the option to the surface whose
+/// turn it is, with the next surface's tone, and once more confirms the whole. While a surface is
+/// felt button 1 goes on to the next; where something is read any button goes on.
+///
+/// Tones that answer what a person did (option, refused, mask) come from here; those of the trial
+/// (surface, question, accepted, …) from the conductor.
+///
+/// Events: "input" (what, its source, whether it came too late or early to count), "input_released",
+/// "refused" (the cue's words). What is typed into a form is its answer and no event.
 ///
 /// Threads: `post` from any thread; everything else from the conductor's.
 class PersonAtWindow final : public Respondent {
@@ -42,6 +51,7 @@ class PersonAtWindow final : public Respondent {
   std::string source() const override;
   void begin_attempt(int trial, int attempt) override;
   bool wants_next(bool may_go) override;
+  bool wears_mask() const override { return true; }
   void put_mask(bool on, const Wait& wait) override;
   void button_changed(const ButtonChange& change) override;
   std::vector<EventRow> take_events() override;

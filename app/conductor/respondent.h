@@ -75,6 +75,8 @@ class Respondent {
     static_cast<void>(may_go);
     return false;
   }
+  /// There are eyes to be covered: a person at a window. Others are never asked to put on a mask.
+  virtual bool wears_mask() const { return false; }
   /// The eye mask is to be put on or taken off; returns when that was confirmed.
   virtual void put_mask(bool on, const Wait& wait);
   /// Called while time goes by in `wait`.

@@ -10,8 +10,8 @@
 #include <poll.h>
 #include <termios.h>
 
+#include "app/conductor/form_answer.h"
 #include "app/height_field_files.h"
-#include "results_schema/table.h"
 #include "stimuli/preview.h"
 
 namespace asperity {
@@ -34,39 +34,6 @@ std::string trimmed(const std::string& text) {
 }
 
 }  // namespace
-
-std::optional<std::string> complaint_about_answer(const Question& question, std::string& answer) {
-  if (answer.empty()) {
-    if (question.optional) return {};
-    return "This question needs an answer.";
-  }
-  switch (question.form) {
-    case Question::Form::text:
-      return {};
-    case Question::Form::number: {
-      const std::optional<double> number = number_in(answer);
-      const bool low = number && question.minimum && *number < *question.minimum;
-      const bool high = number && question.maximum && *number > *question.maximum;
-      if (number && !low && !high) return {};
-      std::string sentence = "A number is needed";
-      if (question.minimum) sentence += ", " + text_of_number(*question.minimum) + " or more";
-      if (question.maximum) sentence += ", " + text_of_number(*question.maximum) + " or less";
-      return sentence + '.';
-    }
-    case Question::Form::choice: {
-      const std::optional<std::size_t> number = whole_number(answer);
-      if (number && *number >= 1 && *number <= question.options.size()) {
-        answer = question.options[*number - 1];
-        return {};
-      }
-      const bool known = std::find(question.options.begin(), question.options.end(), answer) !=
-                         question.options.end();
-      if (known) return {};
-      return "A number from 1 to " + std::to_string(question.options.size()) + " is needed.";
-    }
-  }
-  return {};
-}
 
 TerminalRespondent::TerminalRespondent(int input, std::ostream& output, std::filesystem::path study,
                                        std::filesystem::path sheet)
@@ -200,9 +167,13 @@ std::string TerminalRespondent::answer(const Question& question, const Wait& wai
   for (;;) {
     output_ << "Your answer: " << std::flush;
     std::string typed = line(wait).value_or(std::string());
-    const std::optional<std::string> complaint = complaint_about_answer(question, typed);
+    const std::optional<Saying> complaint = complaint_about_answer(question, typed);
     if (!complaint) return typed;
-    output_ << *complaint << '\n';
+    if (complaint->what == Saying::What::option_needed) {
+      output_ << "A number from 1 to " << question.options.size() << " is needed.\n";
+    } else {
+      output_ << text_of(*complaint) << '\n';
+    }
   }
 }
 

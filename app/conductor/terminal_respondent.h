@@ -48,8 +48,4 @@ class TerminalRespondent final : public Respondent {
   std::string buffer_{};
 };
 
-/// Why an answer to a question is not acceptable; nothing when it is. `answer` may be the number of
-/// an option; it is then replaced by the option.
-std::optional<std::string> complaint_about_answer(const Question& question, std::string& answer);
-
 }  // namespace asperity

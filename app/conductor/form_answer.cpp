@@ -1,0 +1,56 @@
+#include "app/conductor/form_answer.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+std::optional<std::size_t> whole_number(const std::string& text) {
+  std::size_t number = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) return {};
+  return number;
+}
+
+}  // namespace
+
+std::optional<Saying> complaint_about_answer(const Question& question, std::string& answer) {
+  if (answer.empty()) {
+    if (question.optional) return {};
+    return Saying{.what = Saying::What::answer_needed};
+  }
+  switch (question.form) {
+    case Question::Form::text:
+      return {};
+    case Question::Form::number: {
+      const std::optional<double> number = number_in(answer);
+      const bool low = number && question.minimum && *number < *question.minimum;
+      const bool high = number && question.maximum && *number > *question.maximum;
+      if (number && !low && !high) return {};
+      return Saying{.what = Saying::What::number_needed,
+                    .minimum = question.minimum,
+                    .maximum = question.maximum};
+    }
+    case Question::Form::choice: {
+      // An option may itself be a number: what stands there literally comes first.
+      if (std::find(question.options.begin(), question.options.end(), answer) !=
+          question.options.end()) {
+        return {};
+      }
+      const std::optional<std::size_t> number = whole_number(answer);
+      if (number && *number >= 1 && *number <= question.options.size()) {
+        answer = question.options[*number - 1];
+        return {};
+      }
+      return Saying{.what = Saying::What::option_needed,
+                    .number = static_cast<int>(question.options.size())};
+    }
+  }
+  return {};
+}
+
+}  // namespace asperity
