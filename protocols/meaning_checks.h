@@ -1,0 +1,102 @@
+// The checks behind `check_meaning`, gathered in one object; each file *_meaning.cpp has those of
+// one subject.
+
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "protocols/diagnostic.h"
+#include "protocols/json_document.h"
+#include "protocols/plan.h"
+#include "protocols/protocol.h"
+#include "protocols/wording.h"
+#include "stimuli/parameter.h"
+
+namespace asperity {
+
+// More trials than anybody sits through; a plan stays small enough to be made while one waits.
+inline constexpr std::size_t kMaximumTrials = 2000;
+inline constexpr std::size_t kMaximumSessionTrials = 5000;
+inline constexpr std::size_t kMaximumRows = 100'000;
+
+template <class Map>
+std::vector<std::string> names_of(const Map& map) {
+  std::vector<std::string> names{};
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
+}
+
+template <class Map>
+std::string unknown(std::string_view what, const std::string& name, const Map& map) {
+  const std::vector<std::string> names = names_of(map);
+  const std::string guess = did_you_mean(name, names);
+  return "there is no " + std::string(what) + " " + in_quotes(name) +
+         (!guess.empty()  ? guess
+          : names.empty() ? "; none is declared"
+                          : "; declared: " + one_of(names));
+}
+
+/// Complaints about the whole protocol, gathered place by place.
+class Meaning final {
+ public:
+  Meaning(const Protocol& protocol, const JsonDocument& document,
+          const std::vector<ModelDeclaration>& models)
+      : protocol_(protocol), document_(document) {
+    for (const ModelDeclaration& model : models) models_.emplace(model.id, &model);
+  }
+
+  std::vector<Diagnostic> check();
+
+ private:
+  void report(const std::string& pointer, std::string message) {
+    if (!said_.emplace(pointer, message).second) return;
+    found_.push_back(document_.at(pointer, std::move(message)));
+  }
+  void report_key(const std::string& pointer, std::string message) {
+    if (!said_.emplace(pointer, message).second) return;
+    found_.push_back(document_.at_key(pointer, std::move(message)));
+  }
+
+  void check_head();
+  void check_textures();
+  void check_path(const std::optional<std::string>& path, const std::string& pointer);
+  void check_factors();
+  void check_explorations();
+  void check_band(const Band& band, const std::string& pointer);
+  void check_questions();
+  void check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer);
+  void check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer);
+  void check_flow();
+  void check_block(const Protocol::Block& block, const std::string& pointer);
+  void check_presented(const Protocol::Block& block, const std::string& pointer);
+  void check_question(const Protocol::Block& block, const std::string& pointer);
+  void check_order(const Protocol::Block& block, const std::string& pointer);
+  void check_criterion(const Protocol::Block& block, const std::string& pointer);
+  void check_size();
+  void check_trials();
+  Protocol with_every_possible_trial();
+  void check_expectation(const Trial& trial, const std::string& pointer);
+
+  /// The texts that a binding can stand for, each with the place to complain at.
+  std::vector<std::pair<std::string, std::string>> texts_of(const Binding<std::string>& binding,
+                                                            const std::string& pointer);
+  bool check_level(const std::string& factor, const Level& level, const std::string& pointer);
+  std::set<std::string> factors_set_by(const Protocol::Block& block,
+                                       const Protocol::Run* run) const;
+  std::vector<const Protocol::Run*> runs_of(const Protocol::Block& block) const;
+
+  const Protocol& protocol_;
+  const JsonDocument& document_;
+  std::map<std::string, const ModelDeclaration*, std::less<>> models_{};
+  std::vector<Diagnostic> found_{};
+  std::set<std::pair<std::string, std::string>> said_{};
+};
+
+}  // namespace asperity
