@@ -34,7 +34,7 @@ std::string SystemClock::utc() const {
   return utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(since_1970).count());
 }
 
-std::string SimulatedClock::utc() const { return utc_text(kEpoch_s * 1'000'000'000 + now_ns_); }
+std::string SimulatedClock::utc() const { return utc_text(kEpoch_s * 1'000'000'000 + now_ns()); }
 
 void SimulatedClock::move_to(std::int64_t now_ns) {
   if (now_ns < now_ns_) throw std::logic_error("a simulated clock cannot go back");

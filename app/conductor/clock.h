@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 
@@ -11,6 +12,8 @@ namespace asperity {
 ///
 /// A session in real time runs on the system's clocks. A simulated one has its own, which only the
 /// conductor moves, from a fixed date; so the same simulation has the same time stamps for ever.
+///
+/// Threads: any may read.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -20,6 +23,9 @@ class Clock {
   virtual std::int64_t now_ns() const noexcept = 0;
   /// Now, as UTC ISO 8601 with milliseconds: "2026-01-01T00:00:00.000Z".
   virtual std::string utc() const = 0;
+  /// How far this clock is ahead of the machine's monotonic one, which stamps keys and buttons; 0
+  /// where it has nothing to do with that one.
+  virtual std::int64_t ahead_ns() const noexcept { return 0; }
 
  protected:
   Clock() = default;
@@ -32,8 +38,8 @@ class SystemClock final : public Clock {
   /// that does not: it then runs ahead of the machine's, from `not_before_ns`.
   explicit SystemClock(std::int64_t not_before_ns);
   std::int64_t now_ns() const noexcept override;
-  /// How far this clock is ahead of the machine's; 0 but after a restart of the machine.
-  std::int64_t ahead_ns() const noexcept { return ahead_ns_; }
+  /// 0 but after a restart of the machine.
+  std::int64_t ahead_ns() const noexcept override { return ahead_ns_; }
   std::string utc() const override;
 
  private:
@@ -49,14 +55,14 @@ class SimulatedClock final : public Clock {
   explicit SimulatedClock(std::int64_t session_index)
       : begin_ns_(session_index * 3'600'000'000'000), now_ns_(begin_ns_) {}
 
-  std::int64_t now_ns() const noexcept override { return now_ns_; }
+  std::int64_t now_ns() const noexcept override { return now_ns_.load(); }
   std::string utc() const override;
   /// Errors: std::logic_error when time would go back.
   void move_to(std::int64_t now_ns);
 
  private:
   std::int64_t begin_ns_ = 0;
-  std::int64_t now_ns_ = 0;
+  std::atomic<std::int64_t> now_ns_{0};
 };
 
 /// Nanoseconds since 1970 as UTC ISO 8601 with milliseconds.

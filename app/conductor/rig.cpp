@@ -50,6 +50,11 @@ void SteppedRig::prepare_attempt(const HandHabits& habits, const Random& random)
   owed_s_ = 0.0;
 }
 
+void SteppedRig::clear_fault() noexcept {
+  stop_wanted_.store(false);
+  assembly_->loop.clear_fault();
+}
+
 void SteppedRig::move_clock_to(std::int64_t now_ns) {
   clock_.move_to(now_ns);
   // The ticks before the next attempt (a screen, a break) count from here.

@@ -55,6 +55,8 @@ class Rig {
 
   /// Zero force at once, latched; from any thread.
   virtual void emergency_stop() noexcept = 0;
+  /// Lifts the fault that the loop shows.
+  virtual void clear_fault() noexcept { loop().clear_fault(); }
 
  protected:
   Rig() = default;
@@ -77,6 +79,7 @@ class SteppedRig final : public Rig {
   void pass(double duration_s, Recorder& recorder) override;
   /// Reaches the loop with its next tick, whichever attempt that belongs to.
   void emergency_stop() noexcept override { stop_wanted_.store(true); }
+  void clear_fault() noexcept override;
 
   /// A resumed session goes on after what was stored.
   void move_clock_to(std::int64_t now_ns);
