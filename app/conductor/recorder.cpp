@@ -2,13 +2,14 @@
 
 #include <utility>
 
+#include "app/conductor/record_watch.h"
 #include "app/conductor/recording_columns.h"
 
 namespace asperity {
 
 void Recorder::begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz, RecordRing& records) {
   open_ = false;
-  drain(records);
+  drain(records, ahead_ns_);
   open_ = true;
   rate_Hz_ = rate_Hz;
   lost_before_ = records.lost();
@@ -20,10 +21,12 @@ void Recorder::begin(std::unique_ptr<RecordingWriter> writer, double rate_Hz, Re
 }
 
 void Recorder::drain(RecordRing& records, std::int64_t ahead_ns) {
+  ahead_ns_ = ahead_ns;
   TickRecord raw{};
   while (records.pop(raw)) {
-    if (!open_) continue;
     raw.probe.time_ns += ahead_ns;
+    if (watch_ != nullptr) watch_->take(raw);
+    if (!open_) continue;
     const TickRecord record = as_recorded(raw);
     records_.push_back(record);
     if (watched_ != 0 && record.presentation == watched_) {

@@ -14,6 +14,8 @@
 
 namespace asperity {
 
+class RecordWatch;
+
 /// What the conductor watches while a surface is felt.
 struct LiveContact {
   double contact_s = 0.0;  ///< with the present surface, since it was presented
@@ -21,9 +23,10 @@ struct LiveContact {
   bool presented = false;  ///< the servo has taken the surface
 };
 
-/// Takes the records out of the ring between `begin` and `finish`; throws them away otherwise.
+/// Takes the records out of the ring between `begin` and `finish`; throws them away otherwise. A
+/// watch sees them all.
 ///
-/// Every record is first made what its recording will give again (`as_recorded`).
+/// Every record that is kept is first made what its recording will give again (`as_recorded`).
 ///
 /// Errors: a recording that cannot be written (a full disk) does not disturb the loop: the attempt
 /// goes on in memory, and `finish` throws what the disk said.
@@ -32,6 +35,8 @@ struct LiveContact {
 class Recorder final {
  public:
   Recorder() = default;
+  /// `watch` may be null; it outlives the recorder.
+  explicit Recorder(RecordWatch* watch) : watch_(watch) {}
 
   /// `writer` may be null: the attempt is then not recorded, only measured.
   /// What is still in the ring belongs to the time before, and is thrown away.
@@ -56,6 +61,8 @@ class Recorder final {
   void abandon() noexcept;
 
  private:
+  RecordWatch* watch_ = nullptr;
+  std::int64_t ahead_ns_ = 0;  ///< as last told
   bool open_ = false;
   double rate_Hz_ = 1000.0;
   std::uint64_t lost_before_ = 0;
