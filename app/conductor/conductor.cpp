@@ -1,36 +1,19 @@
 #include "app/conductor/conductor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "app/conductor/attempt_measures.h"
-#include "app/conductor/recording_columns.h"
-#include "app/parameter_json.h"
-#include "renderers/offline/recorded_force.h"
+#include "app/conductor/trial_attempt.h"
 
 namespace asperity {
 
 namespace {
 
-// A virtual hand explores a little longer than the protocol asks for at least, as people do.
-constexpr double kBeyondMinimum = 1.25;
-constexpr double kSlice_s = 0.02;
-// From the wish to lift to the end of the contact.
-constexpr double kLifting_s = 0.3;
 constexpr double kCheck_s = 0.2;  // longer than a surface takes to fade out
-// A surface that is not touched at all is given up after this much more than the longest contact.
-constexpr double kPatience_s = 5.0;
 // A device or machine that fails a trial three times will not do better the fourth time.
 constexpr int kTechnicalRepeats = 3;
-
-std::string options_json(const TrialQuestion& question) {
-  nlohmann::ordered_json options = nlohmann::ordered_json::array();
-  for (const Option& option : question.options) options.push_back(option.value);
-  return options.dump();
-}
 
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   return static_cast<double>(to_ns - from_ns) * 1e-9;
@@ -52,13 +35,27 @@ bool failed_technically(const AttemptRow& attempt) {
                      [](const PresentationRow& surface) { return surface.contact_s <= 0.0; });
 }
 
-}  // namespace
+/// A sentence begins with a capital.
+std::string with_capital(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  }
+  return text;
+}
 
-struct Conductor::Surfaces {
-  std::vector<PreparedStimulus> stimuli{};
-  std::vector<Presentation> presentations{};  ///< renderer null while the loop has it
-  std::vector<std::uint64_t> seeds{};
-};
+std::string fault_between_trials(const std::string& name) {
+  return name == name_of(Fault::emergency_stop) ? "the emergency stop was pressed between trials"
+                                                : "the device failed between trials: " + name;
+}
+
+ParticipantScene scene_of(ParticipantScene::Kind kind, const std::string& text = "") {
+  ParticipantScene scene{};
+  scene.kind = kind;
+  scene.text = text;
+  return scene;
+}
+
+}  // namespace
 
 Conductor::Conductor(Study& study, const Protocol& protocol, StimulusBuilder& builder, Rig& rig,
                      Respondent& respondent, ConductorSettings settings)
@@ -67,23 +64,23 @@ Conductor::Conductor(Study& study, const Protocol& protocol, StimulusBuilder& bu
       builder_(builder),
       rig_(rig),
       respondent_(respondent),
-      settings_(std::move(settings)) {}
+      settings_(std::move(settings)),
+      requests_(settings_.links.requests == nullptr ? own_requests_ : *settings_.links.requests),
+      course_(study, protocol, rig, respondent, requests_, settings_.links),
+      outside_([this](double duration_s) { course_.wait_outside_trial(duration_s); }) {}
 
 SessionEnd Conductor::run(OpenSession session) {
   session_ = std::move(session);
   stopped_.reset();
   attempts_made_ = 0;
   const std::int64_t began_ns = rig_.clock().now_ns();
-  if (session_.resumed) study_.reopen_session(session_.row.id);
-  segment_ = study_.begin_segment(session_.row.id, began_ns);
-  auto conditions = nlohmann::ordered_json::parse(settings_.conditions_json);
-  if (conditions.is_object()) conditions["segment"] = segment_;
-  study_.add_event(
-      session_.row.id,
-      {began_ns, session_.resumed ? "session_resumed" : "session_began", "", conditions.dump()});
-
-  SessionEnd end{};
+  requests_.attach(rig_);
+  const struct Attached {
+    SessionRequests& requests;
+    ~Attached() { requests.detach(); }
+  } attached{requests_};
   try {
+    begin();
     run_steps();
   } catch (const Interruption& interruption) {  // outside an attempt
     stop(interruption.outcome == AttemptOutcome::device_fault
@@ -96,25 +93,63 @@ SessionEnd Conductor::run(OpenSession session) {
     end_after(error);
     throw;
   }
+  return finish(began_ns);
+}
+
+void Conductor::begin() {
+  const std::int64_t began_ns = rig_.clock().now_ns();
+  course_.begin(session_.row);
+  if (session_.resumed) study_.reopen_session(session_.row.id);
+  segment_ = study_.begin_segment(session_.row.id, began_ns);
+  auto conditions = nlohmann::ordered_json::parse(settings_.conditions_json);
+  if (conditions.is_object()) conditions["segment"] = segment_;
+  course_.event(session_.resumed ? "session_resumed" : "session_began", "", conditions.dump());
+  if (settings_.links.sound != nullptr) {
+    course_.event("masking_noise", "", settings_.links.sound->description_json());
+  }
+  publish_facts(began_ns);
+}
+
+SessionEnd Conductor::finish(std::int64_t began_ns) {
   rig_.loop().withdraw();
+  SessionEnd end{};
   if (stopped_) end = *stopped_;
-  store_notes();
+  course_.set_masking(false);
+  course_.store_respondent_events();
+  course_.store_remarks();
   end.attempts = attempts_made_;
   end.duration_s = seconds_between(began_ns, rig_.clock().now_ns());
-  event(end.state == SessionState::completed ? "session_completed" : "session_stopped", end.reason);
+  course_.event(end.state == SessionState::completed ? "session_completed" : "session_stopped",
+                end.reason);
+  if (course_.has_monitor()) course_.event("phase", text_of(SessionPhase::ended));
   study_.end_segment(session_.row.id, segment_, rig_.clock().now_ns(),
                      end.state == SessionState::completed ? "completed" : "stopped");
   study_.end_session(session_.row.id, end.state, rig_.clock().utc());
+  if (end.state != SessionState::completed && !end.as_the_protocol_says) {
+    publish_trouble(with_capital(end.reason) + ". Every finished trial is stored.",
+                    SessionTrouble::Remedy::try_again);
+  }
+  course_.play(Cue::finished);
+  course_.show(scene_of(ParticipantScene::Kind::ended));
+  course_.publish(SessionPhase::ended);
   return end;
 }
 
 /// The store, a file or a renderer failed: every finished trial is on disk. Says so in the session
 /// as far as the store still takes it; if it does not, the session is found as crashed.
 void Conductor::end_after(const std::exception& error) noexcept {
-  recorder_.abandon();
+  course_.recorder().abandon();
+  rig_.hand().lift();
   rig_.loop().withdraw();
   try {
-    event("session_failed", error.what());
+    course_.set_masking(false);
+    publish_trouble(
+        std::string(error.what()) + "; the force is zero, and every finished trial is stored",
+        SessionTrouble::Remedy::try_again);
+    course_.show(scene_of(ParticipantScene::Kind::ended));
+    course_.publish(SessionPhase::ended);
+    course_.take_attempt_events();  // of an attempt that has no row to hang on
+    course_.event("session_failed", error.what());
     study_.end_segment(session_.row.id, segment_, rig_.clock().now_ns(), "stopped");
     study_.end_session(session_.row.id, SessionState::stopped, rig_.clock().utc());
   } catch (const std::exception&) {
@@ -122,36 +157,8 @@ void Conductor::end_after(const std::exception& error) noexcept {
   }
 }
 
-// --- requests ------------------------------------------------------------------------------------
-
-void Conductor::stop_after(After what) {
-  const std::lock_guard lock(requests_mutex_);
-  requests_.stop = what;
-}
-
-void Conductor::abort(const std::string& reason) {
-  const std::lock_guard lock(requests_mutex_);
-  requests_.abort = reason;
-}
-
-void Conductor::skip(const std::string& reason) {
-  const std::lock_guard lock(requests_mutex_);
-  requests_.skip = reason;
-}
-
-void Conductor::pause() {
-  const std::lock_guard lock(requests_mutex_);
-  requests_.paused = true;
-}
-
-void Conductor::resume() {
-  const std::lock_guard lock(requests_mutex_);
-  requests_.paused = false;
-}
-
-void Conductor::note(const std::string& text) {
-  const std::lock_guard lock(requests_mutex_);
-  requests_.notes.push_back(text);
+void Conductor::stop(const std::string& reason) {
+  stopped_ = SessionEnd{.state = SessionState::stopped, .reason = reason};
 }
 
 // --- the plan, step by step ----------------------------------------------------------------------
@@ -171,7 +178,12 @@ void Conductor::run_steps() {
   }
   int block = 0;
   for (std::size_t i = first; i < steps.size() && !stopped_; ++i) {
-    if (is_asked_to_stop()) break;
+    step_ = i;
+    // A stop that was asked for while something was read or answered: there is no trial to wait for.
+    if (requests_.take_stop(StopAfter::trial)) {
+      stop("as asked");
+      break;
+    }
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
     if (step != nullptr) {
       const Trial& trial = session_.plan.trials[step->trial];
@@ -200,74 +212,115 @@ void Conductor::run_steps() {
     }
     if (block != 0) finish_block(block);
     block = 0;
+    course_.update([](SessionSnapshot& snapshot) { snapshot.block = 0; });
     if (!stopped_) run_other(steps[i]);
   }
   if (block != 0 && !stopped_) finish_block(block);
+  if (!stopped_) between_steps(Next::other);
 }
 
-/// A stop that was asked for while something was read or answered: there is no trial to wait for.
-bool Conductor::is_asked_to_stop() {
-  const std::lock_guard lock(requests_mutex_);
-  if (requests_.stop != After::trial) return false;
-  requests_.stop.reset();
-  stop("as asked");
-  return true;
-}
-
+/// A step that is no trial; it is begun again after a fault.
 void Conductor::run_other(const PlanStep& step) {
-  const Wait waiting = [this](double duration_s) { wait(duration_s); };
+  for (;;) {
+    between_steps(Next::other);
+    if (stopped_) return;
+    try {
+      try_other(step);
+      course_.store_respondent_events();
+      publish_progress();
+      return;
+    } catch (const Interruption& interruption) {
+      course_.store_respondent_events();
+      if (!outlives(interruption)) throw;
+      if (stopped_) return;
+    }
+  }
+}
+
+void Conductor::try_other(const PlanStep& step) {
   if (const auto* screen = std::get_if<Protocol::Screen>(&step)) {
-    respondent_.read(screen->text, 0.0, waiting);
+    course_.enter(SessionPhase::ready);
+    course_.put_mask(false, outside_);
+    course_.show(scene_to_read(screen->text));
+    respondent_.read(screen->text, 0.0, outside_);
   } else if (const auto* pause = std::get_if<Protocol::Break>(&step)) {
-    event("break_began", "");
-    if (pause->zero_force) {
-      check_device();
-      event("force_zeroed", "break");
-    }
-    respondent_.read(pause->text, pause->minimum_s, waiting);
-    event("break_ended", "");
+    rest(*pause);
   } else if (const auto* check = std::get_if<Protocol::Check>(&step)) {
+    course_.enter(SessionPhase::ready);
     check_device();
-    event("check_passed", check->what == Protocol::Check::What::device ? "device" : "force_zero");
-  } else if (const auto* ask = std::get_if<Protocol::Ask>(&step)) {
+    course_.event("check_passed",
+                  check->what == Protocol::Check::What::device ? "device" : "force_zero");
+  } else if (const auto* questions = std::get_if<Protocol::Ask>(&step)) {
+    ask(*questions);
+  }
+  course_.show({});
+}
+
+void Conductor::rest(const Protocol::Break& pause) {
+  course_.enter(SessionPhase::rest);
+  course_.event("break_began", "");
+  if (pause.zero_force) {
+    check_device();
+    course_.event("force_zeroed", "break");
+  }
+  course_.put_mask(false, outside_);
+  ParticipantScene scene = scene_of(ParticipantScene::Kind::rest, pause.text);
+  scene.rest_until_ns = course_.now_ns() + static_cast<std::int64_t>(pause.minimum_s * 1e9);
+  course_.show(std::move(scene));
+  course_.play(Cue::rest);
+  respondent_.read(pause.text, pause.minimum_s, outside_);
+  course_.play(Cue::rest);
+  course_.event("break_ended", "");
+}
+
+void Conductor::ask(const Protocol::Ask& questions) {
+  for (const std::string& name : questions.questions) {
     const std::vector<ResponseRow> answered = study_.session_answers(session_.row.id);
-    for (const std::string& name : ask->questions) {
-      const bool is_answered =
-          std::any_of(answered.begin(), answered.end(),
-                      [&name](const ResponseRow& row) { return row.question == name; });
-      if (is_answered) continue;  // before the session was interrupted
-      const Question& question = protocol_.questions.at(name);
-      const std::int64_t cue_ns = rig_.clock().now_ns();
-      const std::string answer = respondent_.answer(question, waiting);
-      if (answer.empty() && question.optional) continue;
-      ResponseRow row{};
-      row.question = name;
-      row.answer = answer;
-      row.time_ns = rig_.clock().now_ns();
-      row.from_cue_s = seconds_between(cue_ns, row.time_ns);
-      row.source = respondent_.source();
-      study_.add_session_answer(session_.row.id, row);
-    }
+    const bool is_answered =
+        std::any_of(answered.begin(), answered.end(),
+                    [&name](const ResponseRow& row) { return row.question == name; });
+    if (is_answered) continue;  // before the session was interrupted
+    hold(Next::other);
+    if (stopped_) return;
+    const Question& question = protocol_.questions.at(name);
+    course_.enter(SessionPhase::questions);
+    course_.put_mask(false, outside_);
+    course_.show(scene_of_form(question));
+    const std::int64_t cue_ns = course_.now_ns();
+    const std::string answer = respondent_.answer(question, outside_);
+    if (answer.empty() && question.optional) continue;
+    ResponseRow row{};
+    row.question = name;
+    row.answer = answer;
+    row.time_ns = course_.now_ns();
+    row.from_cue_s = seconds_between(cue_ns, row.time_ns);
+    row.source = respondent_.source();
+    study_.add_session_answer(session_.row.id, row);
   }
 }
 
 /// Nothing is rendered: the device has to answer at the servo's rate and be sent zero force.
 void Conductor::check_device() {
-  rig_.loop().withdraw();
-  recorder_.begin(nullptr, protocol_.rate_Hz, rig_.records());
-  wait(kCheck_s);
-  const std::vector<TickRecord> records = recorder_.finish(rig_.records()).records;
-  std::string problem{};
-  if (records.empty()) {
-    problem = "it does not tick";
-  } else if (records.back().has(TickFlag::device_lost)) {
-    problem = "it does not answer";
-  } else if (records.back().sent.force_N != glm::dvec3{0.0}) {
-    problem = "it is sent a force although there is no surface";
-  }
+  const std::string problem =
+      device_problem([this](double duration_s) { course_.wait(duration_s); });
   if (!problem.empty()) {
     throw Interruption{AttemptOutcome::device_fault, "the device is not ready: " + problem};
   }
+}
+
+/// What is wrong with the device, as part of a sentence; empty when it is fit.
+std::string Conductor::device_problem(const Wait& waiting) {
+  rig_.loop().withdraw();
+  Recorder& recorder = course_.recorder();
+  recorder.begin(nullptr, protocol_.rate_Hz, rig_.records());
+  waiting(kCheck_s);
+  const std::vector<TickRecord> records = recorder.finish(rig_.records()).records;
+  if (records.empty()) return "it does not tick";
+  if (records.back().has(TickFlag::device_lost)) return "it does not answer";
+  if (records.back().sent.force_N != glm::dvec3{0.0}) {
+    return "it is sent a force although there is no surface";
+  }
+  return {};
 }
 
 void Conductor::finish_block(int block_ordinal) {
@@ -288,7 +341,7 @@ void Conductor::finish_block(int block_ordinal) {
       [block_ordinal](const Trial& trial) { return trial.block_ordinal == block_ordinal; });
   const Protocol::Block& block = protocol_.blocks.at(of_block->block);
   if (block.until && criterion_of(*of_block) != BlockState::criterion_met) {
-    event("criterion_not_met", of_block->block);
+    course_.event("criterion_not_met", of_block->block);
     if (block.until->on_failure == Protocol::Criterion::OnFailure::end_session) {
       stopped_ =
           SessionEnd{.state = SessionState::stopped,
@@ -296,11 +349,7 @@ void Conductor::finish_block(int block_ordinal) {
                      .as_the_protocol_says = true};
     }
   }
-  const std::lock_guard lock(requests_mutex_);
-  if (requests_.stop == After::block && !stopped_) {
-    requests_.stop.reset();
-    stop("as asked, after the block");
-  }
+  if (!stopped_ && requests_.take_stop(StopAfter::block)) stop("as asked, after the block");
 }
 
 bool Conductor::is_done(const Trial& trial) const {
@@ -342,49 +391,30 @@ int Conductor::attempts_of(int trial) const {
                     [trial](const AttemptRow& attempt) { return attempt.trial == trial; }));
 }
 
-const Exploration& Conductor::exploration_of(const Trial& trial) const {
-  static const Exploration kFree{};
-  const std::string& name = protocol_.blocks.at(trial.block).exploration;
-  return name.empty() ? kFree : protocol_.explorations.at(name);
-}
-
-void Conductor::stop(const std::string& reason) {
-  stopped_ = SessionEnd{.state = SessionState::stopped, .reason = reason};
-}
-
 // --- one trial -----------------------------------------------------------------------------------
 
 void Conductor::run_trial(const Trial& trial) {
-  const Exploration& exploration = exploration_of(trial);
   int failures = 0;
   for (;;) {
-    between_trials();
+    course_.enter(SessionPhase::iti);
+    course_.update([&trial](SessionSnapshot& snapshot) { snapshot.block = trial.block_ordinal; });
+    course_.show({});
+    between_steps(Next::trial);
     if (stopped_) return;
-    AttemptRow attempt = run_attempt(trial, attempts_of(trial.ordinal) + 1);
-    if (attempt.valid && attempt.outcome == AttemptOutcome::answered &&
-        protocol_.blocks.at(trial.block).feedback != Protocol::Block::Feedback::none) {
-      const bool right = is_right(attempt);
-      std::string text = right ? "That was right." : "That was not right.";
-      if (!right &&
-          protocol_.blocks.at(trial.block).feedback == Protocol::Block::Feedback::correct_answer) {
-        text += " The right answer:";
-        for (const std::string& correct : trial.question.correct) {
-          for (std::size_t i = 0; i < trial.question.options.size(); ++i) {
-            if (trial.question.options[i].value == correct) {
-              text += ' ' + trial.question.options[i].label;
-            }
-          }
-        }
-      }
-      respondent_.tell(text, [this](double duration_s) { wait(duration_s); });
-    }
+    std::optional<Interruption> interruption{};
+    const AttemptRow attempt = make_attempt(trial, interruption);
+    tell(trial, attempt);
+    if (stopped_) return;
     if (attempt.outcome == AttemptOutcome::device_fault) {
       const bool by_hand = rig_.loop().status().fault == Fault::emergency_stop;
-      stop((by_hand ? "the emergency stop was pressed in trial " : "the device failed in trial ") +
-           std::to_string(trial.ordinal) +
-           (by_hand ? "" : ": " + attempt.invalid_reason.value_or("fault")));
-      return;
+      const std::string reason =
+          (by_hand ? "the emergency stop was pressed in trial " : "the device failed in trial ") +
+          std::to_string(trial.ordinal) +
+          (by_hand ? "" : ": " + attempt.invalid_reason.value_or("fault"));
+      if (!wait_out_fault(reason)) return;
+      continue;
     }
+    if (interruption && interruption->ask_again) continue;  // `hold` sees to the reason
     if (attempt.outcome == AttemptOutcome::aborted) {
       stop(attempt.invalid_reason.value_or("aborted"));
       return;
@@ -397,334 +427,265 @@ void Conductor::run_trial(const Trial& trial) {
       return;
     }
     if (attempt.outcome == AttemptOutcome::not_compliant &&
-        exploration.on_failure == Exploration::OnFailure::requeue_at_end_of_block) {
+        exploration_of(protocol_, trial).on_failure ==
+            Exploration::OnFailure::requeue_at_end_of_block) {
       break;  // finish_block asks again
     }
   }
-  const std::lock_guard lock(requests_mutex_);
-  if (requests_.stop == After::trial) {
-    requests_.stop.reset();
-    stop("as asked, after the trial");
-  }
+  if (requests_.take_stop(StopAfter::trial)) stop("as asked, after the trial");
 }
 
-void Conductor::between_trials() {
-  store_notes();
-  bool paused = false;
-  for (;;) {
-    {
-      const std::lock_guard lock(requests_mutex_);
-      if (requests_.abort) {
-        stop(*requests_.abort);
-        requests_.abort.reset();
-        return;
-      }
-      if (!requests_.paused) break;
-    }
-    if (!paused) event("paused", "");
-    paused = true;
-    rig_.pass(kSlice_s, recorder_);
-  }
-  if (paused) event("resumed", "");
-}
-
-AttemptRow Conductor::run_attempt(const Trial& trial, int attempt) {
-  const Protocol::Block& block = protocol_.blocks.at(trial.block);
-  const Exploration& exploration = exploration_of(trial);
-  const Random random = Random(std::stoull(session_.row.seed))
-                            .split("attempt")
-                            .split(static_cast<std::uint64_t>(trial.ordinal))
-                            .split(static_cast<std::uint64_t>(attempt));
-  AttemptRow row{};
-  row.trial = trial.ordinal;
-  row.attempt = attempt;
-  row.segment = segment_;
-
-  Surfaces surfaces{};
-  nlohmann::ordered_json models = nlohmann::ordered_json::array();
-  for (const PlannedPresentation& surface : trial.presentations) {
-    const auto position = static_cast<std::uint64_t>(surface.position);
-    PreparedStimulus prepared = builder_.prepare(surface, study_);
-    prepared.inputs.seed = random.split("renderer").split(position).bits();
-    models.push_back({{"position", surface.position},
-                      {"model", prepared.model->declaration.id},
-                      {"version", prepared.model->declaration.version}});
-    surfaces.seeds.push_back(prepared.inputs.seed);
-    surfaces.presentations.push_back({position, prepared.model->make(prepared.inputs)});
-    surfaces.stimuli.push_back(std::move(prepared));
-  }
-
-  rig_.prepare_attempt(habits_for(exploration, protocol_.patch), random.split("hand"));
-  respondent_.begin_attempt(trial.ordinal, attempt);
-  std::unique_ptr<RecordingWriter> writer{};
-  if (settings_.record && protocol_.record) {
-    const nlohmann::ordered_json context{{"participant", session_.row.participant},
-                                         {"session", session_.row.session},
-                                         {"trial", trial.ordinal},
-                                         {"attempt", attempt},
-                                         {"presentations", models}};
-    writer = std::make_unique<RecordingWriter>(
-        study_.folder(), recording_path(trial, attempt),
-        RecordingHeader{protocol_.rate_Hz, recording_columns(), context.dump()});
-  }
-  recorder_.begin(std::move(writer), protocol_.rate_Hz, rig_.records());
-  row.onset_ns = rig_.clock().now_ns();
-
-  const Wait waiting = [this](double duration_s) { wait(duration_s); };
-  {
-    const std::lock_guard lock(requests_mutex_);
-    requests_.skip.reset();  // one that came between trials has nothing to skip
-  }
-  in_attempt_ = true;
-  std::optional<Interruption> interruption{};
-  Reply reply{};
-  std::int64_t cue_ns = 0;
-  std::int64_t answer_ns = 0;
-  try {
-    if (!trial.question.experimenter_prompt.empty()) {
-      respondent_.read(trial.question.experimenter_prompt, 0.0, waiting);
-    }
-    wait(block.pause_before_trial_s);
-    for (std::size_t i = 0; i < trial.presentations.size(); ++i) {
-      if (i > 0) wait(block.pause_between_surfaces_s);
-      respondent_.announce(trial, trial.presentations[i]);
-      feel(i, surfaces, exploration);
-    }
-    for (;;) {
-      std::vector<ForceFeatures> felt{};
-      for (const PlannedPresentation& surface : trial.presentations) {
-        felt.push_back(recorded_force_features({recorder_.records(),
-                                                static_cast<std::uint64_t>(surface.position),
-                                                protocol_.rate_Hz}));
-      }
-      cue_ns = rig_.clock().now_ns();
-      reply = respondent_.ask(trial, felt, block.response_deadline_s, waiting);
-      answer_ns = rig_.clock().now_ns();
-      if (!reply.feel_again) break;
-      const auto again = static_cast<std::size_t>(*reply.feel_again - 1);
-      respondent_.announce(trial, trial.presentations.at(again));
-      feel(again, surfaces, exploration);
-    }
-  } catch (const Interruption& caught) {
-    interruption = caught;
-  } catch (const RespondentGone& gone) {
-    interruption = Interruption{AttemptOutcome::aborted, gone.what()};
-  }
-  in_attempt_ = false;
-  row.offset_ns = rig_.clock().now_ns();
-  if (interruption) take_surface_away();
-
-  const Recorder::Attempt recorded = recorder_.finish(rig_.records());
-  row.recording = recorded.recording;
-  row.servo = servo_quality_of(recorded.records, protocol_.rate_Hz, recorded.lost_records);
-  row.servo->fault = name_of(rig_.loop().status().fault);
-  measure(trial, surfaces, exploration, recorded.records, row);
-
-  if (interruption) {
-    row.outcome = interruption->outcome;
-    row.valid = false;
-    row.invalid_reason = interruption->reason;
-  } else {
-    // No answer before the deadline is an outcome of the trial, and stays without a response.
-    if (reply.options.empty()) row.outcome = AttemptOutcome::timed_out;
-    for (std::size_t item = 0; item < reply.options.size(); ++item) {
-      ResponseRow response{};
-      response.question = trial.question.name;
-      response.item = static_cast<int>(item) + 1;
-      response.answer = trial.question.options.at(reply.options[item]).value;
-      if (item < trial.question.correct.size()) {
-        response.correct = response.answer == trial.question.correct[item];
-      }
-      response.options_json = options_json(trial.question);
-      response.time_ns = answer_ns;
-      response.from_cue_s = seconds_between(cue_ns, answer_ns);
-      if (const auto contact_ns = row.presentations.front().contact_ns) {
-        response.from_contact_s = seconds_between(*contact_ns, answer_ns);
-      }
-      response.source = respondent_.source();
-      row.responses.push_back(std::move(response));
-    }
-    judge(exploration, row);
-  }
+AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruption>& interruption) {
+  const AttemptOrder order{.trial = trial,
+                           .attempt = attempts_of(trial.ordinal) + 1,
+                           .segment = segment_,
+                           .explored_wrongly = explored_wrongly(trial.ordinal),
+                           .record = settings_.record};
+  course_.update([&order](SessionSnapshot& snapshot) {
+    snapshot.trial = order.trial.ordinal;
+    snapshot.attempt = order.attempt;
+  });
+  TrialAttempt attempt(course_, builder_, order);
+  AttemptRow row = attempt.make();
+  interruption = attempt.interruption();
   row.id = study_.add_attempt(session_.row.id, row);
   session_.attempts.push_back(row);
   ++attempts_made_;
+  publish(row);
+  publish_progress();
   if (settings_.done) {
-    settings_.done({session_.row.participant, session_.row.session, trial.ordinal, attempt});
+    settings_.done({session_.row.participant, session_.row.session, trial.ordinal, order.attempt});
   }
   return row;
 }
 
-void Conductor::feel(std::size_t index, Surfaces& surfaces, const Exploration& exploration) {
-  Presentation& presentation = surfaces.presentations[index];
-  const std::uint64_t id = presentation.id;
-  recorder_.watch(id);
-  rig_.loop().present(std::move(presentation));
-  rig_.hand().stroke();
-  const HandHabits habits = habits_for(exploration, protocol_.patch);
-  const double strokes_s = exploration.strokes.target.value_or(0.0) * kBeyondMinimum *
-                           habits.stroke_length_m / habits.speed_m_per_s;
-  const double longest_s =
-      std::max(exploration.minimum_contact_s, exploration.maximum_contact_s - kLifting_s);
-  const double wanted_s =
-      std::min(std::max(kBeyondMinimum * exploration.minimum_contact_s, strokes_s), longest_s);
-  double passed_s = 0.0;
-  while (recorder_.live().contact_s < wanted_s &&
-         passed_s < exploration.maximum_contact_s + kPatience_s) {
-    wait(kSlice_s);
-    passed_s += kSlice_s;
+/// Feedback, where the block gives any.
+void Conductor::tell(const Trial& trial, const AttemptRow& attempt) {
+  using Feedback = Protocol::Block::Feedback;
+  const Feedback feedback = protocol_.blocks.at(trial.block).feedback;
+  if (!attempt.valid || attempt.outcome != AttemptOutcome::answered || feedback == Feedback::none) {
+    return;
   }
-  rig_.hand().lift();
-  for (passed_s = 0.0; recorder_.live().touching && passed_s < kPatience_s; passed_s += kSlice_s) {
-    wait(kSlice_s);
-  }
-  rig_.loop().withdraw();
-  while (presentation.renderer == nullptr) {
-    wait(kSlice_s);
-    presentation = rig_.loop().collect();
-  }
-  if (recorder_.live().contact_s <= 0.0) {
-    throw Interruption{AttemptOutcome::not_compliant,
-                       "surface " + std::to_string(id) + " was not touched"};
-  }
-}
-
-void Conductor::measure(const Trial& trial, const Surfaces& surfaces,
-                        const Exploration& exploration, const std::vector<TickRecord>& records,
-                        AttemptRow& row) const {
-  for (std::size_t i = 0; i < trial.presentations.size(); ++i) {
-    const PlannedPresentation& planned = trial.presentations[i];
-    const PreparedStimulus& prepared = surfaces.stimuli[i];
-    const auto id = static_cast<std::uint64_t>(planned.position);
-    PresentationRow presentation{};
-    presentation.position = planned.position;
-    presentation.role = planned.role;
-    presentation.item = planned.item;
-    presentation.stimulus = planned.stimulus.name;
-    presentation.model = prepared.model->declaration.id;
-    presentation.model_version = prepared.model->declaration.version;
-    presentation.texture = planned.stimulus.texture;
-    presentation.parameters_json = json_text_of(prepared.inputs.parameters);
-    presentation.height_field_sha256 = prepared.height_field_sha256;
-    presentation.seed = std::to_string(surfaces.seeds[i]);
-    presentation.matched_texture_force_N = prepared.matched_texture_force_N;
-    fill_times(records, id, protocol_.rate_Hz, presentation);
-    const EqualForce request = planned.equal_force.value_or(EqualForce{});
-    presentation.achieved_texture_force_N = recorded_texture_force_rms_N(
-        *prepared.model, prepared.inputs, {records, id, protocol_.rate_Hz},
-        {request.band_low_Hz, request.band_high_Hz});
-    if (presentation.onset_ns) {
-      for (ComplianceRow& compliance : compliance_of(records, id, protocol_.rate_Hz, exploration)) {
-        compliance.position = planned.position;
-        row.compliance.push_back(std::move(compliance));
+  const bool right = is_right(attempt);
+  std::string text = right ? "That was right." : "That was not right.";
+  if (!right && feedback == Feedback::correct_answer) {
+    text += " The right answer:";
+    for (const std::string& correct : trial.question.correct) {
+      for (const Option& option : trial.question.options) {
+        if (option.value == correct) text += ' ' + option.label;
       }
     }
-    row.presentations.push_back(std::move(presentation));
+  }
+  course_.enter(SessionPhase::feedback);
+  course_.show(scene_of(ParticipantScene::Kind::feedback, text));
+  course_.play(right ? Cue::right : Cue::wrong);
+  try {
+    respondent_.tell(text, [this](double duration_s) { course_.wait(duration_s); });
+  } catch (const Interruption& interruption) {
+    if (!outlives(interruption)) throw;
   }
 }
 
-void Conductor::judge(const Exploration& exploration, AttemptRow& row) const {
-  const ServoQualityRow& servo = *row.servo;
-  if (servo.missed_deadlines > protocol_.maximum_missed_deadlines) {
-    row.valid = false;
-    row.invalid_reason = std::to_string(servo.missed_deadlines) + " missed deadlines, at most " +
-                         std::to_string(protocol_.maximum_missed_deadlines) + " allowed";
-    return;
-  }
-  if (servo.lost_records > protocol_.maximum_lost_records) {
-    row.valid = false;
-    row.invalid_reason = std::to_string(servo.lost_records) + " lost records, at most " +
-                         std::to_string(protocol_.maximum_lost_records) + " allowed";
-    return;
-  }
-  std::string flags{};
-  const auto flag = [&flags](const std::string& text) {
-    if (!flags.empty()) flags += "; ";
-    flags += text;
-  };
-  if (servo.saturated_ticks > 0) {
-    flag("force limited in " + std::to_string(servo.saturated_ticks) + " ticks");
-  }
-  std::string failures{};
-  for (const ComplianceRow& compliance : row.compliance) {
-    if (compliance.passed.value_or(true)) continue;
-    if (!failures.empty()) failures += ", ";
-    failures += compliance.quantity + " of surface " + std::to_string(compliance.position);
-  }
-  if (!failures.empty()) {
-    const bool ask_again = exploration.on_failure != Exploration::OnFailure::flag &&
-                           explored_wrongly(row.trial) < exploration.maximum_repeats;
-    if (ask_again) {
-      row.outcome = AttemptOutcome::not_compliant;
-      row.valid = false;
-      row.invalid_reason = "not explored as asked: " + failures;
+// --- what the experimenter wants -----------------------------------------------------------------
+
+void Conductor::between_steps(Next next) {
+  course_.store_remarks();
+  hold(next);
+}
+
+/// Returns when nothing stands in the way of what comes next: no pause, no fault, no lost noise.
+void Conductor::hold(Next next) {
+  const SessionPhase before = course_.phase();
+  const bool is_attended = settings_.links.experimenter_is_there;
+  bool paused = false;
+  while (!stopped_) {
+    if (const auto reason = requests_.take_abort()) {
+      stop(*reason);
       return;
     }
-    flag("not explored as asked: " + failures);
-  }
-  if (!flags.empty()) {
-    row.flagged = true;
-    row.flag_reason = flags;
-  }
-}
-
-void Conductor::take_surface_away() {
-  rig_.hand().lift();
-  rig_.loop().withdraw();
-  for (double passed_s = 0.0; passed_s < 1.0 && rig_.loop().status().fault == Fault::none;
-       passed_s += kSlice_s) {
-    rig_.pass(kSlice_s, recorder_);
-    if (rig_.loop().collect().renderer != nullptr) break;
-  }
-}
-
-// --- time and events -----------------------------------------------------------------------------
-
-void Conductor::wait(double duration_s) {
-  double left_s = duration_s;
-  do {
-    const double slice_s = std::min(left_s, kSlice_s);
-    rig_.pass(slice_s, recorder_);
-    left_s -= slice_s;
-    const ServoStatus status = rig_.loop().status();
-    if (status.fault != Fault::none) {
-      throw Interruption{AttemptOutcome::device_fault, name_of(status.fault)};
+    if (is_attended && rig_.loop().status().fault != Fault::none &&
+        !wait_out_fault(fault_between_trials(name_of(rig_.loop().status().fault)))) {
+      return;
     }
-    const std::lock_guard lock(requests_mutex_);
-    if (requests_.abort) {
-      const std::string reason = *requests_.abort;
-      requests_.abort.reset();
-      throw Interruption{AttemptOutcome::aborted, reason};
+    if (is_attended && next == Next::trial && course_.has_lost_noise() && !requests_.is_paused()) {
+      requests_.pause();
+      publish_trouble(
+          "The masking noise has stopped, and the session is paused. Mend the sound, then resume.",
+          SessionTrouble::Remedy::resume);
+      course_.event("masking_noise_lost", "");
     }
-    if (requests_.skip && in_attempt_) {
-      const std::string reason = *requests_.skip;
-      requests_.skip.reset();
-      throw Interruption{AttemptOutcome::skipped, reason};
+    if (!requests_.is_paused()) break;
+    if (!paused) {
+      course_.event("paused", "");
+      course_.enter(SessionPhase::paused);
+      course_.show(scene_of(ParticipantScene::Kind::paused));
+      course_.play(Cue::paused);
     }
-  } while (left_s > 1e-9);
-}
-
-void Conductor::store_notes() {
-  std::vector<std::string> notes{};
-  {
-    const std::lock_guard lock(requests_mutex_);
-    notes.swap(requests_.notes);
+    paused = true;
+    if (requests_.take_stop(StopAfter::trial)) {
+      stop("as asked");
+      return;
+    }
+    course_.pass_slice();
+    course_.store_remarks();
   }
-  for (const std::string& text : notes) event("note", text);
+  if (!paused || stopped_) return;
+  course_.event("resumed", "");
+  course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
+  course_.enter(before);
+  course_.show({});
 }
 
-void Conductor::event(const std::string& kind, const std::string& text) {
-  study_.add_event(session_.row.id, {rig_.clock().now_ns(), kind, text, "null"});
+/// Whether what was interrupted outside an attempt can be begun again; waits for it.
+bool Conductor::outlives(const Interruption& interruption) {
+  if (interruption.outcome != AttemptOutcome::device_fault ||
+      !settings_.links.experimenter_is_there) {
+    return false;
+  }
+  wait_out_fault(fault_between_trials(interruption.reason));
+  return true;
 }
 
-std::string Conductor::recording_path(const Trial& trial, int attempt) const {
-  const auto padded = [](int number, std::size_t width) {
-    std::string digits = std::to_string(number);
-    if (digits.size() < width) digits.insert(0, width - digits.size(), '0');
-    return digits;
+bool Conductor::wait_out_fault(const std::string& what) {
+  if (!settings_.links.experimenter_is_there) {
+    stop(what);
+    return false;
+  }
+  const SessionPhase before = course_.phase();
+  requests_.take_clear_fault();  // one from before this fault
+  course_.event("fault", name_of(rig_.loop().status().fault));
+  course_.enter(SessionPhase::fault);
+  course_.show(scene_of(ParticipantScene::Kind::paused));
+  const auto trouble = [&](const std::string& more) {
+    publish_trouble(with_capital(what) + ". The force is zero until the fault is cleared." + more,
+                    SessionTrouble::Remedy::clear_fault);
   };
-  return "recordings/" + session_.row.participant + "/session-" + padded(session_.row.session, 2) +
-         "/trial-" + padded(trial.ordinal, 4) + "_attempt-" + std::to_string(attempt) + ".rec";
+  trouble("");
+  for (;;) {
+    course_.pass_slice();
+    course_.store_remarks();
+    if (const auto reason = requests_.take_abort()) {
+      stop(*reason);
+      return false;
+    }
+    if (requests_.take_stop(StopAfter::trial) || requests_.take_stop(StopAfter::block)) {
+      stop(what);
+      return false;
+    }
+    if (!requests_.take_clear_fault()) continue;
+    rig_.clear_fault();
+    const std::string problem = device_problem([this](double duration_s) {
+      for (double passed_s = 0.0; passed_s < duration_s; passed_s += SessionCourse::kSlice_s) {
+        course_.pass_slice();
+      }
+    });
+    if (problem.empty() && rig_.loop().status().fault == Fault::none) break;
+    trouble(" The device is not fit yet: " +
+            (problem.empty() ? std::string(name_of(rig_.loop().status().fault)) : problem) + '.');
+  }
+  while (rig_.loop().collect().renderer != nullptr) {
+    // What was felt when the fault came is not felt again.
+  }
+  course_.event("fault_cleared", "");
+  course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
+  course_.enter(before);
+  course_.show({});
+  return true;
+}
+
+// --- what others are told ------------------------------------------------------------------------
+
+void Conductor::publish_facts(std::int64_t began_ns) {
+  if (!course_.has_monitor()) return;
+  Plan one{.trials = session_.plan.trials, .steps = {}};
+  planned_s_.clear();
+  for (const PlanStep& step : session_.plan.steps) {
+    one.steps.assign(1, step);
+    planned_s_.push_back(cost_of(protocol_, one).total_s);
+  }
+  settings_.links.monitor->set_facts({.protocol = std::make_shared<const Protocol>(protocol_),
+                                      .plan = std::make_shared<const Plan>(session_.plan),
+                                      .row = session_.row,
+                                      .study_folder = study_.folder().string(),
+                                      .mirrored = session_.row.mirrored,
+                                      .clock_ahead_ns = rig_.clock().ahead_ns()});
+  int blocks = 0;
+  for (const Trial& trial : session_.plan.trials) blocks = std::max(blocks, trial.block_ordinal);
+  course_.update([&](SessionSnapshot& snapshot) {
+    snapshot.began_ns = began_ns;
+    snapshot.blocks = blocks;
+    snapshot.trials = static_cast<int>(session_.plan.trials.size());
+    snapshot.trouble.reset();
+  });
+  planned_so_far_s_ = 0.0;
+  spent_so_far_s_ = 0.0;
+  for (const AttemptRow& attempt : session_.attempts) publish(attempt);
+  publish_progress();
+}
+
+void Conductor::publish_progress() {
+  if (!course_.has_monitor()) return;
+  int done = 0;
+  double left_s = 0.0;
+  for (std::size_t i = 0; i < session_.plan.steps.size(); ++i) {
+    if (const auto* step = std::get_if<TrialStep>(&session_.plan.steps[i])) {
+      const Trial& trial = session_.plan.trials[step->trial];
+      if (is_done(trial) || is_over(trial)) {
+        ++done;
+      } else {
+        left_s += planned_s_[i];
+      }
+    } else if (i > step_) {
+      left_s += planned_s_[i];
+    }
+  }
+  // The plan's guess counts as a minute's experience; then this person's pace does.
+  constexpr double kGuess_s = 60.0;
+  const double pace = (kGuess_s + spent_so_far_s_) / (kGuess_s + planned_so_far_s_);
+  course_.update([&](SessionSnapshot& snapshot) {
+    snapshot.trials_done = done;
+    snapshot.expected_left_s = pace * left_s;
+    snapshot.rows_stored = static_cast<std::int64_t>(session_.attempts.size());
+  });
+}
+
+void Conductor::publish(const AttemptRow& attempt) {
+  if (!course_.has_monitor()) return;
+  const auto index = static_cast<std::size_t>(attempt.trial - 1);
+  const Trial& trial = session_.plan.trials.at(index);
+  AttemptSummary summary{};
+  summary.trial = attempt.trial;
+  summary.attempt = attempt.attempt;
+  summary.outcome = attempt.outcome;
+  summary.valid = attempt.valid;
+  summary.flagged = attempt.flagged;
+  summary.reason = attempt.invalid_reason.value_or(attempt.flag_reason.value_or(""));
+  for (const ResponseRow& response : attempt.responses) {
+    const auto option = std::find_if(
+        trial.question.options.begin(), trial.question.options.end(),
+        [&response](const Option& candidate) { return candidate.value == response.answer; });
+    summary.answers.push_back(option == trial.question.options.end() ? "?" : option->label);
+  }
+  if (!attempt.responses.empty()) {
+    if (attempt.responses.front().correct) summary.correct = is_right(attempt);
+    summary.from_cue_s = attempt.responses.front().from_cue_s;
+    summary.from_contact_s = attempt.responses.front().from_contact_s;
+  }
+  summary.duration_s = seconds_between(attempt.onset_ns, attempt.offset_ns);
+  spent_so_far_s_ += summary.duration_s;
+  if (attempt.valid) {
+    for (std::size_t i = 0; i < session_.plan.steps.size(); ++i) {
+      const auto* step = std::get_if<TrialStep>(&session_.plan.steps[i]);
+      if (step != nullptr && step->trial == index) planned_so_far_s_ += planned_s_[i];
+    }
+  }
+  course_.add_attempt(std::move(summary));
+}
+
+void Conductor::publish_trouble(const std::string& what, SessionTrouble::Remedy remedy) {
+  course_.update([&](SessionSnapshot& snapshot) {
+    snapshot.trouble = SessionTrouble{what, course_.now_ns(), remedy};
+  });
 }
 
 }  // namespace asperity

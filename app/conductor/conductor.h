@@ -1,17 +1,18 @@
-// Runs one session: the only thing that knows everybody.
+// Runs one session: the walk over its plan.
 
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
-#include <mutex>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/conductor/recorder.h"
-#include "app/conductor/respondent.h"
-#include "app/conductor/rig.h"
+#include "app/conductor/session_course.h"
+#include "app/conductor/session_links.h"
+#include "app/conductor/session_requests.h"
 #include "app/conductor/session_setup.h"
 #include "app/conductor/stimulus_builder.h"
 #include "protocols/protocol.h"
@@ -33,6 +34,7 @@ struct ConductorSettings {
   std::string conditions_json = "null";
   /// Called after each commit, and only then.
   std::function<void(const AttemptDone&)> done{};
+  SessionLinks links{};
 };
 
 /// How a session ended.
@@ -47,16 +49,16 @@ struct SessionEnd {
 
 /// Takes a participant through the plan of a session.
 ///
-/// For each trial: build the renderers off the servo thread → let every surface be felt → ask →
-/// look at the record (servo quality, compliance, features) → recording synced and renamed → one
-/// transaction → `done`. Nothing is reported that is not on disk. An attempt that does not count
-/// stays in the store and the trial is asked again, now or at the end of its block, as the protocol
-/// says. A fault of the device stores the attempt and stops the session, which can be resumed.
+/// For each trial a TrialAttempt is made and stored in one transaction → `done`. Nothing is reported
+/// that is not on disk. An attempt that does not count stays in the store and the trial is asked
+/// again, now or at the end of its block, as the protocol says.
 ///
-/// Threads: `run` belongs to one thread, the only writer of the session's rows. The requests may
-/// come from any thread. `stop_after` and `pause` take effect between trials, `abort` and `skip`
-/// within a few hundredths of a second (a skip between trials skips nothing); `emergency_stop` is
-/// immediate and does not pass the conductor.
+/// A fault of the device, an emergency stop included, stores the attempt and stops the session,
+/// which can be resumed. With an experimenter it waits instead: until the fault is cleared, and then
+/// goes on with what was interrupted, or until it is stopped.
+///
+/// Threads: `run` belongs to one thread, the only writer of the session's rows. Requests may come
+/// from any.
 ///
 /// Errors: `run` throws ResultsError when the store fails; every attempt reported done is on disk.
 class Conductor final {
@@ -67,59 +69,47 @@ class Conductor final {
 
   SessionEnd run(OpenSession session);
 
-  enum class After { trial, block };
-  void stop_after(After what);
-  /// Ends the session at once; the attempt under way is kept as aborted.
-  void abort(const std::string& reason);
-  /// The trial under way is kept as skipped and not asked again.
-  void skip(const std::string& reason);
-  /// Between trials, until `resume`.
-  void pause();
-  void resume();
-  void note(const std::string& text);
-  void emergency_stop() noexcept { rig_.emergency_stop(); }
+  /// The verbs towards this session: the settings', or the conductor's own.
+  SessionRequests& requests() noexcept { return requests_; }
 
  private:
-  struct Requests {
-    std::optional<After> stop{};
-    std::optional<std::string> abort{};
-    std::optional<std::string> skip{};
-    bool paused = false;
-    std::vector<std::string> notes{};
-  };
-  /// What ends an attempt before its answer.
-  struct Interruption {
-    AttemptOutcome outcome = AttemptOutcome::aborted;
-    std::string reason{};
-  };
-  struct Surfaces;  // what was built for the surfaces of one attempt
+  enum class Next { trial, other };
+
+  void begin();
+  SessionEnd finish(std::int64_t began_ns);
+  void end_after(const std::exception& error) noexcept;
+  void stop(const std::string& reason);
 
   void run_steps();
   void run_other(const PlanStep& step);
-  void stop(const std::string& reason);
+  void try_other(const PlanStep& step);
+  void rest(const Protocol::Break& pause);
+  void ask(const Protocol::Ask& questions);
   void check_device();
-  void end_after(const std::exception& error) noexcept;
+  std::string device_problem(const Wait& waiting);
+
   void finish_block(int block_ordinal);
   void run_trial(const Trial& trial);
-  AttemptRow run_attempt(const Trial& trial, int attempt);
-  void feel(std::size_t index, Surfaces& surfaces, const Exploration& exploration);
-  void measure(const Trial& trial, const Surfaces& surfaces, const Exploration& exploration,
-               const std::vector<TickRecord>& records, AttemptRow& row) const;
-  void judge(const Exploration& exploration, AttemptRow& row) const;
-  void take_surface_away();
-  void between_trials();
-  void wait(double duration_s);
-  void store_notes();
-  void event(const std::string& kind, const std::string& text);
+  AttemptRow make_attempt(const Trial& trial, std::optional<Interruption>& interruption);
+  void tell(const Trial& trial, const AttemptRow& attempt);
+
+  void between_steps(Next next);
+  void hold(Next next);
+  bool outlives(const Interruption& interruption);
+  /// False when the session is to end; it then has its reason.
+  bool wait_out_fault(const std::string& what);
+
   bool is_done(const Trial& trial) const;
   BlockState criterion_of(const Trial& trial) const;
   /// The block of this trial is practised to a criterion and needs no more trials.
   bool is_over(const Trial& trial) const;
   int attempts_of(int trial) const;
   int explored_wrongly(int trial) const;
-  bool is_asked_to_stop();
-  std::string recording_path(const Trial& trial, int attempt) const;
-  const Exploration& exploration_of(const Trial& trial) const;
+
+  void publish_facts(std::int64_t began_ns);
+  void publish_progress();
+  void publish(const AttemptRow& attempt);
+  void publish_trouble(const std::string& what, SessionTrouble::Remedy remedy);
 
   Study& study_;
   const Protocol& protocol_;
@@ -127,14 +117,20 @@ class Conductor final {
   Rig& rig_;
   Respondent& respondent_;
   ConductorSettings settings_{};
-  Recorder recorder_{};
+  SessionRequests own_requests_{};
+  SessionRequests& requests_;
+  SessionCourse course_;
   OpenSession session_{};
   int segment_ = 0;
   std::optional<SessionEnd> stopped_{};  ///< set once the session is to end early
   int attempts_made_ = 0;
-  bool in_attempt_ = false;
-  std::mutex requests_mutex_{};
-  Requests requests_{};
+
+  Wait outside_{};  ///< waits where there is no trial under way
+
+  std::size_t step_ = 0;             ///< of the plan, under way
+  std::vector<double> planned_s_{};  ///< each step's cost; empty without a monitor
+  double planned_so_far_s_ = 0.0;    ///< of the trials that are done
+  double spent_so_far_s_ = 0.0;      ///< by all attempts
 };
 
 }  // namespace asperity

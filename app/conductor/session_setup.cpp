@@ -130,6 +130,7 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
     row.consent_utc = conditions.consent_utc;
   }
   row.observer_json = conditions.observer_json;
+  row.mirrored = conditions.mirrored;
   row.files = hash_files(protocol, study.folder());
   if (conditions.counterbalance_row) {
     row.counterbalance_row = *conditions.counterbalance_row;

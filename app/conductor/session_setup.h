@@ -28,6 +28,7 @@ struct SessionConditions {
   std::int64_t clock_zero_ns = 0;
   std::optional<std::string> consent_utc{};  ///< when the person agreed to the protocol's statement
   std::string observer_json = "null";
+  bool mirrored = false;
 };
 
 /// A session that is about to run: its row, its plan, and what has been done of it.

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "app/conductor/layout.h"
 #include "app/conductor/recording_columns.h"
 #include "app/parameter_json.h"
 #include "app/tasks/protocol_files.h"
@@ -56,7 +57,7 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
     stimulus.inputs.parameters = parameter_values_in(row.parameters_json);
     stimulus.inputs.seed = std::stoull(row.seed);
     stimulus.inputs.material = described.material;
-    stimulus.inputs.patch = described.patch;
+    stimulus.inputs.patch = Layout{session.mirrored}.of(described.patch);
     if (row.height_field_sha256 && described.height_field) {
       const LoadedHeightField loaded = builder.height_field(*described.height_field);
       if (loaded.sha256 != *row.height_field_sha256) {

@@ -23,30 +23,46 @@ namespace {
 
 constexpr std::int64_t kHour_ns = 3'600'000'000'000;
 
-/// Before the session there is no servo to go on ticking.
-void sleep(double duration_s) {
-  std::this_thread::sleep_for(std::chrono::duration<double>(duration_s));
+/// Before the session there is no servo to go on ticking. Who is to stop stops within a few
+/// hundredths of a second; then there is no session yet.
+Wait sleep_until_stopped(const std::stop_token& stop, const SessionLinks& links) {
+  return [stop, links](double duration_s) {
+    constexpr double kSlice_s = 0.02;
+    double left_s = duration_s;
+    do {
+      std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, kSlice_s)));
+      left_s -= kSlice_s;
+      if (links.requests != nullptr) {
+        if (const auto reason = links.requests->take_abort()) throw RespondentGone(*reason);
+      }
+      if (stop.stop_requested()) throw RespondentGone("stopped as asked");
+    } while (left_s > 0.0);
+  };
 }
 
 /// Asks a person to agree to the protocol's statement; nothing is stored of one who does not.
-void ask_consent(const Protocol& protocol, Respondent& respondent) {
+void ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonitor* monitor,
+                 const Wait& wait) {
   const Question question{.name = "consent",
                           .prompt = protocol.consent_statement + "\n\nDo you agree?",
                           .form = Question::Form::choice,
                           .options = {"yes", "no"}};
-  if (respondent.answer(question, sleep) != "yes") {
+  if (monitor != nullptr) monitor->show(scene_of_form(question));
+  if (respondent.answer(question, wait) != "yes") {
     throw std::runtime_error("the participant did not agree to take part; nothing was stored");
   }
 }
 
 ParticipantRow ask_person(const Protocol& protocol, const std::string& label,
-                          Respondent& respondent, const std::string& created_utc) {
+                          Respondent& respondent, const std::string& created_utc,
+                          SessionMonitor* monitor, const Wait& wait) {
   ParticipantRow person{};
   person.label = label;
   person.created_utc = created_utc;
   nlohmann::ordered_json others = nlohmann::ordered_json::object();
   for (const Question& question : protocol.participant_questions) {
-    const std::string answer = respondent.answer(question, sleep);
+    if (monitor != nullptr) monitor->show(scene_of_form(question));
+    const std::string answer = respondent.answer(question, wait);
     if (answer.empty()) continue;
     if (question.name == "sex") {
       person.sex = answer == "female" ? "F" : answer == "male" ? "M" : "X";
@@ -59,6 +75,25 @@ ParticipantRow ask_person(const Protocol& protocol, const std::string& label,
     }
   }
   person.answers_json = others.dump();
+  return person;
+}
+
+ParticipantRow new_person(const RunInputs& inputs, const Protocol& protocol, Respondent* respondent,
+                          const Clock& clock, const SessionLinks& links, const Wait& wait) {
+  if (inputs.is_virtual) {
+    ParticipantRow person = virtual_person(1, Random(inputs.seed), clock.utc());
+    person.label = inputs.participant;
+    return person;
+  }
+  if (!inputs.new_person) {
+    return ask_person(protocol, inputs.participant, *respondent, clock.utc(), links.monitor, wait);
+  }
+  ParticipantRow person = *inputs.new_person;
+  if (person.label != inputs.participant || person.is_virtual) {
+    throw std::runtime_error("the new person \"" + person.label +
+                             "\" is not the participant of the session, " + inputs.participant);
+  }
+  if (person.created_utc.empty()) person.created_utc = clock.utc();
   return person;
 }
 
@@ -126,7 +161,8 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
 
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
                        const std::stop_token& stop,
-                       const std::function<void(const AttemptDone&)>& done, const SessionLinks&) {
+                       const std::function<void(const AttemptDone&)>& done,
+                       const SessionLinks& links) {
   if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
     throw std::runtime_error(*complaint);
   }
@@ -148,24 +184,20 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   if (inputs.resume) sitting.unfinished = unfinished_session(study, inputs, protocol);
   const std::unique_ptr<Rig> rig = make_rig(inputs, protocol, study, sitting.unfinished);
 
+  const Wait wait = sleep_until_stopped(stop, links);
   if (!inputs.is_virtual && !inputs.resume && !protocol.consent_statement.empty()) {
-    ask_consent(protocol, *respondent);
+    if (!inputs.has_consented) ask_consent(protocol, *respondent, links.monitor, wait);
     sitting.consent_utc = rig->clock().utc();
   }
+  sitting.mirrored = inputs.mirrored;
   if (known) {
     sitting.participant = *known;
   } else {
-    if (inputs.is_virtual) {
-      sitting.participant = virtual_person(1, Random(inputs.seed), rig->clock().utc());
-      sitting.participant.label = inputs.participant;
-    } else {
-      sitting.participant =
-          ask_person(protocol, inputs.participant, *respondent, rig->clock().utc());
-    }
+    sitting.participant = new_person(inputs, protocol, respondent, rig->clock(), links, wait);
     study.add_participant(sitting.participant);
   }
   return sit(study, protocol, builder, this_program(), sitting, *rig,
-             inputs.is_virtual ? nullptr : respondent, stop, done);
+             inputs.is_virtual ? nullptr : respondent, stop, done, links);
 }
 
 }  // namespace asperity

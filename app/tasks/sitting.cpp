@@ -68,7 +68,8 @@ std::int64_t last_time_ns(const Study& study, const SessionRow& session) {
 
 SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
-               const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done) {
+               const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done,
+               const SessionLinks& links) {
   const std::vector<std::string> complaints = complaints_about_device(protocol, rig.capability());
   if (!complaints.empty()) throw std::runtime_error(complaints.front());
   OpenSession session{};
@@ -80,6 +81,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
     conditions.seed = sitting.seed;
     conditions.counterbalance_row = sitting.counterbalance_row;
     conditions.consent_utc = sitting.consent_utc;
+    conditions.mirrored = sitting.mirrored;
     conditions.pacing = rig.pacing();
     conditions.scheduling = rig.scheduling();
     conditions.device = rig.capability();
@@ -95,11 +97,13 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
         protocol, expectations_of(protocol, builder, random), sitting.participant, random);
     person = stand_in.get();
   }
-  Conductor conductor(
-      study, protocol, builder, rig, *person,
-      {.record = sitting.record, .conditions_json = conditions_json(program, rig), .done = done});
-  const std::stop_callback on_stop(stop,
-                                   [&conductor] { conductor.stop_after(Conductor::After::trial); });
+  Conductor conductor(study, protocol, builder, rig, *person,
+                      {.record = sitting.record,
+                       .conditions_json = conditions_json(program, rig),
+                       .done = done,
+                       .links = links});
+  const std::stop_callback on_stop(
+      stop, [&conductor] { conductor.requests().stop_after(StopAfter::trial); });
   return conductor.run(std::move(session));
 }
 

@@ -20,6 +20,7 @@ struct Sitting {
   std::uint64_t seed = 0;
   std::optional<int> counterbalance_row{};
   std::optional<std::string> consent_utc{};
+  bool mirrored = false;  ///< of a new session
   bool record = true;
 };
 
@@ -34,6 +35,7 @@ std::int64_t last_time_ns(const Study& study, const SessionRow& session);
 /// under way.
 SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
-               const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done);
+               const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done,
+               const SessionLinks& links = {});
 
 }  // namespace asperity

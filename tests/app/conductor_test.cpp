@@ -157,7 +157,7 @@ TEST_F(ConductorTest, KeepsAnAbortedAttemptAndAsksAgainAfterAResume) {
   begin(small_protocol());
   person_.at_question = [this](int question, const Trial&) -> Reply {
     if (question < 2) return {{0}, {}};
-    conductor_->abort("the fire alarm rang");
+    conductor_->requests().abort("the fire alarm rang");
     return {{}, 1};  // feels surface 1 again, and is interrupted in it
   };
   SessionEnd end = run();
@@ -184,7 +184,7 @@ TEST_F(ConductorTest, KeepsAnAbortedAttemptAndAsksAgainAfterAResume) {
 TEST_F(ConductorTest, StopsAfterTheTrialWhenAsked) {
   begin(small_protocol());
   person_.at_question = [this](int, const Trial&) -> Reply {
-    conductor_->stop_after(Conductor::After::trial);
+    conductor_->requests().stop_after(StopAfter::trial);
     return {{0}, {}};
   };
   const SessionEnd end = run();
@@ -197,7 +197,7 @@ TEST_F(ConductorTest, KeepsASkippedTrialAndDoesNotAskItAgain) {
   begin(small_protocol());
   person_.at_question = [this](int question, const Trial&) -> Reply {
     if (question == 1) {
-      conductor_->skip("the picture fell down");
+      conductor_->requests().skip("the picture fell down");
       return {{}, 1};  // feels again, and is interrupted in it
     }
     return {{0}, {}};
@@ -329,7 +329,7 @@ TEST_F(ConductorTest, GoesOnMarkedWhereThePracticeFailsAndTheProtocolSaysSo) {
 TEST_F(ConductorTest, StopsTheForceAtOnceWhenTheEmergencyStopIsPressed) {
   begin(small_protocol());
   person_.at_question = [this](int, const Trial&) -> Reply {
-    conductor_->emergency_stop();
+    conductor_->requests().emergency_stop();
     return {{}, 1};
   };
   EXPECT_EQ(run().state, SessionState::stopped);
@@ -406,7 +406,7 @@ TEST_F(ConductorTest, EndsAtOnceWhenAskedToStopWhileSomethingIsRead) {
   begin(small_protocol());
   conductor_ = std::make_unique<Conductor>(*study_, protocol_, *builder_, *rig_, person_,
                                            ConductorSettings{});
-  conductor_->stop_after(Conductor::After::trial);
+  conductor_->requests().stop_after(StopAfter::trial);
   EXPECT_EQ(conductor_->run(session_).state, SessionState::stopped);
   EXPECT_TRUE(attempts().empty());
 }

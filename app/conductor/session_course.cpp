@@ -1,0 +1,212 @@
+#include "app/conductor/session_course.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+// Often enough for numbers that a person reads.
+constexpr std::int64_t kHealthEvery_ns = 250'000'000;
+
+bool wants_masking_noise(const Protocol& protocol) {
+  return protocol.masking_noise.kind != Protocol::Noise::Kind::none;
+}
+
+}  // namespace
+
+SessionCourse::SessionCourse(Study& study, const Protocol& protocol, Rig& rig,
+                             Respondent& respondent, SessionRequests& requests,
+                             const SessionLinks& links)
+    : study_(study),
+      protocol_(protocol),
+      rig_(rig),
+      respondent_(respondent),
+      requests_(requests),
+      links_(links),
+      watch_(links.monitor),
+      recorder_(&watch_) {}
+
+void SessionCourse::begin(const SessionRow& row) {
+  row_ = row;
+  phase_ = SessionPhase::idle;
+  in_attempt_ = false;
+  masking_ = false;
+  mask_on_ = false;
+  attempt_events_.clear();
+}
+
+// --- time ----------------------------------------------------------------------------------------
+
+void SessionCourse::wait(double duration_s) {
+  double left_s = duration_s;
+  do {
+    const double slice_s = std::min(left_s, kSlice_s);
+    pass(slice_s);
+    left_s -= slice_s;
+    look(false);
+  } while (left_s > 1e-9);
+}
+
+void SessionCourse::wait_outside_trial(double duration_s) {
+  double left_s = duration_s;
+  do {
+    const double slice_s = std::min(left_s, kSlice_s);
+    pass(slice_s);
+    left_s -= slice_s;
+    look(true);
+  } while (left_s > 1e-9);
+}
+
+void SessionCourse::pass_slice() { pass(kSlice_s); }
+
+void SessionCourse::pass(double duration_s) {
+  rig_.pass(duration_s, recorder_);
+  for (const ButtonChange& change : watch_.take_button_changes()) {
+    respondent_.button_changed(change);
+  }
+  publish_now();
+}
+
+void SessionCourse::look(bool outside_trial) {
+  const ServoStatus status = rig_.loop().status();
+  if (status.fault != Fault::none) {
+    throw Interruption{AttemptOutcome::device_fault, name_of(status.fault)};
+  }
+  if (const auto reason = requests_.take_abort()) {
+    throw Interruption{AttemptOutcome::aborted, *reason};
+  }
+  if (in_attempt_) {
+    if (const auto reason = requests_.take_skip()) {
+      throw Interruption{AttemptOutcome::skipped, *reason};
+    }
+  }
+  if (outside_trial && requests_.take_stop(StopAfter::trial)) {
+    throw Interruption{AttemptOutcome::aborted, "as asked"};
+  }
+  if (in_attempt_ && has_lost_noise()) {
+    throw Interruption{AttemptOutcome::aborted, "the masking noise stopped",
+                       links_.experimenter_is_there};
+  }
+}
+
+void SessionCourse::publish_now() {
+  if (links_.monitor == nullptr) return;
+  const std::int64_t now = now_ns();
+  const Fault fault = rig_.loop().status().fault;
+  const double contact_s = recorder_.live().contact_s;
+  std::optional<LoopHealth> health{};
+  if (now - health_shown_ns_ >= kHealthEvery_ns || health_shown_ns_ == 0) {
+    health_shown_ns_ = now;
+    health = watch_.health();
+    health->lost_records = rig_.records().lost();
+  }
+  links_.monitor->update([&](SessionSnapshot& snapshot) {
+    snapshot.now_ns = now;
+    snapshot.fault = fault;
+    if (snapshot.surface != 0) snapshot.contact_s = contact_s;
+    if (health) snapshot.health = *health;
+  });
+}
+
+// --- what is seen and heard ----------------------------------------------------------------------
+
+void SessionCourse::enter(SessionPhase phase) {
+  if (phase == phase_) return;
+  if (links_.monitor != nullptr) event("phase", text_of(phase));
+  publish(phase);
+}
+
+void SessionCourse::publish(SessionPhase phase) {
+  phase_ = phase;
+  const std::int64_t now = now_ns();
+  update([&](SessionSnapshot& snapshot) {
+    snapshot.phase = phase;
+    snapshot.phase_began_ns = now;
+    snapshot.now_ns = now;
+  });
+}
+
+void SessionCourse::show(ParticipantScene scene) {
+  if (links_.monitor == nullptr) return;
+  const SessionSnapshot snapshot = links_.monitor->snapshot();
+  scene.block = snapshot.block;
+  scene.blocks = snapshot.block == 0 ? 0 : snapshot.blocks;
+  // A reminder is known as new by its number: it goes on counting from scene to scene.
+  scene.cue_number = std::max(scene.cue_number, snapshot.scene->cue_number);
+  links_.monitor->show(std::move(scene));
+}
+
+void SessionCourse::update(const std::function<void(SessionSnapshot&)>& change) {
+  if (links_.monitor != nullptr) links_.monitor->update(change);
+}
+
+void SessionCourse::add_attempt(AttemptSummary attempt) {
+  if (links_.monitor != nullptr) links_.monitor->add_attempt(std::move(attempt));
+}
+
+void SessionCourse::play(Cue cue, int number) {
+  if (links_.sound != nullptr) links_.sound->play(cue, number);
+}
+
+void SessionCourse::set_masking(bool on) {
+  if (links_.sound == nullptr || !wants_masking_noise(protocol_) || on == masking_) return;
+  links_.sound->set_masking(on);
+  masking_ = on;
+  update([on](SessionSnapshot& snapshot) { snapshot.masking_noise = on; });
+}
+
+bool SessionCourse::has_lost_noise() const {
+  return links_.sound != nullptr && wants_masking_noise(protocol_) && !links_.sound->is_running();
+}
+
+void SessionCourse::put_mask(bool on, const Wait& waiting) {
+  if (on == mask_on_ || !respondent_.wears_mask() || protocol_.vision != Vision::blindfold) return;
+  show(scene_of_mask(on));
+  respondent_.put_mask(on, waiting);
+  mask_on_ = on;
+  event(on ? "mask_on" : "mask_off", "");
+}
+
+// --- what is written down ------------------------------------------------------------------------
+
+void SessionCourse::event(const std::string& kind, const std::string& text,
+                          const std::string& data_json) {
+  EventRow row{now_ns(), kind, text, data_json};
+  if (in_attempt_) {
+    attempt_events_.push_back(std::move(row));
+  } else {
+    study_.add_event(row_.id, row);
+  }
+}
+
+void SessionCourse::store_remarks() {
+  for (const SessionRequests::Remark& remark : requests_.take_remarks()) {
+    study_.add_event(row_.id, {remark.time_ns == 0 ? now_ns() : remark.time_ns, remark.kind,
+                               remark.text, "null"});
+  }
+}
+
+void SessionCourse::store_respondent_events() {
+  for (const EventRow& row : respondent_.take_events()) study_.add_event(row_.id, row);
+}
+
+void SessionCourse::begin_attempt() {
+  store_respondent_events();
+  attempt_events_.clear();
+  in_attempt_ = true;
+  requests_.take_skip();  // one that came between trials has nothing to skip
+}
+
+std::vector<EventRow> SessionCourse::take_attempt_events() {
+  in_attempt_ = false;
+  std::vector<EventRow> events = std::exchange(attempt_events_, {});
+  for (EventRow& row : respondent_.take_events()) events.push_back(std::move(row));
+  std::stable_sort(events.begin(), events.end(), [](const EventRow& one, const EventRow& other) {
+    return one.time_ns < other.time_ns;
+  });
+  return events;
+}
+
+}  // namespace asperity

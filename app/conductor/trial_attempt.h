@@ -1,0 +1,89 @@
+// One go at a trial: surfaces are felt, the question is asked, the record is looked at.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/conductor/session_course.h"
+#include "app/conductor/stimulus_builder.h"
+#include "protocols/plan.h"
+
+namespace asperity {
+
+/// Which attempt is to be made.
+struct AttemptOrder {
+  const Trial& trial;
+  int attempt = 1;
+  int segment = 1;
+  int explored_wrongly = 0;  ///< earlier attempts at this trial that were not explored as asked
+  bool record = true;        ///< keep the tick records
+};
+
+/// Builds the renderers off the servo thread → lets every surface be felt → asks → looks at the
+/// record (servo quality, compliance, features) → syncs and renames the recording. The row is ready
+/// to be stored; nothing is in the store before.
+///
+/// An attempt that was interrupted has a row as well, invalid, with the reason.
+///
+/// Phases: fore → contact (with the first touch) → fore before the next surface → … → response, and
+/// contact again where a surface is felt again.
+///
+/// Errors: what a renderer, a file or the recording throws; the recorder is then to be abandoned.
+class TrialAttempt final {
+ public:
+  /// All must outlive the attempt.
+  TrialAttempt(SessionCourse& course, StimulusBuilder& builder, const AttemptOrder& order);
+  ~TrialAttempt();
+  TrialAttempt(const TrialAttempt&) = delete;
+  TrialAttempt& operator=(const TrialAttempt&) = delete;
+
+  AttemptRow make();
+  /// What interrupted it, if anything did.
+  const std::optional<Interruption>& interruption() const noexcept { return interruption_; }
+
+ private:
+  /// What was built for one surface.
+  struct Surface {
+    PreparedStimulus stimulus{};
+    Presentation presentation{};  ///< renderer null while the loop has it
+    std::uint64_t seed = 0;
+    double felt_s = 0.0;  ///< contact in the visits so far
+  };
+
+  void prepare();
+  void carry_out();
+  Reply ask();
+  void show_surface(std::size_t index);
+  void feel(std::size_t index);
+  void explore(Surface& surface);
+  void measure(const std::vector<TickRecord>& records);
+  void answer();
+  void judge();
+  void take_surface_away();
+  bool shows_pictures() const;
+  double wanted_contact_s() const;
+  std::string recording_path() const;
+
+  SessionCourse& course_;
+  StimulusBuilder& builder_;
+  AttemptOrder order_;
+  const Trial& trial_;
+  const Protocol::Block& block_;
+  Exploration exploration_{};  ///< as the session's layout has it
+  SurfacePatch patch_{};
+  Wait waiting_{};
+  std::vector<Surface> surfaces_{};
+  std::vector<int> felt_{};  ///< positions, as they were felt
+  Reply reply_{};
+  std::int64_t cue_ns_ = 0;
+  std::int64_t answer_ns_ = 0;
+  std::optional<Interruption> interruption_{};
+  AttemptRow row_{};
+};
+
+/// How the block of a trial is explored; free where it does not say.
+const Exploration& exploration_of(const Protocol& protocol, const Trial& trial);
+
+}  // namespace asperity
