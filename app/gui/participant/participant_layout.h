@@ -1,0 +1,95 @@
+// Where everything stands in the participant's picture, and what it does when it is pressed.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QtCore/QRectF>
+#include <QtCore/QSizeF>
+#include <QtCore/QString>
+#include <QtGui/QFont>
+
+#include "app/conductor/participant_scene.h"
+
+namespace asperity {
+
+/// What a key or a click means to the present scene.
+struct ParticipantAction {
+  enum class What {
+    choose,   ///< option `number` (from 1) of a question or form
+    surface,  ///< surface `number` (from 1): to be felt, or the one that a picture is given to
+    next,     ///< enough of this surface; feel again
+    confirm,
+    write,  ///< `text` into the number
+    erase,  ///< the last digit of it
+  };
+  What what = What::confirm;
+  int number = 0;
+  QString text{};
+};
+
+/// What the participant has begun and not yet said: of no concern to the session until it is
+/// confirmed or completed.
+struct ParticipantDraft {
+  std::optional<int> surface{};  ///< of an assignment: picked by hand, from 1
+  std::optional<int> option{};   ///< of a form
+  QString number{};              ///< of a form, as typed
+};
+
+/// One thing in the picture.
+struct ParticipantItem {
+  enum class Kind {
+    words,
+    picture,    ///< with `key` under or beside it, and on it the surface that it was `given_to`
+    standard,   ///< the picture that realism is measured against
+    option,     ///< a large button: a letter, or words with their key
+    chip,       ///< a surface
+    control,    ///< goes on, feels again, confirms
+    pad,        ///< a key of the number pad
+    number,     ///< what was typed
+    field,      ///< where text is typed
+    workspace,  ///< where the scene of object, tool and probe is
+    cue,
+  };
+  Kind kind = Kind::words;
+  QRectF rect{};
+  QString text{};
+  QString key{};      ///< what is pressed for it
+  QString picture{};  ///< study-relative
+  double side = 0.0;  ///< of the picture, which is a square
+  int size_px = 0;    ///< of the letters
+  bool muted = false;
+  bool bold = false;
+  bool chosen = false;
+  bool felt = false;  ///< of a chip
+  bool current =
+      false;           ///< the surface under the hand, or the one that the next picture is given to
+  bool ready = false;  ///< a control that would be accepted now
+  QString given_to{};  ///< of a picture: the surface's letter
+  QString given{};     ///< of a chip: the picture's key
+  std::optional<ParticipantAction> action{};
+};
+
+struct ParticipantLayoutInputs {
+  QSizeF size{1366.0, 768.0};
+  ParticipantDraft draft{};
+  bool mirrored = false;  ///< left-handed
+  bool cue_shown = false;
+  int rest_left_s = 0;
+};
+
+/// The picture of a scene. Everything fits without scrolling from 640 × 720 px up.
+std::vector<ParticipantItem> lay_out(const ParticipantScene& scene,
+                                     const ParticipantLayoutInputs& inputs);
+
+/// What a key stands for, by the text that it types; nothing where the scene has no use for it.
+std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, int key,
+                                               const QString& text);
+
+QFont participant_font(int size_px, bool bold);
+
+/// What is pressed for an option of a form: "1" … "9", then "A" ….
+QString key_of_form_option(int number);
+
+}  // namespace asperity

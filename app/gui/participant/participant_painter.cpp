@@ -1,0 +1,236 @@
+#include "app/gui/participant/participant_painter.h"
+
+#include <algorithm>
+
+#include <QtGui/QPainter>
+#include <QtGui/QPainterPath>
+
+namespace asperity {
+
+namespace {
+
+using Item = ParticipantItem;
+
+class Brush final {
+ public:
+  Brush(QPainter& painter, const ParticipantColors& colors, const PictureOf& picture_of)
+      : painter_(painter), colors_(colors), picture_of_(picture_of) {
+    painter_.setRenderHint(QPainter::Antialiasing);
+    painter_.setRenderHint(QPainter::SmoothPixmapTransform);
+  }
+
+  void draw(const Item& item);
+  QStringList take_drawn() { return std::move(drawn_); }
+
+ private:
+  void words(const QRectF& rect, const QString& text, int size_px, bool bold, const QColor& color,
+             int alignment = Qt::AlignCenter | Qt::TextWordWrap) {
+    if (text.isEmpty()) return;
+    painter_.setPen(color);
+    painter_.setFont(participant_font(size_px, bold));
+    painter_.drawText(rect, alignment, text);
+    drawn_.append(text);
+  }
+  void box(const QRectF& rect, double radius, const QColor& fill, const QColor& edge,
+           double width) {
+    painter_.setPen(QPen(edge, width));
+    painter_.setBrush(fill);
+    const double inset = width / 2.0;
+    painter_.drawRoundedRect(rect.adjusted(inset, inset, -inset, -inset), radius, radius);
+  }
+  /// A key to be pressed: a circle around one sign, filled once it is chosen.
+  void badge(const QRectF& rect, const QString& key, int size_px, bool filled) {
+    const double side = std::min(rect.width(), rect.height());
+    const QRectF circle(rect.center().x() - side / 2.0, rect.center().y() - side / 2.0, side, side);
+    painter_.setPen(QPen(filled ? colors_.press : colors_.muted, side / 20.0));
+    painter_.setBrush(filled ? colors_.press : colors_.panel);
+    painter_.drawEllipse(circle.adjusted(1.5, 1.5, -1.5, -1.5));
+    words(circle, key, size_px, true, filled ? colors_.on_press : colors_.text, Qt::AlignCenter);
+  }
+  void picture(const Item& item, const QRectF& square);
+  void draw_picture(const Item& item);
+  void draw_option(const Item& item);
+  void draw_chip(const Item& item);
+  void draw_control(const Item& item);
+
+  QPainter& painter_;
+  const ParticipantColors& colors_;
+  const PictureOf& picture_of_;
+  QStringList drawn_{};
+};
+
+void Brush::picture(const Item& item, const QRectF& square) {
+  const QPixmap pixmap = picture_of_(item.picture, square.width());
+  if (pixmap.isNull()) {
+    box(square, 4.0, colors_.ground.darker(106), colors_.line, 1.0);
+    return;
+  }
+  painter_.drawPixmap(square, pixmap, QRectF(pixmap.rect()));
+}
+
+void Brush::draw_picture(const Item& item) {
+  // Its key stands below it or on its left.
+  const QRectF square(item.rect.right() - item.side, item.rect.top(), item.side, item.side);
+  const bool beside = item.rect.width() > item.side;
+  picture(item, square);
+  const double unit = item.size_px / 32.0;
+  if (item.chosen) {
+    const double ring = 8.0 * unit;
+    painter_.setPen(QPen(colors_.press, ring, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter_.setBrush(Qt::NoBrush);
+    painter_.drawRect(square.adjusted(ring / 2.0, ring / 2.0, -ring / 2.0, -ring / 2.0));
+    // A light line inside keeps the ring apart from a dark picture.
+    painter_.setPen(QPen(colors_.panel, 2.0 * unit));
+    painter_.drawRect(square.adjusted(ring, ring, -ring, -ring));
+  }
+  if (!item.given_to.isEmpty()) {
+    const double side = std::min(72.0 * unit, 0.45 * square.width());
+    const QRectF letter(square.left() + 8.0 * unit, square.top() + 8.0 * unit, side, side);
+    box(letter, 8.0 * unit, colors_.press, colors_.panel, 3.0 * unit);
+    words(letter, item.given_to, static_cast<int>(0.6 * side), true, colors_.on_press,
+          Qt::AlignCenter);
+  }
+  const double badge_side = 48.0 * unit;
+  QRectF key(0.0, 0.0, badge_side, badge_side);
+  if (beside) {
+    key.moveCenter({item.rect.left() + badge_side / 2.0, square.center().y()});
+  } else {
+    key.moveCenter({square.center().x(), item.rect.bottom() - badge_side / 2.0});
+  }
+  badge(key, item.key, item.size_px, item.chosen);
+}
+
+void Brush::draw_option(const Item& item) {
+  const double unit = item.size_px / 32.0;
+  if (item.key.isEmpty()) {  // a letter that is its own key
+    box(item.rect, 12.0, item.chosen ? colors_.press : colors_.panel,
+        item.chosen ? colors_.press : colors_.muted, item.chosen ? 8.0 : 2.0);
+    words(item.rect, item.text, item.size_px, true, item.chosen ? colors_.on_press : colors_.text);
+    return;
+  }
+  box(item.rect, 10.0 * unit, colors_.panel, item.chosen ? colors_.press : colors_.line,
+      (item.chosen ? 6.0 : 2.0) * unit);
+  const double side = 48.0 * unit;
+  const QRectF key(item.rect.left() + 12.0 * unit, item.rect.center().y() - side / 2.0, side, side);
+  badge(key, item.key, item.size_px, item.chosen);
+  words(QRectF(key.right() + 12.0 * unit, item.rect.top(),
+               item.rect.right() - key.right() - 24.0 * unit, item.rect.height()),
+        item.text, item.size_px, false, colors_.text,
+        Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap);
+}
+
+void Brush::draw_chip(const Item& item) {
+  const double unit = item.size_px / 38.0;
+  const bool pairs = !item.key.isEmpty();  // it stands beside pictures that it is given to
+  const bool filled = pairs ? !item.given.isEmpty() : item.current;
+  const QColor ink = filled ? colors_.on_press : colors_.text;
+  box(item.rect, 10.0 * unit, filled ? colors_.press : colors_.panel,
+      item.current ? colors_.text : colors_.muted, (item.current ? 5.0 : 2.0) * unit);
+  if (!pairs) {
+    const bool marked = item.felt && !item.current;
+    words(item.rect, marked ? item.text + QStringLiteral(" ✓") : item.text, item.size_px, true,
+          ink);
+    return;
+  }
+  QRectF left = item.rect;
+  left.setWidth(item.rect.width() / 2.0);
+  const QRectF right = left.translated(left.width(), 0.0);
+  words(left, item.text, item.size_px, true, ink, Qt::AlignCenter);
+  if (!item.given.isEmpty()) {
+    words(right, item.given, item.size_px, false, ink, Qt::AlignCenter);
+    painter_.setPen(QPen(ink, 3.0 * unit));
+    const double x = item.rect.center().x();
+    const double y = item.rect.center().y();
+    painter_.drawLine(QPointF(x - 10.0 * unit, y), QPointF(x + 8.0 * unit, y));
+  }
+  if (item.current) {
+    // Points to the pictures: the next one is for this surface.
+    const double size = 9.0 * unit;
+    const QPointF tip(right.center().x() + (item.given.isEmpty() ? size : 2.6 * size),
+                      right.center().y());
+    QPainterPath arrow(tip);
+    arrow.lineTo(tip + QPointF(-1.6 * size, -size));
+    arrow.lineTo(tip + QPointF(-1.6 * size, size));
+    arrow.closeSubpath();
+    painter_.setPen(Qt::NoPen);
+    painter_.setBrush(ink);
+    painter_.drawPath(arrow);
+  }
+}
+
+void Brush::draw_control(const Item& item) {
+  const double unit = item.size_px / 32.0;
+  box(item.rect, 10.0 * unit, item.ready ? colors_.press : colors_.ground,
+      item.ready ? colors_.press : colors_.muted, 2.0 * unit);
+  const QColor ink = item.ready ? colors_.on_press : colors_.text;
+  const QRectF inner = item.rect.adjusted(20.0 * unit, 0.0, -20.0 * unit, 0.0);
+  words(inner, item.text, item.size_px, true, ink, Qt::AlignLeft | Qt::AlignVCenter);
+  words(inner, item.key, item.size_px, false, item.ready ? colors_.on_press : colors_.muted,
+        Qt::AlignRight | Qt::AlignVCenter);
+}
+
+void Brush::draw(const Item& item) {
+  const double unit = item.size_px / 32.0;
+  switch (item.kind) {
+    case Item::Kind::words:
+      words(item.rect, item.text, item.size_px, item.bold,
+            item.muted ? colors_.muted : colors_.text);
+      break;
+    case Item::Kind::picture:
+      draw_picture(item);
+      break;
+    case Item::Kind::standard:
+      picture(item, item.rect);
+      break;
+    case Item::Kind::option:
+      draw_option(item);
+      break;
+    case Item::Kind::chip:
+      draw_chip(item);
+      break;
+    case Item::Kind::control:
+      draw_control(item);
+      break;
+    case Item::Kind::pad:
+      box(item.rect, 8.0, colors_.panel, colors_.muted, 2.0);
+      words(item.rect, item.text, item.size_px, true, colors_.text, Qt::AlignCenter);
+      break;
+    case Item::Kind::number:
+      box(item.rect, 8.0, colors_.panel, colors_.press, 3.0);
+      words(item.rect, item.text, item.size_px, true, colors_.text, Qt::AlignCenter);
+      break;
+    case Item::Kind::field:
+      box(item.rect, 8.0, colors_.panel, colors_.press, 3.0);
+      break;
+    case Item::Kind::workspace:
+      box(item.rect, 4.0, colors_.ground.darker(104), colors_.line, 1.0);
+      break;
+    case Item::Kind::cue:
+      box(item.rect, 8.0 * unit, colors_.cue_ground, colors_.cue_line, 2.0 * unit);
+      words(item.rect, item.text, item.size_px, false, colors_.text, Qt::AlignCenter);
+      break;
+  }
+}
+
+}  // namespace
+
+QStringList paint(QPainter& painter, const std::vector<ParticipantItem>& items,
+                  const ParticipantColors& colors, const PictureOf& picture_of) {
+  Brush brush(painter, colors, picture_of);
+  for (const ParticipantItem& item : items) brush.draw(item);
+  return brush.take_drawn();
+}
+
+void paint_dragged(QPainter& painter, const QString& letter, QPointF at, double scale,
+                   const ParticipantColors& colors) {
+  const double side = 72.0 * scale;
+  const QRectF rect(at.x() - side / 2.0, at.y() - side / 2.0, side, side);
+  painter.setPen(QPen(colors.panel, 3.0 * scale));
+  painter.setBrush(colors.press);
+  painter.drawRoundedRect(rect, 8.0 * scale, 8.0 * scale);
+  painter.setPen(colors.on_press);
+  painter.setFont(participant_font(static_cast<int>(0.6 * side), true));
+  painter.drawText(rect, Qt::AlignCenter, letter);
+}
+
+}  // namespace asperity

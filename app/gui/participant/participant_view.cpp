@@ -1,0 +1,523 @@
+#include "app/gui/participant/participant_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <QtGui/QKeyEvent>
+#include <QtGui/QMouseEvent>
+#include <QtGui/QPainter>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QPlainTextEdit>
+
+#include "app/gui/participant/participant_painter.h"
+#include "renderers/servo_thread.h"
+
+namespace asperity {
+
+namespace {
+
+using Action = ParticipantAction;
+using Item = ParticipantItem;
+using Scene = ParticipantScene;
+
+constexpr int kLook_ms = 16;
+constexpr std::chrono::seconds kCueShown{5};
+constexpr std::int64_t kTwoDigits_ns = 1'000'000'000;  // between the digits of one key
+constexpr qsizetype kLongestNumber = 12;
+
+bool same_question(const Scene& one, const Scene& other) {
+  const auto name = [](const Scene& scene) {
+    return scene.question ? scene.question->name : std::string();
+  };
+  return one.kind == other.kind && one.text == other.text && name(one) == name(other);
+}
+
+bool same_assignment(const Scene& one, const Scene& other) {
+  return std::equal(one.choices.begin(), one.choices.end(), other.choices.begin(),
+                    other.choices.end(), [](const Scene::Choice& left, const Scene::Choice& right) {
+                      return left.assigned_to == right.assigned_to;
+                    });
+}
+
+}  // namespace
+
+ParticipantView::ParticipantView(const SessionMonitor& monitor, std::filesystem::path study,
+                                 Role role, QWidget* parent)
+    : QWidget(parent),
+      monitor_(monitor),
+      role_(role),
+      shelf_(std::move(study)),
+      event_clock_(stamps_of_platform()) {
+  qRegisterMetaType<asperity::ParticipantInput>();
+  setObjectName(role == Role::participant ? "participant_view" : "participant_mirror");
+  setAccessibleName(role == Role::participant ? tr("What the participant sees")
+                                              : tr("Mirror of what the participant sees"));
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  if (role == Role::participant) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    field_ = new QPlainTextEdit(this);
+    field_->setObjectName("participant_text");
+    field_->setTabChangesFocus(true);
+    const ParticipantColors colors{};
+    field_->setStyleSheet(QString("QPlainTextEdit { background: %1; color: %2; border: none; "
+                                  "padding: 0px; selection-background-color: %3; "
+                                  "selection-color: %4; }")
+                              .arg(colors.panel.name(), colors.text.name(), colors.press.name(),
+                                   colors.on_press.name()));
+    field_->installEventFilter(this);
+    field_->hide();
+  } else {
+    setFocusPolicy(Qt::NoFocus);
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+  }
+  connect(&shelf_, &PictureShelf::arrived, this, [this] { update(); });
+  connect(&shelf_, &PictureShelf::unreadable, this, [this](const QString& name) {
+    if (role_ == Role::participant) emit remarked("picture_unreadable", name);
+  });
+  connect(&timer_, &QTimer::timeout, this, &ParticipantView::look);
+  timer_.start(kLook_ms);
+  look();
+}
+
+ParticipantView::~ParticipantView() = default;
+
+void ParticipantView::set_workspace(QWidget* workspace) {
+  delete workspace_;
+  workspace_ = workspace;
+  if (workspace_ != nullptr) {
+    workspace_->setParent(this);
+    workspace_->setFocusPolicy(Qt::NoFocus);
+  }
+  arrange();
+}
+
+void ParticipantView::set_mirrored_size(QSize size) {
+  if (size.isEmpty() || size == mirrored_size_) return;
+  mirrored_size_ = size;
+  arrange();
+}
+
+std::int64_t ParticipantView::session_now_ns() const {
+  return monotonic_now_ns() + (facts_ ? facts_->clock_ahead_ns : 0);
+}
+
+std::int64_t ParticipantView::time_of_ns(std::uint64_t stamp_ms) {
+  return event_clock_.happened_ns(stamp_ms, monotonic_now_ns()) +
+         (facts_ ? facts_->clock_ahead_ns : 0);
+}
+
+int ParticipantView::rest_left_s() const {
+  if (scene_->kind != Scene::Kind::rest || !scene_->rest_until_ns) return 0;
+  const double left_s = static_cast<double>(*scene_->rest_until_ns - session_now_ns()) * 1e-9;
+  return std::max(0, static_cast<int>(std::ceil(left_s)));
+}
+
+bool ParticipantView::waits() const {
+  switch (scene_->kind) {
+    case Scene::Kind::text:
+    case Scene::Kind::feel:
+    case Scene::Kind::question:
+    case Scene::Kind::rest:
+    case Scene::Kind::form:
+    case Scene::Kind::mask_on:
+    case Scene::Kind::mask_off:
+      return true;
+    case Scene::Kind::blank:
+    case Scene::Kind::feedback:
+    case Scene::Kind::paused:
+    case Scene::Kind::ended:
+      break;
+  }
+  return false;
+}
+
+bool ParticipantView::is_text_form() const {
+  return scene_->kind == Scene::Kind::form && scene_->question &&
+         scene_->question->form == Question::Form::text;
+}
+
+// --- looking and drawing ---
+
+void ParticipantView::look() {
+  if (!facts_) {
+    facts_ = monitor_.facts();
+    if (facts_) {
+      prepare_pictures();
+      arrange();
+      emit scene_changed();
+    }
+  }
+  const SessionSnapshot snapshot = monitor_.snapshot();
+  bool changed = false;
+  if (snapshot.scene != scene_) {
+    const std::shared_ptr<const Scene> before = std::exchange(scene_, snapshot.scene);
+    const bool new_trial = snapshot.trial != trial_ || snapshot.attempt != attempt_;
+    if (new_trial || !same_question(*before, *scene_)) {
+      draft_ = {};
+      press_.reset();
+      if (field_ != nullptr) field_->clear();
+    } else if (!same_assignment(*before, *scene_)) {
+      draft_.surface.reset();
+    }
+    trial_ = snapshot.trial;
+    attempt_ = snapshot.attempt;
+    if (scene_->cue_number != cue_seen_) {
+      cue_seen_ = scene_->cue_number;
+      cue_until_ = std::chrono::steady_clock::now() + kCueShown;
+    }
+    changed = true;
+  }
+  const bool cue = std::chrono::steady_clock::now() < cue_until_ && !scene_->cue.empty();
+  changed = changed || cue != cue_shown_ || rest_left_s() != rest_shown_s_;
+  if (!changed) return;
+  cue_shown_ = cue;
+  rest_shown_s_ = rest_left_s();
+  arrange();
+  emit scene_changed();
+}
+
+QSizeF ParticipantView::page_size() const {
+  return role_ == Role::mirror ? QSizeF(mirrored_size_) : QSizeF(size());
+}
+
+double ParticipantView::page_scale() const {
+  const QSizeF page = page_size();
+  return std::min(width() / page.width(), height() / page.height());
+}
+
+QPointF ParticipantView::page_offset() const {
+  const QSizeF drawn = page_size() * page_scale();
+  return {(width() - drawn.width()) / 2.0, (height() - drawn.height()) / 2.0};
+}
+
+QPointF ParticipantView::to_page(QPointF point) const {
+  return (point - page_offset()) / page_scale();
+}
+
+int ParticipantView::side_px(double side) const {
+  return std::max(1, static_cast<int>(std::lround(side * page_scale() * devicePixelRatioF())));
+}
+
+void ParticipantView::arrange() {
+  items_ = lay_out(*scene_, {.size = page_size(),
+                             .draft = draft_,
+                             .mirrored = facts_ && facts_->mirrored,
+                             .cue_shown = cue_shown_,
+                             .rest_left_s = rest_shown_s_});
+  const Item* field = nullptr;
+  const Item* workspace = nullptr;
+  for (const Item& item : items_) {
+    if (item.kind == Item::Kind::field) field = &item;
+    if (item.kind == Item::Kind::workspace) workspace = &item;
+  }
+  if (field_ != nullptr) {
+    if (field != nullptr) {
+      field_->setFont(participant_font(field->size_px, false));
+      field_->setGeometry(field->rect.adjusted(16.0, 12.0, -16.0, -12.0).toRect());
+      if (field_->isHidden()) {
+        field_->show();
+        field_->setFocus();
+      }
+    } else if (!field_->isHidden()) {
+      field_->hide();
+      setFocus();
+    }
+  }
+  if (workspace_ != nullptr) {
+    workspace_->setVisible(workspace != nullptr);
+    if (workspace != nullptr) {
+      const QPointF corner = page_offset() + workspace->rect.topLeft() * page_scale();
+      workspace_->setGeometry(
+          QRectF(corner, workspace->rect.size() * page_scale()).toAlignedRect());
+    }
+  }
+  update();
+}
+
+void ParticipantView::prepare_pictures() {
+  if (!facts_->plan) return;
+  // One layout per number of pictures tells the size in which they will be wanted.
+  std::map<int, std::vector<QString>> by_side{};
+  std::set<std::vector<std::string>> seen{};
+  for (const Trial& trial : facts_->plan->trials) {
+    Scene question{};
+    question.kind = Scene::Kind::question;
+    question.text = trial.question.prompt;
+    question.is_assignment = trial.question.form == TrialQuestion::Form::assignment;
+    question.standard_picture = trial.question.standard_picture;
+    std::vector<std::string> names{};
+    for (const PlannedPresentation& surface : trial.presentations) {
+      question.surfaces.push_back({.code = surface.code});
+    }
+    for (const Option& option : trial.question.options) {
+      Scene::Choice choice{};
+      choice.picture = option.picture;
+      const bool is_surface = std::any_of(
+          trial.presentations.begin(), trial.presentations.end(),
+          [&option](const PlannedPresentation& surface) { return surface.code == option.label; });
+      choice.key = option.label;
+      if (!option.picture && !is_surface) choice.text = option.label;
+      if (option.picture) names.push_back(*option.picture);
+      question.choices.push_back(std::move(choice));
+    }
+    if (trial.question.standard_picture) names.push_back(*trial.question.standard_picture);
+    std::sort(names.begin(), names.end());
+    if (names.empty() || !seen.insert(names).second) continue;
+    for (const Item& item :
+         lay_out(question, {.size = page_size(), .mirrored = facts_->mirrored})) {
+      if (!item.picture.isEmpty()) by_side[side_px(item.side)].push_back(item.picture);
+    }
+  }
+  for (const auto& [side, names] : by_side) shelf_.prepare(names, side);
+}
+
+bool ParticipantView::pictures_are_there() const {
+  return std::all_of(items_.begin(), items_.end(), [this](const Item& item) {
+    return item.picture.isEmpty() || shelf_.is_settled(item.picture, side_px(item.side));
+  });
+}
+
+void ParticipantView::paintEvent(QPaintEvent*) {
+  const ParticipantColors colors{};
+  QPainter painter(this);
+  painter.fillRect(rect(), colors.ground);
+  for (const Item& item : items_) {
+    if (!item.picture.isEmpty()) shelf_.picture(item.picture, side_px(item.side));
+  }
+  const bool all_there = pictures_are_there();
+  painter.translate(page_offset());
+  painter.scale(page_scale(), page_scale());
+  drawn_texts_ =
+      paint(painter, items_, colors, [this, all_there](const QString& name, double side) {
+        return all_there ? shelf_.picture(name, side_px(side)) : QPixmap();
+      });
+  if (press_ && press_->dragging) {
+    const Item& chip = items_[press_->item];
+    paint_dragged(painter, chip.text, pointer_, chip.size_px / 38.0, colors);
+  }
+  setAccessibleDescription(drawn_texts_.join(". "));
+}
+
+void ParticipantView::resizeEvent(QResizeEvent*) {
+  press_.reset();
+  arrange();
+}
+
+std::vector<ParticipantItem> ParticipantView::items() const {
+  std::vector<Item> placed = items_;
+  for (Item& item : placed) {
+    item.rect =
+        QRectF(page_offset() + item.rect.topLeft() * page_scale(), item.rect.size() * page_scale());
+  }
+  return placed;
+}
+
+// --- what the participant does ---
+
+std::optional<std::size_t> ParticipantView::item_at(QPointF page_point) const {
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].action && items_[i].rect.contains(page_point)) return i;
+  }
+  return {};
+}
+
+void ParticipantView::mousePressEvent(QMouseEvent* event) {
+  const std::int64_t time_ns = time_of_ns(event->timestamp());
+  press_.reset();
+  if (event->button() != Qt::LeftButton) return;
+  const QPointF at = to_page(event->position());
+  if (const std::optional<std::size_t> item = item_at(at)) {
+    press_ = Press{.item = *item, .at = at, .time_ns = time_ns};
+  }
+}
+
+void ParticipantView::mouseMoveEvent(QMouseEvent* event) {
+  event_clock_.happened_ns(event->timestamp(), monotonic_now_ns());
+  pointer_ = to_page(event->position());
+  if (!press_) {
+    setCursor(item_at(pointer_) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    return;
+  }
+  const bool can_be_dragged =
+      scene_->is_assignment && items_[press_->item].kind == Item::Kind::chip;
+  if (can_be_dragged &&
+      (pointer_ - press_->at).manhattanLength() >= QApplication::startDragDistance()) {
+    press_->dragging = true;
+    setCursor(Qt::ClosedHandCursor);
+  }
+  if (press_->dragging) update();
+}
+
+void ParticipantView::mouseReleaseEvent(QMouseEvent* event) {
+  const std::int64_t released_ns = time_of_ns(event->timestamp());
+  if (event->button() != Qt::LeftButton || !press_) return;
+  const Press press = *press_;
+  press_.reset();
+  setCursor(Qt::ArrowCursor);
+  update();
+  const std::optional<std::size_t> item = item_at(to_page(event->position()));
+  if (!item) return;
+  const Item& target = items_[*item];
+  if (press.dragging) {
+    if (target.kind != Item::Kind::picture) return;
+    const Item& chip = items_[press.item];
+    tell({.kind = ParticipantInput::Kind::assign,
+          .number = target.action->number,
+          .surface = chip.action->number},
+         released_ns, "mouse");
+    return;
+  }
+  if (*item == press.item) act(Action(*target.action), press.time_ns, "mouse");
+}
+
+bool ParticipantView::has_use_for(const QKeyEvent& event) const {
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  if (action_of_key(*scene_, event.key(), event.text())) return true;
+  if (!is_text_form()) return false;
+  const QString text = event.text();
+  return (!text.isEmpty() && text.front().isPrint()) || event.key() == Qt::Key_Backspace ||
+         event.key() == Qt::Key_Delete;
+}
+
+bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
+  if (!has_use_for(event)) return false;
+  std::optional<Action> action = action_of_key(*scene_, event.key(), event.text());
+  if (!action) {
+    QApplication::sendEvent(field_, &event);
+    return true;
+  }
+  // The second digit of a key of two ("12") corrects the choice that the first one made.
+  const bool is_choice = action->what == Action::What::choose && !scene_->is_assignment;
+  if (is_choice && pressed_ns - typed_ns_ < kTwoDigits_ns) {
+    const std::string both = (typed_ + event.text()).toStdString();
+    for (std::size_t i = 0; i < scene_->choices.size(); ++i) {
+      if (scene_->choices[i].key == both) action->number = static_cast<int>(i) + 1;
+    }
+  }
+  typed_ = event.text();
+  typed_ns_ = pressed_ns;
+  act(*action, pressed_ns, "keyboard");
+  return true;
+}
+
+void ParticipantView::tell(ParticipantInput input, std::int64_t time_ns, const char* source) {
+  input.time_ns = time_ns;
+  input.source = source;
+  emit acted(std::move(input));
+}
+
+void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
+                          const char* source) {
+  using Kind = ParticipantInput::Kind;
+  if (scene_->kind == Scene::Kind::form) {
+    act_on_form(action, time_ns, source);
+    return;
+  }
+  const bool pairs = scene_->kind == Scene::Kind::question && scene_->is_assignment;
+  switch (action.what) {
+    case Action::What::choose:
+      if (pairs && draft_.surface) {
+        tell({.kind = Kind::assign, .number = action.number, .surface = *draft_.surface}, time_ns,
+             source);
+      } else {
+        tell({.kind = Kind::option, .number = action.number}, time_ns, source);
+      }
+      return;
+    case Action::What::surface:
+      if (!pairs) {
+        tell({.kind = Kind::surface, .number = action.number}, time_ns, source);
+        return;
+      }
+      if (draft_.surface == action.number) {
+        draft_.surface.reset();
+      } else {
+        draft_.surface = action.number;
+      }
+      arrange();
+      return;
+    case Action::What::next:
+      if (pairs && scene_->can_switch && draft_.surface) {
+        tell({.kind = Kind::surface, .number = *draft_.surface}, time_ns, source);
+      } else {
+        tell({.kind = Kind::next}, time_ns, source);
+      }
+      return;
+    case Action::What::confirm:
+      tell({.kind = Kind::confirm}, time_ns, source);
+      return;
+    case Action::What::write:
+    case Action::What::erase:
+      return;
+  }
+}
+
+void ParticipantView::act_on_form(const ParticipantAction& action, std::int64_t time_ns,
+                                  const char* source) {
+  if (!scene_->question) return;
+  const Question& question = *scene_->question;
+  switch (action.what) {
+    case Action::What::choose:
+      if (question.optional && draft_.option == action.number) {
+        draft_.option.reset();
+      } else {
+        draft_.option = action.number;
+      }
+      arrange();
+      return;
+    case Action::What::write:
+      // A minus changes the sign, wherever it is pressed.
+      if (action.text == "-") {
+        draft_.number = draft_.number.startsWith('-') ? draft_.number.mid(1) : '-' + draft_.number;
+      } else if (draft_.number.size() < kLongestNumber &&
+                 !(action.text == "." && draft_.number.contains('.'))) {
+        draft_.number += action.text;
+      }
+      arrange();
+      return;
+    case Action::What::erase:
+      draft_.number.chop(1);
+      arrange();
+      return;
+    case Action::What::confirm: {
+      QString text{};
+      switch (question.form) {
+        case Question::Form::choice:
+          if (draft_.option &&
+              static_cast<std::size_t>(*draft_.option) <= question.options.size()) {
+            text = QString::fromStdString(
+                question.options[static_cast<std::size_t>(*draft_.option - 1)]);
+          }
+          break;
+        case Question::Form::number:
+          text = draft_.number;
+          break;
+        case Question::Form::text:
+          if (field_ != nullptr) text = field_->toPlainText().trimmed();
+          break;
+      }
+      tell({.kind = ParticipantInput::Kind::text, .text = text.toStdString()}, time_ns, source);
+      return;
+    }
+    case Action::What::surface:
+    case Action::What::next:
+      return;
+  }
+}
+
+// The text field writes the scene's answer, so its Return is the scene's; Shift+Return is a new line.
+bool ParticipantView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == field_ && event->type() == QEvent::KeyPress) {
+    auto& key = static_cast<QKeyEvent&>(*event);
+    const bool is_return = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    if (is_return && !(key.modifiers() & Qt::ShiftModifier)) {
+      if (!key.isAutoRepeat()) press(key, time_of_ns(key.timestamp()));
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace asperity

@@ -1,0 +1,137 @@
+// What the participant sees, drawn from the session's monitor, and what they do to it.
+
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QtCore/QStringList>
+#include <QtCore/QTimer>
+#include <QtWidgets/QWidget>
+
+#include "app/conductor/session_monitor.h"
+#include "app/gui/participant/event_clock.h"
+#include "app/gui/participant/participant_layout.h"
+#include "app/gui/participant/picture_shelf.h"
+
+class QInputMethodEvent;
+class QKeyEvent;
+class QPlainTextEdit;
+
+namespace asperity {
+
+/// Draws the scene of the monitor, one thing at a time. Everything in it can be done with the mouse
+/// alone and, through `ResponseKeys`, with the keyboard alone.
+///
+/// The view keeps no rules of answering: whatever is done is told by `acted`, and what does not hold
+/// is refused by the session, as a cue in the next scene. It only keeps what is not said yet: the
+/// surface picked for the next picture, the option or number of a form before it is confirmed.
+///
+/// Pictures of a scene appear together, once all are there, so that none has a start on the others;
+/// those of the whole plan are prepared when the session begins.
+///
+/// As a mirror it is the same picture, laid out for the participant's window and scaled down; it
+/// takes no input.
+class ParticipantView final : public QWidget {
+  Q_OBJECT
+ public:
+  enum class Role { participant, mirror };
+
+  /// `monitor` must outlive the view.
+  ParticipantView(const SessionMonitor& monitor, std::filesystem::path study, Role role,
+                  QWidget* parent = nullptr);
+  ~ParticipantView() override;
+
+  /// The scene of object, tool and probe, shown where a scene asks for it. Taken as a child.
+  void set_workspace(QWidget* workspace);
+  /// Of a mirror: the size of the participant's window.
+  void set_mirrored_size(QSize size);
+
+  const ParticipantScene& scene() const noexcept { return *scene_; }
+  /// The scene waits for something that the participant does.
+  bool waits() const;
+  /// Whether this key means something to the scene.
+  bool has_use_for(const QKeyEvent& event) const;
+  /// Acts on it; `pressed_ns` is on the session's clock. False where the scene has no use for it.
+  bool press(QKeyEvent& event, std::int64_t pressed_ns);
+  /// The time of an event on the session's clock.
+  std::int64_t time_of_ns(std::uint64_t stamp_ms);
+  EventClock& event_clock() noexcept { return event_clock_; }
+
+  /// Where things are now, in the widget's pixels; for tests and for people who write scripts.
+  std::vector<ParticipantItem> items() const;
+  /// Every text that the last painting drew.
+  QStringList drawn_texts() const { return drawn_texts_; }
+  /// Pictures of the scene have all been loaded.
+  bool pictures_are_there() const;
+
+ signals:
+  void acted(asperity::ParticipantInput input);
+  void scene_changed();
+  /// For the record beside notes: "picture_unreadable".
+  void remarked(const QString& kind, const QString& text);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Press {
+    std::size_t item = 0;
+    QPointF at{};
+    std::int64_t time_ns = 0;
+    bool dragging = false;
+  };
+
+  void look();
+  void arrange();
+  void prepare_pictures();
+  int side_px(double side) const;
+  QSizeF page_size() const;
+  double page_scale() const;
+  QPointF page_offset() const;
+  std::int64_t session_now_ns() const;
+  int rest_left_s() const;
+  std::optional<std::size_t> item_at(QPointF page_point) const;
+  QPointF to_page(QPointF point) const;
+  void act(const ParticipantAction& action, std::int64_t time_ns, const char* source);
+  void act_on_form(const ParticipantAction& action, std::int64_t time_ns, const char* source);
+  void tell(ParticipantInput input, std::int64_t time_ns, const char* source);
+  bool is_text_form() const;
+
+  const SessionMonitor& monitor_;
+  Role role_ = Role::participant;
+  PictureShelf shelf_;
+  EventClock event_clock_;
+  QTimer timer_{};
+  std::shared_ptr<const SessionFacts> facts_{};
+  std::shared_ptr<const ParticipantScene> scene_ = std::make_shared<const ParticipantScene>();
+  int trial_ = 0;
+  int attempt_ = 0;
+  ParticipantDraft draft_{};
+  std::vector<ParticipantItem> items_{};  ///< in page coordinates
+  QSize mirrored_size_{1366, 768};
+  QWidget* workspace_ = nullptr;
+  QPlainTextEdit* field_ = nullptr;
+  std::optional<Press> press_{};
+  QPointF pointer_{};
+  std::uint64_t cue_seen_ = 0;
+  std::chrono::steady_clock::time_point cue_until_{};
+  bool cue_shown_ = false;
+  int rest_shown_s_ = 0;
+  QString typed_{};  ///< the first digit of a key of two
+  std::int64_t typed_ns_ = 0;
+  QStringList drawn_texts_{};
+};
+
+}  // namespace asperity
+
+Q_DECLARE_METATYPE(asperity::ParticipantInput)

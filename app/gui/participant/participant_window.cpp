@@ -1,0 +1,105 @@
+#include "app/gui/participant/participant_window.h"
+
+#include <utility>
+
+#include <QtCore/QSettings>
+#include <QtGui/QCloseEvent>
+#include <QtGui/QGuiApplication>
+#include <QtGui/QScreen>
+#include <QtWidgets/QBoxLayout>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/participant/participant_painter.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kScreenKey = "participant/screen";
+
+}  // namespace
+
+ParticipantWindow::ParticipantWindow(const SessionMonitor& monitor, std::filesystem::path study,
+                                     QWidget* parent)
+    : QWidget(parent, Qt::Window | Qt::FramelessWindowHint), monitor_(monitor) {
+  setObjectName("participant_window");
+  setWindowTitle(tr("Participant"));
+  QPalette calm = palette();
+  calm.setColor(QPalette::Window, ParticipantColors{}.ground);
+  setPalette(calm);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  band_ = new ModeBand(this);
+  layout->addWidget(band_);
+  view_ = new ParticipantView(monitor, std::move(study), ParticipantView::Role::participant, this);
+  layout->addWidget(view_, 1);
+  keys_ = std::make_unique<ResponseKeys>(*view_);
+  setFocusProxy(view_);
+
+  connect(view_, &ParticipantView::acted, this, &ParticipantWindow::acted);
+  connect(view_, &ParticipantView::remarked, this, &ParticipantWindow::remarked);
+  connect(keys_.get(), &ResponseKeys::remarked, this, &ParticipantWindow::remarked);
+  connect(view_, &ParticipantView::scene_changed, this, &ParticipantWindow::follow);
+  connect(qGuiApp, &QGuiApplication::screenRemoved, this, &ParticipantWindow::leave_screen);
+  thanks_.setSingleShot(true);
+  connect(&thanks_, &QTimer::timeout, this, [this] {
+    allow_close();
+    close();
+  });
+  follow();
+}
+
+void ParticipantWindow::follow() {
+  if (const auto facts = monitor_.facts()) band_->set_mode(facts->row.mode);
+  const bool ended = view_->scene().kind == ParticipantScene::Kind::ended;
+  if (ended && !thanks_.isActive()) thanks_.start(static_cast<int>(kThanks_s * 1000.0));
+  if (!ended) thanks_.stop();
+}
+
+QString ParticipantWindow::remembered_screen() { return QSettings().value(kScreenKey).toString(); }
+
+void ParticipantWindow::open_on(const QString& screen) {
+  const QString name = screen.isEmpty() ? remembered_screen() : screen;
+  if (!name.isEmpty()) QSettings().setValue(kScreenKey, name);
+  const QList<QScreen*> screens = QGuiApplication::screens();
+  QScreen* chosen = nullptr;
+  for (QScreen* each : screens) {
+    if (each->name() == name) chosen = each;
+  }
+  if (chosen == nullptr || screens.size() < 2) {
+    stand_beside(chosen != nullptr ? *chosen : *QGuiApplication::primaryScreen());
+    return;
+  }
+  screen_name_ = chosen->name();
+  full_screen_ = true;
+  setGeometry(chosen->geometry());
+  showFullScreen();
+}
+
+void ParticipantWindow::stand_beside(QScreen& screen) {
+  screen_name_ = screen.name();
+  full_screen_ = false;
+  const QRect room = screen.availableGeometry();
+  showNormal();
+  setGeometry(room.adjusted(room.width() / 2, 0, 0, 0));
+}
+
+void ParticipantWindow::leave_screen(QScreen* screen) {
+  if (screen == nullptr || screen->name() != screen_name_ || !isVisible()) return;
+  const QString name = screen_name_;
+  QScreen* left = QGuiApplication::primaryScreen();
+  if (left != nullptr) stand_beside(*left);
+  emit screen_lost(name);
+}
+
+void ParticipantWindow::closeEvent(QCloseEvent* event) {
+  if (!may_close_) {
+    event->ignore();
+    return;
+  }
+  event->accept();
+  emit closed();
+}
+
+}  // namespace asperity

@@ -1,0 +1,71 @@
+// Brings the participant's keys to the trial, whichever window has the focus.
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include <QtCore/QObject>
+#include <QtCore/QString>
+
+class QKeyEvent;
+class QWidget;
+
+namespace asperity {
+
+class ParticipantView;
+
+/// One keyboard, two windows: while a response is open, what the scene has a use for (digits and
+/// letters of the options, Space, Return) is taken from whichever of the application's windows has
+/// the focus, and no text field gets it or any other sign that is typed.
+///
+/// Whose a key is:
+///   - the participant's window has the focus: the participant's;
+///   - a question to the experimenter is open (a modal window): the experimenter's;
+///   - a response is open: the participant's;
+///   - another scene waits for the participant: theirs, unless a text field has the focus;
+///   - otherwise the experimenter's.
+/// With a keyboard of their own (`set_own_keyboard`) or device buttons only the first holds. Function
+/// keys, Esc, Pause, Tab, arrows and whatever is pressed with Ctrl, Alt or Meta always pass.
+///
+/// One key is one answer: auto-repeat is ignored. A press is stamped and acted on at once; how long it
+/// was held follows by `remarked` ("key_released").
+class ResponseKeys final : public QObject {
+  Q_OBJECT
+ public:
+  /// Filters the events of the application while it lives. `view` must outlive it.
+  explicit ResponseKeys(ParticipantView& view, QObject* parent = nullptr);
+  ~ResponseKeys() override;
+
+  /// The participant answers by other means than the experimenter's keyboard.
+  void set_own_keyboard(bool own) { own_keyboard_ = own; }
+  bool own_keyboard() const noexcept { return own_keyboard_; }
+
+ signals:
+  /// For the session's record: "focus_changed" with who has the keyboard now ("participant",
+  /// "experimenter", "experimenter, text field", "another program"); "key_released" with the key and
+  /// the seconds that it was held.
+  void remarked(const QString& kind, const QString& text);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Held {
+    QString name{};
+    std::int64_t pressed_ns = 0;
+  };
+  bool belongs_to_participant(const QWidget& receiver) const;
+  /// What is typed by mistake while a response is open ends nowhere.
+  bool is_kept_from(const QWidget& receiver, const QKeyEvent& event) const;
+  bool pressed(QKeyEvent& event);
+  bool released(const QKeyEvent& event);
+  void focus_moved(const QWidget* now);
+
+  ParticipantView& view_;
+  bool own_keyboard_ = false;
+  std::map<int, Held> held_{};
+  QString focus_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,440 @@
+#include "app/gui/participant/participant_view.h"
+
+#include <QtCore/QRegularExpression>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QPlainTextEdit>
+#include <gtest/gtest.h>
+
+#include "app/gui/participant/response_keys.h"
+#include "renderers/servo_thread.h"
+#include "tests/gui/participant/scenes.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+using Item = ParticipantItem;
+using Kind = ParticipantInput::Kind;
+
+/// A view on a monitor that the test fills, and what was done to it.
+struct Seat {
+  scenes::PictureFolder pictures{};
+  SessionMonitor monitor{};
+  ParticipantView view{monitor, pictures.path(), ParticipantView::Role::participant};
+  ResponseKeys keys{view};
+  std::vector<ParticipantInput> inputs{};
+
+  explicit Seat(QSize size = {1366, 768}) {
+    QObject::connect(&view, &ParticipantView::acted,
+                     [this](const ParticipantInput& input) { inputs.push_back(input); });
+    view.resize(size);
+    view.show();
+  }
+  void show(const ParticipantScene& scene) {
+    monitor.show(scene);
+    const std::shared_ptr<const ParticipantScene> shown = monitor.snapshot().scene;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return &view.scene() == shown.get(); }));
+  }
+  QPoint place_of(Item::Kind kind, const QString& text_or_key) const {
+    for (const Item& item : view.items()) {
+      if (item.kind == kind && (item.text == text_or_key || item.key == text_or_key)) {
+        return item.rect.center().toPoint();
+      }
+    }
+    ADD_FAILURE() << "nothing says " << text_or_key.toStdString();
+    return {};
+  }
+  void click(Item::Kind kind, const QString& text_or_key) {
+    QTest::mouseClick(&view, Qt::LeftButton, {}, place_of(kind, text_or_key));
+  }
+  void key(Qt::Key key) { QTest::keyClick(&view, key); }
+  ParticipantInput last() const { return inputs.empty() ? ParticipantInput{} : inputs.back(); }
+};
+
+TEST(ParticipantView, TellsChoicesByMouseAndByKeyAlike) {
+  Seat seat{};
+  seat.show(scenes::recognition(6));
+  seat.click(Item::Kind::picture, "4");
+  ASSERT_EQ(seat.inputs.size(), 1U);
+  EXPECT_EQ(seat.last().kind, Kind::option);
+  EXPECT_EQ(seat.last().number, 4);
+  EXPECT_EQ(seat.last().source, "mouse");
+  seat.key(Qt::Key_2);
+  ASSERT_EQ(seat.inputs.size(), 2U);
+  EXPECT_EQ(seat.last().kind, Kind::option);
+  EXPECT_EQ(seat.last().number, 2);
+  EXPECT_EQ(seat.last().source, "keyboard");
+  seat.key(Qt::Key_0);
+  EXPECT_EQ(seat.last().number, 7);  // "I cannot tell" stands last
+  seat.key(Qt::Key_Space);
+  EXPECT_EQ(seat.last().kind, Kind::next);
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().kind, Kind::confirm);
+  seat.click(Item::Kind::control, "Feel again");
+  EXPECT_EQ(seat.last().kind, Kind::next);
+  seat.click(Item::Kind::control, "Confirm");
+  EXPECT_EQ(seat.last().kind, Kind::confirm);
+  EXPECT_EQ(seat.inputs.size(), 7U);
+}
+
+TEST(ParticipantView, TakesKeysOfTwoDigits) {
+  Seat seat{};
+  seat.show(scenes::recognition(12));
+  seat.key(Qt::Key_1);
+  EXPECT_EQ(seat.last().number, 1);
+  seat.key(Qt::Key_2);
+  EXPECT_EQ(seat.last().number, 12);
+}
+
+TEST(ParticipantView, AnswersASelectionByLetter) {
+  Seat seat{};
+  seat.show(scenes::selection(3));
+  seat.key(Qt::Key_B);
+  EXPECT_EQ(seat.last().kind, Kind::option);
+  EXPECT_EQ(seat.last().number, 2);
+  seat.click(Item::Kind::option, "C");
+  EXPECT_EQ(seat.last().number, 3);
+  seat.click(Item::Kind::option, "I cannot tell");
+  EXPECT_EQ(seat.last().number, 4);
+}
+
+TEST(ParticipantView, AssignsByClickOnASurfaceAndThenAPicture) {
+  Seat seat{};
+  seat.show(scenes::matching(4));
+  seat.click(Item::Kind::chip, "C");
+  EXPECT_TRUE(seat.inputs.empty());
+  seat.click(Item::Kind::picture, "2");
+  ASSERT_EQ(seat.inputs.size(), 1U);
+  EXPECT_EQ(seat.last().kind, Kind::assign);
+  EXPECT_EQ(seat.last().surface, 3);
+  EXPECT_EQ(seat.last().number, 2);
+}
+
+TEST(ParticipantView, AssignsByDraggingASurfaceOntoAPicture) {
+  Seat seat{};
+  seat.show(scenes::matching(4));
+  const QPoint from = seat.place_of(Item::Kind::chip, "D");
+  const QPoint onto = seat.place_of(Item::Kind::picture, "1");
+  QTest::mousePress(&seat.view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&seat.view, (from + onto) / 2);
+  QTest::mouseMove(&seat.view, onto);
+  QTest::mouseRelease(&seat.view, Qt::LeftButton, {}, onto);
+  ASSERT_EQ(seat.inputs.size(), 1U);
+  EXPECT_EQ(seat.last().kind, Kind::assign);
+  EXPECT_EQ(seat.last().surface, 4);
+  EXPECT_EQ(seat.last().number, 1);
+}
+
+TEST(ParticipantView, DropsASurfaceBesideThePicturesWithoutEffect) {
+  Seat seat{};
+  seat.show(scenes::matching(4));
+  const QPoint from = seat.place_of(Item::Kind::chip, "D");
+  QTest::mousePress(&seat.view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&seat.view, from + QPoint(60, 0));
+  QTest::mouseMove(&seat.view, QPoint(10, 10));
+  QTest::mouseRelease(&seat.view, Qt::LeftButton, {}, QPoint(10, 10));
+  EXPECT_TRUE(seat.inputs.empty());
+  seat.click(Item::Kind::picture, "1");
+  EXPECT_EQ(seat.last().kind, Kind::option);  // nor was it picked
+}
+
+TEST(ParticipantView, AssignsByKeysAlone) {
+  Seat seat{};
+  ParticipantScene scene = scenes::matching(3);
+  scene.can_switch = true;
+  seat.show(scene);
+  seat.key(Qt::Key_2);  // for the surface that is next
+  EXPECT_EQ(seat.last().kind, Kind::option);
+  EXPECT_EQ(seat.last().number, 2);
+  seat.key(Qt::Key_C);
+  seat.key(Qt::Key_1);
+  EXPECT_EQ(seat.last().kind, Kind::assign);
+  EXPECT_EQ(seat.last().surface, 3);
+  EXPECT_EQ(seat.last().number, 1);
+  seat.key(Qt::Key_Space);  // C is still picked: it is the one to be felt again
+  EXPECT_EQ(seat.last().kind, Kind::surface);
+  EXPECT_EQ(seat.last().number, 3);
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().kind, Kind::confirm);
+}
+
+TEST(ParticipantView, ForgetsThePickedSurfaceOnceItHasItsPicture) {
+  Seat seat{};
+  ParticipantScene scene = scenes::matching(3);
+  seat.show(scene);
+  seat.key(Qt::Key_C);
+  seat.key(Qt::Key_1);
+  scene.choices[0].assigned_to = "C";
+  seat.show(scene);
+  seat.key(Qt::Key_2);
+  EXPECT_EQ(seat.last().kind, Kind::option);
+}
+
+TEST(ParticipantView, AsksForMoreOrLessOfASurfaceWhileItIsFelt) {
+  Seat seat{};
+  ParticipantScene scene = scenes::feel(3);
+  scene.surfaces[0].can_go = true;
+  seat.show(scene);
+  seat.key(Qt::Key_Space);
+  EXPECT_EQ(seat.last().kind, Kind::next);
+  seat.key(Qt::Key_A);
+  EXPECT_EQ(seat.last().kind, Kind::surface);
+  EXPECT_EQ(seat.last().number, 1);
+  seat.click(Item::Kind::chip, "A");
+  EXPECT_EQ(seat.last().kind, Kind::surface);
+  seat.click(Item::Kind::control, "Space");
+  EXPECT_EQ(seat.last().kind, Kind::next);
+  // An answer before all was felt is told too: the session refuses it with a cue.
+  seat.key(Qt::Key_3);
+  EXPECT_EQ(seat.last().kind, Kind::option);
+  EXPECT_EQ(seat.inputs.size(), 5U);
+}
+
+TEST(ParticipantView, GoesOnByReturnOrClick) {
+  Seat seat{};
+  for (const ParticipantScene& scene :
+       {scenes::to_read(), scenes::mask(true), scenes::mask(false), scenes::rest(0)}) {
+    seat.inputs.clear();
+    seat.show(scene);
+    seat.key(Qt::Key_Return);
+    seat.key(Qt::Key_Enter);
+    seat.click(Item::Kind::control, "Return");
+    seat.key(Qt::Key_X);
+    seat.key(Qt::Key_Space);
+    ASSERT_EQ(seat.inputs.size(), 3U);
+    for (const ParticipantInput& input : seat.inputs) EXPECT_EQ(input.kind, Kind::confirm);
+  }
+}
+
+TEST(ParticipantView, TakesANumberByDigitsOrPad) {
+  Seat seat{};
+  seat.show(scenes::form_number());
+  seat.key(Qt::Key_4);
+  seat.key(Qt::Key_7);
+  seat.key(Qt::Key_Backspace);
+  seat.click(Item::Kind::pad, "2");
+  EXPECT_TRUE(seat.inputs.empty());
+  seat.key(Qt::Key_Return);
+  ASSERT_EQ(seat.inputs.size(), 1U);
+  EXPECT_EQ(seat.last().kind, Kind::text);
+  EXPECT_EQ(seat.last().text, "42");
+}
+
+TEST(ParticipantView, WritesNumbersWithAPointWhateverKeyWasPressed) {
+  Seat seat{};
+  ParticipantScene scene = scenes::form_number();
+  scene.question->minimum.reset();
+  seat.show(scene);
+  seat.key(Qt::Key_1);
+  seat.key(Qt::Key_Comma);
+  seat.key(Qt::Key_5);
+  seat.key(Qt::Key_Period);  // a second point has no place
+  seat.key(Qt::Key_Minus);
+  seat.click(Item::Kind::control, "Confirm");
+  EXPECT_EQ(seat.last().text, "-1.5");
+}
+
+TEST(ParticipantView, TakesAChoiceOfAFormAfterConfirmation) {
+  Seat seat{};
+  seat.show(scenes::form_choice());
+  seat.key(Qt::Key_3);
+  seat.click(Item::Kind::option, "yes");
+  EXPECT_TRUE(seat.inputs.empty());
+  seat.click(Item::Kind::control, "Confirm");
+  EXPECT_EQ(seat.last().kind, Kind::text);
+  EXPECT_EQ(seat.last().text, "yes");
+}
+
+TEST(ParticipantView, LeavesOutWhatMayBeLeftOut) {
+  Seat seat{};
+  ParticipantScene scene = scenes::form_choice();
+  scene.question->optional = true;
+  seat.show(scene);
+  seat.key(Qt::Key_1);
+  seat.key(Qt::Key_1);  // taken back
+  seat.click(Item::Kind::control, "Leave out");
+  EXPECT_EQ(seat.last().kind, Kind::text);
+  EXPECT_EQ(seat.last().text, "");
+}
+
+TEST(ParticipantView, TakesATextAndItsReturn) {
+  Seat seat{};
+  seat.show(scenes::form_text());
+  auto* field = seat.view.findChild<QPlainTextEdit*>("participant_text");
+  ASSERT_TRUE(field->isVisible());
+  QTest::keyClicks(field, "by 2 feels");
+  EXPECT_EQ(field->toPlainText(), "by 2 feels");
+  EXPECT_TRUE(seat.inputs.empty());
+  QTest::keyClick(field, Qt::Key_Return);
+  ASSERT_EQ(seat.inputs.size(), 1U);
+  EXPECT_EQ(seat.last().text, "by 2 feels");
+  seat.show(scenes::form_number());
+  EXPECT_FALSE(field->isVisible());
+}
+
+TEST(ParticipantView, KeepsWhatWasBegunThroughARefusalAndForgetsItAfter) {
+  Seat seat{};
+  ParticipantScene scene = scenes::form_number();
+  seat.show(scene);
+  seat.key(Qt::Key_9);
+  scene.cue = "A number is needed, 18 or more, 120 or less.";
+  scene.cue_number = 1;
+  seat.show(scene);
+  seat.key(Qt::Key_0);
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().text, "90");
+  ParticipantScene another = scenes::form_number();
+  another.question->name = "years_of_practice";
+  seat.show(another);
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().text, "");
+}
+
+TEST(ParticipantView, IgnoresAutoRepeat) {
+  Seat seat{};
+  seat.show(scenes::recognition(6));
+  for (const bool repeat : {false, true, true, true}) {
+    QKeyEvent press(QEvent::KeyPress, Qt::Key_1, Qt::NoModifier, "1", repeat);
+    QApplication::sendEvent(&seat.view, &press);
+  }
+  EXPECT_EQ(seat.inputs.size(), 1U);
+}
+
+TEST(ParticipantView, StampsWithTheTimeOfTheEventOnTheSessionsClock) {
+  constexpr std::int64_t kAhead_ns = 7'000'000'000'000;
+  Seat seat{};
+  seat.monitor.set_facts({.clock_ahead_ns = kAhead_ns});
+  seat.show(scenes::recognition(6));
+  seat.view.event_clock() = EventClock(EventClock::Stamps::of_window_system);
+  const auto press = [&seat](std::uint64_t stamp_ms) {
+    QKeyEvent event(QEvent::KeyPress, Qt::Key_1, Qt::NoModifier, "1");
+    event.setTimestamp(stamp_ms);
+    QApplication::sendEvent(&seat.view, &event);
+    return seat.last().time_ns;
+  };
+  const std::int64_t before_ns = monotonic_now_ns();
+  const std::int64_t prompt_ns = press(50'000);
+  const std::int64_t after_ns = monotonic_now_ns();
+  EXPECT_GE(prompt_ns, before_ns + kAhead_ns);
+  EXPECT_LE(prompt_ns, after_ns + kAhead_ns);
+  // Heard now, but its stamp is of 400 ms before the first.
+  EXPECT_EQ(press(49'600), prompt_ns - 400'000'000);
+}
+
+TEST(ParticipantView, ShowsACueForAWhile) {
+  Seat seat{};
+  ParticipantScene scene = scenes::recognition(6);
+  scene.cue = "Please choose first.";
+  scene.cue_number = 4;
+  seat.show(scene);
+  seat.view.grab();
+  EXPECT_TRUE(seat.view.drawn_texts().contains("Please choose first."));
+  // The same cue in the next scene is not a new one, and its time goes on.
+  scene.cue.clear();
+  seat.show(scene);
+  seat.view.grab();
+  EXPECT_FALSE(seat.view.drawn_texts().contains("Please choose first."));
+}
+
+TEST(ParticipantView, DrawsTheAssignedLetterOnItsPicture) {
+  Seat seat{};
+  ParticipantScene scene = scenes::matching(3);
+  scene.choices[1].assigned_to = "C";
+  seat.show(scene);
+  seat.view.grab();
+  // Once on its chip, once on the picture.
+  EXPECT_EQ(seat.view.drawn_texts().count("C"), 2);
+  EXPECT_EQ(seat.view.drawn_texts().count("A"), 1);
+}
+
+TEST(ParticipantView, ShowsPicturesTogetherOnceAllAreThere) {
+  Seat seat{};
+  ParticipantScene scene = scenes::recognition(3);
+  seat.show(scene);
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    seat.view.grab();
+    return seat.view.pictures_are_there();
+  }));
+  const QImage drawn = seat.view.grab().toImage();
+  for (const Item& item : seat.view.items()) {
+    if (item.kind != Item::Kind::picture) continue;
+    const int number = item.key.toInt();
+    const QPoint inside(static_cast<int>(item.rect.right() - item.side / 2.0),
+                        static_cast<int>(item.rect.top() + item.side / 2.0));
+    EXPECT_EQ(drawn.pixelColor(inside).rgb(), QColor::fromHsv(25 * number, 120, 160).rgb())
+        << number;
+  }
+}
+
+TEST(ParticipantView, SaysWhichPictureCannotBeReadAndShowsTheOthers) {
+  Seat seat{};
+  QStringList unreadable{};
+  QObject::connect(&seat.view, &ParticipantView::remarked,
+                   [&](const QString& kind, const QString& text) {
+                     if (kind == "picture_unreadable") unreadable.append(text);
+                   });
+  ParticipantScene scene = scenes::recognition(3);
+  scene.choices[1].picture = "pictures/none.png";
+  seat.show(scene);
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    seat.view.grab();
+    return seat.view.pictures_are_there();
+  }));
+  EXPECT_EQ(unreadable, QStringList("pictures/none.png"));
+}
+
+TEST(ParticipantView, ShowsNoFileNames) {
+  Seat seat{};
+  for (const auto& [name, scene] : scenes::all()) {
+    seat.show(scene);
+    seat.view.grab();
+    for (const QString& text : seat.view.drawn_texts()) {
+      EXPECT_FALSE(text.contains("pictures/") || text.contains(".png")) << name;
+    }
+  }
+}
+
+TEST(ParticipantView, LooksTheSameInItsMirrorAndTakesNothingThere) {
+  Seat seat({1366, 768});
+  ParticipantView mirror(seat.monitor, seat.pictures.path(), ParticipantView::Role::mirror);
+  std::vector<ParticipantInput> mirrored{};
+  QObject::connect(&mirror, &ParticipantView::acted,
+                   [&](const ParticipantInput& input) { mirrored.push_back(input); });
+  mirror.resize(683, 400);
+  mirror.show();
+  seat.show(scenes::recognition(6));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return mirror.scene().kind == ParticipantScene::Kind::question; }));
+  const std::vector<Item> large = seat.view.items();
+  const std::vector<Item> small = mirror.items();
+  ASSERT_EQ(large.size(), small.size());
+  for (std::size_t i = 0; i < large.size(); ++i) {
+    EXPECT_EQ(large[i].text, small[i].text);
+    EXPECT_NEAR(large[i].rect.left() / 2.0, small[i].rect.left(), 0.51);
+    EXPECT_NEAR(large[i].rect.top() / 2.0 + 8.0, small[i].rect.top(), 0.51);  // centred
+    EXPECT_NEAR(large[i].rect.width() / 2.0, small[i].rect.width(), 0.51);
+  }
+  seat.view.grab();
+  mirror.grab();
+  EXPECT_EQ(seat.view.drawn_texts(), mirror.drawn_texts());
+  EXPECT_TRUE(mirror.testAttribute(Qt::WA_TransparentForMouseEvents));
+  EXPECT_EQ(mirror.focusPolicy(), Qt::NoFocus);
+}
+
+TEST(ParticipantView, GivesTheWorkspaceItsPlaceWhileASurfaceIsFelt) {
+  Seat seat{};
+  auto* workspace = new QWidget();
+  seat.view.set_workspace(workspace);
+  ParticipantScene scene = scenes::feel(3);
+  scene.show_workspace = true;
+  seat.show(scene);
+  EXPECT_TRUE(workspace->isVisible());
+  EXPECT_GT(workspace->width(), 800);
+  EXPECT_TRUE(seat.view.rect().contains(workspace->geometry()));
+  seat.show(scenes::selection(3));
+  EXPECT_FALSE(workspace->isVisible());
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,76 @@
+#include "app/gui/participant/participant_window.h"
+
+#include <QtGui/QGuiApplication>
+#include <QtGui/QScreen>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <gtest/gtest.h>
+
+#include "app/gui/look/controls.h"
+#include "tests/gui/participant/scenes.h"
+
+namespace asperity {
+namespace {
+
+TEST(ParticipantWindow, CannotBeClosedByAnybodyButItsOwner) {
+  SessionMonitor monitor{};
+  ParticipantWindow window(monitor, {});
+  EXPECT_TRUE(window.windowFlags() & Qt::FramelessWindowHint);
+  window.show();
+  EXPECT_FALSE(window.close());
+  EXPECT_TRUE(window.isVisible());
+  QSignalSpy closed(&window, &ParticipantWindow::closed);
+  window.allow_close();
+  EXPECT_TRUE(window.close());
+  EXPECT_EQ(closed.count(), 1);
+}
+
+TEST(ParticipantWindow, StandsOnTheRightHalfOfTheOnlyScreen) {
+  SessionMonitor monitor{};
+  ParticipantWindow window(monitor, {});
+  const QScreen& screen = *QGuiApplication::primaryScreen();
+  window.open_on(screen.name());
+  EXPECT_FALSE(window.is_full_screen());
+  const QRect room = screen.availableGeometry();
+  EXPECT_EQ(window.geometry().left(), room.left() + room.width() / 2);
+  EXPECT_EQ(window.geometry().right(), room.right());
+  EXPECT_EQ(ParticipantWindow::remembered_screen(), screen.name());
+}
+
+TEST(ParticipantWindow, SaysWhenItsScreenIsGoneAndStaysVisible) {
+  SessionMonitor monitor{};
+  ParticipantWindow window(monitor, {});
+  QScreen* screen = QGuiApplication::primaryScreen();
+  window.open_on(screen->name());
+  QSignalSpy lost(&window, &ParticipantWindow::screen_lost);
+  emit qGuiApp->screenRemoved(screen);
+  ASSERT_EQ(lost.count(), 1);
+  EXPECT_EQ(lost.first().first().toString(), screen->name());
+  EXPECT_TRUE(window.isVisible());
+  EXPECT_FALSE(window.is_full_screen());
+}
+
+TEST(ParticipantWindow, CarriesTheBandOfAPilot) {
+  SessionMonitor monitor{};
+  SessionFacts facts{};
+  facts.row.mode = SessionMode::pilot;
+  monitor.set_facts(facts);
+  ParticipantWindow window(monitor, {});
+  window.resize(800, 600);
+  window.show();
+  const auto* band = window.findChild<ModeBand*>();
+  EXPECT_TRUE(band->isVisible());
+  EXPECT_EQ(band->geometry().top(), 0);
+}
+
+TEST(ParticipantWindow, CarriesNoBandInARun) {
+  SessionMonitor monitor{};
+  monitor.set_facts({});
+  ParticipantWindow window(monitor, {});
+  window.show();
+  EXPECT_FALSE(window.findChild<ModeBand*>()->isVisible());
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,242 @@
+#include "app/gui/participant/response_keys.h"
+
+#include <QtGui/QShortcut>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QDialog>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPlainTextEdit>
+#include <QtWidgets/QPushButton>
+#include <gtest/gtest.h>
+
+#include "app/gui/participant/participant_window.h"
+#include "tests/gui/participant/scenes.h"
+
+namespace asperity {
+namespace {
+
+using Kind = ParticipantInput::Kind;
+
+/// The participant's window, and an experimenter's with a note in it that has the focus.
+struct Desk {
+  scenes::PictureFolder pictures{};
+  SessionMonitor monitor{};
+  ParticipantWindow window{monitor, pictures.path()};
+  std::vector<ParticipantInput> inputs{};
+  std::vector<std::pair<QString, QString>> remarks{};
+  QWidget experimenter{};
+  QLineEdit* note = new QLineEdit(&experimenter);
+  QPlainTextEdit* long_note = new QPlainTextEdit(&experimenter);
+  QPushButton* button = new QPushButton("Pause", &experimenter);
+  int pressed = 0;
+
+  Desk() {
+    QObject::connect(&window, &ParticipantWindow::acted,
+                     [this](const ParticipantInput& input) { inputs.push_back(input); });
+    QObject::connect(
+        &window, &ParticipantWindow::remarked,
+        [this](const QString& kind, const QString& text) { remarks.emplace_back(kind, text); });
+    QObject::connect(button, &QPushButton::clicked, [this] { ++pressed; });
+    auto* layout = new QVBoxLayout(&experimenter);
+    layout->addWidget(note);
+    layout->addWidget(long_note);
+    layout->addWidget(button);
+    window.resize(800, 600);
+    window.show();
+    experimenter.show();
+    focus(note);
+  }
+  void show(const ParticipantScene& scene) {
+    monitor.show(scene);
+    const std::shared_ptr<const ParticipantScene> shown = monitor.snapshot().scene;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return &window.view().scene() == shown.get(); }));
+  }
+  void focus(QWidget* widget) {
+    widget->window()->activateWindow();
+    widget->setFocus();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::focusWidget() == widget; }));
+  }
+  /// As the keyboard does it: to whoever has the focus.
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+  }
+};
+
+TEST(ResponseKeys, AnswersFromAFocusedNoteAndLeavesTheNoteUnchanged) {
+  Desk desk{};
+  desk.note->setText("began 10:04");
+  desk.show(scenes::recognition(6));
+  desk.key(Qt::Key_3);
+  desk.key(Qt::Key_Space);
+  desk.key(Qt::Key_Return);
+  ASSERT_EQ(desk.inputs.size(), 3U);
+  EXPECT_EQ(desk.inputs[0].kind, Kind::option);
+  EXPECT_EQ(desk.inputs[0].number, 3);
+  EXPECT_EQ(desk.inputs[1].kind, Kind::next);
+  EXPECT_EQ(desk.inputs[2].kind, Kind::confirm);
+  EXPECT_EQ(desk.note->text(), "began 10:04");
+  desk.focus(desk.long_note);
+  desk.key(Qt::Key_5);
+  EXPECT_EQ(desk.inputs.size(), 4U);
+  EXPECT_EQ(desk.long_note->toPlainText(), "");
+}
+
+TEST(ResponseKeys, LetsNothingElseBeTypedWhileAResponseIsOpen) {
+  Desk desk{};
+  desk.note->setText("note");
+  desk.show(scenes::recognition(6));
+  desk.key(Qt::Key_9);  // there are six
+  desk.key(Qt::Key_Q);
+  desk.key(Qt::Key_Backspace);
+  EXPECT_TRUE(desk.inputs.empty());
+  EXPECT_EQ(desk.note->text(), "note");
+}
+
+TEST(ResponseKeys, PressesNoButtonOfTheExperimenterWhileAResponseIsOpen) {
+  Desk desk{};
+  desk.show(scenes::recognition(6));
+  desk.focus(desk.button);
+  desk.key(Qt::Key_Space);
+  EXPECT_EQ(desk.pressed, 0);
+  ASSERT_EQ(desk.inputs.size(), 1U);
+  EXPECT_EQ(desk.inputs[0].kind, Kind::next);
+}
+
+TEST(ResponseKeys, LeavesTheNoteItsKeysOutsideResponses) {
+  Desk desk{};
+  int returns = 0;
+  QObject::connect(desk.note, &QLineEdit::returnPressed, [&] { ++returns; });
+  desk.show(scenes::to_read());
+  QTest::keyClicks(desk.note, "slow 1");
+  desk.key(Qt::Key_Return);
+  EXPECT_EQ(desk.note->text(), "slow 1");
+  EXPECT_EQ(returns, 1);
+  EXPECT_TRUE(desk.inputs.empty());
+}
+
+TEST(ResponseKeys, GoesOnFromTheExperimentersWindowWhenNoTextFieldHasTheFocus) {
+  Desk desk{};
+  desk.show(scenes::to_read());
+  desk.focus(desk.button);
+  desk.key(Qt::Key_Return);
+  ASSERT_EQ(desk.inputs.size(), 1U);
+  EXPECT_EQ(desk.inputs[0].kind, Kind::confirm);
+  desk.show(scenes::form_text());
+  QTest::keyClicks(desk.button, "rough");
+  desk.key(Qt::Key_Return);
+  ASSERT_EQ(desk.inputs.size(), 2U);
+  EXPECT_EQ(desk.inputs[1].text, "rough");
+  EXPECT_EQ(desk.pressed, 0);
+}
+
+TEST(ResponseKeys, LeavesEverythingToTheExperimenterBetweenScenesThatWait) {
+  Desk desk{};
+  desk.show(ParticipantScene{});
+  desk.focus(desk.button);
+  desk.key(Qt::Key_Space);
+  EXPECT_EQ(desk.pressed, 1);
+  EXPECT_TRUE(desk.inputs.empty());
+}
+
+TEST(ResponseKeys, LetsTheExperimentersKeysPass) {
+  Desk desk{};
+  int stops = 0;
+  int notes = 0;
+  int pauses = 0;
+  QShortcut stop(QKeySequence(Qt::Key_F7), &desk.experimenter, [&] { ++stops; });
+  QShortcut repeat(QKeySequence(Qt::CTRL | Qt::Key_1), &desk.experimenter, [&] { ++notes; });
+  QShortcut pause(QKeySequence(Qt::Key_Escape), &desk.experimenter, [&] { ++pauses; });
+  desk.show(scenes::recognition(6));
+  desk.key(Qt::Key_F7);
+  desk.key(Qt::Key_1, Qt::ControlModifier);
+  desk.key(Qt::Key_Escape);
+  EXPECT_EQ(stops, 1);
+  EXPECT_EQ(notes, 1);
+  EXPECT_EQ(pauses, 1);
+  EXPECT_TRUE(desk.inputs.empty());
+}
+
+TEST(ResponseKeys, IsNotRobbedByAShortcut) {
+  Desk desk{};
+  int robbed = 0;
+  QShortcut space(QKeySequence(Qt::Key_Space), &desk.experimenter, [&] { ++robbed; });
+  desk.show(scenes::recognition(6));
+  desk.focus(desk.button);
+  desk.key(Qt::Key_Space);
+  EXPECT_EQ(robbed, 0);
+  EXPECT_EQ(desk.inputs.size(), 1U);
+}
+
+TEST(ResponseKeys, LeavesAQuestionToTheExperimenterItsKeys) {
+  Desk desk{};
+  desk.show(scenes::recognition(6));
+  QDialog reason(&desk.experimenter);
+  QLineEdit field(&reason);
+  reason.open();
+  desk.focus(&field);
+  QTest::keyClicks(&field, "12 min late");
+  EXPECT_EQ(field.text(), "12 min late");
+  EXPECT_TRUE(desk.inputs.empty());
+}
+
+TEST(ResponseKeys, TakesOnlyTheParticipantsWindowWithAKeyboardOfTheirOwn) {
+  Desk desk{};
+  desk.window.keys().set_own_keyboard(true);
+  desk.show(scenes::recognition(6));
+  desk.key(Qt::Key_3);
+  EXPECT_EQ(desk.note->text(), "3");
+  EXPECT_TRUE(desk.inputs.empty());
+  desk.focus(&desk.window.view());
+  desk.key(Qt::Key_3);
+  EXPECT_EQ(desk.inputs.size(), 1U);
+}
+
+TEST(ResponseKeys, TakesWhatAnInputMethodWouldWriteForAKey) {
+  Desk desk{};
+  desk.show(scenes::recognition(6));
+  QInputMethodEvent written{};
+  written.setCommitString("4");
+  QApplication::sendEvent(desk.note, &written);
+  EXPECT_EQ(desk.note->text(), "");
+  ASSERT_EQ(desk.inputs.size(), 1U);
+  EXPECT_EQ(desk.inputs[0].number, 4);
+}
+
+TEST(ResponseKeys, RemarksHowLongAKeyWasHeld) {
+  Desk desk{};
+  desk.show(scenes::recognition(6));
+  desk.window.view().event_clock() = EventClock(EventClock::Stamps::of_window_system);
+  desk.remarks.clear();
+  QKeyEvent press(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier, "2");
+  press.setTimestamp(9000);
+  QApplication::sendEvent(desk.note, &press);
+  // The release is in the future of this test: only differences of stamps count, so let the press
+  // have been heard late.
+  QTest::qWait(5);
+  QKeyEvent release(QEvent::KeyRelease, Qt::Key_2, Qt::NoModifier, "2");
+  release.setTimestamp(9001);
+  QApplication::sendEvent(desk.note, &release);
+  ASSERT_EQ(desk.remarks.size(), 1U);
+  EXPECT_EQ(desk.remarks[0].first, "key_released");
+  EXPECT_EQ(desk.remarks[0].second, "2 0.001");
+}
+
+TEST(ResponseKeys, RemarksWhoHasTheKeyboard) {
+  Desk desk{};
+  desk.remarks.clear();
+  desk.focus(desk.button);
+  desk.focus(&desk.window.view());
+  desk.focus(desk.note);
+  ASSERT_GE(desk.remarks.size(), 3U);
+  std::vector<QString> texts{};
+  for (const auto& [kind, text] : desk.remarks) {
+    EXPECT_EQ(kind, "focus_changed");
+    if (text != "another program") texts.push_back(text);
+  }
+  EXPECT_EQ(texts,
+            (std::vector<QString>{"experimenter", "participant", "experimenter, text field"}));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,205 @@
+#include "tests/gui/participant/scenes.h"
+
+#include <QtCore/QDir>
+#include <QtGui/QImage>
+
+namespace asperity::scenes {
+
+namespace {
+
+ParticipantScene in_block(ParticipantScene::Kind kind, const std::string& text) {
+  ParticipantScene scene{};
+  scene.kind = kind;
+  scene.text = text;
+  scene.block = 3;
+  scene.blocks = 6;
+  return scene;
+}
+
+std::string picture(int number) { return "pictures/" + std::to_string(number) + ".png"; }
+
+std::vector<ParticipantScene::Surface> surfaces(int count) {
+  std::vector<ParticipantScene::Surface> all{};
+  for (int i = 0; i < count; ++i) {
+    all.push_back({.code = std::string(1, static_cast<char>('A' + i)), .felt = true});
+  }
+  return all;
+}
+
+ParticipantScene of_question(const Question& question) {
+  ParticipantScene scene = in_block(ParticipantScene::Kind::form, question.prompt);
+  scene.block = 0;
+  scene.question = question;
+  return scene;
+}
+
+}  // namespace
+
+ParticipantScene to_read() {
+  ParticipantScene scene = in_block(
+      ParticipantScene::Kind::text,
+      "You will see the picture of a material and feel three surfaces, A, B and C. Stroke each one "
+      "to and fro, from left to right, as lightly as you would stroke a table. You may go back to "
+      "each as often as you like. Then choose the one that felt most like the material in the "
+      "picture. There is no right or wrong; we would like to know what you feel. If you cannot "
+      "tell, say so.");
+  scene.block = 0;
+  return scene;
+}
+
+ParticipantScene feel(int count) {
+  ParticipantScene scene = in_block(ParticipantScene::Kind::feel, "Feel surface B now.");
+  scene.surfaces = surfaces(count);
+  for (std::size_t i = 1; i < scene.surfaces.size(); ++i) scene.surfaces[i].felt = false;
+  if (count > 1) scene.surfaces[1].now = true;
+  if (count == 1) {
+    scene.text = "Feel surface A now.";
+    scene.surfaces[0].now = true;
+  }
+  return scene;
+}
+
+ParticipantScene recognition(int count) {
+  ParticipantScene scene =
+      in_block(ParticipantScene::Kind::question, "Which of these materials did you feel?");
+  scene.surfaces = surfaces(1);
+  for (int i = 1; i <= count; ++i) {
+    scene.choices.push_back({.key = std::to_string(i), .picture = picture(i)});
+  }
+  scene.choices.push_back({.key = "0", .text = "I cannot tell"});
+  scene.can_switch = true;
+  scene.surfaces[0].can_go = true;
+  scene.response_open = true;
+  return scene;
+}
+
+ParticipantScene matching(int count) {
+  ParticipantScene scene =
+      in_block(ParticipantScene::Kind::question, "Which picture belongs to which surface?");
+  scene.surfaces = surfaces(count);
+  for (int i = 1; i <= count; ++i) {
+    scene.choices.push_back({.key = std::to_string(i), .picture = picture(i)});
+  }
+  scene.is_assignment = true;
+  scene.assigning = 0;
+  scene.response_open = true;
+  return scene;
+}
+
+ParticipantScene selection(int count) {
+  ParticipantScene scene = in_block(ParticipantScene::Kind::question,
+                                    "Which surface felt most like the material in the picture?");
+  scene.surfaces = surfaces(count);
+  for (const ParticipantScene::Surface& surface : scene.surfaces) {
+    scene.choices.push_back({.key = surface.code});
+  }
+  scene.choices.push_back({.key = "0", .text = "I cannot tell"});
+  scene.standard_picture = picture(1);
+  scene.can_switch = true;
+  scene.response_open = true;
+  return scene;
+}
+
+ParticipantScene form_choice() {
+  return of_question({.name = "hand_problems",
+                      .prompt = "Do you have any trouble with your sense of touch, or with the "
+                                "hand or arm that you will use (for example numbness, pain or an "
+                                "injury)?",
+                      .form = Question::Form::choice,
+                      .options = {"no", "yes", "I would rather not say"}});
+}
+
+ParticipantScene form_number() {
+  return of_question({.name = "age",
+                      .prompt = "How old are you, in years?",
+                      .form = Question::Form::number,
+                      .minimum = 18.0,
+                      .maximum = 120.0});
+}
+
+ParticipantScene form_text() {
+  return of_question({.name = "remarks",
+                      .prompt = "Is there anything else that we should know?",
+                      .form = Question::Form::text,
+                      .optional = true});
+}
+
+ParticipantScene rest(std::int64_t until_ns) {
+  ParticipantScene scene =
+      in_block(ParticipantScene::Kind::rest,
+               "Please let go of the handle and rest your hand. Shake it out if you like. We will "
+               "go on when you are ready.");
+  scene.rest_until_ns = until_ns;
+  return scene;
+}
+
+ParticipantScene mask(bool on) {
+  return in_block(on ? ParticipantScene::Kind::mask_on : ParticipantScene::Kind::mask_off,
+                  on ? "Please put on the eye mask." : "Please take off the eye mask.");
+}
+
+std::vector<std::pair<std::string, ParticipantScene>> all() {
+  std::vector<std::pair<std::string, ParticipantScene>> scenes{};
+  scenes.emplace_back("blank", ParticipantScene{});
+  scenes.emplace_back("text", to_read());
+  scenes.emplace_back("feel", feel(4));
+  ParticipantScene with_pictures = feel(1);
+  with_pictures.choices = recognition(6).choices;
+  scenes.emplace_back("feel-pictures", with_pictures);
+  ParticipantScene with_standard = feel(3);
+  with_standard.standard_picture = picture(1);
+  scenes.emplace_back("feel-standard", with_standard);
+  ParticipantScene with_workspace = feel(3);
+  with_workspace.show_workspace = true;
+  scenes.emplace_back("feel-workspace", with_workspace);
+  ParticipantScene recognised = recognition(6);
+  recognised.choices[3].chosen = true;
+  recognised.can_confirm = true;
+  scenes.emplace_back("recognition", recognised);
+  ParticipantScene many = recognition(12);
+  many.cue = "Please choose first.";
+  many.cue_number = 1;
+  scenes.emplace_back("recognition-12", many);
+  ParticipantScene matched = matching(4);
+  matched.choices[2].assigned_to = "A";
+  matched.choices[0].assigned_to = "B";
+  matched.assigning = 2;
+  matched.can_switch = true;
+  matched.cue = "Please give surface C a picture first.";
+  matched.cue_number = 1;
+  scenes.emplace_back("matching", matched);
+  ParticipantScene selected = selection(3);
+  selected.choices[1].chosen = true;
+  selected.can_confirm = true;
+  scenes.emplace_back("selection", selected);
+  ParticipantScene from_memory = selection(6);
+  from_memory.standard_picture.reset();
+  scenes.emplace_back("selection-memory", from_memory);
+  ParticipantScene feedback = in_block(ParticipantScene::Kind::feedback, "That was picture 4.");
+  scenes.emplace_back("feedback", feedback);
+  scenes.emplace_back("rest", rest(0));
+  scenes.emplace_back("form-choice", form_choice());
+  scenes.emplace_back("form-number", form_number());
+  ParticipantScene signed_number = form_number();
+  signed_number.question->minimum.reset();
+  scenes.emplace_back("form-number-signed", signed_number);
+  scenes.emplace_back("form-text", form_text());
+  scenes.emplace_back("mask-on", mask(true));
+  scenes.emplace_back("mask-off", mask(false));
+  scenes.emplace_back("paused", in_block(ParticipantScene::Kind::paused, ""));
+  ParticipantScene ended = in_block(ParticipantScene::Kind::ended, "");
+  ended.block = 0;
+  scenes.emplace_back("ended", ended);
+  return scenes;
+}
+
+PictureFolder::PictureFolder() {
+  QDir(folder_.path()).mkdir("pictures");
+  for (int i = 1; i <= 12; ++i) {
+    QImage image(120 + 10 * i, 160, QImage::Format_RGB32);
+    image.fill(QColor::fromHsv(25 * i, 120, 160));
+    image.save(folder_.filePath(QString("pictures/%1.png").arg(i)));
+  }
+}
+
+}  // namespace asperity::scenes

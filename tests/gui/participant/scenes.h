@@ -1,0 +1,42 @@
+// Scenes made by hand, and a folder of pictures for them.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <QtCore/QTemporaryDir>
+
+#include "app/conductor/participant_scene.h"
+
+namespace asperity::scenes {
+
+ParticipantScene to_read();
+ParticipantScene feel(int surfaces);
+/// Recognition: `count` pictures.
+ParticipantScene recognition(int count);
+/// Matching: as many pictures as surfaces.
+ParticipantScene matching(int count);
+/// Selection: letters and "I cannot tell", with the picture of the material.
+ParticipantScene selection(int count);
+ParticipantScene form_choice();
+ParticipantScene form_number();
+ParticipantScene form_text();
+ParticipantScene rest(std::int64_t until_ns);
+ParticipantScene mask(bool on);
+/// Each kind once and in its fullest state, by name.
+std::vector<std::pair<std::string, ParticipantScene>> all();
+
+/// A folder with the pictures "pictures/1.png" … of these scenes.
+class PictureFolder final {
+ public:
+  PictureFolder();
+  std::filesystem::path path() const { return folder_.path().toStdString(); }
+
+ private:
+  QTemporaryDir folder_{};
+};
+
+}  // namespace asperity::scenes
