@@ -65,6 +65,8 @@ class Meaning final {
   }
 
   void check_head();
+  void check_senses();
+  void check_blindfold();
   void check_textures();
   void check_path(const std::optional<std::string>& path, const std::string& pointer);
   void check_factors();

@@ -32,16 +32,17 @@ std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& fil
   for (const auto& [name, texture] : protocol.textures) {
     const std::string place = pointer_to("/textures", name);
     const auto add = [&](const std::optional<std::string>& path, const char* key,
-                         bool is_height_field) {
+                         NamedFile::Kind kind) {
       if (!path) return;
-      files.push_back({*path, document.at(pointer_to(place, key), ""), is_height_field});
+      files.push_back({*path, document.at(pointer_to(place, key), ""), kind});
     };
-    add(texture.height_field, "height_field", true);
-    add(texture.picture, "picture", false);
-    add(texture.true_height_field, "true_height_field", true);
+    add(texture.height_field, "height_field", NamedFile::Kind::height_field);
+    add(texture.picture, "picture", NamedFile::Kind::picture);
+    add(texture.true_height_field, "true_height_field", NamedFile::Kind::height_field);
   }
   for (const auto& [cue, path] : protocol.speech) {
-    files.push_back({path, document.at(pointer_to("/environment/speech", cue), ""), false});
+    files.push_back(
+        {path, document.at(pointer_to("/environment/speech", cue), ""), NamedFile::Kind::speech});
   }
   return files;
 }

@@ -31,7 +31,8 @@ Protocol read_protocol(std::string_view text, const std::string& file_name,
 struct NamedFile {
   std::string path{};  ///< study-relative
   Diagnostic place{};  ///< filled but for its message
-  bool is_height_field = false;
+  enum class Kind { height_field, picture, speech };
+  Kind kind = Kind::picture;
 };
 std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name);
 

@@ -23,17 +23,6 @@ void Meaning::check_head() {
            "two edges of " + digits(patch.edge_width_m) + " m leave nothing of a patch of " +
                digits(patch.extent_m.x) + " m by " + digits(patch.extent_m.y) + " m");
   }
-  const auto& root = document_.root();
-  if (root.contains("environment") && root.at("environment").contains("masking_noise")) {
-    const auto& noise = root.at("environment").at("masking_noise");
-    const bool is_none = noise.at("kind") == "none";
-    if (is_none && noise.contains("level_dBA")) {
-      report_key("/environment/masking_noise/level_dBA", "no noise has no level");
-    }
-    if (!is_none && !noise.contains("level_dBA")) {
-      report("/environment/masking_noise", "masking noise has to state its \"level_dBA\"");
-    }
-  }
 }
 
 void Meaning::check_path(const std::optional<std::string>& path, const std::string& pointer) {

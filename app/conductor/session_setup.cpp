@@ -81,7 +81,7 @@ std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
   std::set<std::string> paths{};
   for (const NamedFile& file : files_of(protocol, protocol.name)) {
     paths.insert(file.path);
-    if (file.is_height_field) paths.insert(file.path + ".json");
+    if (file.kind == NamedFile::Kind::height_field) paths.insert(file.path + ".json");
   }
   std::vector<StimulusFileRow> rows{};
   std::string missing{};

@@ -33,12 +33,17 @@ bool lies_in(const std::filesystem::path& study, const std::filesystem::path& fi
   return !relative.empty() && *relative.begin() != "..";
 }
 
+/// Whether the content begins as a WAV file does. How it is coded matters to who plays it.
+bool is_wav(const std::string& content) {
+  return content.starts_with("RIFF") && content.size() > 12 && content.compare(8, 4, "WAVE") == 0;
+}
+
 /// Why a file that a protocol names cannot be used; nothing when it can.
 std::optional<std::string> complaint_about_file(const NamedFile& named,
                                                 const std::filesystem::path& study,
                                                 StimulusBuilder& builder) {
   std::vector<std::string> paths{named.path};
-  if (named.is_height_field) paths.push_back(named.path + ".json");
+  if (named.kind == NamedFile::Kind::height_field) paths.push_back(named.path + ".json");
   for (const std::string& path : paths) {
     if (!std::filesystem::is_regular_file(study / path)) {
       return "the file " + path + " is not in the study " + study.string();
@@ -50,11 +55,20 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
     }
   }
   try {
-    if (named.is_height_field) {
-      builder.height_field(named.path);
-    } else {
-      const std::string content = read_file(study / named.path);
-      inspect_picture(std::as_bytes(std::span(content)), (study / named.path).string());
+    switch (named.kind) {
+      case NamedFile::Kind::height_field:
+        builder.height_field(named.path);
+        break;
+      case NamedFile::Kind::picture: {
+        const std::string content = read_file(study / named.path);
+        inspect_picture(std::as_bytes(std::span(content)), (study / named.path).string());
+        break;
+      }
+      case NamedFile::Kind::speech:
+        if (!is_wav(read_file(study / named.path))) {
+          return "the file " + named.path + " is no WAV file, as recorded speech has to be";
+        }
+        break;
     }
   } catch (const std::exception& error) {
     return error.what();

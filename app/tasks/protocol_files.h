@@ -28,7 +28,7 @@ Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& m
 /// The same for a protocol that is about to run: the files that it names are looked at as well.
 ///
 /// Errors: ProtocolError with every file that is not there, not in the study (a link may lead out
-/// of it), no height field or no picture; otherwise as above.
+/// of it), no height field, no picture or no WAV; otherwise as above.
 Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
                               StimulusBuilder& builder);
 

@@ -2,6 +2,9 @@
 
 #include "protocols/protocol_reader.h"
 
+#include <algorithm>
+#include <set>
+
 #include "protocols/plan.h"
 #include "tests/protocols/example.h"
 
@@ -20,6 +23,54 @@ TEST(ProtocolReader, ReadsAMinimalSelection) {
   } catch (const ProtocolError& error) {
     FAIL() << error.what();
   }
+}
+
+Protocol with_environment(const std::string& environment) {
+  std::string text = test::example_selection();
+  text.insert(text.find("\"device\""), "\"environment\": " + environment + ", ");
+  try {
+    return read_protocol(text, "example.json", test::example_models());
+  } catch (const ProtocolError& error) {
+    ADD_FAILURE() << error.what();
+    return {};
+  }
+}
+
+TEST(ProtocolReader, ReadsWhatParticipantsSeeAndHear) {
+  const Protocol protocol = with_environment(
+      R"({"vision": "hand_occluded", "scene": {"visual_texture": "neutral"},
+          "masking_noise": {"kind": "white", "level_dBA": 62.5},
+          "speech": {"surface_1": "speech/a.wav", "question": "speech/which.wav"}})");
+  EXPECT_EQ(protocol.vision, Vision::hand_occluded);
+  EXPECT_EQ(protocol.scene, VisualTexture::neutral);
+  EXPECT_EQ(protocol.masking_noise.kind, Protocol::Noise::Kind::white);
+  EXPECT_EQ(protocol.masking_noise.level_dBA, 62.5);
+  EXPECT_EQ(protocol.speech.at("question"), "speech/which.wav");
+}
+
+TEST(ProtocolReader, ShowsNoSceneAndPlaysNoNoiseUnlessAsked) {
+  const Protocol protocol =
+      read_protocol(test::example_selection(), "example.json", test::example_models());
+  EXPECT_EQ(protocol.vision, Vision::free);
+  EXPECT_FALSE(protocol.scene);
+  EXPECT_EQ(protocol.masking_noise.kind, Protocol::Noise::Kind::none);
+  EXPECT_FALSE(protocol.masking_noise.level_dBA);
+  EXPECT_TRUE(protocol.speech.empty());
+}
+
+TEST(ProtocolReader, CountsRecordedSpeechAmongTheFilesOfAProtocol) {
+  const Protocol protocol = with_environment(R"({"speech": {"surface_1": "speech/a.wav"}})");
+  const std::vector<NamedFile> files = files_of(protocol, "example.json");
+  ASSERT_EQ(files.size(), 5U);
+  EXPECT_EQ(files.back().path, "speech/a.wav");
+  EXPECT_EQ(files.back().kind, NamedFile::Kind::speech);
+  EXPECT_EQ(files.back().place.pointer, "/environment/speech/surface_1");
+}
+
+TEST(SpeechCues, AreTextsThatTellThemApart) {
+  const std::vector<std::string> cues = speech_cues();
+  EXPECT_EQ(std::set<std::string>(cues.begin(), cues.end()).size(), cues.size());
+  EXPECT_NE(std::find(cues.begin(), cues.end(), "option_26"), cues.end());
 }
 
 }  // namespace
