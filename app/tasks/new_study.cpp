@@ -82,7 +82,10 @@ void new_demo_study(const std::filesystem::path& folder,
                     const std::function<void(double)>& progress) {
   new_study(folder);
   for (const LibraryProtocol& protocol : library_protocols()) {
-    if (!protocol.name.starts_with("chapter_")) continue;
+    // What the demo data come from, and a session that shows what goes without sight.
+    if (!protocol.name.starts_with("chapter_") && protocol.name != "improved_selection_blindfold") {
+      continue;
+    }
     write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,
                Overwrite::refuse);
   }
