@@ -1,0 +1,224 @@
+// What a participant sees of the workspace, and what the picture must not tell.
+
+#include "app/gui/participant/workspace_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <vector>
+
+#include <QtCore/QElapsedTimer>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <gtest/gtest.h>
+
+#include "app/gui/look/theme.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+/// Waves 4 mm long in x and 7 mm in y, with an amplitude of 40 µm unless told otherwise.
+std::shared_ptr<const HeightField> waves(double amplitude_m = 40e-6, double length_m = 0.004) {
+  const HeightField::Grid grid{.rows = 500, .columns = 500, .pitch_m = 0.0002};
+  std::vector<float> heights_m(grid.rows * grid.columns);
+  for (std::size_t i = 0; i < heights_m.size(); ++i) {
+    const double x_m = static_cast<double>(i % grid.columns) * grid.pitch_m;
+    const double y_m = static_cast<double>(i / grid.columns) * grid.pitch_m;
+    heights_m[i] = static_cast<float>(
+        amplitude_m * (std::sin(2.0 * std::numbers::pi * x_m / length_m) +
+                       0.5 * std::sin(2.0 * std::numbers::pi * (y_m / 0.007 + 3.0 * x_m))));
+  }
+  return std::make_shared<const HeightField>(grid, std::move(heights_m));
+}
+
+QImage seen(const SurfacePatch& patch, std::shared_ptr<const HeightField> relief,
+            SurfaceLook look) {
+  WorkspaceView view{};
+  view.resize(480, 270);
+  view.set_object(patch, std::move(relief), look);
+  EXPECT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  return view.grab().toImage();
+}
+
+/// Pixels that differ between two pictures, and where.
+struct Difference {
+  int pixels = 0;
+  double mean_column = 0.0;
+};
+Difference difference(const QImage& one, const QImage& other) {
+  Difference found{};
+  for (int row = 0; row < one.height(); ++row) {
+    for (int column = 0; column < one.width(); ++column) {
+      if (one.pixel(column, row) == other.pixel(column, row)) continue;
+      ++found.pixels;
+      found.mean_column += column;
+    }
+  }
+  if (found.pixels > 0) found.mean_column /= found.pixels;
+  return found;
+}
+
+TEST(WorkspaceCamera, FitsTheObjectIntoThePictureAndFindsItsPointsAgain) {
+  SurfacePatch patch{};
+  patch.centre_m = {0.02, -0.01, 0.05};
+  patch.extent_m = {0.12, 0.08};
+  const WorkspaceCamera camera(patch, {1280, 720});
+  for (const double x_m : {-0.06, 0.0, 0.06}) {
+    for (const double y_m : {-0.04, 0.0, 0.04}) {
+      const glm::dvec3 place{x_m, y_m, 0.0};
+      const QPointF pixel = camera.project(patch.centre_m + place);
+      EXPECT_TRUE(QRectF(0, 0, 1280, 720).contains(pixel));
+      const glm::dvec3 again = camera.point_at(pixel, 0.0);
+      EXPECT_NEAR(again.x, x_m, 1e-9);
+      EXPECT_NEAR(again.y, y_m, 1e-9);
+    }
+  }
+  // Right is right, away is up, near is large.
+  const auto at = [&](double x_m, double y_m, double z_m) {
+    return camera.project(patch.centre_m + glm::dvec3{x_m, y_m, z_m});
+  };
+  EXPECT_GT(at(0.01, 0.0, 0.0).x(), at(0.0, 0.0, 0.0).x());
+  EXPECT_NEAR(at(0.0, 0.02, 0.0).x(), 640.0, 1e-3);
+  EXPECT_LT(at(0.0, 0.02, 0.0).y(), at(0.0, 0.0, 0.0).y());
+  EXPECT_LT(at(0.0, 0.0, 0.02).y(), at(0.0, 0.0, 0.0).y());
+  EXPECT_GT(at(0.06, -0.04, 0.0).x(), at(0.06, 0.04, 0.0).x());
+}
+
+TEST(WorkspaceView, ShowsTheReliefOnlyWhereItIsToBeSeen) {
+  const SurfacePatch patch{};
+  const QImage relief = seen(patch, waves(), SurfaceLook::relief);
+  const QImage plain = seen(patch, waves(), SurfaceLook::plain);
+  const QImage pattern = seen(patch, waves(), SurfaceLook::pattern);
+  EXPECT_GT(difference(relief, plain).pixels, 20000);
+  EXPECT_GT(difference(pattern, plain).pixels, 100);
+  // A texture that is not to be seen leaves no trace in the picture.
+  EXPECT_EQ(difference(seen(patch, waves(40e-6, 0.011), SurfaceLook::plain), plain).pixels, 0);
+  EXPECT_EQ(difference(seen(patch, waves(40e-6, 0.011), SurfaceLook::pattern), pattern).pixels, 0);
+  EXPECT_GT(difference(seen(patch, waves(40e-6, 0.011), SurfaceLook::relief), relief).pixels,
+            20000);
+}
+
+// How high a relief is would be told by its contrast; only its shape is.
+TEST(WorkspaceView, ReliefsOfOneShapeLookAlikeWhateverTheirAmplitude) {
+  const QImage low = seen({}, waves(20e-6), SurfaceLook::relief);
+  const QImage high = seen({}, waves(200e-6), SurfaceLook::relief);
+  int most = 0;
+  for (int row = 0; row < low.height(); ++row) {
+    for (int column = 0; column < low.width(); ++column) {
+      most =
+          std::max(most, std::abs(qGray(low.pixel(column, row)) - qGray(high.pixel(column, row))));
+    }
+  }
+  EXPECT_LE(most, 2);
+}
+
+TEST(WorkspaceView, ANewObjectIsNeverSeenWithTheOldTexture) {
+  WorkspaceView view{};
+  view.resize(480, 270);
+  view.set_object({}, waves(), SurfaceLook::relief);
+  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  view.set_object({}, nullptr, SurfaceLook::plain);
+  EXPECT_FALSE(view.is_drawn());
+  // The slab's middle is even at once.
+  const QImage now = view.grab().toImage();
+  int darkest = 255, brightest = 0;
+  for (int column = 200; column < 280; ++column) {
+    const int grey = qGray(now.pixel(column, 140));
+    darkest = std::min(darkest, grey);
+    brightest = std::max(brightest, grey);
+  }
+  EXPECT_LE(brightest - darkest, 2);
+}
+
+TEST(WorkspaceView, TheToolStandsWhereTheProbeIs) {
+  WorkspaceView view{};
+  view.resize(480, 270);
+  view.set_object({}, nullptr, SurfaceLook::plain);
+  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  const QImage empty = view.grab().toImage();
+  view.set_probe(-0.03, 0.0, 0.0, true);
+  const QImage left = view.grab().toImage();
+  view.set_probe(0.03, 0.0, 0.0, true);
+  const QImage right = view.grab().toImage();
+  EXPECT_GT(difference(left, empty).pixels, 200);
+  EXPECT_LT(difference(left, empty).mean_column + 50, difference(right, empty).mean_column);
+  view.take_probe_away();
+  EXPECT_EQ(difference(view.grab().toImage(), empty).pixels, 0);
+}
+
+TEST(WorkspaceView, ALeftHandHoldsTheToolFromTheLeft) {
+  WorkspaceView view{};
+  view.resize(480, 270);
+  view.set_object({}, nullptr, SurfaceLook::plain);
+  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  const QImage empty = view.grab().toImage();
+  view.set_probe(0.0, 0.0, 0.0, false);
+  const double right = difference(view.grab().toImage(), empty).mean_column;
+  view.set_mirrored(true);
+  const double left = difference(view.grab().toImage(), empty).mean_column;
+  EXPECT_GT(right, 240.0);
+  EXPECT_LT(left, 240.0);
+}
+
+// The eye would tell the hand how soft a surface is.
+TEST(WorkspaceView, HowDeepTheProbeIsIsNotSeen) {
+  WorkspaceView view{};
+  view.resize(480, 270);
+  view.set_object({}, nullptr, SurfaceLook::plain);
+  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  view.set_probe(0.01, 0.0, 0.0, true);
+  const QImage on = view.grab().toImage();
+  view.set_probe(0.01, 0.0, -0.002, true);
+  EXPECT_EQ(difference(view.grab().toImage(), on).pixels, 0);
+  view.set_probe(0.01, 0.0, 0.010, false);
+  EXPECT_GT(difference(view.grab().toImage(), on).pixels, 200);
+}
+
+TEST(WorkspaceView, TakesLittleTimeForAFrame) {
+  WorkspaceView view{};
+  view.resize(1280, 720);
+  view.set_object({}, waves(), SurfaceLook::relief);
+  QElapsedTimer clock{};
+  clock.start();
+  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }, 30000));
+  std::cout << "the object at 1280 x 720: " << clock.elapsed() << " ms\n";
+  QImage frame(view.size(), QImage::Format_RGB32);
+  std::vector<double> times_ms{};
+  for (int i = 0; i < 200; ++i) {
+    view.set_probe(0.04 * std::cos(0.1 * i), 0.04 * std::sin(0.07 * i), 0.01 * std::sin(0.05 * i),
+                   true);
+    clock.start();
+    view.render(&frame);
+    times_ms.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+  }
+  std::nth_element(times_ms.begin(), times_ms.begin() + 100, times_ms.end());
+  std::cout << "median of 200 frames at 1280 x 720: " << times_ms[100] << " ms\n";
+}
+
+TEST(WorkspaceView, LooksAsItShould) {
+  if (qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) GTEST_SKIP() << "nobody looks";
+  const auto shoot = [](SurfaceLook look, double x_m, double z_m, bool mirrored, QSize size,
+                        const QString& name) {
+    WorkspaceView view{};
+    view.resize(size);
+    view.set_object({}, waves(), look);
+    view.set_mirrored(mirrored);
+    view.set_probe(x_m, -0.008, z_m, z_m <= 0.0);
+    EXPECT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }, 30000));
+    take_screenshot(view, name, size);
+  };
+  const QSize large(1920, 1080);
+  const QSize small(1366, 768);
+  shoot(SurfaceLook::relief, 0.012, 0.0, false, large, "participant-workspace");
+  shoot(SurfaceLook::relief, 0.012, 0.0, false, small, "participant-workspace-small");
+  shoot(SurfaceLook::pattern, -0.02, 0.015, true, small, "participant-workspace-pattern");
+  shoot(SurfaceLook::plain, 0.03, 0.0, false, small, "participant-workspace-plain");
+  apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::dark);
+  shoot(SurfaceLook::relief, 0.012, 0.004, false, small, "participant-workspace-dark");
+  apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::light);
+}
+
+}  // namespace
+}  // namespace asperity
