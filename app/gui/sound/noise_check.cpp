@@ -27,6 +27,7 @@ namespace {
 constexpr int kLowest = -120;  // −60 dB
 constexpr int kHighest = -25;  // −12.5 dB, just below MaskingSound::kHighestGain
 constexpr double kOff_dB = 3.0;
+constexpr double kLoudest_dBA = 85.0;      // over a working day; no protocol may ask for more
 constexpr double kNotMeasured_dBA = 29.5;  // the spin box's lowest value stands for "not measured"
 
 double gain_of(int slider) { return std::pow(10.0, 0.5 * slider / 20.0); }
@@ -171,6 +172,11 @@ QString NoiseCheck::reservation() const {
   if (output_.is_null) return tr("No sound card: noise and cues are not heard.");
   if (value_.kind == MaskingNoise::Kind::none) return {};
   if (!value_.measured_dBA) return tr("The level of the noise at the ear was not measured.");
+  if (*value_.measured_dBA > kLoudest_dBA) {
+    return tr("The noise was measured at %1 dB(A): more than %2 dB(A) harms hearing.")
+        .arg(*value_.measured_dBA, 0, 'f', 1)
+        .arg(kLoudest_dBA, 0, 'f', 0);
+  }
   if (value_.declared_dBA && std::abs(*value_.measured_dBA - *value_.declared_dBA) > kOff_dB) {
     return tr("The noise was measured at %1 dB(A), the protocol wants %2 dB(A).")
         .arg(*value_.measured_dBA, 0, 'f', 1)

@@ -34,8 +34,8 @@ class NoiseCheck final : public QWidget {
 
   /// As declared, with the gain, the measured level and the name that stand here now.
   MaskingNoise value() const { return value_; }
-  /// There is no sound card, or the noise was not measured, or it is off by more than 3 dB: a
-  /// sentence for the checklist; empty when all is well.
+  /// A sentence for the checklist: no sound card, noise not measured, too loud, off by more than
+  /// 3 dB, nobody signed. Empty when all is well.
   QString reservation() const;
 
  signals:

@@ -88,6 +88,8 @@ TEST(NoiseCheck, TakesDownWhatWasMeasuredByWhom) {
   EXPECT_TRUE(check.reservation().contains("was not measured"));
   control<QDoubleSpinBox>(check, "measured_level").setValue(71.0);
   EXPECT_TRUE(check.reservation().contains("measured at 71.0 dB(A), the protocol wants 65.0"));
+  control<QDoubleSpinBox>(check, "measured_level").setValue(86.0);
+  EXPECT_TRUE(check.reservation().contains("harms hearing"));
   control<QDoubleSpinBox>(check, "measured_level").setValue(64.0);
   EXPECT_TRUE(check.reservation().contains("Who measured"));
   QTest::keyClicks(&control<QLineEdit>(check, "verified_by"), "M. Weber ");
