@@ -1,0 +1,209 @@
+// A session on its own thread, into a real store.
+
+#include "app/gui/session/session_runner.h"
+
+#include <filesystem>
+#include <sys/resource.h>
+
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "results_schema/atomic_file.h"
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kPatience_ms = 20000;
+
+class RunningSession : public testing::Test {
+ protected:
+  void SetUp() override {
+    make_small_study(study);
+    write_protocol(small_protocol());
+    order.inputs = {.protocol = study / "protocols" / "small.json",
+                    .study = study,
+                    .participant = "virtual0001",
+                    .seed = 7,
+                    .mode = SessionMode::simulate,
+                    .is_virtual = true,
+                    .pacing = RunPacing::stepped};
+  }
+
+  void write_protocol(const std::string& text) {
+    std::filesystem::create_directories(study / "protocols");
+    write_file(study / "protocols" / "small.json", text, Overwrite::allow);
+  }
+
+  /// So many trials, and nothing to read or to fill in.
+  void write_short_protocol(int trials) {
+    std::string text = small_protocol();
+    std::string levels = "1";
+    for (int trial = 2; trial <= trials; ++trial) levels += ", " + std::to_string(trial);
+    text.replace(text.find("[1, 2, 3]"), 9, "[" + levels + "]");
+    const std::size_t flow = text.find("\"flow\"");
+    text.replace(flow, std::string::npos, "\"flow\": [{\"run\": \"main\"}]}");
+    write_protocol(text);
+  }
+
+  std::vector<AttemptRow> stored_attempts() {
+    const Study stored = Study::open(study, Access::read_only);
+    if (stored.sessions().empty()) return {};
+    return stored.attempts(stored.sessions().front().id);
+  }
+
+  TemporaryFolder folder{};
+  std::filesystem::path study = folder.path() / "study";
+  SessionOrder order{};
+};
+
+/// What a runner says, collected.
+struct Listener {
+  explicit Listener(SessionRunner& runner)
+      : done(&runner, &SessionRunner::attempt_done),
+        ended(&runner, &SessionRunner::ended),
+        failed(&runner, &SessionRunner::failed) {}
+  bool wait() {
+    return QTest::qWaitFor([this] { return !ended.isEmpty() || !failed.isEmpty(); }, kPatience_ms);
+  }
+  SessionEnd end() const { return ended.first().first().value<SessionEnd>(); }
+  std::string failure() const { return failed.first().first().toString().toStdString(); }
+  QSignalSpy done;
+  QSignalSpy ended;
+  QSignalSpy failed;
+};
+
+TEST_F(RunningSession, TakesAVirtualParticipantThroughAndSaysSoAtTheEnd) {
+  SessionRunner runner;
+  Listener listener(runner);
+  EXPECT_FALSE(runner.is_running());
+  runner.start(order);
+  EXPECT_TRUE(runner.is_running());
+  ASSERT_TRUE(listener.wait());
+  ASSERT_EQ(listener.failed.size(), 0) << listener.failure();
+  EXPECT_FALSE(runner.is_running());
+  EXPECT_EQ(listener.end().state, SessionState::completed);
+  EXPECT_EQ(listener.end().attempts, 3);
+  EXPECT_GE(listener.done.size(), 1);
+  EXPECT_LE(listener.done.size(), 3);
+  EXPECT_EQ(stored_attempts().size(), 3U);
+}
+
+TEST_F(RunningSession, GoesThroughItInRealTime) {
+  write_short_protocol(1);
+  order.inputs.pacing = RunPacing::real_time;
+  SessionRunner runner;
+  Listener listener(runner);
+  runner.start(order);
+  ASSERT_TRUE(listener.wait());
+  ASSERT_EQ(listener.failed.size(), 0) << listener.failure();
+  EXPECT_EQ(listener.end().state, SessionState::completed);
+  const Study stored = Study::open(study, Access::read_only);
+  EXPECT_EQ(stored.sessions().front().pacing, "real_time");
+}
+
+TEST_F(RunningSession, RefusesAProtocolThatChangedSinceTheCheck) {
+  order.protocol_sha256 = sha256_of(small_protocol());
+  write_protocol(small_protocol() + "\n");
+  SessionRunner runner;
+  Listener listener(runner);
+  runner.start(order);
+  ASSERT_TRUE(listener.wait());
+  ASSERT_EQ(listener.failed.size(), 1);
+  EXPECT_NE(listener.failure().find("has changed since it was checked"), std::string::npos);
+  EXPECT_NE(listener.failure().find("The session did not begin"), std::string::npos);
+  EXPECT_TRUE(Study::open(study, Access::read_only).sessions().empty());
+  const SessionSnapshot seen = runner.monitor().snapshot();
+  EXPECT_EQ(seen.phase, SessionPhase::ended);
+  ASSERT_TRUE(seen.trouble);
+  EXPECT_EQ(seen.trouble->what, listener.failure());
+  EXPECT_EQ(seen.trouble->remedy, SessionTrouble::Remedy::try_again);
+}
+
+TEST_F(RunningSession, IsRefusedWhileTheSameParticipantSitsElsewhere) {
+  const StudyLock elsewhere(study, Study::session_lock_name("virtual0001"));
+  SessionRunner runner;
+  Listener listener(runner);
+  runner.start(order);
+  ASSERT_TRUE(listener.wait());
+  ASSERT_EQ(listener.failed.size(), 1);
+  EXPECT_NE(listener.failure().find("is in use by process "), std::string::npos)
+      << listener.failure();
+  EXPECT_TRUE(Study::open(study, Access::read_only).sessions().empty());
+}
+
+/// No file of this process grows beyond `bytes` while this lives: what a full disk does.
+class FullDisk final {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    ::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(RunningSession, SaysWhatIsSafeWhenTheDiskIsFullAndLosesNothing) {
+  write_short_protocol(60);  // long enough to fill the disk after the first trial
+  std::string said{};
+  qsizetype announced = 0;
+  {
+    SessionRunner runner;
+    Listener listener(runner);
+    runner.start(order);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kPatience_ms));
+    const FullDisk full(4096);
+    ASSERT_TRUE(listener.wait());
+    ASSERT_EQ(listener.failed.size(), 1);
+    said = listener.failure();
+    announced = listener.done.size();
+    EXPECT_EQ(runner.monitor().snapshot().phase, SessionPhase::ended);
+  }
+  EXPECT_NE(said.find("Every finished trial is stored"), std::string::npos) << said;
+  EXPECT_NE(said.find("go on with this session from the start page"), std::string::npos) << said;
+  const std::vector<AttemptRow> attempts = stored_attempts();
+  EXPECT_GE(static_cast<qsizetype>(attempts.size()), announced);
+  EXPECT_LT(attempts.size(), 60U);
+  Study stored = Study::open(study, Access::read_write);
+  stored.mark_crashed_sessions();
+  EXPECT_EQ(stored.verify({}), std::vector<std::string>{});
+
+  // Once there is room again it goes on where it stopped.
+  order.inputs.resume = true;
+  SessionRunner again;
+  Listener listener(again);
+  again.start(order);
+  ASSERT_TRUE(listener.wait());
+  ASSERT_EQ(listener.failed.size(), 0) << listener.failure();
+  EXPECT_EQ(listener.end().state, SessionState::completed);
+}
+
+TEST_F(RunningSession, EndsAfterTheTrialWhenItsOwnerGoesAway) {
+  write_short_protocol(200);
+  {
+    SessionRunner runner;
+    Listener listener(runner);
+    runner.start(order);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kPatience_ms));
+  }
+  const Study stored = Study::open(study, Access::read_only);
+  ASSERT_EQ(stored.sessions().size(), 1U);
+  EXPECT_EQ(stored.sessions().front().state, SessionState::stopped);
+  const std::size_t attempts = stored.attempts(stored.sessions().front().id).size();
+  EXPECT_GE(attempts, 1U);
+  EXPECT_LT(attempts, 200U);
+}
+
+}  // namespace
+}  // namespace asperity
