@@ -1,0 +1,340 @@
+#include "app/gui/session/plan_table.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QtGui/QKeyEvent>
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollBar>
+#include <QtWidgets/QStyledItemDelegate>
+#include <QtWidgets/QTableView>
+
+#include "app/gui/look/controls.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kTrialColumn = 0;
+constexpr int kConditionColumn = 1;
+constexpr int kOutcomeColumn = 2;
+constexpr int kRowHeight = 28;  // two more rows in sight than with the height of controls
+
+/// Numbers to the right, but not up against the next column.
+class NumberDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (option->displayAlignment.testFlag(Qt::AlignRight))
+      option->text += QChar(0x2002);  // en space
+  }
+};
+
+}  // namespace
+
+PlanModel::PlanModel(QObject* parent) : QAbstractTableModel(parent) {}
+
+void PlanModel::set_facts(std::shared_ptr<const SessionFacts> facts) {
+  beginResetModel();
+  facts_ = std::move(facts);
+  rows_.clear();
+  row_of_trial_.clear();
+  if (facts_ != nullptr && facts_->plan != nullptr && facts_->protocol != nullptr) {
+    const Plan& plan = *facts_->plan;
+    const BlindCodes codes(plan, facts_->row.seed);
+    veil_ = NameVeil(*facts_->protocol, plan);
+    const int blocks = plan.trials.empty() ? 0 : plan.trials.back().block_ordinal;
+    int block = 0;
+    for (const Trial& trial : plan.trials) {
+      if (trial.block_ordinal != block) {
+        block = trial.block_ordinal;
+        Row heading{};
+        heading.block = tr("Block %1 of %2, %3")
+                            .arg(block)
+                            .arg(blocks)
+                            .arg(QString::fromStdString(trial.block));
+        rows_.push_back(std::move(heading));
+      }
+      Row row{};
+      row.trial = &trial;
+      row.code = QString::fromStdString(codes.of(trial));
+      row.name = QString::fromStdString(unblinded_text(trial));
+      row_of_trial_.resize(
+          std::max(row_of_trial_.size(), static_cast<std::size_t>(trial.ordinal) + 1), -1);
+      row_of_trial_[static_cast<std::size_t>(trial.ordinal)] = static_cast<int>(rows_.size());
+      rows_.push_back(std::move(row));
+    }
+  }
+  write_outcomes();
+  endResetModel();
+}
+
+void PlanModel::set_blind(bool blind) {
+  if (blind == blind_) return;
+  blind_ = blind;
+  write_outcomes();
+  if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kOutcomeColumn));
+}
+
+void PlanModel::set_attempts(std::shared_ptr<const std::vector<AttemptSummary>> attempts) {
+  if (attempts == attempts_) return;
+  attempts_ = std::move(attempts);
+  write_outcomes();
+  if (!rows_.empty()) {
+    emit dataChanged(index(0, kOutcomeColumn), index(rowCount() - 1, kOutcomeColumn));
+  }
+}
+
+void PlanModel::set_now(int trial, const QString& phase) {
+  if (trial == now_ && phase == phase_) return;
+  const int before = row_of(now_);
+  now_ = trial;
+  phase_ = phase;
+  const int after = row_of(now_);
+  for (const int row : {before, after}) {
+    if (row >= 0) emit dataChanged(index(row, 0), index(row, kOutcomeColumn));
+    if (before == after) break;
+  }
+}
+
+int PlanModel::row_of(int trial) const {
+  return trial > 0 && static_cast<std::size_t>(trial) < row_of_trial_.size()
+             ? row_of_trial_[static_cast<std::size_t>(trial)]
+             : -1;
+}
+
+bool PlanModel::is_heading(int row) const {
+  return rows_[static_cast<std::size_t>(row)].trial == nullptr;
+}
+
+bool PlanModel::tells_right(const AttemptSummary& attempt) const {
+  if (!blind_) return true;
+  const int row = row_of(attempt.trial);
+  if (row < 0) return false;
+  const auto& blocks = facts_->protocol->blocks;
+  const auto block = blocks.find(rows_[static_cast<std::size_t>(row)].trial->block);
+  return block != blocks.end() && block->second.feedback != Protocol::Block::Feedback::none;
+}
+
+void PlanModel::write_outcomes() {
+  for (Row& row : rows_) {
+    row.outcome.clear();
+    row.reason.clear();
+    row.state = State::unknown;
+  }
+  if (attempts_ == nullptr) return;
+  for (const AttemptSummary& attempt : *attempts_) {
+    const int number = row_of(attempt.trial);
+    if (number < 0) continue;
+    Row& row = rows_[static_cast<std::size_t>(number)];
+    const QString text = SessionText::of_attempt(attempt, tells_right(attempt));
+    // The last one first: it is what counts, and what is cut off is the past.
+    row.outcome = row.outcome.isEmpty() ? text : tr("%1, before: %2").arg(text, row.outcome);
+    row.state = SessionText::state_of(attempt);
+    const QString reason = QString::fromStdString(attempt.reason);
+    row.reason = blind_ ? veil_.veiled(reason) : reason;
+  }
+}
+
+int PlanModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int PlanModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : 3; }
+
+QString PlanModel::text_of(const Row& row, int column) const {
+  if (row.trial == nullptr) {
+    if (column != 0) return {};
+    return blind_ ? veil_.veiled(row.block) : row.block;
+  }
+  const bool now = row.trial->ordinal == now_;
+  switch (column) {
+    case kTrialColumn:
+      return now ? QString("▶ %1").arg(row.trial->ordinal) : QString::number(row.trial->ordinal);
+    case kConditionColumn:
+      return blind_ ? row.code : row.name;
+    case kOutcomeColumn: {
+      if (now && !phase_.isEmpty()) {
+        return row.outcome.isEmpty() ? phase_ : tr("%1, before: %2").arg(phase_, row.outcome);
+      }
+      return row.outcome.isEmpty() ? QString()
+                                   : QString("%1 %2").arg(shape_of(row.state), row.outcome);
+    }
+    default:
+      return {};
+  }
+}
+
+QVariant PlanModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const Row& row = rows_[static_cast<std::size_t>(index.row())];
+  const bool now = row.trial != nullptr && row.trial->ordinal == now_;
+  switch (role) {
+    case Qt::DisplayRole:
+      return text_of(row, index.column());
+    case Qt::ToolTipRole: {
+      if (row.trial == nullptr) return {};
+      const QString text = text_of(row, index.column());
+      return index.column() == kOutcomeColumn && !row.reason.isEmpty()
+                 ? QString("%1\n%2").arg(text, row.reason)
+                 : text;
+    }
+    case Qt::TextAlignmentRole:
+      return QVariant::fromValue(row.trial != nullptr && index.column() == kTrialColumn
+                                     ? Qt::AlignRight | Qt::AlignVCenter
+                                     : Qt::AlignLeft | Qt::AlignVCenter);
+    case Qt::FontRole:
+      return text_font(row.trial == nullptr ? TextSize::small : TextSize::body,
+                       now || row.trial == nullptr);
+    case Qt::ForegroundRole:
+      if (row.trial == nullptr) return theme().muted;
+      if (now) return theme().text;
+      return index.column() == kOutcomeColumn && row.state == State::look ? theme().look
+                                                                          : theme().text;
+    case Qt::BackgroundRole:
+      if (now) return theme().raised;
+      return row.trial == nullptr ? QVariant(theme().ground) : QVariant();
+    default:
+      return {};
+  }
+}
+
+QVariant PlanModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole) {
+    return QVariant::fromValue(section == kTrialColumn ? Qt::AlignRight | Qt::AlignVCenter
+                                                       : Qt::AlignLeft | Qt::AlignVCenter);
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kTrialColumn:
+      return tr("Trial");
+    case kConditionColumn:
+      return blind_ ? tr("Code") : tr("Condition");
+    case kOutcomeColumn:
+      return tr("Outcome");
+    default:
+      return {};
+  }
+}
+
+PlanTable::PlanTable(QWidget* parent) : QWidget(parent) {
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(kGrid);
+  auto* top = new QHBoxLayout();
+  auto* title = new QLabel(tr("PLAN"), this);
+  title->setFont(text_font(TextSize::small, true));
+  title->setProperty("role", "muted");
+  follow_button_ = make_button(tr("Back to the trial under way"), ButtonRole::link, this);
+  follow_button_->setObjectName("plan_follow");
+  follow_button_->setFont(text_font(TextSize::small));
+  follow_button_->setStyleSheet("min-height: 16px; max-height: 16px;");
+  QSizePolicy keeps_place = follow_button_->sizePolicy();
+  keeps_place.setRetainSizeWhenHidden(true);
+  follow_button_->setSizePolicy(keeps_place);
+  follow_button_->hide();
+  top->addWidget(title, 1);
+  top->addWidget(follow_button_);
+  rows->addLayout(top);
+
+  model_ = new PlanModel(this);
+  view_ = new QTableView(this);
+  view_->setObjectName("plan");
+  view_->setModel(model_);
+  style_table(*view_);
+  view_->setSortingEnabled(false);  // the order is what it shows
+  view_->verticalHeader()->setDefaultSectionSize(kRowHeight);
+  view_->horizontalHeader()->setSectionResizeMode(kTrialColumn, QHeaderView::Fixed);
+  view_->horizontalHeader()->setSectionResizeMode(kConditionColumn, QHeaderView::Fixed);
+  view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  view_->setColumnWidth(kTrialColumn, 72);
+  view_->setItemDelegateForColumn(kTrialColumn, new NumberDelegate(view_));
+  view_->setFocusPolicy(Qt::TabFocus);
+  view_->installEventFilter(this);
+  rows->addWidget(view_, 1);
+  connect(view_->verticalScrollBar(), &QScrollBar::actionTriggered, this, &PlanTable::let_go);
+  connect(follow_button_, &QPushButton::clicked, this, &PlanTable::follow);
+}
+
+void PlanTable::set_facts(std::shared_ptr<const SessionFacts> facts) {
+  model_->set_facts(std::move(facts));
+  view_->clearSpans();
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    if (model_->is_heading(row)) view_->setSpan(row, 0, 1, model_->columnCount());
+  }
+  fit_columns();
+}
+
+void PlanTable::set_blind(bool blind) {
+  model_->set_blind(blind);
+  fit_columns();
+}
+
+void PlanTable::fit_columns() {
+  int widest = 0;
+  const QFontMetrics letters(text_font(TextSize::body, true));
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    if (model_->is_heading(row)) continue;
+    widest = std::max(
+        widest, letters.horizontalAdvance(model_->index(row, kConditionColumn).data().toString()));
+  }
+  constexpr int kPadding = 16;
+  constexpr int kWidest = 208;  // the outcome needs its place; longer names are in the tool tip
+  view_->setColumnWidth(kConditionColumn, std::clamp(widest + kPadding, 72, kWidest));
+}
+
+void PlanTable::set_now(int trial, const QString& phase) {
+  model_->set_now(trial, phase);
+  if (trial == now_) return;
+  now_ = trial;
+  if (following_) follow();
+}
+
+void PlanTable::follow() {
+  following_ = true;
+  follow_button_->hide();
+  const int row = model_->row_of(now_);
+  if (row >= 0) view_->scrollTo(model_->index(row, 0), QAbstractItemView::PositionAtCenter);
+}
+
+void PlanTable::let_go() {
+  following_ = false;
+  follow_button_->show();
+}
+
+bool PlanTable::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view_ && event->type() == QEvent::Resize && following_) {
+    // After the view has laid itself out anew.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          if (following_) follow();
+        },
+        Qt::QueuedConnection);
+  }
+  // The arrows move the row that is chosen, and the view after it.
+  if (watched == view_ && event->type() == QEvent::KeyPress) {
+    switch (static_cast<QKeyEvent*>(event)->key()) {
+      case Qt::Key_Up:
+      case Qt::Key_Down:
+      case Qt::Key_PageUp:
+      case Qt::Key_PageDown:
+      case Qt::Key_Home:
+      case Qt::Key_End:
+        let_go();
+        break;
+      default:
+        break;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace asperity

@@ -1,0 +1,48 @@
+// Asks why: ready-made reasons for the mouse, and a field.
+
+#pragma once
+
+#include <functional>
+
+#include <QtCore/QStringList>
+#include <QtWidgets/QFrame>
+
+class QHBoxLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace asperity {
+
+/// A question in place with a reason for an answer. Nothing is done before there is one.
+///
+/// The ready-made reasons can be clicked while the keyboard belongs to the participant.
+class ReasonForm final : public QFrame {
+  Q_OBJECT
+ public:
+  explicit ReasonForm(QWidget* parent = nullptr);
+  /// Shows itself. `verb` is what its button says; `on_reason` gets what was chosen or typed.
+  void ask(const QString& question, const QStringList& ready_made, const QString& verb,
+           std::function<void(QString)> on_reason);
+  /// Why nothing can be typed now; empty: it can.
+  void lock(const QString& why);
+
+ signals:
+  void cancelled();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void finish();
+  void cancel();
+
+  QLabel* question_ = nullptr;
+  QHBoxLayout* ready_made_ = nullptr;
+  QLineEdit* field_ = nullptr;
+  QLabel* why_locked_ = nullptr;
+  QPushButton* act_ = nullptr;
+  std::function<void(QString)> on_reason_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,83 @@
+#include "app/gui/session/session_dialogs.h"
+
+#include <utility>
+
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/session/reason_form.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kWidth = 560;
+
+QVBoxLayout* prepare(QDialog& dialog, const QString& title, const QString& text) {
+  dialog.setAttribute(Qt::WA_DeleteOnClose);
+  dialog.setWindowTitle(title);
+  dialog.setMinimumWidth(kWidth);
+  auto* rows = new QVBoxLayout(&dialog);
+  rows->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
+  rows->setSpacing(kMargin);
+  rows->addWidget(make_heading(title, &dialog));
+  rows->addWidget(make_text(text, &dialog));
+  return rows;
+}
+
+}  // namespace
+
+AbortDialog::AbortDialog(QWidget* parent, std::function<void(QString)> on_abort) : QDialog(parent) {
+  setObjectName("abort_dialog");
+  QVBoxLayout* rows = prepare(
+      *this, tr("Abort the session?"),
+      tr("Nothing is lost: every finished trial is stored. The trial under way is kept as aborted "
+         "and will be asked again when the session is gone on with."));
+  form_ = new ReasonForm(this);
+  form_->setProperty("role", "plain");
+  form_->layout()->setContentsMargins(0, 0, 0, 0);
+  rows->addWidget(form_);
+  connect(form_, &ReasonForm::cancelled, this, &QDialog::reject);
+  form_->ask(tr("Why is it aborted?"),
+             {tr("The participant wishes to stop"), tr("The participant is unwell"),
+              tr("Technical problem")},
+             tr("Abort session"), [this, on_abort = std::move(on_abort)](const QString& reason) {
+               on_abort(reason);
+               accept();
+             });
+}
+
+void AbortDialog::lock(const QString& why) { form_->lock(why); }
+
+CloseDialog::CloseDialog(QWidget* parent, std::function<void(Leaving)> on_leave) : QDialog(parent) {
+  setObjectName("close_dialog");
+  QVBoxLayout* rows = prepare(
+      *this, tr("A session is under way"),
+      tr("What is done is safe: every finished trial is stored, and the session can be gone "
+         "on with. The window closes once the session has ended."));
+  auto* buttons = new QHBoxLayout();
+  buttons->setSpacing(kGrid);
+  auto* abort = make_button(tr("Abort now"), ButtonRole::plain, this);
+  abort->setObjectName("close_abort");
+  auto* stop = make_button(tr("Stop after this trial"), ButtonRole::plain, this);
+  stop->setObjectName("close_stop");
+  auto* keep = make_button(tr("Keep running"), ButtonRole::primary, this);
+  keep->setObjectName("close_keep");
+  keep->setDefault(true);
+  buttons->addWidget(abort);
+  buttons->addStretch(1);
+  buttons->addWidget(stop);
+  buttons->addWidget(keep);
+  rows->addLayout(buttons);
+  const auto leave = [this, on_leave = std::move(on_leave)](Leaving how) {
+    on_leave(how);
+    accept();
+  };
+  connect(keep, &QPushButton::clicked, this, &QDialog::reject);
+  connect(stop, &QPushButton::clicked, this, [leave] { leave(Leaving::stop_after_trial); });
+  connect(abort, &QPushButton::clicked, this, [leave] { leave(Leaving::abort_now); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,35 @@
+// The two questions of a session that have to be answered: abort it, or leave it.
+
+#pragma once
+
+#include <functional>
+
+#include <QtWidgets/QDialog>
+
+namespace asperity {
+
+class ReasonForm;
+
+/// Names what an abort loses, and asks why. Opened by `open()`, gone when it is answered.
+class AbortDialog final : public QDialog {
+  Q_OBJECT
+ public:
+  AbortDialog(QWidget* parent, std::function<void(QString)> on_abort);
+  /// Why nothing can be typed now; empty: it can.
+  void lock(const QString& why);
+
+ private:
+  ReasonForm* form_ = nullptr;
+};
+
+enum class Leaving { stop_after_trial, abort_now };
+
+/// What to do with a session that runs when its window is closed. Keeping it running is what Esc and
+/// Return do.
+class CloseDialog final : public QDialog {
+  Q_OBJECT
+ public:
+  CloseDialog(QWidget* parent, std::function<void(Leaving)> on_leave);
+};
+
+}  // namespace asperity

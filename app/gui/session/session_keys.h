@@ -1,0 +1,47 @@
+// The experimenter's keys, whichever window of the program has the focus.
+
+#pragma once
+
+#include <QtCore/QObject>
+
+class QKeyEvent;
+
+namespace asperity {
+
+/// What the experimenter can ask for by a key.
+enum class SessionVerb {
+  start_or_resume,   ///< F5
+  pause,             ///< F6, Esc
+  stop_after_trial,  ///< F7
+  stop_after_block,  ///< F8
+  repeat_last,       ///< Ctrl+R
+  note,              ///< F2
+  abort,             ///< Ctrl+Shift+Q
+};
+
+/// An event filter of the application rather than shortcuts: a shortcut sleeps while a dialog is
+/// open, and the emergency stop must not.
+///
+/// The emergency stop is F12 (written on the button: it is there on every laptop and needs no second
+/// key); Pause/Break and Ctrl+Space do the same. While a dialog is open, Esc closes it and the verbs
+/// that open something are left alone; all others work on.
+class SessionKeys final : public QObject {
+  Q_OBJECT
+ public:
+  explicit SessionKeys(QObject* parent);
+  /// No key means anything once the session has ended.
+  void switch_off() { is_on_ = false; }
+
+ signals:
+  /// At the press itself.
+  void emergency();
+  void wanted(asperity::SessionVerb verb);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool is_on_ = true;
+};
+
+}  // namespace asperity

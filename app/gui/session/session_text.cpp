@@ -1,0 +1,183 @@
+#include "app/gui/session/session_text.h"
+
+#include <algorithm>
+#include <set>
+
+#include <QtCore/QStringList>
+
+namespace asperity {
+
+NameVeil::NameVeil(const Protocol& protocol, const Plan& plan) {
+  std::set<std::string> names{};
+  const auto add = [&names](const std::string& name) {
+    if (!name.empty()) names.insert(name);
+  };
+  for (const auto& [name, texture] : protocol.textures) {
+    add(name);
+    if (texture.height_field) add(*texture.height_field);
+    if (texture.true_height_field) add(*texture.true_height_field);
+    if (texture.picture) add(*texture.picture);
+  }
+  for (const auto& [name, stimulus] : protocol.stimuli) add(name);
+  for (const Trial& trial : plan.trials) {
+    for (const PlannedPresentation& surface : trial.presentations) {
+      add(surface.item);
+      add(surface.stimulus.name);
+      add(surface.stimulus.model);
+      add(surface.stimulus.texture);
+    }
+  }
+  QStringList patterns{};
+  for (const std::string& name : names) {
+    patterns += QRegularExpression::escape(QString::fromStdString(name));
+  }
+  // The longest first: a path goes as a whole, not but for the name in it.
+  std::stable_sort(patterns.begin(), patterns.end(),
+                   [](const QString& a, const QString& b) { return a.size() > b.size(); });
+  if (patterns.isEmpty()) return;
+  names_ = QRegularExpression(
+      QString(R"((?<![\w])(?:%1)(?![\w]))").arg(patterns.join('|')),
+      QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+  is_set_ = true;
+}
+
+QString NameVeil::veiled(const QString& text) const {
+  if (!is_set_ || text.isEmpty()) return text;
+  QString hidden = text;
+  return hidden.replace(names_, "▒▒▒");
+}
+
+QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
+                            double in_phase_s) {
+  const QString seconds = QString::number(std::max(0.0, in_phase_s), 'f', 1);
+  switch (snapshot.phase) {
+    case SessionPhase::idle:
+      return tr("The session has not begun");
+    case SessionPhase::ready:
+      return tr("Getting ready: the participant reads, or the device is checked");
+    case SessionPhase::iti:
+      return snapshot.trial > 0 ? tr("Between trials, next is trial %1").arg(snapshot.trial)
+                                : tr("Between trials");
+    case SessionPhase::fore:
+      return tr("Trial %1: waiting for the first touch, %2 s").arg(snapshot.trial).arg(seconds);
+    case SessionPhase::contact: {
+      const QString contact = QString::number(snapshot.contact_s, 'f', 1);
+      const std::size_t surfaces = trial == nullptr ? 0 : trial->presentations.size();
+      if (snapshot.surface > 0 && surfaces > 1) {
+        return tr("Trial %1: feeling surface %2 of %3, %4 s")
+            .arg(snapshot.trial)
+            .arg(snapshot.surface)
+            .arg(surfaces)
+            .arg(contact);
+      }
+      return tr("Trial %1: feeling the surface, %2 s").arg(snapshot.trial).arg(contact);
+    }
+    case SessionPhase::response:
+      return tr("Trial %1: answering, %2 s").arg(snapshot.trial).arg(seconds);
+    case SessionPhase::feedback:
+      return tr("Trial %1: feedback").arg(snapshot.trial);
+    case SessionPhase::rest:
+      return tr("Break, %1").arg(of_duration(in_phase_s));
+    case SessionPhase::questions:
+      return tr("The participant answers questions");
+    case SessionPhase::paused:
+      return snapshot.trial > 0 ? tr("Paused before trial %1").arg(snapshot.trial) : tr("Paused");
+    case SessionPhase::fault:
+      return tr("Stopped: the force is held at zero");
+    case SessionPhase::ended:
+      return tr("The session has ended");
+  }
+  return {};
+}
+
+QString SessionText::of_phase(const SessionSnapshot& snapshot, double in_phase_s) {
+  const QString seconds = QString::number(std::max(0.0, in_phase_s), 'f', 1);
+  switch (snapshot.phase) {
+    case SessionPhase::fore:
+      return tr("waiting for touch %1 s").arg(seconds);
+    case SessionPhase::contact:
+      return tr("feeling %1 s").arg(QString::number(snapshot.contact_s, 'f', 1));
+    case SessionPhase::response:
+      return tr("answering %1 s").arg(seconds);
+    case SessionPhase::feedback:
+      return tr("feedback");
+    case SessionPhase::fault:
+      return tr("stopped");
+    case SessionPhase::paused:
+      return tr("paused before it");
+    case SessionPhase::rest:
+      return tr("after the break");
+    case SessionPhase::idle:
+    case SessionPhase::ready:
+    case SessionPhase::iti:
+    case SessionPhase::questions:
+      return tr("next");
+    case SessionPhase::ended:
+      break;
+  }
+  return {};
+}
+
+QString SessionText::of_answers(const AttemptSummary& attempt) {
+  QStringList answers{};
+  for (const std::string& answer : attempt.answers) answers += QString::fromStdString(answer);
+  return answers.join(' ');
+}
+
+QString SessionText::of_attempt(const AttemptSummary& attempt, bool tells_right) {
+  switch (attempt.outcome) {
+    case AttemptOutcome::answered: {
+      const QString answers = of_answers(attempt);
+      QString text = answers.isEmpty() ? tr("answered") : tr("answered %1").arg(answers);
+      if (tells_right && attempt.correct) {
+        text = *attempt.correct ? tr("%1, right").arg(text) : tr("%1, wrong").arg(text);
+      }
+      if (!attempt.valid) return tr("%1, does not count").arg(text);
+      return attempt.flagged ? tr("%1, flagged").arg(text) : text;
+    }
+    case AttemptOutcome::timed_out:
+      return tr("no answer in time");
+    case AttemptOutcome::not_compliant:
+      return tr("not explored as asked");
+    case AttemptOutcome::aborted:
+      return tr("aborted");
+    case AttemptOutcome::device_fault:
+      return tr("stopped by a fault");
+    case AttemptOutcome::skipped:
+      return tr("skipped");
+  }
+  return {};
+}
+
+State SessionText::state_of(const AttemptSummary& attempt) {
+  return attempt.outcome == AttemptOutcome::answered && attempt.valid && !attempt.flagged
+             ? State::fine
+             : State::look;
+}
+
+QString SessionText::of_mode(SessionMode mode) {
+  switch (mode) {
+    case SessionMode::run:
+      return tr("RUN");
+    case SessionMode::pilot:
+      return tr("PILOT");
+    case SessionMode::simulate:
+      return tr("SIMULATE");
+  }
+  return {};
+}
+
+QString SessionText::of_left(double left_s) {
+  if (left_s < 60.0) return tr("less than a minute left");
+  return tr("about %1 min left").arg(static_cast<int>(left_s / 60.0 + 0.5));
+}
+
+QString SessionText::of_duration(double duration_s) {
+  const int seconds = static_cast<int>(std::max(0.0, duration_s));
+  const QString tail = QString("%1:%2")
+                           .arg(seconds / 60 % 60, 2, 10, QChar('0'))
+                           .arg(seconds % 60, 2, 10, QChar('0'));
+  return seconds < 3600 ? tail : QString("%1:%2").arg(seconds / 3600).arg(tail);
+}
+
+}  // namespace asperity

@@ -1,0 +1,46 @@
+// What the values of a session mean, in the words of the experimenter's window.
+
+#pragma once
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QRegularExpression>
+#include <QtCore/QString>
+
+#include "app/conductor/session_monitor.h"
+#include "app/gui/look/controls.h"
+
+namespace asperity {
+
+/// Takes the names of textures, stimuli and models, and the paths of their files, out of texts that
+/// come from elsewhere (why an attempt does not count, what failed), for who is not to know them.
+class NameVeil final {
+ public:
+  NameVeil() = default;
+  NameVeil(const Protocol& protocol, const Plan& plan);
+  QString veiled(const QString& text) const;
+
+ private:
+  QRegularExpression names_{};  // matches nothing while there is no plan
+  bool is_set_ = false;
+};
+
+class SessionText final {
+  Q_DECLARE_TR_FUNCTIONS(SessionText)
+ public:
+  /// "Trial 17: feeling surface 1 of 2, 6.2 s". `in_phase_s`: since the phase began.
+  static QString of_now(const SessionSnapshot& snapshot, const Trial* trial, double in_phase_s);
+  /// The same beside the trial's number: "feeling 6.2 s".
+  static QString of_phase(const SessionSnapshot& snapshot, double in_phase_s);
+  /// "answered 4", "not explored as asked"; `tells_right`: and whether it was right.
+  static QString of_attempt(const AttemptSummary& attempt, bool tells_right);
+  static State state_of(const AttemptSummary& attempt);
+  static QString of_mode(SessionMode mode);
+  /// "about 23 min left".
+  static QString of_left(double left_s);
+  /// "18:42", "1:02:05".
+  static QString of_duration(double duration_s);
+  /// "4", "3 1 2": answers as they were shown to the participant.
+  static QString of_answers(const AttemptSummary& attempt);
+};
+
+}  // namespace asperity

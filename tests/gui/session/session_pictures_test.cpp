@@ -1,0 +1,81 @@
+// The session window as it looks in a session, for people to look at.
+
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <gtest/gtest.h>
+
+#include "app/gui/look/theme.h"
+#include "tests/gui/session/filled_monitor.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+void take_both(SessionWindow& window, const QString& name) {
+  auto& application = static_cast<QApplication&>(*QCoreApplication::instance());
+  for (const bool dark : {false, true}) {
+    apply_theme(application, dark ? ThemeChoice::dark : ThemeChoice::light);
+    const QString look = dark ? "-dark" : "";
+    take_screenshot(window, name + look, {1366, 768});
+    take_screenshot(window, name + "-large" + look, {1920, 1080});
+  }
+  apply_theme(application, ThemeChoice::light);
+}
+
+TEST(SessionPictures, ASurfaceIsFelt) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  session.stroke(25.0);
+  const auto window = session.window();
+  EXPECT_LE(window->minimumSizeHint().width(), 1366);
+  EXPECT_LE(window->minimumSizeHint().height(), 768);
+  take_both(*window, "session-window");
+}
+
+TEST(SessionPictures, APilotIsPausedWithNamesShown) {
+  FilledMonitor session("improved_selection", SessionMode::pilot);
+  session.answer_up_to(9);
+  session.set_phase(SessionPhase::paused);
+  session.requests.pause();
+  session.stroke(12.0);
+  const auto window = session.window();
+  window->findChild<QPushButton*>("unblind")->click();
+  EXPECT_LE(window->minimumSizeHint().height(), 768);
+  take_both(*window, "session-pilot");
+}
+
+TEST(SessionPictures, TheEmergencyStopIsPressed) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.stroke(25.0);
+  const auto window = session.window();
+  window->findChild<QPushButton*>("emergency_stop")->pressed();
+  session.set_phase(SessionPhase::fault);
+  session.monitor.update([](SessionSnapshot& s) { s.fault = Fault::emergency_stop; });
+  EXPECT_LE(window->minimumSizeHint().height(), 768);
+  take_both(*window, "session-emergency");
+}
+
+TEST(SessionPictures, AReasonIsAskedWhileTheParticipantAnswers) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.open_response(true);
+  session.stroke(25.0);
+  const auto window = session.window();
+  window->findChild<QPushButton*>("skip")->click();
+  EXPECT_LE(window->minimumSizeHint().height(), 768);
+  take_both(*window, "session-skip");
+}
+
+TEST(SessionPictures, TheSessionHasEnded) {
+  FilledMonitor session{};
+  session.answer_up_to(static_cast<int>(session.plan->trials.size()));
+  session.set_phase(SessionPhase::ended);
+  const auto window = session.window();
+  take_both(*window, "session-end");
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,535 @@
+// The experimenter's window: what it shows and hides, and what it asks.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <iostream>
+
+#include <QtCore/QRegularExpression>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QAbstractItemView>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QDialog>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollBar>
+#include <QtWidgets/QTableView>
+#include <gtest/gtest.h>
+
+#include "app/gui/session/live_plots.h"
+#include "app/gui/session/plan_table.h"
+#include "tests/gui/session/filled_monitor.h"
+
+namespace asperity {
+namespace {
+
+template <class Widget>
+Widget& find(const QWidget& window, const char* name) {
+  auto* widget = window.findChild<Widget*>(name);
+  if (widget == nullptr) throw std::invalid_argument(name);
+  return *widget;
+}
+
+/// Everything that a person can read in a window, tool tips included.
+QStringList texts_of(const QWidget& window) {
+  QStringList texts{window.windowTitle()};
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    texts += {widget->toolTip(), widget->windowTitle(), widget->accessibleName()};
+    for (const char* const property : {"text", "placeholderText", "words"}) {
+      texts += widget->property(property).toString();
+    }
+    const auto* view = qobject_cast<const QAbstractItemView*>(widget);
+    if (view == nullptr || view->model() == nullptr) continue;
+    const QAbstractItemModel& model = *view->model();
+    for (int row = 0; row < model.rowCount(); ++row) {
+      for (int column = 0; column < model.columnCount(); ++column) {
+        for (int role = 0; role <= Qt::UserRole + 8; ++role) {
+          const QVariant value = model.index(row, column).data(role);
+          if (value.typeId() == QMetaType::QString) texts += value.toString();
+        }
+      }
+    }
+  }
+  return texts;
+}
+
+/// What nobody may read who is blind.
+QStringList names_of(const FilledMonitor& session) {
+  QStringList names{};
+  for (const auto& [name, texture] : session.protocol->textures) {
+    names += QString::fromStdString(name);
+  }
+  for (const Trial& trial : session.plan->trials) {
+    for (const PlannedPresentation& surface : trial.presentations) {
+      names += QString::fromStdString(surface.stimulus.model);
+      names += QString::fromStdString(surface.stimulus.texture);
+    }
+  }
+  names.removeDuplicates();
+  names.removeAll("");
+  return names;
+}
+
+QStringList names_shown(const QWidget& window, const FilledMonitor& session) {
+  QStringList shown{};
+  for (const QString& name : names_of(session)) {
+    const QRegularExpression word("\\b" + QRegularExpression::escape(name) + "\\b",
+                                  QRegularExpression::CaseInsensitiveOption);
+    if (!texts_of(window).filter(word).isEmpty()) shown += name;
+  }
+  return shown;
+}
+
+void give_reason(const QWidget& window, const QString& reason) {
+  find<QLineEdit>(window, "reason").setText(reason);
+  find<QPushButton>(window, "reason_given").click();
+}
+
+std::vector<std::string> kinds(const std::vector<SessionRequests::Remark>& remarks) {
+  std::vector<std::string> names{};
+  for (const auto& remark : remarks) {
+    if (remark.kind != "focus_changed") names.push_back(remark.kind);
+  }
+  return names;
+}
+
+TEST(SessionWindow, SaysWhichSessionItIsAndHowFarItIs) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  const auto window = session.window();
+  EXPECT_TRUE(find<QLabel>(*window, "session_title").text().startsWith("Session 13 · P013 · "));
+  EXPECT_TRUE(find<QLabel>(*window, "session_title").text().endsWith(" · RUN"));
+  EXPECT_EQ(find<QLabel>(*window, "block").text(), "Block 2 of 3");
+  EXPECT_EQ(find<QLabel>(*window, "trial").text(), "trial 17 of 60");
+  EXPECT_EQ(find<QLabel>(*window, "elapsed").text(), "18:42 elapsed");
+  EXPECT_EQ(find<QLabel>(*window, "left").text(), "about 23 min left");
+  EXPECT_EQ(find<QLabel>(*window, "now").text(), "Trial 17: feeling the surface, 6.2 s");
+  EXPECT_TRUE(find<QLabel>(*window, "health").text().contains("1000 Hz · p99 31 µs late"));
+  EXPECT_TRUE(find<QLabel>(*window, "stored").text().contains("attempts stored: 18"));
+}
+
+TEST(SessionWindow, ShowsNoNameAnywhereWhileItIsBlind) {
+  for (const char* const protocol :
+       {"improved_recognition", "improved_selection", "chapter_matching"}) {
+    FilledMonitor session(protocol);
+    session.answer_up_to(1);
+    session.set_phase(SessionPhase::contact);
+    session.monitor.update([&session](SessionSnapshot& s) {
+      const StimulusDescription& stimulus = session.plan->trials[0].presentations[0].stimulus;
+      s.trouble = SessionTrouble{.what = "The model \"" + stimulus.model + "\" refused stimuli/" +
+                                         stimulus.texture + ".png.",
+                                 .time_ns = s.now_ns,
+                                 .remedy = SessionTrouble::Remedy::resume};
+    });
+    session.stroke(3.0);
+    const auto window = session.window();
+    EXPECT_EQ(names_shown(*window, session).join(' ').toStdString(), "") << protocol;
+    EXPECT_FALSE(texts_of(*window).filter("refused").isEmpty()) << "the rest of it is said";
+
+    find<QPushButton>(*window, "unblind").click();
+    give_reason(*window, "a surface feels wrong");
+    EXPECT_FALSE(names_shown(*window, session).isEmpty())
+        << "otherwise this test would not see a name if there was one";
+    find<QPushButton>(*window, "unblind").click();
+    EXPECT_EQ(names_shown(*window, session).join(' ').toStdString(), "") << "blind again";
+  }
+}
+
+TEST(SessionWindow, UnblindsForAReasonThatIsStoredAndStaysMarked) {
+  FilledMonitor session{};
+  session.answer_up_to(3);
+  const auto window = session.window();
+  find<QPushButton>(*window, "unblind").click();
+  EXPECT_TRUE(window->is_blind());
+  EXPECT_FALSE(find<QPushButton>(*window, "reason_given").isEnabled());
+  give_reason(*window, "a surface feels wrong");
+  EXPECT_FALSE(window->is_blind());
+  EXPECT_TRUE(find<QLabel>(*window, "blindness").text().contains("UNBLINDED at"));
+  const auto remarks = session.requests.take_remarks();
+  ASSERT_EQ(kinds(remarks), std::vector<std::string>{"unblinded"});
+  EXPECT_EQ(remarks.back().text, "a surface feels wrong");
+
+  find<QPushButton>(*window, "unblind").click();
+  EXPECT_TRUE(window->is_blind());
+  EXPECT_TRUE(find<QLabel>(*window, "blindness").text().contains("UNBLINDED at"));
+  EXPECT_EQ(kinds(session.requests.take_remarks()), std::vector<std::string>{"blinded_again"});
+}
+
+TEST(SessionWindow, ShowsTheNamesOfAPilotAtOnce) {
+  for (const SessionMode mode : {SessionMode::pilot, SessionMode::simulate}) {
+    FilledMonitor session("improved_recognition", mode);
+    session.answer_up_to(3);
+    const auto window = session.window();
+    EXPECT_TRUE(names_shown(*window, session).isEmpty());
+    find<QPushButton>(*window, "unblind").click();
+    EXPECT_FALSE(names_shown(*window, session).isEmpty());
+    EXPECT_TRUE(kinds(session.requests.take_remarks()).empty());
+  }
+}
+
+TEST(SessionWindow, DrawsThePressingForceAloneWhileItIsBlind) {
+  FilledMonitor session{};
+  session.answer_up_to(3);
+  session.stroke(12.0);
+  const auto window = session.window();
+  const auto* plots = window->findChild<LivePlots*>();
+  EXPECT_GT(plots->pressing_points(), 590);
+  EXPECT_EQ(plots->sent_force_points(), 0);
+  find<QPushButton>(*window, "unblind").click();
+  give_reason(*window, "a surface feels wrong");
+  EXPECT_GT(plots->sent_force_points(), 590);
+  find<QPushButton>(*window, "unblind").click();
+  EXPECT_EQ(plots->sent_force_points(), 0);
+}
+
+TEST(SessionWindow, SaysHowMuchOfTheContactLayInTheBands) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  for (int i = 0; i < 600; ++i) {
+    LiveBin bin{};
+    bin.time_ns = i * 16'666'667LL;
+    bin.touching = i < 500;
+    bin.pressing_N = i < 375 ? 1.0F : 2.9F;  // asked: 0.3 to 2.5
+    bin.speed_minimum_m_per_s = bin.speed_maximum_m_per_s = i < 100 ? 0.020F : 0.060F;  // 0.03 on
+    session.monitor.add_bin(bin);
+  }
+  const auto window = session.window();
+  EXPECT_TRUE(find<QLabel>(*window, "force_compliance").text().contains("in band 75 %"));
+  EXPECT_TRUE(find<QLabel>(*window, "speed_compliance").text().contains("in band 80 %"));
+}
+
+TEST(SessionWindow, HidesRightAndWrongWhileBlindButWhereTheParticipantIsTold) {
+  FilledMonitor session{};
+  session.answer_up_to(34);  // 28 trials of familiarisation and practice tell, the main ones do not
+  const auto window = session.window();
+  auto& model = window->findChild<PlanTable*>()->model();
+  const auto outcome = [&model](int trial) {
+    return model.index(model.row_of(trial), 2).data().toString();
+  };
+  EXPECT_TRUE(outcome(11).contains("right")) << outcome(11).toStdString();
+  EXPECT_EQ(outcome(32), "✓ answered 5");
+  EXPECT_FALSE(find<QLabel>(*window, "last_answer").text().contains("right"));
+  find<QPushButton>(*window, "unblind").click();
+  give_reason(*window, "a surface feels wrong");
+  EXPECT_EQ(outcome(32), "✓ answered 5, right");
+}
+
+TEST(SessionWindow, MarksTheTrialUnderWayAndSaysEveryAttempt) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  const auto window = session.window();
+  auto& model = window->findChild<PlanTable*>()->model();
+  const auto text = [&model](int trial, int column) {
+    return model.index(model.row_of(trial), column).data().toString();
+  };
+  EXPECT_EQ(text(17, 0), "▶ 17");
+  EXPECT_EQ(text(17, 2), "feeling 6.2 s");
+  EXPECT_EQ(text(16, 0), "16");
+  EXPECT_TRUE(text(10, 2).endsWith("before: not explored as asked"));
+  EXPECT_EQ(text(6, 2), "▲ skipped");
+  EXPECT_TRUE(text(13, 2).contains("flagged"));
+}
+
+TEST(SessionWindow, KeepsTheTrialUnderWayInSightUntilThePersonScrolls) {
+  FilledMonitor session{};
+  session.answer_up_to(1);
+  const auto window = session.window();
+  auto& plan = *window->findChild<PlanTable*>();
+  auto& view = find<QTableView>(*window, "plan");
+  const auto in_sight = [&](int trial) {
+    return view.viewport()->rect().contains(
+        view.visualRect(plan.model().index(plan.model().row_of(trial), 0)));
+  };
+  session.answer_up_to(49);
+  window->refresh();
+  EXPECT_TRUE(in_sight(50));
+  view.verticalScrollBar()->triggerAction(QAbstractSlider::SliderToMinimum);
+  session.answer_up_to(51);
+  window->refresh();
+  EXPECT_FALSE(plan.is_following());
+  EXPECT_FALSE(in_sight(52));
+  find<QPushButton>(*window, "plan_follow").click();
+  EXPECT_TRUE(in_sight(52));
+}
+
+TEST(SessionWindow, GreysTheNoteWhileKeysAnswerTheTrialAndSaysSo) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  const auto window = session.window();
+  auto& note = find<QLineEdit>(*window, "note");
+  note.setFocus();
+  note.setText("half");
+  session.open_response(true);
+  window->refresh();
+  EXPECT_FALSE(note.isEnabled());
+  EXPECT_EQ(note.text(), "half");
+  EXPECT_EQ(find<QLabel>(*window, "note_locked").text(), "Keys answer the trial now");
+  const QWidget* focus = QApplication::focusWidget();
+  EXPECT_EQ(qobject_cast<const QPushButton*>(focus), nullptr)
+      << "the participant's Space would press it";
+
+  auto& phrase = find<QPushButton>(*window, "phrase");
+  QTest::mouseClick(&phrase, Qt::LeftButton);
+  EXPECT_FALSE(phrase.hasFocus());
+  EXPECT_EQ(kinds(session.requests.take_remarks()), std::vector<std::string>{"note"});
+
+  session.open_response(false);
+  window->refresh();
+  EXPECT_TRUE(note.isEnabled());
+  EXPECT_FALSE(note.hasFocus());
+}
+
+TEST(SessionWindow, LeavesTheNoteOpenToWhoHasAKeyboardOfTheirOwn) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  const auto window = session.window();
+  window->set_own_keyboard(true);
+  session.open_response(true);
+  window->refresh();
+  EXPECT_TRUE(find<QLineEdit>(*window, "note").isEnabled());
+}
+
+TEST(SessionWindow, AsksWhyATrialIsSkippedAndTakesAReasonByMouse) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.open_response(true);
+  const auto window = session.window();
+  find<QPushButton>(*window, "skip").click();
+  EXPECT_FALSE(find<QLineEdit>(*window, "reason").isEnabled());
+  const auto buttons = window->findChild<QWidget*>("reason_form")->findChildren<QPushButton*>();
+  const auto ready = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+    return button->text() == "Technical problem";
+  });
+  ASSERT_NE(ready, buttons.end());
+  QTest::mouseClick(*ready, Qt::LeftButton);
+  find<QPushButton>(*window, "reason_given").click();
+  EXPECT_EQ(session.requests.take_skip(), "Technical problem");
+}
+
+TEST(SessionWindow, SaysBesideTheButtonsWhyOneCannotBePressed) {
+  FilledMonitor session{};
+  session.set_phase(SessionPhase::iti);
+  const auto window = session.window();
+  EXPECT_FALSE(find<QPushButton>(*window, "repeat_last").isEnabled());
+  EXPECT_FALSE(find<QPushButton>(*window, "skip").isEnabled());
+  const QString why = find<QLabel>(*window, "why_disabled").text();
+  EXPECT_TRUE(why.contains("no trial is finished yet"));
+  EXPECT_TRUE(why.contains("no trial is under way"));
+}
+
+TEST(SessionWindow, ShowsATroubleWithTheButtonThatHelps) {
+  FilledMonitor session{};
+  session.answer_up_to(4);
+  session.requests.pause();
+  session.set_phase(SessionPhase::paused);
+  session.monitor.update([](SessionSnapshot& s) {
+    s.trouble = SessionTrouble{.what = "The masking noise stopped; the session is paused.",
+                               .time_ns = s.now_ns,
+                               .remedy = SessionTrouble::Remedy::resume};
+  });
+  const auto window = session.window();
+  const auto& banner = find<QWidget>(*window, "trouble");
+  ASSERT_TRUE(banner.isVisible());
+  const auto buttons = banner.findChildren<QPushButton*>();
+  const auto resume = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+    return button->text() == "Resume";
+  });
+  ASSERT_NE(resume, buttons.end());
+  (*resume)->click();
+  EXPECT_FALSE(session.requests.pending().pause);
+}
+
+TEST(SessionWindow, HidesTheBannerOnceTheTroubleIsOver) {
+  FilledMonitor session{};
+  session.answer_up_to(4);
+  session.monitor.update([](SessionSnapshot& s) {
+    s.trouble = SessionTrouble{.what = "The disk is nearly full.", .time_ns = s.now_ns};
+  });
+  const auto window = session.window();
+  ASSERT_TRUE(find<QWidget>(*window, "trouble").isVisible());
+  session.monitor.update([](SessionSnapshot& s) { s.trouble.reset(); });
+  window->refresh();
+  EXPECT_FALSE(find<QWidget>(*window, "trouble").isVisible());
+}
+
+TEST(SessionWindow, OffersNoWayOnAfterAFaultThatCannotBeCleared) {
+  FilledMonitor session{};
+  session.answer_up_to(4);
+  session.set_phase(SessionPhase::fault);
+  session.monitor.update([](SessionSnapshot& s) {
+    s.fault = Fault::device_lost;
+    s.trouble = SessionTrouble{.what = "The device does not answer.", .time_ns = s.now_ns};
+  });
+  const auto window = session.window();
+  EXPECT_TRUE(find<QLabel>(*window, "fault_text").text().contains("The device does not answer."));
+  EXPECT_FALSE(find<QPushButton>(*window, "fault_clear").isVisible());
+}
+
+TEST(SessionWindow, SumsUpASessionThatHasEnded) {
+  FilledMonitor session{};
+  session.answer_up_to(static_cast<int>(session.plan->trials.size()));
+  session.set_phase(SessionPhase::ended);
+  const auto window = session.window();
+  EXPECT_TRUE(find<QLabel>(*window, "end_title").isVisible());
+  EXPECT_TRUE(find<QLabel>(*window, "end_title").text().contains("complete"));
+  EXPECT_TRUE(find<QLabel>(*window, "end_text").text().contains("60 of 60 trials are done"));
+  EXPECT_TRUE(find<QLabel>(*window, "end_text").text().contains("7 are flagged"));
+  EXPECT_TRUE(
+      find<QLabel>(*window, "end_place").text().contains("/data/rough-surfaces/study.sqlite"));
+  QSignalSpy trials(window.get(), &SessionWindow::trials_wanted);
+  QSignalSpy results(window.get(), &SessionWindow::results_wanted);
+  QSignalSpy closed(window.get(), &SessionWindow::closed);
+  find<QPushButton>(*window, "see_trials").click();
+  find<QPushButton>(*window, "see_table").click();
+  EXPECT_EQ(trials.count(), 1);
+  EXPECT_EQ(results.count(), 1);
+  find<QPushButton>(*window, "close").click();
+  EXPECT_EQ(closed.count(), 1);
+  EXPECT_FALSE(window->isVisible());
+}
+
+TEST(SessionWindow, SaysWhatStoppedASessionEarly) {
+  FilledMonitor session{};
+  session.answer_up_to(9);
+  session.set_phase(SessionPhase::ended);
+  const auto window = session.window();
+  window->show_end({.state = SessionState::stopped, .reason = "as asked, after the block"});
+  EXPECT_TRUE(find<QLabel>(*window, "end_title").text().contains("stopped"));
+  const QString text = find<QLabel>(*window, "end_text").text();
+  EXPECT_TRUE(text.contains("as asked, after the block"));
+  EXPECT_TRUE(text.contains("can be gone on with"));
+}
+
+TEST(SessionWindow, AsksBeforeItClosesInASession) {
+  FilledMonitor session{};
+  session.answer_up_to(9);
+  session.set_phase(SessionPhase::contact);
+  const auto window = session.window();
+  QSignalSpy closed(window.get(), &SessionWindow::closed);
+  window->close();
+  EXPECT_TRUE(window->isVisible());
+  ASSERT_TRUE(find<QDialog>(*window, "close_dialog").isVisible());
+  find<QPushButton>(*window, "close_keep").click();
+  EXPECT_TRUE(window->isVisible());
+  EXPECT_FALSE(session.requests.pending().stop.has_value());
+  EXPECT_EQ(closed.count(), 0);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+
+  EXPECT_FALSE(window->may_close());
+  find<QPushButton>(*window, "close_stop").click();
+  EXPECT_EQ(session.requests.pending().stop, StopAfter::trial);
+  EXPECT_TRUE(window->isVisible()) << "until the session has ended";
+  session.set_phase(SessionPhase::ended);
+  window->refresh();
+  EXPECT_FALSE(window->isVisible());
+  EXPECT_EQ(closed.count(), 1);
+  EXPECT_TRUE(window->may_close());
+}
+
+TEST(SessionWindow, AbortsASessionWhoseWindowIsToGoAtOnce) {
+  FilledMonitor session{};
+  session.answer_up_to(9);
+  session.set_phase(SessionPhase::contact);
+  const auto window = session.window();
+  window->close();
+  find<QPushButton>(*window, "close_abort").click();
+  EXPECT_TRUE(session.requests.take_abort().has_value());
+}
+
+TEST(SessionWindow, ClosesAfterAFailureWithoutAQuestion) {
+  FilledMonitor session{};
+  session.answer_up_to(2);
+  const auto window = session.window();
+  window->show_failure("The disk is full: study.sqlite could not be written.");
+  EXPECT_TRUE(find<QWidget>(*window, "news").isVisible());
+  EXPECT_TRUE(window->may_close());
+}
+
+TEST(SessionWindow, SaysThatAScreenWasUnpluggedAndOffersAPause) {
+  FilledMonitor session{};
+  session.answer_up_to(2);
+  const auto window = session.window();
+  emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
+  auto& banner = find<QWidget>(*window, "news");
+  ASSERT_TRUE(banner.isVisible());
+  const auto buttons = banner.findChildren<QPushButton*>();
+  const auto pause = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+    return button->text() == "Pause";
+  });
+  ASSERT_NE(pause, buttons.end());
+  (*pause)->click();
+  EXPECT_TRUE(session.requests.pending().pause);
+}
+
+TEST(SessionWindow, MovesItselfToAScreenThatIsThere) {
+  FilledMonitor session{};
+  session.answer_up_to(2);
+  const auto window = session.window();
+  window->move(20000, 20000);
+  emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return QGuiApplication::screenAt(window->frameGeometry().center()) != nullptr; }));
+}
+
+TEST(SessionWindow, ShowsTheMirrorThatItIsGiven) {
+  FilledMonitor session{};
+  const auto window = session.window();
+  auto* mirror = new QLabel("what the participant sees");
+  window->set_mirror(mirror);
+  EXPECT_TRUE(window->isAncestorOf(mirror));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return mirror->isVisible(); }));
+}
+
+TEST(SessionWindow, FitsTheSmallestScreenWithoutScrollingWhateverIsOpen) {
+  FilledMonitor session("chapter_matching", SessionMode::pilot);
+  session.answer_up_to(1);
+  session.set_phase(SessionPhase::contact);
+  session.monitor.update([](SessionSnapshot& s) {
+    s.trouble = SessionTrouble{.what = "The disk is nearly full.", .time_ns = s.now_ns};
+  });
+  const auto window = session.window();
+  find<QPushButton>(*window, "skip").click();
+  QTest::qWait(1);
+  EXPECT_LE(window->minimumSizeHint().width(), 1366);
+  EXPECT_LE(window->minimumSizeHint().height(), 768);
+  std::cout << "smallest size: " << window->minimumSizeHint().width() << " × "
+            << window->minimumSizeHint().height() << '\n';
+}
+
+// Printed, not asserted: how long a frame takes depends on what else the machine does.
+TEST(SessionWindow, DrawsAFrameWithNewBins) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  session.stroke(12.0);
+  const auto window = session.window();
+  find<QPushButton>(*window, "unblind").click();
+  give_reason(*window, "the dearest frame has the envelope of the force");
+  QTest::qWait(20);
+  std::vector<double> frames_ms{};
+  for (int frame = 0; frame < 300; ++frame) {
+    session.stroke(SessionMonitor::kBin_s);
+    session.monitor.update([](SessionSnapshot& s) {
+      s.now_ns += 16'666'667;
+      s.contact_s += 1.0 / 60.0;
+    });
+    const auto began = std::chrono::steady_clock::now();
+    window->refresh();
+    QCoreApplication::sendPostedEvents();  // paints
+    QCoreApplication::processEvents();
+    frames_ms.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began)
+            .count());
+  }
+  std::sort(frames_ms.begin(), frames_ms.end());
+  std::cout << "a frame: median " << frames_ms[150] << " ms, p95 " << frames_ms[285] << " ms\n";
+  const auto* plots = window->findChild<LivePlots*>();
+  EXPECT_GT(plots->pressing_points(), 590);
+}
+
+}  // namespace
+}  // namespace asperity
