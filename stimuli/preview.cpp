@@ -14,7 +14,16 @@ namespace asperity {
 
 namespace {
 
-/// The picture with 1 % of its pixels black, 1 % white and the rest in proportion.
+cv::Mat as_mat(const GreyImage& picture) {
+  if (picture.values.empty() || picture.values.size() != picture.rows * picture.columns) {
+    throw std::invalid_argument("A grey picture needs rows · columns values, and at least one.");
+  }
+  return cv::Mat(static_cast<int>(picture.rows), static_cast<int>(picture.columns), CV_32FC1,
+                 const_cast<float*>(picture.values.data()));
+}
+
+}  // namespace
+
 GreyImage stretched(GreyImage picture) {
   std::vector<float> sorted = picture.values;
   const auto share = static_cast<std::ptrdiff_t>(sorted.size() / 100);
@@ -28,7 +37,24 @@ GreyImage stretched(GreyImage picture) {
   return picture;
 }
 
-}  // namespace
+GreyImage scaled_to_fit(const GreyImage& picture, std::size_t longest_side) {
+  const cv::Mat source = as_mat(picture);
+  const std::size_t longer = std::max(picture.rows, picture.columns);
+  if (longest_side == 0) {
+    throw std::invalid_argument("A picture can be scaled to one pixel or more, not to none.");
+  }
+  if (longer <= longest_side) return picture;
+  const double factor = static_cast<double>(longest_side) / static_cast<double>(longer);
+  cv::Mat scaled;
+  cv::resize(
+      source, scaled,
+      {std::max(1, cvRound(factor * source.cols)), std::max(1, cvRound(factor * source.rows))}, 0.0,
+      0.0, cv::INTER_AREA);
+  GreyImage result{
+      static_cast<std::size_t>(scaled.rows), static_cast<std::size_t>(scaled.cols), {}};
+  result.values.assign(scaled.ptr<float>(0), scaled.ptr<float>(0) + scaled.total());
+  return result;
+}
 
 GreyImage shaded_relief(const HeightField& field) {
   const HeightField::Grid& grid = field.grid();
@@ -68,11 +94,7 @@ GreyImage side_by_side(std::span<const GreyImage> pictures, std::size_t rows) {
   const auto height = static_cast<int>(rows);
   cv::Mat strip;
   for (const GreyImage& picture : pictures) {
-    if (picture.values.empty() || picture.values.size() != picture.rows * picture.columns) {
-      throw std::invalid_argument("A grey picture needs rows · columns values, and at least one.");
-    }
-    const cv::Mat source(static_cast<int>(picture.rows), static_cast<int>(picture.columns),
-                         CV_32FC1, const_cast<float*>(picture.values.data()));
+    const cv::Mat source = as_mat(picture);
     const double factor = static_cast<double>(rows) / static_cast<double>(picture.rows);
     const int width = std::max(1, cvRound(factor * source.cols));
     cv::Mat scaled;

@@ -17,6 +17,15 @@ GreyImage shaded_relief(const HeightField& field);
 /// Low is dark and high is bright, stretched so that 1 % of the pixels end up black and 1 % white.
 GreyImage height_picture(const HeightField& field);
 
+/// The picture with 1 % of its pixels black, 1 % white and the rest in proportion.
+GreyImage stretched(GreyImage picture);
+
+/// The picture averaged down until its longer side has `longest_side` pixels; as it is where it is
+/// no larger. A cut-off in metres means the same on both.
+///
+/// Errors: std::invalid_argument for an empty picture or no pixels asked for.
+GreyImage scaled_to_fit(const GreyImage& picture, std::size_t longest_side);
+
 /// The pictures beside each other on white, each scaled to that many rows.
 ///
 /// Errors: std::invalid_argument for no pictures, an empty one, or fewer than one row.

@@ -137,6 +137,64 @@ ParameterValues parameter_values(const TextureRecipe& recipe) {
   };
 }
 
+std::vector<Parameter> texture_recipe_parameters() {
+  const TextureRecipe usual{};
+  const auto number = [](const char* name, const char* unit, double minimum, double maximum,
+                         double usual_value, const char* meaning) {
+    return Parameter{.name = name,
+                     .kind = ParameterKind::number,
+                     .unit = unit,
+                     .minimum = minimum,
+                     .maximum = maximum,
+                     .choices = {},
+                     .default_value = usual_value,
+                     .meaning = meaning};
+  };
+  return {
+      number("width_m", "m", 0.001, 1.0, usual.width_m,
+             "What the photograph shows on the surface, from its left to its right edge"),
+      {.name = "histogram",
+       .kind = ParameterKind::choice,
+       .unit = "1",
+       .choices = {"none", "equalize"},
+       .default_value = std::string("none"),
+       .meaning = "none: brightness as stored; equalize: every brightness is made equally "
+                  "frequent, which tears brightness from height"},
+      number("homomorphic_wavelength_m", "m", 0.0005, 0.5, usual.homomorphic_wavelength_m,
+             "Changes of brightness that are longer than this count as lighting, shorter ones as "
+             "the surface"),
+      number("gamma_low", "1", 0.05, 2.0, usual.gamma_low,
+             "What slow changes of the lighting are multiplied by; below 1 evens them out"),
+      number("gamma_high", "1", 0.2, 5.0, usual.gamma_high,
+             "What fine detail is multiplied by; above 1 raises its contrast"),
+      number("gaussian_wavelength_m", "m", 0.0002, 0.2, usual.gaussian_wavelength_m,
+             "Waves longer than about this are left out of the heights: they are shape, not "
+             "texture"),
+      number("rms_m", "m", 1e-6, 2e-3, usual.rms_m,
+             "How rough the relief is: the root mean square of its heights. A photograph cannot "
+             "tell it"),
+  };
+}
+
+TextureRecipe texture_recipe(const ParameterValues& values) {
+  ParameterValues complete = parameter_values(TextureRecipe{});
+  for (const auto& [name, value] : values) complete[name] = value;
+  const std::string& histogram = choice_of(complete, "histogram");
+  if (histogram != "none" && histogram != "equalize") {
+    throw std::invalid_argument("histogram is \"" + histogram + "\"; it must be none or equalize.");
+  }
+  return {.width_m = number_of(complete, "width_m"),
+          .histogram = histogram == "none" ? HistogramTransformation::none
+                                           : HistogramTransformation::equalize,
+          .homomorphic_wavelength_m = number_of(complete, "homomorphic_wavelength_m"),
+          .gamma_low = number_of(complete, "gamma_low"),
+          .gamma_high = number_of(complete, "gamma_high"),
+          .gaussian_wavelength_m = number_of(complete, "gaussian_wavelength_m"),
+          .rms_m = number_of(complete, "rms_m"),
+          .sign = number_of(complete, "sign") > 0.0 ? HeightSign::bright_is_high
+                                                    : HeightSign::dark_is_high};
+}
+
 PhotographTexture texture_from_photograph(const GreyImage& photograph, const TextureRecipe& recipe,
                                           const std::string& name) {
   check(photograph, recipe, name);

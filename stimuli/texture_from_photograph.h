@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "stimuli/grey_image.h"
 #include "stimuli/height_field.h"
@@ -35,6 +36,15 @@ struct TextureRecipe {
 /// The recipe under the names that the command line and the sidecar of a height field use; `sign`
 /// is 1 or −1.
 ParameterValues parameter_values(const TextureRecipe& recipe);
+
+/// What a form may offer of each: unit, range, default and meaning, in the order of the steps. The
+/// ranges are those of photographs of surfaces that a hand feels; the pipeline itself refuses less.
+std::vector<Parameter> texture_recipe_parameters();
+
+/// The reverse of `parameter_values`; what is not given keeps its default.
+///
+/// Errors: std::invalid_argument for a value of the wrong kind or a histogram that is not there.
+TextureRecipe texture_recipe(const ParameterValues& values);
 
 /// A texture and how it came about; all four have the rows and columns of the photograph.
 struct PhotographTexture {
