@@ -1,0 +1,131 @@
+// What one changed parameter costs the workbench: heights from a photograph and pictures of them.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "stimuli/preview.h"
+#include "stimuli/synthetic_photograph.h"
+#include "stimuli/synthetic_surface.h"
+#include "stimuli/texture_from_photograph.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kWarmUp = 5;
+constexpr int kCounted = 100;
+constexpr std::size_t kSide = 1024;
+constexpr std::size_t kDraggedSide = 384;  // what is computed while a control is dragged
+constexpr std::size_t kThumbnailSide = 160;
+
+struct Costs {
+  std::string name{};
+  std::vector<double> sorted_ms{};
+};
+
+Costs measure(const std::string& name, const std::function<double()>& work, double& used) {
+  Costs costs{.name = name};
+  for (int i = 0; i < kWarmUp + kCounted; ++i) {
+    const auto started = std::chrono::steady_clock::now();
+    used += work();
+    const std::chrono::duration<double, std::milli> took =
+        std::chrono::steady_clock::now() - started;
+    if (i >= kWarmUp) costs.sorted_ms.push_back(took.count());
+  }
+  std::sort(costs.sorted_ms.begin(), costs.sorted_ms.end());
+  return costs;
+}
+
+double quantile_ms(const Costs& costs, double fraction) {
+  const auto last = static_cast<double>(costs.sorted_ms.size() - 1);
+  return costs.sorted_ms[static_cast<std::size_t>(std::llround(fraction * last))];
+}
+
+double thumbnails(const PhotographTexture& texture) {
+  double sum = 0.0;
+  for (const GreyImage* step : {&texture.grey, &texture.evened, &texture.low_pass}) {
+    sum += static_cast<double>(stretched(scaled_to_fit(*step, kThumbnailSide)).values.front());
+  }
+  const HeightField::Grid& grid = texture.field.grid();
+  const GreyImage heights{grid.rows, grid.columns, texture.field.heights_m()};
+  return sum +
+         static_cast<double>(stretched(scaled_to_fit(heights, kThumbnailSide)).values.front());
+}
+
+std::string machine() {
+  std::ifstream cpus("/proc/cpuinfo");
+  for (std::string line; std::getline(cpus, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+void print_json(const std::vector<Costs>& all) {
+  nlohmann::ordered_json document{{"format", "asperity.bench/1"},
+                                  {"machine", machine()},
+                                  {"commit", ASPERITY_COMMIT},
+                                  {"cases", nlohmann::ordered_json::array()}};
+  for (const Costs& costs : all) {
+    document["cases"].push_back({{"name", costs.name},
+                                 {"unit", "ms"},
+                                 {"p50", quantile_ms(costs, 0.5)},
+                                 {"p99", quantile_ms(costs, 0.99)},
+                                 {"count", costs.sorted_ms.size()}});
+  }
+  std::puts(document.dump(2).c_str());
+}
+
+void print_table(const std::vector<Costs>& all) {
+  std::printf("%-28s %8s %8s %6s\n", "case (ms)", "p50", "p99", "count");
+  for (const Costs& costs : all) {
+    std::printf("%-28s %8.1f %8.1f %6zu\n", costs.name.c_str(), quantile_ms(costs, 0.5),
+                quantile_ms(costs, 0.99), costs.sorted_ms.size());
+  }
+}
+
+int run(bool as_json) {
+  const HeightField surface =
+      make_surface("brick", {}, {.width_m = 0.10, .pixels = kSide, .seed = 1});
+  const GreyImage photograph = synthetic_photograph(surface, PhotographSettings{});
+  const GreyImage coarse = scaled_to_fit(photograph, kDraggedSide);
+  const TextureRecipe recipe{};
+  const PhotographTexture texture = texture_from_photograph(photograph, recipe, "photograph");
+  const auto texture_of = [&recipe](const GreyImage& picture) {
+    return texture_from_photograph(picture, recipe, "photograph").field.rms_m();
+  };
+  double used = 0.0;  // so that no work can be left out
+  std::vector<Costs> all;
+  all.push_back(measure(
+      "texture/1024", [&] { return texture_of(photograph); }, used));
+  all.push_back(measure(
+      "texture/384", [&] { return texture_of(coarse); }, used));
+  all.push_back(measure(
+      "thumbnails/1024", [&] { return thumbnails(texture); }, used));
+  all.push_back(measure(
+      "shaded_relief/1024",
+      [&] { return static_cast<double>(shaded_relief(texture.field).values.front()); }, used));
+  all.push_back(measure(
+      "preview/1024",
+      [&] { return thumbnails(texture_from_photograph(photograph, recipe, "photograph")); }, used));
+  as_json ? print_json(all) : print_table(all);
+  return std::isfinite(used) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+  if (argc > 2 || (argc == 2 && std::strcmp(argv[1], "--json") != 0)) {
+    std::fprintf(stderr, "usage: %s [--json]\n", argv[0]);
+    return 2;
+  }
+  return asperity::run(argc == 2);
+}
