@@ -1,0 +1,299 @@
+#include "app/gui/workbench/force_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <glm/geometric.hpp>
+
+#include "analysis/spectrum.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/workbench/parameter_form.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kFrame_ms = 16;
+constexpr std::size_t kShownSamples = 2000;  // two seconds
+constexpr std::size_t kWelchSamples = 256;
+constexpr double kAcross_m_per_s = 0.060;
+constexpr double kStill_m_per_s = 1e-4;  // below, a direction of motion means nothing
+
+std::vector<Parameter> surface_parameters() {
+  const Material usual{};
+  const auto number = [](const char* name, const char* unit, double minimum, double maximum,
+                         double usual_value, const char* meaning) {
+    return Parameter{.name = name,
+                     .kind = ParameterKind::number,
+                     .unit = unit,
+                     .minimum = minimum,
+                     .maximum = maximum,
+                     .choices = {},
+                     .default_value = usual_value,
+                     .meaning = meaning};
+  };
+  return {number("stiffness_N_per_m", "N/m", 1.0, 5000.0, usual.stiffness_N_per_m,
+                 "How hard the surface is, the same for every model"),
+          number("friction", "1", 0.0, 2.0, usual.friction,
+                 "Friction along the surface over the force that presses, the same for every "
+                 "model"),
+          number("pressing_depth_m", "m", 0.0001, 0.009, 0.001,
+                 "How deep the probe is held below the mean height while it strokes")};
+}
+
+QString name_of(const ForceModel& model) {
+  QString name = QString::fromStdString(model.declaration.id).replace('_', ' ');
+  name[0] = name[0].toUpper();
+  return name;
+}
+
+}  // namespace
+
+struct ForceComparison::Built {
+  struct Model {
+    std::string id{};
+    ParameterValues suggestion{};
+    StrokedModel stroked{};
+    QString complaint{};
+  };
+  std::vector<Model> models{};
+  double depth_m = 0.0;
+};
+
+ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kMargin);
+  layout->addWidget(make_text(tr("Choose models, then drag the mouse over the relief: each shows "
+                                 "the force that it would give to a hand on the same path."),
+                              this, true));
+  auto* across = make_button(tr("Stroke once across"), ButtonRole::plain, this);
+  across->setObjectName("stroke_across");
+  across->setToolTip(tr("From left to right at 60 mm/s, always the same"));
+  connect(across, &QPushButton::clicked, this, &ForceComparison::across_wanted);
+  layout->addWidget(across);
+  auto* shown = new QHBoxLayout();
+  QLabel* caption = make_text(tr("Force shown"), this);
+  caption->setFont(text_font(TextSize::small));
+  component_ = new QComboBox(this);
+  component_->setObjectName("force_component");
+  component_->addItems({tr("Pressing back (normal)"), tr("Against the motion")});
+  caption->setBuddy(component_);
+  connect(component_, &QComboBox::currentIndexChanged, this, &ForceComparison::advanced);
+  shown->addWidget(caption);
+  shown->addWidget(component_, 1);
+  layout->addLayout(shown);
+  for (const ForceModel& model : models.models()) add_card(model, this);
+
+  QVBoxLayout* inside = nullptr;
+  QFrame* card = make_card(this, inside);
+  inside->addWidget(make_text(tr("<b>Surface and hand</b>, the same for all"), card));
+  surface_ = new ParameterForm(surface_parameters(), FormStyle::fields, card);
+  surface_->setObjectName("surface");
+  connect(surface_, &ParameterForm::edited, this, &ForceComparison::make_renderers);
+  inside->addWidget(surface_);
+  layout->addWidget(card);
+  layout->addStretch(1);
+  frames_.setInterval(kFrame_ms);
+  connect(&frames_, &QTimer::timeout, this, &ForceComparison::frame);
+}
+
+void ForceComparison::add_card(const ForceModel& model, QWidget* parent) {
+  ModelCard card{.model = &model, .color = series_color(static_cast<int>(cards_.size()))};
+  QVBoxLayout* inside = nullptr;
+  QFrame* frame = make_card(parent, inside);
+  auto* head = new QHBoxLayout();
+  auto* swatch = new QLabel(frame);
+  swatch->setFixedSize(16, 4);
+  swatch->setStyleSheet("background: " + card.color.name());
+  card.chosen = new QCheckBox(name_of(model), frame);
+  card.chosen->setObjectName("model_" + QString::fromStdString(model.declaration.id));
+  card.chosen->setFont(text_font(TextSize::body, true));
+  head->addWidget(card.chosen, 1);
+  head->addWidget(swatch);
+  inside->addLayout(head);
+  QLabel* summary = make_text(QString::fromStdString(model.declaration.summary), frame, true);
+  summary->setFont(text_font(TextSize::small));
+  summary->setToolTip(QString::fromStdString(model.declaration.source));
+  inside->addWidget(summary);
+  card.body = new QWidget(frame);
+  auto* body = new QVBoxLayout(card.body);
+  body->setContentsMargins(0, 0, 0, 0);
+  card.form = new ParameterForm(model.declaration.parameters, FormStyle::fields, card.body);
+  card.form->setObjectName("form_" + QString::fromStdString(model.declaration.id));
+  connect(card.form, &ParameterForm::edited, this, &ForceComparison::make_renderers);
+  card.complaint = new StateLabel(card.body);
+  card.complaint->hide();
+  body->addWidget(card.form);
+  body->addWidget(card.complaint);
+  inside->addWidget(card.body);
+  card.chosen->setChecked(cards_.size() < 2);
+  card.body->setVisible(card.chosen->isChecked());
+  connect(card.chosen, &QCheckBox::toggled, card.body, &QWidget::setVisible);
+  connect(card.chosen, &QCheckBox::toggled, this, &ForceComparison::make_renderers);
+  layout()->addWidget(frame);
+  cards_.push_back(card);
+}
+
+void ForceComparison::set_field(std::shared_ptr<const HeightField> field) {
+  field_ = std::move(field);
+  make_renderers();
+}
+
+void ForceComparison::make_renderers() {
+  if (field_ == nullptr) return;
+  struct Order {
+    const ForceModel* model = nullptr;
+    ParameterValues given{};
+  };
+  std::vector<Order> orders{};
+  for (const ModelCard& card : cards_) {
+    if (card.chosen->isChecked()) orders.push_back({card.model, card.form->given()});
+  }
+  const ParameterValues surface = surface_->values();
+  const Material material{.stiffness_N_per_m = number_of(surface, "stiffness_N_per_m"),
+                          .friction = number_of(surface, "friction")};
+  work_.ask(
+      [this, orders, material, field = field_,
+       depth_m = number_of(surface, "pressing_depth_m")]() -> NewestWork::Delivery {
+        auto built = std::make_shared<Built>();
+        built->depth_m = depth_m;
+        for (const Order& order : orders) {
+          Built::Model model{.id = order.model->declaration.id};
+          try {
+            if (order.model->suggested_by) {
+              model.suggestion = order.model->suggested_by(*field, material);
+            }
+            ParameterValues values = model.suggestion;
+            for (const auto& [name, value] : order.given) values[name] = value;
+            model.stroked = {.id = model.id, .inputs = stroke_inputs(field, material, values)};
+            model.stroked.renderer = make_renderer(*order.model, model.stroked.inputs);
+          } catch (const std::invalid_argument& error) {
+            model.complaint = QString::fromUtf8(error.what());
+          }
+          built->models.push_back(std::move(model));
+        }
+        return [this, built] { take(std::move(*built)); };
+      },
+      [](const QString&) {});
+}
+
+void ForceComparison::take(Built built) {
+  std::vector<StrokedModel> models{};
+  for (Built::Model& model : built.models) {
+    const auto card = std::find_if(cards_.begin(), cards_.end(), [&model](const ModelCard& one) {
+      return one.model->declaration.id == model.id;
+    });
+    card->complaint->setVisible(!model.complaint.isEmpty());
+    card->complaint->set_state(State::stop, model.complaint);
+    if (!model.complaint.isEmpty()) continue;
+    card->form->set_defaults(model.suggestion);
+    models.push_back(std::move(model.stroked));
+  }
+  stroke_.set_models(std::move(models), built.depth_m);
+  frames_.stop();
+  emit advanced();
+}
+
+void ForceComparison::begin_stroke(double x_m, double y_m) {
+  across_y_m_.reset();
+  stroke_.begin({x_m, y_m});
+  clock_.start();
+  frames_.start();
+}
+
+void ForceComparison::end_stroke() {
+  frame();
+  stroke_.end();
+  frames_.stop();
+}
+
+void ForceComparison::stroke_across(double y_m) {
+  if (field_ == nullptr) return;
+  begin_stroke(-0.45 * field_->width_m(), y_m);
+  across_y_m_ = y_m;
+}
+
+void ForceComparison::frame() {
+  const std::int64_t now_ns = clock_.nsecsElapsed();
+  if (across_y_m_) {
+    const double gone_m = kAcross_m_per_s * 1e-9 * static_cast<double>(now_ns);
+    const double length_m = 0.9 * field_->width_m();
+    stroke_.aim({std::min(gone_m, length_m) - 0.5 * length_m, *across_y_m_});
+    if (gone_m > length_m) across_y_m_.reset();
+    stroke_.advance(now_ns);
+    if (!across_y_m_) {
+      stroke_.end();
+      frames_.stop();
+    }
+  } else {
+    stroke_.advance(now_ns);
+  }
+  emit advanced();
+}
+
+std::vector<double> ForceComparison::component_of(std::size_t model) const {
+  const std::vector<glm::dvec3>& forces_N = stroke_.forces_N()[model];
+  const std::size_t first = forces_N.size() - std::min(forces_N.size(), kShownSamples);
+  std::vector<double> component_N{};
+  component_N.reserve(forces_N.size() - first);
+  for (std::size_t i = first; i < forces_N.size(); ++i) {
+    if (component_->currentIndex() == 0) {
+      component_N.push_back(forces_N[i].z);
+      continue;
+    }
+    const glm::dvec3& velocity_m_per_s = stroke_.path()[i].velocity_m_per_s;
+    const double speed_m_per_s = glm::length(velocity_m_per_s);
+    component_N.push_back(speed_m_per_s < kStill_m_per_s
+                              ? 0.0
+                              : -glm::dot(forces_N[i], velocity_m_per_s) / speed_m_per_s);
+  }
+  return component_N;
+}
+
+std::vector<PlotSeries> ForceComparison::forces() const {
+  std::vector<PlotSeries> all{};
+  for (std::size_t m = 0; m < stroke_.models().size(); ++m) {
+    const std::vector<double> component_N = component_of(m);
+    if (component_N.empty()) continue;
+    PlotSeries series{};
+    const std::size_t first = stroke_.path().size() - component_N.size();
+    for (std::size_t i = 0; i < component_N.size(); ++i) {
+      series.x.push_back(1e-9 * static_cast<double>(stroke_.path()[first + i].time_ns));
+      series.y.push_back(component_N[i]);
+    }
+    for (const ModelCard& card : cards_) {
+      if (card.model->declaration.id != stroke_.models()[m].id) continue;
+      series.name = name_of(*card.model);
+      series.color = card.color;
+    }
+    all.push_back(std::move(series));
+  }
+  return all;
+}
+
+std::vector<PlotSeries> ForceComparison::spectra() const {
+  std::vector<PlotSeries> all = forces();
+  for (PlotSeries& series : all) {
+    const std::vector<double> signal(series.y.begin(), series.y.end());
+    series.x.clear();
+    series.y.clear();
+    series.name.clear();  // the colours are named beside the forces
+    if (signal.size() < kWelchSamples) continue;
+    const PowerSpectrum spectrum =
+        welch_spectrum(signal, {.rate_Hz = 1000.0, .length = kWelchSamples});
+    for (std::size_t k = 1; k < spectrum.density.size(); ++k) {
+      series.x.push_back(static_cast<double>(k) * spectrum.spacing_Hz);
+      series.y.push_back(spectrum.density[k]);
+    }
+  }
+  return all;
+}
+
+}  // namespace asperity

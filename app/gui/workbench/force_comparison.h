@@ -1,0 +1,80 @@
+// The force models that a stroke over the relief is felt through: which, and with what parameters.
+
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QtCore/QElapsedTimer>
+#include <QtCore/QTimer>
+#include <QtWidgets/QWidget>
+
+#include "app/gui/workbench/force_stroke.h"
+#include "app/gui/workbench/newest_work.h"
+#include "app/gui/workbench/signal_plots.h"
+#include "renderers/force_model.h"
+
+class QCheckBox;
+class QComboBox;
+
+namespace asperity {
+
+class ParameterForm;
+class StateLabel;
+
+/// Renderers are made in the background whenever the relief, the surface or a parameter changes;
+/// where a model takes parameters from a sample, those of this relief become the form's defaults.
+class ForceComparison final : public QWidget {
+  Q_OBJECT
+ public:
+  /// `models` outlives the widget.
+  explicit ForceComparison(const ModelRegistry& models, QWidget* parent = nullptr);
+
+  void set_field(std::shared_ptr<const HeightField> field);
+  const ForceStroke& stroke() const noexcept { return stroke_; }
+  bool is_settled() const noexcept { return !work_.is_busy(); }
+
+  void begin_stroke(double x_m, double y_m);
+  void aim_stroke(double x_m, double y_m) { stroke_.aim({x_m, y_m}); }
+  void end_stroke();
+  /// From left to right at 60 mm/s, as in the comparison of texture forces.
+  void stroke_across(double y_m);
+
+  /// The last two seconds of the stroke, and their spectra.
+  std::vector<PlotSeries> forces() const;
+  std::vector<PlotSeries> spectra() const;
+
+ signals:
+  void advanced();  ///< there is more of the stroke, or there are other models
+  void across_wanted();
+
+ private:
+  struct ModelCard {
+    const ForceModel* model = nullptr;
+    QCheckBox* chosen = nullptr;
+    QWidget* body = nullptr;
+    ParameterForm* form = nullptr;
+    StateLabel* complaint = nullptr;
+    QColor color{};
+  };
+  struct Built;
+  void add_card(const ForceModel& model, QWidget* parent);
+  void make_renderers();
+  void take(Built built);
+  void frame();
+  std::vector<double> component_of(std::size_t model) const;
+
+  std::vector<ModelCard> cards_{};
+  ParameterForm* surface_ = nullptr;
+  QComboBox* component_ = nullptr;
+  std::shared_ptr<const HeightField> field_{};
+  ForceStroke stroke_{};
+  QElapsedTimer clock_{};
+  QTimer frames_{};
+  std::optional<double> across_y_m_{};
+  NewestWork work_{};
+};
+
+}  // namespace asperity

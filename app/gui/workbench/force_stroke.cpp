@@ -1,0 +1,61 @@
+#include "app/gui/workbench/force_stroke.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "renderers/servo_time.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kRate_Hz = 1000.0;
+constexpr std::int64_t kLongestStroke_ns = 60'000'000'000;
+
+}  // namespace
+
+RendererInputs stroke_inputs(std::shared_ptr<const HeightField> field, const Material& material,
+                             const ParameterValues& parameters) {
+  RendererInputs inputs{};
+  inputs.parameters = parameters;
+  inputs.material = material;
+  inputs.patch.extent_m = {1e3, 1e3};
+  inputs.patch.edge_width_m = 1e-3;
+  inputs.patch.tiling = Tiling::mirror;
+  inputs.height_field = std::move(field);
+  inputs.seed = 1;
+  return inputs;
+}
+
+void ForceStroke::set_models(std::vector<StrokedModel> models, double depth_m) {
+  models_ = std::move(models);
+  hand_ = MouseHand(depth_m);
+  going_on_ = false;
+  path_.clear();
+  forces_N_.assign(models_.size(), {});
+}
+
+void ForceStroke::begin(const glm::dvec2& at_m) {
+  hand_.begin(at_m);
+  path_.clear();
+  forces_N_.assign(models_.size(), {});
+  going_on_ = true;
+  advance(0);
+}
+
+void ForceStroke::advance(std::int64_t until_ns) {
+  if (!going_on_) return;
+  // A button that got stuck must not fill the memory.
+  for (const ProbeState& probe : hand_.advance(std::min(until_ns, kLongestStroke_ns))) {
+    const double dt_s = path_.empty() ? 1.0 / kRate_Hz
+                                      : clamped_dt_s(path_.back().time_ns, probe.time_ns, kRate_Hz);
+    for (std::size_t m = 0; m < models_.size(); ++m) {
+      ForceRenderer& renderer = *models_[m].renderer;
+      if (path_.empty()) renderer.reset(probe);
+      forces_N_[m].push_back(renderer.tick(probe, dt_s).wrench.force_N);
+    }
+    path_.push_back(probe);
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,57 @@
+// One stroke over a relief, felt through several force models at once.
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "app/gui/workbench/mouse_hand.h"
+#include "renderers/force_model.h"
+
+namespace asperity {
+
+/// What it is rendered from, and the renderer.
+struct StrokedModel {
+  std::string id{};
+  RendererInputs inputs{};
+  std::unique_ptr<ForceRenderer> renderer{};
+};
+
+/// The relief without end, so that no border is felt.
+RendererInputs stroke_inputs(std::shared_ptr<const HeightField> field, const Material& material,
+                             const ParameterValues& parameters);
+
+/// Every model gets the same path, tick by tick, by the rule of the servo loop: the forces are those
+/// that `along_path` gives for `path()`.
+class ForceStroke final {
+ public:
+  /// Ends a stroke that is going on.
+  void set_models(std::vector<StrokedModel> models, double depth_m);
+  const std::vector<StrokedModel>& models() const noexcept { return models_; }
+
+  void begin(const glm::dvec2& at_m);
+  void aim(const glm::dvec2& at_m) { hand_.aim(at_m); }
+  /// Renders what has passed since; time from the beginning of the stroke. Does nothing outside one.
+  void advance(std::int64_t until_ns);
+  void end() { going_on_ = false; }
+  bool is_going_on() const noexcept { return going_on_; }
+
+  /// Of the last stroke.
+  const std::vector<ProbeState>& path() const noexcept { return path_; }
+  /// By model, in newtons, one for each sample of the path.
+  const std::vector<std::vector<glm::dvec3>>& forces_N() const noexcept { return forces_N_; }
+
+ private:
+  std::vector<StrokedModel> models_{};
+  MouseHand hand_{0.0};
+  bool going_on_ = false;
+  std::vector<ProbeState> path_{};
+  std::vector<std::vector<glm::dvec3>> forces_N_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,34 @@
+#include "app/gui/workbench/mouse_hand.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::int64_t kPeriod_ns = 1'000'000;
+constexpr double kPeriod_s = 0.001;
+constexpr double kOmega_rad_per_s = 80.0;
+
+}  // namespace
+
+void MouseHand::begin(const glm::dvec2& at_m) {
+  target_m_ = at_m_ = at_m;
+  velocity_m_per_s_ = {};
+  next_ns_ = 0;
+}
+
+std::vector<ProbeState> MouseHand::advance(std::int64_t until_ns) {
+  std::vector<ProbeState> path{};
+  for (; next_ns_ <= until_ns; next_ns_ += kPeriod_ns) {
+    if (next_ns_ > 0) {
+      velocity_m_per_s_ += kPeriod_s * (kOmega_rad_per_s * kOmega_rad_per_s * (target_m_ - at_m_) -
+                                        2.0 * kOmega_rad_per_s * velocity_m_per_s_);
+      at_m_ += kPeriod_s * velocity_m_per_s_;
+    }
+    path.push_back({.time_ns = next_ns_,
+                    .position_m = {at_m_.x, at_m_.y, -depth_m_},
+                    .velocity_m_per_s = {velocity_m_per_s_.x, velocity_m_per_s_.y, 0.0}});
+  }
+  return path;
+}
+
+}  // namespace asperity

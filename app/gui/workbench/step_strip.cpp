@@ -1,0 +1,125 @@
+#include "app/gui/workbench/step_strip.h"
+
+#include <algorithm>
+
+#include <QtCore/QCoreApplication>
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QButtonGroup>
+#include <QtWidgets/QToolButton>
+
+#include "app/gui/look/theme.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kWidth = 128;
+constexpr int kCaption = 28;  // pixels of a thumbnail's words and border
+
+QString tr(const char* text) { return QCoreApplication::translate("StepStrip", text); }
+
+std::size_t at(Step step) { return static_cast<std::size_t>(step); }
+
+}  // namespace
+
+QString name_of(Step step) {
+  switch (step) {
+    case Step::photograph:
+      return tr("Photograph");
+    case Step::grey:
+      return tr("Grey");
+    case Step::evened:
+      return tr("Light evened");
+    case Step::low_pass:
+      return tr("Long waves");
+    case Step::heights:
+      return tr("Heights");
+    case Step::relief:
+      break;
+  }
+  return tr("Relief");
+}
+
+QString meaning_of(Step step) {
+  switch (step) {
+    case Step::photograph:
+      return tr("The photograph as it was dropped.");
+    case Step::grey:
+      return tr("Its brightness alone; with “Equalize” every brightness is equally frequent.");
+    case Step::evened:
+      return tr("Slow changes of the lighting are weakened and fine detail is raised.");
+    case Step::low_pass:
+      return tr(
+          "What is longer than the longest wave kept; it is taken away from the step before.");
+    case Step::heights:
+      return tr("What is left, as heights: low is dark, high is bright.");
+    case Step::relief:
+      break;
+  }
+  return tr("The heights as a surface in light.");
+}
+
+StepStrip::StepStrip(QWidget* parent) : QWidget(parent) {
+  setFixedWidth(kWidth);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid);
+  group_ = new QButtonGroup(this);
+  for (int i = 0; i < kSteps; ++i) {
+    const auto step = static_cast<Step>(i);
+    auto* button = new QToolButton(this);
+    button->setObjectName(QString("step_%1").arg(i));
+    button->setText(name_of(step));
+    button->setToolTip(meaning_of(step));
+    button->setCheckable(true);
+    button->setEnabled(false);
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    button->setFont(text_font(TextSize::small));
+    // The room decides about the icons, never the icons about the room.
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+    button->setMinimumSize(1, 48);
+    button->setStyleSheet(
+        "QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 2px; "
+        "background: transparent; }"
+        "QToolButton:hover, QToolButton:focus { border-color: palette(highlight); }"
+        "QToolButton:checked { border: 2px solid palette(highlight); background: palette(base); "
+        "font-weight: bold; }"
+        "QToolButton:disabled { color: palette(mid); }");
+    group_->addButton(button, i);
+    layout->addWidget(button);
+    buttons_[static_cast<std::size_t>(i)] = button;
+  }
+  connect(group_, &QButtonGroup::idToggled, this, [this](int id, bool checked) {
+    if (!checked) return;
+    chosen_ = static_cast<Step>(id);
+    emit stepChosen(chosen_);
+  });
+}
+
+void StepStrip::set_picture(Step step, const QImage& picture) {
+  pictures_[at(step)] = picture;
+  buttons_[at(step)]->setEnabled(!picture.isNull());
+  if (picture.isNull()) {
+    buttons_[at(step)]->setIcon({});
+    if (chosen_ == step) choose(Step::relief);
+  }
+  fit();
+}
+
+const QImage& StepStrip::picture(Step step) const { return pictures_[at(step)]; }
+
+void StepStrip::choose(Step step) { buttons_[at(step)]->setChecked(true); }
+
+void StepStrip::resizeEvent(QResizeEvent*) { fit(); }
+
+void StepStrip::fit() {
+  const QSize room(kWidth - kGrid * 2, std::max(24, height() / kSteps - kCaption - kGrid));
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    if (pictures_[i].isNull()) continue;
+    buttons_[i]->setIconSize(room);
+    buttons_[i]->setIcon(QPixmap::fromImage(pictures_[i].scaled(
+        room * devicePixelRatioF(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,130 @@
+#include "app/gui/workbench/parameter_form.h"
+
+#include <stdexcept>
+
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QSlider>
+#include <gtest/gtest.h>
+
+#include "renderers/force_model.h"
+#include "stimuli/texture_from_photograph.h"
+
+namespace asperity {
+namespace {
+
+/// Away from the default, with more digits than a field shows.
+ParameterValues odd_values(const std::vector<Parameter>& parameters) {
+  ParameterValues values{};
+  for (const Parameter& parameter : parameters) {
+    if (parameter.kind == ParameterKind::choice) {
+      values[parameter.name] = parameter.choices.back();
+    } else if (parameter.kind == ParameterKind::integer) {
+      values[parameter.name] = parameter.maximum;
+    } else {
+      values[parameter.name] =
+          parameter.minimum + 0.123456789012345 * (parameter.maximum - parameter.minimum);
+    }
+  }
+  return values;
+}
+
+void type(QDoubleSpinBox& field, const char* text) {
+  field.setFocus();
+  field.selectAll();
+  QTest::keyClicks(&field, text);
+  QTest::keyClick(&field, Qt::Key_Return);
+}
+
+TEST(ParameterForm, GivesBackExactlyWhatItWasGivenForEveryModel) {
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& model : registry.models()) {
+    ParameterForm form(model.declaration.parameters);
+    EXPECT_EQ(form.values(), complete_values(model.declaration, {})) << model.declaration.id;
+    EXPECT_TRUE(form.given().empty());
+    const ParameterValues odd = odd_values(model.declaration.parameters);
+    form.set_values(odd);
+    EXPECT_EQ(form.values(), odd) << model.declaration.id;
+  }
+}
+
+TEST(ParameterForm, HasAControlWithMeaningForEveryParameterOfEveryModel) {
+  const ModelRegistry registry = built_in_models();
+  for (const ForceModel& model : registry.models()) {
+    const ParameterForm form(model.declaration.parameters);
+    for (const Parameter& parameter : model.declaration.parameters) {
+      const auto* control = form.findChild<QWidget*>(QString::fromStdString(parameter.name));
+      ASSERT_NE(control, nullptr) << parameter.name;
+      EXPECT_TRUE(
+          control->toolTip().contains(QString::fromStdString(parameter.meaning).toHtmlEscaped()))
+          << parameter.name;
+    }
+  }
+}
+
+TEST(ParameterForm, KeepsEveryDigitOfAValueThatIsOnlyLookedAt) {
+  ParameterForm form(texture_recipe_parameters());
+  form.set_values({{"rms_m", 0.000123456789012345}});
+  form.show();
+  auto* field = form.findChild<QDoubleSpinBox*>("rms_m");
+  field->setFocus();
+  QTest::keyClick(field, Qt::Key_Return);  // has the text read again
+  EXPECT_EQ(number_of(form.values(), "rms_m"), 0.000123456789012345);
+}
+
+TEST(ParameterForm, ReadsMicrometresAsTheExactDecimalInMetres) {
+  ParameterForm form(texture_recipe_parameters());
+  form.show();
+  auto* field = form.findChild<QDoubleSpinBox*>("rms_m");
+  EXPECT_EQ(field->text(), QString::fromUtf8("100 µm"));
+  QSignalSpy edited(&form, &ParameterForm::edited);
+  type(*field, "123.4");
+  EXPECT_EQ(edited.count(), 1);
+  EXPECT_EQ(number_of(form.values(), "rms_m"), 123.4e-6);
+}
+
+TEST(ParameterForm, MarksADefaultAndGoesBackToIt) {
+  ParameterForm form(texture_recipe_parameters(), FormStyle::sliders);
+  form.show();
+  auto* reset = form.findChild<QPushButton*>("reset_gamma_low");
+  EXPECT_EQ(reset->text(), "default");
+  EXPECT_FALSE(reset->isEnabled());
+  form.findChild<QSlider*>("slider_gamma_low")->setValue(900);
+  EXPECT_NE(number_of(form.values(), "gamma_low"), 0.5);
+  EXPECT_EQ(form.given().size(), 1U);
+  EXPECT_TRUE(reset->isEnabled());
+  QTest::mouseClick(reset, Qt::LeftButton);
+  EXPECT_EQ(number_of(form.values(), "gamma_low"), 0.5);
+  EXPECT_TRUE(form.given().empty());
+}
+
+TEST(ParameterForm, LetsWhatStandsAtItsDefaultFollowANewDefault) {
+  const ModelRegistry registry = built_in_models();
+  ParameterForm form(registry.find("stochastic")->declaration.parameters);
+  form.set_values({{"noise_rate_Hz", 500.0}});
+  form.set_defaults({{"noise_sd_N", 0.2}, {"noise_rate_Hz", 2000.0}});
+  EXPECT_EQ(number_of(form.values(), "noise_sd_N"), 0.2);
+  EXPECT_EQ(number_of(form.values(), "noise_rate_Hz"), 500.0);
+  EXPECT_EQ(form.given().size(), 1U);
+}
+
+TEST(ParameterForm, RefusesWhatTheDeclarationRefusesAndKeepsWhatItHad) {
+  ParameterForm form(texture_recipe_parameters());
+  EXPECT_THROW(form.set_values({{"rms_m", -1.0}}), std::invalid_argument);
+  EXPECT_EQ(number_of(form.values(), "rms_m"), 1e-4);
+}
+
+TEST(ParameterForm, ChoosesByTheKeyboard) {
+  ParameterForm form(texture_recipe_parameters());
+  form.show();
+  auto* list = form.findChild<QComboBox*>("histogram");
+  list->setFocus();
+  QTest::keyClick(list, Qt::Key_Down);
+  EXPECT_EQ(choice_of(form.values(), "histogram"), "equalize");
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,419 @@
+#include "app/gui/workbench/workbench_page.h"
+
+#include <array>
+#include <fstream>
+
+#include <QtCore/QMimeData>
+#include <QtCore/QTemporaryDir>
+#include <QtGui/QDragEnterEvent>
+#include <QtGui/QDropEvent>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QSlider>
+#include <gtest/gtest.h>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/study/open_study.h"
+#include "app/gui/workbench/force_comparison.h"
+#include "app/gui/workbench/parameter_form.h"
+#include "app/gui/workbench/relief_view.h"
+#include "app/gui/workbench/signal_plots.h"
+#include "app/tasks/new_study.h"
+#include "renderers/offline/along_path.h"
+#include "stimuli/synthetic_photograph.h"
+#include "stimuli/synthetic_surface.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kLongest_ms = 10000;
+
+class Workbench : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(folder_.isValid());
+    new_study(study_folder());
+    study_ = std::make_unique<OpenStudy>(study_folder());
+    page_ = std::make_unique<WorkbenchPage>(*study_);
+    page_->resize(1366, 768);
+    page_->show();
+  }
+
+  std::filesystem::path folder() const { return folder_.path().toStdString(); }
+  std::filesystem::path study_folder() const { return folder() / "study"; }
+
+  std::filesystem::path photograph(const std::string& kind, std::size_t pixels,
+                                   PhotographCase photograph_case = PhotographCase::bright_height) {
+    const HeightField surface =
+        make_surface(kind, {}, {.width_m = 0.10, .pixels = pixels, .seed = 2});
+    PhotographSettings settings{};
+    settings.photograph_case = photograph_case;
+    const std::filesystem::path file = folder() / (kind + ".png");
+    save_picture(file, synthetic_photograph(surface, settings), Overwrite::allow);
+    return file;
+  }
+
+  void drop(const std::filesystem::path& file) {
+    QMimeData data{};
+    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(page_.get(), &enter);
+    ASSERT_TRUE(enter.isAccepted());
+    QDropEvent dropped({100.0, 100.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(page_.get(), &dropped);
+    settle();
+  }
+
+  void settle() {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return page_->is_settled(); }, kLongest_ms));
+  }
+
+  template <class Widget>
+  Widget& find(const char* name) {
+    auto* widget = page_->findChild<Widget*>(name);
+    if (widget == nullptr) throw std::runtime_error(std::string("no widget ") + name);
+    return *widget;
+  }
+
+  void type(const char* field_name, const char* text) {
+    auto& field = find<QDoubleSpinBox>(field_name);
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, text);
+    QTest::keyClick(&field, Qt::Key_Return);
+  }
+
+  void click(const char* name) { QTest::mouseClick(&find<QPushButton>(name), Qt::LeftButton); }
+
+  QTemporaryDir folder_{};
+  std::unique_ptr<OpenStudy> study_{};
+  std::unique_ptr<WorkbenchPage> page_{};
+};
+
+TEST_F(Workbench, ShowsEveryStepOfADroppedPhotograph) {
+  EXPECT_EQ(page_->field(), nullptr);
+  drop(photograph("brick", 256));
+  ASSERT_NE(page_->field(), nullptr);
+  auto& strip = find<StepStrip>("steps");
+  for (int step = 0; step < kSteps; ++step) {
+    EXPECT_FALSE(strip.picture(static_cast<Step>(step)).isNull()) << step;
+  }
+  EXPECT_EQ(strip.chosen(), Step::relief);
+  EXPECT_FALSE(find<ReliefView>("relief").picture().isNull());
+  EXPECT_FALSE(find<SignalPlots>("profile").signal_series().empty());
+  EXPECT_FALSE(find<QLabel>("advice").text().isEmpty());
+  QTest::mouseClick(page_->findChild<QWidget*>("step_2"), Qt::LeftButton);
+  EXPECT_FALSE(find<QLabel>("step_picture").pixmap().isNull());
+  EXPECT_TRUE(find<QLabel>("step_picture").isVisible());
+}
+
+TEST_F(Workbench, ComputesTheHeightsThatTheRecipeSays) {
+  const std::filesystem::path file = photograph("brick", 256);
+  drop(file);
+  const GreyImage grey = load_photograph(file).photograph.grey;
+  EXPECT_EQ(page_->field()->heights_m(),
+            texture_from_photograph(grey, TextureRecipe{}, "brick").field.heights_m());
+  type("gaussian_wavelength_m", "8");
+  type("rms_m", "250");
+  find<QComboBox>("kind").setCurrentIndex(1);
+  settle();
+  TextureRecipe recipe{};
+  recipe.gaussian_wavelength_m = 0.008;
+  recipe.rms_m = 250e-6;
+  recipe.sign = HeightSign::dark_is_high;
+  EXPECT_EQ(parameter_values(page_->recipe()), parameter_values(recipe));
+  EXPECT_EQ(page_->field()->heights_m(),
+            texture_from_photograph(grey, recipe, "brick").field.heights_m());
+}
+
+TEST_F(Workbench, IsCoarserWhileASliderIsHeldAndFineAgainAfterwards) {
+  drop(photograph("brick", 512));
+  auto& slider = find<QSlider>("slider_rms_m");
+  slider.setSliderDown(true);
+  slider.setSliderPosition(400);
+  settle();
+  EXPECT_EQ(page_->field()->grid().columns, kDraggedSide);
+  slider.setSliderDown(false);
+  settle();
+  EXPECT_EQ(page_->field()->grid().columns, 512U);
+  EXPECT_NEAR(page_->field()->rms_m(), page_->recipe().rms_m, 1e-3 * page_->recipe().rms_m);
+}
+
+TEST_F(Workbench, EndsWithTheNewestOfManyChanges) {
+  const std::filesystem::path file = photograph("brick", 256);
+  drop(file);
+  for (const char* height : {"10", "20", "30", "40", "50", "60", "70"}) type("rms_m", height);
+  settle();
+  EXPECT_NEAR(page_->field()->rms_m(), 70e-6, 1e-9);
+}
+
+TEST_F(Workbench, SaysWhatAPhotographInSideLightIsWorth) {
+  drop(photograph("stone", 256, PhotographCase::lambert));
+  EXPECT_EQ(find<QComboBox>("kind").currentIndex(), 2);
+  EXPECT_TRUE(find<QLabel>("expectation").text().contains("slope towards the light"));
+  EXPECT_TRUE(find<QLabel>("advice").text().contains("anisotropy"));
+}
+
+TEST_F(Workbench, SavesFilesThatAreReadBackAndTellsTheStudy) {
+  const std::filesystem::path file = photograph("brick", 256);
+  drop(file);
+  QSignalSpy changed(study_.get(), &OpenStudy::changed);
+  find<QLineEdit>("name").setText("old_wall");
+  click("save");
+  settle();
+  EXPECT_EQ(changed.count(), 1);
+  const std::filesystem::path stimuli = study_folder() / "stimuli";
+  const LoadedHeightField loaded = load_height_field(stimuli / "old_wall.png");
+  const double step_m = (page_->field()->maximum_m() - page_->field()->minimum_m()) / 65535.0;
+  for (std::size_t i = 0; i < loaded.field->heights_m().size(); ++i) {
+    ASSERT_NEAR(loaded.field->heights_m()[i], page_->field()->heights_m()[i], step_m);
+  }
+  EXPECT_EQ(load_photograph(stimuli / "old_wall_photo.png").photograph.grey.values,
+            load_photograph(file).photograph.grey.values);
+}
+
+TEST_F(Workbench, SavesALargePhotographWhole) {
+  const GreyImage brick = load_photograph(photograph("brick", 256)).photograph.grey;
+  GreyImage frieze{.rows = 64, .columns = 1100, .values = {}};
+  for (std::size_t i = 0; i < frieze.rows; ++i) {
+    for (std::size_t j = 0; j < frieze.columns; ++j) {
+      frieze.values.push_back(brick.values[i * 256 + j % 256]);
+    }
+  }
+  save_picture(folder() / "frieze.png", frieze, Overwrite::refuse);
+  drop(folder() / "frieze.png");
+  EXPECT_EQ(page_->field()->grid().columns, kPreviewSide);
+  find<QLineEdit>("name").setText("wall");
+  click("save");
+  settle();
+  EXPECT_EQ(load_height_field(study_folder() / "stimuli/wall.png").field->grid().columns, 1100U);
+}
+
+TEST_F(Workbench, ReplacesAStimulusOnlyWhenToldTo) {
+  drop(photograph("brick", 256));
+  click("save");
+  settle();
+  const std::filesystem::path png = study_folder() / "stimuli/brick.png";
+  const std::string before = load_height_field(png).sha256;
+  type("rms_m", "300");
+  settle();
+  click("save");
+  settle();
+  auto& banner = find<Banner>("banner");
+  EXPECT_TRUE(banner.isVisible());
+  EXPECT_TRUE(banner.text().contains("already"));
+  EXPECT_EQ(load_height_field(png).sha256, before);
+  for (QPushButton* button : banner.findChildren<QPushButton*>()) {
+    if (button->text().startsWith("Replace")) QTest::mouseClick(button, Qt::LeftButton);
+  }
+  settle();
+  EXPECT_NEAR(load_height_field(png).field->rms_m(), 300e-6, 1e-6);
+}
+
+TEST_F(Workbench, SaysWhyANameCannotBeSaved) {
+  drop(photograph("brick", 256));
+  auto& name = find<QLineEdit>("name");
+  for (const char* bad : {"", "a/b", "x y", "wall_photo", "../wall"}) {
+    name.setText(bad);
+    EXPECT_FALSE(find<QPushButton>("save").isEnabled()) << bad;
+    EXPECT_FALSE(find<QLabel>("name_problem").text().isEmpty()) << bad;
+  }
+  name.setText("wall-2");
+  EXPECT_TRUE(find<QPushButton>("save").isEnabled());
+}
+
+TEST_F(Workbench, KeepsWhatItHasWhenAFileCannotBeUsed) {
+  drop(photograph("brick", 256));
+  const auto before = page_->field();
+  const std::filesystem::path broken = folder() / "broken.png";
+  std::ofstream(broken) << "this is no picture";
+  drop(broken);
+  EXPECT_TRUE(find<Banner>("banner").isVisible());
+  EXPECT_TRUE(find<Banner>("banner").text().contains("broken.png"));
+  EXPECT_EQ(page_->field(), before);
+
+  const std::filesystem::path tiny = folder() / "tiny.png";
+  save_picture(tiny, {.rows = 8, .columns = 8, .values = std::vector<float>(64, 0.5F)},
+               Overwrite::refuse);
+  drop(tiny);
+  EXPECT_TRUE(find<Banner>("banner").text().contains("16"));
+  EXPECT_EQ(page_->field(), before);
+  EXPECT_TRUE(find<ReliefView>("relief").isVisible());
+}
+
+TEST_F(Workbench, KeepsTheLastReliefUnderARecipeThatCannotBe) {
+  drop(photograph("brick", 256));  // 0.39 mm a pixel
+  const auto before = page_->field();
+  type("gaussian_wavelength_m", "0.5");
+  settle();
+  EXPECT_TRUE(find<Banner>("recipe_banner").isVisible());
+  EXPECT_TRUE(find<Banner>("recipe_banner").text().contains("two pixels"));
+  EXPECT_EQ(page_->field(), before);
+  type("gaussian_wavelength_m", "6");
+  settle();
+  EXPECT_FALSE(find<Banner>("recipe_banner").isVisible());
+  EXPECT_NE(page_->field(), before);
+}
+
+TEST_F(Workbench, ShowsAReliefOfTheStudyWithoutARecipe) {
+  drop(photograph("brick", 256));
+  click("save");
+  settle();
+  page_->open_file(study_folder() / "stimuli/brick.png");
+  settle();
+  EXPECT_TRUE(find<QLabel>("finished").isVisible());
+  EXPECT_FALSE(find<QPushButton>("save").isEnabled());
+  EXPECT_FALSE(find<QComboBox>("kind").isVisible());
+}
+
+TEST_F(Workbench, TurnsUnderTheMouseAndMovesTheLightWithTheRightButton) {
+  drop(photograph("brick", 256));
+  auto& relief = find<ReliefView>("relief");
+  const ReliefLook before = relief.look();
+  const QImage picture = relief.picture();
+  const auto drag = [&relief](Qt::MouseButton button) {
+    QTest::mousePress(&relief, button, {}, {200, 150});
+    QMouseEvent moved(QEvent::MouseMove, QPointF(260, 170), relief.mapToGlobal(QPointF(260, 170)),
+                      Qt::NoButton, button, Qt::NoModifier);
+    QApplication::sendEvent(&relief, &moved);
+    QTest::mouseRelease(&relief, button, {}, {260, 170});
+  };
+  drag(Qt::LeftButton);
+  EXPECT_NE(relief.look().turn_rad, before.turn_rad);
+  EXPECT_EQ(relief.look().light_azimuth_rad, before.light_azimuth_rad);
+  settle();
+  EXPECT_NE(relief.picture(), picture);
+  const double turned_rad = relief.look().turn_rad;
+  drag(Qt::RightButton);
+  EXPECT_NE(relief.look().light_azimuth_rad, before.light_azimuth_rad);
+  EXPECT_EQ(relief.look().turn_rad, turned_rad);
+  QTest::keyClick(&relief, Qt::Key_Home);
+  EXPECT_EQ(relief.look().turn_rad, before.turn_rad);
+}
+
+TEST_F(Workbench, ShowsTheProfileUnderTheMouse) {
+  drop(photograph("brick", 256));
+  auto& relief = find<ReliefView>("relief");
+  const double y_m = 0.02;
+  QTest::mouseMove(&relief, relief.position_of({0.01, y_m}).toPoint());
+  const auto& profile = find<SignalPlots>("profile").signal_series().front();
+  const HeightField& field = *page_->field();
+  // The pixel that the mouse met is not exactly the point: some row near it.
+  const auto row_at = [&](double at_m) {
+    return static_cast<int>(0.5 * 255 - at_m / field.grid().pitch_m);
+  };
+  bool found = false;
+  for (int row = row_at(y_m) - 3; row <= row_at(y_m) + 3; ++row) {
+    bool same = true;
+    for (int j = 0; j < 256; ++j) {
+      same &= profile.y[j] ==
+              1e6 * static_cast<double>(field.heights_m()[static_cast<std::size_t>(row * 256 + j)]);
+    }
+    found |= same;
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(Workbench, StrokesTheReliefAndShowsTheForceOfEachChosenModel) {
+  drop(photograph("brick", 256));
+  click("mode_comparing");
+  find<QCheckBox>("model_lateral_gradient").setChecked(true);
+  settle();
+  auto& relief = find<ReliefView>("relief");
+  auto& comparison = find<ForceComparison>("comparison");
+  const auto at = [&relief](double x_m) { return relief.position_of({x_m, 0.0}).toPoint(); };
+  QTest::mousePress(&relief, Qt::LeftButton, {}, at(-0.03));
+  for (int k = 1; k <= 20; ++k) {
+    QMouseEvent moved(QEvent::MouseMove, at(-0.03 + 0.003 * k),
+                      relief.mapToGlobal(at(-0.03 + 0.003 * k)), Qt::NoButton, Qt::LeftButton,
+                      Qt::NoModifier);
+    QApplication::sendEvent(&relief, &moved);
+    const std::size_t samples = comparison.stroke().path().size();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return comparison.stroke().path().size() >= samples + 16; },
+                                kLongest_ms));
+  }
+  QTest::mouseRelease(&relief, Qt::LeftButton, {}, at(0.03));
+  EXPECT_FALSE(comparison.stroke().is_going_on());
+
+  const ForceStroke& stroke = comparison.stroke();
+  EXPECT_GT(stroke.path().back().position_m.x, stroke.path().front().position_m.x + 0.02);
+  ASSERT_EQ(stroke.models().size(), 3U);
+  for (std::size_t m = 0; m < 3; ++m) {
+    const StrokedModel& stroked = stroke.models()[m];
+    const auto renderer = make_renderer(*study_->models().find(stroked.id), stroked.inputs);
+    const std::vector<RenderedTick> offline = along_path(*renderer, stroke.path(), 1000.0);
+    for (std::size_t i = 0; i < offline.size(); ++i) {
+      ASSERT_EQ(stroke.forces_N()[m][i], offline[i].wrench.force_N) << stroked.id;
+    }
+  }
+  const auto& shown = find<SignalPlots>("forces").signal_series();
+  ASSERT_EQ(shown.size(), 3U);
+  EXPECT_EQ(shown[0].name, "Height map");
+  EXPECT_EQ(shown[0].y.back(), stroke.forces_N()[0].back().z);
+  EXPECT_FALSE(find<SignalPlots>("forces").spectrum_series().front().y.empty());
+}
+
+TEST_F(Workbench, TakesAModelsParametersFromTheReliefUnlessTheyAreGiven) {
+  drop(photograph("brick", 256));
+  click("mode_comparing");
+  find<QCheckBox>("model_stochastic").setChecked(true);
+  settle();
+  auto* form = page_->findChild<ParameterForm*>("form_stochastic");
+  const double suggested_N = number_of(form->values(), "noise_sd_N");
+  EXPECT_NEAR(suggested_N, 500.0 * page_->field()->rms_m(), 1e-9);
+  auto* field = form->findChild<QDoubleSpinBox*>("noise_sd_N");
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "0.3");
+  QTest::keyClick(field, Qt::Key_Return);
+  settle();
+  for (const StrokedModel& stroked : find<ForceComparison>("comparison").stroke().models()) {
+    if (stroked.id != "stochastic") continue;
+    EXPECT_EQ(number_of(stroked.inputs.parameters, "noise_sd_N"), 0.3);
+  }
+}
+
+void stroke_with_the_button(WorkbenchPage& page) {
+  QTest::mouseClick(page.findChild<QPushButton*>("stroke_across"), Qt::LeftButton);
+  auto* comparison = page.findChild<ForceComparison*>("comparison");
+  ASSERT_TRUE(QTest::qWaitFor([comparison] { return comparison->stroke().path().size() > 1200; },
+                              kLongest_ms));
+}
+
+TEST_F(Workbench, LooksFinished) {
+  const std::array<QSize, 2> sizes{QSize{1366, 768}, QSize{1920, 1080}};
+  if (qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) return;  // nothing to look at
+  for (const ThemeChoice choice : {ThemeChoice::light, ThemeChoice::dark}) {
+    apply_theme(*qApp, choice);
+    const QString look = choice == ThemeChoice::light ? "light" : "dark";
+    for (const QSize& size : sizes) {
+      const QString suffix = QString("-%1-%2").arg(size.width()).arg(look);
+      page_ = std::make_unique<WorkbenchPage>(*study_);
+      take_screenshot(*page_, "workbench-empty" + suffix, size);
+      for (const char* kind : {"brick", "stone"}) {
+        drop(photograph(kind, 1024));
+        take_screenshot(*page_, QString("workbench-") + kind + suffix, size);
+        settle();
+        take_screenshot(*page_, QString("workbench-") + kind + suffix, size);
+      }
+      QTest::mouseClick(page_->findChild<QWidget*>("step_2"), Qt::LeftButton);
+      take_screenshot(*page_, "workbench-step" + suffix, size);
+      click("mode_comparing");
+      settle();
+      stroke_with_the_button(*page_);
+      take_screenshot(*page_, "workbench-compare" + suffix, size);
+    }
+  }
+  apply_theme(*qApp, ThemeChoice::light);
+}
+
+}  // namespace
+}  // namespace asperity
