@@ -120,6 +120,8 @@ QTableView* make_table(const Table& table, QWidget* parent) {
   for (int column = 0; column < model->columnCount(); ++column) {
     view->setColumnWidth(column, view->columnWidth(column) + kMargin);
   }
+  view->horizontalHeader()->setStretchLastSection(false);
+  view->setMaximumWidth(view->horizontalHeader()->length() + 4);
   // The page scrolls, not the table.
   view->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   view->setFixedHeight(view->horizontalHeader()->sizeHint().height() +
@@ -137,7 +139,9 @@ QCustomPlot* make_forest(const Table& table, const ShareColumns& columns, QWidge
   QVector<double> below{};
   QVector<double> above{};
   const double rows = static_cast<double>(table.rows.size());
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+  // From the bottom up: a plot keeps its points in the order of their places, and the intervals go
+  // by that order.
+  for (std::size_t i = table.rows.size(); i-- > 0;) {
     const std::vector<Cell>& row = table.rows[i];
     const auto share = number_of(row[columns.share]);
     const double place = rows - static_cast<double>(i);
@@ -283,26 +287,32 @@ QWidget* make_outcome(const AnalysisOutcome& outcome) {
 QString sentence_of(const NamedTable& table) {
   const auto columns = share_columns(table.table);
   if (!columns || !columns->low || table.table.rows.empty()) return {};
-  // The row over everything comes last where there is one; otherwise the greatest share speaks.
-  const auto total =
-      std::find_if(table.table.rows.rbegin(), table.table.rows.rend(), [&columns](const auto& row) {
-        const QString key = key_of(row, *columns);
-        return key == "all Total" || key == "all" || key == "Total";
-      });
-  const auto greatest = std::max_element(table.table.rows.begin(), table.table.rows.end(),
-                                         [&columns](const auto& one, const auto& other) {
-                                           return number_of(one[columns->share]).value_or(-1.0) <
-                                                  number_of(other[columns->share]).value_or(-1.0);
-                                         });
-  const bool has_total = total != table.table.rows.rend();
-  const std::vector<Cell>& row = has_total ? *total : *greatest;
-  if (!number_of(row[columns->share])) return {};
+  // Rows over everything come last. Where the shares are of different things, the greatest speaks.
+  std::vector<Cell> row{};
+  QString what{};
+  for (const std::vector<Cell>& candidate : table.table.rows) {
+    QStringList words{};
+    bool is_part = false;
+    for (std::size_t i = 0; i < columns->keys; ++i) {
+      const QString word = text_of(candidate[i]);
+      if (word == "all" || word == "Total") continue;
+      const std::string& name = table.table.columns[i];
+      if (name == "column" || name == "person") is_part = true;
+      words << word;
+    }
+    const auto share = number_of(candidate[columns->share]);
+    if (is_part || !share) continue;
+    if (row.empty() || *share >= number_of(row[columns->share]).value_or(0.0)) {
+      row = candidate;
+      what = words.isEmpty() ? AnalysisPage::tr("In all") : words.join(" ");
+    }
+  }
+  if (row.empty()) return {};
   const QString numbers =
       AnalysisPage::tr("%1 of %2 (%3; 95 % interval %4 to %5)")
           .arg(text_of(row[columns->hits]), text_of(row[columns->of]), percent(row[columns->share]),
                percent(row[*columns->low]), percent(row[*columns->low + 1]));
   const QString chance = columns->chance ? percent(row[*columns->chance]) : QString();
-  const QString what = has_total ? AnalysisPage::tr("In all") : key_of(row, *columns);
   if (chance.isEmpty()) return AnalysisPage::tr("%1: %2.").arg(what, numbers);
   return AnalysisPage::tr("%1: %2, where chance is %3.").arg(what, numbers, chance);
 }

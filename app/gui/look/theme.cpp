@@ -108,7 +108,8 @@ QString style_sheet_of(const Theme& look) {
     QDoubleSpinBox:disabled { background: %ground; color: %muted; }
     QTableView, QTreeView, QListView { background: %panel; border: 1px solid %line; border-radius: 4px;
       gridline-color: transparent; selection-background-color: %press; selection-color: %on_press; }
-    QTableView::item, QTreeView::item, QListView::item { padding: 4px 8px; }
+    QTableView::item, QTreeView::item, QListView::item { border: 0px; padding: 4px 8px; }
+    QTableView::item:selected, QTreeView::item:selected, QListView::item:selected { background: %press; color: %on_press; }
     QHeaderView { background: %raised; }
     QHeaderView::section { background: %raised; color: %muted; border: none; border-bottom: 1px solid %line;
       padding: 6px 8px; }

@@ -8,6 +8,7 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTableView>
 #include <gtest/gtest.h>
+#include <qcustomplot.h>
 
 #include "app/gui/look/controls.h"
 #include "app/gui/study/open_study.h"
@@ -56,6 +57,28 @@ TEST(AnalysisPage, SaysTheAnswerInASentenceAboveItsTables) {
   EXPECT_TRUE(answer->text().contains("chance is 50 %")) << answer->text().toStdString();
   EXPECT_GE(page.findChildren<QTableView*>().size(), 2);
   take_screenshot(page, "data-analysis");
+}
+
+TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
+  MadeUpStudy made;
+  add_choices(made, 15);
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(10000));
+  const auto* plot = page.findChild<QCustomPlot*>();
+  ASSERT_NE(plot, nullptr);
+  auto* bars = qobject_cast<QCPErrorBars*>(plot->plottable(1));
+  ASSERT_NE(bars, nullptr);
+  const auto points = plot->graph(0)->data();
+  ASSERT_EQ(bars->data()->size(), points->size());
+  for (int i = 0; i < points->size(); ++i) {
+    const double share = points->at(i)->value;
+    if (share != 0.75) continue;  // 15 of 20: (0.5313, 0.8881)
+    EXPECT_NEAR(share - (*bars->data())[i].errorMinus, 0.5313, 1e-4);
+    EXPECT_NEAR(share + (*bars->data())[i].errorPlus, 0.8881, 1e-4);
+  }
 }
 
 TEST(AnalysisPage, SaysWhatToDoWhileThereIsNothing) {
