@@ -178,12 +178,24 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
   return session;
 }
 
+bool has_ended_by_rule(const Study& study, const Protocol& protocol, const SessionRow& row) {
+  if (row.state != SessionState::stopped) return false;
+  const std::vector<EventRow> events = study.events(row.id);
+  return std::any_of(events.begin(), events.end(), [&protocol](const EventRow& event) {
+    if (event.kind != "criterion_not_met") return false;
+    const auto block = protocol.blocks.find(event.text);
+    return block != protocol.blocks.end() && block->second.until &&
+           block->second.until->on_failure == Protocol::Criterion::OnFailure::end_session;
+  });
+}
+
 SessionRow find_unfinished(const Study& study, const Protocol& protocol,
                            const std::string& participant) {
   std::optional<SessionRow> found{};
   for (const SessionRow& row : study.sessions()) {
     if (row.participant != participant || row.state == SessionState::completed) continue;
-    if (study.protocol(row.protocol_id).source == protocol.source) found = row;
+    if (study.protocol(row.protocol_id).source != protocol.source) continue;
+    if (!has_ended_by_rule(study, protocol, row)) found = row;
   }
   if (!found) {
     throw std::runtime_error("participant " + participant +

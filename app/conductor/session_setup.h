@@ -49,7 +49,12 @@ std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
 OpenSession begin_session(Study& study, const Protocol& protocol, const std::string& participant,
                           const SessionConditions& conditions, const ProgramIdentity& program);
 
-/// The latest session of this participant and protocol that is not completed.
+/// The session has ended as the protocol says although not every trial of it was asked: the
+/// criterion of a practice was not met, and the protocol ends the session then. It is not gone on
+/// with.
+bool has_ended_by_rule(const Study& study, const Protocol& protocol, const SessionRow& row);
+
+/// The latest session of this participant and protocol that is neither completed nor ended by rule.
 ///
 /// Errors: std::runtime_error saying that there is none.
 SessionRow find_unfinished(const Study& study, const Protocol& protocol,

@@ -142,7 +142,7 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
         study.protocol(row.protocol_id).source != protocol.source) {
       continue;
     }
-    if (row.state != SessionState::completed) {
+    if (row.state != SessionState::completed && !has_ended_by_rule(study, protocol, row)) {
       throw std::runtime_error("participant " + inputs.participant + " has an unfinished session " +
                                std::to_string(row.session) +
                                " of this protocol; go on with it by --resume");

@@ -239,7 +239,9 @@ void Simulation::take_through(Study& study, int number) {
       const std::int64_t index = std::int64_t{number - 1} * sessions_each_ + sitting;
       const std::optional<SessionRow> row =
           repeat < before.size() ? std::optional(before[repeat]) : std::nullopt;
-      if (!row || row->state != SessionState::completed) {
+      const bool has_ended = row && (row->state == SessionState::completed ||
+                                     has_ended_by_rule(study, protocol, *row));
+      if (!has_ended) {
         hold(study, person, protocol, index, seed, row);
       }
       const std::lock_guard lock(mutex_);
