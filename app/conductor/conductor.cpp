@@ -99,7 +99,15 @@ SessionEnd Conductor::run(OpenSession session) {
 void Conductor::begin() {
   const std::int64_t began_ns = rig_.clock().now_ns();
   course_.begin(session_.row);
-  if (session_.resumed) study_.reopen_session(session_.row.id);
+  set_aside_.clear();
+  if (session_.resumed) {
+    study_.reopen_session(session_.row.id);
+    for (const DecisionRow& decision : study_.decisions(session_.row.id)) {
+      if (decision.verdict == Verdict::set_aside) {
+        set_aside_.insert({decision.trial.value_or(0), decision.attempt.value_or(0)});
+      }
+    }
+  }
   segment_ = study_.begin_segment(session_.row.id, began_ns);
   auto conditions = nlohmann::ordered_json::parse(settings_.conditions_json);
   if (conditions.is_object()) conditions["segment"] = segment_;
@@ -354,10 +362,15 @@ void Conductor::finish_block(int block_ordinal) {
 
 bool Conductor::is_done(const Trial& trial) const {
   return std::any_of(session_.attempts.begin(), session_.attempts.end(),
-                     [&trial](const AttemptRow& attempt) {
+                     [&trial, this](const AttemptRow& attempt) {
                        return attempt.trial == trial.ordinal &&
-                              (attempt.valid || attempt.outcome == AttemptOutcome::skipped);
+                              (attempt.valid || (attempt.outcome == AttemptOutcome::skipped &&
+                                                 !is_set_aside(attempt)));
                      });
+}
+
+bool Conductor::is_set_aside(const AttemptRow& attempt) const {
+  return set_aside_.contains({attempt.trial, attempt.attempt});
 }
 
 bool Conductor::is_over(const Trial& trial) const {
@@ -491,6 +504,42 @@ void Conductor::tell(const Trial& trial, const AttemptRow& attempt) {
 void Conductor::between_steps(Next next) {
   course_.store_remarks();
   hold(next);
+  while (!stopped_) {
+    const std::optional<std::string> reason = requests_.take_repeat();
+    if (!reason) return;
+    repeat_last(*reason);
+  }
+}
+
+void Conductor::repeat_last(const std::string& reason) {
+  const auto last = std::find_if(
+      session_.attempts.rbegin(), session_.attempts.rend(), [this](const AttemptRow& attempt) {
+        return attempt.valid ||
+               (attempt.outcome == AttemptOutcome::skipped && !is_set_aside(attempt));
+      });
+  if (last == session_.attempts.rend()) {
+    course_.event("repeat_refused", "no trial has been answered or skipped yet");
+    return;
+  }
+  const int trial = last->trial;
+  const int attempt = last->attempt;
+  study_.set_aside(session_.row.id, trial, attempt, reason);
+  set_aside_.insert({trial, attempt});
+  last->valid = false;
+  last->invalid_reason = "set aside: " + reason;
+  course_.event("trial_repeated", reason,
+                nlohmann::ordered_json{{"trial", trial}, {"attempt", attempt}}.dump());
+  course_.update([&](SessionSnapshot& snapshot) {
+    auto attempts = std::make_shared<std::vector<AttemptSummary>>(*snapshot.attempts);
+    for (AttemptSummary& summary : *attempts) {
+      if (summary.trial != trial || summary.attempt != attempt) continue;
+      summary.valid = false;
+      summary.reason = *last->invalid_reason;
+    }
+    snapshot.attempts = std::move(attempts);
+  });
+  publish_progress();
+  run_trial(session_.plan.trials.at(static_cast<std::size_t>(trial - 1)));
 }
 
 /// Returns when nothing stands in the way of what comes next: no pause, no fault, no lost noise.

@@ -7,7 +7,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/conductor/session_course.h"
@@ -51,7 +53,8 @@ struct SessionEnd {
 ///
 /// For each trial a TrialAttempt is made and stored in one transaction → `done`. Nothing is reported
 /// that is not on disk. An attempt that does not count stays in the store and the trial is asked
-/// again, now or at the end of its block, as the protocol says.
+/// again, now or at the end of its block, as the protocol says. An attempt that is repeated because
+/// the experimenter wants it is set aside first, so that the new one can be the valid one.
 ///
 /// A fault of the device, an emergency stop included, stores the attempt and stops the session,
 /// which can be resumed. With an experimenter it waits instead: until the fault is cleared, and then
@@ -95,10 +98,12 @@ class Conductor final {
 
   void between_steps(Next next);
   void hold(Next next);
+  void repeat_last(const std::string& reason);
   bool outlives(const Interruption& interruption);
   /// False when the session is to end; it then has its reason.
   bool wait_out_fault(const std::string& what);
 
+  bool is_set_aside(const AttemptRow& attempt) const;
   bool is_done(const Trial& trial) const;
   BlockState criterion_of(const Trial& trial) const;
   /// The block of this trial is practised to a criterion and needs no more trials.
@@ -121,6 +126,7 @@ class Conductor final {
   SessionRequests& requests_;
   SessionCourse course_;
   OpenSession session_{};
+  std::set<std::pair<int, int>> set_aside_{};  ///< trial and attempt, of those asked again
   int segment_ = 0;
   std::optional<SessionEnd> stopped_{};  ///< set once the session is to end early
   int attempts_made_ = 0;

@@ -6,6 +6,15 @@
 
 namespace asperity {
 
+namespace {
+
+/// A reason is stored with what it explains, and is not empty there.
+std::string given(const std::string& reason) {
+  return reason.empty() ? "no reason was given" : reason;
+}
+
+}  // namespace
+
 void SessionRequests::stop_after(StopAfter what) {
   const std::lock_guard lock(mutex_);
   stop_ = what;
@@ -28,17 +37,17 @@ void SessionRequests::resume() {
 
 void SessionRequests::repeat_last(const std::string& reason) {
   const std::lock_guard lock(mutex_);
-  repeat_ = reason;
+  repeat_ = given(reason);
 }
 
 void SessionRequests::skip(const std::string& reason) {
   const std::lock_guard lock(mutex_);
-  skip_ = reason;
+  skip_ = given(reason);
 }
 
 void SessionRequests::abort(const std::string& reason) {
   const std::lock_guard lock(mutex_);
-  abort_ = reason;
+  abort_ = given(reason);
 }
 
 void SessionRequests::note(const std::string& text) { remark("note", text); }

@@ -146,9 +146,9 @@ void TrialAttempt::carry_out() {
   if (!trial_.question.experimenter_prompt.empty()) {
     course_.show(scene_to_read(trial_.question.experimenter_prompt));
     course_.respondent().read(trial_.question.experimenter_prompt, 0.0, waiting_);
-    course_.show({});
   }
   course_.put_mask(true, waiting_);
+  course_.show({});
   course_.set_masking(true);
   course_.wait(block_.pause_before_trial_s);
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {

@@ -8,88 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "app/conductor/recording_columns.h"
-#include "app/program.h"
-#include "tests/app/small_study.h"
+#include "tests/app/scripted_session.h"
 
 namespace asperity {
 namespace {
 
-/// Answers the first option, unless told otherwise; does something at the n-th question.
-class ScriptedPerson final : public Respondent {
- public:
-  std::function<Reply(int, const Trial&)> at_question{};
-  std::vector<std::string> texts{};
-  std::vector<int> felt_positions{};
-  std::vector<ForceFeatures> last_felt{};
-  int questions = 0;
-
-  void read(const std::string& text, double minimum_s, const Wait& wait) override {
-    texts.push_back(text);
-    wait(minimum_s + 0.1);
-  }
-  void announce(const Trial&, const PlannedPresentation& surface) override {
-    felt_positions.push_back(surface.position);
-  }
-  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt, std::optional<double>,
-            const Wait& wait) override {
-    last_felt.assign(felt.begin(), felt.end());
-    wait(0.2);
-    ++questions;
-    if (at_question) return at_question(questions, trial);
-    return {{0}, {}};
-  }
-  void tell(const std::string& text, const Wait&) override { texts.push_back(text); }
-  std::string answer(const Question& question, const Wait&) override {
-    return question.options.empty() ? std::string() : question.options.front();
-  }
-  std::string source() const override { return "keyboard"; }
-  void begin_attempt(int, int) override {}
-};
-
-class ConductorTest : public testing::Test {
- protected:
-  void begin(const std::string& text, const std::vector<ScriptedFault>& faults = {}) {
-    make_small_study(folder_.path() / "study");
-    protocol_ = read_small_protocol(models_, text);
-    study_.emplace(Study::open(folder_.path() / "study", Access::read_write));
-    study_->add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
-    builder_ = std::make_unique<StimulusBuilder>(models_, folder_.path() / "study");
-    make_rig(faults);
-    SessionConditions conditions{};
-    conditions.seed = 7;
-    conditions.pacing = rig_->pacing();
-    conditions.started_utc = rig_->clock().utc();
-    conditions.device = rig_->capability();
-    session_ = begin_session(*study_, protocol_, "p1", conditions, this_program());
-  }
-
-  void make_rig(const std::vector<ScriptedFault>& faults) {
-    RigSettings settings{};
-    settings.device.faults = faults;
-    rig_ = std::make_unique<SteppedRig>(settings, 0);
-  }
-
-  SessionEnd run() {
-    conductor_ = std::make_unique<Conductor>(
-        *study_, protocol_, *builder_, *rig_, person_,
-        ConductorSettings{.record = true,
-                          .done = [this](const AttemptDone& done) { done_.push_back(done); }});
-    return conductor_->run(session_);
-  }
-
-  std::vector<AttemptRow> attempts() const { return study_->attempts(session_.row.id); }
-
-  TemporaryFolder folder_{};
-  ModelRegistry models_ = built_in_models();
-  Protocol protocol_{};
-  std::optional<Study> study_{};
-  std::unique_ptr<StimulusBuilder> builder_{};
-  std::unique_ptr<SteppedRig> rig_{};
-  ScriptedPerson person_{};
-  std::unique_ptr<Conductor> conductor_{};
-  OpenSession session_{};
-  std::vector<AttemptDone> done_{};
-};
+using ConductorTest = SessionTest;
 
 TEST_F(ConductorTest, StoresEveryTrialOfThePlanInOrder) {
   begin(small_protocol());
@@ -250,36 +174,6 @@ TEST_F(ConductorTest, AsksATrialAgainAtTheEndOfTheBlock) {
   std::vector<int> trials{};
   for (const AttemptDone& done : done_) trials.push_back(done.trial);
   EXPECT_EQ(trials, (std::vector<int>{1, 2, 3, 1, 2, 3}));
-}
-
-/// A recognition whose practice asks for three right answers in a row, of five trials at most.
-std::string practised_protocol(const std::string& on_failure) {
-  return R"({
-  "format": "asperity.protocol/1", "kind": "recognition", "design": "improved",
-  "name": "practised", "version": "1.0.0", "title": "With practice",
-  "consent": {"version": "1.0", "statement": "I take part of my own free will."},
-  "textures": {"grain": {"height_field": "stimuli/grain.png", "picture": "stimuli/grain_photo.png"},
-               "other": {"picture": "stimuli/grain_photo.png"}},
-  "factors": {"texture": {"levels": ["grain"]}},
-  "stimuli": {"rendered": {"model": "height_map", "texture": {"factor": "texture"}}},
-  "explorations": {"short": {"minimum_contact_s": 0.3, "maximum_contact_s": 2}},
-  "blocks": {
-    "practice": {
-      "phase": "practice", "crossed": ["texture"], "repetitions": 5,
-      "presented": [{"stimulus": "rendered"}],
-      "question": {"name": "which", "prompt": "Which was it?", "pictures": ["grain", "other"],
-                   "correct_factor": "texture"},
-      "exploration": "short", "feedback": "correctness",
-      "until": {"correct": 3, "of_last": 3, "maximum_trials": 5, "on_failure": ")" +
-         on_failure + R"("}},
-    "main": {
-      "crossed": ["texture"], "presented": [{"stimulus": "rendered"}],
-      "question": {"name": "which", "prompt": "Which was it?", "pictures": ["grain", "other"],
-                   "correct_factor": "texture"},
-      "exploration": "short"}
-  },
-  "flow": [{"run": "practice"}, {"run": "main"}]
-})";
 }
 
 Reply answer_with(const Trial& trial, bool right) {

@@ -1,0 +1,97 @@
+// What a monitor is told of the ticks of a session, and which buttons go down.
+
+#include "app/conductor/record_watch.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+constexpr std::int64_t kTick_ns = 1'000'000;
+
+TickRecord tick_at(int number) {
+  TickRecord record{};
+  record.probe.time_ns = number * kTick_ns;
+  return record;
+}
+
+TEST(RecordWatch, KeepsEveryPeakInABinOfASixtiethOfASecond) {
+  SessionMonitor monitor;
+  RecordWatch watch(&monitor);
+  for (int i = 0; i < 100; ++i) {
+    TickRecord record = tick_at(i);
+    record.sent.force_N = {0.0, 0.0, i == 40 ? 5.0 : 1.0};
+    record.probe.velocity_m_per_s = {0.03, i == 60 ? 0.04 : 0.0, 9.0};  // z is no speed along
+    record.probe.position_m = {1e-3 * i, 0.0, 0.0};
+    record.penetration_m = 1e-3;
+    record.presentation = 2;
+    watch.take(record);
+  }
+  std::vector<LiveBin> bins{};
+  EXPECT_EQ(monitor.bins_from(0, bins), 5U);
+  ASSERT_EQ(bins.size(), 5U);
+  EXPECT_EQ(bins[0].time_ns, 16 * kTick_ns);  // ticks 0 to 16 lie in the first 16.7 ms
+  EXPECT_EQ(bins[1].time_ns, 33 * kTick_ns);
+  EXPECT_FLOAT_EQ(bins[1].force_maximum_N, 1.0F);
+  EXPECT_FLOAT_EQ(bins[2].force_maximum_N, 5.0F);
+  EXPECT_FLOAT_EQ(bins[2].force_minimum_N, 1.0F);
+  EXPECT_FLOAT_EQ(bins[3].speed_minimum_m_per_s, 0.03F);
+  EXPECT_FLOAT_EQ(bins[3].speed_maximum_m_per_s, 0.05F);
+  EXPECT_FLOAT_EQ(bins[1].x_m, 0.033F);
+  EXPECT_TRUE(bins[0].touching);
+  EXPECT_EQ(bins[0].surface, 2);
+}
+
+TEST(RecordWatch, ShowsThePressWithoutTheTexture) {
+  SessionMonitor monitor;
+  RecordWatch watch(&monitor);
+  for (int i = 0; i < 3000; ++i) {
+    TickRecord record = tick_at(i);
+    record.sent.force_N = {0.0, 0.0, 1.0 + 0.5 * std::sin(2.0 * 3.14159265 * 100.0 * 1e-3 * i)};
+    watch.take(record);
+  }
+  std::vector<LiveBin> bins{};
+  monitor.bins_from(0, bins);
+  // A first-order low-pass of 0.2 s leaves 1 / (2π · 100 Hz · 0.2 s) = 0.8 % of 100 Hz.
+  EXPECT_NEAR(bins.back().pressing_N, 1.0, 0.006);
+  EXPECT_GT(bins.back().force_maximum_N, 1.4F);
+}
+
+TEST(RecordWatch, SaysHowTheLoopHasKeptTimeInTheLastTwoSeconds) {
+  SessionMonitor monitor;
+  RecordWatch watch(&monitor);
+  for (int i = 0; i < 10'000; ++i) {
+    TickRecord record = tick_at(i);
+    record.lateness_ns = i < 7000 ? 900'000 : i % 100 == 0 ? 50'000 : 10'000;
+    if (i < 3) record.flags = static_cast<std::uint32_t>(TickFlag::missed_deadline);
+    watch.take(record);
+  }
+  const LoopHealth health = watch.health();
+  EXPECT_NEAR(health.rate_Hz, 1000.0, 1e-6);
+  EXPECT_DOUBLE_EQ(health.lateness_p50_s, 10e-6);
+  EXPECT_DOUBLE_EQ(health.lateness_p99_s, 10e-6);
+  EXPECT_DOUBLE_EQ(health.lateness_maximum_s, 50e-6);  // what was before is over
+  EXPECT_EQ(health.missed_deadlines, 3U);              // but is counted
+}
+
+TEST(RecordWatch, NoticesButtonsWithTheTimeOfTheirTick) {
+  RecordWatch watch(nullptr);
+  for (int i = 0; i < 10; ++i) {
+    TickRecord record = tick_at(i);
+    record.probe.buttons = i >= 3 && i < 7 ? 0b10U : 0U;
+    watch.take(record);
+  }
+  const std::vector<ButtonChange> changes = watch.take_button_changes();
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(changes[0].button, 2);
+  EXPECT_TRUE(changes[0].down);
+  EXPECT_EQ(changes[0].time_ns, 3 * kTick_ns);
+  EXPECT_FALSE(changes[1].down);
+  EXPECT_EQ(changes[1].time_ns, 7 * kTick_ns);
+  EXPECT_TRUE(watch.take_button_changes().empty());
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,157 @@
+// A session for a test: the real loop and store, a person and a rig that do what the test says.
+
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/conductor/conductor.h"
+#include "app/program.h"
+#include "tests/app/small_study.h"
+
+namespace asperity {
+
+/// Does something in each slice of time that goes by.
+class WatchedRig final : public Rig {
+ public:
+  WatchedRig(const RigSettings& settings, std::int64_t session_index)
+      : rig_(settings, session_index) {}
+  std::function<void()> at_pass{};
+
+  const Clock& clock() const noexcept override { return rig_.clock(); }
+  ServoLoop& loop() noexcept override { return rig_.loop(); }
+  RecordRing& records() noexcept override { return rig_.records(); }
+  VirtualHand& hand() noexcept override { return rig_.hand(); }
+  const DeviceCapability& capability() const noexcept override { return rig_.capability(); }
+  std::string pacing() const override { return rig_.pacing(); }
+  std::string scheduling() const override { return rig_.scheduling(); }
+  void prepare_attempt(const HandHabits& habits, const Random& random) override {
+    rig_.prepare_attempt(habits, random);
+  }
+  void pass(double duration_s, Recorder& recorder) override {
+    rig_.pass(duration_s, recorder);
+    if (at_pass) at_pass();
+  }
+  void emergency_stop() noexcept override { rig_.emergency_stop(); }
+  void clear_fault() noexcept override { rig_.clear_fault(); }
+  void move_clock_to(std::int64_t now_ns) { rig_.move_clock_to(now_ns); }
+
+ private:
+  SteppedRig rig_;
+};
+
+/// A recognition whose practice asks for three right answers in a row, of five trials at most.
+inline std::string practised_protocol(const std::string& on_failure) {
+  return R"({
+  "format": "asperity.protocol/1", "kind": "recognition", "design": "improved",
+  "name": "practised", "version": "1.0.0", "title": "With practice",
+  "consent": {"version": "1.0", "statement": "I take part of my own free will."},
+  "textures": {"grain": {"height_field": "stimuli/grain.png", "picture": "stimuli/grain_photo.png"},
+               "other": {"picture": "stimuli/grain_photo.png"}},
+  "factors": {"texture": {"levels": ["grain"]}},
+  "stimuli": {"rendered": {"model": "height_map", "texture": {"factor": "texture"}}},
+  "explorations": {"short": {"minimum_contact_s": 0.3, "maximum_contact_s": 2}},
+  "blocks": {
+    "practice": {
+      "phase": "practice", "crossed": ["texture"], "repetitions": 5,
+      "presented": [{"stimulus": "rendered"}],
+      "question": {"name": "which", "prompt": "Which was it?", "pictures": ["grain", "other"],
+                   "correct_factor": "texture"},
+      "exploration": "short", "feedback": "correctness",
+      "until": {"correct": 3, "of_last": 3, "maximum_trials": 5, "on_failure": ")" +
+         on_failure + R"("}},
+    "main": {
+      "crossed": ["texture"], "presented": [{"stimulus": "rendered"}],
+      "question": {"name": "which", "prompt": "Which was it?", "pictures": ["grain", "other"],
+                   "correct_factor": "texture"},
+      "exploration": "short"}
+  },
+  "flow": [{"run": "practice"}, {"run": "main"}]
+})";
+}
+
+/// Answers the first option, unless told otherwise; does something at the n-th question.
+class ScriptedPerson final : public Respondent {
+ public:
+  std::function<Reply(int, const Trial&)> at_question{};
+  std::vector<std::string> texts{};
+  std::vector<int> felt_positions{};
+  std::vector<ForceFeatures> last_felt{};
+  int questions = 0;
+
+  void read(const std::string& text, double minimum_s, const Wait& wait) override {
+    texts.push_back(text);
+    wait(minimum_s + 0.1);
+  }
+  void announce(const Trial&, const PlannedPresentation& surface) override {
+    felt_positions.push_back(surface.position);
+  }
+  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt, std::optional<double>,
+            const Wait& wait) override {
+    last_felt.assign(felt.begin(), felt.end());
+    wait(0.2);
+    ++questions;
+    if (at_question) return at_question(questions, trial);
+    return {{0}, {}};
+  }
+  void tell(const std::string& text, const Wait&) override { texts.push_back(text); }
+  std::string answer(const Question& question, const Wait&) override {
+    return question.options.empty() ? std::string() : question.options.front();
+  }
+  std::string source() const override { return "keyboard"; }
+  void begin_attempt(int, int) override {}
+};
+
+class SessionTest : public testing::Test {
+ protected:
+  void begin(const std::string& text, const std::vector<ScriptedFault>& faults = {}) {
+    make_small_study(folder_.path() / "study");
+    protocol_ = read_small_protocol(models_, text);
+    study_.emplace(Study::open(folder_.path() / "study", Access::read_write));
+    study_->add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
+    builder_ = std::make_unique<StimulusBuilder>(models_, folder_.path() / "study");
+    make_rig(faults);
+    SessionConditions conditions{};
+    conditions.seed = 7;
+    conditions.pacing = rig_->pacing();
+    conditions.started_utc = rig_->clock().utc();
+    conditions.device = rig_->capability();
+    session_ = begin_session(*study_, protocol_, "p1", conditions, this_program());
+  }
+
+  void make_rig(const std::vector<ScriptedFault>& faults) {
+    RigSettings settings{};
+    settings.device.faults = faults;
+    rig_ = std::make_unique<WatchedRig>(settings, 0);
+  }
+
+  SessionEnd run() {
+    conductor_ = std::make_unique<Conductor>(
+        *study_, protocol_, *builder_, *rig_, person_,
+        ConductorSettings{.record = true,
+                          .done = [this](const AttemptDone& done) { done_.push_back(done); },
+                          .links = links_});
+    return conductor_->run(session_);
+  }
+
+  std::vector<AttemptRow> attempts() const { return study_->attempts(session_.row.id); }
+
+  TemporaryFolder folder_{};
+  ModelRegistry models_ = built_in_models();
+  Protocol protocol_{};
+  std::optional<Study> study_{};
+  std::unique_ptr<StimulusBuilder> builder_{};
+  std::unique_ptr<WatchedRig> rig_{};
+  ScriptedPerson person_{};
+  std::unique_ptr<Conductor> conductor_{};
+  OpenSession session_{};
+  std::vector<AttemptDone> done_{};
+  SessionLinks links_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,823 @@
+// A session that is watched and steered from outside: requests, phases, scenes, sounds, troubles.
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/conductor/recording_columns.h"
+#include "tests/app/scripted_session.h"
+
+namespace asperity {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Loudspeakers that write down what they are told.
+class ScriptedSound final : public Sound {
+ public:
+  std::function<std::int64_t()> now_ns{};
+  bool running = true;
+  std::vector<std::pair<std::int64_t, bool>> masking{};
+  std::vector<std::pair<Cue, int>> cues{};
+
+  void set_masking(bool on) override { masking.emplace_back(now_ns ? now_ns() : 0, on); }
+  void play(Cue cue, int number) override { cues.emplace_back(cue, number); }
+  bool is_running() const override { return running; }
+  std::string description_json() const override { return R"({"kind":"pink"})"; }
+};
+
+class WatchedSession : public SessionTest {
+ protected:
+  WatchedSession() {
+    links_ = {.requests = &requests_, .monitor = &monitor_, .experimenter_is_there = true};
+  }
+
+  void play_sound() {
+    sound_.now_ns = [this] { return rig_->clock().now_ns(); };
+    links_.sound = &sound_;
+  }
+
+  /// Once, when the session is first in this phase.
+  void once_in(SessionPhase phase, const std::function<void()>& act) {
+    rig_->at_pass = [this, phase, act, done = false]() mutable {
+      if (done || monitor_.snapshot().phase != phase) return;
+      done = true;
+      act();
+    };
+  }
+
+  std::vector<std::string> phases() const {
+    std::vector<EventRow> events = study_->events(session_.row.id);
+    for (const AttemptRow& attempt : attempts()) {
+      events.insert(events.end(), attempt.events.begin(), attempt.events.end());
+    }
+    std::stable_sort(events.begin(), events.end(), [](const EventRow& one, const EventRow& other) {
+      return one.time_ns < other.time_ns;
+    });
+    std::vector<std::string> names{};
+    for (const EventRow& event : events) {
+      if (event.kind == "phase") names.push_back(event.text);
+    }
+    return names;
+  }
+
+  std::vector<EventRow> events_of(const std::string& kind) const {
+    std::vector<EventRow> found{};
+    for (const EventRow& event : study_->events(session_.row.id)) {
+      if (event.kind == kind) found.push_back(event);
+    }
+    return found;
+  }
+
+  SessionMonitor monitor_{};
+  SessionRequests requests_{};
+  ScriptedSound sound_{};
+};
+
+std::string with(std::string text, const std::string& before, const std::string& added) {
+  text.insert(text.find(before), added);
+  return text;
+}
+
+std::string with_noise(const std::string& text) {
+  return with(text, "\"textures\"",
+              R"("environment": {"masking_noise": {"kind": "pink", "level_dBA": 60}}, )");
+}
+
+/// One trial only.
+std::string one_trial(std::string text = small_protocol()) {
+  return text.replace(text.find("[1, 2, 3]"), 9, "[1]");
+}
+
+TEST_F(WatchedSession, StoresEveryChangeOfPhaseInOrder) {
+  begin(one_trial());
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_THAT(phases(), ElementsAre("ready", "iti", "fore", "contact", "fore", "contact",
+                                    "response", "questions", "ready", "ended"));
+  EXPECT_EQ(monitor_.snapshot().phase, SessionPhase::ended);
+}
+
+TEST_F(WatchedSession, StoresNoPhasesWhereNobodyWatches) {
+  links_ = {};
+  begin(one_trial());
+  run();
+  EXPECT_THAT(phases(), testing::IsEmpty());
+}
+
+TEST_F(WatchedSession, RendersTheSameWhetherOrNotItIsWatched) {
+  begin(one_trial());
+  run();
+  const auto columns = [this] {
+    return read_recording(study_->folder() / attempts().front().recording->path).columns;
+  };
+  const auto watched = columns();
+  links_ = {};
+  make_rig({});
+  SessionConditions conditions{};
+  conditions.seed = 7;
+  conditions.pacing = rig_->pacing();
+  conditions.started_utc = rig_->clock().utc();
+  conditions.device = rig_->capability();
+  session_ = begin_session(*study_, protocol_, "p1", conditions, this_program());
+  run();
+  EXPECT_EQ(columns(), watched);
+}
+
+TEST_F(WatchedSession, ShowsItsProgressAndEveryAttempt) {
+  begin(small_protocol());
+  std::vector<double> left_s{};
+  person_.at_question = [&](int, const Trial& trial) -> Reply {
+    const SessionSnapshot now = monitor_.snapshot();
+    left_s.push_back(now.expected_left_s);
+    EXPECT_EQ(now.phase, SessionPhase::response);
+    EXPECT_EQ(now.trial, trial.ordinal);
+    EXPECT_EQ(now.attempt, 1);
+    EXPECT_EQ(now.block, 1);
+    EXPECT_EQ(now.blocks, 1);
+    EXPECT_EQ(now.trials, 3);
+    EXPECT_EQ(now.trials_done, trial.ordinal - 1);
+    EXPECT_EQ(now.rows_stored, trial.ordinal - 1);
+    EXPECT_EQ(now.now_ns, rig_->clock().now_ns());
+    EXPECT_EQ(now.scene->kind, ParticipantScene::Kind::question);
+    EXPECT_EQ(now.scene->block, 1);
+    return {{1}, {}};
+  };
+  run();
+  ASSERT_EQ(left_s.size(), 3U);
+  EXPECT_GT(left_s[0], left_s[1]);
+  EXPECT_GT(left_s[1], left_s[2]);
+  const SessionSnapshot end = monitor_.snapshot();
+  EXPECT_EQ(end.trials_done, 3);
+  EXPECT_EQ(end.block, 0);
+  EXPECT_DOUBLE_EQ(end.expected_left_s, 0.0);
+  EXPECT_EQ(end.scene->kind, ParticipantScene::Kind::ended);
+  EXPECT_NEAR(end.health.rate_Hz, 1000.0, 1.0);
+  ASSERT_EQ(end.attempts->size(), 3U);
+  const AttemptSummary& last = end.attempts->back();
+  EXPECT_EQ(last.trial, 3);
+  EXPECT_TRUE(last.valid);
+  EXPECT_THAT(last.answers, ElementsAre("B"));  // as it was shown, no name
+  EXPECT_FALSE(last.correct);                   // nothing is right or wrong in a selection
+  EXPECT_NEAR(*last.from_cue_s, 0.2, 1e-3);
+  const auto facts = monitor_.facts();
+  ASSERT_NE(facts, nullptr);
+  EXPECT_EQ(facts->row.participant, "p1");
+  EXPECT_EQ(facts->plan->trials.size(), 3U);
+  EXPECT_EQ(facts->protocol->name, "small");
+}
+
+TEST_F(WatchedSession, ShowsTheParticipantsSceneBeforeEachCall) {
+  begin(one_trial());
+  std::vector<ParticipantScene::Kind> kinds{};
+  rig_->at_pass = [&] {
+    const auto kind = monitor_.snapshot().scene->kind;
+    if (kinds.empty() || kinds.back() != kind) kinds.push_back(kind);
+  };
+  run();
+  using Kind = ParticipantScene::Kind;
+  EXPECT_THAT(kinds, ElementsAre(Kind::text, Kind::blank, Kind::feel, Kind::blank, Kind::feel,
+                                 Kind::question, Kind::text));
+}
+
+TEST_F(WatchedSession, FollowsTheContactWithTheSurfaceUnderTheHand) {
+  begin(one_trial());
+  double largest_s = 0.0;
+  std::vector<int> surfaces{};
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    largest_s = std::max(largest_s, now.contact_s);
+    if (surfaces.empty() || surfaces.back() != now.surface) surfaces.push_back(now.surface);
+    if (now.surface != 0) {
+      EXPECT_DOUBLE_EQ(now.wanted_contact_s, 0.625);
+    }
+  };
+  run();
+  EXPECT_GE(largest_s, 0.625);
+  EXPECT_LT(largest_s, 1.0);
+  EXPECT_THAT(surfaces, ElementsAre(0, 1, 2, 0));
+}
+
+TEST_F(WatchedSession, MakesBinsOfAllThatTheProbeDoesAlsoBetweenAttempts) {
+  begin(one_trial());
+  run();
+  std::vector<LiveBin> bins{};
+  monitor_.bins_from(0, bins);
+  ASSERT_GT(bins.size(), 60U);
+  for (std::size_t i = 1; i < bins.size(); ++i) {
+    EXPECT_NEAR(static_cast<double>(bins[i].time_ns - bins[i - 1].time_ns) * 1e-9, 1.0 / 60.0,
+                0.0021)
+        << i;
+  }
+  const AttemptRow attempt = attempts().front();
+  const auto records = records_of(read_recording(study_->folder() / attempt.recording->path));
+  double largest_N = 0.0;
+  for (const TickRecord& record : records) {
+    largest_N = std::max(largest_N, glm::length(record.sent.force_N));
+  }
+  float shown_N = 0.0F;
+  bool touched = false;
+  for (const LiveBin& bin : bins) {
+    shown_N = std::max(shown_N, bin.force_maximum_N);
+    touched = touched || (bin.touching && bin.surface == 2);
+  }
+  EXPECT_FLOAT_EQ(shown_N, static_cast<float>(largest_N));
+  EXPECT_TRUE(touched);
+  EXPECT_LT(bins.front().time_ns, attempt.onset_ns);
+  EXPECT_GT(bins.back().time_ns, attempt.offset_ns);
+}
+
+// --- requests ------------------------------------------------------------------------------------
+
+TEST_F(WatchedSession, PausesBetweenTrialsUntilItIsResumed) {
+  play_sound();
+  begin(small_protocol());
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question == 1) requests_.pause();
+    return {{0}, {}};
+  };
+  once_in(SessionPhase::paused, [&] {
+    EXPECT_EQ(attempts().size(), 1U);
+    EXPECT_TRUE(requests_.pending().pause);
+    EXPECT_EQ(monitor_.snapshot().scene->kind, ParticipantScene::Kind::paused);
+    requests_.note("the door was open");
+    requests_.resume();
+  });
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_EQ(attempts().size(), 3U);
+  EXPECT_EQ(events_of("paused").size(), 1U);
+  EXPECT_EQ(events_of("resumed").size(), 1U);
+  EXPECT_THAT(phases(), testing::IsSupersetOf({"paused"}));
+  EXPECT_THAT(sound_.cues, Contains(testing::Pair(Cue::paused, 0)));
+  ASSERT_EQ(events_of("note").size(), 1U);
+  EXPECT_EQ(events_of("note")[0].text, "the door was open");
+}
+
+TEST_F(WatchedSession, PausesBeforeAQuestionToo) {
+  begin(one_trial());
+  person_.at_question = [&](int, const Trial&) -> Reply {
+    requests_.pause();
+    return {{0}, {}};
+  };
+  once_in(SessionPhase::paused, [&] {
+    EXPECT_TRUE(study_->session_answers(session_.row.id).empty());
+    requests_.resume();
+  });
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_EQ(study_->session_answers(session_.row.id).size(), 1U);
+}
+
+TEST_F(WatchedSession, StopsFromAPause) {
+  begin(small_protocol());
+  person_.at_question = [&](int, const Trial&) -> Reply {
+    requests_.pause();
+    return {{0}, {}};
+  };
+  once_in(SessionPhase::paused, [&] { requests_.stop_after(StopAfter::trial); });
+  EXPECT_EQ(run().state, SessionState::stopped);
+  EXPECT_EQ(attempts().size(), 1U);
+  ASSERT_TRUE(monitor_.snapshot().trouble);
+  EXPECT_EQ(monitor_.snapshot().trouble->remedy, SessionTrouble::Remedy::try_again);
+}
+
+TEST_F(WatchedSession, StoresRemarksWithTheTimeAtWhichTheyWereMade) {
+  begin(one_trial());
+  std::int64_t made_ns = 0;
+  requests_.remark("consent_seen", "before there was a clock");
+  person_.at_question = [&](int, const Trial&) -> Reply {
+    made_ns = rig_->clock().now_ns();
+    requests_.remark("unblinded", "the participant asked");
+    return {{0}, {}};
+  };
+  run();
+  ASSERT_EQ(events_of("unblinded").size(), 1U);
+  EXPECT_EQ(events_of("unblinded")[0].time_ns, made_ns);
+  ASSERT_EQ(events_of("consent_seen").size(), 1U);
+}
+
+TEST_F(WatchedSession, EndsAReadingPromptlyWhenAskedToStop) {
+  begin(small_protocol());
+  once_in(SessionPhase::ready, [&] { requests_.stop_after(StopAfter::trial); });
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::stopped);
+  EXPECT_EQ(end.reason, "as asked");
+  EXPECT_LT(end.duration_s, 0.05);  // the welcome takes 0.1 s
+}
+
+TEST_F(WatchedSession, AsksTheLastTrialAgainWhenWanted) {
+  begin(small_protocol());
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question == 2) {
+      requests_.repeat_last("somebody came in");
+      EXPECT_TRUE(requests_.pending().repeat_last);
+    }
+    return {{0}, {}};
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  std::vector<std::pair<int, int>> asked{};
+  for (const AttemptDone& done : done_) asked.emplace_back(done.trial, done.attempt);
+  EXPECT_THAT(asked, ElementsAre(testing::Pair(1, 1), testing::Pair(2, 1), testing::Pair(2, 2),
+                                 testing::Pair(3, 1)));
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_FALSE(rows[1].valid);
+  EXPECT_THAT(*rows[1].invalid_reason, HasSubstr("somebody came in"));
+  EXPECT_FALSE(rows[1].responses.empty());  // it stays
+  EXPECT_TRUE(rows[2].valid);
+  EXPECT_FALSE(monitor_.snapshot().attempts->at(1).valid);
+  EXPECT_FALSE(requests_.pending().repeat_last);
+  EXPECT_EQ(events_of("trial_repeated").size(), 1U);
+}
+
+TEST_F(WatchedSession, AsksTheVeryLastTrialAgainAsWell) {
+  begin(one_trial());
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question == 1) requests_.repeat_last("");
+    return {{0}, {}};
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  ASSERT_EQ(attempts().size(), 2U);
+  EXPECT_TRUE(attempts()[1].valid);
+}
+
+TEST_F(WatchedSession, AsksASkippedTrialAgainWhenWanted) {
+  begin(one_trial());
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question > 1) return {{0}, {}};
+    requests_.skip("the wrong sample lay there");
+    requests_.repeat_last("the right sample lies there now");
+    return {{}, 1};
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::skipped);
+  EXPECT_TRUE(rows[1].valid);
+}
+
+TEST_F(WatchedSession, AsksARepeatedTrialAgainAfterAResumeWhenItWasInterrupted) {
+  begin(small_protocol());
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question == 1) {
+      requests_.skip("a cough");
+      requests_.repeat_last("over");
+    } else if (question == 2) {
+      requests_.abort("the fire alarm rang");
+    }
+    return {{}, 1};
+  };
+  EXPECT_EQ(run().state, SessionState::stopped);
+  make_rig({});
+  rig_->move_clock_to(1'000'000'000'000);
+  person_.at_question = {};
+  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+  EXPECT_EQ(run().state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(rows[2].trial, 1);  // skipped, set aside, aborted: this one counts
+  EXPECT_TRUE(rows[2].valid);
+}
+
+TEST_F(WatchedSession, SaysThatThereIsNothingToRepeat) {
+  begin(one_trial());
+  requests_.repeat_last("too early");
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_EQ(events_of("repeat_refused").size(), 1U);
+  EXPECT_EQ(attempts().size(), 1U);
+}
+
+// --- faults --------------------------------------------------------------------------------------
+
+TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
+  begin(one_trial());
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question > 1) return {{0}, {}};
+    requests_.emergency_stop();
+    return {{}, 1};
+  };
+  once_in(SessionPhase::fault, [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    ASSERT_TRUE(now.trouble);
+    EXPECT_EQ(now.trouble->remedy, SessionTrouble::Remedy::clear_fault);
+    EXPECT_THAT(now.trouble->what, HasSubstr("The emergency stop was pressed in trial 1"));
+    EXPECT_EQ(now.fault, Fault::emergency_stop);
+    EXPECT_EQ(now.scene->kind, ParticipantScene::Kind::paused);
+    ASSERT_EQ(attempts().size(), 1U);  // stored before anybody is told
+    requests_.clear_fault();
+  });
+  EXPECT_EQ(run().state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::device_fault);
+  EXPECT_EQ(rows[0].servo->fault, "emergency_stop");
+  EXPECT_EQ(rows[1].trial, 1);
+  EXPECT_TRUE(rows[1].valid);
+  EXPECT_FALSE(monitor_.snapshot().trouble);
+  EXPECT_THAT(phases(), Contains("fault"));
+  EXPECT_EQ(events_of("fault").size(), 1U);
+  EXPECT_EQ(events_of("fault_cleared").size(), 1U);
+}
+
+TEST_F(WatchedSession, StaysInTheFaultWhileTheDeviceIsNotFit) {
+  begin(one_trial(), {{.kind = ScriptedFault::Kind::lost, .at_s = 1.0}});
+  bool told = false;
+  bool cleared = false;
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    if (now.phase != SessionPhase::fault || !now.trouble) return;
+    if (!cleared) {
+      cleared = true;
+      requests_.clear_fault();
+    } else if (!told && now.trouble->what.find("not fit") != std::string::npos) {
+      told = true;
+      requests_.abort("it is broken");
+    }
+  };
+  const SessionEnd end = run();
+  EXPECT_TRUE(told);
+  EXPECT_EQ(end.state, SessionState::stopped);
+  EXPECT_EQ(end.reason, "it is broken");
+  EXPECT_EQ(attempts().size(), 1U);
+}
+
+TEST_F(WatchedSession, EndsFromAFaultWhenAskedToStop) {
+  begin(one_trial());
+  person_.at_question = [&](int, const Trial&) -> Reply {
+    requests_.emergency_stop();
+    return {{}, 1};
+  };
+  once_in(SessionPhase::fault, [&] { requests_.stop_after(StopAfter::block); });
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::stopped);
+  EXPECT_EQ(end.reason, "the emergency stop was pressed in trial 1");
+}
+
+TEST_F(WatchedSession, BeginsAScreenAgainThatAFaultInterrupted) {
+  begin(one_trial());
+  bool stopped = false;
+  rig_->at_pass = [&] {
+    const SessionPhase phase = monitor_.snapshot().phase;
+    if (phase == SessionPhase::ready && !stopped) {
+      stopped = true;
+      requests_.emergency_stop();
+    }
+    if (phase == SessionPhase::fault) requests_.clear_fault();
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  ASSERT_GE(person_.texts.size(), 2U);
+  EXPECT_EQ(person_.texts[0], "Welcome.");
+  EXPECT_EQ(person_.texts[1], "Welcome.");
+}
+
+TEST_F(WatchedSession, AnEmergencyStopFromAPauseIsAFaultAtOnce) {
+  begin(small_protocol());
+  bool stopped = false;
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question == 1) requests_.pause();
+    return {{0}, {}};
+  };
+  rig_->at_pass = [&] {
+    const SessionPhase phase = monitor_.snapshot().phase;
+    if (phase == SessionPhase::paused && !stopped) {
+      stopped = true;
+      requests_.emergency_stop();
+    } else if (phase == SessionPhase::paused) {
+      requests_.resume();
+    }
+    if (phase == SessionPhase::fault) requests_.clear_fault();
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_EQ(attempts().size(), 3U);  // none was lost to the stop
+  EXPECT_THAT(phases(), Contains("fault"));
+}
+
+TEST_F(WatchedSession, IsNotGoneOnWithAfterItEndedAsTheProtocolSays) {
+  begin(practised_protocol("end_session"));
+  person_.at_question = [](int, const Trial& trial) -> Reply {
+    const bool first_is_right = trial.question.options[0].value == trial.question.correct[0];
+    return {{first_is_right ? std::size_t{1} : std::size_t{0}}, {}};
+  };
+  EXPECT_TRUE(run().as_the_protocol_says);
+  EXPECT_FALSE(monitor_.snapshot().trouble);
+  EXPECT_TRUE(has_ended_by_rule(*study_, protocol_, study_->session(session_.row.id)));
+  EXPECT_THROW(find_unfinished(*study_, protocol_, "p1"), std::runtime_error);
+}
+
+// --- sound ---------------------------------------------------------------------------------------
+
+TEST_F(WatchedSession, PlaysItsNoiseFromBeforeTheContactUntilAfterIt) {
+  play_sound();
+  begin(one_trial(with_noise(small_protocol(R"(, "pause_before_trial_s": 0.5)"))));
+  run();
+  ASSERT_EQ(sound_.masking.size(), 2U);
+  const AttemptRow attempt = attempts().front();
+  EXPECT_TRUE(sound_.masking[0].second);
+  EXPECT_LT(sound_.masking[0].first, *attempt.presentations[0].contact_ns);
+  EXPECT_FALSE(sound_.masking[1].second);
+  EXPECT_GT(sound_.masking[1].first, *attempt.presentations[1].offset_ns);
+  ASSERT_EQ(events_of("masking_noise").size(), 1U);
+  EXPECT_EQ(events_of("masking_noise")[0].data_json, R"({"kind":"pink"})");
+}
+
+TEST_F(WatchedSession, PlaysNoNoiseThatTheProtocolDoesNotWant) {
+  play_sound();
+  begin(one_trial());
+  run();
+  EXPECT_TRUE(sound_.masking.empty());
+}
+
+TEST_F(WatchedSession, SoundsTheCuesOfATrial) {
+  play_sound();
+  begin(one_trial());
+  run();
+  EXPECT_THAT(sound_.cues,
+              ElementsAre(testing::Pair(Cue::surface, 1), testing::Pair(Cue::next, 0),
+                          testing::Pair(Cue::surface, 2), testing::Pair(Cue::next, 0),
+                          testing::Pair(Cue::question, 0), testing::Pair(Cue::accepted, 0),
+                          testing::Pair(Cue::finished, 0)));
+}
+
+TEST_F(WatchedSession, PausesWhenTheNoiseStopsAndAsksTheTrialAgain) {
+  play_sound();
+  begin(one_trial(with_noise(small_protocol())));
+  bool lost = false;
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    if (now.phase == SessionPhase::contact && !lost) {
+      lost = true;
+      sound_.running = false;
+    }
+    if (now.phase == SessionPhase::paused && now.trouble) {
+      EXPECT_EQ(now.trouble->remedy, SessionTrouble::Remedy::resume);
+      EXPECT_THAT(now.trouble->what, HasSubstr("masking noise"));
+      EXPECT_EQ(rig_->loop().status().presentation, 0U);  // nothing is under the hand
+      sound_.running = true;
+      requests_.resume();
+    }
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::aborted);
+  EXPECT_EQ(rows[0].invalid_reason, "the masking noise stopped");
+  EXPECT_TRUE(rows[1].valid);
+  EXPECT_FALSE(monitor_.snapshot().trouble);
+}
+
+TEST_F(WatchedSession, EndsWhenTheNoiseStopsAndNobodyIsThere) {
+  play_sound();
+  links_.experimenter_is_there = false;
+  begin(one_trial(with_noise(small_protocol())));
+  once_in(SessionPhase::contact, [&] { sound_.running = false; });
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::stopped);
+  EXPECT_EQ(end.reason, "the masking noise stopped");
+}
+
+// --- the participant -----------------------------------------------------------------------------
+
+/// A person with more to say: enough of a surface, when an answer was given, buttons, a mask.
+class TalkativePerson final : public Respondent {
+ public:
+  bool has_had_enough = false;
+  std::optional<std::int64_t> answered_ns{};
+  std::vector<EventRow> events{};
+  std::vector<ButtonChange> buttons{};
+  std::vector<std::string> calls{};
+
+  void read(const std::string&, double, const Wait& wait) override {
+    calls.push_back("read");
+    wait(0.1);
+  }
+  void announce(const Trial&, const PlannedPresentation& surface) override {
+    calls.push_back("surface " + std::to_string(surface.position));
+  }
+  Reply ask(const Trial&, std::span<const ForceFeatures>, std::optional<double>,
+            const Wait& wait) override {
+    calls.push_back("ask");
+    const std::int64_t cue_ns = now_ns();
+    wait(0.5);
+    events.push_back({cue_ns + 150'000'000, "input", "option 1", "null"});
+    return {{0}, {}, cue_ns + 200'000'000};
+  }
+  void tell(const std::string&, const Wait&) override { calls.push_back("tell"); }
+  std::string answer(const Question& question, const Wait&) override {
+    calls.push_back("answer");
+    return question.options.empty() ? std::string() : question.options.front();
+  }
+  std::string source() const override { return "keyboard"; }
+  void begin_attempt(int, int) override {}
+  bool wants_next(bool may_go) override { return may_go && has_had_enough; }
+  bool wears_mask() const override { return true; }
+  void put_mask(bool on, const Wait& wait) override {
+    calls.push_back(on ? "mask on" : "mask off");
+    wait(0.1);
+  }
+  void button_changed(const ButtonChange& change) override { buttons.push_back(change); }
+  std::vector<EventRow> take_events() override { return std::exchange(events, {}); }
+
+  std::function<std::int64_t()> now_ns{};
+};
+
+class TalkativeSession : public WatchedSession {
+ protected:
+  SessionEnd run_talkative() {
+    talker_.now_ns = [this] { return rig_->clock().now_ns(); };
+    Conductor conductor(*study_, protocol_, *builder_, *rig_, talker_, {.links = links_});
+    return conductor.run(session_);
+  }
+  TalkativePerson talker_{};
+};
+
+TEST_F(TalkativeSession, LetsGoOfASurfaceOnceItWasFeltLongEnoughAndThePersonWantsSo) {
+  begin(one_trial());
+  talker_.has_had_enough = true;
+  run_talkative();
+  const AttemptRow row = attempts().front();
+  for (const PresentationRow& surface : row.presentations) {
+    EXPECT_GE(surface.contact_s, 0.5);
+    EXPECT_LT(surface.contact_s, 0.7);  // the hand needs 0.15 s to lift
+  }
+  EXPECT_FALSE(row.flagged);
+}
+
+TEST_F(TalkativeSession, TakesReactionTimesFromTheStampOfTheAnswer) {
+  begin(one_trial());
+  run_talkative();
+  const AttemptRow row = attempts().front();
+  const ResponseRow response = row.responses.at(0);
+  EXPECT_NEAR(*response.from_cue_s, 0.2, 1e-9);  // `ask` itself took 0.5 s
+  EXPECT_NEAR(static_cast<double>(row.offset_ns - response.time_ns) * 1e-9, 0.3, 1e-3);
+  EXPECT_NEAR(*response.from_contact_s,
+              static_cast<double>(response.time_ns - *row.presentations[0].contact_ns) * 1e-9,
+              1e-9);
+}
+
+TEST_F(TalkativeSession, StoresWhatThePersonDidWithTheAttempt) {
+  begin(one_trial());
+  talker_.events.push_back({1, "input", "confirm", "null"});  // before the first attempt
+  run_talkative();
+  ASSERT_EQ(events_of("input").size(), 1U);
+  EXPECT_EQ(events_of("input")[0].text, "confirm");
+  std::vector<std::string> kinds{};
+  const AttemptRow row = attempts().front();
+  for (const EventRow& event : row.events) {
+    kinds.push_back(event.kind == "phase" ? event.text : event.kind);
+  }
+  EXPECT_THAT(kinds, ElementsAre("fore", "contact", "fore", "contact", "response", "input"));
+}
+
+TEST_F(TalkativeSession, HandsOnTheButtonsOfTheDevice) {
+  begin(one_trial());
+  std::int64_t pressed_ns = 0;
+  once_in(SessionPhase::response, [&] {
+    pressed_ns = rig_->clock().now_ns();
+    rig_->hand().press(2);
+  });
+  run_talkative();
+  ASSERT_FALSE(talker_.buttons.empty());
+  EXPECT_EQ(talker_.buttons[0].button, 2);
+  EXPECT_TRUE(talker_.buttons[0].down);
+  EXPECT_EQ(talker_.buttons[0].time_ns, pressed_ns + 1'000'000);  // the next tick
+}
+
+TEST_F(TalkativeSession, HasTheMaskOnWhileFeelingAndOffToLookAtPictures) {
+  std::string text = with(practised_protocol("continue_flagged"), "\"textures\"",
+                          R"("environment": {"vision": "blindfold"}, )");
+  for (std::size_t at = text.find("\"pictures\""); at != std::string::npos;
+       at = text.find("\"pictures\"", at + 80)) {
+    text.insert(at, R"("pictures_after_feeling": true, "allow_revisit": false, )");
+  }
+  begin(with(text, R"({"run": "practice"})", R"({"screen": "Welcome."}, )"));
+  run_talkative();
+  ASSERT_GT(talker_.calls.size(), 8U);
+  talker_.calls.resize(8);
+  EXPECT_THAT(talker_.calls, ElementsAre("read", "mask on", "surface 1", "mask off", "ask", "tell",
+                                         "mask on", "surface 1"));
+  std::vector<std::string> kinds{};
+  const AttemptRow row = attempts().front();
+  for (const EventRow& event : row.events) kinds.push_back(event.kind);
+  EXPECT_THAT(kinds, testing::IsSupersetOf({"mask_on", "mask_off"}));
+}
+
+TEST_F(TalkativeSession, AsksNobodyToPutOnAMaskWhereTheProtocolDoesNot) {
+  begin(one_trial());
+  run_talkative();
+  EXPECT_THAT(talker_.calls, testing::Not(Contains("mask on")));
+}
+
+// --- the other hand ------------------------------------------------------------------------------
+
+TEST_F(WatchedSession, MirrorsThePlaceAndTheStrokesForALeftHand) {
+  std::string text = one_trial(small_protocol("", R"(, "direction_rad": 0.5,
+    "strokes": {"target": 3})"));
+  begin(with(text, "\"textures\"", R"("surface": {"centre_m": [0.02, 0.01, 0]}, )"));
+  session_.row.mirrored = true;
+  run();
+  EXPECT_TRUE(monitor_.facts()->mirrored);
+  const AttemptRow row = attempts().front();
+  const auto records = records_of(read_recording(study_->folder() / row.recording->path));
+  double sum_x_m = 0.0;
+  double sum_y_m = 0.0;
+  double covariance = 0.0;
+  std::size_t count = 0;
+  for (const TickRecord& record : records) {
+    if (record.penetration_m <= 0.0 || record.presentation != 1) continue;
+    sum_x_m += record.probe.position_m.x;
+    sum_y_m += record.probe.position_m.y;
+    covariance += record.probe.velocity_m_per_s.x * record.probe.velocity_m_per_s.y;
+    ++count;
+  }
+  ASSERT_GT(count, 0U);
+  EXPECT_NEAR(sum_x_m / static_cast<double>(count), -0.02, 0.012);
+  EXPECT_NEAR(sum_y_m / static_cast<double>(count), 0.01, 0.012);
+  EXPECT_LT(covariance, 0.0);  // to the left means away from the body
+  // The strokes are counted along the mirrored direction.
+  for (const ComplianceRow& compliance : row.compliance) {
+    if (compliance.quantity == "stroke_length_m") {
+      EXPECT_NEAR(compliance.p95, 0.06, 0.01);  // the first and the last are cut short
+    }
+  }
+}
+
+// --- threads -------------------------------------------------------------------------------------
+
+TEST(WatchedFromAnotherThread, ARealTimeSessionIsSteeredAndEnds) {
+  const TemporaryFolder folder{};
+  make_small_study(folder.path() / "study");
+  const ModelRegistry models = built_in_models();
+  std::string text =
+      small_protocol(R"(, "pause_before_trial_s": 0, "pause_between_surfaces_s": 0)");
+  text.replace(text.find("\"minimum_contact_s\": 0.5"), 24, "\"minimum_contact_s\": 0.1");
+  text.replace(text.find("[1, 2, 3]"), 9, "[1, 2]");
+  const Protocol protocol =
+      read_small_protocol(models, with(text, "\"realism_standard\"",
+                                       R"("device": {"maximum_missed_deadlines": 100000,
+                                 "maximum_lost_records": 100000}, )"));
+  Study study = Study::open(folder.path() / "study", Access::read_write);
+  study.add_participant({.label = "p1", .created_utc = "2026-01-01T00:00:00.000Z"});
+  StimulusBuilder builder(models, folder.path() / "study");
+  RigSettings settings{};
+  RealTimeRig rig(settings, HandHabits{}, Random(1), Scheduling::normal, 0);
+  SessionConditions conditions{};
+  conditions.pacing = rig.pacing();
+  conditions.started_utc = rig.clock().utc();
+  conditions.device = rig.capability();
+  OpenSession session = begin_session(study, protocol, "p1", conditions, this_program());
+  const std::int64_t id = session.row.id;
+  ScriptedPerson person{};
+  SessionMonitor monitor{};
+  SessionRequests requests{};
+  Conductor conductor(
+      study, protocol, builder, rig, person,
+      {.links = {.requests = &requests, .monitor = &monitor, .experimenter_is_there = true}});
+  std::atomic<bool> over{false};
+  SessionEnd end{};
+  {
+    std::jthread running([&] {
+      end = conductor.run(std::move(session));
+      over = true;
+    });
+    bool stopped = false;
+    bool paused = false;
+    bool noted = false;
+    std::uint64_t bins_seen = 0;
+    while (!over) {
+      const SessionSnapshot now = monitor.snapshot();
+      std::vector<LiveBin> bins{};
+      bins_seen = monitor.bins_from(bins_seen, bins);
+      if (now.phase == SessionPhase::contact && !stopped) {
+        stopped = true;
+        requests.emergency_stop();
+      }
+      if (now.phase == SessionPhase::fault) requests.clear_fault();
+      if (now.trials_done == 1 && !paused) {
+        paused = true;
+        requests.pause();
+      }
+      if (now.phase == SessionPhase::paused) {
+        if (!noted) requests.note("from another thread");
+        noted = true;
+        requests.resume();
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_GT(bins_seen, 0U);
+  }
+  EXPECT_EQ(end.state, SessionState::completed) << end.reason;
+  int valid = 0;
+  int faults = 0;
+  for (const AttemptRow& attempt : study.attempts(id)) {
+    if (attempt.valid) ++valid;
+    if (attempt.outcome == AttemptOutcome::device_fault) ++faults;
+  }
+  EXPECT_EQ(valid, 2);
+  EXPECT_GE(faults, 1);
+}
+
+}  // namespace
+}  // namespace asperity
