@@ -82,6 +82,11 @@ std::string text_of(const Saying& saying) {
       return "Please give surface " + saying.code + " a picture first.";
     case Saying::What::no_going_back:
       return "The surfaces cannot be felt again.";
+    case Saying::What::was_right:
+      return "That was right.";
+    case Saying::What::was_wrong:
+      return "That was not right." +
+             (saying.code.empty() ? std::string{} : " The right answer: " + saying.code);
     case Saying::What::answer_needed:
       return "This question needs an answer.";
     case Saying::What::number_needed: {
@@ -144,6 +149,12 @@ ParticipantScene scene_of_form(const Question& question) {
   scene.text = question.prompt;
   scene.question = question;
   return scene;
+}
+
+ParticipantScene scene_of_feedback(bool was_right, const std::string& right_answer) {
+  Saying saying{.what = was_right ? Saying::What::was_right : Saying::What::was_wrong};
+  if (!was_right) saying.code = right_answer;
+  return scene_that_says(ParticipantScene::Kind::feedback, std::move(saying));
 }
 
 ParticipantScene scene_of_mask(bool on) {

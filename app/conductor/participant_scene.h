@@ -27,6 +27,8 @@ struct Saying {
     choose_first,   ///< refused: nothing is chosen yet
     assign_first,   ///< refused: surface `code` has no picture yet
     no_going_back,  ///< refused: surfaces cannot be felt again in this trial
+    was_right,      ///< feedback
+    was_wrong,      ///< feedback; the right answer was `code`, where it is told
     answer_needed,  ///< refused: this question cannot be left out
     number_needed,  ///< refused: a number, not below `minimum`, not above `maximum`
     option_needed,  ///< refused: one of the options
@@ -141,5 +143,7 @@ ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& fe
 ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt);
 ParticipantScene scene_of_form(const Question& question);
 ParticipantScene scene_of_mask(bool on);
+/// `right_answer`: the labels of the right options where a wrong answer is told them; or empty.
+ParticipantScene scene_of_feedback(bool was_right, const std::string& right_answer);
 
 }  // namespace asperity

@@ -90,7 +90,6 @@ struct PersonAtWindow::Desk {
 
   std::vector<EventRow> events{};
   std::string source = "keyboard";
-  std::uint64_t cues = 0;
   ParticipantScene::Kind shown = ParticipantScene::Kind::blank;  ///< the present scene
   std::int64_t shown_ns = 0;  ///< what is stamped before was meant for another scene
 
@@ -184,11 +183,10 @@ std::optional<ParticipantInput> PersonAtWindow::Desk::hear() {
 void PersonAtWindow::Desk::refuse(const ParticipantInput& input, Saying saying) {
   events.push_back({input.time_ns, "refused", text_of(saying),
                     nlohmann::ordered_json{{"input", description_of(input)}}.dump()});
-  ++cues;
   change([&](ParticipantScene& scene) {
     scene.cue = text_of(saying);
     scene.cue_saying = std::move(saying);
-    scene.cue_number = cues;
+    ++scene.cue_number;
   });
   play(Cue::refused);
 }

@@ -128,5 +128,12 @@ TEST(SceneOfSurface, SaysWhichSurfaceIsFeltNow) {
   EXPECT_FALSE(scene.response_open);
 }
 
+TEST(SceneOfFeedback, TellsTheRightAnswerOnlyToWhoWasWrong) {
+  EXPECT_EQ(scene_of_feedback(true, "3").text, "That was right.");
+  EXPECT_EQ(scene_of_feedback(false, "3").text, "That was not right. The right answer: 3");
+  EXPECT_EQ(scene_of_feedback(false, "").text, "That was not right.");
+  EXPECT_EQ(scene_of_feedback(false, "3").text_saying.what, Saying::What::was_wrong);
+}
+
 }  // namespace
 }  // namespace asperity
