@@ -6,11 +6,13 @@
 #include <chrono>
 #include <cstdint>
 #include <future>
+#include <thread>
 #include <utility>
 
+#include <QtCore/QCoreApplication>
+#include <QtCore/QEvent>
 #include <QtCore/QEventLoop>
 #include <QtCore/QIODevice>
-#include <QtCore/QThread>
 #include <QtCore/QTimer>
 
 namespace asperity {
@@ -64,10 +66,13 @@ struct SoundStream::Worker {
   SoundOutput output{};
   Fill fill{};
   std::atomic<std::int64_t> last_ns{0};
-  std::promise<void> opened{};
-  std::unique_ptr<QThread> thread{};
+  std::promise<QEventLoop*> opened{};
+  QEventLoop* loop = nullptr;
+  std::thread thread{};
 
   void run() {
+    // First of all: it gives the thread the event dispatcher that timers and sinks need.
+    QEventLoop events{};
     SampleDevice samples(fill, last_ns);
     samples.set_form(output.form);
     std::unique_ptr<SampleConsumer> consumer = output.open(samples);
@@ -83,24 +88,22 @@ struct SoundStream::Worker {
     });
     watch.start(kWatch_ms);
     last_ns.store(steady_ns(), std::memory_order_relaxed);
-    opened.set_value();
-    QEventLoop loop{};
-    loop.exec();
+    opened.set_value(&events);
+    events.exec();
   }
 };
 
 SoundStream::SoundStream(SoundOutput output, Fill fill) : worker_(std::make_unique<Worker>()) {
   worker_->output = std::move(output);
   worker_->fill = std::move(fill);
-  worker_->thread.reset(QThread::create([worker = worker_.get()] { worker->run(); }));
-  worker_->thread->setObjectName("asperity-sound");
-  worker_->thread->start(QThread::HighestPriority);
-  worker_->opened.get_future().wait();
+  worker_->thread = std::thread([worker = worker_.get()] { worker->run(); });
+  worker_->loop = worker_->opened.get_future().get();
 }
 
 SoundStream::~SoundStream() {
-  worker_->thread->quit();
-  worker_->thread->wait();
+  // Posted, so that it cannot come before the loop runs.
+  QCoreApplication::postEvent(worker_->loop, new QEvent(QEvent::Quit));
+  worker_->thread.join();
 }
 
 const SoundOutput& SoundStream::output() const noexcept { return worker_->output; }
