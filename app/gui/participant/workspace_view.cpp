@@ -26,6 +26,11 @@ constexpr double kLength = 0.62;  // of the tool
 // Its shadow runs away from the light (as in the picture), this far for each unit of height.
 const glm::dvec3 kShadow{0.66, -0.55, 0.0};
 
+bool look_alike(const SurfacePatch& one, const SurfacePatch& other) {
+  return one.centre_m == other.centre_m && one.extent_m == other.extent_m &&
+         one.tiling == other.tiling && one.motion_scale == other.motion_scale;
+}
+
 QPainterPath along(QPointF from, double from_width, QPointF to, double to_width) {
   const QPointF way = to - from;
   const double length = std::max(1e-6, std::hypot(way.x(), way.y()));
@@ -95,9 +100,13 @@ WorkspaceView::WorkspaceView(QWidget* parent) : QWidget(parent) {
 
 void WorkspaceView::set_object(const SurfacePatch& patch, std::shared_ptr<const HeightField> relief,
                                SurfaceLook look) {
-  patch_ = patch;
   // What is not to be seen is not even held.
-  picture_.relief = look == SurfaceLook::relief ? std::move(relief) : nullptr;
+  if (look != SurfaceLook::relief) relief = nullptr;
+  if (camera_ && picture_.look == look && picture_.relief == relief && look_alike(patch_, patch)) {
+    return;
+  }
+  patch_ = patch;
+  picture_.relief = std::move(relief);
   picture_.look = look;
   draw_again();
 }

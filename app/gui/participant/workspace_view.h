@@ -28,7 +28,8 @@ class WorkspaceView final : public QWidget {
  public:
   explicit WorkspaceView(QWidget* parent = nullptr);
 
-  /// `relief` is read only where its look is asked for; null looks plain.
+  /// `relief` is read only where its look is asked for; null looks plain. An object that looks like
+  /// the one that is there is not drawn again.
   void set_object(const SurfacePatch& patch, std::shared_ptr<const HeightField> relief,
                   SurfaceLook look);
   void set_probe(double x_m, double y_m, double z_m, bool touching);

@@ -132,6 +132,19 @@ TEST(WorkspaceView, ANewObjectIsNeverSeenWithTheOldTexture) {
   EXPECT_LE(brightest - darkest, 2);
 }
 
+TEST(WorkspaceView, AnObjectThatLooksTheSameIsNotDrawnAgain) {
+  WorkspaceView view{};
+  view.resize(480, 270);
+  view.set_object({}, waves(), SurfaceLook::pattern);
+  ASSERT_TRUE(QTest::qWaitFor([&view] { return view.is_drawn(); }));
+  view.set_object({}, waves(40e-6, 0.011), SurfaceLook::pattern);
+  EXPECT_TRUE(view.is_drawn());
+  SurfacePatch larger{};
+  larger.extent_m = {0.12, 0.10};
+  view.set_object(larger, nullptr, SurfaceLook::pattern);
+  EXPECT_FALSE(view.is_drawn());
+}
+
 TEST(WorkspaceView, TheToolStandsWhereTheProbeIs) {
   WorkspaceView view{};
   view.resize(480, 270);
