@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QtGui/QClipboard>
+#include <QtGui/QFontMetrics>
 #include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
@@ -56,6 +57,12 @@ QPushButton* make_button(const QString& verb, ButtonRole role, QWidget* parent) 
   auto* button = new QPushButton(verb, parent);
   button->setProperty("role", role_name(role));
   button->setCheckable(role == ButtonRole::selector);
+  if (role == ButtonRole::selector) {
+    // Bold while it is chosen: neither clipped then, nor do its neighbours move.
+    constexpr int kPadding = 32;
+    const QFontMetrics letters(text_font(TextSize::body, true));
+    button->setMinimumWidth(letters.horizontalAdvance(verb) + kPadding);
+  }
   button->setAutoDefault(false);
   button->setCursor(Qt::PointingHandCursor);
   return button;
