@@ -6,6 +6,7 @@
 
 #include <QtCore/QMetaObject>
 
+#include "app/gui/sound/qt_sound.h"
 #include "app/tasks/session_checks.h"
 
 namespace asperity {
@@ -44,11 +45,23 @@ PersonAtWindow& SessionRunner::person() noexcept {
 void SessionRunner::start(const SessionOrder& order) {
   assert(!worker_.joinable());
   order_ = order;
+  running_ = true;
+  std::string trouble{};
+  if (!order.inputs.is_virtual) {
+    try {
+      sound_ = std::make_unique<QtSound>(order.noise, order.speech);
+    } catch (const std::exception& error) {
+      trouble = error.what();
+    }
+  }
   person_ = std::make_unique<PersonAtWindow>(monitor_, sound_.get());
+  if (!trouble.empty()) {
+    fail(trouble);
+    return;
+  }
   if (!order.consent_seen_by.empty()) {
     requests_.remark("consent_seen", "agreement seen by " + order.consent_seen_by);
   }
-  running_ = true;
   worker_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 

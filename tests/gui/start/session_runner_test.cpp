@@ -189,7 +189,24 @@ TEST_F(RunningSession, SaysWhatIsSafeWhenTheDiskIsFullAndLosesNothing) {
   EXPECT_EQ(listener.end().state, SessionState::completed);
 }
 
-TEST_F(RunningSession, EndsAfterTheTrialWhenItsOwnerGoesAway) {
+TEST_F(RunningSession, StopsTheForceInAnEmergencyAndWaitsForTheExperimenter) {
+  write_short_protocol(60);
+  SessionRunner runner;
+  Listener listener(runner);
+  runner.start(order);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kPatience_ms));
+  runner.requests().emergency_stop();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return runner.monitor().snapshot().phase == SessionPhase::fault; }, kPatience_ms));
+  EXPECT_TRUE(runner.is_running());
+  EXPECT_EQ(runner.monitor().snapshot().fault, Fault::emergency_stop);
+  runner.requests().clear_fault();
+  ASSERT_TRUE(listener.wait());
+  ASSERT_EQ(listener.failed.size(), 0) << listener.failure();
+  EXPECT_EQ(listener.end().state, SessionState::completed);
+}
+
+TEST_F(RunningSession, IsAbortedAndStoredWhenItsOwnerGoesAway) {
   write_short_protocol(200);
   {
     SessionRunner runner;
@@ -203,6 +220,33 @@ TEST_F(RunningSession, EndsAfterTheTrialWhenItsOwnerGoesAway) {
   const std::size_t attempts = stored.attempts(stored.sessions().front().id).size();
   EXPECT_GE(attempts, 1U);
   EXPECT_LT(attempts, 200U);
+}
+
+TEST_F(RunningSession, LetsGoOfAPersonWhoIsInTheMiddleOfATrial) {
+  order.inputs.participant = "P001";
+  order.inputs.mode = SessionMode::run;
+  order.inputs.is_virtual = false;
+  order.inputs.pacing = RunPacing::real_time;
+  order.inputs.has_consented = true;
+  order.inputs.new_person = ParticipantRow{.label = "P001"};
+  order.consent_seen_by = "MW";
+  {
+    SessionRunner runner;
+    runner.start(order);
+    // The first screen waits for a confirmation that never comes.
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return runner.monitor().snapshot().scene->kind == ParticipantScene::Kind::text; },
+        kPatience_ms));
+  }
+  const Study stored = Study::open(study, Access::read_only);
+  ASSERT_EQ(stored.sessions().size(), 1U);
+  const SessionRow row = stored.sessions().front();
+  EXPECT_EQ(row.state, SessionState::stopped);
+  EXPECT_TRUE(row.consent_utc);
+  const std::vector<EventRow> events = stored.events(row.id);
+  EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const EventRow& event) {
+    return event.kind == "consent_seen" && event.text == "agreement seen by MW";
+  }));
 }
 
 }  // namespace
