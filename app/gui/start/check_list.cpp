@@ -1,0 +1,120 @@
+#include "app/gui/start/check_list.h"
+
+#include <algorithm>
+
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QGridLayout>
+#include <QtWidgets/QScrollArea>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/look/theme.h"
+
+namespace asperity {
+
+namespace {
+
+State state_of(SessionCheck::State state) {
+  switch (state) {
+    case SessionCheck::State::fine:
+      return State::fine;
+    case SessionCheck::State::look:
+      return State::look;
+    case SessionCheck::State::stop:
+      break;
+  }
+  return State::stop;
+}
+
+/// The title, what was found, and what to do.
+QString line_text(const SessionCheck& check) {
+  QString text = QString("<b>%1</b>&ensp;%2")
+                     .arg(QString::fromStdString(check.title).toHtmlEscaped(),
+                          QString::fromStdString(check.text).toHtmlEscaped());
+  if (!check.remedy.empty()) {
+    text += QString("<br><span style='color:%1'>%2</span>")
+                .arg(color_of(state_of(check.state)).name(),
+                     QString::fromStdString(check.remedy).toHtmlEscaped());
+  }
+  return text;
+}
+
+}  // namespace
+
+CheckList::CheckList(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid);
+  auto* head = new QHBoxLayout();
+  head->addWidget(make_heading(tr("Checklist"), this), 1);
+  again_ = make_button(tr("Check again"), ButtonRole::plain, this);
+  again_->setObjectName("check_again");
+  connect(again_, &QPushButton::clicked, this, &CheckList::again_wanted);
+  head->addWidget(again_);
+  layout->addLayout(head);
+  summary_ = make_text({}, this, true);
+  summary_->setObjectName("check_summary");
+  layout->addWidget(summary_);
+  auto* area = new QScrollArea(this);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->viewport()->setAutoFillBackground(false);
+  lines_ = new QWidget(area);
+  grid_ = new QGridLayout(lines_);
+  grid_->setContentsMargins(0, 0, kGrid, 0);
+  grid_->setHorizontalSpacing(kGrid);
+  grid_->setVerticalSpacing(kGrid);
+  grid_->setColumnStretch(1, 1);
+  area->setWidget(lines_);
+  lines_->setAutoFillBackground(false);  // which setWidget turns on
+  layout->addWidget(area, 1);
+}
+
+void CheckList::set_checks(const std::vector<SessionCheck>& checks) {
+  const int rows = grid_->rowCount();
+  while (QLayoutItem* item = grid_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  for (int row = 0; row < rows; ++row) grid_->setRowStretch(row, 0);
+  int row = 0;
+  for (const SessionCheck& check : checks) {
+    const State state = state_of(check.state);
+    auto* shape = new QLabel(shape_of(state), lines_);
+    shape->setFont(text_font(TextSize::small, true));
+    shape->setStyleSheet("color: " + color_of(state).name());
+    shape->setFixedWidth(kMargin);
+    auto* text = new QLabel(line_text(check), lines_);
+    text->setFont(text_font(TextSize::small));
+    text->setTextFormat(Qt::RichText);
+    text->setWordWrap(true);
+    text->setObjectName("check_" + QString::fromStdString(check.id));
+    grid_->addWidget(shape, row, 0, Qt::AlignTop);
+    grid_->addWidget(text, row, 1, Qt::AlignTop);
+    ++row;
+  }
+  grid_->setRowStretch(row, 1);
+  const auto count = [&checks](SessionCheck::State state) {
+    return static_cast<int>(std::count_if(
+        checks.begin(), checks.end(), [state](const auto& check) { return check.state == state; }));
+  };
+  const int stops = count(SessionCheck::State::stop);
+  const int looks = count(SessionCheck::State::look);
+  if (stops == 1) {
+    summary_->setText(tr("One of these keeps the session from starting."));
+  } else if (stops > 0) {
+    summary_->setText(tr("%n of these keep the session from starting.", nullptr, stops));
+  } else if (looks > 0) {
+    summary_->setText(tr("Ready, with %n to look at.", nullptr, looks));
+  } else {
+    summary_->setText(tr("Everything is ready."));
+  }
+}
+
+void CheckList::set_running(bool running) {
+  lines_->setEnabled(!running);
+  again_->setEnabled(!running);
+  if (running) summary_->setText(tr("Looking at everything: a second or so."));
+}
+
+}  // namespace asperity

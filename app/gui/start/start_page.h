@@ -1,0 +1,144 @@
+// Everything that is decided before a session, on one page.
+
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QtCore/QString>
+#include <QtWidgets/QWidget>
+
+#include "app/gui/look/background_task.h"
+#include "app/gui/session/session_runner.h"
+#include "app/gui/study/open_study.h"
+#include "app/tasks/session_checks.h"
+#include "app/tasks/simulation.h"
+#include "app/tasks/unfinished_session.h"
+#include "protocols/protocol.h"
+
+class QBoxLayout;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTimer;
+class QVBoxLayout;
+
+namespace asperity {
+
+class Banner;
+class CheckList;
+class ConsentCard;
+class ModeBand;
+class NoiseCheck;
+class ParticipantCard;
+class SetupCard;
+class StateLabel;
+
+/// Protocol, participant, Run | Pilot | Simulate, consent, device and screens, masking noise; beside
+/// them the checklist; below, always in sight, "Start session" with the reason while it cannot be
+/// pressed.
+///
+/// One virtual participant in a simulation makes a SessionOrder like anybody else; several are
+/// simulated here in the background, with progress, and reported.
+///
+/// Only reads the study; whoever starts the session writes it.
+class StartPage final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StartPage(OpenStudy& study, QWidget* parent = nullptr);
+  ~StartPage() override;
+
+  /// `participant`: somebody known, or a label for somebody new; otherwise the next one is
+  /// suggested. With `resume` their unfinished session goes on.
+  void choose(const std::filesystem::path& protocol, const std::optional<std::string>& participant,
+              bool resume);
+  void set_mode(SessionMode mode);
+
+  /// What keeps the session from starting, a sentence each; empty when it can start.
+  std::vector<QString> reasons() const;
+  /// As it would be started now.
+  SessionOrder order() const;
+
+ signals:
+  void start_wanted(const asperity::SessionOrder& order);
+  /// Several virtual participants were simulated; somebody wants to see their sessions.
+  void sessions_wanted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void make_protocol_card(QVBoxLayout& column);
+  void make_mode_card(QVBoxLayout& column);
+  void make_simulation_card(QVBoxLayout& column);
+  QWidget* make_footer();
+  void connect_parts();
+
+  void list_protocols();
+  void load(const std::filesystem::path& protocol);
+  void show_protocol();
+  void show_noise();
+  void show_mode();
+  void show_person();
+  void show_start();
+  void go_on(bool wanted);
+  QString session_text() const;
+
+  bool is_virtual() const noexcept { return mode_ == SessionMode::simulate; }
+  bool needs_consent() const;
+  bool is_batch() const;
+  MaskingNoise noise() const;
+  void check_soon();
+  void check();
+  void press_start();
+  void simulate_several();
+
+  OpenStudy& study_;
+  std::filesystem::path file_{};
+  std::shared_ptr<const Protocol> protocol_{};  ///< null while `file_` is not valid
+  QString protocol_problem_{};
+  std::string protocol_sha256_{};
+  SessionMode mode_ = SessionMode::run;
+  std::optional<UnfinishedSession> unfinished_{};
+  bool resume_ = false;
+  std::optional<std::vector<SessionCheck>> checks_{};  ///< absent: not up to date
+  bool check_outdated_ = false;  ///< what is looked at now is to be looked at once more
+  std::vector<ParticipantRow> people_{};
+
+  ModeBand* band_ = nullptr;
+  Banner* banner_ = nullptr;
+  QLabel* title_ = nullptr;
+  QComboBox* protocols_ = nullptr;
+  QLabel* protocol_text_ = nullptr;
+  StateLabel* protocol_state_ = nullptr;
+  ParticipantCard* participant_ = nullptr;
+  QPushButton* run_ = nullptr;
+  QPushButton* pilot_ = nullptr;
+  QPushButton* simulate_ = nullptr;
+  QLabel* mode_text_ = nullptr;
+  QWidget* simulation_ = nullptr;
+  QSpinBox* virtual_people_ = nullptr;
+  QPushButton* fast_ = nullptr;
+  QPushButton* real_time_ = nullptr;
+  QLabel* simulation_text_ = nullptr;
+  ConsentCard* consent_ = nullptr;
+  SetupCard* setup_ = nullptr;
+  QWidget* noise_card_ = nullptr;
+  QVBoxLayout* noise_layout_ = nullptr;
+  NoiseCheck* noise_ = nullptr;
+  CheckList* check_list_ = nullptr;
+  StateLabel* reason_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  QPushButton* start_ = nullptr;
+  QTimer* check_timer_ = nullptr;
+  BackgroundTask check_task_{};
+  BackgroundTask simulate_task_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,24 @@
+// The session that a participant could go on with.
+
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "protocols/protocol.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+struct UnfinishedSession {
+  SessionRow row{};
+  int trials_done = 0;  ///< answered and valid, or skipped
+  int trials = 0;
+};
+
+/// The latest session of this participant and this very protocol that is not completed: the one
+/// that `RunInputs::resume` goes on with. Nothing when there is none.
+std::optional<UnfinishedSession> unfinished_session(const Study& study, const Protocol& protocol,
+                                                    const std::string& participant);
+
+}  // namespace asperity

@@ -1,0 +1,508 @@
+// The page before a session: what keeps it from starting, and what is ordered when it starts.
+
+#include "app/gui/start/start_page.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <QtCore/QSettings>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QProgressBar>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QSpinBox>
+#include <gtest/gtest.h>
+
+#include "app/gui/look/controls.h"
+#include "app/tasks/new_study.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+#include "tests/app/small_study.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kPatience_ms = 20000;
+
+void insert_before(std::string& text, const std::string& place, const std::string& added) {
+  text.insert(text.find(place), added);
+}
+
+/// The small protocol with questions about the person and no screens.
+std::string protocol_with_questions() {
+  std::string text = small_protocol();
+  insert_before(text, "\"textures\"",
+                R"("participants": {"planned": 4, "sessions": 2,
+                    "questions": ["age", "hand_used", "hobby"]}, )");
+  const std::string questions = "\"questions\": {\"remarks\"";
+  text.replace(text.find(questions), questions.size(), R"("questions": {
+    "age": {"prompt": "How old are you?", "form": "number", "minimum": 18, "maximum": 120},
+    "hand_used": {"prompt": "Which hand?", "form": "choice", "options": ["right", "left"]},
+    "hobby": {"prompt": "What do you like?", "form": "text", "optional": true},
+    "remarks")");
+  text.replace(text.find("\"flow\""), std::string::npos, R"("flow": [{"run": "main"}]})");
+  return text;
+}
+
+class TheStartPage : public testing::Test {
+ protected:
+  void SetUp() override {
+    QSettings().clear();
+    make_small_study(folder);
+    write_protocol(protocol_with_questions());
+    study = std::make_unique<OpenStudy>(folder);
+    page = std::make_unique<StartPage>(*study);
+    page->resize(1146, 768);
+  }
+
+  void write_protocol(const std::string& text) const {
+    std::filesystem::create_directories(folder / "protocols");
+    write_file(protocol, text, Overwrite::allow);
+  }
+
+  template <class Widget>
+  Widget& find(const char* name) const {
+    auto* found = page->findChild<Widget*>(name);
+    if (found == nullptr) throw std::runtime_error(std::string("no widget ") + name);
+    return *found;
+  }
+  void click(const char* name) const {
+    QTest::mouseClick(&find<QPushButton>(name), Qt::LeftButton);
+  }
+  void type(const char* name, const QString& text) const {
+    auto& field = find<QLineEdit>(name);
+    field.clear();
+    QTest::keyClicks(&field, text);
+  }
+  void pick(const char* name, const QString& text) const {
+    auto& box = find<QComboBox>(name);
+    box.setCurrentIndex(box.findText(text));
+  }
+  bool is_shown(const char* name) const { return find<QWidget>(name).isVisibleTo(page.get()); }
+
+  bool has_reason(const QString& part) const {
+    const std::vector<QString> reasons = page->reasons();
+    return std::any_of(reasons.begin(), reasons.end(),
+                       [&part](const QString& reason) { return reason.contains(part); });
+  }
+  std::string shown_reason() const { return find<QLabel>("start_reason").text().toStdString(); }
+  bool can_start() const { return find<QPushButton>("start").isEnabled(); }
+  /// Until the checklist is up to date.
+  bool wait_for_checks() const {
+    return QTest::qWaitFor([this] { return !has_reason("The checklist"); }, kPatience_ms);
+  }
+
+  /// Everything that a person in a run has to give.
+  void fill_in() const {
+    type("question_age", "31");
+    pick("question_hand_used", "right");
+    QTest::mouseClick(&find<QCheckBox>("consent_given"), Qt::LeftButton, {}, QPoint(8, 8));
+    type("consent_seen_by", "MW");
+  }
+
+  void run_unfinished(const std::string& participant) {
+    std::stop_source stop;
+    const RunInputs inputs{.protocol = protocol,
+                           .study = folder,
+                           .participant = participant,
+                           .seed = 3,
+                           .mode = SessionMode::simulate,
+                           .is_virtual = true,
+                           .pacing = RunPacing::stepped};
+    const ModelRegistry models = built_in_models();
+    const SessionEnd end = run_session(inputs, models, nullptr, stop.get_token(),
+                                       [&stop](const AttemptDone&) { stop.request_stop(); });
+    ASSERT_EQ(end.state, SessionState::stopped);
+    study->announce_change();
+  }
+
+  TemporaryFolder temporary{};
+  std::filesystem::path folder = temporary.path() / "study";
+  std::filesystem::path protocol = folder / "protocols" / "small.json";
+  std::unique_ptr<OpenStudy> study{};
+  std::unique_ptr<StartPage> page{};
+};
+
+TEST_F(TheStartPage, StartsAFilledInRunWithEverythingThatWasSaid) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  fill_in();
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_EQ(page->reasons(), std::vector<QString>{});
+  EXPECT_TRUE(can_start()) << shown_reason();
+  QSignalSpy wanted(page.get(), &StartPage::start_wanted);
+  click("start");
+  ASSERT_EQ(wanted.size(), 1);
+  const auto order = wanted.first().first().value<SessionOrder>();
+  EXPECT_EQ(order.inputs.protocol, protocol);
+  EXPECT_EQ(order.inputs.study, folder);
+  EXPECT_EQ(order.inputs.participant, "sub001");
+  EXPECT_EQ(order.inputs.mode, SessionMode::run);
+  EXPECT_FALSE(order.inputs.is_virtual);
+  EXPECT_FALSE(order.inputs.resume);
+  EXPECT_EQ(order.inputs.pacing, RunPacing::real_time);
+  EXPECT_TRUE(order.inputs.has_consented);
+  EXPECT_EQ(order.consent_seen_by, "MW");
+  ASSERT_TRUE(order.inputs.new_person);
+  EXPECT_EQ(order.inputs.new_person->age_years, 31.0);
+  EXPECT_EQ(order.inputs.new_person->answers_json, R"({"hand_used":"right"})");
+  EXPECT_EQ(order.protocol_sha256, sha256_of(protocol_with_questions()));
+  EXPECT_FALSE(can_start());  // a second click starts nothing
+}
+
+TEST_F(TheStartPage, RefusesToStartWithoutConsentAndSaysSo) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  fill_in();
+  find<QCheckBox>("consent_given").setChecked(false);
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_FALSE(can_start());
+  EXPECT_NE(shown_reason().find("has not agreed"), std::string::npos) << shown_reason();
+  find<QCheckBox>("consent_given").setChecked(true);
+  EXPECT_TRUE(can_start()) << shown_reason();
+  find<QLineEdit>("consent_seen_by").clear();
+  EXPECT_FALSE(can_start());
+  EXPECT_NE(shown_reason().find("who saw"), std::string::npos) << shown_reason();
+}
+
+TEST_F(TheStartPage, AsksAnewForConsentWhenSomebodyElseTakesPart) {
+  page->choose(protocol, std::nullopt, false);
+  fill_in();
+  EXPECT_TRUE(find<QCheckBox>("consent_given").isChecked());
+  type("participant_label", "P007");
+  EXPECT_FALSE(find<QCheckBox>("consent_given").isChecked());
+}
+
+TEST_F(TheStartPage, NamesEveryRequiredAnswerThatIsMissingOrNotPossible) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  EXPECT_TRUE(has_reason("\"How old are you?\" is not answered."));
+  EXPECT_TRUE(has_reason("\"Which hand?\" is not answered."));
+  EXPECT_FALSE(has_reason("What do you like?"));
+  fill_in();
+  EXPECT_FALSE(has_reason("How old are you?"));
+  type("question_age", "12");
+  EXPECT_TRUE(has_reason("has to be 18 or more"));
+  type("question_age", "old");
+  EXPECT_TRUE(has_reason("has to be a number"));
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_FALSE(can_start());
+}
+
+TEST_F(TheStartPage, RefusesLabelsThatAreEmptyImpossibleOrTaken) {
+  Study::open(folder, Access::read_write).add_participant({.label = "P001"});
+  study->announce_change();
+  page->choose(protocol, std::nullopt, false);
+  EXPECT_EQ(find<QLineEdit>("participant_label").text(), "P002");  // the study's own pattern
+  EXPECT_FALSE(has_reason("label"));
+  type("participant_label", "");
+  EXPECT_TRUE(has_reason("has no label"));
+  type("participant_label", "not a label");
+  EXPECT_TRUE(has_reason("1 to 32 letters and digits"));
+  type("participant_label", "P001");
+  EXPECT_TRUE(has_reason("P001 is in the study already"));
+}
+
+TEST_F(TheStartPage, WaitsForTheChecklistAndTellsWhatItFound) {
+  const StudyLock elsewhere(folder, Study::session_lock_name("sub001"));
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  fill_in();
+  EXPECT_TRUE(has_reason("The checklist is being gone through."));
+  EXPECT_FALSE(can_start());
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_FALSE(can_start());
+  EXPECT_TRUE(has_reason("A session of sub001 runs in process"));
+  EXPECT_NE(find<QLabel>("check_participant").text().indexOf("Wait until it has ended"), -1);
+}
+
+TEST_F(TheStartPage, SaysThatAProtocolIsNotChosenOrNotValid) {
+  write_file(folder / "protocols" / "broken.json", "{}", Overwrite::refuse);
+  const StartPage other(*study);
+  EXPECT_EQ(other.reasons(), std::vector<QString>{"No protocol is chosen."});
+  page->choose(folder / "protocols" / "broken.json", std::nullopt, false);
+  EXPECT_EQ(page->reasons(), std::vector<QString>{"The protocol is not valid."});
+  EXPECT_TRUE(find<QLabel>("protocol_state").text().contains("not valid"));
+  EXPECT_FALSE(can_start());
+}
+
+TEST_F(TheStartPage, RefusesAProtocolThatChangedAndReadsItAnewWhenAsked) {
+  page->show();
+  page->set_mode(SessionMode::simulate);
+  page->choose(protocol, std::nullopt, false);
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(can_start()) << shown_reason();
+  write_protocol(protocol_with_questions() + "\n");
+  study->announce_change();  // looks again, at what was chosen
+  EXPECT_FALSE(can_start());
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_FALSE(can_start());
+  EXPECT_TRUE(has_reason("The file has changed since it was chosen"));
+  click("check_again");
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(can_start()) << shown_reason();
+  EXPECT_EQ(page->order().protocol_sha256, sha256_of(protocol_with_questions() + "\n"));
+}
+
+TEST_F(TheStartPage, NeedsNeitherConsentNorAnswersForASimulation) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  click("mode_simulate");
+  EXPECT_FALSE(is_shown("consent_statement"));
+  EXPECT_FALSE(is_shown("question_age"));
+  EXPECT_FALSE(is_shown("participant_screen"));
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(can_start()) << shown_reason();
+  const SessionOrder order = page->order();
+  EXPECT_TRUE(order.inputs.is_virtual);
+  EXPECT_EQ(order.inputs.participant, "virtual0001");
+  EXPECT_EQ(order.inputs.pacing, RunPacing::stepped);
+  EXPECT_FALSE(order.inputs.new_person);
+  EXPECT_FALSE(order.inputs.has_consented);
+  click("speed_real_time");
+  EXPECT_EQ(page->order().inputs.pacing, RunPacing::real_time);
+  EXPECT_FALSE(find<QSpinBox>("virtual_participants").isEnabled());
+  EXPECT_TRUE(find<QLabel>("simulation_text").text().contains("one virtual participant at a time"));
+}
+
+TEST_F(TheStartPage, ShowsTheBandOfTheModeAtOnce) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  auto* band = page->findChild<ModeBand*>();
+  ASSERT_NE(band, nullptr);
+  EXPECT_FALSE(band->isVisible());
+  click("mode_pilot");
+  EXPECT_TRUE(band->isVisible());
+  EXPECT_EQ(band->text(), "PILOT: not study data");
+  EXPECT_TRUE(is_shown("consent_statement"));  // a person is a person
+  EXPECT_EQ(page->order().inputs.mode, SessionMode::pilot);
+  click("mode_simulate");
+  EXPECT_EQ(band->text(), "SIMULATED: no person");
+}
+
+TEST_F(TheStartPage, MirrorsTheLayoutForALeftHandUnlessItIsChosenOtherwise) {
+  page->choose(protocol, std::nullopt, false);
+  EXPECT_FALSE(page->order().inputs.mirrored);
+  pick("question_hand_used", "left");
+  EXPECT_TRUE(page->order().inputs.mirrored);
+  click("right_hand");
+  EXPECT_FALSE(page->order().inputs.mirrored);
+  type("question_hobby", "chess");  // what was chosen stays
+  EXPECT_FALSE(page->order().inputs.mirrored);
+
+  Study::open(folder, Access::read_write).add_participant({.label = "P009", .handedness = "left"});
+  study->announce_change();
+  page->choose(protocol, "P009", false);
+  EXPECT_TRUE(page->order().inputs.mirrored);
+}
+
+TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
+  run_unfinished("virtual0001");
+  page->show();
+  page->choose(protocol, "virtual0001", false);
+  EXPECT_EQ(find<QPushButton>("go_on").text(), "Go on with session 1 (1 of 3 trials done)");
+  EXPECT_FALSE(page->order().inputs.resume);
+  click("go_on");
+  EXPECT_TRUE(page->order().inputs.resume);
+  EXPECT_EQ(page->order().inputs.mode, SessionMode::simulate);
+  EXPECT_FALSE(find<QPushButton>("mode_run").isEnabled());
+  EXPECT_TRUE(find<QLabel>("unfinished").text().contains("1 of its 3 trials are done"));
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(can_start()) << shown_reason();
+  EXPECT_EQ(find<QPushButton>("start").text(), "Go on with session 1");
+
+  SessionRunner runner;
+  QSignalSpy ended(&runner, &SessionRunner::ended);
+  runner.start(page->order());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.is_running(); }, kPatience_ms));
+  ASSERT_EQ(ended.size(), 1);
+  EXPECT_EQ(ended.first().first().value<SessionEnd>().attempts, 2);
+}
+
+TEST_F(TheStartPage, GoesOnAtOnceWhenItIsToldTo) {
+  run_unfinished("virtual0001");
+  page->choose(protocol, "virtual0001", true);
+  EXPECT_TRUE(page->order().inputs.resume);
+  page->choose(protocol, std::nullopt, false);
+  EXPECT_FALSE(page->order().inputs.resume);
+  EXPECT_TRUE(find<QPushButton>("mode_run").isEnabled());
+}
+
+TEST_F(TheStartPage, RunsOneVirtualParticipantFromEndToEnd) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  click("mode_simulate");
+  ASSERT_TRUE(wait_for_checks());
+  SessionRunner runner;
+  QSignalSpy ended(&runner, &SessionRunner::ended);
+  QObject::connect(page.get(), &StartPage::start_wanted, &runner,
+                   [&runner](const SessionOrder& order) { runner.start(order); });
+  click("start");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.is_running(); }, kPatience_ms));
+  ASSERT_EQ(ended.size(), 1);
+  EXPECT_EQ(ended.first().first().value<SessionEnd>().state, SessionState::completed);
+  study->announce_change();
+  EXPECT_EQ(page->order().inputs.participant, "virtual0002");
+}
+
+TEST_F(TheStartPage, SimulatesSeveralInTheBackgroundAndReportsThem) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  click("mode_simulate");
+  find<QSpinBox>("virtual_participants").setValue(3);
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_EQ(find<QPushButton>("start").text(), "Simulate 3 participants");
+  QSignalSpy wanted(page.get(), &StartPage::start_wanted);
+  QSignalSpy table(page.get(), &StartPage::sessions_wanted);
+  click("start");
+  EXPECT_TRUE(is_shown("simulation_cancel"));
+  auto* banner = page->findChild<Banner*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->isVisible(); }, kPatience_ms));
+  // Two sessions each, of three trials.
+  EXPECT_EQ(banner->text(), "6 sessions, 18 answers: look at the table.");
+  EXPECT_EQ(wanted.size(), 0);
+  EXPECT_EQ(Study::open(folder, Access::read_only).sessions().size(), 6U);
+  for (auto* button : banner->findChildren<QPushButton*>()) {
+    if (button->text() == "Show the sessions") QTest::mouseClick(button, Qt::LeftButton);
+  }
+  EXPECT_EQ(table.size(), 1);
+}
+
+TEST_F(TheStartPage, StopsASimulationThatIsCancelledAndKeepsWhatIsDone) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  click("mode_simulate");
+  find<QSpinBox>("virtual_participants").setValue(200);
+  ASSERT_TRUE(wait_for_checks());
+  click("start");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return find<QProgressBar>("simulation_progress").value() > 0; },
+                              kPatience_ms));
+  click("simulation_cancel");
+  auto* banner = page->findChild<Banner*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->isVisible(); }, kPatience_ms));
+  EXPECT_TRUE(banner->text().contains("The simulation was stopped."))
+      << banner->text().toStdString();
+  EXPECT_LT(Study::open(folder, Access::read_only).sessions().size(), 400U);
+}
+
+TEST_F(TheStartPage, ComesInTheOrderInWhichASessionIsPrepared) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  QTest::qWait(10);
+  const std::vector<const char*> order{"protocols",    "participant_label", "question_age",
+                                       "session_text", "mode_run",          "consent_given",
+                                       "device",       "right_hand",        "participant_screen",
+                                       "start"};
+  int last = -1;
+  for (const char* name : order) {
+    const int y = find<QWidget>(name).mapTo(page.get(), QPoint(0, 0)).y();
+    if (std::string_view(name) != "start") {
+      EXPECT_GT(y, last) << name;
+    }
+    last = y;
+  }
+}
+
+TEST_F(TheStartPage, IsFilledInByTheKeyboardAlone) {
+  page->show();
+  page->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(page.get()));
+  page->choose(protocol, std::nullopt, false);
+  find<QComboBox>("protocols").setFocus();
+  // Every control comes by Tab, from the protocol to the last one, and round again.
+  QStringList reached{};
+  for (int press = 0; press < 60; ++press) {
+    const QWidget* focus = QApplication::focusWidget();
+    ASSERT_NE(focus, nullptr);
+    if (reached.contains(focus->objectName()) && focus->objectName() == "protocols") break;
+    reached << focus->objectName();
+    if (focus->objectName() == "question_age") QTest::keyClicks(QApplication::focusWidget(), "31");
+    if (focus->objectName() == "question_hand_used") {
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+    }
+    if (focus->objectName() == "consent_given") {
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    }
+    if (focus->objectName() == "consent_seen_by")
+      QTest::keyClicks(QApplication::focusWidget(), "MW");
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  }
+  for (const char* name : {"participant_label", "question_age", "question_hand_used", "mode_run",
+                           "consent_given", "consent_seen_by", "device", "right_hand",
+                           "participant_screen", "own_keyboard", "check_again"}) {
+    EXPECT_TRUE(reached.contains(name)) << name << " is not reached by Tab";
+  }
+  ASSERT_TRUE(wait_for_checks());
+  ASSERT_TRUE(can_start()) << shown_reason();
+  QSignalSpy wanted(page.get(), &StartPage::start_wanted);
+  find<QPushButton>("start").setFocus();
+  QTest::keyClick(&find<QPushButton>("start"), Qt::Key_Space);
+  EXPECT_EQ(wanted.size(), 1);
+}
+
+TEST_F(TheStartPage, KeepsStartInSightAndNeverScrollsSideways) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  page->resize(1048, 620);
+  QTest::qWait(10);
+  for (auto* area : page->findChildren<QScrollArea*>()) {
+    EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width());
+  }
+  const QPoint corner =
+      find<QPushButton>("start").mapTo(page.get(), find<QPushButton>("start").rect().bottomRight());
+  EXPECT_TRUE(page->rect().contains(corner));
+}
+
+/// Pictures of the demonstration study, as an experimenter sees them.
+TEST(StartPagePictures, ShowEveryMode) {
+  if (qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) GTEST_SKIP() << "no folder for pictures";
+  TemporaryFolder temporary;
+  const std::filesystem::path folder = temporary.path() / "Rough surfaces 2026";
+  new_demo_study(folder, [](double) {});
+  {
+    Study stored = Study::open(folder, Access::read_write);
+    for (const char* label : {"P011", "P012"}) {
+      stored.add_participant({.label = label, .age_years = 28, .sex = "F", .handedness = "right"});
+    }
+  }
+  OpenStudy study(folder);
+  for (const auto theme_choice : {ThemeChoice::light, ThemeChoice::dark}) {
+    apply_theme(*qApp, theme_choice);
+    const QString suffix = theme_choice == ThemeChoice::dark ? "-dark" : "";
+    StartPage page(study);
+    page.show();
+    page.choose(folder / "protocols" / "chapter_recognition.json", std::nullopt, false);
+    const auto settle = [&page] {
+      EXPECT_TRUE(QTest::qWaitFor(
+          [&page] {
+            const auto reasons = page.reasons();
+            return std::none_of(reasons.begin(), reasons.end(), [](const QString& reason) {
+              return reason.contains("The checklist");
+            });
+          },
+          kPatience_ms));
+    };
+    settle();
+    take_screenshot(page, "start-page" + suffix);
+    page.set_mode(SessionMode::pilot);
+    settle();
+    auto* area = page.findChild<QScrollArea*>();
+    area->ensureVisible(0, area->widget()->sizeHint().height());
+    take_screenshot(page, "start-page-pilot" + suffix);
+    page.set_mode(SessionMode::simulate);
+    settle();
+    take_screenshot(page, "start-page-simulate" + suffix);
+  }
+  apply_theme(*qApp, ThemeChoice::light);
+}
+
+}  // namespace
+}  // namespace asperity
