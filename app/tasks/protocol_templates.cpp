@@ -1,0 +1,49 @@
+#include "app/tasks/protocol_templates.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "protocols/library_protocols.h"
+#include "results_schema/atomic_file.h"
+
+namespace asperity {
+
+namespace {
+
+const LibraryProtocol& library_protocol(std::string_view name) {
+  for (const LibraryProtocol& protocol : library_protocols()) {
+    if (protocol.name == name) return protocol;
+  }
+  throw std::invalid_argument("the library has no protocol \"" + std::string(name) + "\"");
+}
+
+/// The text with another name of the protocol; everything else stays byte for byte.
+std::string renamed(std::string text, const std::string& from, const std::string& to) {
+  const std::string old_name = "\"name\": \"" + from + "\"";
+  const std::size_t place = text.find(old_name);
+  if (place == std::string::npos) {
+    throw std::invalid_argument("the library's protocol \"" + from + "\" does not state its name");
+  }
+  return text.replace(place, old_name.size(), "\"name\": \"" + to + "\"");
+}
+
+}  // namespace
+
+std::filesystem::path protocol_from_template(const std::filesystem::path& study,
+                                             std::string_view name) {
+  const LibraryProtocol& protocol = library_protocol(name);
+  const std::string first(name);
+  std::string free_name = first;
+  const auto file_of = [&study](const std::string& stem) {
+    return study / "protocols" / (stem + ".json");
+  };
+  for (int number = 2; std::filesystem::exists(file_of(free_name)); ++number) {
+    free_name = first + '_' + std::to_string(number);
+  }
+  const std::string text(protocol.text);
+  write_file(file_of(free_name), free_name == first ? text : renamed(text, first, free_name),
+             Overwrite::refuse);
+  return file_of(free_name);
+}
+
+}  // namespace asperity

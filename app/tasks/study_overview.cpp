@@ -1,0 +1,323 @@
+#include "app/tasks/study_overview.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <map>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "analysis/random.h"
+#include "app/height_field_files.h"
+#include "device/simulated_device.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/sha256.h"
+#include "stimuli/preview.h"
+
+namespace asperity {
+
+namespace {
+
+/// Regular files of a folder, by name; none where there is no such folder.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files{};
+  std::error_code ignored{};
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (entry.is_regular_file(ignored)) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool is_done(const AttemptRow& attempt) {
+  return attempt.valid || attempt.outcome == AttemptOutcome::skipped;
+}
+
+int count_notes(const std::vector<EventRow>& events) {
+  return static_cast<int>(std::count_if(
+      events.begin(), events.end(), [](const EventRow& event) { return event.kind == "note"; }));
+}
+
+double running_s(const std::vector<AttemptRow>& attempts) {
+  struct Stretch {
+    std::int64_t first_ns = 0;
+    std::int64_t last_ns = 0;
+  };
+  std::map<int, Stretch> stretches{};
+  for (const AttemptRow& attempt : attempts) {
+    Stretch& stretch =
+        stretches.try_emplace(attempt.segment, Stretch{attempt.onset_ns, attempt.offset_ns})
+            .first->second;
+    stretch.first_ns = std::min(stretch.first_ns, attempt.onset_ns);
+    stretch.last_ns = std::max(stretch.last_ns, attempt.offset_ns);
+  }
+  double sum_s = 0.0;
+  for (const auto& [segment, stretch] : stretches) {
+    sum_s += static_cast<double>(stretch.last_ns - stretch.first_ns) * 1e-9;
+  }
+  return sum_s;
+}
+
+SessionOverview overview_of(const Study& study, const SessionRow& row, const ProtocolRow& protocol,
+                            const std::vector<AttemptRow>& attempts) {
+  SessionOverview overview{};
+  overview.row = row;
+  overview.protocol_name = protocol.name;
+  overview.protocol_version = protocol.version;
+  overview.planned_trials = static_cast<int>(study.plan(row.id).size());
+  std::set<int> done{};
+  overview.notes = count_notes(study.events(row.id));
+  for (const AttemptRow& attempt : attempts) {
+    if (is_done(attempt)) done.insert(attempt.trial);
+    overview.notes += count_notes(attempt.events);
+  }
+  overview.done_trials = static_cast<int>(done.size());
+  overview.attempts = static_cast<int>(attempts.size());
+  overview.duration_s = running_s(attempts);
+  overview.is_running =
+      row.state == SessionState::open &&
+      StudyLock::holder(study.folder(), Study::session_lock_name(row.participant)).has_value();
+  return overview;
+}
+
+/// How many sessions of a protocol each participant has completed.
+using Completed = std::map<std::string, int>;
+
+void count_progress(ProtocolOverview& overview, const std::vector<SessionRow>& sessions,
+                    const std::map<std::int64_t, std::string>& names,
+                    const std::set<std::string>& virtual_people) {
+  Completed people{};
+  Completed virtual_ones{};
+  for (const SessionRow& session : sessions) {
+    if (names.at(session.protocol_id) != overview.name()) continue;
+    if (!overview.last_session || overview.last_session->started_utc <= session.started_utc) {
+      overview.last_session = session;
+    }
+    if (session.state != SessionState::completed) continue;
+    if (virtual_people.contains(session.participant)) {
+      ++virtual_ones[session.participant];
+    } else if (session.mode == SessionMode::run) {
+      ++people[session.participant];
+    }
+  }
+  const int wanted = overview.check.protocol ? overview.check.protocol->sessions : 1;
+  const auto done = [wanted](const Completed& completed) {
+    return static_cast<int>(
+        std::count_if(completed.begin(), completed.end(),
+                      [wanted](const auto& entry) { return entry.second >= wanted; }));
+  };
+  overview.people_done = done(people);
+  overview.virtual_done = done(virtual_ones);
+}
+
+/// Which protocols of the study name each file.
+std::map<std::string, std::vector<std::string>> users_of_files(const std::filesystem::path& study,
+                                                               const ModelRegistry& models) {
+  std::map<std::string, std::vector<std::string>> users{};
+  for (const std::filesystem::path& file : files_in(study / "protocols")) {
+    if (file.extension() != ".json") continue;
+    try {
+      const Protocol protocol = load_protocol(file, models, study);
+      std::set<std::string> named{};
+      for (const auto& [name, texture] : protocol.textures) {
+        for (const auto& path :
+             {texture.height_field, texture.picture, texture.true_height_field}) {
+          if (path) named.insert(*path);
+        }
+      }
+      for (const std::string& path : named) users[path].push_back(protocol.name);
+    } catch (const std::exception&) {
+      // What is wrong with it is said where protocols are listed.
+    }
+  }
+  return users;
+}
+
+bool is_picture_name(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  constexpr std::array<std::string_view, 7> kEndings = {".png",  ".jpg", ".jpeg", ".tif",
+                                                        ".tiff", ".bmp", ".webp"};
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+void look_into(StimulusOverview& stimulus, const std::filesystem::path& file,
+               std::size_t relief_rows) {
+  if (!stimulus.is_height_field) {
+    const std::string bytes = read_file(file);
+    const PictureFacts facts = inspect_picture(std::as_bytes(std::span(bytes)), stimulus.path);
+    stimulus.rows = facts.rows;
+    stimulus.columns = facts.columns;
+    return;
+  }
+  const std::string png = read_file(file);
+  const StoredHeightField stored = decode_height_field(std::as_bytes(std::span(png)),
+                                                       read_file(sidecar_of(file)), stimulus.path);
+  if (sha256_of(png) != stored.sha256) {
+    throw std::runtime_error(stimulus.path +
+                             " is not the picture that its sidecar was written for: the SHA-256 "
+                             "differs");
+  }
+  const HeightField& field = stored.field;
+  stimulus.made_from = stored.provenance.kind;
+  stimulus.rows = field.grid().rows;
+  stimulus.columns = field.grid().columns;
+  stimulus.width_m = field.width_m();
+  stimulus.length_m = field.length_m();
+  stimulus.pitch_m = field.grid().pitch_m;
+  stimulus.rms_m = field.rms_m();
+  stimulus.range_m = field.maximum_m() - field.minimum_m();
+  const GreyImage relief = shaded_relief(field);
+  stimulus.relief = side_by_side(std::span(&relief, 1), relief_rows);
+}
+
+}  // namespace
+
+std::vector<SessionOverview> session_overviews(const Study& study, const std::stop_token& stop) {
+  std::map<std::int64_t, ProtocolRow> protocols{};
+  for (ProtocolRow& protocol : study.protocols()) {
+    const std::int64_t id = protocol.id;
+    protocols.emplace(id, std::move(protocol));
+  }
+  std::vector<SessionOverview> overviews{};
+  for (const SessionRow& row : study.sessions()) {
+    if (stop.stop_requested()) break;
+    overviews.push_back(
+        overview_of(study, row, protocols.at(row.protocol_id), study.attempts(row.id)));
+  }
+  return overviews;
+}
+
+std::string ProtocolOverview::name() const {
+  return check.protocol ? check.protocol->name : std::filesystem::path(check.file).stem().string();
+}
+
+std::vector<ProtocolOverview> protocol_overviews(const Study& study, const ModelRegistry& models,
+                                                 const std::stop_token& stop) {
+  std::map<std::int64_t, std::string> names{};
+  for (const ProtocolRow& protocol : study.protocols()) names[protocol.id] = protocol.name;
+  std::set<std::string> virtual_people{};
+  for (const ParticipantRow& person : study.participants()) {
+    if (person.is_virtual) virtual_people.insert(person.label);
+  }
+  const std::vector<SessionRow> sessions = study.sessions();
+
+  std::vector<ProtocolOverview> overviews{};
+  for (const std::filesystem::path& file : files_in(study.folder() / "protocols")) {
+    if (stop.stop_requested()) break;
+    if (file.extension() != ".json") continue;
+    ProtocolOverview overview{};
+    overview.check = check_protocol(file, models, study.folder(), std::nullopt);
+    if (overview.check.protocol) {
+      const Plan plan = make_plan(*overview.check.protocol, {1, 0});
+      if (!plan.trials.empty()) overview.blocks = plan.trials.back().block_ordinal;
+    }
+    count_progress(overview, sessions, names, virtual_people);
+    overviews.push_back(std::move(overview));
+  }
+  return overviews;
+}
+
+std::vector<ParticipantOverview> participant_overviews(const Study& study) {
+  std::vector<ParticipantOverview> overviews{};
+  std::map<std::string, std::size_t> places{};
+  for (ParticipantRow& person : study.participants()) {
+    places[person.label] = overviews.size();
+    overviews.push_back({std::move(person), 0, 0, {}});
+  }
+  for (const SessionRow& session : study.sessions()) {
+    ParticipantOverview& overview = overviews[places.at(session.participant)];
+    if (session.state != SessionState::completed) {
+      ++overview.unfinished;
+    } else if (session.mode != SessionMode::pilot) {
+      ++overview.completed;
+    }
+    if (!overview.last_utc || *overview.last_utc < session.started_utc) {
+      overview.last_utc = session.started_utc;
+    }
+  }
+  return overviews;
+}
+
+std::string TrialOverview::answer() const {
+  if (!attempt) return {};
+  std::string text{};
+  for (const ResponseRow& response : attempt->responses) {
+    if (!text.empty()) text += ", ";
+    if (attempt->responses.size() > 1) text += std::to_string(response.item) + ' ';
+    text += response.answer;
+  }
+  return text;
+}
+
+std::optional<bool> TrialOverview::correct() const {
+  std::optional<bool> all{};
+  if (!attempt) return all;
+  for (const ResponseRow& response : attempt->responses) {
+    if (response.correct) all = all.value_or(true) && *response.correct;
+  }
+  return all;
+}
+
+SessionDetail session_detail(const Study& study, std::int64_t session_id) {
+  SessionDetail detail{};
+  const SessionRow row = study.session(session_id);
+  const std::vector<AttemptRow> attempts = study.attempts(session_id);
+  detail.overview = overview_of(study, row, study.protocol(row.protocol_id), attempts);
+  detail.events = study.events(session_id);
+  for (const PlannedTrialRow& planned : study.plan(session_id)) {
+    bool begun = false;
+    for (const AttemptRow& attempt : attempts) {
+      if (attempt.trial != planned.trial) continue;
+      begun = true;
+      detail.trials.push_back({planned, attempt});
+      detail.events.insert(detail.events.end(), attempt.events.begin(), attempt.events.end());
+    }
+    if (!begun) detail.trials.push_back({planned, {}});
+  }
+  std::stable_sort(detail.events.begin(), detail.events.end(),
+                   [](const EventRow& a, const EventRow& b) { return a.time_ns < b.time_ns; });
+  return detail;
+}
+
+int count_stimuli(const std::filesystem::path& study) {
+  const std::vector<std::filesystem::path> files = files_in(study / "stimuli");
+  return static_cast<int>(std::count_if(files.begin(), files.end(), is_picture_name));
+}
+
+std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& study,
+                                                 const ModelRegistry& models,
+                                                 std::size_t relief_rows,
+                                                 const std::stop_token& stop) {
+  const auto users = users_of_files(study, models);
+  std::vector<StimulusOverview> overviews{};
+  for (const std::filesystem::path& file : files_in(study / "stimuli")) {
+    if (stop.stop_requested()) break;
+    if (!is_picture_name(file)) continue;
+    StimulusOverview stimulus{};
+    stimulus.path = "stimuli/" + file.filename().string();
+    std::error_code ignored{};
+    stimulus.is_height_field = std::filesystem::exists(sidecar_of(file), ignored);
+    if (const auto found = users.find(stimulus.path); found != users.end()) {
+      stimulus.used_by = found->second;
+    }
+    try {
+      look_into(stimulus, file, relief_rows);
+    } catch (const std::exception& error) {
+      stimulus.problem = error.what();
+    }
+    overviews.push_back(std::move(stimulus));
+  }
+  return overviews;
+}
+
+std::vector<DeviceCapability> device_overviews() {
+  VirtualHand hand(HandHabits{}, Random(0));
+  return {SimulatedDevice(hand, SimulatedDeviceSettings{}).capability()};
+}
+
+}  // namespace asperity

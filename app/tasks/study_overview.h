@@ -1,0 +1,119 @@
+// What is in a study, as the pages of a window list it.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/tasks/protocol_files.h"
+#include "device/device_capability.h"
+#include "renderers/force_model.h"
+#include "results_schema/study.h"
+#include "stimuli/grey_image.h"
+
+namespace asperity {
+
+// All of these read and write nothing. What takes long ends early, with what it has, when it is
+// asked to stop. Errors: ResultsError as Study's; what is wrong with a single file is a value.
+
+/// A session in one line.
+struct SessionOverview {
+  SessionRow row{};
+  std::string protocol_name{};
+  std::string protocol_version{};
+  int planned_trials = 0;
+  int done_trials = 0;  ///< with a valid attempt, or skipped
+  int attempts = 0;
+  int notes = 0;
+  /// From the first to the last trial of each stretch of uninterrupted running.
+  double duration_s = 0.0;
+  /// Open, and some process holds it.
+  bool is_running = false;
+
+  /// Neither completed nor running.
+  bool is_unfinished() const noexcept {
+    return row.state != SessionState::completed && !is_running;
+  }
+};
+/// By participant, then session.
+std::vector<SessionOverview> session_overviews(const Study& study, const std::stop_token& stop);
+
+/// A protocol file of the study's `protocols/`, and how far it has come.
+struct ProtocolOverview {
+  ProtocolCheck check{};
+  int blocks = 0;  ///< of an example plan
+  /// Who has completed as many sessions as the protocol asks for; people in mode `run`.
+  int people_done = 0;
+  int virtual_done = 0;
+  std::optional<SessionRow> last_session{};  ///< the one that was started last, of any mode
+
+  bool is_valid() const noexcept { return check.protocol && check.diagnostics.empty(); }
+  /// The protocol's name, or the file's where the protocol cannot be read.
+  std::string name() const;
+};
+/// By file name.
+std::vector<ProtocolOverview> protocol_overviews(const Study& study, const ModelRegistry& models,
+                                                 const std::stop_token& stop);
+
+struct ParticipantOverview {
+  ParticipantRow row{};
+  int completed = 0;   ///< sessions that count as data: not pilots; of virtual ones all
+  int unfinished = 0;  ///< of any mode
+  std::optional<std::string> last_utc{};  ///< when the last session was started
+};
+/// By label.
+std::vector<ParticipantOverview> participant_overviews(const Study& study);
+
+/// One go at a trial, or a trial that is still to come.
+struct TrialOverview {
+  PlannedTrialRow planned{};
+  std::optional<AttemptRow> attempt{};
+
+  /// What was answered, in order: "metal", or "1 brick, 2 wood".
+  std::string answer() const;
+  /// Whether all answers were right, where any can be.
+  std::optional<bool> correct() const;
+};
+
+/// A session with everything that happened in it.
+struct SessionDetail {
+  SessionOverview overview{};
+  std::vector<TrialOverview> trials{};  ///< by trial, attempt
+  std::vector<EventRow> events{};       ///< those of attempts too, by time
+};
+SessionDetail session_detail(const Study& study, std::int64_t session_id);
+
+/// A file of the study's `stimuli/`.
+struct StimulusOverview {
+  std::string path{};  ///< study-relative
+  bool is_height_field = false;
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  // Of a height field:
+  std::string made_from{};  ///< "photograph", or the kind of a synthetic surface
+  double width_m = 0.0;
+  double length_m = 0.0;
+  double pitch_m = 0.0;
+  double rms_m = 0.0;
+  double range_m = 0.0;
+  GreyImage relief{};  ///< small, lit from the upper left
+
+  std::vector<std::string> used_by{};  ///< names of protocols
+  std::string problem{};               ///< why it cannot be used; empty when it can
+};
+/// How many there are; looks into none.
+int count_stimuli(const std::filesystem::path& study);
+/// By path. Files that are neither height fields nor pictures are left out.
+std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& study,
+                                                 const ModelRegistry& models,
+                                                 std::size_t relief_rows,
+                                                 const std::stop_token& stop);
+
+/// The devices that this program can run a session on.
+std::vector<DeviceCapability> device_overviews();
+
+}  // namespace asperity
