@@ -56,6 +56,7 @@ NavigationList::NavigationList(QWidget* parent) : QListWidget(parent) {
   setAccessibleName(tr("Pages of the study"));
   setFixedWidth(kWidth);
   setFrameShape(QFrame::NoFrame);
+  setViewportMargins(0, kGrid, 0, 0);
   setStyleSheet("QListWidget { border: none; background: transparent; }");
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setMouseTracking(true);

@@ -9,14 +9,6 @@
 
 namespace asperity {
 
-namespace {
-
-QString translated(const char* text) {
-  return QCoreApplication::translate("asperity::ShownText", text);
-}
-
-}  // namespace
-
 QString text_of_path(const std::filesystem::path& path) {
   const QString text = QString::fromStdString(path.string());
   const QString home = QDir::homePath();
@@ -36,24 +28,24 @@ QString text_of_time(const std::string& utc) {
   time = time.toLocalTime();
   const QString clock = time.time().toString("HH:mm");
   const qint64 days = time.date().daysTo(QDate::currentDate());
-  if (days == 0) return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "today %1")).arg(clock);
+  if (days == 0) return QCoreApplication::translate("asperity::ShownText", "today %1").arg(clock);
   if (days == 1) {
-    return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "yesterday %1")).arg(clock);
+    return QCoreApplication::translate("asperity::ShownText", "yesterday %1").arg(clock);
   }
-  return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "%1, %2"))
+  return QCoreApplication::translate("asperity::ShownText", "%1, %2")
       .arg(time.date().toString(Qt::ISODate), clock);
 }
 
 QString text_of_duration(double duration_s) {
   const auto whole_s = static_cast<long>(std::lround(std::max(0.0, duration_s)));
   if (whole_s < 60) {
-    return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "%1 s")).arg(whole_s);
+    return QCoreApplication::translate("asperity::ShownText", "%1 s").arg(whole_s);
   }
   const long minutes = (whole_s + 30) / 60;
   if (minutes < 60) {
-    return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "%1 min")).arg(minutes);
+    return QCoreApplication::translate("asperity::ShownText", "%1 min").arg(minutes);
   }
-  return translated(QT_TRANSLATE_NOOP("asperity::ShownText", "%1 h %2 min"))
+  return QCoreApplication::translate("asperity::ShownText", "%1 h %2 min")
       .arg(minutes / 60)
       .arg(minutes % 60, 2, 10, QChar('0'));
 }

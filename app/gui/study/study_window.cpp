@@ -100,6 +100,7 @@ void StudyWindow::make_pages() {
     return;
   }
   setWindowTitle(tr("Asperity ─ %1").arg(QString::fromStdString(study_->study().name())));
+  add_pages();
   emit study_opened(study_.get());
   navigation_->setCurrentRow(0);
 }

@@ -73,6 +73,7 @@ class StudyWindow final : public QMainWindow {
   void make_help_menu();
   void fill_recent_menu(QMenu& menu);
   void make_pages();
+  void add_pages();  ///< study_pages.cpp
   void remove_pages();
   /// Everything anew in the theme and language of now.
   void refill();

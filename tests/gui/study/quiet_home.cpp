@@ -1,11 +1,33 @@
 #include "tests/gui/study/quiet_home.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <QtCore/QSettings>
 #include <QtTest/QTest>
 
-#include "app/tasks/new_study.h"
+#include "app/height_field_files.h"
+#include "protocols/library_protocols.h"
+#include "results_schema/study.h"
+#include "stimuli/preview.h"
 
 namespace asperity {
+
+namespace {
+
+HeightField waves_across(double count) {
+  constexpr std::size_t kPixels = 64;
+  std::vector<float> heights_m(kPixels * kPixels);
+  for (std::size_t i = 0; i < heights_m.size(); ++i) {
+    const double column = static_cast<double>(i % kPixels) / kPixels;
+    const double row = static_cast<double>(i / kPixels) / kPixels;
+    heights_m[i] =
+        static_cast<float>(1e-4 * std::sin(2.0 * std::numbers::pi * count * (column + 0.3 * row)));
+  }
+  return HeightField({kPixels, kPixels, 0.1 / kPixels}, std::move(heights_m));
+}
+
+}  // namespace
 
 QuietHome::QuietHome() : former_home_(qgetenv("HOME")) {
   qputenv("HOME", folder_.path().toUtf8());
@@ -15,14 +37,25 @@ QuietHome::QuietHome() : former_home_(qgetenv("HOME")) {
 
 QuietHome::~QuietHome() { qputenv("HOME", former_home_); }
 
-std::filesystem::path QuietHome::demo_study() const {
-  static QTemporaryDir once{};
-  const std::filesystem::path made = std::filesystem::path(once.path().toStdString()) / "demo";
-  if (!std::filesystem::exists(made)) new_demo_study(made, [](double) {});
-  const std::filesystem::path copy = home() / "studies" / "demo";
-  std::filesystem::create_directories(copy.parent_path());
-  std::filesystem::copy(made, copy, std::filesystem::copy_options::recursive);
-  return copy;
+std::filesystem::path QuietHome::small_demo_study() const {
+  const std::filesystem::path folder = home() / "studies" / "demo";
+  std::filesystem::create_directories(folder.parent_path());
+  Study::create(folder, "demo");
+  for (const LibraryProtocol& protocol : library_protocols()) {
+    if (!protocol.name.starts_with("chapter_")) continue;
+    write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,
+               Overwrite::refuse);
+  }
+  double waves = 6.0;
+  for (const std::string name : {"metal", "stone", "wood", "brick", "sandpaper", "pebbles"}) {
+    const std::filesystem::path file = folder / "stimuli" / name;
+    const HeightField field = waves_across(waves++);
+    save_height_field(file.string() + "_true.png", field, {.kind = name}, Overwrite::refuse);
+    save_picture(file.string() + "_photo.png", height_picture(field), Overwrite::refuse);
+    if (name == "sandpaper" || name == "pebbles") continue;
+    save_height_field(file.string() + ".png", field, {.kind = "photograph"}, Overwrite::refuse);
+  }
+  return folder;
 }
 
 bool eventually(const std::function<bool()>& condition) {

@@ -20,8 +20,8 @@ class QuietHome : public testing::Test {
   /// Removed after the test.
   std::filesystem::path home() const { return folder_.path().toStdString(); }
 
-  /// The demo study as it is made, copied from one that is made once for all tests.
-  std::filesystem::path demo_study() const;
+  /// The files of the demo study, but with stimuli of 64 × 64 pixels, which are quick.
+  std::filesystem::path small_demo_study() const;
 
  private:
   QTemporaryDir folder_{};

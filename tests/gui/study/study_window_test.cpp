@@ -172,7 +172,6 @@ TEST_F(StudyWindowTest, WelcomePictures) {
   auto& recent = child<QTableWidget>(window, "welcome_recent");
   ASSERT_TRUE(eventually([&] { return recent.rowCount() == 2; }));
   take_screenshot(window, "study-welcome");
-  take_screenshot(window, "study-welcome-large", {1920, 1080});
 }
 
 }  // namespace

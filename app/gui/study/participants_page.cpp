@@ -1,0 +1,154 @@
+#include "app/gui/study/participants_page.h"
+
+#include <algorithm>
+
+#include <QtWidgets/QButtonGroup>
+#include <QtWidgets/QLineEdit>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/study/shown_text.h"
+#include "app/gui/study/study_table.h"
+#include "app/tasks/participant_answers.h"
+
+namespace asperity {
+
+namespace {
+
+/// "hand_used: right · hand_problems: no"
+QString text_of_answers(const std::string& json) {
+  const auto answers = nlohmann::json::parse(json, nullptr, false);
+  QStringList parts{};
+  if (answers.is_object()) {
+    for (const auto& [question, answer] : answers.items()) {
+      const std::string text = answer.is_string() ? answer.get<std::string>() : answer.dump();
+      parts.append(QString::fromStdString(question + ": " + text));
+    }
+  }
+  return parts.join(" · ");
+}
+
+QString or_dash(const std::optional<std::string>& text) {
+  return text ? QString::fromStdString(*text) : QString("–");
+}
+
+}  // namespace
+
+ParticipantsPage::ParticipantsPage(OpenStudy& study, QWidget* parent)
+    : StudyPage(study, tr("Participants"), parent) {
+  setObjectName("participants_page");
+  set_empty_state(new EmptyState(
+      tr("Nobody has taken part yet"),
+      tr("A participant is added when their first session starts: choose a protocol on the page "
+         "Protocols and press \"Start session…\". The label is suggested, the protocol's questions "
+         "are asked there."),
+      this));
+
+  auto* tools = new QHBoxLayout();
+  tools->setSpacing(kGrid);
+  people_ = make_button({}, ButtonRole::selector, this);
+  people_->setObjectName("participants_people");
+  virtual_people_ = make_button({}, ButtonRole::selector, this);
+  virtual_people_->setObjectName("participants_virtual");
+  auto* group = new QButtonGroup(this);
+  group->addButton(people_);
+  group->addButton(virtual_people_);
+  filter_ = new QLineEdit(this);
+  filter_->setObjectName("participants_filter");
+  filter_->setPlaceholderText(tr("Filter"));
+  filter_->setClearButtonEnabled(true);
+  filter_->setMaximumWidth(280);
+  tools->addWidget(people_);
+  tools->addWidget(virtual_people_);
+  tools->addStretch(1);
+  tools->addWidget(filter_, 1);
+  body().addLayout(tools);
+
+  using Align = StudyTable::Align;
+  table_ = new StudyTable({{tr("Label"), 176, Align::text},
+                           {tr("Age, years"), 120, Align::number},
+                           {tr("Sex"), 88, Align::text},
+                           {tr("Handedness"), 136, Align::text},
+                           {tr("Sessions done"), 144, Align::number},
+                           {tr("Unfinished"), 120, Align::number},
+                           {tr("Last session"), 0, Align::text}},
+                          this);
+  table_->setObjectName("participants_table");
+  body().addWidget(table_, 1);
+
+  auto* below = new QHBoxLayout();
+  below->setSpacing(kMargin);
+  sessions_ = make_button(tr("Show sessions"), ButtonRole::plain, this);
+  sessions_->setObjectName("participants_show_sessions");
+  answers_ = make_text({}, this, true);
+  below->addWidget(sessions_);
+  below->addWidget(answers_, 1);
+  body().addLayout(below);
+  next_label_ = make_text({}, this, true);
+  next_label_->setObjectName("participants_next_label");
+  body().addWidget(next_label_);
+
+  connect(group, &QButtonGroup::buttonClicked, this, [this](QAbstractButton* button) {
+    chosen_ = true;
+    show_virtual_ = button == virtual_people_;
+    fill();
+  });
+  connect(filter_, &QLineEdit::textChanged, table_, &StudyTable::set_filter);
+  connect(table_, &StudyTable::row_selected, this, &ParticipantsPage::show_selected);
+  connect(table_, &StudyTable::row_opened, this, &ParticipantsPage::sessions_wanted);
+  connect(sessions_, &QPushButton::clicked, this,
+          [this] { emit sessions_wanted(table_->selected_key()); });
+  read_with<std::vector<ParticipantOverview>>(
+      Need::always,
+      [](const Study& own, const std::stop_token&) { return participant_overviews(own); },
+      [this](const std::vector<ParticipantOverview>& people) { show_people(people); });
+}
+
+void ParticipantsPage::show_people(const std::vector<ParticipantOverview>& people) {
+  all_ = people;
+  const auto persons = std::count_if(
+      all_.begin(), all_.end(), [](const ParticipantOverview& one) { return !one.row.is_virtual; });
+  const auto virtual_ones = static_cast<long>(all_.size()) - persons;
+  if (!chosen_) show_virtual_ = persons == 0 && virtual_ones > 0;
+  people_->setText(tr("People %1").arg(persons));
+  virtual_people_->setText(tr("Virtual %1").arg(virtual_ones));
+  std::vector<ParticipantRow> rows{};
+  for (const ParticipantOverview& one : all_) rows.push_back(one.row);
+  next_label_->setText(tr("Somebody new would be called %1: suggested when a session starts.")
+                           .arg(QString::fromStdString(suggested_label(rows))));
+  emit counted(persons == 0 && virtual_ones > 0 ? tr("%1 virtual").arg(virtual_ones)
+                                                : QString::number(persons));
+  show_empty(all_.empty());
+  fill();
+}
+
+void ParticipantsPage::fill() {
+  people_->setChecked(!show_virtual_);
+  virtual_people_->setChecked(show_virtual_);
+  std::vector<StudyTable::Row> rows{};
+  for (const ParticipantOverview& one : all_) {
+    if (one.row.is_virtual != show_virtual_) continue;
+    const QString label = QString::fromStdString(one.row.label);
+    QStandardItem* age = one.row.age_years
+                             ? number_cell(QString::number(*one.row.age_years), *one.row.age_years)
+                             : empty_number_cell();
+    rows.push_back({label,
+                    {text_cell(label), age, text_cell(or_dash(one.row.sex)),
+                     text_cell(or_dash(one.row.handedness)), number_cell(one.completed),
+                     number_cell(one.unfinished),
+                     text_cell(one.last_utc ? text_of_time(*one.last_utc) : QString("–"),
+                               or_dash(one.last_utc))}});
+  }
+  table_->fill(rows);
+}
+
+void ParticipantsPage::show_selected() {
+  const std::string label = table_->selected_key().toStdString();
+  sessions_->setEnabled(!label.empty());
+  const auto found =
+      std::find_if(all_.begin(), all_.end(),
+                   [&label](const ParticipantOverview& one) { return one.row.label == label; });
+  answers_->setText(found == all_.end() ? tr("Select somebody to see their answers and sessions.")
+                                        : text_of_answers(found->row.answers_json));
+}
+
+}  // namespace asperity

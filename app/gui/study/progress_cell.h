@@ -1,0 +1,20 @@
+// How many of how many, in words and as a bar.
+
+#pragma once
+
+#include "app/gui/study/study_table.h"
+
+namespace asperity {
+
+/// "12 of 20" at the left and the bar at the right; sorts by the fraction.
+QStandardItem* progress_cell(int done, int planned);
+
+/// Draws the cells of a column that `progress_cell` made.
+class ProgressDelegate final : public PaddedCell {
+ public:
+  using PaddedCell::PaddedCell;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override;
+};
+
+}  // namespace asperity

@@ -1,0 +1,351 @@
+#include "app/gui/study/protocols_page.h"
+
+#include <algorithm>
+
+#include <QtCore/QFileInfo>
+#include <QtCore/QFileSystemWatcher>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QSplitter>
+#include <QtWidgets/QStackedWidget>
+
+#include "app/gui/study/plan_preview.h"
+#include "app/gui/study/progress_cell.h"
+#include "app/gui/study/sessions_page.h"
+#include "app/gui/study/shown_text.h"
+#include "app/gui/study/simulation_panel.h"
+#include "app/gui/study/study_table.h"
+#include "app/tasks/protocol_templates.h"
+#include "protocols/library_protocols.h"
+
+namespace asperity {
+
+namespace {
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+QString text_of_kind(ProtocolKind kind) {
+  switch (kind) {
+    case ProtocolKind::selection:
+      return ProtocolsPage::tr("selection");
+    case ProtocolKind::matching:
+      return ProtocolsPage::tr("matching");
+    case ProtocolKind::recognition:
+      break;
+  }
+  return ProtocolsPage::tr("recognition");
+}
+
+QString text_of_vision(Vision vision) {
+  switch (vision) {
+    case Vision::free:
+      return ProtocolsPage::tr("sees everything");
+    case Vision::hand_occluded:
+      return ProtocolsPage::tr("hand occluded");
+    case Vision::blindfold:
+      break;
+  }
+  return ProtocolsPage::tr("blindfold");
+}
+
+QString text_of_noise(const Protocol::Noise& noise) {
+  switch (noise.kind) {
+    case Protocol::Noise::Kind::white:
+      return ProtocolsPage::tr("white masking noise");
+    case Protocol::Noise::Kind::pink:
+      return ProtocolsPage::tr("pink masking noise");
+    case Protocol::Noise::Kind::none:
+      break;
+  }
+  return ProtocolsPage::tr("no masking noise");
+}
+
+QString counted(int count, const QString& one, const QString& many) {
+  return count == 1 ? one : many.arg(count);
+}
+
+/// "36 trials · 6 blocks · about 42 min · blindfold · masking noise"
+QString facts_of(const ProtocolOverview& overview) {
+  const Protocol& protocol = *overview.check.protocol;
+  QStringList facts{};
+  if (overview.is_valid()) {
+    facts = {counted(overview.check.cost.trials, ProtocolsPage::tr("1 trial"),
+                     ProtocolsPage::tr("%1 trials")),
+             counted(overview.blocks, ProtocolsPage::tr("1 block"), ProtocolsPage::tr("%1 blocks")),
+             ProtocolsPage::tr("about %1").arg(text_of_duration(overview.check.cost.total_s))};
+  }
+  if (protocol.sessions > 1) {
+    facts.append(ProtocolsPage::tr("%1 sessions each").arg(protocol.sessions));
+  }
+  facts.append(text_of_vision(protocol.vision));
+  facts.append(text_of_noise(protocol.masking_noise));
+  return facts.join(" · ");
+}
+
+QString last_run_of(const ProtocolOverview& overview) {
+  if (!overview.last_session) return ProtocolsPage::tr("Not run yet.");
+  SessionOverview session{};
+  session.row = *overview.last_session;
+  return ProtocolsPage::tr("Last run %1, %2, %3.")
+      .arg(text_of_time(session.row.started_utc), text(session.row.participant),
+           session.row.state == SessionState::open ? ProtocolsPage::tr("not ended")
+                                                   : text_of_session_state(session));
+}
+
+QStandardItem* state_cell(const ProtocolOverview& overview) {
+  const int problems = static_cast<int>(overview.check.diagnostics.size());
+  if (overview.is_valid()) {
+    QStandardItem* cell = text_cell("● " + ProtocolsPage::tr("valid"), 0);
+    cell->setForeground(theme().fine);
+    return cell;
+  }
+  QStandardItem* cell = text_cell(
+      "▲ " + counted(problems, ProtocolsPage::tr("1 problem"), ProtocolsPage::tr("%1 problems")),
+      problems);
+  cell->setForeground(theme().look);
+  return cell;
+}
+
+StudyTable::Row row_of(const ProtocolOverview& overview) {
+  const std::optional<Protocol>& protocol = overview.check.protocol;
+  const QString title =
+      protocol && !protocol->title.empty() ? text(protocol->title) : text(overview.name());
+  return {text(overview.check.file),
+          {text_cell(title), text_cell(text(overview.name())),
+           text_cell(protocol ? text_of_kind(protocol->kind) : QString("–")),
+           text_cell(protocol ? text(protocol->version) : QString("–")),
+           progress_cell(overview.people_done, protocol ? protocol->planned_participants : 0),
+           state_cell(overview)}};
+}
+
+}  // namespace
+
+ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
+    : StudyPage(study, tr("Protocols"), parent) {
+  setObjectName("protocols_page");
+  QPushButton* add = make_button(tr("New from template"), ButtonRole::plain, this);
+  add->setObjectName("protocols_new");
+  add_templates(add);
+  head().addWidget(add);
+  auto* empty = new EmptyState(
+      tr("No protocols yet"),
+      tr("A protocol says what is felt and asked, in which order. Begin with one from the library, "
+         "or copy a protocol file into the study's folder \"protocols\": it appears here at once."),
+      this);
+  auto* first = empty->add_action(tr("New from template"), ButtonRole::primary, [] {});
+  add_templates(first);
+  set_empty_state(empty);
+
+  auto* splitter = new QSplitter(Qt::Vertical, this);
+  splitter->setChildrenCollapsible(false);
+  splitter->setHandleWidth(kMargin);
+  splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
+  using Align = StudyTable::Align;
+  table_ = new StudyTable({{tr("Protocol"), 0, Align::text},
+                           {tr("Name"), 208, Align::text},
+                           {tr("Kind"), 120, Align::text},
+                           {tr("Version"), 88, Align::text},
+                           {tr("Participants"), 208, Align::text},
+                           {tr("State"), 136, Align::text}},
+                          splitter);
+  table_->setObjectName("protocols_table");
+  table_->setItemDelegateForColumn(4, new ProgressDelegate(table_));
+  splitter->addWidget(table_);
+  splitter->addWidget(make_detail());
+  splitter->setStretchFactor(0, 2);
+  splitter->setStretchFactor(1, 3);
+  splitter->setSizes({240, 400});
+  body().addWidget(splitter, 1);
+
+  connect(table_, &StudyTable::row_selected, this, &ProtocolsPage::show_selected);
+  connect(table_, &StudyTable::row_opened, this, [this] { start_->animateClick(); });
+  watcher_ = new QFileSystemWatcher(this);
+  connect(watcher_, &QFileSystemWatcher::directoryChanged, this, &ProtocolsPage::refresh);
+  connect(watcher_, &QFileSystemWatcher::fileChanged, this, &ProtocolsPage::refresh);
+  watch_files();
+  read_with<std::vector<ProtocolOverview>>(
+      Need::always,
+      [&models = study.models()](const Study& own, const std::stop_token& stop) {
+        return protocol_overviews(own, models, stop);
+      },
+      [this](const std::vector<ProtocolOverview>& protocols) { show_protocols(protocols); });
+}
+
+QWidget* ProtocolsPage::make_detail() {
+  QVBoxLayout* layout = nullptr;
+  QFrame* card = make_card(this, layout);
+  detail_ = card;
+  name_ = make_heading({}, card);
+  name_->setObjectName("protocol_name");
+  facts_ = make_text({}, card);
+  facts_->setObjectName("protocol_facts");
+  last_run_ = make_text({}, card, true);
+  layout->addWidget(name_);
+  layout->addWidget(facts_);
+  layout->addWidget(last_run_);
+
+  auto* row = new QHBoxLayout();
+  row->setSpacing(kGrid);
+  start_ = make_button(tr("Start session…"), ButtonRole::primary, card);
+  start_->setObjectName("protocol_start");
+  edit_ = make_button(tr("Edit"), ButtonRole::plain, card);
+  edit_->setObjectName("protocol_edit");
+  preview_ = make_button(tr("Preview plan"), ButtonRole::plain, card);
+  preview_->setObjectName("protocol_preview");
+  simulate_ = make_button(tr("Simulate…"), ButtonRole::plain, card);
+  simulate_->setObjectName("protocol_simulate");
+  reason_ = make_text({}, card, true);
+  reason_->setObjectName("protocol_reason");
+  for (QWidget* widget : std::initializer_list<QWidget*>{start_, edit_, preview_, simulate_}) {
+    row->addWidget(widget);
+  }
+  row->addSpacing(kGrid);
+  row->addWidget(reason_, 1);
+  close_ = make_button({}, ButtonRole::link, card);
+  close_->setObjectName("protocol_close_below");
+  row->addWidget(close_);
+  layout->addSpacing(kGrid);
+  layout->addLayout(row);
+  layout->addSpacing(kGrid);
+
+  below_ = new QStackedWidget(card);
+  auto* scroll = new QScrollArea(below_);
+  scroll->setWidgetResizable(true);
+  scroll->viewport()->setAutoFillBackground(false);
+  description_ = make_text({}, scroll);
+  description_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  scroll->setWidget(description_);
+  description_->setAutoFillBackground(false);  // setWidget turns it on
+  problems_ = new StudyTable(
+      {{tr("Line"), 80, StudyTable::Align::number}, {tr("Problem"), 0, StudyTable::Align::text}},
+      below_);
+  problems_->setObjectName("protocol_problems");
+  problems_->setWordWrap(true);
+  problems_->setTextElideMode(Qt::ElideNone);
+  problems_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  plan_ = new PlanPreview(below_);
+  simulation_ = new SimulationPanel(study(), below_);
+  for (QWidget* widget : std::initializer_list<QWidget*>{scroll, problems_, plan_, simulation_}) {
+    below_->addWidget(widget);
+  }
+  layout->addWidget(below_, 1);
+
+  connect(start_, &QPushButton::clicked, this, [this] {
+    if (const ProtocolOverview* protocol = selected()) {
+      emit session_wanted({.protocol = protocol->check.file});
+    }
+  });
+  connect(edit_, &QPushButton::clicked, this, [this] {
+    if (const ProtocolOverview* protocol = selected()) emit edit_wanted(text(protocol->check.file));
+  });
+  connect(preview_, &QPushButton::clicked, this, [this] {
+    plan_->show_protocol(*selected()->check.protocol);
+    show_below(plan);
+  });
+  connect(simulate_, &QPushButton::clicked, this, [this] { show_below(simulation); });
+  connect(close_, &QPushButton::clicked, this, [this] { show_below(what_it_asks); });
+  connect(simulation_, &SimulationPanel::sessions_wanted, this, &ProtocolsPage::sessions_wanted);
+  return card;
+}
+
+void ProtocolsPage::add_templates(QPushButton* button) {
+  auto* menu = new QMenu(button);
+  for (const LibraryProtocol& protocol : library_protocols()) {
+    menu->addAction(QString::fromUtf8(protocol.name.data(), qsizetype(protocol.name.size())), this,
+                    [this, name = std::string(protocol.name)] { add_from_template(name); });
+  }
+  button->setMenu(menu);
+}
+
+void ProtocolsPage::add_from_template(const std::string& name) {
+  write_task_.run<std::filesystem::path>(
+      [name, folder = study().folder()](const std::stop_token&, const BackgroundTask::Progress&) {
+        return protocol_from_template(folder, name);
+      },
+      [this](const std::filesystem::path& file) {
+        select_next_ = QString::fromStdString(file.string());
+        refresh();
+      },
+      [this](const QString& what) {
+        banner().show_news(State::stop, tr("The protocol could not be made: %1").arg(what));
+      });
+}
+
+void ProtocolsPage::show_protocols(const std::vector<ProtocolOverview>& protocols) {
+  protocols_ = protocols;
+  watch_files();
+  std::vector<StudyTable::Row> rows{};
+  for (const ProtocolOverview& overview : protocols_) rows.push_back(row_of(overview));
+  table_->fill(rows);
+  show_empty(protocols_.empty());
+  if (!select_next_.isEmpty()) table_->select(std::exchange(select_next_, {}));
+  if (table_->selected_key().isEmpty()) table_->selectRow(0);
+}
+
+const ProtocolOverview* ProtocolsPage::selected() const {
+  const std::string file = table_->selected_key().toStdString();
+  const auto found = std::find_if(
+      protocols_.begin(), protocols_.end(),
+      [&file](const ProtocolOverview& overview) { return overview.check.file == file; });
+  return found == protocols_.end() ? nullptr : &*found;
+}
+
+std::filesystem::path ProtocolsPage::file_of(const QString& protocol_name) const {
+  for (const ProtocolOverview& overview : protocols_) {
+    if (overview.name() == protocol_name.toStdString()) return overview.check.file;
+  }
+  return {};
+}
+
+void ProtocolsPage::show_selected() {
+  const ProtocolOverview* overview = selected();
+  detail_->setVisible(overview != nullptr);
+  if (overview == nullptr) return;
+  const std::optional<Protocol>& protocol = overview->check.protocol;
+  const std::filesystem::path file = overview->check.file;
+  name_->setText(protocol && !protocol->title.empty() ? text(protocol->title)
+                                                      : text(overview->name()));
+  facts_->setText(protocol ? facts_of(*overview) : text_of_path(file));
+  last_run_->setText(last_run_of(*overview));
+  const bool valid = overview->is_valid();
+  for (QPushButton* button : {start_, preview_, simulate_}) button->setEnabled(valid);
+  reason_->setText(valid ? QString{} : tr("It has to be valid first: the problems are below."));
+  description_->setText(protocol ? text(protocol->description) : QString{});
+  std::vector<StudyTable::Row> rows{};
+  for (std::size_t i = 0; i < overview->check.diagnostics.size(); ++i) {
+    const Diagnostic& problem = overview->check.diagnostics[i];
+    rows.push_back(
+        {QString::number(i), {number_cell(problem.line), text_cell(text(problem.message))}});
+  }
+  problems_->fill(rows);
+  simulation_->set_protocol(file, text(overview->name()));
+  if (!valid) {
+    show_below(problems);
+  } else if (below_->currentIndex() == plan) {
+    plan_->show_protocol(*protocol);
+  } else if (below_->currentIndex() != simulation) {
+    show_below(what_it_asks);
+  }
+}
+
+void ProtocolsPage::show_below(Below below) {
+  close_->setVisible(below == plan || below == simulation);
+  close_->setText(below == plan ? tr("Close the plan") : tr("Close the simulation"));
+  below_->setCurrentIndex(below);
+}
+
+// An editor that puts a new file in the old one's place ends the watch on it.
+void ProtocolsPage::watch_files() {
+  const std::filesystem::path folder = study().folder() / "protocols";
+  QStringList wanted{QString::fromStdString(folder.string())};
+  for (const ProtocolOverview& overview : protocols_) wanted.append(text(overview.check.file));
+  for (const QString& path : std::as_const(wanted)) {
+    if (!watcher_->directories().contains(path) && !watcher_->files().contains(path) &&
+        QFileInfo::exists(path)) {
+      watcher_->addPath(path);
+    }
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,68 @@
+// The study's protocols: what each asks, whether it can be run, and how far it has come.
+
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/gui/study/session_wish.h"
+#include "app/gui/study/study_page.h"
+#include "app/tasks/study_overview.h"
+
+class QFileSystemWatcher;
+class QStackedWidget;
+
+namespace asperity {
+
+class PlanPreview;
+class SimulationPanel;
+class StudyTable;
+
+class ProtocolsPage final : public StudyPage {
+  Q_OBJECT
+ public:
+  explicit ProtocolsPage(OpenStudy& study, QWidget* parent = nullptr);
+
+  /// The file of the protocol of this name; empty when the study has none.
+  std::filesystem::path file_of(const QString& protocol_name) const;
+
+ signals:
+  void session_wanted(const asperity::SessionWish& wish);
+  void edit_wanted(const QString& file);
+  void sessions_wanted(const QString& protocol_name);
+
+ private:
+  enum Below { what_it_asks, problems, plan, simulation };
+
+  QWidget* make_detail();
+  void add_templates(QPushButton* button);
+  void add_from_template(const std::string& name);
+  void show_protocols(const std::vector<ProtocolOverview>& protocols);
+  void show_selected();
+  void show_below(Below below);
+  const ProtocolOverview* selected() const;
+  void watch_files();
+
+  std::vector<ProtocolOverview> protocols_{};
+  QFileSystemWatcher* watcher_ = nullptr;
+  BackgroundTask write_task_{};
+  QString select_next_{};  ///< a file that was made just now
+  StudyTable* table_ = nullptr;
+  QWidget* detail_ = nullptr;
+  QLabel* name_ = nullptr;
+  QLabel* facts_ = nullptr;
+  QLabel* last_run_ = nullptr;
+  QPushButton* start_ = nullptr;
+  QPushButton* edit_ = nullptr;
+  QPushButton* preview_ = nullptr;
+  QPushButton* simulate_ = nullptr;
+  QPushButton* close_ = nullptr;  ///< of what is shown below
+  QLabel* reason_ = nullptr;
+  QStackedWidget* below_ = nullptr;
+  QLabel* description_ = nullptr;
+  StudyTable* problems_ = nullptr;
+  PlanPreview* plan_ = nullptr;
+  SimulationPanel* simulation_ = nullptr;
+};
+
+}  // namespace asperity

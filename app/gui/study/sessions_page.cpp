@@ -1,0 +1,181 @@
+#include "app/gui/study/sessions_page.h"
+
+#include <algorithm>
+
+#include <QtWidgets/QLineEdit>
+
+#include "app/gui/study/shown_text.h"
+#include "app/gui/study/study_table.h"
+
+namespace asperity {
+
+namespace {
+
+/// In the colour of the band that the session's windows had.
+QStandardItem* mode_cell(SessionMode mode) {
+  QStandardItem* cell = text_cell(text_of_mode(mode));
+  if (mode != SessionMode::run) {
+    cell->setBackground(mode == SessionMode::pilot ? theme().pilot : theme().simulated);
+    cell->setForeground(theme().on_band);
+  }
+  return cell;
+}
+
+QStandardItem* state_cell(const SessionOverview& session) {
+  const State state = state_of_session(session);
+  const QString text = text_of_session_state(session);
+  QStandardItem* cell = text_cell(shape_of(state) + ' ' + text, text);
+  if (state == State::look) cell->setForeground(theme().look);
+  return cell;
+}
+
+}  // namespace
+
+QString text_of_mode(SessionMode mode) {
+  switch (mode) {
+    case SessionMode::run:
+      return SessionsPage::tr("Run");
+    case SessionMode::pilot:
+      return SessionsPage::tr("Pilot");
+    case SessionMode::simulate:
+      break;
+  }
+  return SessionsPage::tr("Simulated");
+}
+
+QString text_of_session_state(const SessionOverview& session) {
+  if (session.is_running) {
+    return SessionsPage::tr("running now");
+  }
+  switch (session.row.state) {
+    case SessionState::completed:
+      return SessionsPage::tr("complete");
+    case SessionState::stopped:
+      return SessionsPage::tr("stopped");
+    case SessionState::open:  // nobody holds it: whoever ran it is gone
+    case SessionState::crashed:
+      break;
+  }
+  return SessionsPage::tr("broken off");
+}
+
+State state_of_session(const SessionOverview& session) {
+  if (session.is_running) return State::unknown;
+  return session.row.state == SessionState::completed ? State::fine : State::look;
+}
+
+SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
+    : StudyPage(study, tr("Sessions"), parent) {
+  setObjectName("sessions_page");
+  set_empty_state(new EmptyState(
+      tr("No session yet"),
+      tr("Choose a protocol on the page Protocols and press \"Start session…\". To see first what "
+         "comes out, press \"Simulate…\" there: virtual participants take minutes off an hour."),
+      this));
+  filter_ = new QLineEdit(this);
+  filter_->setObjectName("sessions_filter");
+  filter_->setPlaceholderText(tr("Filter: participant, protocol, state"));
+  filter_->setClearButtonEnabled(true);
+  filter_->setFixedWidth(320);
+  head().addWidget(filter_);
+
+  using Align = StudyTable::Align;
+  table_ = new StudyTable({{tr("Participant"), 128, Align::text},
+                           {tr("No."), 56, Align::number},
+                           {tr("Protocol"), 0, Align::text},
+                           {tr("Mode"), 104, Align::text},
+                           {tr("State"), 128, Align::text},
+                           {tr("Started"), 176, Align::text},
+                           {tr("Duration"), 96, Align::number},
+                           {tr("Trials"), 96, Align::number},
+                           {tr("Notes"), 72, Align::number}},
+                          this);
+  table_->setObjectName("sessions_table");
+  table_->sortByColumn(5, Qt::DescendingOrder);
+  body().addWidget(table_, 1);
+
+  auto* below = new QHBoxLayout();
+  below->setSpacing(kGrid);
+  open_ = make_button(tr("Show trials"), ButtonRole::primary, this);
+  open_->setObjectName("sessions_open");
+  resume_ = make_button(tr("Go on with this session…"), ButtonRole::plain, this);
+  resume_->setObjectName("sessions_resume");
+  reason_ = make_text({}, this, true);
+  reason_->setObjectName("sessions_reason");
+  below->addWidget(open_);
+  below->addWidget(resume_);
+  below->addSpacing(kGrid);
+  below->addWidget(reason_, 1);
+  body().addLayout(below);
+
+  connect(filter_, &QLineEdit::textChanged, table_, &StudyTable::set_filter);
+  connect(table_, &StudyTable::row_selected, this, &SessionsPage::show_selected);
+  connect(table_, &StudyTable::row_opened, this,
+          [this](const QString& key) { emit session_opened(key.toLongLong()); });
+  connect(open_, &QPushButton::clicked, this,
+          [this] { emit session_opened(table_->selected_key().toLongLong()); });
+  connect(resume_, &QPushButton::clicked, this, [this] {
+    const SessionOverview* session = selected();
+    if (session == nullptr) return;
+    emit resume_wanted(QString::fromStdString(session->protocol_name),
+                       QString::fromStdString(session->row.participant));
+  });
+  read_with<std::vector<SessionOverview>>(
+      Need::always,
+      [](const Study& own, const std::stop_token& stop) { return session_overviews(own, stop); },
+      [this](const std::vector<SessionOverview>& sessions) { show_sessions(sessions); });
+}
+
+void SessionsPage::set_filter(const QString& words) { filter_->setText(words); }
+
+void SessionsPage::show_sessions(const std::vector<SessionOverview>& sessions) {
+  sessions_ = sessions;
+  std::vector<StudyTable::Row> rows{};
+  for (const SessionOverview& session : sessions_) {
+    const QString trials = tr("%1 of %2").arg(session.done_trials).arg(session.planned_trials);
+    rows.push_back(
+        {QString::number(session.row.id),
+         {text_cell(QString::fromStdString(session.row.participant)),
+          number_cell(session.row.session),
+          text_cell(QString::fromStdString(session.protocol_name + ' ' + session.protocol_version)),
+          mode_cell(session.row.mode), state_cell(session),
+          text_cell(text_of_time(session.row.started_utc),
+                    QString::fromStdString(session.row.started_utc)),
+          number_cell(text_of_duration(session.duration_s), session.duration_s),
+          number_cell(trials, session.done_trials), number_cell(session.notes)}});
+  }
+  table_->fill(rows);
+  show_empty(sessions_.empty());
+  emit counted(QString::number(sessions_.size()));
+}
+
+const SessionOverview* SessionsPage::selected() const {
+  const auto found =
+      std::find_if(sessions_.begin(), sessions_.end(),
+                   [id = table_->selected_key().toLongLong()](const SessionOverview& session) {
+                     return session.row.id == id;
+                   });
+  return found == sessions_.end() ? nullptr : &*found;
+}
+
+void SessionsPage::show_selected() {
+  const SessionOverview* session = selected();
+  open_->setEnabled(session != nullptr);
+  const bool simulated = session != nullptr && session->row.mode == SessionMode::simulate;
+  resume_->setEnabled(session != nullptr && session->is_unfinished() && !simulated);
+  if (session == nullptr) {
+    reason_->setText(tr("Select a session."));
+  } else if (session->is_running) {
+    reason_->setText(tr("It is running, here or in another program."));
+  } else if (session->row.state == SessionState::completed) {
+    reason_->setText(tr("It is complete: there is nothing to go on with."));
+  } else if (simulated) {
+    reason_->setText(tr("A simulation goes on from the page Protocols."));
+  } else {
+    reason_->setText(tr("%1 of %2 trials are done and safe.")
+                         .arg(session->done_trials)
+                         .arg(session->planned_trials));
+  }
+}
+
+}  // namespace asperity

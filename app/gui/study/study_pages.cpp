@@ -1,0 +1,66 @@
+// The pages of a study, in the order of the navigation.
+
+#include <QtCore/QUrl>
+#include <QtGui/QDesktopServices>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/study/devices_page.h"
+#include "app/gui/study/participants_page.h"
+#include "app/gui/study/protocols_page.h"
+#include "app/gui/study/sessions_page.h"
+#include "app/gui/study/stimuli_page.h"
+#include "app/gui/study/study_window.h"
+#include "app/gui/study/trials_page.h"
+
+namespace asperity {
+
+void StudyWindow::add_pages() {
+  auto* protocols = new ProtocolsPage(*study_);
+  auto* participants = new ParticipantsPage(*study_);
+  auto* sessions = new SessionsPage(*study_);
+  auto* trials = new TrialsPage(*study_);
+  auto* stimuli = new StimuliPage(*study_);
+  auto* devices = new DevicesPage(*study_);
+  add_page("protocols", tr("Protocols"), protocols);
+  add_page("participants", tr("Participants"), participants);
+  add_page("sessions", tr("Sessions"), sessions);
+  add_page("trials", {}, trials);
+  add_page("stimuli", tr("Stimuli"), stimuli);
+  add_page("devices", tr("Devices"), devices);
+
+  for (StudyPage* page : std::initializer_list<StudyPage*>{participants, sessions, stimuli}) {
+    connect(page, &StudyPage::counted, this, [this, page](const QString& count) {
+      set_count(page->property("page").toString(), count);
+    });
+  }
+  set_count("devices", devices->count());
+  const auto show_sessions = [this, sessions](const QString& words) {
+    sessions->set_filter(words);
+    show_page("sessions");
+  };
+  connect(participants, &ParticipantsPage::sessions_wanted, this, show_sessions);
+  connect(protocols, &ProtocolsPage::sessions_wanted, this, show_sessions);
+  connect(protocols, &ProtocolsPage::session_wanted, this, &StudyWindow::session_wanted);
+  connect(protocols, &ProtocolsPage::edit_wanted, this, [](const QString& file) {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(file));  // what the person edits JSON with
+  });
+  connect(sessions, &SessionsPage::resume_wanted, this,
+          [this, protocols](const QString& protocol, const QString& participant) {
+            const std::filesystem::path file = protocols->file_of(protocol);
+            if (file.empty()) {
+              banner_->show_news(
+                  State::stop, tr("The session cannot go on: its protocol \"%1\" is not among the "
+                                  "study's protocols any more.")
+                                   .arg(protocol));
+              return;
+            }
+            emit session_wanted({file, participant.toStdString(), true});
+          });
+  connect(sessions, &SessionsPage::session_opened, this, [this, trials](qlonglong id) {
+    trials->show_session(id);
+    show_page("trials");
+  });
+  connect(trials, &TrialsPage::back_wanted, this, [this] { show_page("sessions"); });
+}
+
+}  // namespace asperity

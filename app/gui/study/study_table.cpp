@@ -1,0 +1,170 @@
+#include "app/gui/study/study_table.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <QtCore/QSortFilterProxyModel>
+#include <QtGui/QKeyEvent>
+#include <QtGui/QPainter>
+#include <QtGui/QStandardItemModel>
+#include <QtWidgets/QHeaderView>
+
+#include "app/gui/look/controls.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kValue = Qt::UserRole;
+constexpr int kKey = Qt::UserRole + 1;
+constexpr int kPadding = 5;  // with the style's own 3
+
+/// A row is shown when its cells hold every word, each in any of them.
+class WordFilter final : public QSortFilterProxyModel {
+ public:
+  using QSortFilterProxyModel::QSortFilterProxyModel;
+
+  void set_words(const QStringList& words) {
+    words_ = words;
+    invalidateFilter();
+  }
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
+    return std::all_of(words_.begin(), words_.end(), [&](const QString& word) {
+      for (int column = 0; column < sourceModel()->columnCount(parent); ++column) {
+        const QModelIndex cell = sourceModel()->index(row, column, parent);
+        if (cell.data().toString().contains(word, Qt::CaseInsensitive)) return true;
+      }
+      return false;
+    });
+  }
+
+ private:
+  QStringList words_{};
+};
+
+}  // namespace
+
+QStandardItem* text_cell(const QString& text) { return text_cell(text, text); }
+
+QStandardItem* text_cell(const QString& text, const QVariant& value) {
+  auto* cell = new QStandardItem(text);
+  cell->setData(value, kValue);
+  cell->setToolTip(text);
+  return cell;
+}
+
+QStandardItem* number_cell(const QString& text, double value) {
+  auto* cell = new QStandardItem(text);
+  cell->setData(value, kValue);
+  cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  return cell;
+}
+
+QStandardItem* number_cell(int value) { return number_cell(QString::number(value), value); }
+
+QStandardItem* empty_number_cell() {
+  return number_cell("–", -std::numeric_limits<double>::infinity());
+}
+
+void PaddedCell::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                       const QModelIndex& index) const {
+  if (option.state.testFlag(QStyle::State_Selected)) {
+    painter->fillRect(option.rect, option.palette.highlight());
+  } else if (const QVariant ground = index.data(Qt::BackgroundRole); ground.isValid()) {
+    painter->fillRect(option.rect, ground.value<QBrush>());
+  }
+  QStyleOptionViewItem inner = option;
+  inner.rect.adjust(kPadding, 0, -kPadding, 0);
+  QStyledItemDelegate::paint(painter, inner, index);
+}
+
+StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
+    : QTableView(parent), rows_(new QStandardItemModel(0, static_cast<int>(columns.size()), this)) {
+  auto* filter = new WordFilter(this);
+  filter->setSourceModel(rows_);
+  filter->setSortRole(kValue);
+  filter->setSortCaseSensitivity(Qt::CaseInsensitive);
+  filter->setSortLocaleAware(true);
+  shown_ = filter;
+  setModel(filter);
+  style_table(*this);
+  setItemDelegate(new PaddedCell(this));
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setTabKeyNavigation(false);
+  setTextElideMode(Qt::ElideRight);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setStretchLastSection(false);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const int column = static_cast<int>(i);
+    rows_->setHeaderData(column, Qt::Horizontal, columns[i].name);
+    const Qt::Alignment side = columns[i].align == Align::number ? Qt::AlignRight : Qt::AlignLeft;
+    rows_->setHeaderData(column, Qt::Horizontal, QVariant(side | Qt::AlignVCenter),
+                         Qt::TextAlignmentRole);
+    if (columns[i].width == 0) {
+      horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+    } else {
+      setColumnWidth(column, columns[i].width);
+    }
+  }
+  sortByColumn(0, Qt::AscendingOrder);
+  connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    if (!filling_) emit row_selected(selected_key());
+  });
+  connect(this, &QTableView::doubleClicked, this,
+          [this](const QModelIndex& cell) { emit row_opened(key_at(cell)); });
+}
+
+void StudyTable::fill(const std::vector<Row>& rows) {
+  const QString selected = selected_key();
+  filling_ = true;
+  rows_->removeRows(0, rows_->rowCount());
+  for (const Row& row : rows) {
+    row.cells.front()->setData(row.key, kKey);
+    rows_->appendRow(row.cells);
+  }
+  if (!selected.isEmpty()) select(selected);
+  filling_ = false;
+  emit row_selected(selected_key());
+}
+
+void StudyTable::set_filter(const QString& words) {
+  static_cast<WordFilter*>(shown_)->set_words(words.split(' ', Qt::SkipEmptyParts));
+}
+
+void StudyTable::select(const QString& key) {
+  for (int row = 0; row < shown_->rowCount(); ++row) {
+    if (key_at(shown_->index(row, 0)) != key) continue;
+    selectRow(row);
+    scrollTo(shown_->index(row, 0));
+    return;
+  }
+}
+
+QString StudyTable::selected_key() const {
+  const QModelIndexList rows = selectionModel()->selectedRows();
+  return rows.isEmpty() ? QString{} : key_at(rows.front());
+}
+
+int StudyTable::shown_rows() const { return shown_->rowCount(); }
+
+QString StudyTable::text_at(int row, int column) const {
+  return shown_->index(row, column).data().toString();
+}
+
+void StudyTable::keyPressEvent(QKeyEvent* event) {
+  if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) &&
+      !selected_key().isEmpty()) {
+    emit row_opened(selected_key());
+    return;
+  }
+  QTableView::keyPressEvent(event);
+}
+
+QString StudyTable::key_at(const QModelIndex& shown) const {
+  return shown.sibling(shown.row(), 0).data(kKey).toString();
+}
+
+}  // namespace asperity

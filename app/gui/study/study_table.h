@@ -1,0 +1,73 @@
+// A table of things of a study: sorted by what they are worth, filtered by what is typed.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QtGui/QStandardItem>
+#include <QtWidgets/QStyledItemDelegate>
+#include <QtWidgets/QTableView>
+
+class QSortFilterProxyModel;
+
+namespace asperity {
+
+/// Cells sort by their value, not by their text.
+QStandardItem* text_cell(const QString& text);
+QStandardItem* text_cell(const QString& text, const QVariant& value);
+/// At the right.
+QStandardItem* number_cell(const QString& text, double value);
+QStandardItem* number_cell(int value);
+/// "–": nothing there; below every number.
+QStandardItem* empty_number_cell();
+
+/// Cells begin and end where their header does.
+class PaddedCell : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override;
+};
+
+class StudyTable final : public QTableView {
+  Q_OBJECT
+ public:
+  struct Row {
+    QString key{};  ///< who it is, for as long as the table lives
+    QList<QStandardItem*> cells{};
+  };
+  enum class Align { text, number };
+  struct Column {
+    QString name{};
+    int width = 0;  ///< 0: what is left over
+    Align align = Align::text;
+  };
+
+  StudyTable(const std::vector<Column>& columns, QWidget* parent = nullptr);
+
+  /// Shows these rows; what was selected stays so where it is still there.
+  void fill(const std::vector<Row>& rows);
+  /// Only rows that hold every word.
+  void set_filter(const QString& words);
+  void select(const QString& key);
+  QString selected_key() const;  ///< empty when nothing is selected
+  int shown_rows() const;
+  QString text_at(int row, int column) const;  ///< as shown
+
+ signals:
+  void row_selected(const QString& key);  ///< empty when nothing is any more
+  void row_opened(const QString& key);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QString key_at(const QModelIndex& shown) const;
+
+  QStandardItemModel* rows_ = nullptr;
+  QSortFilterProxyModel* shown_ = nullptr;
+  bool filling_ = false;
+};
+
+}  // namespace asperity

@@ -1,0 +1,187 @@
+#include "app/gui/study/trials_page.h"
+
+#include <algorithm>
+
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QTabWidget>
+
+#include "app/gui/study/sessions_page.h"
+#include "app/gui/study/shown_text.h"
+#include "app/gui/study/study_table.h"
+
+namespace asperity {
+
+namespace {
+
+double since_start_s(const SessionDetail& detail, std::int64_t time_ns) {
+  return static_cast<double>(time_ns - detail.overview.row.clock_zero_ns) * 1e-9;
+}
+
+/// "18:42", minutes and seconds of the session.
+QString text_of_clock(double time_s) {
+  const auto whole_s = static_cast<long>(std::max(0.0, time_s));
+  return QString("%1:%2").arg(whole_s / 60).arg(whole_s % 60, 2, 10, QChar('0'));
+}
+
+QStandardItem* clock_cell(double time_s) { return number_cell(text_of_clock(time_s), time_s); }
+
+QStandardItem* seconds_cell(const std::optional<double>& time_s) {
+  return time_s ? number_cell(QString::number(*time_s, 'f', 2), *time_s) : empty_number_cell();
+}
+
+QString text_of_outcome(const TrialOverview& trial) {
+  if (!trial.attempt) return TrialsPage::tr("to come");
+  switch (trial.attempt->outcome) {
+    case AttemptOutcome::answered:
+      return TrialsPage::tr("answered");
+    case AttemptOutcome::timed_out:
+      return TrialsPage::tr("no answer in time");
+    case AttemptOutcome::not_compliant:
+      return TrialsPage::tr("not explored as asked");
+    case AttemptOutcome::aborted:
+      return TrialsPage::tr("aborted");
+    case AttemptOutcome::device_fault:
+      return TrialsPage::tr("device fault");
+    case AttemptOutcome::skipped:
+      break;
+  }
+  return TrialsPage::tr("skipped");
+}
+
+/// What is to be said of the attempt beside its outcome.
+QString text_of_remarks(const AttemptRow& attempt) {
+  QStringList remarks{};
+  if (!attempt.valid) {
+    remarks.append(TrialsPage::tr("not valid: %1")
+                       .arg(QString::fromStdString(attempt.invalid_reason.value_or("–"))));
+  }
+  if (attempt.flagged) {
+    remarks.append(TrialsPage::tr("flagged: %1")
+                       .arg(QString::fromStdString(attempt.flag_reason.value_or("–"))));
+  }
+  if (attempt.excluded) {
+    remarks.append(TrialsPage::tr("left out: %1").arg(QString::fromStdString(*attempt.excluded)));
+  }
+  return remarks.join("; ");
+}
+
+StudyTable::Row row_of(const SessionDetail& detail, const TrialOverview& trial) {
+  const auto& attempt = trial.attempt;
+  const std::optional<bool> correct = trial.correct();
+  const QString right = !correct   ? QString("–")
+                        : *correct ? TrialsPage::tr("yes")
+                                   : TrialsPage::tr("no");
+  std::optional<double> from_contact_s{};
+  std::optional<double> from_cue_s{};
+  if (attempt && !attempt->responses.empty()) {
+    from_contact_s = attempt->responses.back().from_contact_s;
+    from_cue_s = attempt->responses.back().from_cue_s;
+  }
+  QStandardItem* outcome = text_cell(text_of_outcome(trial));
+  if (!attempt) outcome->setForeground(theme().muted);
+  const QString remarks = attempt ? text_of_remarks(*attempt) : QString{};
+  QStandardItem* remark_cell = text_cell(remarks);
+  remark_cell->setForeground(theme().look);
+  return {attempt ? QString::number(attempt->id) : QString{},
+          {number_cell(trial.planned.trial),
+           attempt ? number_cell(attempt->attempt) : empty_number_cell(),
+           text_cell(QString::fromStdString(trial.planned.block)), outcome,
+           text_cell(QString::fromStdString(trial.answer())), text_cell(right),
+           seconds_cell(from_contact_s), seconds_cell(from_cue_s),
+           attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell(),
+           remark_cell}};
+}
+
+}  // namespace
+
+TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
+    : StudyPage(study, tr("Session"), parent) {
+  setObjectName("trials_page");
+  QPushButton* back = make_button(tr("← All sessions"), ButtonRole::link, this);
+  back->setObjectName("trials_back");
+  filter_ = new QLineEdit(this);
+  filter_->setObjectName("trials_filter");
+  filter_->setPlaceholderText(tr("Filter"));
+  filter_->setClearButtonEnabled(true);
+  filter_->setFixedWidth(240);
+  head().addWidget(filter_);
+  head().addWidget(back);
+
+  band_ = new ModeBand(this);
+  body().addWidget(band_);
+  summary_ = make_text({}, this, true);
+  summary_->setObjectName("trials_summary");
+  body().addWidget(summary_);
+  tabs_ = new QTabWidget(this);
+  tabs_->setDocumentMode(true);
+  using Align = StudyTable::Align;
+  trials_ = new StudyTable({{tr("Trial"), 80, Align::number},
+                            {tr("Attempt"), 96, Align::number},
+                            {tr("Block"), 112, Align::text},
+                            {tr("Outcome"), 160, Align::text},
+                            {tr("Answer"), 0, Align::text},
+                            {tr("Right"), 64, Align::text},
+                            {tr("From contact, s"), 152, Align::number},
+                            {tr("From cue, s"), 120, Align::number},
+                            {tr("Began"), 88, Align::number},
+                            {tr("Remarks"), 0, Align::text}},
+                           tabs_);
+  trials_->setObjectName("trials_table");
+  tabs_->addTab(trials_, tr("Trials"));
+  events_ = new StudyTable({{tr("Time"), 88, Align::number},
+                            {tr("What"), 200, Align::text},
+                            {tr("Words"), 0, Align::text}},
+                           tabs_);
+  events_->setObjectName("trials_events");
+  tabs_->addTab(events_, tr("Notes and events"));
+  body().addWidget(tabs_, 1);
+
+  connect(back, &QPushButton::clicked, this, &TrialsPage::back_wanted);
+  connect(filter_, &QLineEdit::textChanged, trials_, &StudyTable::set_filter);
+  connect(filter_, &QLineEdit::textChanged, events_, &StudyTable::set_filter);
+  connect(trials_, &StudyTable::row_opened, this, [this](const QString& key) {
+    if (!key.isEmpty()) emit attempt_opened(key.toLongLong());
+  });
+}
+
+void TrialsPage::show_session(std::int64_t id) {
+  session_id_ = id;
+  filter_->clear();
+  forget_readings();
+  read_with<SessionDetail>(
+      Need::always,
+      [id](const Study& own, const std::stop_token&) { return session_detail(own, id); },
+      [this](const SessionDetail& detail) { show_detail(detail); });
+}
+
+void TrialsPage::show_detail(const SessionDetail& detail) {
+  const SessionOverview& session = detail.overview;
+  title().setText(tr("Session %1 of %2")
+                      .arg(session.row.session)
+                      .arg(QString::fromStdString(session.row.participant)));
+  band_->set_mode(session.row.mode);
+  summary_->setText(
+      tr("%1 %2 · %3 · %4 of %5 trials in %6 · started %7 · device %8 · asperity %9")
+          .arg(QString::fromStdString(session.protocol_name),
+               QString::fromStdString(session.protocol_version), text_of_session_state(session))
+          .arg(session.done_trials)
+          .arg(session.planned_trials)
+          .arg(text_of_duration(session.duration_s), text_of_time(session.row.started_utc),
+               QString::fromStdString(session.row.device),
+               QString::fromStdString(session.row.program_version)));
+  std::vector<StudyTable::Row> rows{};
+  for (const TrialOverview& trial : detail.trials) rows.push_back(row_of(detail, trial));
+  trials_->fill(rows);
+  rows.clear();
+  for (std::size_t i = 0; i < detail.events.size(); ++i) {
+    const EventRow& event = detail.events[i];
+    rows.push_back({QString::number(i),
+                    {clock_cell(since_start_s(detail, event.time_ns)),
+                     text_cell(QString::fromStdString(event.kind)),
+                     text_cell(QString::fromStdString(event.text))}});
+  }
+  events_->fill(rows);
+  tabs_->setTabText(1, tr("Notes and events (%1)").arg(detail.events.size()));
+}
+
+}  // namespace asperity

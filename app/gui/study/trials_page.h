@@ -1,0 +1,42 @@
+// One session: its trials, attempt by attempt, and what happened in between.
+
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "app/gui/study/study_page.h"
+#include "app/tasks/study_overview.h"
+
+class QLineEdit;
+class QTabWidget;
+
+namespace asperity {
+
+class StudyTable;
+
+class TrialsPage final : public StudyPage {
+  Q_OBJECT
+ public:
+  explicit TrialsPage(OpenStudy& study, QWidget* parent = nullptr);
+
+  void show_session(std::int64_t id);
+  std::int64_t session() const noexcept { return session_id_; }
+
+ signals:
+  void back_wanted();
+  void attempt_opened(qlonglong id);
+
+ private:
+  void show_detail(const SessionDetail& detail);
+
+  std::int64_t session_id_ = 0;
+  ModeBand* band_ = nullptr;
+  QLabel* summary_ = nullptr;
+  QLineEdit* filter_ = nullptr;
+  QTabWidget* tabs_ = nullptr;
+  StudyTable* trials_ = nullptr;
+  StudyTable* events_ = nullptr;
+};
+
+}  // namespace asperity

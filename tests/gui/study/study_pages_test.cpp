@@ -1,0 +1,314 @@
+// The pages of a study: what they list, how it sorts, what can be done from there.
+
+#include <fstream>
+
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QSpinBox>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/study/participants_page.h"
+#include "app/gui/study/protocols_page.h"
+#include "app/gui/study/sessions_page.h"
+#include "app/gui/study/stimuli_page.h"
+#include "app/gui/study/study_table.h"
+#include "app/gui/study/study_window.h"
+#include "app/gui/study/trials_page.h"
+#include "tests/gui/study/lively_study.h"
+#include "tests/gui/study/quiet_home.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+class StudyPages : public QuietHome {
+ protected:
+  StudyPages() {
+    window_.resize(1366, 768);
+    window_.show();
+  }
+
+  void open_demo() { ASSERT_TRUE(window_.open_study(small_demo_study())); }
+  void open_lively() {
+    const std::filesystem::path folder = small_demo_study();
+    fill_with_people(folder);
+    ASSERT_TRUE(window_.open_study(folder));
+  }
+  /// The page is shown and its table filled.
+  StudyTable& table_of(const char* page, const char* name, int rows) {
+    window_.show_page(page);
+    auto& table = child<StudyTable>(window_, name);
+    if (!eventually([&] { return table.shown_rows() == rows; })) {
+      throw std::runtime_error(std::string(name) + " has " + std::to_string(table.shown_rows()) +
+                               " rows");
+    }
+    return table;
+  }
+  void click(const char* button) {
+    QTest::mouseClick(&child<QPushButton>(window_, button), Qt::LeftButton);
+  }
+  static QStringList column(const StudyTable& table, int column) {
+    QStringList texts{};
+    for (int row = 0; row < table.shown_rows(); ++row) texts.append(table.text_at(row, column));
+    return texts;
+  }
+
+  StudyWindow window_{};
+};
+
+TEST_F(StudyPages, ListTheProtocolsOfTheDemoStudyAsValid) {
+  open_demo();
+  const StudyTable& table = table_of("protocols", "protocols_table", 3);
+  for (int row = 0; row < 3; ++row) EXPECT_EQ(table.text_at(row, 5), "● valid");
+  EXPECT_TRUE(child<QPushButton>(window_, "protocol_start").isEnabled());
+  EXPECT_TRUE(child<QLabel>(window_, "protocol_facts").text().contains("trial"));
+}
+
+TEST_F(StudyPages, ShowTheProblemsOfABrokenProtocolAndRefuseToStartIt) {
+  open_lively();
+  StudyTable& table = table_of("protocols", "protocols_table", 4);
+  table.select(
+      QString::fromStdString((window_.study()->folder() / "protocols" / "broken.json").string()));
+  const auto& problems = child<StudyTable>(window_, "protocol_problems");
+  ASSERT_EQ(problems.shown_rows(), 2);
+  EXPECT_TRUE(problems.isVisible());
+  EXPECT_TRUE(problems.text_at(0, 1).contains("stimuli/mteal.png"));
+  EXPECT_GT(problems.text_at(0, 0).toInt(), 1);
+  EXPECT_FALSE(child<QPushButton>(window_, "protocol_start").isEnabled());
+  EXPECT_EQ(child<QLabel>(window_, "protocol_reason").text(),
+            "It has to be valid first: the problems are below.");
+}
+
+TEST_F(StudyPages, FollowProtocolFilesThatOthersChange) {
+  open_demo();
+  const StudyTable& table = table_of("protocols", "protocols_table", 3);
+  const std::filesystem::path file =
+      window_.study()->folder() / "protocols" / "chapter_matching.json";
+  std::ofstream(file) << "{\n\"format\": 3";
+  EXPECT_TRUE(eventually([&] { return column(table, 5).filter("problem").size() == 1; }));
+  std::filesystem::remove(file);
+  EXPECT_TRUE(eventually([&] { return table.shown_rows() == 2; }));
+}
+
+TEST_F(StudyPages, CountParticipantsDoneOfPlanned) {
+  open_lively();
+  const StudyTable& table = table_of("protocols", "protocols_table", 4);
+  EXPECT_TRUE(column(table, 4).contains("10 of 20")) << column(table, 4).join(", ").toStdString();
+}
+
+TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
+  open_demo();
+  const StudyTable& table = table_of("protocols", "protocols_table", 3);
+  auto& add = child<QPushButton>(window_, "protocols_new");
+  const QList<QAction*> templates = add.menu()->actions();
+  const auto chapter = std::find_if(templates.begin(), templates.end(), [](const QAction* action) {
+    return action->text() == "chapter_selection";
+  });
+  ASSERT_NE(chapter, templates.end());
+  (*chapter)->trigger();
+  ASSERT_TRUE(eventually([&] { return table.shown_rows() == 4; }));
+  EXPECT_TRUE(table.selected_key().endsWith("chapter_selection_2.json"));
+  EXPECT_EQ(column(table, 5).filter("valid").size(), 4);
+  const auto* page = window_.findChild<ProtocolsPage*>();
+  EXPECT_FALSE(page->file_of("chapter_selection_2").empty());
+}
+
+TEST_F(StudyPages, SayWhichProtocolAPersonWantsToRun) {
+  open_demo();
+  table_of("protocols", "protocols_table", 3);
+  QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
+  click("protocol_start");
+  ASSERT_EQ(wanted.count(), 1);
+  const auto wish = wanted[0][0].value<SessionWish>();
+  EXPECT_EQ(wish.protocol.parent_path(), window_.study()->folder() / "protocols");
+  EXPECT_FALSE(wish.participant);
+  EXPECT_FALSE(wish.resume);
+}
+
+TEST_F(StudyPages, PreviewThePlanStepByStep) {
+  open_demo();
+  table_of("protocols", "protocols_table", 3);
+  click("protocol_preview");
+  const auto& plan = child<StudyTable>(window_, "plan_table");
+  ASSERT_TRUE(eventually([&] { return plan.shown_rows() > 10; }));
+  EXPECT_TRUE(column(plan, 2).contains("screen"));
+  const QStringList before = column(plan, 3);
+  click("plan_another");
+  EXPECT_TRUE(eventually([&] { return column(plan, 3) != before; }));
+  take_screenshot(window_, "study-plan");
+}
+
+TEST_F(StudyPages, SimulateAProtocolAndShowItsSessions) {
+  open_demo();
+  StudyTable& table = table_of("protocols", "protocols_table", 3);
+  table.select(QString::fromStdString(
+      (window_.study()->folder() / "protocols" / "chapter_recognition.json").string()));
+  click("protocol_simulate");
+  child<QSpinBox>(window_, "simulation_participants").setValue(1);
+  take_screenshot(window_, "study-simulate");
+  click("simulation_begin");
+  auto& show = child<QPushButton>(window_, "simulation_show");
+  ASSERT_TRUE(eventually([&] { return show.isVisible(); }))
+      << child<QLabel>(window_, "simulation_outcome").text().toStdString();
+  click("simulation_show");
+  const StudyTable& sessions = table_of("sessions", "sessions_table", 1);
+  EXPECT_EQ(sessions.text_at(0, 0), "virtual0001");
+  EXPECT_EQ(sessions.text_at(0, 3), "Simulated");
+  EXPECT_EQ(sessions.text_at(0, 4), "✓ complete");
+}
+
+TEST_F(StudyPages, KeepVirtualParticipantsApart) {
+  open_lively();
+  StudyTable& table = table_of("participants", "participants_table", 12);
+  EXPECT_EQ(child<QPushButton>(window_, "participants_people").text(), "People 12");
+  click("participants_virtual");
+  EXPECT_EQ(table.shown_rows(), 2);
+  EXPECT_EQ(table.text_at(0, 0), "virtual0001");
+  EXPECT_EQ(child<QLabel>(window_, "participants_next_label").text(),
+            "Somebody new would be called P013: suggested when a session starts.");
+}
+
+TEST_F(StudyPages, SortNumbersByTheirValue) {
+  open_lively();
+  StudyTable& table = table_of("sessions", "sessions_table", 15);
+  table.sortByColumn(7, Qt::AscendingOrder);  // as texts, "12 of 12" is before "3 of 12"
+  EXPECT_EQ(table.text_at(0, 7), "3 of 12");
+  EXPECT_EQ(table.text_at(1, 7), "7 of 12");
+  EXPECT_EQ(table.text_at(14, 7), "12 of 12");
+}
+
+TEST_F(StudyPages, FilterSessionsByEveryWord) {
+  open_lively();
+  const StudyTable& table = table_of("sessions", "sessions_table", 15);
+  QTest::keyClicks(&child<QLineEdit>(window_, "sessions_filter"), "p002 pilot");
+  ASSERT_EQ(table.shown_rows(), 1);
+  EXPECT_EQ(table.text_at(0, 3), "Pilot");
+}
+
+TEST_F(StudyPages, GoOnWithAnUnfinishedSessionOnly) {
+  open_lively();
+  table_of("protocols", "protocols_table", 4);  // which file the session's protocol is in
+  StudyTable& table = table_of("sessions", "sessions_table", 15);
+  auto& resume = child<QPushButton>(window_, "sessions_resume");
+  QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
+  table.selectRow(0);
+  EXPECT_FALSE(resume.isEnabled());
+  child<QLineEdit>(window_, "sessions_filter").setText("P004");
+  table.selectRow(0);
+  ASSERT_TRUE(resume.isEnabled());
+  EXPECT_EQ(child<QLabel>(window_, "sessions_reason").text(), "7 of 12 trials are done and safe.");
+  click("sessions_resume");
+  ASSERT_EQ(wanted.count(), 1);
+  const auto wish = wanted[0][0].value<SessionWish>();
+  EXPECT_TRUE(wish.resume);
+  EXPECT_EQ(wish.participant, "P004");
+  EXPECT_EQ(wish.protocol.filename(), "chapter_recognition.json");
+}
+
+TEST_F(StudyPages, OpenTheTrialsOfASessionWithItsNotes) {
+  open_lively();
+  StudyTable& table = table_of("sessions", "sessions_table", 15);
+  child<QLineEdit>(window_, "sessions_filter").setText("P004");
+  table.setFocus();
+  table.selectRow(0);
+  QTest::keyClick(&table, Qt::Key_Return);
+  EXPECT_EQ(window_.shown_page(), "trials");
+  const auto& trials = child<StudyTable>(window_, "trials_table");
+  ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 12; }));
+  EXPECT_EQ(trials.text_at(0, 3), "answered");
+  EXPECT_EQ(trials.text_at(4, 9), "flagged: speed outside its band for 62 % of the contact");
+  EXPECT_EQ(trials.text_at(7, 3), "to come");
+  const auto& events = child<StudyTable>(window_, "trials_events");
+  EXPECT_TRUE(column(events, 1).contains("note"));
+  take_screenshot(window_, "study-trials");
+  click("trials_back");
+  EXPECT_EQ(window_.shown_page(), "sessions");
+}
+
+TEST_F(StudyPages, ShowStimuliWithWhatUsesThem) {
+  open_demo();
+  const StudyTable& table = table_of("stimuli", "stimuli_table", 16);
+  ASSERT_EQ(table.text_at(0, 0), "brick.png");
+  EXPECT_EQ(table.text_at(0, 1), "height field (photograph)");
+  EXPECT_EQ(table.text_at(0, 2), "100 × 100");
+  EXPECT_EQ(table.text_at(0, 3), "64 × 64");
+  EXPECT_TRUE(table.text_at(0, 6).contains("chapter_recognition"));
+  EXPECT_EQ(table.text_at(1, 1), "picture");
+  std::filesystem::remove(window_.study()->folder() / "stimuli" / "brick.png");
+  EXPECT_TRUE(eventually([&] { return table.shown_rows() == 15; }));
+}
+
+TEST_F(StudyPages, CountInTheNavigation) {
+  open_lively();
+  auto& navigation = child<QListWidget>(window_, "navigation");
+  const auto texts = [&] {
+    QStringList all{};
+    for (int row = 0; row < navigation.count(); ++row) {
+      all.append(navigation.item(row)->data(Qt::AccessibleTextRole).toString());
+    }
+    return all;
+  };
+  EXPECT_TRUE(eventually([&] {
+    return texts().contains("Participants 12") && texts().contains("Sessions 15") &&
+           texts().contains("Stimuli 16") && texts().contains("Devices 1 ready");
+  })) << texts().join(", ").toStdString();
+}
+
+TEST_F(StudyPages, SayWhatToDoWhereThereIsNothing) {
+  Study::create(home() / "empty", "empty");
+  ASSERT_TRUE(window_.open_study(home() / "empty"));
+  for (const char* key : {"protocols", "participants", "sessions", "stimuli"}) {
+    window_.show_page(key);
+    QWidget* page = window_.page(key);
+    EXPECT_TRUE(eventually([&] {
+      const auto* empty = page->findChild<EmptyState*>();
+      return empty != nullptr && empty->isVisible();
+    })) << key;
+  }
+}
+
+TEST_F(StudyPages, StayWithTheStudyWhenTheThemeChanges) {
+  open_lively();
+  table_of("sessions", "sessions_table", 15);
+  for (QAction* action : window_.findChildren<QAction*>()) {
+    if (action->text() == "&Dark") action->trigger();
+  }
+  ASSERT_TRUE(eventually([] { return theme().dark; }));
+  ASSERT_TRUE(eventually([&] {
+    auto* table = window_.findChild<StudyTable*>("sessions_table");
+    return table != nullptr && table->shown_rows() == 15;
+  }));
+  EXPECT_EQ(window_.shown_page(), "sessions");
+  take_screenshot(window_, "study-sessions-dark");
+  apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ThemeChoice::light);
+}
+
+TEST_F(StudyPages, Pictures) {
+  open_lively();
+  StudyTable& protocols = table_of("protocols", "protocols_table", 4);
+  take_screenshot(window_, "study-protocols");
+  protocols.select(
+      QString::fromStdString((window_.study()->folder() / "protocols" / "broken.json").string()));
+  take_screenshot(window_, "study-protocol-problems");
+  table_of("participants", "participants_table", 12);
+  take_screenshot(window_, "study-participants");
+  table_of("sessions", "sessions_table", 15).selectRow(0);
+  take_screenshot(window_, "study-sessions");
+  table_of("stimuli", "stimuli_table", 16);
+  take_screenshot(window_, "study-stimuli");
+  window_.show_page("devices");
+  take_screenshot(window_, "study-devices");
+  Study::create(home() / "empty", "empty");
+  window_.open_study(home() / "empty");
+  QTest::qWait(100);
+  take_screenshot(window_, "study-empty");
+}
+
+}  // namespace
+}  // namespace asperity
