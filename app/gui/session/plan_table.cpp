@@ -65,6 +65,12 @@ void PlanModel::set_facts(std::shared_ptr<const SessionFacts> facts) {
       row.trial = &trial;
       row.code = QString::fromStdString(codes.of(trial));
       row.name = QString::fromStdString(unblinded_text(trial));
+      for (const PlannedPresentation& surface : trial.presentations) {
+        row.surface_codes += QString::fromStdString(codes.of(surface));
+        Trial alone{};
+        alone.presentations.push_back(surface);
+        row.surface_names += QString::fromStdString(unblinded_text(alone));
+      }
       row_of_trial_.resize(
           std::max(row_of_trial_.size(), static_cast<std::size_t>(trial.ordinal) + 1), -1);
       row_of_trial_[static_cast<std::size_t>(trial.ordinal)] = static_cast<int>(rows_.size());
@@ -101,6 +107,13 @@ void PlanModel::set_now(int trial, const QString& phase) {
     if (row >= 0) emit dataChanged(index(row, 0), index(row, kOutcomeColumn));
     if (before == after) break;
   }
+}
+
+QString PlanModel::condition(int trial, int surface) const {
+  const int number = row_of(trial);
+  if (number < 0) return {};
+  const Row& row = rows_[static_cast<std::size_t>(number)];
+  return (blind_ ? row.surface_codes : row.surface_names).value(surface - 1);
 }
 
 int PlanModel::row_of(int trial) const {
@@ -286,8 +299,9 @@ void PlanTable::fit_columns() {
         widest, letters.horizontalAdvance(model_->index(row, kConditionColumn).data().toString()));
   }
   constexpr int kPadding = 16;
-  constexpr int kWidest = 208;  // the outcome needs its place; longer names are in the tool tip
-  view_->setColumnWidth(kConditionColumn, std::clamp(widest + kPadding, 72, kWidest));
+  constexpr int kOutcome = 176;  // longer names are in the tool tip
+  const int room = view_->viewport()->width() - view_->columnWidth(kTrialColumn) - kOutcome;
+  view_->setColumnWidth(kConditionColumn, std::clamp(widest + kPadding, 72, std::max(room, 72)));
 }
 
 void PlanTable::set_now(int trial, const QString& phase) {
@@ -310,11 +324,12 @@ void PlanTable::let_go() {
 }
 
 bool PlanTable::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == view_ && event->type() == QEvent::Resize && following_) {
+  if (watched == view_ && event->type() == QEvent::Resize) {
     // After the view has laid itself out anew.
     QMetaObject::invokeMethod(
         this,
         [this] {
+          fit_columns();
           if (following_) follow();
         },
         Qt::QueuedConnection);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <QtCore/QAbstractTableModel>
+#include <QtCore/QStringList>
 #include <QtWidgets/QWidget>
 
 #include "app/conductor/session_monitor.h"
@@ -30,6 +31,8 @@ class PlanModel final : public QAbstractTableModel {
   /// `trial` is under way (0: none), and this is what happens in it.
   void set_now(int trial, const QString& phase);
 
+  /// Of one surface of a trial (position from 1): its code or its name; empty where there is none.
+  QString condition(int trial, int surface) const;
   int row_of(int trial) const;
   bool is_heading(int row) const;
   /// Who saw the name of a stimulus is told about right and wrong as well. While blind that is
@@ -47,6 +50,8 @@ class PlanModel final : public QAbstractTableModel {
     QString block{};
     QString code{};
     QString name{};
+    QStringList surface_codes{};
+    QStringList surface_names{};
     QString outcome{};
     QString reason{};  ///< why the last attempt does not count or is flagged
     State state = State::unknown;

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include <QtGui/QKeyEvent>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
@@ -34,7 +33,6 @@ ReasonForm::ReasonForm(QWidget* parent) : QFrame(parent) {
   field_ = new QLineEdit(this);
   field_->setObjectName("reason");
   field_->setPlaceholderText(tr("Choose a reason above or type one"));
-  field_->installEventFilter(this);
   act_ = make_button({}, ButtonRole::plain, this);
   act_->setObjectName("reason_given");
   auto* cancel_button = make_button(tr("Cancel"), ButtonRole::link, this);
@@ -81,15 +79,6 @@ void ReasonForm::ask(const QString& question, const QStringList& ready_made, con
 void ReasonForm::lock(const QString& why) {
   why_locked_->setText(why);
   field_->setEnabled(why.isEmpty());
-}
-
-bool ReasonForm::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != field_ || event->type() != QEvent::KeyPress ||
-      static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape) {
-    return QFrame::eventFilter(watched, event);
-  }
-  cancel();
-  return true;
 }
 
 void ReasonForm::finish() {

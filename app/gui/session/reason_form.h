@@ -26,16 +26,13 @@ class ReasonForm final : public QFrame {
            std::function<void(QString)> on_reason);
   /// Why nothing can be typed now; empty: it can.
   void lock(const QString& why);
+  void cancel();
 
  signals:
   void cancelled();
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   void finish();
-  void cancel();
 
   QLabel* question_ = nullptr;
   QHBoxLayout* ready_made_ = nullptr;

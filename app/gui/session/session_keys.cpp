@@ -33,7 +33,7 @@ std::optional<SessionVerb> verb_of(const QKeyEvent& key) {
       case Qt::Key_F5:
         return SessionVerb::start_or_resume;
       case Qt::Key_Escape:
-        return unless_dialog(SessionVerb::pause);
+        return unless_dialog(SessionVerb::leave_or_pause);
       case Qt::Key_F6:
         return SessionVerb::pause;
       case Qt::Key_F7:

@@ -11,7 +11,8 @@ namespace asperity {
 /// What the experimenter can ask for by a key.
 enum class SessionVerb {
   start_or_resume,   ///< F5
-  pause,             ///< F6, Esc
+  pause,             ///< F6
+  leave_or_pause,    ///< Esc: takes the question away that stands in the window, or else pauses
   stop_after_trial,  ///< F7
   stop_after_block,  ///< F8
   repeat_last,       ///< Ctrl+R

@@ -48,7 +48,7 @@ QString NameVeil::veiled(const QString& text) const {
 }
 
 QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
-                            double in_phase_s) {
+                            const QString& condition, double in_phase_s) {
   const QString seconds = QString::number(std::max(0.0, in_phase_s), 'f', 1);
   switch (snapshot.phase) {
     case SessionPhase::idle:
@@ -64,13 +64,13 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
       const QString contact = QString::number(snapshot.contact_s, 'f', 1);
       const std::size_t surfaces = trial == nullptr ? 0 : trial->presentations.size();
       if (snapshot.surface > 0 && surfaces > 1) {
-        return tr("Trial %1: feeling surface %2 of %3, %4 s")
+        return tr("Trial %1: feeling surface %2 of %3 (%4), %5 s")
             .arg(snapshot.trial)
             .arg(snapshot.surface)
             .arg(surfaces)
-            .arg(contact);
+            .arg(condition, contact);
       }
-      return tr("Trial %1: feeling the surface, %2 s").arg(snapshot.trial).arg(contact);
+      return tr("Trial %1: feeling %2, %3 s").arg(snapshot.trial).arg(condition, contact);
     }
     case SessionPhase::response:
       return tr("Trial %1: answering, %2 s").arg(snapshot.trial).arg(seconds);

@@ -27,8 +27,10 @@ class NameVeil final {
 class SessionText final {
   Q_DECLARE_TR_FUNCTIONS(SessionText)
  public:
-  /// "Trial 17: feeling surface 1 of 2, 6.2 s". `in_phase_s`: since the phase began.
-  static QString of_now(const SessionSnapshot& snapshot, const Trial* trial, double in_phase_s);
+  /// "Trial 17: feeling surface 1 of 2 (S3), 6.2 s". `in_phase_s`: since the phase began;
+  /// `condition`: of the surface, as it may be known.
+  static QString of_now(const SessionSnapshot& snapshot, const Trial* trial,
+                        const QString& condition, double in_phase_s);
   /// The same beside the trial's number: "feeling 6.2 s".
   static QString of_phase(const SessionSnapshot& snapshot, double in_phase_s);
   /// "answered 4", "not explored as asked"; `tells_right`: and whether it was right.

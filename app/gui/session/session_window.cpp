@@ -237,8 +237,8 @@ QWidget* SessionWindow::make_middle() {
   notes_ = new NotesPanel(right);
   rows->addWidget(notes_, 4);
   columns->addWidget(plan_, 40);
-  columns->addWidget(plots_, 50);
-  columns->addWidget(right, 40);
+  columns->addWidget(plots_, 52);
+  columns->addWidget(right, 38);
   for (QWidget* column : {static_cast<QWidget*>(plan_), static_cast<QWidget*>(plots_), right}) {
     // The widths are shared out as said, whatever stands in the columns.
     column->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
@@ -280,6 +280,9 @@ void SessionWindow::do_emergency_stop() {
   if (ended_) return;
   stopped_at_ = QTime::currentTime().toString("HH:mm:ss");
   clearing_ = false;
+  // What was being asked is of no matter now, and would stand in the way of what is.
+  if (dialog_ != nullptr) dialog_->reject();
+  reason_->cancel();
   write_trouble();
 }
 
@@ -296,6 +299,13 @@ void SessionWindow::do_verb(SessionVerb verb) {
   switch (verb) {
     case SessionVerb::start_or_resume:
       requests_.resume();
+      break;
+    case SessionVerb::leave_or_pause:
+      if (reason_->isVisible()) {
+        reason_->cancel();
+        break;
+      }
+      requests_.pause();
       break;
     case SessionVerb::pause:
       requests_.pause();
@@ -546,7 +556,9 @@ void SessionWindow::write_moving_texts() {
   const double in_phase_s = seconds_between(shown_.phase_began_ns, now_ns());
   set_if_new(*now_, facts_ == nullptr && shown_.phase == SessionPhase::idle
                         ? tr("Preparing the session")
-                        : SessionText::of_now(shown_, trial_now(), in_phase_s));
+                        : SessionText::of_now(
+                              shown_, trial_now(),
+                              plan_->model().condition(shown_.trial, shown_.surface), in_phase_s));
   plan_->set_now(shown_.phase == SessionPhase::ended ? 0 : shown_.trial,
                  SessionText::of_phase(shown_, in_phase_s));
   const double elapsed_s = facts_ == nullptr ? 0.0 : seconds_between(shown_.began_ns, now_ns());
@@ -738,6 +750,7 @@ void SessionWindow::end() {
   summary_->show_end(shown_, facts_ == nullptr ? SessionRow{} : facts_->row, complete, why);
   pages_->setCurrentWidget(summary_);
   controls_->hide();
+  left_->hide();
   if (close_when_ended_) close();
 }
 

@@ -106,7 +106,7 @@ TEST(SessionWindow, SaysWhichSessionItIsAndHowFarItIs) {
   EXPECT_EQ(find<QLabel>(*window, "trial").text(), "trial 17 of 60");
   EXPECT_EQ(find<QLabel>(*window, "elapsed").text(), "18:42 elapsed");
   EXPECT_EQ(find<QLabel>(*window, "left").text(), "about 23 min left");
-  EXPECT_EQ(find<QLabel>(*window, "now").text(), "Trial 17: feeling the surface, 6.2 s");
+  EXPECT_EQ(find<QLabel>(*window, "now").text(), "Trial 17: feeling S2, 6.2 s");
   EXPECT_TRUE(find<QLabel>(*window, "health").text().contains("1000 Hz · p99 31 µs late"));
   EXPECT_TRUE(find<QLabel>(*window, "stored").text().contains("attempts stored: 18"));
 }
