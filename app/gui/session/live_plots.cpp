@@ -462,6 +462,7 @@ void LivePlots::restyle() {
   for (QCustomPlot* plot : {d.force.plot, d.speed.plot, d.path}) {
     plot->replot(QCustomPlot::rpQueuedReplot);
   }
+  write_compliance();  // its shapes have colours
 }
 
 void LivePlots::changeEvent(QEvent* event) {

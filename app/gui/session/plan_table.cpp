@@ -23,6 +23,35 @@ constexpr int kConditionColumn = 1;
 constexpr int kOutcomeColumn = 2;
 constexpr int kRowHeight = 28;  // two more rows in sight than with the height of controls
 
+/// What the surfaces of a trial share is said once: "brick: height_map, sinusoid".
+QString name_of(const Trial& trial) {
+  const auto& surfaces = trial.presentations;
+  if (surfaces.size() > 1) {
+    const StimulusDescription& first = surfaces.front().stimulus;
+    const auto all = [&surfaces](auto shares) {
+      return std::all_of(surfaces.begin(), surfaces.end(), shares);
+    };
+    const auto listed = [&surfaces](const std::string& shared, auto differs) {
+      QStringList names{};
+      for (const PlannedPresentation& each : surfaces) {
+        names += QString::fromStdString(differs(each.stimulus));
+      }
+      return QString("%1: %2").arg(QString::fromStdString(shared), names.join(", "));
+    };
+    if (!first.texture.empty() && all([&first](const PlannedPresentation& each) {
+          return each.stimulus.texture == first.texture;
+        })) {
+      return listed(first.texture, [](const StimulusDescription& each) { return each.model; });
+    }
+    if (all([&first](const PlannedPresentation& each) {
+          return each.stimulus.model == first.model && !each.stimulus.texture.empty();
+        })) {
+      return listed(first.model, [](const StimulusDescription& each) { return each.texture; });
+    }
+  }
+  return QString::fromStdString(unblinded_text(trial));
+}
+
 /// Numbers to the right, but not up against the next column.
 class NumberDelegate final : public QStyledItemDelegate {
  public:
@@ -64,7 +93,7 @@ void PlanModel::set_facts(std::shared_ptr<const SessionFacts> facts) {
       Row row{};
       row.trial = &trial;
       row.code = QString::fromStdString(codes.of(trial));
-      row.name = QString::fromStdString(unblinded_text(trial));
+      row.name = name_of(trial);
       for (const PlannedPresentation& surface : trial.presentations) {
         row.surface_codes += QString::fromStdString(codes.of(surface));
         Trial alone{};

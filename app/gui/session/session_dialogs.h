@@ -10,7 +10,9 @@ namespace asperity {
 
 class ReasonForm;
 
-/// Names what an abort loses, and asks why. Opened by `open()`, gone when it is answered.
+/// Names what an abort loses, and asks why. Gone when it is answered.
+///
+/// Shown, not opened: a modal dialog would block its window, and with it the emergency stop.
 class AbortDialog final : public QDialog {
   Q_OBJECT
  public:

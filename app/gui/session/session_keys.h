@@ -24,8 +24,8 @@ enum class SessionVerb {
 /// open, and the emergency stop must not.
 ///
 /// The emergency stop is F12 (written on the button: it is there on every laptop and needs no second
-/// key); Pause/Break and Ctrl+Space do the same. While a dialog is open, Esc closes it and the verbs
-/// that open something are left alone; all others work on.
+/// key); Pause/Break and Ctrl+Space do the same. While a modal dialog of another window is open, Esc
+/// belongs to it and the verbs that open something are left alone; all others work on.
 class SessionKeys final : public QObject {
   Q_OBJECT
  public:

@@ -301,6 +301,10 @@ void SessionWindow::do_verb(SessionVerb verb) {
       requests_.resume();
       break;
     case SessionVerb::leave_or_pause:
+      if (dialog_ != nullptr && dialog_->isVisible()) {
+        dialog_->reject();
+        break;
+      }
       if (reason_->isVisible()) {
         reason_->cancel();
         break;
@@ -351,16 +355,17 @@ void SessionWindow::ask_skip() {
 }
 
 void SessionWindow::ask_abort() {
-  if (!is_running() || dialog_ != nullptr) return;
+  if (!is_running()) return;
+  if (dialog_ != nullptr && dialog_->isVisible()) return dialog_->raise();
   auto* dialog = new AbortDialog(
       this, [this](const QString& reason) { requests_.abort(reason.toStdString()); });
   dialog->lock(field_lock());
   dialog_ = dialog;
-  dialog_->open();
+  dialog_->show();
 }
 
 void SessionWindow::ask_close() {
-  if (dialog_ != nullptr) return dialog_->raise();
+  if (dialog_ != nullptr && dialog_->isVisible()) return dialog_->raise();
   dialog_ = new CloseDialog(this, [this](Leaving how) {
     close_when_ended_ = true;
     if (how == Leaving::abort_now) {
@@ -371,7 +376,7 @@ void SessionWindow::ask_close() {
       requests_.resume();
     }
   });
-  dialog_->open();
+  dialog_->show();
 }
 
 void SessionWindow::ask_unblind() {

@@ -46,6 +46,8 @@ class StateLabel;
 /// that is stored, and stays marked. Whether an answer was right is hidden as well, but in blocks
 /// whose participant is told too. In pilots and simulations a switch shows the names.
 ///
+/// Nothing that it opens is modal: the emergency stop can be clicked and heard at any moment.
+///
 /// Whoever owns the window asks `may_close` before a program ends with it, and destroys it after
 /// `closed`. Threads: the GUI's. A frame copies the snapshot and draws what changed.
 class SessionWindow final : public QWidget {

@@ -69,6 +69,21 @@ TEST(SessionPictures, AReasonIsAskedWhileTheParticipantAnswers) {
   take_both(*window, "session-skip");
 }
 
+TEST(SessionPictures, DialogsAreOpen) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  const auto window = session.window();
+  window->findChild<QPushButton*>("abort")->click();
+  auto* abort = window->findChild<QWidget*>("abort_dialog");
+  take_screenshot(*abort, "session-abort", abort->sizeHint());
+  abort->close();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  EXPECT_FALSE(window->may_close());
+  auto* close = window->findChild<QWidget*>("close_dialog");
+  take_screenshot(*close, "session-close", close->sizeHint());
+}
+
 TEST(SessionPictures, TheSessionHasEnded) {
   FilledMonitor session{};
   session.answer_up_to(static_cast<int>(session.plan->trials.size()));
