@@ -11,7 +11,6 @@
 #include <QtGui/QCloseEvent>
 #include <QtGui/QGuiApplication>
 #include <QtGui/QScreen>
-#include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QProgressBar>
@@ -114,8 +113,6 @@ SessionWindow::SessionWindow(SessionMonitor& monitor, SessionRequests& requests,
   connect(summary_, &EndSummary::results_wanted, this, &SessionWindow::results_wanted);
   connect(summary_, &EndSummary::close_wanted, this, &QWidget::close);
   connect(qGuiApp, &QGuiApplication::screenRemoved, this, &SessionWindow::screen_left);
-  connect(qApp, &QApplication::focusChanged, this, &SessionWindow::focus_moved);
-  connect(qGuiApp, &QGuiApplication::applicationStateChanged, this, &SessionWindow::focus_moved);
 
   // Not to the first button: the participant's Space would press it.
   setFocus();
@@ -129,10 +126,7 @@ SessionWindow::SessionWindow(SessionMonitor& monitor, SessionRequests& requests,
   frames->start(kFrame_ms);
 }
 
-SessionWindow::~SessionWindow() {
-  // The focus moves once more while the children go, and this is no session window any longer.
-  QObject::disconnect(qApp, nullptr, this, nullptr);
-}
+SessionWindow::~SessionWindow() = default;
 
 // --- what it is made of --------------------------------------------------------------------------
 
@@ -819,20 +813,6 @@ void SessionWindow::screen_left(QScreen* screen) {
       resize(size().boundedTo(room.size()));
       move(room.topLeft());
     }
-  });
-}
-
-/// Where the keys go belongs to the record of a session.
-void SessionWindow::focus_moved() {
-  QTimer::singleShot(0, this, [this] {
-    if (!is_running()) return;
-    const QWidget* active = QApplication::activeWindow();
-    const QString focus = active == nullptr                ? QString("another program")
-                          : active->objectName().isEmpty() ? QString("another window")
-                                                           : active->objectName();
-    if (focus == last_focus_) return;
-    last_focus_ = focus;
-    requests_.remark("focus_changed", focus.toStdString());
   });
 }
 

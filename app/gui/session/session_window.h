@@ -112,7 +112,6 @@ class SessionWindow final : public QWidget {
   void write_trouble();
   void end();
   void screen_left(QScreen* screen);
-  void focus_moved();
   bool is_running() const;
   const Trial* trial_now() const;
   std::int64_t now_ns() const;
@@ -140,7 +139,6 @@ class SessionWindow final : public QWidget {
   QElapsedTimer since_health_{};
   std::optional<SessionTrouble> trouble_shown_{};
   int explored_trial_ = -1;
-  QString last_focus_{};
 
   ModeBand* band_ = nullptr;
   QLabel* title_ = nullptr;

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <QtTest/QTest>
+
 #include "protocols/library_protocols.h"
 #include "protocols/protocol_reader.h"
 #include "renderers/force_model.h"
@@ -142,6 +144,8 @@ std::unique_ptr<SessionWindow> FilledMonitor::window() {
                                                 std::filesystem::path("/data/rough-surfaces"));
   window->resize(1366, 768);
   window->show();
+  window->activateWindow();
+  if (!QTest::qWaitForWindowActive(window.get())) throw std::runtime_error("no active window");
   window->refresh();
   return window;
 }

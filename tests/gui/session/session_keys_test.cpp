@@ -24,8 +24,6 @@ class SessionKeysTest : public testing::Test {
     session_.answer_up_to(16);
     session_.set_phase(SessionPhase::contact);
     window_ = session_.window();
-    window_->activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(window_.get()));
   }
 
   template <class Widget>

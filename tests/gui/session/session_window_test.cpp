@@ -89,9 +89,7 @@ void give_reason(const QWidget& window, const QString& reason) {
 
 std::vector<std::string> kinds(const std::vector<SessionRequests::Remark>& remarks) {
   std::vector<std::string> names{};
-  for (const auto& remark : remarks) {
-    if (remark.kind != "focus_changed") names.push_back(remark.kind);
-  }
+  for (const auto& remark : remarks) names.push_back(remark.kind);
   return names;
 }
 
@@ -262,6 +260,7 @@ TEST(SessionWindow, GreysTheNoteWhileKeysAnswerTheTrialAndSaysSo) {
   const auto window = session.window();
   auto& note = find<QLineEdit>(*window, "note");
   note.setFocus();
+  ASSERT_TRUE(note.hasFocus());
   note.setText("half");
   session.open_response(true);
   window->refresh();
