@@ -10,6 +10,8 @@
 #include <QtGui/QFontDatabase>
 #include <QtGui/QFontMetricsF>
 
+#include "app/gui/participant/participant_words.h"
+
 namespace asperity {
 
 namespace {
@@ -21,12 +23,13 @@ using Scene = ParticipantScene;
 // Sizes at 1366 × 768, in pixels; everything grows with a larger window.
 constexpr double kEdge = 32.0;
 constexpr double kGap = 16.0;
-constexpr double kLine = 48.0;      // progress, cue
-constexpr double kControl = 72.0;   // height
-constexpr double kBadge = 48.0;     // the key under a picture
-constexpr double kChip = 80.0;      // height
-constexpr double kOption = 72.0;    // height of an answer in words
-constexpr double kLetter = 128.0;   // side of an answer that is a letter
+constexpr double kLine = 48.0;     // progress, cue
+constexpr double kControl = 72.0;  // height
+constexpr double kBadge = 48.0;    // the key under a picture
+constexpr double kChip = 80.0;     // height
+constexpr double kOption = 72.0;   // height of an answer in words
+constexpr double kLetter = 128.0;  // side of an answer that is a letter
+constexpr double kSmallLetter = 88.0;
 constexpr double kColumn = 1040.0;  // longer lines are hard to read
 constexpr int kText_px = 32;        // 24 pt at 96 dots per inch: nothing is smaller
 constexpr int kPrompt_px = 38;
@@ -80,6 +83,8 @@ class Page final {
  private:
   double px(double at_reference) const { return std::round(at_reference * scale_); }
   int letters(int at_reference_px) const { return static_cast<int>(px(at_reference_px)); }
+  QString scene_text() const { return words_of(scene_.text_saying, scene_.text); }
+  double letter_side() const { return px(is_wide() ? kLetter : kSmallLetter); }
   bool is_wide() const { return inputs_.size.width() > 1.1 * inputs_.size.height(); }
 
   double height_of(const QString& text, int size_px, bool bold, double width) const {
@@ -88,6 +93,20 @@ class Page final {
         metrics
             .boundingRect(QRectF(0.0, 0.0, width, 1e6), Qt::AlignHCenter | Qt::TextWordWrap, text)
             .height());
+  }
+  /// The place of words at the top of `room`, centred: as narrow as the same number of lines
+  /// allows, so that no line is left with one word.
+  QRectF place_of(const QString& text, int size_px, bool bold, const QRectF& room) const {
+    const double height = height_of(text, size_px, bold, room.width());
+    double fits = room.width();
+    double too_narrow = 0.0;
+    while (fits - too_narrow > 8.0) {
+      const double width = std::floor((fits + too_narrow) / 2.0);
+      (height_of(text, size_px, bold, width) > height ? too_narrow : fits) = width;
+    }
+    // A line more than was asked for would be an accident of rounding.
+    fits = std::min(room.width(), fits + 8.0);
+    return QRectF(room.center().x() - fits / 2.0, room.top(), fits, height);
   }
   double width_of(const QString& text, int size_px, bool bold) const {
     return std::ceil(QFontMetricsF(participant_font(size_px, bold)).horizontalAdvance(text));
@@ -119,6 +138,7 @@ class Page final {
   }
   void add_control(Item item);
   void add_control(const QString& text, const QString& key, Action action, bool ready);
+  QString again_text() const;
   void answers_in_words_as_controls();
   Item answer_in_words(std::size_t index) const;
   QRectF column() const {
@@ -160,8 +180,8 @@ void Page::progress() {
 
 void Page::add_control(Item item) {
   const double key_room = item.key.isEmpty() ? 0.0 : width_of(item.key, item.size_px, false);
-  const double width =
-      width_of(item.text, item.size_px, item.bold) + std::max(key_room, px(28.0)) + px(72.0);
+  const double width = width_of(item.text, item.size_px, item.bold) + std::max(key_room, px(28.0)) +
+                       px(is_wide() ? 64.0 : 44.0);
   // Outermost first, at the side of the free hand; what finds no room goes into a row above.
   if (control_x_ > 0.0 && control_x_ + width > body_.width()) {
     control_x_ = 0.0;
@@ -184,6 +204,14 @@ void Page::add_control(const QString& text, const QString& key, Action action, b
                .action = std::move(action)});
 }
 
+QString Page::again_text() const {
+  const std::optional<int> picked = inputs_.draft.surface;
+  if (!picked || static_cast<std::size_t>(*picked) > scene_.surfaces.size()) {
+    return tr("Feel again");
+  }
+  return tr("Feel %1 again").arg(from(scene_.surfaces[static_cast<std::size_t>(*picked - 1)].code));
+}
+
 void Page::controls() {
   const Action confirm{.what = Action::What::confirm};
   const Action next{.what = Action::What::next};
@@ -204,19 +232,11 @@ void Page::controls() {
     case Scene::Kind::feel:
       add_control(tr("Enough of this surface"), space_key, next, false);
       break;
-    case Scene::Kind::question: {
+    case Scene::Kind::question:
       add_control(tr("Confirm"), return_key, confirm, scene_.can_confirm);
+      if (scene_.can_switch) add_control(again_text(), space_key, next, false);
       if (is_picture_question(scene_)) answers_in_words_as_controls();
-      if (!scene_.can_switch) break;
-      const std::optional<int> picked = inputs_.draft.surface;
-      const QString again =
-          picked && static_cast<std::size_t>(*picked) <= scene_.surfaces.size()
-              ? tr("Feel %1 again")
-                    .arg(from(scene_.surfaces[static_cast<std::size_t>(*picked - 1)].code))
-              : tr("Feel again");
-      add_control(again, space_key, next, false);
       break;
-    }
     case Scene::Kind::form: {
       if (!scene_.question) break;
       const bool empty =
@@ -237,7 +257,7 @@ void Page::controls() {
       break;
   }
   // The same room with and without controls, so that nothing jumps from scene to scene.
-  body_.setBottom(controls_top_ - px(kGap) / 2.0);
+  body_.setBottom(controls_top_ - px(kGap));
 }
 
 void Page::cue() {
@@ -245,7 +265,7 @@ void Page::cue() {
   line.setTop(line.bottom() - px(kLine));
   body_.setBottom(line.top() - px(kGap) / 2.0);
   if (!inputs_.cue_shown || scene_.cue.empty()) return;
-  const QString text = from(scene_.cue);
+  const QString text = words_of(scene_.cue_saying, scene_.cue);
   const double width =
       std::min(line.width(), width_of(text, letters(kText_px), false) + px(2 * kEdge));
   line.setLeft(line.center().x() - width / 2.0);
@@ -255,8 +275,7 @@ void Page::cue() {
 
 void Page::prompt(const QString& text, int size_px) {
   if (text.isEmpty()) return;
-  QRectF rect = column();
-  rect.setHeight(height_of(text, size_px, true, rect.width()));
+  const QRectF rect = place_of(text, size_px, true, column());
   add({.rect = rect, .text = text, .size_px = size_px, .bold = true});
   body_.setTop(rect.bottom() + px(kGap));
 }
@@ -264,7 +283,10 @@ void Page::prompt(const QString& text, int size_px) {
 void Page::words(const QString& text, const QString& below) {
   const QRectF room = column();
   const double gap = below.isEmpty() ? 0.0 : px(2 * kGap);
-  int size_px = letters(kPrompt_px);
+  // A short sentence is read from afar.
+  const bool short_text =
+      height_of(text, letters(kLarge_px), false, room.width()) < 3.0 * letters(kLarge_px);
+  int size_px = letters(short_text ? kLarge_px : kPrompt_px);
   const auto heights = [&] {
     return std::pair(height_of(text, size_px, false, room.width()),
                      below.isEmpty() ? 0.0 : height_of(below, size_px, true, room.width()));
@@ -274,10 +296,12 @@ void Page::words(const QString& text, const QString& below) {
     size_px -= 2;
     std::tie(first, second) = heights();
   }
-  const double top = room.center().y() - (first + gap + second) / 2.0;
-  add({.rect = QRectF(room.left(), top, room.width(), first), .text = text, .size_px = size_px});
+  QRectF left = room;
+  left.setTop(room.center().y() - (first + gap + second) / 2.0);
+  add({.rect = place_of(text, size_px, false, left), .text = text, .size_px = size_px});
   if (below.isEmpty()) return;
-  add({.rect = QRectF(room.left(), top + first + gap, room.width(), second),
+  left.setTop(left.top() + first + gap);
+  add({.rect = place_of(below, size_px, true, left),
        .text = below,
        .size_px = size_px,
        .bold = true});
@@ -333,16 +357,27 @@ void Page::chips_beside() {
 Item Page::answer_in_words(std::size_t index) const {
   const Scene::Choice& choice = scene_.choices[index];
   return {.kind = Item::Kind::option,
-          .text = from(choice.text),
+          .text = words_of(choice.saying, choice.text),
           .key = from(choice.key),
           .size_px = letters(kText_px),
           .chosen = choice.chosen,
           .action = Action{.what = Action::What::choose, .number = static_cast<int>(index) + 1}};
 }
 
+// At the inner end of the row of controls where there is room, so that it is not taken for one.
 void Page::answers_in_words_as_controls() {
   for (std::size_t i = 0; i < scene_.choices.size(); ++i) {
-    if (!scene_.choices[i].picture) add_control(answer_in_words(i));
+    if (scene_.choices[i].picture) continue;
+    const double row_top = controls_top_;
+    add_control(answer_in_words(i));
+    QRectF& rect = items_.back().rect;
+    if (controls_top_ != row_top) continue;
+    control_x_ -= rect.width() + px(kGap);
+    if (inputs_.mirrored) {
+      rect.moveRight(body_.right());
+    } else {
+      rect.moveLeft(body_.left());
+    }
   }
 }
 
@@ -406,7 +441,7 @@ void Page::letter_options(QRectF room) {
   // One row where the letters stay large in it.
   const double in_one_row = (room.width() - (count - 1) * gap) / count;
   if (in_one_row >= px(88.0)) grid = {count, 1, std::min(in_one_row, room.height())};
-  grid.side = std::min(grid.side, px(kLetter));
+  grid.side = std::min(grid.side, letter_side());
   double y = room.center().y() - (grid.rows * grid.side + (grid.rows - 1) * gap) / 2.0;
   for (int row = 0; row < grid.rows; ++row) {
     const int first = row * grid.columns;
@@ -437,7 +472,7 @@ void Page::standard_beside() {
     standard.rect =
         QRectF(strip.center().x() - side / 2.0, strip.center().y() - side / 2.0, side, side);
   } else {
-    const double group = px(kLetter) + px(kGap) + px(kOption) + px(kGap);
+    const double group = letter_side() + px(kGap) + px(kOption) + px(kGap);
     const double side = std::floor(std::min(body_.height() - group, body_.width()));
     standard.rect = QRectF(body_.center().x() - side / 2.0, body_.top(), side, side);
     body_.setTop(standard.rect.bottom() + px(kGap));
@@ -449,7 +484,7 @@ void Page::standard_beside() {
 void Page::feel() {
   const bool shows_more =
       !scene_.choices.empty() || scene_.standard_picture || scene_.show_workspace;
-  const QString text = from(scene_.text);
+  const QString text = scene_text();
   const bool has_chips = scene_.surfaces.size() > 1;
   const double chips = has_chips ? px(kChip) : 0.0;
   if (!shows_more) {
@@ -477,7 +512,7 @@ void Page::feel() {
 }
 
 void Page::question() {
-  prompt(from(scene_.text), letters(kPrompt_px));
+  prompt(scene_text(), letters(kPrompt_px));
   if (scene_.is_assignment) chips_beside();
   if (is_picture_question(scene_)) {
     pictures(body_);
@@ -492,14 +527,14 @@ void Page::question() {
       std::any_of(scene_.choices.begin(), scene_.choices.end(),
                   [](const Scene::Choice& choice) { return choice.text.empty(); });
   if (!has_letters) return;
-  const double group = px(kLetter) + px(kGap) + in_words;
+  const double group = letter_side() + px(kGap) + in_words;
   const double lift = std::max(0.0, (whole.height() - group) / 2.0);
   for (Item& item : items_) {
     if (item.kind == Item::Kind::option) item.rect.translate(0.0, -lift);
   }
   body_.translate(0.0, -lift);
-  letter_options(
-      QRectF(whole.left(), body_.bottom() - px(kLetter) - px(kGap), whole.width(), px(kLetter)));
+  letter_options(QRectF(whole.left(), body_.bottom() - letter_side() - px(kGap), whole.width(),
+                        letter_side()));
 }
 
 void Page::form_choice(const Question& question) {
@@ -608,7 +643,7 @@ void Page::form_number(const Question& question) {
 }
 
 void Page::form() {
-  prompt(from(scene_.text), letters(kPrompt_px));
+  prompt(scene_text(), letters(kPrompt_px));
   if (!scene_.question) return;
   switch (scene_.question->form) {
     case Question::Form::choice:
@@ -642,10 +677,10 @@ std::vector<Item> Page::lay_out() {
     case Scene::Kind::mask_on:
     case Scene::Kind::mask_off:
     case Scene::Kind::feedback:
-      words(from(scene_.text));
+      words(scene_text());
       break;
     case Scene::Kind::rest:
-      words(from(scene_.text),
+      words(scene_text(),
             inputs_.rest_left_s > 0
                 ? tr("You can go on in %1").arg(minutes_and_seconds(inputs_.rest_left_s))
                 : tr("You can go on when you are ready."));
@@ -661,11 +696,10 @@ std::vector<Item> Page::lay_out() {
       break;
     case Scene::Kind::paused:
       words(scene_.text.empty() ? tr("One moment, please. You may let go of the handle.")
-                                : from(scene_.text));
+                                : scene_text());
       break;
     case Scene::Kind::ended:
-      words(scene_.text.empty() ? tr("Thank you. You may let go of the handle.")
-                                : from(scene_.text));
+      words(scene_.text.empty() ? tr("Thank you. You may let go of the handle.") : scene_text());
       break;
   }
   return std::move(items_);

@@ -45,7 +45,8 @@ class Brush final {
     painter_.setPen(QPen(filled ? colors_.press : colors_.muted, side / 20.0));
     painter_.setBrush(filled ? colors_.press : colors_.panel);
     painter_.drawEllipse(circle.adjusted(1.5, 1.5, -1.5, -1.5));
-    words(circle, key, size_px, true, filled ? colors_.on_press : colors_.text, Qt::AlignCenter);
+    words(circle, key, key.size() > 1 ? size_px * 3 / 4 : size_px, true,
+          filled ? colors_.on_press : colors_.text, Qt::AlignCenter);
   }
   void picture(const Item& item, const QRectF& square);
   void draw_picture(const Item& item);
@@ -163,7 +164,7 @@ void Brush::draw_control(const Item& item) {
   box(item.rect, 10.0 * unit, item.ready ? colors_.press : colors_.ground,
       item.ready ? colors_.press : colors_.muted, 2.0 * unit);
   const QColor ink = item.ready ? colors_.on_press : colors_.text;
-  const QRectF inner = item.rect.adjusted(20.0 * unit, 0.0, -20.0 * unit, 0.0);
+  const QRectF inner = item.rect.adjusted(16.0 * unit, 0.0, -16.0 * unit, 0.0);
   words(inner, item.text, item.size_px, true, ink, Qt::AlignLeft | Qt::AlignVCenter);
   words(inner, item.key, item.size_px, false, item.ready ? colors_.on_press : colors_.muted,
         Qt::AlignRight | Qt::AlignVCenter);

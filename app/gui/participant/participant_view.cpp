@@ -239,37 +239,22 @@ void ParticipantView::arrange() {
 
 void ParticipantView::prepare_pictures() {
   if (!facts_->plan) return;
-  // One layout per number of pictures tells the size in which they will be wanted.
   std::map<int, std::vector<QString>> by_side{};
-  std::set<std::vector<std::string>> seen{};
+  std::set<std::vector<QString>> seen{};
   for (const Trial& trial : facts_->plan->trials) {
-    Scene question{};
-    question.kind = Scene::Kind::question;
-    question.text = trial.question.prompt;
-    question.is_assignment = trial.question.form == TrialQuestion::Form::assignment;
-    question.standard_picture = trial.question.standard_picture;
-    std::vector<std::string> names{};
-    for (const PlannedPresentation& surface : trial.presentations) {
-      question.surfaces.push_back({.code = surface.code});
+    std::vector<int> felt{};
+    for (const PlannedPresentation& surface : trial.presentations) felt.push_back(surface.position);
+    std::vector<QString> names{};
+    std::vector<std::pair<int, QString>> wanted{};
+    for (const Item& item : lay_out(scene_of_question(trial, felt),
+                                    {.size = page_size(), .mirrored = facts_->mirrored})) {
+      if (item.picture.isEmpty()) continue;
+      names.push_back(item.picture);
+      wanted.emplace_back(side_px(item.side), item.picture);
     }
-    for (const Option& option : trial.question.options) {
-      Scene::Choice choice{};
-      choice.picture = option.picture;
-      const bool is_surface = std::any_of(
-          trial.presentations.begin(), trial.presentations.end(),
-          [&option](const PlannedPresentation& surface) { return surface.code == option.label; });
-      choice.key = option.label;
-      if (!option.picture && !is_surface) choice.text = option.label;
-      if (option.picture) names.push_back(*option.picture);
-      question.choices.push_back(std::move(choice));
-    }
-    if (trial.question.standard_picture) names.push_back(*trial.question.standard_picture);
     std::sort(names.begin(), names.end());
-    if (names.empty() || !seen.insert(names).second) continue;
-    for (const Item& item :
-         lay_out(question, {.size = page_size(), .mirrored = facts_->mirrored})) {
-      if (!item.picture.isEmpty()) by_side[side_px(item.side)].push_back(item.picture);
-    }
+    if (!seen.insert(names).second) continue;
+    for (const auto& [side, name] : wanted) by_side[side].push_back(name);
   }
   for (const auto& [side, names] : by_side) shelf_.prepare(names, side);
 }
@@ -295,8 +280,8 @@ void ParticipantView::paintEvent(QPaintEvent*) {
         return all_there ? shelf_.picture(name, side_px(side)) : QPixmap();
       });
   if (press_ && press_->dragging) {
-    const Item& chip = items_[press_->item];
-    paint_dragged(painter, chip.text, pointer_, chip.size_px / 38.0, colors);
+    paint_dragged(painter, press_->letter, pointer_,
+                  std::max(1.0, std::min(width() / 1366.0, height() / 768.0)), colors);
   }
   setAccessibleDescription(drawn_texts_.join(". "));
 }
@@ -331,6 +316,9 @@ void ParticipantView::mousePressEvent(QMouseEvent* event) {
   const QPointF at = to_page(event->position());
   if (const std::optional<std::size_t> item = item_at(at)) {
     press_ = Press{.item = *item, .at = at, .time_ns = time_ns};
+    if (!scene_->is_assignment || scene_->kind != Scene::Kind::question) return;
+    const Item& pressed = items_[*item];
+    press_->letter = pressed.kind == Item::Kind::chip ? pressed.text : pressed.given_to;
   }
 }
 
@@ -341,9 +329,7 @@ void ParticipantView::mouseMoveEvent(QMouseEvent* event) {
     setCursor(item_at(pointer_) ? Qt::PointingHandCursor : Qt::ArrowCursor);
     return;
   }
-  const bool can_be_dragged =
-      scene_->is_assignment && items_[press_->item].kind == Item::Kind::chip;
-  if (can_be_dragged &&
+  if (!press_->letter.isEmpty() &&
       (pointer_ - press_->at).manhattanLength() >= QApplication::startDragDistance()) {
     press_->dragging = true;
     setCursor(Qt::ClosedHandCursor);
@@ -359,18 +345,32 @@ void ParticipantView::mouseReleaseEvent(QMouseEvent* event) {
   setCursor(Qt::ArrowCursor);
   update();
   const std::optional<std::size_t> item = item_at(to_page(event->position()));
-  if (!item) return;
-  const Item& target = items_[*item];
   if (press.dragging) {
-    if (target.kind != Item::Kind::picture) return;
-    const Item& chip = items_[press.item];
-    tell({.kind = ParticipantInput::Kind::assign,
-          .number = target.action->number,
-          .surface = chip.action->number},
-         released_ns, "mouse");
+    drop(press, item, released_ns);
+  } else if (item == press.item) {
+    act(Action(*items_[*item].action), press.time_ns, "mouse");
+  }
+}
+
+/// A surface's letter let go over a picture is given to it; drawn off its picture, it is taken back.
+void ParticipantView::drop(const Press& press, std::optional<std::size_t> item,
+                           std::int64_t time_ns) {
+  const Item& from = items_[press.item];
+  ParticipantInput input{.kind = ParticipantInput::Kind::assign};
+  if (item && items_[*item].kind == Item::Kind::picture) {
+    if (*item == press.item) return;
+    input.number = items_[*item].action->number;
+    for (std::size_t i = 0; i < scene_->surfaces.size(); ++i) {
+      if (QString::fromStdString(scene_->surfaces[i].code) == press.letter) {
+        input.surface = static_cast<int>(i) + 1;
+      }
+    }
+  } else if (from.kind == Item::Kind::picture) {
+    input.number = from.action->number;
+  } else {
     return;
   }
-  if (*item == press.item) act(Action(*target.action), press.time_ns, "mouse");
+  tell(std::move(input), time_ns, "mouse");
 }
 
 bool ParticipantView::has_use_for(const QKeyEvent& event) const {
@@ -401,6 +401,11 @@ bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
   typed_ns_ = pressed_ns;
   act(*action, pressed_ns, "keyboard");
   return true;
+}
+
+void ParticipantView::release(const QString& key, std::int64_t pressed_ns, double held_s) {
+  tell({.kind = ParticipantInput::Kind::released, .text = key.toStdString(), .held_s = held_s},
+       pressed_ns, "keyboard");
 }
 
 void ParticipantView::tell(ParticipantInput input, std::int64_t time_ns, const char* source) {

@@ -58,6 +58,8 @@ class ParticipantView final : public QWidget {
   bool has_use_for(const QKeyEvent& event) const;
   /// Acts on it; `pressed_ns` is on the session's clock. False where the scene has no use for it.
   bool press(QKeyEvent& event, std::int64_t pressed_ns);
+  /// The key of this name was let go.
+  void release(const QString& key, std::int64_t pressed_ns, double held_s);
   /// The time of an event on the session's clock.
   std::int64_t time_of_ns(std::uint64_t stamp_ms);
   EventClock& event_clock() noexcept { return event_clock_; }
@@ -88,6 +90,7 @@ class ParticipantView final : public QWidget {
     std::size_t item = 0;
     QPointF at{};
     std::int64_t time_ns = 0;
+    QString letter{};  ///< of the surface that a drag from here carries; empty: none
     bool dragging = false;
   };
 
@@ -100,6 +103,7 @@ class ParticipantView final : public QWidget {
   QPointF page_offset() const;
   std::int64_t session_now_ns() const;
   int rest_left_s() const;
+  void drop(const Press& press, std::optional<std::size_t> item, std::int64_t time_ns);
   std::optional<std::size_t> item_at(QPointF page_point) const;
   QPointF to_page(QPointF point) const;
   void act(const ParticipantAction& action, std::int64_t time_ns, const char* source);

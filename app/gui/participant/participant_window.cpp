@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include <QtCore/QSettings>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QGuiApplication>
 #include <QtGui/QScreen>
@@ -12,12 +11,6 @@
 #include "app/gui/participant/participant_painter.h"
 
 namespace asperity {
-
-namespace {
-
-constexpr const char* kScreenKey = "participant/screen";
-
-}  // namespace
 
 ParticipantWindow::ParticipantWindow(const SessionMonitor& monitor, std::filesystem::path study,
                                      QWidget* parent)
@@ -57,18 +50,15 @@ void ParticipantWindow::follow() {
   if (!ended) thanks_.stop();
 }
 
-QString ParticipantWindow::remembered_screen() { return QSettings().value(kScreenKey).toString(); }
-
 void ParticipantWindow::open_on(const QString& screen) {
-  const QString name = screen.isEmpty() ? remembered_screen() : screen;
-  if (!name.isEmpty()) QSettings().setValue(kScreenKey, name);
   const QList<QScreen*> screens = QGuiApplication::screens();
   QScreen* chosen = nullptr;
   for (QScreen* each : screens) {
-    if (each->name() == name) chosen = each;
+    if (each->name() == screen) chosen = each;
   }
   if (chosen == nullptr || screens.size() < 2) {
     stand_beside(chosen != nullptr ? *chosen : *QGuiApplication::primaryScreen());
+    if (chosen == nullptr && !screen.isEmpty()) emit screen_lost(screen);
     return;
   }
   screen_name_ = chosen->name();

@@ -34,12 +34,10 @@ class ParticipantWindow final : public QWidget {
   ParticipantView& view() noexcept { return *view_; }
   ResponseKeys& keys() noexcept { return *keys_; }
 
-  /// Shows the window: over the whole of the screen of this name, or, where there is no other screen
-  /// left for the experimenter, or none of this name, over the right half of the one there is. An
-  /// empty name is the screen that was used last. The name is remembered.
+  /// Shows the window over the whole of the screen of this name; over the right half of a screen
+  /// where the name is empty (both windows on one screen) or there is only one. A screen that is not
+  /// there is lost (`screen_lost`).
   void open_on(const QString& screen);
-  /// The screen that was used last; empty before the first time.
-  static QString remembered_screen();
   bool is_full_screen() const noexcept { return full_screen_; }
 
   /// From now on `close()` closes.

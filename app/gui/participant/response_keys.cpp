@@ -66,7 +66,7 @@ bool ResponseKeys::released(const QKeyEvent& event) {
   if (event.isAutoRepeat()) return true;
   const double held_s =
       static_cast<double>(view_.time_of_ns(event.timestamp()) - held->second.pressed_ns) * 1e-9;
-  emit remarked("key_released", held->second.name + ' ' + QString::number(held_s, 'f', 3));
+  view_.release(held->second.name, held->second.pressed_ns, held_s);
   held_.erase(held);
   return true;
 }

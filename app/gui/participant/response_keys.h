@@ -29,7 +29,7 @@ class ParticipantView;
 /// keys, Esc, Pause, Tab, arrows and whatever is pressed with Ctrl, Alt or Meta always pass.
 ///
 /// One key is one answer: auto-repeat is ignored. A press is stamped and acted on at once; how long it
-/// was held follows by `remarked` ("key_released").
+/// was held follows as an input of its own (ParticipantInput::Kind::released).
 class ResponseKeys final : public QObject {
   Q_OBJECT
  public:
@@ -43,8 +43,7 @@ class ResponseKeys final : public QObject {
 
  signals:
   /// For the session's record: "focus_changed" with who has the keyboard now ("participant",
-  /// "experimenter", "experimenter, text field", "another program"); "key_released" with the key and
-  /// the seconds that it was held.
+  /// "experimenter", "experimenter, text field", "another program").
   void remarked(const QString& kind, const QString& text);
 
  protected:

@@ -26,8 +26,9 @@ struct Seat {
   std::vector<ParticipantInput> inputs{};
 
   explicit Seat(QSize size = {1366, 768}) {
-    QObject::connect(&view, &ParticipantView::acted,
-                     [this](const ParticipantInput& input) { inputs.push_back(input); });
+    QObject::connect(&view, &ParticipantView::acted, [this](const ParticipantInput& input) {
+      if (input.kind != Kind::released) inputs.push_back(input);
+    });
     view.resize(size);
     view.show();
   }
@@ -137,6 +138,28 @@ TEST(ParticipantView, DropsASurfaceBesideThePicturesWithoutEffect) {
   EXPECT_TRUE(seat.inputs.empty());
   seat.click(Item::Kind::picture, "1");
   EXPECT_EQ(seat.last().kind, Kind::option);  // nor was it picked
+}
+
+TEST(ParticipantView, TakesASurfaceBackThatIsDraggedOffItsPicture) {
+  Seat seat{};
+  ParticipantScene scene = scenes::matching(4);
+  scene.choices[1].assigned_to = "C";
+  seat.show(scene);
+  const QPoint from = seat.place_of(Item::Kind::picture, "2");
+  const auto drag_to = [&](QPoint to) {
+    QTest::mousePress(&seat.view, Qt::LeftButton, {}, from);
+    QTest::mouseMove(&seat.view, from + QPoint(30, 30));
+    QTest::mouseMove(&seat.view, to);
+    QTest::mouseRelease(&seat.view, Qt::LeftButton, {}, to);
+  };
+  drag_to(seat.place_of(Item::Kind::picture, "4"));
+  EXPECT_EQ(seat.last().kind, Kind::assign);
+  EXPECT_EQ(seat.last().number, 4);
+  EXPECT_EQ(seat.last().surface, 3);
+  drag_to(QPoint(683, 40));
+  EXPECT_EQ(seat.last().kind, Kind::assign);
+  EXPECT_EQ(seat.last().number, 2);
+  EXPECT_EQ(seat.last().surface, 0);
 }
 
 TEST(ParticipantView, AssignsByKeysAlone) {

@@ -35,7 +35,18 @@ TEST(ParticipantWindow, StandsOnTheRightHalfOfTheOnlyScreen) {
   const QRect room = screen.availableGeometry();
   EXPECT_EQ(window.geometry().left(), room.left() + room.width() / 2);
   EXPECT_EQ(window.geometry().right(), room.right());
-  EXPECT_EQ(ParticipantWindow::remembered_screen(), screen.name());
+}
+
+TEST(ParticipantWindow, SaysWhenTheScreenThatWasChosenIsNotThere) {
+  SessionMonitor monitor{};
+  ParticipantWindow window(monitor, {});
+  QSignalSpy lost(&window, &ParticipantWindow::screen_lost);
+  window.open_on("");
+  EXPECT_EQ(lost.count(), 0);
+  window.open_on("DP-7");
+  ASSERT_EQ(lost.count(), 1);
+  EXPECT_EQ(lost.first().first().toString(), "DP-7");
+  EXPECT_TRUE(window.isVisible());
 }
 
 TEST(ParticipantWindow, SaysWhenItsScreenIsGoneAndStaysVisible) {
