@@ -26,6 +26,10 @@ constexpr int kLook_ms = 16;
 constexpr std::chrono::seconds kCueShown{5};
 constexpr std::int64_t kTwoDigits_ns = 1'000'000'000;  // between the digits of one key
 constexpr qsizetype kLongestNumber = 12;
+constexpr QSizeF kUsualPage(1366.0, 768.0);
+// Of the keys 1 … 9, 0 above the letters, under xcb and Wayland alike.
+constexpr quint32 kScanCodeOf1 = 10;
+constexpr quint32 kScanCodeOf0 = 19;
 
 bool same_question(const Scene& one, const Scene& other) {
   const auto name = [](const Scene& scene) {
@@ -94,9 +98,13 @@ void ParticipantView::set_workspace(QWidget* workspace) {
   arrange();
 }
 
-void ParticipantView::set_mirrored_size(QSize size) {
-  if (size.isEmpty() || size == mirrored_size_) return;
-  mirrored_size_ = size;
+void ParticipantView::follow(ParticipantView& original) {
+  original_ = &original;
+  connect(&original, &ParticipantView::arranged, this, [this] {
+    if (original_) draft_ = original_->draft_;
+    arrange();
+  });
+  draft_ = original.draft_;
   arrange();
 }
 
@@ -156,10 +164,10 @@ void ParticipantView::look() {
     const std::shared_ptr<const Scene> before = std::exchange(scene_, snapshot.scene);
     const bool new_trial = snapshot.trial != trial_ || snapshot.attempt != attempt_;
     if (new_trial || !same_question(*before, *scene_)) {
-      draft_ = {};
+      if (!original_) draft_ = {};
       press_.reset();
       if (field_ != nullptr) field_->clear();
-    } else if (!same_assignment(*before, *scene_)) {
+    } else if (!original_ && !same_assignment(*before, *scene_)) {
       draft_.surface.reset();
     }
     trial_ = snapshot.trial;
@@ -180,7 +188,8 @@ void ParticipantView::look() {
 }
 
 QSizeF ParticipantView::page_size() const {
-  return role_ == Role::mirror ? QSizeF(mirrored_size_) : QSizeF(size());
+  if (role_ == Role::participant) return size();
+  return original_ ? QSizeF(original_->size()) : kUsualPage;
 }
 
 double ParticipantView::page_scale() const {
@@ -235,6 +244,7 @@ void ParticipantView::arrange() {
     }
   }
   update();
+  emit arranged();
 }
 
 void ParticipantView::prepare_pictures() {
@@ -373,9 +383,18 @@ void ParticipantView::drop(const Press& press, std::optional<std::size_t> item,
   tell(std::move(input), time_ns, "mouse");
 }
 
+/// What a key types; on a keyboard whose row of digits types other signs (French), the digit that
+/// stands on it.
+QString ParticipantView::sign_of(const QKeyEvent& event) const {
+  const quint32 code = event.nativeScanCode();
+  if (code < kScanCodeOf1 || code > kScanCodeOf0) return event.text();
+  if (action_of_key(*scene_, event.key(), event.text())) return event.text();
+  return QString::number((code - kScanCodeOf1 + 1) % 10);
+}
+
 bool ParticipantView::has_use_for(const QKeyEvent& event) const {
   if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
-  if (action_of_key(*scene_, event.key(), event.text())) return true;
+  if (action_of_key(*scene_, event.key(), sign_of(event))) return true;
   if (!is_text_form()) return false;
   const QString text = event.text();
   return (!text.isEmpty() && text.front().isPrint()) || event.key() == Qt::Key_Backspace ||
@@ -384,7 +403,8 @@ bool ParticipantView::has_use_for(const QKeyEvent& event) const {
 
 bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
   if (!has_use_for(event)) return false;
-  std::optional<Action> action = action_of_key(*scene_, event.key(), event.text());
+  const QString sign = sign_of(event);
+  std::optional<Action> action = action_of_key(*scene_, event.key(), sign);
   if (!action) {
     QApplication::sendEvent(field_, &event);
     return true;
@@ -392,12 +412,12 @@ bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
   // The second digit of a key of two ("12") corrects the choice that the first one made.
   const bool is_choice = action->what == Action::What::choose && !scene_->is_assignment;
   if (is_choice && pressed_ns - typed_ns_ < kTwoDigits_ns) {
-    const std::string both = (typed_ + event.text()).toStdString();
+    const std::string both = (typed_ + sign).toStdString();
     for (std::size_t i = 0; i < scene_->choices.size(); ++i) {
       if (scene_->choices[i].key == both) action->number = static_cast<int>(i) + 1;
     }
   }
-  typed_ = event.text();
+  typed_ = sign;
   typed_ns_ = pressed_ns;
   act(*action, pressed_ns, "keyboard");
   return true;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include <QtCore/QPointer>
 #include <QtCore/QStringList>
 #include <QtCore/QTimer>
 #include <QtWidgets/QWidget>
@@ -48,8 +49,9 @@ class ParticipantView final : public QWidget {
 
   /// The scene of object, tool and probe, shown where a scene asks for it. Taken as a child.
   void set_workspace(QWidget* workspace);
-  /// Of a mirror: the size of the participant's window.
-  void set_mirrored_size(QSize size);
+  /// Of a mirror: the view that it shows, with its size and what is begun in it. Without one it is
+  /// laid out as for a screen of 1366 × 768.
+  void follow(ParticipantView& original);
 
   const ParticipantScene& scene() const noexcept { return *scene_; }
   /// The scene waits for something that the participant does.
@@ -74,6 +76,8 @@ class ParticipantView final : public QWidget {
  signals:
   void acted(asperity::ParticipantInput input);
   void scene_changed();
+  /// Things stand elsewhere or look different now.
+  void arranged();
   /// For the record beside notes: "picture_unreadable".
   void remarked(const QString& kind, const QString& text);
 
@@ -98,6 +102,7 @@ class ParticipantView final : public QWidget {
   void arrange();
   void prepare_pictures();
   int side_px(double side) const;
+  QString sign_of(const QKeyEvent& event) const;
   QSizeF page_size() const;
   double page_scale() const;
   QPointF page_offset() const;
@@ -122,7 +127,7 @@ class ParticipantView final : public QWidget {
   int attempt_ = 0;
   ParticipantDraft draft_{};
   std::vector<ParticipantItem> items_{};  ///< in page coordinates
-  QSize mirrored_size_{1366, 768};
+  QPointer<ParticipantView> original_{};  ///< of a mirror
   QWidget* workspace_ = nullptr;
   QPlainTextEdit* field_ = nullptr;
   std::optional<Press> press_{};

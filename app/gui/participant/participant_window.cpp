@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <QtCore/QTimer>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QGuiApplication>
 #include <QtGui/QScreen>
@@ -35,8 +36,11 @@ ParticipantWindow::ParticipantWindow(const SessionMonitor& monitor, std::filesys
   connect(keys_.get(), &ResponseKeys::remarked, this, &ParticipantWindow::remarked);
   connect(view_, &ParticipantView::scene_changed, this, &ParticipantWindow::follow);
   connect(qGuiApp, &QGuiApplication::screenRemoved, this, &ParticipantWindow::leave_screen);
-  thanks_.setSingleShot(true);
-  connect(&thanks_, &QTimer::timeout, this, [this] {
+  thanks_ = new QTimer(this);
+  thanks_->setObjectName("thanks");
+  thanks_->setSingleShot(true);
+  thanks_->setInterval(static_cast<int>(kThanks_s * 1000.0));
+  connect(thanks_, &QTimer::timeout, this, [this] {
     allow_close();
     close();
   });
@@ -46,8 +50,16 @@ ParticipantWindow::ParticipantWindow(const SessionMonitor& monitor, std::filesys
 void ParticipantWindow::follow() {
   if (const auto facts = monitor_.facts()) band_->set_mode(facts->row.mode);
   const bool ended = view_->scene().kind == ParticipantScene::Kind::ended;
-  if (ended && !thanks_.isActive()) thanks_.start(static_cast<int>(kThanks_s * 1000.0));
-  if (!ended) thanks_.stop();
+  if (ended && !thanks_->isActive()) thanks_->start();
+  if (!ended) thanks_->stop();
+  // What is typed as a text has to go to one field: this window's, from the moment that it is asked
+  // for.
+  const auto& question = view_->scene().question;
+  const bool asks_for_text = question && question->form == Question::Form::text;
+  if (asks_for_text && !asked_for_text_ && isVisible() && !keys_->own_keyboard()) {
+    activateWindow();
+  }
+  asked_for_text_ = asks_for_text;
 }
 
 void ParticipantWindow::open_on(const QString& screen) {
@@ -63,6 +75,7 @@ void ParticipantWindow::open_on(const QString& screen) {
   }
   screen_name_ = chosen->name();
   full_screen_ = true;
+  setScreen(chosen);
   setGeometry(chosen->geometry());
   showFullScreen();
 }
@@ -71,6 +84,7 @@ void ParticipantWindow::stand_beside(QScreen& screen) {
   screen_name_ = screen.name();
   full_screen_ = false;
   const QRect room = screen.availableGeometry();
+  setScreen(&screen);
   showNormal();
   setGeometry(room.adjusted(room.width() / 2, 0, 0, 0));
 }

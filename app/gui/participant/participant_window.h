@@ -6,13 +6,13 @@
 #include <memory>
 
 #include <QtCore/QString>
-#include <QtCore/QTimer>
 #include <QtWidgets/QWidget>
 
 #include "app/gui/participant/participant_view.h"
 #include "app/gui/participant/response_keys.h"
 
 class QScreen;
+class QTimer;
 
 namespace asperity {
 
@@ -64,7 +64,8 @@ class ParticipantWindow final : public QWidget {
   ModeBand* band_ = nullptr;
   ParticipantView* view_ = nullptr;
   std::unique_ptr<ResponseKeys> keys_{};  // gone before the focus of a dying window moves
-  QTimer thanks_{};
+  QTimer* thanks_ = nullptr;
+  bool asked_for_text_ = false;
   QString screen_name_{};
   bool full_screen_ = false;
   bool may_close_ = false;

@@ -88,6 +88,16 @@ TEST(ParticipantView, TakesKeysOfTwoDigits) {
   EXPECT_EQ(seat.last().number, 12);
 }
 
+TEST(ParticipantView, TakesTheDigitsOfAFrenchKeyboard) {
+  Seat seat{};
+  seat.show(scenes::recognition(6));
+  // The key with the 2 on it types "é" without shift.
+  QKeyEvent event(QEvent::KeyPress, Qt::Key_Eacute, Qt::NoModifier, 11, 0, 0, QString(QChar(0xE9)));
+  QApplication::sendEvent(&seat.view, &event);
+  EXPECT_EQ(seat.last().kind, Kind::option);
+  EXPECT_EQ(seat.last().number, 2);
+}
+
 TEST(ParticipantView, AnswersASelectionByLetter) {
   Seat seat{};
   seat.show(scenes::selection(3));
@@ -424,6 +434,7 @@ TEST(ParticipantView, LooksTheSameInItsMirrorAndTakesNothingThere) {
   std::vector<ParticipantInput> mirrored{};
   QObject::connect(&mirror, &ParticipantView::acted,
                    [&](const ParticipantInput& input) { mirrored.push_back(input); });
+  mirror.follow(seat.view);
   mirror.resize(683, 400);
   mirror.show();
   seat.show(scenes::recognition(6));
@@ -440,6 +451,15 @@ TEST(ParticipantView, LooksTheSameInItsMirrorAndTakesNothingThere) {
   }
   seat.view.grab();
   mirror.grab();
+  EXPECT_EQ(seat.view.drawn_texts(), mirror.drawn_texts());
+  // What is begun is seen too.
+  seat.show(scenes::form_number());
+  seat.key(Qt::Key_4);
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    mirror.grab();
+    return mirror.drawn_texts().contains("How old are you, in years?");
+  }));
+  seat.view.grab();
   EXPECT_EQ(seat.view.drawn_texts(), mirror.drawn_texts());
   EXPECT_TRUE(mirror.testAttribute(Qt::WA_TransparentForMouseEvents));
   EXPECT_EQ(mirror.focusPolicy(), Qt::NoFocus);

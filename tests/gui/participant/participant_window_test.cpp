@@ -1,10 +1,10 @@
 #include "app/gui/participant/participant_window.h"
 
+#include <QtCore/QTimer>
 #include <QtGui/QGuiApplication>
 #include <QtGui/QScreen>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
-#include <QtWidgets/QApplication>
 #include <gtest/gtest.h>
 
 #include "app/gui/look/controls.h"
@@ -60,6 +60,23 @@ TEST(ParticipantWindow, SaysWhenItsScreenIsGoneAndStaysVisible) {
   EXPECT_EQ(lost.first().first().toString(), screen->name());
   EXPECT_TRUE(window.isVisible());
   EXPECT_FALSE(window.is_full_screen());
+}
+
+TEST(ParticipantWindow, ClosesByItselfAfterTheThanks) {
+  SessionMonitor monitor{};
+  ParticipantWindow window(monitor, {});
+  window.show();
+  QSignalSpy closed(&window, &ParticipantWindow::closed);
+  auto* thanks = window.findChild<QTimer*>("thanks");
+  EXPECT_FALSE(thanks->isActive());
+  ParticipantScene ended{};
+  ended.kind = ParticipantScene::Kind::ended;
+  monitor.show(ended);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return thanks->isActive(); }));
+  EXPECT_EQ(thanks->interval(), 10'000);
+  thanks->start(1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return closed.count() == 1; }));
+  EXPECT_FALSE(window.isVisible());
 }
 
 TEST(ParticipantWindow, CarriesTheBandOfAPilot) {

@@ -132,6 +132,17 @@ TEST(ResponseKeys, GoesOnFromTheExperimentersWindowWhenNoTextFieldHasTheFocus) {
   EXPECT_EQ(desk.pressed, 0);
 }
 
+TEST(ResponseKeys, FollowsTheKeyboardToTheWindowThatAsksForAText) {
+  Desk desk{};
+  desk.show(scenes::form_text());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activeWindow() == &desk.window; }));
+  QTest::keyClicks(QApplication::focusWidget(), "smooth");
+  desk.key(Qt::Key_Return);
+  ASSERT_EQ(desk.inputs.size(), 1U);
+  EXPECT_EQ(desk.inputs[0].text, "smooth");
+  EXPECT_EQ(desk.note->text(), "");
+}
+
 TEST(ResponseKeys, LeavesEverythingToTheExperimenterBetweenScenesThatWait) {
   Desk desk{};
   desk.show(ParticipantScene{});
