@@ -9,6 +9,7 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QGridLayout>
 #include <glm/geometric.hpp>
 
 #include "analysis/spectrum.h"
@@ -23,6 +24,8 @@ constexpr int kFrame_ms = 16;
 constexpr std::size_t kShownSamples = 2000;  // two seconds
 constexpr std::size_t kWelchSamples = 256;
 constexpr double kAcross_m_per_s = 0.060;
+constexpr double kRate_Hz = 1000.0;
+constexpr double kLoud_N = 0.2;          // a strong texture force is at half of full scale
 constexpr double kStill_m_per_s = 1e-4;  // below, a direction of motion means nothing
 
 std::vector<Parameter> surface_parameters() {
@@ -68,7 +71,7 @@ struct ForceComparison::Built {
 
 ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setContentsMargins(0, 0, kGrid, 0);
   layout->setSpacing(kMargin);
   layout->addWidget(make_text(tr("Choose models, then drag the mouse over the relief: each shows "
                                  "the force that it would give to a hand on the same path."),
@@ -78,17 +81,37 @@ ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) :
   across->setToolTip(tr("From left to right at 60 mm/s, always the same"));
   connect(across, &QPushButton::clicked, this, &ForceComparison::across_wanted);
   layout->addWidget(across);
-  auto* shown = new QHBoxLayout();
-  QLabel* caption = make_text(tr("Force shown"), this);
-  caption->setFont(text_font(TextSize::small));
   component_ = new QComboBox(this);
   component_->setObjectName("force_component");
   component_->addItems({tr("Pressing back (normal)"), tr("Against the motion")});
-  caption->setBuddy(component_);
   connect(component_, &QComboBox::currentIndexChanged, this, &ForceComparison::advanced);
-  shown->addWidget(caption);
-  shown->addWidget(component_, 1);
-  layout->addLayout(shown);
+  heard_ = new QComboBox(this);
+  heard_->setObjectName("heard");
+  heard_->addItem(tr("Nothing"));
+  for (const ForceModel& model : models.models()) heard_->addItem(name_of(model));
+  heard_->setEnabled(false);
+  connect(heard_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    // What is to be heard has to be rendered.
+    if (index > 0) cards_[static_cast<std::size_t>(index - 1)].chosen->setChecked(true);
+  });
+  auto* choices = new QGridLayout();
+  choices->setSpacing(kGrid);
+  choices->setColumnStretch(1, 1);
+  int line = 0;
+  for (const auto& [words, list] :
+       {std::pair{tr("Show"), component_}, std::pair{tr("Hear"), heard_}}) {
+    QLabel* caption = make_text(words, this);
+    caption->setFont(text_font(TextSize::small));
+    caption->setBuddy(list);
+    choices->addWidget(caption, line, 0);
+    choices->addWidget(list, line++, 1);
+  }
+  no_sound_ = make_text({}, this, true);
+  no_sound_->setObjectName("no_sound");
+  no_sound_->setFont(text_font(TextSize::small));
+  no_sound_->hide();
+  choices->addWidget(no_sound_, line, 1);
+  layout->addLayout(choices);
   for (const ForceModel& model : models.models()) add_card(model, this);
 
   QVBoxLayout* inside = nullptr;
@@ -203,6 +226,7 @@ void ForceComparison::take(Built built) {
 
 void ForceComparison::begin_stroke(double x_m, double y_m) {
   across_y_m_.reset();
+  played_ = 0;
   stroke_.begin({x_m, y_m});
   clock_.start();
   frames_.start();
@@ -235,14 +259,33 @@ void ForceComparison::frame() {
   } else {
     stroke_.advance(now_ns);
   }
+  play();
   emit advanced();
 }
 
-std::vector<double> ForceComparison::component_of(std::size_t model) const {
+void ForceComparison::set_sound(SoundOutput output) {
+  heard_->setEnabled(!output.is_null);
+  no_sound_->setVisible(output.is_null);
+  no_sound_->setText(tr("There is no sound card to hear a force with."));
+  speaker_.reset();
+  if (output.is_null) return;
+  speaker_ = std::make_unique<ForceSpeaker>(std::move(output));
+  speaker_->set_full_scale_N(kLoud_N);
+}
+
+void ForceComparison::play() {
+  if (speaker_ == nullptr || heard_->currentIndex() == 0) return;
+  const std::string& id =
+      cards_[static_cast<std::size_t>(heard_->currentIndex() - 1)].model->declaration.id;
+  for (std::size_t m = 0; m < stroke_.models().size(); ++m) {
+    if (stroke_.models()[m].id == id) speaker_->play_force(component_of(m, played_), kRate_Hz);
+  }
+  played_ = stroke_.path().size();
+}
+
+std::vector<double> ForceComparison::component_of(std::size_t model, std::size_t first) const {
   const std::vector<glm::dvec3>& forces_N = stroke_.forces_N()[model];
-  const std::size_t first = forces_N.size() - std::min(forces_N.size(), kShownSamples);
   std::vector<double> component_N{};
-  component_N.reserve(forces_N.size() - first);
   for (std::size_t i = first; i < forces_N.size(); ++i) {
     if (component_->currentIndex() == 0) {
       component_N.push_back(forces_N[i].z);
@@ -260,10 +303,11 @@ std::vector<double> ForceComparison::component_of(std::size_t model) const {
 std::vector<PlotSeries> ForceComparison::forces() const {
   std::vector<PlotSeries> all{};
   for (std::size_t m = 0; m < stroke_.models().size(); ++m) {
-    const std::vector<double> component_N = component_of(m);
+    const std::size_t samples = stroke_.path().size();
+    const std::size_t first = samples - std::min(samples, kShownSamples);
+    const std::vector<double> component_N = component_of(m, first);
     if (component_N.empty()) continue;
     PlotSeries series{};
-    const std::size_t first = stroke_.path().size() - component_N.size();
     for (std::size_t i = 0; i < component_N.size(); ++i) {
       series.x.push_back(1e-9 * static_cast<double>(stroke_.path()[first + i].time_ns));
       series.y.push_back(component_N[i]);
@@ -287,7 +331,7 @@ std::vector<PlotSeries> ForceComparison::spectra() const {
     series.name.clear();  // the colours are named beside the forces
     if (signal.size() < kWelchSamples) continue;
     const PowerSpectrum spectrum =
-        welch_spectrum(signal, {.rate_Hz = 1000.0, .length = kWelchSamples});
+        welch_spectrum(signal, {.rate_Hz = kRate_Hz, .length = kWelchSamples});
     for (std::size_t k = 1; k < spectrum.density.size(); ++k) {
       series.x.push_back(static_cast<double>(k) * spectrum.spacing_Hz);
       series.y.push_back(spectrum.density[k]);

@@ -11,6 +11,7 @@
 #include <QtCore/QTimer>
 #include <QtWidgets/QWidget>
 
+#include "app/gui/sound/force_speaker.h"
 #include "app/gui/workbench/force_stroke.h"
 #include "app/gui/workbench/newest_work.h"
 #include "app/gui/workbench/signal_plots.h"
@@ -18,6 +19,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 
 namespace asperity {
 
@@ -42,6 +44,9 @@ class ForceComparison final : public QWidget {
   /// From left to right at 60 mm/s, as in the comparison of texture forces.
   void stroke_across(double y_m);
 
+  /// Where the chosen force is heard; a null output is said so beside the choice.
+  void set_sound(SoundOutput output);
+
   /// The last two seconds of the stroke, and their spectra.
   std::vector<PlotSeries> forces() const;
   std::vector<PlotSeries> spectra() const;
@@ -64,16 +69,21 @@ class ForceComparison final : public QWidget {
   void make_renderers();
   void take(Built built);
   void frame();
-  std::vector<double> component_of(std::size_t model) const;
+  std::vector<double> component_of(std::size_t model, std::size_t first) const;
+  void play();
 
   std::vector<ModelCard> cards_{};
   ParameterForm* surface_ = nullptr;
   QComboBox* component_ = nullptr;
+  QComboBox* heard_ = nullptr;
+  QLabel* no_sound_ = nullptr;
   std::shared_ptr<const HeightField> field_{};
   ForceStroke stroke_{};
   QElapsedTimer clock_{};
   QTimer frames_{};
   std::optional<double> across_y_m_{};
+  std::unique_ptr<ForceSpeaker> speaker_{};
+  std::size_t played_ = 0;  // samples of this stroke
   NewestWork work_{};
 };
 

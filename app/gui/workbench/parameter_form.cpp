@@ -25,8 +25,8 @@ namespace asperity {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-constexpr int kFieldWidth = 128;
-constexpr int kResetWidth = 72;
+constexpr int kFieldWidth = 112;
+constexpr int kResetWidth = 64;
 
 QString tr(const char* text) { return QCoreApplication::translate("ParameterForm", text); }
 
@@ -90,6 +90,7 @@ class NumberField final : public QDoubleSpinBox {
     setStepType(AdaptiveDecimalStepType);
     setKeyboardTracking(false);
     setAlignment(Qt::AlignRight);
+    setButtonSymbols(NoButtons);  // arrow keys and the slider step as well
     setFocusPolicy(Qt::StrongFocus);
   }
   QString textFromValue(double value) const override { return short_number(value); }
@@ -184,6 +185,11 @@ QString words_of(std::string name) {
   return QString::fromStdString(name);
 }
 
+QString choice_words(const Parameter& parameter, const std::string& choice) {
+  if (parameter.name == "histogram") return choice == "none" ? tr("As it is") : tr("Equalized");
+  return words_of(choice);
+}
+
 QString without_unit(const Parameter& parameter) {
   std::string name = parameter.name;
   std::string unit = parameter.unit;
@@ -211,13 +217,13 @@ QString tip_of(const Parameter& parameter) {
 
 QString caption_of(const Parameter& parameter) {
   const std::map<std::string, QString, std::less<>> better{
-      {"width_m", tr("Width of the picture")},
+      {"width_m", tr("Picture width")},
       {"histogram", tr("Brightness")},
-      {"homomorphic_wavelength_m", tr("Light changes above")},
-      {"gamma_low", tr("Keep of the lighting")},
-      {"gamma_high", tr("Contrast of detail")},
+      {"homomorphic_wavelength_m", tr("Lighting is above")},
+      {"gamma_low", tr("Lighting kept")},
+      {"gamma_high", tr("Detail raised")},
       {"gaussian_wavelength_m", tr("Longest wave kept")},
-      {"rms_m", tr("Roughness (RMS)")},
+      {"rms_m", tr("Roughness RMS")},
       {"noise_sd_N", tr("Noise, standard deviation")},
       {"noise_mean_N", tr("Noise, mean")},
       {"friction_speed_m_per_s", tr("Friction starts at")},
@@ -231,7 +237,9 @@ QString caption_of(const Parameter& parameter) {
 }
 
 QString text_of(const Parameter& parameter, const ParameterValue& value) {
-  if (const auto* choice = std::get_if<std::string>(&value)) return words_of(*choice);
+  if (const auto* choice = std::get_if<std::string>(&value)) {
+    return choice_words(parameter, *choice);
+  }
   const ShownUnit unit = shown_unit(parameter);
   const QString number = short_number(unit.shown(std::get<double>(value)));
   return unit.name.isEmpty() ? number : tr("%1 %2").arg(number, unit.name);
@@ -282,7 +290,9 @@ void ParameterForm::add_row(std::size_t index, QGridLayout* grid, int& line, For
     row.list->setToolTip(tip_of(parameter));
     row.list->setAccessibleName(caption_of(parameter));
     row.list->setFixedWidth(kFieldWidth);
-    for (const std::string& choice : parameter.choices) row.list->addItem(words_of(choice));
+    for (const std::string& choice : parameter.choices) {
+      row.list->addItem(choice_words(parameter, choice));
+    }
     connect(row.list, &QComboBox::activated, this, [this, index](int chosen) {
       edit(index, parameters_[index].choices[static_cast<std::size_t>(chosen)]);
     });
@@ -331,8 +341,7 @@ void ParameterForm::add_number(std::size_t index, QGridLayout* grid, int& line, 
   });
   grid->addWidget(row.slider, line, 0, 1, 3);
   ++line;
-  grid->setRowMinimumHeight(line, kGrid);
-  ++line;
+  if (index + 1 < parameters_.size()) grid->setRowMinimumHeight(line++, kGrid);
 }
 
 void ParameterForm::edit(std::size_t index, const ParameterValue& value) {

@@ -156,7 +156,9 @@ void draw_wall(QPainter& painter, const ReliefMesh& mesh, const ReliefProjection
   outline << projection.on_screen({border.back().x, border.back().y, base_m})
           << projection.on_screen({border.front().x, border.front().y, base_m});
   const glm::vec3 normal{static_cast<float>(outwards.x), static_cast<float>(outwards.y), 0.0F};
-  const glm::vec3 color = shade(normal, light_direction(look), 0.3F) * 0.85F;
+  // A cut face is smooth and throws back more light than its shade would tell.
+  const float lamp = std::max(0.0F, glm::dot(normal, light_direction(look)));
+  const glm::vec3 color = kStone * (0.42F + 0.30F * lamp);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor::fromRgb(packed(color)));
   painter.drawPolygon(outline);

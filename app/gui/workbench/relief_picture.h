@@ -39,8 +39,8 @@ ReliefMesh relief_mesh(const HeightField& field, std::size_t longest_side);
 /// From where it is looked at and where the light comes from. Angles are about and above the plane
 /// of the relief.
 struct ReliefLook {
-  double turn_rad = -0.45;  ///< of the relief about its normal
-  double tilt_rad = 0.95;   ///< of the view above the plane, up to ½π: straight from above
+  double turn_rad = -0.35;  ///< of the relief about its normal
+  double tilt_rad = 0.85;   ///< of the view above the plane, up to ½π: straight from above
   double light_azimuth_rad = 2.2;
   double light_elevation_rad = 0.6;
   double zoom = 1.0;

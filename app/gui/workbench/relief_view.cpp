@@ -148,7 +148,7 @@ void ReliefView::paintEvent(QPaintEvent*) {
   }
 
   // Where the light is: a dome seen from above, turned with the relief.
-  const QPointF centre(width() - kSun / 2.0 - kGrid, kSun / 2.0 + kGrid);
+  const QPointF centre(width() - kSun / 2.0 - kMargin, kSun / 2.0 + kGrid);
   const double azimuth_rad = drawn_look_.light_azimuth_rad + drawn_look_.turn_rad;
   const double out = (kSun / 2.0 - 6.0) * std::cos(drawn_look_.light_elevation_rad);
   painter.setBrush(Qt::NoBrush);
@@ -160,7 +160,7 @@ void ReliefView::paintEvent(QPaintEvent*) {
                       6.0);
   painter.setFont(text_font(TextSize::small));
   painter.setPen(theme().muted);
-  painter.drawText(QRectF(centre.x() - kSun, centre.y() + kSun / 2.0 - 4, kSun * 2.0 - 20, 18.0),
+  painter.drawText(QRectF(centre.x() - kSun, centre.y() + kSun / 2.0 - 4, 2.0 * kSun, 18.0),
                    Qt::AlignHCenter | Qt::AlignTop, tr("Light"));
   if (hasFocus()) {
     painter.setBrush(Qt::NoBrush);

@@ -52,16 +52,6 @@ void fit(QCPAxis& axis, PlotScale scale, Extent extent, bool margin) {
   axis.setRange(extent.low - room, extent.high + room);
 }
 
-void add_text(QCustomPlot& plot, const QString& text, const QColor& color, QPointF at) {
-  auto* label = new QCPItemText(&plot);
-  label->position->setType(QCPItemPosition::ptAxisRectRatio);
-  label->position->setCoords(at);
-  label->setPositionAlignment(Qt::AlignRight | Qt::AlignTop);
-  label->setText(text);
-  label->setColor(color);
-  label->setFont(text_font(TextSize::small, true));
-}
-
 }  // namespace
 
 SignalPlots::SignalPlots(const PlotAxes& signal, const PlotAxes& spectrum, QWidget* parent)
@@ -80,10 +70,13 @@ QWidget* SignalPlots::make_side(Side& side, const PlotAxes& axes) {
   auto* layout = new QVBoxLayout(box);
   layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid / 2);
   layout->setSpacing(0);
-  QLabel* heading = make_text(axes.heading, box);
-  heading->setFont(text_font(TextSize::small, true));
-  heading->setWordWrap(false);
-  layout->addWidget(heading);
+  side.heading = make_text(axes.heading, box);
+  side.heading->setFont(text_font(TextSize::small));
+  side.heading->setWordWrap(false);
+  side.heading->setTextFormat(Qt::RichText);
+  // Names that find no room are cut off, they do not widen the page.
+  side.heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  layout->addWidget(side.heading);
   side.plot = new QCustomPlot(box);
   side.plot->setMinimumHeight(96);
   side.plot->xAxis->setLabel(axes.x);
@@ -114,7 +107,7 @@ void SignalPlots::draw(Side& side) {
   plot.clearItems();
   Extent x{};
   Extent y{};
-  int named = 0;
+  QString heading = "<b>" + side.axes.heading.toHtmlEscaped() + "</b>";
   for (const PlotSeries& series : side.series) {
     QCPGraph* graph = plot.addGraph();
     graph->setPen(QPen(series.color, 1.5));
@@ -124,8 +117,12 @@ void SignalPlots::draw(Side& side) {
       // A logarithm needs something to take it of.
       if (side.axes.y_scale == PlotScale::linear || series.y[i] > 0.0) y.include(series.y[i]);
     }
-    if (!series.name.isEmpty()) add_text(plot, series.name, series.color, {0.99, 0.14 * named++});
+    if (!series.name.isEmpty()) {
+      heading += QString("&nbsp;&nbsp; <span style='color:%1'>━</span> %2")
+                     .arg(series.color.name(), series.name.toHtmlEscaped());
+    }
   }
+  side.heading->setText(heading);
   const bool nothing = side.series.empty() || x.is_empty();
   if (nothing && !side.empty.isEmpty()) {
     auto* label = new QCPItemText(&plot);

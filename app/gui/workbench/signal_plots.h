@@ -10,11 +10,12 @@
 #include <QtWidgets/QWidget>
 
 class QCustomPlot;
+class QLabel;
 
 namespace asperity {
 
 struct PlotSeries {
-  QString name{};  ///< stands at the end of the line; empty: none
+  QString name{};  ///< stands over the plot in the colour of the line; empty: none
   QColor color{};
   QVector<double> x{};
   QVector<double> y{};
@@ -47,6 +48,7 @@ class SignalPlots final : public QWidget {
  private:
   struct Side {
     PlotAxes axes{};
+    QLabel* heading = nullptr;
     QCustomPlot* plot = nullptr;
     std::vector<PlotSeries> series{};
     QString empty{};

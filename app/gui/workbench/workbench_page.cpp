@@ -10,7 +10,9 @@
 #include <QtCore/QMimeData>
 #include <QtGui/QDragEnterEvent>
 #include <QtGui/QDropEvent>
+#include <QtGui/QFontMetrics>
 #include <QtGui/QImageReader>
+#include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QButtonGroup>
 #include <QtWidgets/QComboBox>
@@ -113,6 +115,9 @@ WorkbenchPage::WorkbenchPage(OpenStudy& study, QWidget* parent) : QWidget(parent
          "away, and what is left of its brightness is read as height. PNG, JPEG, TIFF, BMP and "
          "WebP are read. Best is a picture in even light, taken from straight above."),
       pages_);
+  empty->setObjectName("drop_area");
+  empty->setAttribute(Qt::WA_StyledBackground);
+  empty->setStyleSheet("#drop_area { border: 2px dashed palette(mid); border-radius: 8px; }");
   empty->add_action(tr("Open a photograph…"), ButtonRole::primary, [this] { choose_file(); });
   pages_->addWidget(empty);
   pages_->addWidget(make_workspace());
@@ -148,6 +153,10 @@ QWidget* WorkbenchPage::make_head() {
     QPushButton* button =
         make_button(words[static_cast<std::size_t>(i)], ButtonRole::selector, head);
     button->setObjectName(i == 0 ? "mode_making" : "mode_comparing");
+    // The chosen one is bold and needs its room before it is chosen.
+    const QFontMetrics bold(text_font(TextSize::body, true));
+    button->setMinimumWidth(bold.horizontalAdvance(button->text()) + 2 * kMargin);
+    button->hide();  // until there is something to choose for
     mode_->addButton(button, i);
     layout->addWidget(button);
   }
@@ -187,7 +196,7 @@ QWidget* WorkbenchPage::make_workspace() {
   step_picture_->installEventFilter(this);
   centre_->addWidget(relief_);
   centre_->addWidget(step_picture_);
-  middle->addWidget(centre_, 3);
+  middle->addWidget(centre_, 5);
   caption_ = make_text({}, work, true);
   caption_->setObjectName("caption");
   caption_->setFont(text_font(TextSize::small));
@@ -211,7 +220,7 @@ QWidget* WorkbenchPage::make_workspace() {
   forces_->setObjectName("forces");
   plots_->addWidget(profile_);
   plots_->addWidget(forces_);
-  middle->addWidget(plots_, 2);
+  middle->addWidget(plots_, 3);
   layout->addLayout(middle, 1);
 
   side_ = new QStackedWidget(work);
@@ -245,7 +254,7 @@ QWidget* WorkbenchPage::make_recipe_panel() {
   inside->setSpacing(kGrid);
   QVBoxLayout* shows = nullptr;
   QFrame* card = make_card(recipe_panel_, shows);
-  shows->addWidget(make_text(tr("<b>What does this photograph show?</b>"), card));
+  shows->addWidget(make_text(tr("<b>What does the photograph show?</b>"), card));
   kind_ = new QComboBox(card);
   kind_->setObjectName("kind");
   kind_->addItems({tr("Relief: bright parts stand out"), tr("Relief: dark parts stand out"),
@@ -259,12 +268,16 @@ QWidget* WorkbenchPage::make_recipe_panel() {
   expectation_->setObjectName("expectation");
   expectation_->setFont(text_font(TextSize::small));
   shows->addWidget(expectation_);
-  advice_ = make_text({}, card, true);
-  advice_->setObjectName("advice");
-  advice_->setFont(text_font(TextSize::small));
-  shows->addWidget(advice_);
   inside->addWidget(card);
   add_recipe_groups(inside, recipe_panel_);
+  QVBoxLayout* tells = nullptr;
+  QFrame* evidence = make_card(recipe_panel_, tells);
+  tells->addWidget(make_text(tr("<b>What the picture tells about itself</b>"), evidence));
+  advice_ = make_text({}, evidence, true);
+  advice_->setObjectName("advice");
+  advice_->setFont(text_font(TextSize::small));
+  tells->addWidget(advice_);
+  inside->addWidget(evidence);
   inside->addStretch(1);
   say_what_it_shows(bright_high);
 
@@ -340,6 +353,7 @@ void WorkbenchPage::set_mode(Mode mode) {
     strip_->choose(Step::relief);
     // Renderers are made for a relief that is looked at, not for every step towards it.
     comparison_->set_field(preview_.field);
+    if (!std::exchange(has_sound_, true)) comparison_->set_sound(default_output());
   }
   choose_step(strip_->chosen());
   show_forces();
@@ -414,6 +428,7 @@ void WorkbenchPage::take(std::shared_ptr<const Opened> opened) {
   recipe_banner_->hide();
   opened_ = std::move(opened);
   pages_->setCurrentIndex(1);
+  for (QAbstractButton* button : mode_->buttons()) button->show();
   const bool has_recipe = !opened_->reduced.values.empty();
   finished_->setVisible(!has_recipe);
   recipe_panel_->setVisible(has_recipe);
@@ -523,12 +538,12 @@ void WorkbenchPage::choose_step(Step step) {
     return;
   }
   const bool making = mode_->checkedId() == static_cast<int>(Mode::making);
+  const double times = preview_.fine->exaggeration;
+  const QString height = times > 1.0 ? tr("Heights are drawn %1 times too high.").arg(times)
+                                     : tr("Heights are drawn to scale.");
   caption_->setText(
-      (making ? tr("Heights are drawn %1 times too high. Drag to turn, right button: light, wheel: "
-                   "zoom.")
-              : tr("Heights are drawn %1 times too high. Drag to stroke, right button: light, "
-                   "arrow keys: turn."))
-          .arg(preview_.fine->exaggeration));
+      making ? tr("%1 Drag to turn, right button: light, wheel: zoom.").arg(height)
+             : tr("%1 Drag to stroke, right button: light, arrow keys: turn.").arg(height));
 }
 
 bool WorkbenchPage::eventFilter(QObject* watched, QEvent* event) {

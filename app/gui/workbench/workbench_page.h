@@ -121,6 +121,7 @@ class WorkbenchPage final : public QWidget {
 
   std::shared_ptr<const Opened> opened_{};
   TexturePreview preview_{};
+  bool has_sound_ = false;  // asked for when forces are first looked at
   double line_y_m_ = 0.0;
   BackgroundTask opening_{};
   BackgroundTask saving_{};

@@ -1,6 +1,5 @@
 #include "app/gui/workbench/workbench_page.h"
 
-#include <array>
 #include <fstream>
 
 #include <QtCore/QMimeData>
@@ -9,6 +8,7 @@
 #include <QtGui/QDropEvent>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
+#include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
@@ -29,6 +29,7 @@
 #include "renderers/offline/along_path.h"
 #include "stimuli/synthetic_photograph.h"
 #include "stimuli/synthetic_surface.h"
+#include "tests/gui/sound/fake_card.h"
 #include "tests/gui/support/screenshot.h"
 
 namespace asperity {
@@ -91,7 +92,7 @@ class Workbench : public testing::Test {
     QTest::keyClick(&field, Qt::Key_Return);
   }
 
-  void click(const char* name) { QTest::mouseClick(&find<QPushButton>(name), Qt::LeftButton); }
+  void click(const char* name) { QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton); }
 
   QTemporaryDir folder_{};
   std::unique_ptr<OpenStudy> study_{};
@@ -110,7 +111,7 @@ TEST_F(Workbench, ShowsEveryStepOfADroppedPhotograph) {
   EXPECT_FALSE(find<ReliefView>("relief").picture().isNull());
   EXPECT_FALSE(find<SignalPlots>("profile").signal_series().empty());
   EXPECT_FALSE(find<QLabel>("advice").text().isEmpty());
-  QTest::mouseClick(page_->findChild<QWidget*>("step_2"), Qt::LeftButton);
+  click("step_2");
   EXPECT_FALSE(find<QLabel>("step_picture").pixmap().isNull());
   EXPECT_TRUE(find<QLabel>("step_picture").isVisible());
 }
@@ -381,36 +382,62 @@ TEST_F(Workbench, TakesAModelsParametersFromTheReliefUnlessTheyAreGiven) {
   }
 }
 
-void stroke_with_the_button(WorkbenchPage& page) {
-  QTest::mouseClick(page.findChild<QPushButton*>("stroke_across"), Qt::LeftButton);
-  auto* comparison = page.findChild<ForceComparison*>("comparison");
-  ASSERT_TRUE(QTest::qWaitFor([comparison] { return comparison->stroke().path().size() > 1200; },
-                              kLongest_ms));
+TEST_F(Workbench, PlaysTheForceOfTheModelThatIsToBeHeard) {
+  FakeCard card{};
+  drop(photograph("brick", 256));
+  click("mode_comparing");
+  auto& comparison = find<ForceComparison>("comparison");
+  comparison.set_sound(output_of(card));
+  find<QComboBox>("heard").setCurrentIndex(4);
+  EXPECT_TRUE(find<QCheckBox>("model_lateral_gradient").isChecked());
+  find<QComboBox>("force_component").setCurrentIndex(1);
+  settle();
+  EXPECT_EQ(card.peak, 0.0);
+  click("stroke_across");
+  ASSERT_TRUE(QTest::qWaitFor([&card] { return card.peak > 0.0; }, kLongest_ms));
+}
+
+TEST_F(Workbench, SaysThatThereIsNothingToHearAForceWith) {
+  drop(photograph("brick", 256));
+  click("mode_comparing");
+  find<ForceComparison>("comparison").set_sound(null_output());
+  EXPECT_FALSE(find<QComboBox>("heard").isEnabled());
+  EXPECT_TRUE(find<QLabel>("no_sound").text().contains("sound card"));
+  EXPECT_TRUE(find<QLabel>("no_sound").isVisible());
 }
 
 TEST_F(Workbench, LooksFinished) {
-  const std::array<QSize, 2> sizes{QSize{1366, 768}, QSize{1920, 1080}};
   if (qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) return;  // nothing to look at
+  const std::filesystem::path brick = photograph("brick", 1024);
+  const std::filesystem::path stone = photograph("stone", 1024, PhotographCase::lambert);
+  const auto shoot = [this](const QString& name) {
+    for (const QSize& size : {QSize{1366, 768}, QSize{1920, 1080}}) {
+      page_->resize(size);
+      settle();
+      take_screenshot(*page_, QString("%1_%2x%3").arg(name).arg(size.width()).arg(size.height()),
+                      size);
+    }
+  };
   for (const ThemeChoice choice : {ThemeChoice::light, ThemeChoice::dark}) {
     apply_theme(*qApp, choice);
-    const QString look = choice == ThemeChoice::light ? "light" : "dark";
-    for (const QSize& size : sizes) {
-      const QString suffix = QString("-%1-%2").arg(size.width()).arg(look);
-      page_ = std::make_unique<WorkbenchPage>(*study_);
-      take_screenshot(*page_, "workbench-empty" + suffix, size);
-      for (const char* kind : {"brick", "stone"}) {
-        drop(photograph(kind, 1024));
-        take_screenshot(*page_, QString("workbench-") + kind + suffix, size);
-        settle();
-        take_screenshot(*page_, QString("workbench-") + kind + suffix, size);
-      }
-      QTest::mouseClick(page_->findChild<QWidget*>("step_2"), Qt::LeftButton);
-      take_screenshot(*page_, "workbench-step" + suffix, size);
-      click("mode_comparing");
-      settle();
-      stroke_with_the_button(*page_);
-      take_screenshot(*page_, "workbench-compare" + suffix, size);
-    }
+    const QString look = choice == ThemeChoice::light ? "" : "-dark";
+    page_ = std::make_unique<WorkbenchPage>(*study_);
+    page_->show();
+    shoot("workbench-empty" + look);
+    drop(stone);
+    shoot("workbench-stone" + look);
+    drop(brick);
+    shoot("workbench-brick" + look);
+    click("step_2");
+    shoot("workbench-step" + look);
+    click("mode_comparing");
+    find<QCheckBox>("model_lateral_gradient").setChecked(true);
+    settle();
+    click("stroke_across");
+    auto& comparison = find<ForceComparison>("comparison");
+    ASSERT_TRUE(QTest::qWaitFor([&comparison] { return comparison.stroke().path().size() > 1200; },
+                                kLongest_ms));
+    shoot("workbench-forces" + look);
   }
   apply_theme(*qApp, ThemeChoice::light);
 }
