@@ -233,9 +233,9 @@ void ForceComparison::begin_stroke(double x_m, double y_m) {
 }
 
 void ForceComparison::end_stroke() {
+  frames_.stop();
   frame();
   stroke_.end();
-  frames_.stop();
 }
 
 void ForceComparison::stroke_across(double y_m) {
@@ -260,7 +260,8 @@ void ForceComparison::frame() {
     stroke_.advance(now_ns);
   }
   play();
-  emit advanced();
+  // The sound wants every frame, the plots every other.
+  if (++frame_ % 2 == 0 || !frames_.isActive()) emit advanced();
 }
 
 void ForceComparison::set_sound(SoundOutput output) {

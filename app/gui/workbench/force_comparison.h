@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -81,6 +82,7 @@ class ForceComparison final : public QWidget {
   ForceStroke stroke_{};
   QElapsedTimer clock_{};
   QTimer frames_{};
+  std::uint64_t frame_ = 0;
   std::optional<double> across_y_m_{};
   std::unique_ptr<ForceSpeaker> speaker_{};
   std::size_t played_ = 0;  // samples of this stroke

@@ -25,7 +25,7 @@ namespace asperity {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-constexpr int kFieldWidth = 112;
+constexpr int kFieldWidth = 128;
 constexpr int kResetWidth = 64;
 
 QString tr(const char* text) { return QCoreApplication::translate("ParameterForm", text); }
@@ -69,11 +69,11 @@ ShownUnit shown_unit(const Parameter& parameter) {
   return {.name = QString::fromStdString(parameter.unit)};
 }
 
-/// Five significant digits without exponent or trailing zeros, with a point.
+/// Four significant digits without exponent or trailing zeros, with a point.
 QString short_number(double value) {
   if (value == 0.0) return "0";
   const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  QString text = QString::number(value, 'f', std::clamp(4 - magnitude, 0, 9));
+  QString text = QString::number(value, 'f', std::clamp(3 - magnitude, 0, 9));
   if (text.contains('.')) {
     while (text.endsWith('0')) text.chop(1);
     if (text.endsWith('.')) text.chop(1);

@@ -134,7 +134,7 @@ glm::vec3 light_direction(const ReliefLook& look) {
 glm::vec3 shade(const glm::vec3& normal, const glm::vec3& light, float share_of_height) {
   const float lamp = std::max(0.0F, glm::dot(normal, light));
   const float sky = 0.5F + 0.5F * normal.z;
-  return kStone * ((0.30F * sky + 0.85F * lamp) * (0.82F + 0.18F * share_of_height));
+  return kStone * ((0.30F * sky + 1.0F * lamp) * (0.82F + 0.18F * share_of_height));
 }
 
 double x_of(const ReliefMesh& mesh, std::size_t column) {
@@ -158,7 +158,7 @@ void draw_wall(QPainter& painter, const ReliefMesh& mesh, const ReliefProjection
   const glm::vec3 normal{static_cast<float>(outwards.x), static_cast<float>(outwards.y), 0.0F};
   // A cut face is smooth and throws back more light than its shade would tell.
   const float lamp = std::max(0.0F, glm::dot(normal, light_direction(look)));
-  const glm::vec3 color = kStone * (0.42F + 0.30F * lamp);
+  const glm::vec3 color = kStone * (0.48F + 0.30F * lamp);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor::fromRgb(packed(color)));
   painter.drawPolygon(outline);

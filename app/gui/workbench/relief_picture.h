@@ -42,7 +42,7 @@ struct ReliefLook {
   double turn_rad = -0.35;  ///< of the relief about its normal
   double tilt_rad = 0.85;   ///< of the view above the plane, up to ½π: straight from above
   double light_azimuth_rad = 2.2;
-  double light_elevation_rad = 0.6;
+  double light_elevation_rad = 0.7;
   double zoom = 1.0;
 };
 

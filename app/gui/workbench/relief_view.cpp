@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include <QtGui/QFocusEvent>
 #include <QtGui/QKeyEvent>
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
@@ -162,7 +163,7 @@ void ReliefView::paintEvent(QPaintEvent*) {
   painter.setPen(theme().muted);
   painter.drawText(QRectF(centre.x() - kSun, centre.y() + kSun / 2.0 - 4, 2.0 * kSun, 18.0),
                    Qt::AlignHCenter | Qt::AlignTop, tr("Light"));
-  if (hasFocus()) {
+  if (hasFocus() && focused_by_key_) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme().press, 1.0, Qt::DotLine));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -170,6 +171,12 @@ void ReliefView::paintEvent(QPaintEvent*) {
 }
 
 void ReliefView::resizeEvent(QResizeEvent*) { move(); }
+
+void ReliefView::focusInEvent(QFocusEvent* event) {
+  focused_by_key_ =
+      event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+  QWidget::focusInEvent(event);
+}
 
 void ReliefView::turn(QPointF by) {
   look_.turn_rad += by.x();

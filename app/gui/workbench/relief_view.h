@@ -55,6 +55,7 @@ class ReliefView final : public QWidget {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -77,6 +78,7 @@ class ReliefView final : public QWidget {
   QImage picture_{};
   MouseMeans mouse_ = MouseMeans::turning;
   bool stroking_ = false;
+  bool focused_by_key_ = false;  // only then is the focus worth a frame
   QPointF last_position_{};
   std::optional<double> line_y_m_{};
   std::vector<glm::dvec2> trail_m_{};

@@ -103,23 +103,24 @@ void StepStrip::set_picture(Step step, const QImage& picture) {
     buttons_[at(step)]->setIcon({});
     if (chosen_ == step) choose(Step::relief);
   }
-  fit();
+  fit(at(step));
 }
 
 const QImage& StepStrip::picture(Step step) const { return pictures_[at(step)]; }
 
 void StepStrip::choose(Step step) { buttons_[at(step)]->setChecked(true); }
 
-void StepStrip::resizeEvent(QResizeEvent*) { fit(); }
+void StepStrip::resizeEvent(QResizeEvent*) {
+  for (std::size_t i = 0; i < buttons_.size(); ++i) fit(i);
+}
 
-void StepStrip::fit() {
+void StepStrip::fit(std::size_t index) {
+  const QImage& picture = pictures_[index];
+  if (picture.isNull()) return;
   const QSize room(kWidth - kGrid * 2, std::max(24, height() / kSteps - kCaption - kGrid));
-  for (std::size_t i = 0; i < buttons_.size(); ++i) {
-    if (pictures_[i].isNull()) continue;
-    buttons_[i]->setIconSize(room);
-    buttons_[i]->setIcon(QPixmap::fromImage(pictures_[i].scaled(
-        room * devicePixelRatioF(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
-  }
+  buttons_[index]->setIconSize(room);
+  buttons_[index]->setIcon(QPixmap::fromImage(
+      picture.scaled(room * devicePixelRatioF(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
 }
 
 }  // namespace asperity

@@ -37,7 +37,7 @@ class StepStrip final : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void fit();
+  void fit(std::size_t index);
 
   std::array<QToolButton*, kSteps> buttons_{};
   std::array<QImage, kSteps> pictures_{};

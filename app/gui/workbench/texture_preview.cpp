@@ -9,7 +9,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kShownSide = 640;  // of a step that is enlarged
+constexpr std::size_t kShownSide = 512;  // of a step that is enlarged
 
 QImage step_picture(const GreyImage& step) {
   return picture_of(stretched(scaled_to_fit(step, kShownSide)));

@@ -35,7 +35,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPanelWidth = 368;
+constexpr int kPanelWidth = 392;
 constexpr int kThumbnailSide = 1024;  // of the photograph in colour
 
 enum Kind { bright_high, dark_high, side_light, paint };
@@ -83,6 +83,24 @@ std::vector<Parameter> declared(std::initializer_list<const char*> names) {
     }
   }
   return chosen;
+}
+
+/// What of the advice has to be seen before the sign is chosen.
+QString hint_of(PhotographResemblance resemblance) {
+  switch (resemblance) {
+    case PhotographResemblance::directed:
+      return WorkbenchPage::tr(
+          "It changes mostly in one direction: a grain, or light from one "
+          "side? More at the end of this list.");
+    case PhotographResemblance::bright_spots:
+      return WorkbenchPage::tr(
+          "It has narrow bright parts. If they lie low, as light mortar "
+          "does, dark parts stand out.");
+    case PhotographResemblance::dark_grooves:
+    case PhotographResemblance::nothing_clear:
+      break;
+  }
+  return {};
 }
 
 QString in_micrometres(double length_m) { return QString::number(length_m * 1e6, 'f', 0); }
@@ -268,6 +286,11 @@ QWidget* WorkbenchPage::make_recipe_panel() {
   expectation_->setObjectName("expectation");
   expectation_->setFont(text_font(TextSize::small));
   shows->addWidget(expectation_);
+  hint_ = new StateLabel(card);
+  hint_->setObjectName("hint");
+  hint_->setFont(text_font(TextSize::small));
+  hint_->hide();
+  shows->addWidget(hint_);
   inside->addWidget(card);
   add_recipe_groups(inside, recipe_panel_);
   QVBoxLayout* tells = nullptr;
@@ -401,6 +424,7 @@ void WorkbenchPage::open_file(const std::filesystem::path& file) {
       [file, recipe = recipe()](const std::stop_token&, const BackgroundTask::Progress&) {
         auto opened = std::make_shared<Opened>();
         opened->file = file;
+        opened->recipe = recipe;
         if (is_height_field(file)) {
           opened->preview = preview_of(load_height_field(file).field);
           return std::shared_ptr<const Opened>(opened);
@@ -429,6 +453,7 @@ void WorkbenchPage::take(std::shared_ptr<const Opened> opened) {
   opened_ = std::move(opened);
   pages_->setCurrentIndex(1);
   for (QAbstractButton* button : mode_->buttons()) button->show();
+  relief_->setFocus(Qt::OtherFocusReason);
   const bool has_recipe = !opened_->reduced.values.empty();
   finished_->setVisible(!has_recipe);
   recipe_panel_->setVisible(has_recipe);
@@ -437,9 +462,11 @@ void WorkbenchPage::take(std::shared_ptr<const Opened> opened) {
   if (has_recipe) {
     advice_->setText(QString::fromStdString(opened_->advice));
     const QSignalBlocker quiet(kind_);
-    kind_->setCurrentIndex(opened_->resemblance == PhotographResemblance::directed ? side_light
-                                                                                   : bright_high);
-    say_what_it_shows(kind_->currentIndex());
+    kind_->setCurrentIndex(bright_high);
+    say_what_it_shows(bright_high);
+    const QString hint = hint_of(opened_->resemblance);
+    hint_->set_state(State::look, hint);
+    hint_->setVisible(!hint.isEmpty());
   }
   name_->setText(study_name(opened_->file));
   show_preview(opened_->preview);
@@ -447,7 +474,7 @@ void WorkbenchPage::take(std::shared_ptr<const Opened> opened) {
   choose_step(Step::relief);
   check_name();
   // The recipe may have been changed while the file was read.
-  if (has_recipe) recompute();
+  if (parameter_values(recipe()) != parameter_values(opened_->recipe)) recompute();
 }
 
 TextureRecipe WorkbenchPage::recipe() const {
@@ -613,9 +640,8 @@ void WorkbenchPage::check_name() {
     problem = tr("Saving …");
   }
   save_->setEnabled(problem.isEmpty());
-  name_problem_->setText(problem.isEmpty()
-                             ? tr("Becomes stimuli/%1.png and stimuli/%1_photo.png.").arg(name)
-                             : problem);
+  name_problem_->setText(
+      problem.isEmpty() ? tr("Goes to stimuli/ with its sidecar and its photograph.") : problem);
 }
 
 void WorkbenchPage::save(Overwrite overwrite) {

@@ -35,6 +35,7 @@ class OpenStudy;
 class ParameterForm;
 class ReliefView;
 class SignalPlots;
+class StateLabel;
 
 /// A photograph is dropped or opened, its steps and its relief are shown, its parameters changed;
 /// the result is saved to the study as stimuli/NAME.png, its sidecar and NAME_photo.png. A relief
@@ -65,6 +66,7 @@ class WorkbenchPage final : public QWidget {
  private:
   struct Opened {
     std::filesystem::path file{};
+    TextureRecipe recipe{};     ///< when it was opened
     LoadedPhotograph loaded{};  ///< empty for a height field
     GreyImage reduced{};
     GreyImage coarse{};
@@ -112,6 +114,7 @@ class WorkbenchPage final : public QWidget {
   QLabel* finished_ = nullptr;  // why a height field has no recipe here
   QComboBox* kind_ = nullptr;
   QLabel* expectation_ = nullptr;
+  StateLabel* hint_ = nullptr;
   QLabel* advice_ = nullptr;
   QLabel* facts_ = nullptr;
   std::vector<ParameterForm*> forms_{};
