@@ -1,0 +1,86 @@
+#include "app/gui/participant/live_workspace.h"
+
+#include <algorithm>
+#include <stop_token>
+
+#include <QtWidgets/QBoxLayout>
+
+namespace asperity {
+
+LiveWorkspace::LiveWorkspace(const SessionMonitor& monitor, std::filesystem::path study,
+                             SurfaceLook look, QWidget* parent)
+    : QWidget(parent), monitor_(monitor), study_(std::move(study)), look_(look) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  view_ = new WorkspaceView(this);
+  layout->addWidget(view_);
+  timer_.setTimerType(Qt::PreciseTimer);
+  timer_.setInterval(static_cast<int>(SessionMonitor::kBin_s * 1000.0));
+  connect(&timer_, &QTimer::timeout, this, &LiveWorkspace::look_again);
+}
+
+void LiveWorkspace::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  look_again();
+  timer_.start();
+}
+
+void LiveWorkspace::hideEvent(QHideEvent* event) {
+  timer_.stop();
+  QWidget::hideEvent(event);
+}
+
+void LiveWorkspace::look_again() {
+  const auto facts = monitor_.facts();
+  const SessionSnapshot now = monitor_.snapshot();
+  bins_.clear();
+  next_bin_ = monitor_.bins_from(next_bin_, bins_);
+  if (!facts || !facts->plan || now.surface == 0) {
+    view_->take_probe_away();
+    return;
+  }
+  if (shown_ != std::pair(now.trial, now.surface)) {
+    const auto& trials = facts->plan->trials;
+    const auto trial = std::find_if(trials.begin(), trials.end(),
+                                    [&now](const Trial& one) { return one.ordinal == now.trial; });
+    if (trial == trials.end()) return;
+    const auto& surfaces = trial->presentations;
+    const auto surface = std::find_if(
+        surfaces.begin(), surfaces.end(),
+        [&now](const PlannedPresentation& one) { return one.position == now.surface; });
+    if (surface == surfaces.end()) return;
+    shown_ = {now.trial, now.surface};
+    show_surface(*surface, facts->mirrored);
+  }
+  if (!bins_.empty()) {
+    const LiveBin& last = bins_.back();
+    view_->set_probe(last.x_m, last.y_m, last.z_m, last.touching);
+  }
+}
+
+void LiveWorkspace::show_surface(const PlannedPresentation& surface, bool mirrored) {
+  SurfacePatch patch = surface.stimulus.patch;
+  if (mirrored) patch.centre_m.x = -patch.centre_m.x;  // as the session lays it out
+  view_->set_mirrored(mirrored);
+  const auto& path = surface.stimulus.height_field;
+  if (look_ != SurfaceLook::relief || !path) {
+    view_->set_object(patch, nullptr, look_);
+    return;
+  }
+  if (const auto known = reliefs_.find(*path); known != reliefs_.end()) {
+    view_->set_object(patch, known->second, look_);
+    return;
+  }
+  view_->set_object(patch, nullptr, SurfaceLook::plain);
+  reading_.run<LoadedHeightField>(
+      [file = study_ / *path](const std::stop_token&, const BackgroundTask::Progress&) {
+        return load_height_field(file);
+      },
+      [this, patch, path = *path, wanted = shown_](LoadedHeightField loaded) {
+        reliefs_[path] = loaded.field;
+        if (shown_ == wanted) view_->set_object(patch, loaded.field, look_);
+      },
+      [this](const QString& what) { emit unreadable(what); });
+}
+
+}  // namespace asperity
