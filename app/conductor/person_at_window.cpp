@@ -91,6 +91,7 @@ struct PersonAtWindow::Desk {
   std::vector<EventRow> events{};
   std::string source = "keyboard";
   ParticipantScene::Kind shown = ParticipantScene::Kind::blank;  ///< the present scene
+  std::uint64_t cues = 0;     ///< a new scene may begin without the number of the last cue
   std::int64_t shown_ns = 0;  ///< what is stamped before was meant for another scene
 
   std::vector<std::string> codes{};  ///< of the trial's surfaces, by position
@@ -186,7 +187,8 @@ void PersonAtWindow::Desk::refuse(const ParticipantInput& input, Saying saying) 
   change([&](ParticipantScene& scene) {
     scene.cue = text_of(saying);
     scene.cue_saying = std::move(saying);
-    ++scene.cue_number;
+    cues = std::max(cues, scene.cue_number) + 1;
+    scene.cue_number = cues;
   });
   play(Cue::refused);
 }
