@@ -8,6 +8,9 @@
 #include <QtWidgets/QStyleFactory>
 #include <qcustomplot.h>
 
+// Those of a static library are not found by themselves; the macro does not work in a namespace.
+static void load_icons() { Q_INIT_RESOURCE(look); }
+
 namespace asperity {
 
 namespace {
@@ -107,6 +110,25 @@ QString style_sheet_of(const Theme& look) {
       border: 2px solid %press; }
     QLineEdit:disabled, QPlainTextEdit:disabled, QTextEdit:disabled, QComboBox:disabled, QSpinBox:disabled,
     QDoubleSpinBox:disabled { background: %ground; color: %muted; }
+    QComboBox::drop-down { border: none; width: 28px; }
+    QComboBox::down-arrow { image: url(:/look/down-%mode.svg); width: 12px; height: 12px; }
+    QSpinBox::up-button, QSpinBox::down-button, QDoubleSpinBox::up-button, QDoubleSpinBox::down-button {
+      border: none; width: 24px; }
+    QSpinBox::up-arrow, QDoubleSpinBox::up-arrow { image: url(:/look/up-%mode.svg); width: 12px; height: 12px; }
+    QSpinBox::down-arrow, QDoubleSpinBox::down-arrow { image: url(:/look/down-%mode.svg); width: 12px; height: 12px; }
+    QScrollBar:vertical { width: 12px; background: transparent; }
+    QScrollBar:horizontal { height: 12px; background: transparent; }
+    QScrollBar::handle { background: %line; border-radius: 4px; margin: 2px; }
+    QScrollBar::handle:hover { background: %muted; }
+    QScrollBar::handle:vertical { min-height: 32px; }
+    QScrollBar::handle:horizontal { min-width: 32px; }
+    QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+    QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+    QCheckBox { spacing: 8px; }
+    QCheckBox::indicator { width: 16px; height: 16px; border: 1px solid %muted; border-radius: 3px; background: %panel; }
+    QCheckBox::indicator:checked { border-color: %press; background: %press; image: url(:/look/check-%mode.svg); }
+    QCheckBox::indicator:focus { border: 2px solid %press; }
+    QCheckBox::indicator:disabled { border-color: %line; background: %ground; }
     QTableView, QTreeView, QListView { background: %panel; border: 1px solid %line; border-radius: 4px;
       gridline-color: transparent; selection-background-color: %press; selection-color: %on_press; }
     QTableView::item, QTreeView::item, QListView::item { border: 0px; padding: 4px 8px; }
@@ -127,6 +149,7 @@ QString style_sheet_of(const Theme& look) {
     QMenu::item { padding: 6px 24px; }
     QMenu::item:selected { background: %press; color: %on_press; }
   )css")
+      .replace("%mode", look.dark ? "dark" : "light")
       .replace("%on_press", look.on_press.name())
       .replace("%on_stop", look.on_stop.name())
       .replace("%ground", look.ground.name())
@@ -144,6 +167,7 @@ QString style_sheet_of(const Theme& look) {
 const Theme& theme() { return current_theme(); }
 
 void apply_theme(QApplication& application, ThemeChoice choice) {
+  load_icons();
   const bool system_is_dark = QApplication::palette().color(QPalette::Window).lightnessF() <
                               QApplication::palette().color(QPalette::WindowText).lightnessF();
   const bool dark =
