@@ -164,6 +164,7 @@ StartPage::StartPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study
   check_timer_->setInterval(kCheckDelay_ms);
   connect_parts();
   list_protocols();
+  read_study();
   show_mode();
 }
 
@@ -327,6 +328,7 @@ void StartPage::connect_parts() {
   connect(&simulate_task_, &BackgroundTask::finished, this, [this] { show_start(); });
   connect(&study_, &OpenStudy::changed, this, [this] {
     list_protocols();
+    read_study();
     show_person();
     check_soon();
   });
@@ -407,6 +409,7 @@ void StartPage::load(const std::filesystem::path& protocol) {
   if (protocols_->findData(file) < 0) list_protocols();
   const QSignalBlocker silent(protocols_);
   protocols_->setCurrentIndex(protocols_->findData(file));
+  read_study();
   show_protocol();
   show_noise();
   show_mode();
@@ -514,8 +517,25 @@ void StartPage::show_mode() {
   check_soon();
 }
 
-void StartPage::show_person() {
+void StartPage::read_study() {
   people_ = study_.study().participants();
+  sessions_.clear();
+  rows_used_.clear();
+  if (!protocol_) return;
+  std::map<std::int64_t, bool> is_this{};
+  for (const ProtocolRow& row : study_.study().protocols()) {
+    is_this[row.id] = row.source_sha256 == protocol_sha256_;
+  }
+  for (const SessionRow& row : study_.study().sessions()) {
+    sessions_.push_back({row.participant, row.mode, row.state, is_this[row.protocol_id]});
+  }
+  const int rows = counterbalance_rows(*protocol_);
+  for (const SessionMode mode : {SessionMode::run, SessionMode::pilot, SessionMode::simulate}) {
+    rows_used_[mode] = study_.study().counterbalance_counts(protocol_->name, rows, mode);
+  }
+}
+
+void StartPage::show_person() {
   const int several = virtual_people_->value();
   const std::string first = next_virtual_label(people_);
   participant_->set_virtual(
@@ -550,22 +570,23 @@ QString StartPage::session_text() const {
   int sessions = 0;
   int of_this = 0;
   const std::string label = participant_->label();
-  for (const SessionRow& row : study_.study().sessions()) {
-    if (participant_->is_new() || row.participant != label) continue;
+  for (const SessionBefore& session : sessions_) {
+    if (participant_->is_new() || session.participant != label) continue;
     ++sessions;
-    const bool same = study_.study().protocol(row.protocol_id).source == protocol_->source;
-    if (same && row.mode == mode_ && row.state == SessionState::completed) ++of_this;
+    if (session.of_this_protocol && session.mode == mode_ &&
+        session.state == SessionState::completed) {
+      ++of_this;
+    }
   }
   const QString number = tr("This is session %1 of this participant; %2 of %3 planned ones of this "
                             "protocol are done.")
                              .arg(sessions + 1)
                              .arg(of_this)
                              .arg(protocol_->sessions);
-  const int rows = counterbalance_rows(*protocol_);
-  if (rows == 1) return tr("%1 No counterbalancing.").arg(number);
-  const std::vector<int> counts =
-      study_.study().counterbalance_counts(protocol_->name, rows, mode_);
-  const auto least = std::min_element(counts.begin(), counts.end()) - counts.begin();
+  const std::vector<int>& used = rows_used_.at(mode_);
+  const auto rows = static_cast<int>(used.size());
+  if (rows <= 1) return tr("%1 No counterbalancing.").arg(number);
+  const auto least = std::min_element(used.begin(), used.end()) - used.begin();
   return tr("%1 Counterbalancing row %2 of %3, the least used one.")
       .arg(number)
       .arg(least + 1)

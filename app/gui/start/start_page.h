@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -84,6 +85,7 @@ class StartPage final : public QWidget {
   void show_protocol();
   void show_noise();
   void show_mode();
+  void read_study();
   void show_person();
   void show_start();
   void go_on(bool wanted);
@@ -108,7 +110,17 @@ class StartPage final : public QWidget {
   bool resume_ = false;
   std::optional<std::vector<SessionCheck>> checks_{};  ///< absent: not up to date
   bool check_outdated_ = false;  ///< what is looked at now is to be looked at once more
+  // What the study holds, as last read.
+  struct SessionBefore {
+    std::string participant{};
+    SessionMode mode = SessionMode::run;
+    SessionState state = SessionState::open;
+    bool of_this_protocol = false;
+  };
   std::vector<ParticipantRow> people_{};
+  std::vector<SessionBefore> sessions_{};
+  /// How often each counterbalancing row of the protocol was used, by mode.
+  std::map<SessionMode, std::vector<int>> rows_used_{};
 
   ModeBand* band_ = nullptr;
   Banner* banner_ = nullptr;

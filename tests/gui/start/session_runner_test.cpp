@@ -41,7 +41,8 @@ class RunningSession : public testing::Test {
 
   /// So many trials, and nothing to read or to fill in.
   void write_short_protocol(int trials) {
-    std::string text = small_protocol();
+    std::string text =
+        small_protocol(R"(, "pause_before_trial_s": 0, "pause_between_surfaces_s": 0)");
     std::string levels = "1";
     for (int trial = 2; trial <= trials; ++trial) levels += ", " + std::to_string(trial);
     text.replace(text.find("[1, 2, 3]"), 9, "[" + levels + "]");

@@ -473,6 +473,14 @@ TEST(StartPagePictures, ShowEveryMode) {
       stored.add_participant({.label = label, .age_years = 28, .sex = "F", .handedness = "right"});
     }
   }
+  std::stop_source stop;
+  run_session({.protocol = folder / "protocols" / "chapter_selection.json",
+               .study = folder,
+               .participant = "virtual0001",
+               .is_virtual = true,
+               .pacing = RunPacing::stepped},
+              built_in_models(), nullptr, stop.get_token(),
+              [&stop](const AttemptDone&) { stop.request_stop(); });
   OpenStudy study(folder);
   for (const auto theme_choice : {ThemeChoice::light, ThemeChoice::dark}) {
     apply_theme(*qApp, theme_choice);
@@ -500,6 +508,9 @@ TEST(StartPagePictures, ShowEveryMode) {
     page.set_mode(SessionMode::simulate);
     settle();
     take_screenshot(page, "start-page-simulate" + suffix);
+    page.choose(folder / "protocols" / "chapter_selection.json", "virtual0001", true);
+    settle();
+    take_screenshot(page, "start-page-go-on" + suffix);
   }
   apply_theme(*qApp, ThemeChoice::light);
 }
