@@ -18,15 +18,15 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/sound/qt_sound.h"
+#include "app/tasks/session_checks.h"
 
 namespace asperity {
 
 namespace {
 
 // The slider counts half decibels relative to full scale.
-constexpr int kLowest = -120;  // −60 dB
-constexpr int kHighest = -25;  // −12.5 dB, just below MaskingSound::kHighestGain
-constexpr double kOff_dB = 3.0;
+constexpr int kLowest = -120;              // −60 dB
+constexpr int kHighest = -25;              // −12.5 dB, just below MaskingSound::kHighestGain
 constexpr double kLoudest_dBA = 85.0;      // over a working day; no protocol may ask for more
 constexpr double kNotMeasured_dBA = 29.5;  // the spin box's lowest value stands for "not measured"
 
@@ -177,7 +177,8 @@ QString NoiseCheck::reservation() const {
         .arg(*value_.measured_dBA, 0, 'f', 1)
         .arg(kLoudest_dBA, 0, 'f', 0);
   }
-  if (value_.declared_dBA && std::abs(*value_.measured_dBA - *value_.declared_dBA) > kOff_dB) {
+  if (value_.declared_dBA &&
+      std::abs(*value_.measured_dBA - *value_.declared_dBA) > kNoiseTolerance_dBA) {
     return tr("The noise was measured at %1 dB(A), the protocol wants %2 dB(A).")
         .arg(*value_.measured_dBA, 0, 'f', 1)
         .arg(*value_.declared_dBA, 0, 'f', 1);
