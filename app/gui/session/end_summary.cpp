@@ -73,8 +73,9 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
                      .arg(flagged)
                      .arg(invalid)
                      .arg(skipped);
+  if (snapshot.trials == 0) text = tr("No trial was begun.");
   if (!why.isEmpty()) text = tr("%1\n\n%2").arg(why, text);
-  if (!complete) {
+  if (!complete && snapshot.trials > 0) {
     text = tr("%1\n\nThe session can be gone on with: start it again with the same participant.")
                .arg(text);
   }

@@ -105,6 +105,7 @@ SessionWindow::SessionWindow(SessionMonitor& monitor, SessionRequests& requests,
     requests_.clear_fault();
     stopped_at_.clear();
     clearing_ = true;
+    cleared_trouble_ns_ = shown_.trouble ? shown_.trouble->time_ns : 0;
     since_clearing_.start();
     fault_->hide();
   });
@@ -547,7 +548,9 @@ void SessionWindow::take_snapshot() {
   notes_->lock(lock);
   reason_->lock(lock);
   if (auto* abort = qobject_cast<AbortDialog*>(dialog_.data())) abort->lock(lock);
-  if (clearing_ && s.phase != SessionPhase::fault && s.fault == Fault::none) clearing_ = false;
+  const bool is_cleared = s.phase != SessionPhase::fault && s.fault == Fault::none;
+  const bool has_failed = s.trouble && s.trouble->time_ns != cleared_trouble_ns_;
+  if (clearing_ && (is_cleared || has_failed)) clearing_ = false;
   write_trouble();
 }
 
@@ -664,36 +667,40 @@ void SessionWindow::write_health() {
   set_if_new(*stored_, tr("study.sqlite · attempts stored: %1").arg(shown_.rows_stored));
 }
 
+QString SessionWindow::veiled(const std::string& text) const {
+  const QString words = QString::fromStdString(text);
+  return blind_ ? veil_.veiled(words) : words;
+}
+
+QString SessionWindow::fault_text() const {
+  const SessionSnapshot& s = shown_;
+  if (!stopped_at_.isEmpty() || s.fault == Fault::emergency_stop) {
+    const QString when = stopped_at_.isEmpty() ? clock_text(s.phase_began_ns) : stopped_at_;
+    if (!stop_is_confirmed_) {
+      return tr("EMERGENCY STOP at %1. Zero force was asked of the device; its answer is awaited.")
+          .arg(when);
+    }
+    if (s.trouble) return tr("EMERGENCY STOP at %1. %2").arg(when, veiled(s.trouble->what));
+    return tr("EMERGENCY STOP at %1. The force is zero and is held there.").arg(when);
+  }
+  if (s.trouble) {
+    return tr("Stopped at %1, the force is held at zero. %2")
+        .arg(clock_text(s.trouble->time_ns), veiled(s.trouble->what));
+  }
+  return tr("Stopped at %1, the force is held at zero: %2.")
+      .arg(clock_text(s.phase_began_ns), QString(name_of(s.fault)));
+}
+
 void SessionWindow::write_trouble() {
   const SessionSnapshot& s = shown_;
-  const bool in_fault = s.phase == SessionPhase::fault || s.fault != Fault::none;
-  const auto veiled = [this](const std::string& text) {
-    const QString words = QString::fromStdString(text);
-    return blind_ ? veil_.veiled(words) : words;
-  };
+  // To clear something is always asked in the same way, with the question whether it is safe.
+  const bool to_clear = s.trouble && s.trouble->remedy == SessionTrouble::Remedy::clear_fault;
+  const bool in_fault = s.phase == SessionPhase::fault || s.fault != Fault::none || to_clear;
+  if (stop_is_confirmed_ && !in_fault) stopped_at_.clear();  // it is over
+  stop_is_confirmed_ = in_fault;
   if ((in_fault || !stopped_at_.isEmpty()) && !ended_ && !clearing_) {
-    QString what{};
-    if (!stopped_at_.isEmpty() && !in_fault) {
-      what = tr("EMERGENCY STOP at %1. Zero force was asked of the device; its answer is awaited.")
-                 .arg(stopped_at_);
-    } else if (s.fault == Fault::emergency_stop || !stopped_at_.isEmpty()) {
-      const QString when = stopped_at_.isEmpty() ? clock_text(s.phase_began_ns) : stopped_at_;
-      what = s.trial > 0
-                 ? tr("EMERGENCY STOP at %1. The force is zero and is held there. Trial %2 was "
-                      "interrupted; it is asked again from its beginning.")
-                       .arg(when)
-                       .arg(s.trial)
-                 : tr("EMERGENCY STOP at %1. The force is zero and is held there.").arg(when);
-    } else if (s.trouble) {
-      what = tr("Stopped at %1, the force is held at zero. %2")
-                 .arg(clock_text(s.trouble->time_ns), veiled(s.trouble->what));
-    } else {
-      what = tr("Stopped at %1, the force is held at zero: %2.")
-                 .arg(clock_text(s.phase_began_ns), QString(name_of(s.fault)));
-    }
-    const bool can_clear = !s.trouble || s.trouble->remedy == SessionTrouble::Remedy::clear_fault ||
-                           s.fault == Fault::emergency_stop;
-    fault_->show_fault(what, can_clear);
+    const bool can_clear = !s.trouble || to_clear || s.fault == Fault::emergency_stop;
+    fault_->show_fault(fault_text(), can_clear);
     trouble_->hide();
     trouble_shown_.reset();
     return;
@@ -709,10 +716,8 @@ void SessionWindow::write_trouble() {
   switch (s.trouble->remedy) {
     case SessionTrouble::Remedy::none:
     case SessionTrouble::Remedy::try_again:
-      trouble_->show_news(State::look, what);
-      break;
     case SessionTrouble::Remedy::clear_fault:
-      trouble_->show_news(State::look, what, tr("Go on"), [this] { requests_.clear_fault(); });
+      trouble_->show_news(State::look, what);
       break;
     case SessionTrouble::Remedy::resume:
       trouble_->show_news(State::look, what, tr("Resume"), [this] { requests_.resume(); });

@@ -110,6 +110,8 @@ class SessionWindow final : public QWidget {
   void write_answers();
   void write_health();
   void write_trouble();
+  QString fault_text() const;
+  QString veiled(const std::string& text) const;
   void end();
   void screen_left(QScreen* screen);
   bool is_running() const;
@@ -133,8 +135,10 @@ class SessionWindow final : public QWidget {
   bool close_when_ended_ = false;
   bool closed_ = false;
   std::optional<SessionEnd> end_{};
-  QString stopped_at_{};   ///< when the emergency stop was pressed, until it is cleared
-  bool clearing_ = false;  ///< going on was asked for and has not happened yet
+  QString stopped_at_{};            ///< when the emergency stop was pressed, until it is cleared
+  bool stop_is_confirmed_ = false;  ///< the monitor has shown a fault since
+  bool clearing_ = false;           ///< going on was asked for and has not happened yet
+  std::int64_t cleared_trouble_ns_ = 0;  ///< a later one is another
   QElapsedTimer since_clearing_{};
   QElapsedTimer since_health_{};
   std::optional<SessionTrouble> trouble_shown_{};

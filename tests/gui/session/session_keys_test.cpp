@@ -249,10 +249,18 @@ TEST_F(EmergencyStop, SaysWhatWasZeroedAndGoesOnOnlyWhenItIsSafe) {
   EXPECT_TRUE(find<QLabel>("fault_text").isVisible());
   EXPECT_TRUE(find<QLabel>("fault_text").text().contains("is awaited"));
   session_.set_phase(SessionPhase::fault);
-  session_.monitor.update([](SessionSnapshot& s) { s.fault = Fault::emergency_stop; });
+  session_.monitor.update([](SessionSnapshot& s) {
+    s.fault = Fault::emergency_stop;
+    s.trouble = SessionTrouble{
+        .what =
+            "The emergency stop was pressed in trial 17. The force is zero until the fault is "
+            "cleared.",
+        .time_ns = s.now_ns,
+        .remedy = SessionTrouble::Remedy::clear_fault};
+  });
   window_->refresh();
-  EXPECT_TRUE(find<QLabel>("fault_text").text().contains("The force is zero and is held there"));
-  EXPECT_TRUE(find<QLabel>("fault_text").text().contains("Trial 17 was interrupted"));
+  EXPECT_TRUE(find<QLabel>("fault_text").text().contains("EMERGENCY STOP at "));
+  EXPECT_TRUE(find<QLabel>("fault_text").text().contains("pressed in trial 17. The force is zero"));
 
   auto& clear = find<QPushButton>("fault_clear");
   EXPECT_FALSE(clear.isEnabled());
@@ -263,9 +271,36 @@ TEST_F(EmergencyStop, SaysWhatWasZeroedAndGoesOnOnlyWhenItIsSafe) {
   EXPECT_TRUE(session_.requests.take_clear_fault());
 
   session_.set_phase(SessionPhase::iti);
-  session_.monitor.update([](SessionSnapshot& s) { s.fault = Fault::none; });
+  session_.monitor.update([](SessionSnapshot& s) {
+    s.fault = Fault::none;
+    s.trouble.reset();
+  });
   window_->refresh();
   EXPECT_FALSE(find<QLabel>("fault_text").isVisible());
+}
+
+TEST_F(EmergencyStop, SaysWhenClearingItFailedAndAsksAgain) {
+  QTest::keyPress(window_.get(), Qt::Key_F12);
+  session_.set_phase(SessionPhase::fault);
+  const auto publish = [this](const char* what) {
+    session_.monitor.update([what](SessionSnapshot& s) {
+      s.now_ns += 50'000'000;
+      s.fault = Fault::emergency_stop;
+      s.trouble = SessionTrouble{
+          .what = what, .time_ns = s.now_ns, .remedy = SessionTrouble::Remedy::clear_fault};
+    });
+    window_->refresh();
+  };
+  publish("The emergency stop was pressed.");
+  find<QAbstractButton>("fault_safe").click();
+  find<QPushButton>("fault_clear").click();
+  window_->refresh();
+  EXPECT_FALSE(find<QLabel>("fault_text").isVisible());
+  EXPECT_TRUE(find<QLabel>("pending").text().contains("Clearing the fault"));
+  publish("The device is not fit yet: it does not answer.");
+  EXPECT_TRUE(find<QLabel>("fault_text").isVisible());
+  EXPECT_TRUE(find<QLabel>("fault_text").text().contains("it does not answer"));
+  EXPECT_FALSE(find<QPushButton>("fault_clear").isEnabled());
 }
 
 TEST_F(EmergencyStop, AsksAgainWhetherItIsSafeTheNextTime) {

@@ -29,6 +29,9 @@ TEST(SessionPictures, ASurfaceIsFelt) {
   session.set_phase(SessionPhase::contact);
   session.stroke(25.0);
   const auto window = session.window();
+  for (QPushButton* phrase : window->findChildren<QPushButton*>("phrase")) {
+    if (phrase->text() != "Distracted") phrase->click();
+  }
   EXPECT_LE(window->minimumSizeHint().width(), 1366);
   EXPECT_LE(window->minimumSizeHint().height(), 768);
   take_both(*window, "session-window");
@@ -53,7 +56,15 @@ TEST(SessionPictures, TheEmergencyStopIsPressed) {
   const auto window = session.window();
   window->findChild<QPushButton*>("emergency_stop")->pressed();
   session.set_phase(SessionPhase::fault);
-  session.monitor.update([](SessionSnapshot& s) { s.fault = Fault::emergency_stop; });
+  session.monitor.update([](SessionSnapshot& s) {
+    s.fault = Fault::emergency_stop;
+    s.trouble = SessionTrouble{
+        .what =
+            "The emergency stop was pressed in trial 17. The force is zero until the fault is "
+            "cleared.",
+        .time_ns = s.now_ns,
+        .remedy = SessionTrouble::Remedy::clear_fault};
+  });
   EXPECT_LE(window->minimumSizeHint().height(), 768);
   take_both(*window, "session-emergency");
 }
