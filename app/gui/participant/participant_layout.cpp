@@ -57,9 +57,7 @@ Grid grid_for(int count, QSizeF room, double gap, double key) {
       const double side =
           std::floor(std::min((room.width() - (columns - 1) * gap) / columns - added.width(),
                               (room.height() - (rows - 1) * gap) / rows - added.height()));
-      // Full rows are worth a few pixels: a last row of one looks special.
-      const bool fuller = count % columns == 0 && count % best.columns != 0;
-      if (side > best.side * (fuller ? 0.9 : 1.0)) best = {columns, rows, side, added};
+      if (side > best.side) best = {columns, rows, side, added};
     }
   }
   return best;
@@ -110,6 +108,11 @@ class Page final {
   }
   double width_of(const QString& text, int size_px, bool bold) const {
     return std::ceil(QFontMetricsF(participant_font(size_px, bold)).horizontalAdvance(text));
+  }
+
+  /// Of an answer in words, with its key in a circle.
+  double width_of_answer(const QString& text) const {
+    return width_of(text, letters(kText_px), false) + px(kOption) + px(1.5 * kGap);
   }
 
   void progress();
@@ -179,9 +182,12 @@ void Page::progress() {
 }
 
 void Page::add_control(Item item) {
-  const double key_room = item.key.isEmpty() ? 0.0 : width_of(item.key, item.size_px, false);
-  const double width = width_of(item.text, item.size_px, item.bold) + std::max(key_room, px(28.0)) +
-                       px(is_wide() ? 64.0 : 44.0);
+  // As it is drawn: a control says its key in words, an answer in a circle.
+  const double width = item.kind == Item::Kind::option
+                           ? width_of_answer(item.text)
+                           : width_of(item.text, item.size_px, item.bold) +
+                                 width_of(item.key, item.size_px, false) +
+                                 px(is_wide() ? 64.0 : 44.0);
   // Outermost first, at the side of the free hand; what finds no room goes into a row above.
   if (control_x_ > 0.0 && control_x_ + width > body_.width()) {
     control_x_ = 0.0;
@@ -190,7 +196,7 @@ void Page::add_control(Item item) {
   item.rect =
       QRectF(inputs_.mirrored ? body_.left() + control_x_ : body_.right() - control_x_ - width,
              controls_top_, width, px(kControl));
-  control_x_ += width + px(kGap);
+  control_x_ += width + px(is_wide() ? kGap : kGap / 2.0);
   add(std::move(item));
 }
 
@@ -206,7 +212,9 @@ void Page::add_control(const QString& text, const QString& key, Action action, b
 
 QString Page::again_text() const {
   const std::optional<int> picked = inputs_.draft.surface;
-  if (!picked || static_cast<std::size_t>(*picked) > scene_.surfaces.size()) {
+  const bool names_it = picked && static_cast<std::size_t>(*picked) <= scene_.surfaces.size();
+  // Where controls have little room their size stays the same.
+  if (!names_it || !is_wide()) {
     return tr("Feel again");
   }
   return tr("Feel %1 again").arg(from(scene_.surfaces[static_cast<std::size_t>(*picked - 1)].code));
@@ -298,7 +306,11 @@ void Page::words(const QString& text, const QString& below) {
   }
   QRectF left = room;
   left.setTop(room.center().y() - (first + gap + second) / 2.0);
-  add({.rect = place_of(text, size_px, false, left), .text = text, .size_px = size_px});
+  add({.rect = place_of(text, size_px, false, left),
+       .text = text,
+       .size_px = size_px,
+       // Lines of a paragraph are found again where they begin at one edge.
+       .left_aligned = first > 3.0 * size_px});
   if (below.isEmpty()) return;
   left.setTop(left.top() + first + gap);
   add({.rect = place_of(below, size_px, true, left),
@@ -345,6 +357,7 @@ void Page::chips_beside() {
                       .key = from(scene_.surfaces[i].code),
                       .size_px = letters(kPrompt_px),
                       .bold = true,
+                      .points_left = inputs_.mirrored,
                       .current = picked ? *picked == number : scene_.assigning == i,
                       .action = Action{.what = Action::What::surface, .number = number}});
     for (const Scene::Choice& choice : scene_.choices) {
@@ -372,7 +385,7 @@ void Page::answers_in_words_as_controls() {
     add_control(answer_in_words(i));
     QRectF& rect = items_.back().rect;
     if (controls_top_ != row_top) continue;
-    control_x_ -= rect.width() + px(kGap);
+    control_x_ -= rect.width() + px(is_wide() ? kGap : kGap / 2.0);
     if (inputs_.mirrored) {
       rect.moveRight(body_.right());
     } else {
@@ -385,8 +398,7 @@ void Page::options_without_picture() {
   for (std::size_t i = scene_.choices.size(); i-- > 0;) {
     if (scene_.choices[i].picture || scene_.choices[i].text.empty()) continue;
     Item answer = answer_in_words(i);
-    const double width = std::min(
-        body_.width(), width_of(answer.text, answer.size_px, false) + px(kOption) + px(2 * kGap));
+    const double width = std::min(body_.width(), width_of_answer(answer.text));
     answer.rect =
         QRectF(body_.center().x() - width / 2.0, body_.bottom() - px(kOption), width, px(kOption));
     body_.setBottom(answer.rect.top() - px(kGap));
@@ -472,7 +484,7 @@ void Page::standard_beside() {
     standard.rect =
         QRectF(strip.center().x() - side / 2.0, strip.center().y() - side / 2.0, side, side);
   } else {
-    const double group = letter_side() + px(kGap) + px(kOption) + px(kGap);
+    const double group = letter_side() + px(kGap) + px(kOption) + px(2 * kGap);
     const double side = std::floor(std::min(body_.height() - group, body_.width()));
     standard.rect = QRectF(body_.center().x() - side / 2.0, body_.top(), side, side);
     body_.setTop(standard.rect.bottom() + px(kGap));
@@ -545,10 +557,9 @@ void Page::form_choice(const Question& question) {
   const int rows = (count + columns - 1) / columns;
   double width = 0.0;
   for (const std::string& option : question.options) {
-    width = std::max(width, width_of(from(option), letters(kText_px), false));
+    width = std::max(width, width_of_answer(from(option)));
   }
-  width = std::min(width + px(kOption) + px(2 * kGap),
-                   (body_.width() - (columns - 1) * px(2 * kGap)) / columns);
+  width = std::min(width, (body_.width() - (columns - 1) * px(2 * kGap)) / columns);
   const double total = columns * width + (columns - 1) * px(2 * kGap);
   const double height = rows * px(kOption) + (rows - 1) * gap;
   const double top = body_.center().y() - height / 2.0;

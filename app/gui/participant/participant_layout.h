@@ -61,6 +61,8 @@ struct ParticipantItem {
   int size_px = 0;    ///< of the letters
   bool muted = false;
   bool bold = false;
+  bool left_aligned = false;  ///< of words
+  bool points_left = false;   ///< of a chip: the pictures are on its left
   bool chosen = false;
   bool felt = false;  ///< of a chip
   bool current =

@@ -133,25 +133,24 @@ void Brush::draw_chip(const Item& item) {
           ink);
     return;
   }
-  QRectF left = item.rect;
-  left.setWidth(item.rect.width() / 2.0);
-  const QRectF right = left.translated(left.width(), 0.0);
-  words(left, item.text, item.size_px, true, ink, Qt::AlignCenter);
+  // The half that is nearer to the pictures says which one it has.
+  QRectF near = item.rect;
+  near.setWidth(item.rect.width() / 2.0);
+  QRectF far = near;
+  (item.points_left ? far : near).moveRight(item.rect.right());
+  words(far, item.text, item.size_px, true, ink, Qt::AlignCenter);
   if (!item.given.isEmpty()) {
-    words(right, item.given, item.size_px, false, ink, Qt::AlignCenter);
+    words(near, item.given, item.size_px, false, ink, Qt::AlignCenter);
     painter_.setPen(QPen(ink, 3.0 * unit));
-    const double x = item.rect.center().x();
-    const double y = item.rect.center().y();
-    painter_.drawLine(QPointF(x - 10.0 * unit, y), QPointF(x + 8.0 * unit, y));
-  }
-  if (item.current) {
+    const QPointF middle = item.rect.center();
+    painter_.drawLine(middle - QPointF(9.0 * unit, 0.0), middle + QPointF(9.0 * unit, 0.0));
+  } else if (item.current) {
     // Points to the pictures: the next one is for this surface.
-    const double size = 9.0 * unit;
-    const QPointF tip(right.center().x() + (item.given.isEmpty() ? size : 2.6 * size),
-                      right.center().y());
-    QPainterPath arrow(tip);
-    arrow.lineTo(tip + QPointF(-1.6 * size, -size));
-    arrow.lineTo(tip + QPointF(-1.6 * size, size));
+    const double ahead = (item.points_left ? -1.0 : 1.0) * 9.0 * unit;
+    const QPointF middle = near.center();
+    QPainterPath arrow(middle + QPointF(ahead, 0.0));
+    arrow.lineTo(middle + QPointF(-0.6 * ahead, -9.0 * unit));
+    arrow.lineTo(middle + QPointF(-0.6 * ahead, 9.0 * unit));
     arrow.closeSubpath();
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(ink);
@@ -175,7 +174,9 @@ void Brush::draw(const Item& item) {
   switch (item.kind) {
     case Item::Kind::words:
       words(item.rect, item.text, item.size_px, item.bold,
-            item.muted ? colors_.muted : colors_.text);
+            item.muted ? colors_.muted : colors_.text,
+            (item.left_aligned ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter) |
+                Qt::TextWordWrap);
       break;
     case Item::Kind::picture:
       draw_picture(item);

@@ -59,6 +59,26 @@ TEST(ParticipantPictures, AreTakenOfEveryScene) {
       take_screenshot(window, QString("participant-%1-%2").arg(name.c_str(), size_name), size);
     }
   }
+  // A pilot with a left-handed participant.
+  SessionMonitor left_handed{};
+  SessionFacts facts{};
+  facts.mirrored = true;
+  facts.row.mode = SessionMode::pilot;
+  left_handed.set_facts(facts);
+  ParticipantScene matched = scenes::matching(4);
+  for (ParticipantScene::Choice& choice : matched.choices) real(choice.picture);
+  matched.choices[2].assigned_to = "A";
+  matched.can_switch = true;
+  left_handed.show(matched);
+  ParticipantWindow mirrored(left_handed, study);
+  mirrored.resize(1366, 768);
+  mirrored.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    mirrored.grab();
+    return mirrored.view().pictures_are_there();
+  }));
+  QTest::keyClick(&mirrored.view(), Qt::Key_D);
+  take_screenshot(mirrored, "participant-matching-left-handed", {1366, 768});
 }
 
 }  // namespace
