@@ -8,6 +8,7 @@
 #include <locale.h>
 
 #include "app/gui/look/theme.h"
+#include "app/gui/study/session_desk.h"
 #include "app/gui/study/settings.h"
 #include "app/gui/study/study_window.h"
 
@@ -45,6 +46,7 @@ int run_windows(int& argc, char** argv, const std::optional<std::filesystem::pat
   apply_theme(application, theme_choice());
   apply_language(language_choice());
   StudyWindow window{};
+  const SessionDesk desk(window, nullptr);
   if (study) window.open_study(*study);
   window.show();
   return QApplication::exec();

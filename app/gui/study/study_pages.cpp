@@ -3,6 +3,7 @@
 #include <QtCore/QUrl>
 #include <QtGui/QDesktopServices>
 
+#include "app/gui/data/analysis_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/study/devices_page.h"
 #include "app/gui/study/participants_page.h"
@@ -11,6 +12,7 @@
 #include "app/gui/study/stimuli_page.h"
 #include "app/gui/study/study_window.h"
 #include "app/gui/study/trials_page.h"
+#include "app/gui/workbench/workbench_page.h"
 
 namespace asperity {
 
@@ -26,6 +28,8 @@ void StudyWindow::add_pages() {
   add_page("sessions", tr("Sessions"), sessions);
   add_page("trials", {}, trials);
   add_page("stimuli", tr("Stimuli"), stimuli);
+  add_page("workbench", tr("Workbench"), new WorkbenchPage(*study_));
+  add_page("analysis", tr("Analysis"), new AnalysisPage(*study_));
   add_page("devices", tr("Devices"), devices);
 
   for (StudyPage* page : std::initializer_list<StudyPage*>{participants, sessions, stimuli}) {

@@ -67,7 +67,7 @@ TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
   ASSERT_TRUE(refreshed.wait(10000));
-  const auto* plot = page.findChild<QCustomPlot*>();
+  auto* plot = page.findChild<QCustomPlot*>();
   ASSERT_NE(plot, nullptr);
   auto* bars = qobject_cast<QCPErrorBars*>(plot->plottable(1));
   ASSERT_NE(bars, nullptr);

@@ -1,0 +1,168 @@
+#include "app/gui/study/session_desk.h"
+
+#include <QtCore/QTimer>
+#include <QtGui/QScreen>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/participant/live_workspace.h"
+#include "app/gui/start/start_page.h"
+#include "app/gui/study/open_study.h"
+#include "app/gui/study/settings.h"
+#include "app/gui/study/study_window.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kStartPage = "start";
+constexpr int kLook_ms = 20;
+constexpr QSize kSmallestWindow{1366, 700};
+
+SurfaceLook look_of(VisualTexture texture) {
+  switch (texture) {
+    case VisualTexture::on:
+      return SurfaceLook::relief;
+    case VisualTexture::off:
+      return SurfaceLook::plain;
+    case VisualTexture::neutral:
+      return SurfaceLook::pattern;
+  }
+  return SurfaceLook::plain;
+}
+
+/// As soon as the session says what its protocol lets the participant see.
+void add_workspace(ParticipantView& view, const SessionMonitor& monitor,
+                   const std::filesystem::path& study) {
+  auto* waiting = new QTimer(&view);
+  QObject::connect(waiting, &QTimer::timeout, &view, [&view, &monitor, study, waiting] {
+    const auto facts = monitor.facts();
+    if (facts == nullptr) return;
+    waiting->deleteLater();
+    waiting->stop();
+    if (!facts->protocol->scene) return;
+    view.set_workspace(new LiveWorkspace(monitor, study, look_of(*facts->protocol->scene), &view));
+  });
+  waiting->start(kLook_ms);
+}
+
+}  // namespace
+
+SessionDesk::SessionDesk(StudyWindow& window, QObject* parent) : QObject(parent), window_(window) {
+  connect(&window_, &StudyWindow::study_opened, this,
+          [this](OpenStudy* study) { take_study(*study); });
+  connect(&window_, &StudyWindow::session_wanted, this, &SessionDesk::choose);
+}
+
+SessionDesk::~SessionDesk() {
+  // The windows hold references into the runner: they go first.
+  delete participant_window_;
+  delete session_window_;
+}
+
+bool SessionDesk::is_running() const { return runner_ != nullptr && runner_->is_running(); }
+
+void SessionDesk::take_study(OpenStudy& study) {
+  study_ = &study;
+  start_page_ = new StartPage(study);
+  window_.add_page(kStartPage, {}, start_page_);
+  connect(start_page_, &StartPage::start_wanted, this, &SessionDesk::begin);
+  connect(start_page_, &StartPage::sessions_wanted, this,
+          [this] { window_.show_page("sessions"); });
+}
+
+void SessionDesk::choose(const SessionWish& wish) {
+  if (runner_ != nullptr) {
+    if (session_window_ != nullptr) session_window_->raise();
+    return;
+  }
+  start_page_->choose(wish.protocol, wish.participant, wish.resume);
+  window_.show_page(kStartPage);
+}
+
+void SessionDesk::begin(const SessionOrder& order) {
+  if (runner_ != nullptr) return;
+  runner_ = std::make_unique<SessionRunner>();
+  runner_->start(order);
+  window_.set_busy(tr("A session is running. End it in its own window first."));
+  if (!order.inputs.is_virtual) open_participant_window();
+  open_session_window();
+  connect(runner_.get(), &SessionRunner::attempt_done, study_, &OpenStudy::announce_change);
+  connect(runner_.get(), &SessionRunner::ended, session_window_, &SessionWindow::show_end);
+  connect(runner_.get(), &SessionRunner::failed, session_window_, &SessionWindow::show_failure);
+  connect(runner_.get(), &SessionRunner::failed, study_, &OpenStudy::announce_change);
+  connect(runner_.get(), &SessionRunner::ended, study_, &OpenStudy::announce_change);
+}
+
+void SessionDesk::open_participant_window() {
+  participant_window_ = new ParticipantWindow(runner_->monitor(), study_->folder());
+  add_workspace(participant_window_->view(), runner_->monitor(), study_->folder());
+  participant_window_->keys().set_own_keyboard(runner_->order().own_keyboard);
+  SessionRunner* runner = runner_.get();
+  connect(participant_window_, &ParticipantWindow::acted, runner,
+          [runner](const ParticipantInput& input) { runner->person().post(input); });
+  connect(participant_window_, &ParticipantWindow::remarked, runner,
+          [runner](const QString& kind, const QString& text) {
+            runner->requests().remark(kind.toStdString(), text.toStdString());
+          });
+  connect(participant_window_, &ParticipantWindow::screen_lost, runner,
+          [this, runner](const QString& name) {
+            runner->requests().remark("screen_lost", name.toStdString());
+            runner->requests().pause();
+            window_.banner().show_news(
+                State::look, tr("The participant's screen %1 is gone. The session pauses after "
+                                "this trial; their window stands on the screen that is left.")
+                                 .arg(name));
+          });
+  participant_window_->open_on(runner_->order().participant_screen);
+}
+
+void SessionDesk::open_session_window() {
+  session_window_ = new SessionWindow(runner_->monitor(), runner_->requests(), study_->folder());
+  session_window_->setAttribute(Qt::WA_DeleteOnClose, false);
+  session_window_->set_own_keyboard(runner_->order().own_keyboard);
+  auto* mirror = new ParticipantView(runner_->monitor(), study_->folder(),
+                                     ParticipantView::Role::mirror, session_window_);
+  if (participant_window_ != nullptr) mirror->follow(participant_window_->view());
+  add_workspace(*mirror, runner_->monitor(), study_->folder());
+  session_window_->set_mirror(mirror);
+  connect(session_window_, &SessionWindow::closed, this, [this] { finish({}); });
+  connect(session_window_, &SessionWindow::results_wanted, this, [this] { finish("analysis"); });
+  connect(session_window_, &SessionWindow::trials_wanted, this, [this] { finish("sessions"); });
+  if (!restore_geometry(*session_window_, "session")) {
+    const QRect room = window_.screen()->availableGeometry();
+    session_window_->resize(kSmallestWindow.expandedTo(room.size() * 0.9).boundedTo(room.size()));
+  }
+  session_window_->show();
+  session_window_->raise();
+  session_window_->activateWindow();
+}
+
+void SessionDesk::finish(const QString& next_page) {
+  if (is_running() || runner_ == nullptr) return;
+  if (session_window_ != nullptr) remember_geometry(*session_window_, "session");
+  window_.set_busy({});
+  // The signal comes from inside the session's window: it lives until the event is over, and the
+  // runner as long as the windows that look into it.
+  auto* runner = runner_.release();
+  if (session_window_ != nullptr) {
+    session_window_->disconnect(this);
+    session_window_->hide();
+    connect(session_window_, &QObject::destroyed, runner, &QObject::deleteLater);
+    session_window_->deleteLater();
+  } else {
+    runner->deleteLater();
+  }
+  if (participant_window_ != nullptr) {
+    participant_window_->allow_close();
+    participant_window_->close();
+    delete participant_window_;
+  }
+  if (!next_page.isEmpty()) window_.show_page(next_page);
+  if (start_page_ != nullptr && window_.shown_page() == kStartPage) {
+    window_.show_page("protocols");
+  }
+  study_->announce_change();
+  window_.raise();
+}
+
+}  // namespace asperity

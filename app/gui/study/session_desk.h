@@ -1,0 +1,56 @@
+// Where a session comes together: the page before it, its thread, and its two windows.
+
+#pragma once
+
+#include <memory>
+
+#include <QtCore/QObject>
+#include <QtCore/QPointer>
+
+#include "app/gui/participant/participant_window.h"
+#include "app/gui/session/session_runner.h"
+#include "app/gui/session/session_window.h"
+#include "app/gui/study/session_wish.h"
+
+namespace asperity {
+
+class OpenStudy;
+class StartPage;
+class StudyWindow;
+
+/// Gives the study window its start page, and runs one session at a time from there: the experimenter's
+/// window on their screen, the participant's on theirs (none for a simulation: the mirror shows what a
+/// person would see). While a session runs, the study window stays usable for reading and cannot be
+/// closed.
+class SessionDesk final : public QObject {
+  Q_OBJECT
+ public:
+  /// `window` outlives the desk, or is its parent.
+  SessionDesk(StudyWindow& window, QObject* parent);
+  ~SessionDesk() override;
+
+  bool is_running() const;
+  /// Null while there is none.
+  SessionRunner* runner() const noexcept { return runner_.get(); }
+  SessionWindow* session_window() const noexcept { return session_window_; }
+  ParticipantWindow* participant_window() const noexcept { return participant_window_; }
+
+ public slots:
+  void begin(const asperity::SessionOrder& order);
+
+ private:
+  void take_study(OpenStudy& study);
+  void choose(const SessionWish& wish);
+  void open_participant_window();
+  void open_session_window();
+  void finish(const QString& next_page);
+
+  StudyWindow& window_;
+  OpenStudy* study_ = nullptr;
+  QPointer<StartPage> start_page_{};
+  std::unique_ptr<SessionRunner> runner_{};
+  QPointer<SessionWindow> session_window_{};
+  QPointer<ParticipantWindow> participant_window_{};
+};
+
+}  // namespace asperity
