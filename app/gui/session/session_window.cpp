@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 #include <QtCore/QDateTime>
@@ -18,8 +17,10 @@
 #include <QtWidgets/QStackedWidget>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/session/answers_panel.h"
 #include "app/gui/session/end_summary.h"
 #include "app/gui/session/fault_panel.h"
+#include "app/gui/session/health_line.h"
 #include "app/gui/session/live_plots.h"
 #include "app/gui/session/notes_panel.h"
 #include "app/gui/session/plan_table.h"
@@ -89,7 +90,8 @@ SessionWindow::SessionWindow(SessionMonitor& monitor, SessionRequests& requests,
   summary_ = new EndSummary(study_, pages_);
   pages_->addWidget(summary_);
   rows->addWidget(pages_, 1);
-  rows->addLayout(make_health_line());
+  health_ = new HealthLine(this);
+  rows->addWidget(health_);
   controls_ = new SessionControls(this);
   rows->addWidget(controls_);
 
@@ -215,19 +217,8 @@ QWidget* SessionWindow::make_middle() {
   static_cast<QLabel*>(mirror_)->setAlignment(Qt::AlignCenter);
   mirror_place_->addWidget(mirror_);
   rows->addWidget(screen, 5);
-  last_answer_ = new QLabel(right);
-  last_answer_->setObjectName("last_answer");
-  last_answer_->setFont(text_font(TextSize::heading, true));
-  last_answer_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  rows->addWidget(last_answer_);
-  earlier_answers_ = new QLabel(right);
-  earlier_answers_->setObjectName("earlier_answers");
-  earlier_answers_->setFont(text_font(TextSize::small));
-  earlier_answers_->setProperty("role", "muted");
-  earlier_answers_->setWordWrap(true);
-  earlier_answers_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  earlier_answers_->setFixedHeight(2 * QFontMetrics(earlier_answers_->font()).lineSpacing());
-  rows->addWidget(earlier_answers_);
+  answers_ = new AnswersPanel(right);
+  rows->addWidget(answers_);
   rows->addSpacing(kGrid);
   notes_ = new NotesPanel(right);
   rows->addWidget(notes_, 4);
@@ -240,21 +231,6 @@ QWidget* SessionWindow::make_middle() {
     column->setMinimumWidth(320);
   }
   return middle;
-}
-
-QLayout* SessionWindow::make_health_line() {
-  auto* row = new QHBoxLayout();
-  row->setSpacing(kGroupGap);
-  health_ = new StateLabel(this);
-  health_->setObjectName("health");
-  health_->setFont(text_font(TextSize::small));
-  health_->setWordWrap(false);
-  stored_ = new QLabel(this);
-  stored_->setObjectName("stored");
-  stored_->setFont(text_font(TextSize::small));
-  row->addWidget(health_, 1);
-  row->addWidget(stored_);
-  return row;
 }
 
 void SessionWindow::set_mirror(QWidget* mirror) {
@@ -609,63 +585,9 @@ void SessionWindow::write_controls() {
   controls_->show_state(state);
 }
 
-void SessionWindow::write_answers() {
-  constexpr std::size_t kEarlier = 4;
-  QString last = tr("No answer yet");
-  QStringList earlier{};
-  const auto& attempts = *shown_.attempts;
-  bool has_last = false;
-  for (auto attempt = attempts.rbegin();
-       attempt != attempts.rend() && static_cast<std::size_t>(earlier.size()) < kEarlier;
-       ++attempt) {
-    if (attempt->outcome != AttemptOutcome::answered) continue;
-    QString answer = SessionText::of_answers(*attempt);
-    if (attempt->correct && plan_->model().tells_right(*attempt)) {
-      answer = *attempt->correct ? tr("%1, right").arg(answer) : tr("%1, wrong").arg(answer);
-    }
-    if (has_last) {
-      earlier += tr("%1: %2").arg(attempt->trial).arg(answer);
-      continue;
-    }
-    has_last = true;
-    last = attempt->from_cue_s ? tr("Last answer  %1  in %2 s")
-                                     .arg(answer, QString::number(*attempt->from_cue_s, 'f', 1))
-                               : tr("Last answer  %1").arg(answer);
-  }
-  set_if_new(*last_answer_, last);
-  set_if_new(*earlier_answers_, earlier.isEmpty()
-                                    ? QString(" ")
-                                    : tr("Before, by trial: %1").arg(earlier.join(" · ")));
-  earlier_answers_->setToolTip(earlier.join("\n"));
-}
+void SessionWindow::write_answers() { answers_->show_answers(*shown_.attempts, plan_->model()); }
 
-void SessionWindow::write_health() {
-  const LoopHealth& h = shown_.health;
-  const QString device = facts_ == nullptr ? QString() : QString::fromStdString(facts_->row.device);
-  if (h.rate_Hz <= 0.0) {
-    health_->set_state(State::unknown, tr("The device loop has not ticked yet"));
-  } else {
-    constexpr double kRateTolerance = 0.02;
-    const double asked_Hz = facts_ == nullptr ? h.rate_Hz : facts_->row.rate_Hz;
-    const bool fine = h.missed_deadlines == 0 && h.lost_records == 0 &&
-                      shown_.fault == Fault::none &&
-                      std::abs(h.rate_Hz - asked_Hz) <= kRateTolerance * asked_Hz;
-    const QString noise = shown_.masking_noise ? tr("masking noise on") : tr("masking noise off");
-    const QString text = tr("%1 · %2 Hz · p99 %3 µs late · %4 missed · %5 lost · %6 saturated · %7")
-                             .arg(device)
-                             .arg(std::lround(h.rate_Hz))
-                             .arg(std::lround(1e6 * h.lateness_p99_s))
-                             .arg(h.missed_deadlines)
-                             .arg(h.lost_records)
-                             .arg(h.saturated_ticks)
-                             .arg(noise);
-    if (text != health_->property("words").toString()) {
-      health_->setProperty("words", text);
-      health_->set_state(fine ? State::fine : State::look, text);
-    }
-  }
-  set_if_new(*stored_, tr("study.sqlite · attempts stored: %1").arg(shown_.rows_stored));
-}
+void SessionWindow::write_health() { health_->show_health(shown_, facts_.get()); }
 
 QString SessionWindow::veiled(const std::string& text) const {
   const QString words = QString::fromStdString(text);
@@ -794,7 +716,6 @@ void SessionWindow::changeEvent(QEvent* event) {
   // Texts that carry a colour are written again in those of the new look.
   if (event->type() == QEvent::PaletteChange && plots_ != nullptr && has_shown_) {
     pending_->setProperty("words", {});
-    health_->setProperty("words", {});
     if (facts_ != nullptr) band_->set_mode(facts_->row.mode);
     write_blindness();
     write_pending();

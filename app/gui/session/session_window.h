@@ -28,9 +28,11 @@ class QVBoxLayout;
 
 namespace asperity {
 
+class AnswersPanel;
 class Banner;
 class EndSummary;
 class FaultPanel;
+class HealthLine;
 class LivePlots;
 class ModeBand;
 class NotesPanel;
@@ -89,7 +91,6 @@ class SessionWindow final : public QWidget {
   QLayout* make_header();
   QLayout* make_now_line();
   QWidget* make_middle();
-  QLayout* make_health_line();
   void do_verb(SessionVerb verb);
   void do_emergency_stop();
   void ask_repeat();
@@ -164,12 +165,10 @@ class SessionWindow final : public QWidget {
   LivePlots* plots_ = nullptr;
   QVBoxLayout* mirror_place_ = nullptr;
   QWidget* mirror_ = nullptr;
-  QLabel* last_answer_ = nullptr;
-  QLabel* earlier_answers_ = nullptr;
+  AnswersPanel* answers_ = nullptr;
   NotesPanel* notes_ = nullptr;
   EndSummary* summary_ = nullptr;
-  StateLabel* health_ = nullptr;
-  QLabel* stored_ = nullptr;
+  HealthLine* health_ = nullptr;
   SessionControls* controls_ = nullptr;
   SessionKeys* keys_ = nullptr;
   QPointer<QDialog> dialog_{};

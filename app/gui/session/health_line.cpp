@@ -1,0 +1,50 @@
+#include "app/gui/session/health_line.h"
+
+#include <cmath>
+
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QLabel>
+
+#include "app/gui/look/controls.h"
+
+namespace asperity {
+
+HealthLine::HealthLine(QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGroupGap);
+  health_ = new StateLabel(this);
+  health_->setObjectName("health");
+  health_->setFont(text_font(TextSize::small));
+  health_->setWordWrap(false);
+  stored_ = new QLabel(this);
+  stored_->setObjectName("stored");
+  stored_->setFont(text_font(TextSize::small));
+  row->addWidget(health_, 1);
+  row->addWidget(stored_);
+}
+
+void HealthLine::show_health(const SessionSnapshot& snapshot, const SessionFacts* facts) {
+  stored_->setText(tr("study.sqlite · attempts stored: %1").arg(snapshot.rows_stored));
+  const LoopHealth& h = snapshot.health;
+  if (h.rate_Hz <= 0.0) {
+    return health_->set_state(State::unknown, tr("The device loop has not ticked yet"));
+  }
+  constexpr double kRateTolerance = 0.02;
+  const double asked_Hz = facts == nullptr ? h.rate_Hz : facts->row.rate_Hz;
+  const bool fine = h.missed_deadlines == 0 && h.lost_records == 0 &&
+                    snapshot.fault == Fault::none &&
+                    std::abs(h.rate_Hz - asked_Hz) <= kRateTolerance * asked_Hz;
+  health_->set_state(
+      fine ? State::fine : State::look,
+      tr("%1 · %2 Hz · p99 %3 µs late · %4 missed · %5 lost · %6 saturated · %7")
+          .arg(facts == nullptr ? QString() : QString::fromStdString(facts->row.device))
+          .arg(std::lround(h.rate_Hz))
+          .arg(std::lround(1e6 * h.lateness_p99_s))
+          .arg(h.missed_deadlines)
+          .arg(h.lost_records)
+          .arg(h.saturated_ticks)
+          .arg(snapshot.masking_noise ? tr("masking noise on") : tr("masking noise off")));
+}
+
+}  // namespace asperity

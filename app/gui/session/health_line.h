@@ -1,0 +1,27 @@
+// How the device loop keeps time, and where the data go.
+
+#pragma once
+
+#include <QtWidgets/QWidget>
+
+#include "app/conductor/session_monitor.h"
+
+class QLabel;
+
+namespace asperity {
+
+class StateLabel;
+
+class HealthLine final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit HealthLine(QWidget* parent = nullptr);
+  /// `facts` may be null.
+  void show_health(const SessionSnapshot& snapshot, const SessionFacts* facts);
+
+ private:
+  StateLabel* health_ = nullptr;
+  QLabel* stored_ = nullptr;
+};
+
+}  // namespace asperity
