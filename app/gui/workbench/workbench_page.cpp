@@ -136,7 +136,8 @@ WorkbenchPage::WorkbenchPage(OpenStudy& study, QWidget* parent) : QWidget(parent
   empty->setObjectName("drop_area");
   empty->setAttribute(Qt::WA_StyledBackground);
   empty->setStyleSheet("#drop_area { border: 2px dashed palette(mid); border-radius: 8px; }");
-  empty->add_action(tr("Open a photograph…"), ButtonRole::primary, [this] { choose_file(); });
+  setFocusProxy(
+      empty->add_action(tr("Open a photograph…"), ButtonRole::primary, [this] { choose_file(); }));
   pages_->addWidget(empty);
   pages_->addWidget(make_workspace());
   layout->addWidget(pages_, 1);
@@ -453,6 +454,7 @@ void WorkbenchPage::take(std::shared_ptr<const Opened> opened) {
   opened_ = std::move(opened);
   pages_->setCurrentIndex(1);
   for (QAbstractButton* button : mode_->buttons()) button->show();
+  setFocusProxy(relief_);
   relief_->setFocus(Qt::OtherFocusReason);
   const bool has_recipe = !opened_->reduced.values.empty();
   finished_->setVisible(!has_recipe);
