@@ -273,6 +273,21 @@ TEST_F(AChoice, GoesByTheTimeThatTheSceneSaysItWasShownAt) {
   EXPECT_EQ(person_.ask(selection(), {}, 2.0, wait_).options, Options{0});
 }
 
+// A pause or a fault is shown in the middle of a question.
+TEST_F(AChoice, LeavesNoMarksOnAnotherScene) {
+  feel_all(selection());
+  look(0.5, [this](const ParticipantScene& scene) {
+    ParticipantScene paused = scene;
+    paused.kind = ParticipantScene::Kind::paused;
+    monitor_.show(std::move(paused));
+  });
+  press(1.0, Kind::confirm);
+  press(1.5, Kind::option, 2);
+  EXPECT_TRUE(ask(selection(), 2.0).options.empty());
+  EXPECT_EQ(scene()->cue, "");
+  EXPECT_FALSE(scene()->choices.at(1).chosen);
+}
+
 TEST_F(AChoice, TakesOneAnswerPerKey) {
   feel_all(selection());
   press(1.0, Kind::option, 1);
@@ -377,6 +392,7 @@ TEST_F(AnAssignment, GivesEachPictureOnce) {
   });
   press(3.0, Kind::option, 2);  // to C
   look(3.5, [](const ParticipantScene& scene) {
+    EXPECT_FALSE(scene.can_confirm);
     EXPECT_EQ(scene.assigning, std::optional<std::size_t>(0));
   });
   press(4.0, Kind::option, 3);  // to A
