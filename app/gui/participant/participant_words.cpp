@@ -41,6 +41,11 @@ QString Words::of(const Saying& saying) {
       return tr("Please give surface %1 a picture first.").arg(code);
     case Saying::What::no_going_back:
       return tr("The surfaces cannot be felt again.");
+    case Saying::What::was_right:
+      return tr("That was right.");
+    case Saying::What::was_wrong:
+      if (code.isEmpty()) return tr("That was not right.");
+      return tr("That was not right. The right answer: %1").arg(code);
     case Saying::What::answer_needed:
       return tr("This question needs an answer.");
     case Saying::What::number_needed:
