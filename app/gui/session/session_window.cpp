@@ -723,6 +723,16 @@ void SessionWindow::changeEvent(QEvent* event) {
   }
 }
 
+/// Focus that its widget loses by going away goes to no other: the next one is a button as likely as
+/// not, and would hear the participant's Space.
+bool SessionWindow::focusNextPrevChild(bool next) {
+  const QWidget* focus = focusWidget();
+  const bool by_tab = focus == nullptr || (focus->isVisible() && focus->isEnabled());
+  if (by_tab) return QWidget::focusNextPrevChild(next);
+  setFocus();
+  return true;
+}
+
 void SessionWindow::screen_left(QScreen* screen) {
   const QString name = screen == nullptr ? QString() : screen->name();
   news_->show_news(State::look,

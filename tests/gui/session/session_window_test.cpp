@@ -309,6 +309,30 @@ TEST(SessionWindow, AsksWhyATrialIsSkippedAndTakesAReasonByMouse) {
   EXPECT_EQ(session.requests.take_skip(), "Technical problem");
 }
 
+TEST(SessionWindow, HandsTheFocusOfWhatGoesAwayToNoButton) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  const auto window = session.window();
+  find<QPushButton>(*window, "skip").click();
+  ASSERT_TRUE(find<QLineEdit>(*window, "reason").hasFocus());
+  QTest::keyClicks(&find<QLineEdit>(*window, "reason"), "unwell");
+  QTest::keyClick(&find<QLineEdit>(*window, "reason"), Qt::Key_Return);
+  EXPECT_EQ(session.requests.take_skip(), "unwell");
+  EXPECT_EQ(QApplication::focusWidget(), window.get());
+
+  auto& skip = find<QPushButton>(*window, "skip");
+  skip.setFocus();
+  ASSERT_TRUE(skip.hasFocus());
+  session.set_phase(SessionPhase::iti);  // no trial to be skipped any more
+  window->refresh();
+  EXPECT_FALSE(skip.isEnabled());
+  EXPECT_EQ(QApplication::focusWidget(), window.get());
+
+  QTest::keyClick(window.get(), Qt::Key_Tab);
+  EXPECT_NE(QApplication::focusWidget(), window.get()) << "by Tab everything is reached";
+}
+
 TEST(SessionWindow, SaysBesideTheButtonsWhyOneCannotBePressed) {
   FilledMonitor session{};
   session.set_phase(SessionPhase::iti);
