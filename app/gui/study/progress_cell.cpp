@@ -6,13 +6,14 @@
 #include <QtGui/QPainter>
 
 #include "app/gui/look/theme.h"
+#include "app/gui/study/study_table.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr int kFraction = Qt::UserRole + 2;
-constexpr int kWordsWidth = 92;
+constexpr int kWordsWidth = 96;
 constexpr int kBarHeight = 8;
 
 }  // namespace
@@ -30,7 +31,7 @@ QStandardItem* progress_cell(int done, int planned) {
 
 void ProgressDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                              const QModelIndex& index) const {
-  PaddedCell::paint(painter, option, index);
+  QStyledItemDelegate::paint(painter, option, index);
   const double fraction = index.data(kFraction).toDouble();
   QRect bar = option.rect.adjusted(kWordsWidth, 0, -kMargin, 0);
   bar.setTop(option.rect.center().y() - kBarHeight / 2);

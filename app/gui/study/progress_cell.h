@@ -2,7 +2,9 @@
 
 #pragma once
 
-#include "app/gui/study/study_table.h"
+#include <QtWidgets/QStyledItemDelegate>
+
+class QStandardItem;
 
 namespace asperity {
 
@@ -10,9 +12,9 @@ namespace asperity {
 QStandardItem* progress_cell(int done, int planned);
 
 /// Draws the cells of a column that `progress_cell` made.
-class ProgressDelegate final : public PaddedCell {
+class ProgressDelegate final : public QStyledItemDelegate {
  public:
-  using PaddedCell::PaddedCell;
+  using QStyledItemDelegate::QStyledItemDelegate;
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
              const QModelIndex& index) const override;
 };

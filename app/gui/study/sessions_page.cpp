@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include <QtGui/QPainter>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QStyledItemDelegate>
 
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
@@ -10,6 +12,18 @@
 namespace asperity {
 
 namespace {
+
+/// A style sheet for items leaves out the ground that a cell asks for.
+class BandDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    const QVariant band = index.data(Qt::BackgroundRole);
+    if (band.isValid()) painter->fillRect(option.rect, band.value<QBrush>());
+    QStyledItemDelegate::paint(painter, option, index);
+  }
+};
 
 /// In the colour of the band that the session's windows had.
 QStandardItem* mode_cell(SessionMode mode) {
@@ -80,18 +94,19 @@ SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
   head().addWidget(filter_);
 
   using Align = StudyTable::Align;
-  table_ = new StudyTable({{tr("Participant"), 128, Align::text},
+  table_ = new StudyTable({{tr("Participant"), 120, Align::text},
                            {tr("No."), 56, Align::number},
                            {tr("Protocol"), 0, Align::text},
-                           {tr("Mode"), 104, Align::text},
+                           {tr("Mode"), 112, Align::text},
                            {tr("State"), 128, Align::text},
-                           {tr("Started"), 176, Align::text},
-                           {tr("Duration"), 96, Align::number},
-                           {tr("Trials"), 96, Align::number},
+                           {tr("Started"), 192, Align::text},
+                           {tr("Duration"), 88, Align::number},
+                           {tr("Trials"), 104, Align::number},
                            {tr("Notes"), 72, Align::number}},
                           this);
   table_->setObjectName("sessions_table");
   table_->sortByColumn(5, Qt::DescendingOrder);
+  table_->setItemDelegateForColumn(3, new BandDelegate(table_));
   body().addWidget(table_, 1);
 
   auto* below = new QHBoxLayout();

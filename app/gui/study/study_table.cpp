@@ -5,7 +5,6 @@
 
 #include <QtCore/QSortFilterProxyModel>
 #include <QtGui/QKeyEvent>
-#include <QtGui/QPainter>
 #include <QtGui/QStandardItemModel>
 #include <QtWidgets/QHeaderView>
 
@@ -17,7 +16,6 @@ namespace {
 
 constexpr int kValue = Qt::UserRole;
 constexpr int kKey = Qt::UserRole + 1;
-constexpr int kPadding = 5;  // with the style's own 3
 
 /// A row is shown when its cells hold every word, each in any of them.
 class WordFilter final : public QSortFilterProxyModel {
@@ -68,18 +66,6 @@ QStandardItem* empty_number_cell() {
   return number_cell("–", -std::numeric_limits<double>::infinity());
 }
 
-void PaddedCell::paint(QPainter* painter, const QStyleOptionViewItem& option,
-                       const QModelIndex& index) const {
-  if (option.state.testFlag(QStyle::State_Selected)) {
-    painter->fillRect(option.rect, option.palette.highlight());
-  } else if (const QVariant ground = index.data(Qt::BackgroundRole); ground.isValid()) {
-    painter->fillRect(option.rect, ground.value<QBrush>());
-  }
-  QStyleOptionViewItem inner = option;
-  inner.rect.adjust(kPadding, 0, -kPadding, 0);
-  QStyledItemDelegate::paint(painter, inner, index);
-}
-
 StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
     : QTableView(parent), rows_(new QStandardItemModel(0, static_cast<int>(columns.size()), this)) {
   auto* filter = new WordFilter(this);
@@ -90,7 +76,6 @@ StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
   shown_ = filter;
   setModel(filter);
   style_table(*this);
-  setItemDelegate(new PaddedCell(this));
   setSelectionMode(QAbstractItemView::SingleSelection);
   setTabKeyNavigation(false);
   setTextElideMode(Qt::ElideRight);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <QtGui/QStandardItem>
-#include <QtWidgets/QStyledItemDelegate>
 #include <QtWidgets/QTableView>
 
 class QSortFilterProxyModel;
@@ -21,14 +20,6 @@ QStandardItem* number_cell(const QString& text, double value);
 QStandardItem* number_cell(int value);
 /// "–": nothing there; below every number.
 QStandardItem* empty_number_cell();
-
-/// Cells begin and end where their header does.
-class PaddedCell : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-  void paint(QPainter* painter, const QStyleOptionViewItem& option,
-             const QModelIndex& index) const override;
-};
 
 class StudyTable final : public QTableView {
   Q_OBJECT

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QtCore/QRegularExpression>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QTabWidget>
 
@@ -12,6 +13,8 @@
 namespace asperity {
 
 namespace {
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 double since_start_s(const SessionDetail& detail, std::int64_t time_ns) {
   return static_cast<double>(time_ns - detail.overview.row.clock_zero_ns) * 1e-9;
@@ -52,15 +55,13 @@ QString text_of_outcome(const TrialOverview& trial) {
 QString text_of_remarks(const AttemptRow& attempt) {
   QStringList remarks{};
   if (!attempt.valid) {
-    remarks.append(TrialsPage::tr("not valid: %1")
-                       .arg(QString::fromStdString(attempt.invalid_reason.value_or("–"))));
+    remarks.append(TrialsPage::tr("not valid: %1").arg(text(attempt.invalid_reason.value_or("–"))));
   }
   if (attempt.flagged) {
-    remarks.append(TrialsPage::tr("flagged: %1")
-                       .arg(QString::fromStdString(attempt.flag_reason.value_or("–"))));
+    remarks.append(TrialsPage::tr("flagged: %1").arg(text(attempt.flag_reason.value_or("–"))));
   }
   if (attempt.excluded) {
-    remarks.append(TrialsPage::tr("left out: %1").arg(QString::fromStdString(*attempt.excluded)));
+    remarks.append(TrialsPage::tr("left out: %1").arg(text(*attempt.excluded)));
   }
   return remarks.join("; ");
 }
@@ -85,9 +86,8 @@ StudyTable::Row row_of(const SessionDetail& detail, const TrialOverview& trial) 
   return {attempt ? QString::number(attempt->id) : QString{},
           {number_cell(trial.planned.trial),
            attempt ? number_cell(attempt->attempt) : empty_number_cell(),
-           text_cell(QString::fromStdString(trial.planned.block)), outcome,
-           text_cell(QString::fromStdString(trial.answer())), text_cell(right),
-           seconds_cell(from_contact_s), seconds_cell(from_cue_s),
+           text_cell(text(trial.planned.block)), outcome, text_cell(text(trial.answer())),
+           text_cell(right), seconds_cell(from_contact_s), seconds_cell(from_cue_s),
            attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell(),
            remark_cell}};
 }
@@ -135,7 +135,11 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   events_->setObjectName("trials_events");
   tabs_->addTab(events_, tr("Notes and events"));
   body().addWidget(tabs_, 1);
+  selected_ = make_text({}, this, true);
+  selected_->setObjectName("trials_selected");
+  body().addWidget(selected_);
 
+  connect(trials_, &StudyTable::row_selected, this, &TrialsPage::show_selected);
   connect(back, &QPushButton::clicked, this, &TrialsPage::back_wanted);
   connect(filter_, &QLineEdit::textChanged, trials_, &StudyTable::set_filter);
   connect(filter_, &QLineEdit::textChanged, events_, &StudyTable::set_filter);
@@ -154,21 +158,39 @@ void TrialsPage::show_session(std::int64_t id) {
       [this](const SessionDetail& detail) { show_detail(detail); });
 }
 
+// Answers to several questions and reasons are longer than their columns.
+void TrialsPage::show_selected() {
+  const std::int64_t id = trials_->selected_key().toLongLong();
+  const auto found = std::find_if(
+      detail_.trials.begin(), detail_.trials.end(),
+      [id](const TrialOverview& trial) { return trial.attempt && trial.attempt->id == id; });
+  if (found == detail_.trials.end()) {
+    selected_->setText(tr("Select a trial to read it in full."));
+    return;
+  }
+  const QString remarks = text_of_remarks(*found->attempt);
+  selected_->setText(tr("Trial %1, attempt %2: %3")
+                         .arg(found->planned.trial)
+                         .arg(found->attempt->attempt)
+                         .arg(QStringList{text_of_outcome(*found), text(found->answer()), remarks}
+                                  .filter(QRegularExpression("."))
+                                  .join("; ")));
+}
+
 void TrialsPage::show_detail(const SessionDetail& detail) {
+  detail_ = detail;
   const SessionOverview& session = detail.overview;
-  title().setText(tr("Session %1 of %2")
-                      .arg(session.row.session)
-                      .arg(QString::fromStdString(session.row.participant)));
+  title().setText(
+      tr("Session %1 of %2").arg(session.row.session).arg(text(session.row.participant)));
   band_->set_mode(session.row.mode);
-  summary_->setText(
-      tr("%1 %2 · %3 · %4 of %5 trials in %6 · started %7 · device %8 · asperity %9")
-          .arg(QString::fromStdString(session.protocol_name),
-               QString::fromStdString(session.protocol_version), text_of_session_state(session))
-          .arg(session.done_trials)
-          .arg(session.planned_trials)
-          .arg(text_of_duration(session.duration_s), text_of_time(session.row.started_utc),
-               QString::fromStdString(session.row.device),
-               QString::fromStdString(session.row.program_version)));
+  summary_->setText(tr("%1 %2 · %3 · %4 of %5 trials in %6 · started %7 · device %8 · asperity %9")
+                        .arg(text(session.protocol_name), text(session.protocol_version),
+                             text_of_session_state(session))
+                        .arg(session.done_trials)
+                        .arg(session.planned_trials)
+                        .arg(text_of_duration(session.duration_s),
+                             text_of_time(session.row.started_utc), text(session.row.device),
+                             text(session.row.program_version)));
   std::vector<StudyTable::Row> rows{};
   for (const TrialOverview& trial : detail.trials) rows.push_back(row_of(detail, trial));
   trials_->fill(rows);
@@ -176,9 +198,8 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
   for (std::size_t i = 0; i < detail.events.size(); ++i) {
     const EventRow& event = detail.events[i];
     rows.push_back({QString::number(i),
-                    {clock_cell(since_start_s(detail, event.time_ns)),
-                     text_cell(QString::fromStdString(event.kind)),
-                     text_cell(QString::fromStdString(event.text))}});
+                    {clock_cell(since_start_s(detail, event.time_ns)), text_cell(text(event.kind)),
+                     text_cell(text(event.text))}});
   }
   events_->fill(rows);
   tabs_->setTabText(1, tr("Notes and events (%1)").arg(detail.events.size()));

@@ -29,13 +29,16 @@ class TrialsPage final : public StudyPage {
 
  private:
   void show_detail(const SessionDetail& detail);
+  void show_selected();
 
   std::int64_t session_id_ = 0;
+  SessionDetail detail_{};
   ModeBand* band_ = nullptr;
   QLabel* summary_ = nullptr;
   QLineEdit* filter_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   StudyTable* trials_ = nullptr;
+  QLabel* selected_ = nullptr;  ///< the trial that is selected, in full
   StudyTable* events_ = nullptr;
 };
 

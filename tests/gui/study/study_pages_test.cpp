@@ -224,6 +224,10 @@ TEST_F(StudyPages, OpenTheTrialsOfASessionWithItsNotes) {
   EXPECT_EQ(trials.text_at(0, 3), "answered");
   EXPECT_EQ(trials.text_at(4, 9), "flagged: speed outside its band for 62 % of the contact");
   EXPECT_EQ(trials.text_at(7, 3), "to come");
+  child<StudyTable>(window_, "trials_table").selectRow(4);
+  EXPECT_EQ(child<QLabel>(window_, "trials_selected").text(),
+            "Trial 5, attempt 1: answered; stone; flagged: speed outside its band for 62 % of the "
+            "contact");
   const auto& events = child<StudyTable>(window_, "trials_events");
   EXPECT_TRUE(column(events, 1).contains("note"));
   take_screenshot(window_, "study-trials");

@@ -102,6 +102,15 @@ TEST_F(StudyWindowTest, SaysOnTheBannerWhatCannotBeOpened) {
   EXPECT_TRUE(window.banner().text().contains("nothing"));
 }
 
+TEST_F(StudyWindowTest, OpensAStudyThatAnOlderVersionMade) {
+  const std::filesystem::path folder = home() / "older";
+  std::filesystem::copy(
+      std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/results_schema/fixtures/study_version_1",
+      folder, std::filesystem::copy_options::recursive);
+  StudyWindow window{};
+  EXPECT_TRUE(window.open_study(folder));
+}
+
 TEST_F(StudyWindowTest, ListsRecentStudiesLatestFirstAndGreysThoseThatAreGone) {
   new_study(home() / "first");
   new_study(home() / "second");
