@@ -104,7 +104,6 @@ QString style_sheet_of(const Theme& look) {
     QLineEdit, QPlainTextEdit, QTextEdit, QSpinBox, QDoubleSpinBox, QComboBox {
       min-height: 30px; padding: 0 8px; border: 1px solid %line; border-radius: 4px; background: %panel; color: %text;
       selection-background-color: %press; selection-color: %on_press; }
-    QComboBox::drop-down { border: none; width: 24px; }
     QPlainTextEdit, QTextEdit { padding: 4px 8px; }
     QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus {
       border: 2px solid %press; }
