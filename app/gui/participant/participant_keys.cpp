@@ -1,0 +1,93 @@
+#include "app/gui/participant/participant_keys.h"
+
+#include <cstddef>
+
+#include <QtCore/Qt>
+
+namespace asperity {
+
+namespace {
+
+using Action = ParticipantAction;
+using Scene = ParticipantScene;
+
+QString upper(const std::string& text) { return QString::fromStdString(text).toUpper(); }
+
+}  // namespace
+
+QString key_of_form_option(int number) {
+  if (number <= 9) return QString::number(number);
+  return QString(QChar(static_cast<char16_t>(u'A' + number - 10)));
+}
+
+std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, int key,
+                                               const QString& text) {
+  const QString typed = text.toUpper();
+  const bool is_return = key == Qt::Key_Return || key == Qt::Key_Enter;
+  switch (scene.kind) {
+    case Scene::Kind::text:
+    case Scene::Kind::mask_on:
+    case Scene::Kind::mask_off:
+    case Scene::Kind::rest:
+      if (is_return) return Action{.what = Action::What::confirm};
+      return {};
+    case Scene::Kind::feel:
+    case Scene::Kind::question: {
+      if (is_return && scene.kind == Scene::Kind::question) {
+        return Action{.what = Action::What::confirm};
+      }
+      if (key == Qt::Key_Space) return Action{.what = Action::What::next};
+      if (typed.isEmpty()) return {};
+      for (std::size_t i = 0; i < scene.choices.size(); ++i) {
+        if (upper(scene.choices[i].key) == typed) {
+          return Action{.what = Action::What::choose, .number = static_cast<int>(i) + 1};
+        }
+      }
+      for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+        const bool can_be_meant =
+            scene.is_assignment || scene.surfaces[i].can_go || scene.kind == Scene::Kind::feel;
+        if (can_be_meant && upper(scene.surfaces[i].code) == typed) {
+          return Action{.what = Action::What::surface, .number = static_cast<int>(i) + 1};
+        }
+      }
+      // Answers before there is anything to choose from are refused by name, not ignored.
+      bool is_number = false;
+      const int number = typed.toInt(&is_number);
+      if (!is_number || number < 1) return {};
+      const bool has_letters = static_cast<std::size_t>(number) <= scene.choices.size() &&
+                               scene.choices[static_cast<std::size_t>(number - 1)].text.empty();
+      if (has_letters || scene.choices.empty()) {
+        return Action{.what = Action::What::choose, .number = number};
+      }
+      return {};
+    }
+    case Scene::Kind::form: {
+      if (is_return) return Action{.what = Action::What::confirm};
+      if (!scene.question) return {};
+      if (scene.question->form == Question::Form::choice) {
+        for (std::size_t i = 0; i < scene.question->options.size(); ++i) {
+          const int number = static_cast<int>(i) + 1;
+          if (typed == key_of_form_option(number)) {
+            return Action{.what = Action::What::choose, .number = number};
+          }
+        }
+        return {};
+      }
+      if (scene.question->form != Question::Form::number) return {};
+      if (key == Qt::Key_Backspace) return Action{.what = Action::What::erase};
+      if (typed == ",") return Action{.what = Action::What::write, .text = "."};
+      if (typed.size() == 1 && QStringLiteral("0123456789.-").contains(typed)) {
+        return Action{.what = Action::What::write, .text = typed};
+      }
+      return {};
+    }
+    case Scene::Kind::blank:
+    case Scene::Kind::feedback:
+    case Scene::Kind::paused:
+    case Scene::Kind::ended:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace asperity
