@@ -94,6 +94,7 @@ class Workbench : public testing::Test {
 
   void click(const char* name) { QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton); }
 
+  FakeCard card_{};  // outlives the page, whose sound thread takes from it
   QTemporaryDir folder_{};
   std::unique_ptr<OpenStudy> study_{};
   std::unique_ptr<WorkbenchPage> page_{};
@@ -385,18 +386,17 @@ TEST_F(Workbench, TakesAModelsParametersFromTheReliefUnlessTheyAreGiven) {
 }
 
 TEST_F(Workbench, PlaysTheForceOfTheModelThatIsToBeHeard) {
-  FakeCard card{};
   drop(photograph("brick", 256));
   click("mode_comparing");
   auto& comparison = find<ForceComparison>("comparison");
-  comparison.set_sound(output_of(card));
+  comparison.set_sound(output_of(card_));
   find<QComboBox>("heard").setCurrentIndex(4);
   EXPECT_TRUE(find<QCheckBox>("model_lateral_gradient").isChecked());
   find<QComboBox>("force_component").setCurrentIndex(1);
   settle();
-  EXPECT_EQ(card.peak, 0.0);
+  EXPECT_EQ(card_.peak, 0.0);
   click("stroke_across");
-  ASSERT_TRUE(QTest::qWaitFor([&card] { return card.peak > 0.0; }, kLongest_ms));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return card_.peak > 0.0; }, kLongest_ms));
 }
 
 TEST_F(Workbench, SaysThatThereIsNothingToHearAForceWith) {
