@@ -64,6 +64,11 @@ NavigationList::NavigationList(QWidget* parent) : QListWidget(parent) {
   connect(this, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
     if (item != nullptr) emit page_selected(item->data(kKey).toString());
   });
+  // Chosen once more: back from a page that is not in the list (a session's trials, its start).
+  for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated}) {
+    connect(this, chosen, this,
+            [this](QListWidgetItem* item) { emit page_selected(item->data(kKey).toString()); });
+  }
   // From a page that hangs on the selected one (the trials of a session) back to that one.
   connect(this, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { emit page_selected(item->data(kKey).toString()); });

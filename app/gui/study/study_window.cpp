@@ -10,6 +10,7 @@
 #include <QtGui/QActionGroup>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QDesktopServices>
+#include <QtGui/QScreen>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QMenu>
@@ -45,7 +46,9 @@ QString state_of_store(const std::filesystem::path& folder) {
 
 StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
   setObjectName("study_window");
-  if (!restore_geometry(*this, kGeometry)) resize(1280, 800);
+  if (!restore_geometry(*this, kGeometry)) {
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize() * 0.9));
+  }
   watcher_ = new QFileSystemWatcher(this);
   connect(watcher_, &QFileSystemWatcher::directoryChanged, this, &StudyWindow::watch_folder);
   refill();
