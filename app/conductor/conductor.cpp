@@ -48,6 +48,13 @@ std::string fault_between_trials(const std::string& name) {
                                                 : "the device failed between trials: " + name;
 }
 
+/// Where a session is again after a fault: an attempt that it ended is over.
+SessionPhase after_fault(SessionPhase before) {
+  const bool in_attempt = before == SessionPhase::fore || before == SessionPhase::contact ||
+                          before == SessionPhase::response;
+  return in_attempt ? SessionPhase::iti : before;
+}
+
 ParticipantScene scene_of(ParticipantScene::Kind kind, const std::string& text = "") {
   ParticipantScene scene{};
   scene.kind = kind;
@@ -116,6 +123,7 @@ void Conductor::begin() {
     course_.event("masking_noise", "", settings_.links.sound->description_json());
   }
   publish_facts(began_ns);
+  course_.enter(SessionPhase::ready);
 }
 
 SessionEnd Conductor::finish(std::int64_t began_ns) {
@@ -410,7 +418,11 @@ void Conductor::run_trial(const Trial& trial) {
   int failures = 0;
   for (;;) {
     course_.enter(SessionPhase::iti);
-    course_.update([&trial](SessionSnapshot& snapshot) { snapshot.block = trial.block_ordinal; });
+    course_.update([&](SessionSnapshot& snapshot) {
+      snapshot.block = trial.block_ordinal;
+      snapshot.trial = trial.ordinal;
+      snapshot.attempt = attempts_of(trial.ordinal) + 1;
+    });
     course_.show({});
     between_steps(Next::trial);
     if (stopped_) return;
@@ -600,7 +612,7 @@ bool Conductor::wait_out_fault(const std::string& what) {
     stop(what);
     return false;
   }
-  const SessionPhase before = course_.phase();
+  const SessionPhase before = after_fault(course_.phase());
   requests_.take_clear_fault();  // one from before this fault
   course_.event("fault", name_of(rig_.loop().status().fault));
   course_.enter(SessionPhase::fault);

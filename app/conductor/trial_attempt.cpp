@@ -163,6 +163,7 @@ void TrialAttempt::carry_out() {
   for (;;) {
     reply_ = ask();
     if (!reply_.feel_again) break;
+    course_.enter(SessionPhase::fore);
     course_.put_mask(true, waiting_);
     feel(static_cast<std::size_t>(*reply_.feel_again - 1));
   }

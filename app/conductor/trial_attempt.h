@@ -28,7 +28,7 @@ struct AttemptOrder {
 /// An attempt that was interrupted has a row as well, invalid, with the reason.
 ///
 /// Phases: fore → contact (with the first touch) → fore before the next surface → … → response, and
-/// contact again where a surface is felt again.
+/// fore and contact again where a surface is felt again.
 ///
 /// Errors: what a renderer, a file or the recording throws; the recorder is then to be abandoned.
 class TrialAttempt final {

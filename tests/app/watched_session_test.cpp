@@ -417,7 +417,9 @@ TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
   EXPECT_EQ(rows[1].trial, 1);
   EXPECT_TRUE(rows[1].valid);
   EXPECT_FALSE(monitor_.snapshot().trouble);
-  EXPECT_THAT(phases(), Contains("fault"));
+  EXPECT_THAT(phases(), ElementsAre("ready", "iti", "fore", "contact", "fore", "contact",
+                                    "response", "fore", "fault", "iti", "fore", "contact", "fore",
+                                    "contact", "response", "questions", "ready", "ended"));
   EXPECT_EQ(events_of("fault").size(), 1U);
   EXPECT_EQ(events_of("fault_cleared").size(), 1U);
 }
