@@ -1,0 +1,132 @@
+// The way into a session: who takes part, what was asked before, for which hand.
+
+#include "app/tasks/run_session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/tasks/verify_study.h"
+#include "results_schema/atomic_file.h"
+#include "tests/app/scripted_session.h"
+
+namespace asperity {
+namespace {
+
+/// Does what is asked at once, and writes down what that was.
+class WillingPerson final : public Respondent {
+ public:
+  std::vector<std::string> questions{};
+  bool answers = true;
+  bool answers_wrongly = false;
+
+  void read(const std::string&, double, const Wait&) override {}
+  void announce(const Trial&, const PlannedPresentation&) override {}
+  Reply ask(const Trial& trial, std::span<const ForceFeatures>, std::optional<double>,
+            const Wait& wait) override {
+    wait(0.05);
+    const TrialQuestion& question = trial.question;
+    const bool is_right =
+        !question.correct.empty() && question.options[0].value == question.correct[0];
+    return {{answers_wrongly && is_right ? std::size_t{1} : std::size_t{0}}, {}};
+  }
+  void tell(const std::string&, const Wait&) override {}
+  std::string answer(const Question& question, const Wait& wait) override {
+    questions.push_back(question.name);
+    while (!answers) wait(1.0);
+    return question.options.empty() ? std::string() : question.options.front();
+  }
+  std::string source() const override { return "keyboard"; }
+  void begin_attempt(int, int) override {}
+};
+
+class RunSession : public testing::Test {
+ protected:
+  RunSession() {
+    inputs_.study = folder_.path() / "study";
+    make_small_study(inputs_.study);
+    inputs_.protocol = inputs_.study / "protocols" / "small.json";
+    std::string text = small_protocol();
+    text.insert(text.find("\"textures\""), R"("surface": {"centre_m": [0.02, 0, 0]}, )");
+    text.replace(text.find("[1, 2, 3]"), 9, "[1]");
+    write_file(inputs_.protocol, text, Overwrite::refuse);
+    inputs_.participant = "p1";
+    inputs_.seed = 5;
+    inputs_.pacing = RunPacing::stepped;
+  }
+
+  SessionEnd run() { return run_session(inputs_, models_, &person_, {}, {}, links_); }
+  Study study() const { return Study::open(inputs_.study, Access::read_only); }
+
+  TemporaryFolder folder_{};
+  ModelRegistry models_ = built_in_models();
+  RunInputs inputs_{};
+  WillingPerson person_{};
+  SessionRequests requests_{};
+  SessionLinks links_{.requests = &requests_};
+};
+
+TEST_F(RunSession, AsksForConsentUnlessThePersonHasGivenIt) {
+  run();
+  EXPECT_THAT(person_.questions, testing::Contains("consent"));
+  inputs_.participant = "p2";
+  inputs_.has_consented = true;
+  inputs_.new_person = ParticipantRow{.label = "p2", .age_years = 31.0};
+  person_.questions.clear();
+  run();
+  EXPECT_THAT(person_.questions, testing::Not(testing::Contains("consent")));
+  const ParticipantRow stored = study().participant("p2").value();
+  EXPECT_EQ(stored.age_years, 31.0);
+  EXPECT_FALSE(stored.created_utc.empty());
+  EXPECT_TRUE(study().sessions().at(1).consent_utc);
+}
+
+TEST_F(RunSession, RefusesANewPersonOfAnotherLabel) {
+  inputs_.new_person = ParticipantRow{.label = "p2"};
+  EXPECT_THROW(run(), std::runtime_error);
+  EXPECT_TRUE(study().participants().empty());
+}
+
+TEST_F(RunSession, EndsAtOnceWhenAbortedWhileConsentIsAsked) {
+  person_.answers = false;
+  requests_.abort("the window was closed");
+  EXPECT_THROW(run(), RespondentGone);
+  EXPECT_TRUE(study().participants().empty());
+  EXPECT_TRUE(study().sessions().empty());
+}
+
+TEST_F(RunSession, EndsAtOnceWhenStoppedWhileConsentIsAsked) {
+  person_.answers = false;
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_THROW(run_session(inputs_, models_, &person_, source.get_token(), {}), RespondentGone);
+}
+
+TEST_F(RunSession, StoresThatItWasMirroredAndReplaysSo) {
+  inputs_.mirrored = true;
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_TRUE(study().sessions().front().mirrored);
+  // Every recorded force is rendered again, where the hand met it.
+  Study stored = study();
+  const VerifyResult verified = verify_study(stored, models_, true, {}, [](double) {});
+  EXPECT_THAT(verified.problems, testing::IsEmpty());
+  EXPECT_EQ(verified.recordings_replayed, 1);
+}
+
+TEST_F(RunSession, IsNotGoneOnWithWhereTheProtocolEndedIt) {
+  write_file(inputs_.protocol, practised_protocol("end_session"), Overwrite::allow);
+  person_.answers_wrongly = true;
+  EXPECT_TRUE(run().as_the_protocol_says);
+  inputs_.resume = true;
+  EXPECT_THROW(run(), std::runtime_error);
+  inputs_.resume = false;
+  try {
+    run();
+    ADD_FAILURE() << "a second session was begun";
+  } catch (const std::runtime_error& error) {  // and not that the first one is to be gone on with
+    EXPECT_THAT(error.what(), testing::HasSubstr("has done all sessions"));
+  }
+  EXPECT_EQ(study().sessions().size(), 1U);
+}
+
+}  // namespace
+}  // namespace asperity
