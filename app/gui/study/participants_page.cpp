@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QtGui/QFontMetrics>
 #include <QtWidgets/QButtonGroup>
 #include <QtWidgets/QLineEdit>
 #include <nlohmann/json.hpp>
@@ -111,6 +112,11 @@ void ParticipantsPage::show_people(const std::vector<ParticipantOverview>& peopl
   if (!chosen_) show_virtual_ = persons == 0 && virtual_ones > 0;
   people_->setText(tr("People %1").arg(persons));
   virtual_people_->setText(tr("Virtual %1").arg(virtual_ones));
+  // The chosen one is bold, and its words are wider then.
+  const QFontMetrics bold(text_font(TextSize::body, true));
+  for (QPushButton* button : {people_, virtual_people_}) {
+    button->setMinimumWidth(bold.horizontalAdvance(button->text()) + 2 * kMargin);
+  }
   std::vector<ParticipantRow> rows{};
   for (const ParticipantOverview& one : all_) rows.push_back(one.row);
   next_label_->setText(tr("Somebody new would be called %1: suggested when a session starts.")

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <thread>
 
-#include <QtWidgets/QFormLayout>
 #include <QtWidgets/QProgressBar>
 #include <QtWidgets/QSpinBox>
 
@@ -40,13 +39,15 @@ SimulationPanel::SimulationPanel(OpenStudy& study, QWidget* parent)
   seed_->setObjectName("simulation_seed");
   seed_->setRange(1, 999'999'999);
   seed_->setFixedWidth(120);
-  auto* form = new QFormLayout();
-  form->setHorizontalSpacing(kMargin);
-  form->setVerticalSpacing(kGrid);
-  form->setFormAlignment(Qt::AlignLeft | Qt::AlignTop);
-  form->addRow(tr("Virtual participants to add"), participants_);
-  form->addRow(tr("Seed (the same seed gives the same answers)"), seed_);
-  layout->addLayout(form);
+  auto* settings = new QHBoxLayout();
+  settings->setSpacing(kGrid);
+  settings->addWidget(new QLabel(tr("Virtual participants to add"), this));
+  settings->addWidget(participants_);
+  settings->addSpacing(kMargin);
+  settings->addWidget(new QLabel(tr("Seed (the same seed gives the same answers)"), this));
+  settings->addWidget(seed_);
+  settings->addStretch(1);
+  layout->addLayout(settings);
 
   auto* row = new QHBoxLayout();
   row->setSpacing(kGrid);
