@@ -31,7 +31,9 @@ TEST(ForceStroke, GivesTheForcesOfTheOfflineRenderingOfItsPath) {
   const ModelRegistry registry = built_in_models();
   ForceStroke stroke{};
   stroke.set_models(every_model(registry), kDepth_m);
-  stroke.begin({-0.01, 0.002});
+  stroke.begin({0.003, -0.004});
+  stroke.advance(100'000'000);
+  stroke.begin({-0.01, 0.002});  // knows nothing of the stroke before
   // Frames of uneven length, as they come.
   std::int64_t now_ns = 0;
   for (int frame = 0; frame < 40; ++frame) {
