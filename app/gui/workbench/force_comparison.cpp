@@ -25,6 +25,7 @@ constexpr std::size_t kShownSamples = 2000;  // two seconds
 constexpr std::size_t kWelchSamples = 256;
 constexpr double kAcross_m_per_s = 0.060;
 constexpr double kRate_Hz = 1000.0;
+constexpr std::int64_t kPeriod_ns = 1'000'000;
 constexpr double kLoud_N = 0.2;          // a strong texture force is at half of full scale
 constexpr double kStill_m_per_s = 1e-4;  // below, a direction of motion means nothing
 
@@ -236,6 +237,7 @@ void ForceComparison::end_stroke() {
   frames_.stop();
   frame();
   stroke_.end();
+  across_y_m_.reset();
 }
 
 void ForceComparison::stroke_across(double y_m) {
@@ -246,13 +248,19 @@ void ForceComparison::stroke_across(double y_m) {
 
 void ForceComparison::frame() {
   const std::int64_t now_ns = clock_.nsecsElapsed();
-  if (across_y_m_) {
-    const double gone_m = kAcross_m_per_s * 1e-9 * static_cast<double>(now_ns);
+  if (across_y_m_ && stroke_.is_going_on()) {
+    // Aimed anew for every sample: the same stroke whenever the frames come.
     const double length_m = 0.9 * field_->width_m();
-    stroke_.aim({std::min(gone_m, length_m) - 0.5 * length_m, *across_y_m_});
-    if (gone_m > length_m) across_y_m_.reset();
-    stroke_.advance(now_ns);
-    if (!across_y_m_) {
+    double gone_m = 0.0;
+    while (gone_m <= length_m) {
+      const auto next_ns = static_cast<std::int64_t>(stroke_.path().size()) * kPeriod_ns;
+      if (next_ns > now_ns) break;
+      gone_m = kAcross_m_per_s * 1e-9 * static_cast<double>(next_ns);
+      stroke_.aim({std::min(gone_m, length_m) - 0.5 * length_m, *across_y_m_});
+      stroke_.advance(next_ns);
+    }
+    if (gone_m > length_m) {
+      across_y_m_.reset();
       stroke_.end();
       frames_.stop();
     }

@@ -4,6 +4,7 @@
 
 #include <QtCore/QMimeData>
 #include <QtCore/QTemporaryDir>
+#include <QtCore/QThread>
 #include <QtGui/QDragEnterEvent>
 #include <QtGui/QDropEvent>
 #include <QtTest/QSignalSpy>
@@ -382,6 +383,27 @@ TEST_F(Workbench, TakesAModelsParametersFromTheReliefUnlessTheyAreGiven) {
   for (const StrokedModel& stroked : find<ForceComparison>("comparison").stroke().models()) {
     if (stroked.id != "stochastic") continue;
     EXPECT_EQ(number_of(stroked.inputs.parameters, "noise_sd_N"), 0.3);
+  }
+}
+
+TEST_F(Workbench, StrokesAcrossOnTheSamePathHoweverTheFramesCome) {
+  drop(photograph("brick", 256));
+  click("mode_comparing");
+  settle();
+  auto& comparison = find<ForceComparison>("comparison");
+  const auto stroke_across = [&](int frame_ms) {
+    click("stroke_across");
+    while (comparison.stroke().path().size() < 400) {
+      QThread::msleep(static_cast<unsigned long>(frame_ms));  // a busy machine
+      QCoreApplication::processEvents();
+    }
+    comparison.end_stroke();
+    return comparison.stroke().path();
+  };
+  const std::vector<ProbeState> even = stroke_across(1);
+  const std::vector<ProbeState> uneven = stroke_across(150);
+  for (std::size_t i = 0; i < 400; ++i) {
+    ASSERT_EQ(even[i].position_m, uneven[i].position_m) << i;
   }
 }
 
