@@ -69,9 +69,6 @@ NavigationList::NavigationList(QWidget* parent) : QListWidget(parent) {
     connect(this, chosen, this,
             [this](QListWidgetItem* item) { emit page_selected(item->data(kKey).toString()); });
   }
-  // From a page that hangs on the selected one (the trials of a session) back to that one.
-  connect(this, &QListWidget::itemClicked, this,
-          [this](QListWidgetItem* item) { emit page_selected(item->data(kKey).toString()); });
 }
 
 void NavigationList::add_page(const QString& key, const QString& name) {
