@@ -113,9 +113,9 @@ QTableView* make_table(const Table& table, QWidget* parent) {
     model->horizontalHeaderItem(column)->setTextAlignment(
         (is_number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   }
-  view->setModel(model);
   style_table(*view);
   view->setSortingEnabled(false);  // rows belong together: parts, then totals
+  view->setModel(model);
   view->resizeColumnsToContents();
   for (int column = 0; column < model->columnCount(); ++column) {
     view->setColumnWidth(column, view->columnWidth(column) + kMargin);
@@ -358,6 +358,17 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   });
 }
 
+void AnalysisPage::choose(const std::string& protocol) {
+  wanted_ = protocol;
+  select_wanted();
+}
+
+void AnalysisPage::select_wanted() {
+  for (std::size_t i = 0; i < outcomes_.size() && !wanted_.empty(); ++i) {
+    if (outcomes_[i].protocol == wanted_) list_->setCurrentRow(static_cast<int>(i));
+  }
+}
+
 void AnalysisPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (outdated_) refresh();
@@ -388,6 +399,8 @@ void AnalysisPage::show_outcomes(std::vector<AnalysisOutcome> outcomes) {
   export_->setEnabled(!outcomes_.empty());
   export_->setToolTip(outcomes_.empty() ? tr("There are no sessions to export yet.") : QString());
   list_->setCurrentRow(std::min(shown, list_->count() - 1));
+  select_wanted();
+  wanted_.clear();
   emit refreshed();
 }
 

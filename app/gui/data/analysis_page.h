@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <QtWidgets/QWidget>
@@ -27,6 +28,8 @@ class AnalysisPage final : public QWidget {
   explicit AnalysisPage(OpenStudy& study, QWidget* parent = nullptr);
 
   const std::vector<AnalysisOutcome>& outcomes() const noexcept { return outcomes_; }
+  /// Shows the outcome of this protocol, as soon as it is there.
+  void choose(const std::string& protocol);
 
  signals:
   void refreshed();
@@ -38,11 +41,13 @@ class AnalysisPage final : public QWidget {
   void refresh();
   void show_outcomes(std::vector<AnalysisOutcome> outcomes);
   void show_outcome(int index);
+  void select_wanted();
   void ask_where_to_export();
   void export_to(const QString& folder);
 
   OpenStudy& study_;
   bool outdated_ = true;
+  std::string wanted_{};  ///< the protocol to show next
   std::vector<AnalysisOutcome> outcomes_{};
   Banner* banner_ = nullptr;
   QStackedWidget* stack_ = nullptr;

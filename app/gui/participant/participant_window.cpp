@@ -80,13 +80,24 @@ void ParticipantWindow::open_on(const QString& screen) {
   showFullScreen();
 }
 
+namespace {
+
+// What the experimenter's window needs at least: its width, and the height of its controls.
+constexpr int kExperimenterWidth = 1048;
+constexpr int kExperimenterControls = 176;
+
+}  // namespace
+
 void ParticipantWindow::stand_beside(QScreen& screen) {
   screen_name_ = screen.name();
   full_screen_ = false;
   const QRect room = screen.availableGeometry();
   setScreen(&screen);
   showNormal();
-  setGeometry(room.adjusted(room.width() / 2, 0, 0, 0));
+  // On a small screen the two windows overlap: the experimenter's lowest lines, with the emergency
+  // stop in them, stay in sight and under the mouse.
+  const bool overlaps = room.width() / 2 < kExperimenterWidth;
+  setGeometry(room.adjusted(room.width() / 2, 0, 0, overlaps ? -kExperimenterControls : 0));
 }
 
 void ParticipantWindow::leave_screen(QScreen* screen) {

@@ -3,6 +3,7 @@
 #include <QtCore/QTimer>
 #include <QtGui/QScreen>
 
+#include "app/gui/data/analysis_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/participant/live_workspace.h"
 #include "app/gui/start/start_page.h"
@@ -128,21 +129,33 @@ void SessionDesk::open_session_window() {
   connect(session_window_, &SessionWindow::closed, this, [this] { finish({}); });
   connect(session_window_, &SessionWindow::results_wanted, this, [this] { finish("analysis"); });
   connect(session_window_, &SessionWindow::trials_wanted, this, [this] { finish("sessions"); });
-  if (!restore_geometry(*session_window_, "session")) {
-    const QRect room = window_.screen()->availableGeometry();
+  const QRect room = window_.screen()->availableGeometry();
+  const bool beside = participant_window_ != nullptr && !participant_window_->is_full_screen();
+  if (beside) {
+    session_window_->move(room.topLeft());
+    session_window_->resize(participant_window_->x() - room.x(), room.height());
+  } else if (!restore_geometry(*session_window_, "session")) {
     session_window_->resize(kSmallestWindow.expandedTo(room.size() * 0.9).boundedTo(room.size()));
   }
   session_window_->show();
   session_window_->raise();
-  session_window_->activateWindow();
+  if (beside) {
+    participant_window_->raise();
+    participant_window_->activateWindow();
+  } else {
+    session_window_->activateWindow();
+  }
 }
 
 void SessionDesk::finish(const QString& next_page) {
   if (is_running() || runner_ == nullptr) return;
-  if (session_window_ != nullptr) remember_geometry(*session_window_, "session");
+  const bool was_beside = participant_window_ != nullptr && !participant_window_->is_full_screen();
+  if (session_window_ != nullptr && !was_beside) remember_geometry(*session_window_, "session");
   window_.set_busy({});
   // The signal comes from inside the session's window: it lives until the event is over, and the
   // runner as long as the windows that look into it.
+  const auto facts = runner_->monitor().facts();
+  const std::string protocol = facts == nullptr ? std::string{} : facts->protocol->name;
   auto* runner = runner_.release();
   if (session_window_ != nullptr) {
     session_window_->disconnect(this);
@@ -158,6 +171,9 @@ void SessionDesk::finish(const QString& next_page) {
     delete participant_window_;
   }
   if (!next_page.isEmpty()) window_.show_page(next_page);
+  if (auto* analysis = qobject_cast<AnalysisPage*>(window_.page("analysis"))) {
+    analysis->choose(protocol);
+  }
   if (start_page_ != nullptr && window_.shown_page() == kStartPage) {
     window_.show_page("protocols");
   }
