@@ -2,10 +2,12 @@
 
 #include "results_schema/study.h"
 
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <sys/stat.h>
 #include <thread>
+#include <unistd.h>
 
 #include <sqlite3.h>
 
@@ -60,6 +62,9 @@ void make_database(const std::filesystem::path& folder, const std::string& name)
       .run();
   transaction.commit();
 }
+
+/// See Study::read_beside_writers.
+std::atomic<bool> reads_beside_writers{false};
 
 const char* const kFolders[] = {"protocols", "stimuli", "recordings", "locks"};
 
@@ -130,7 +135,7 @@ void Study::Store::connect_for_reading() {
     if (!log_is_used && !(has_index && std::filesystem::exists(log_of(file, "-wal")))) {
       immutable_since = stamp();
       mode = Database::Mode::immutable;
-    } else if (!has_index) {
+    } else if (!has_index || (reads_beside_writers && ::access(folder.c_str(), W_OK) == 0)) {
       mode = Database::Mode::read_only_rebuilding_index;
     }
     try {
@@ -240,6 +245,8 @@ Study Study::create(const std::filesystem::path& folder, const std::string& name
 Study Study::open(const std::filesystem::path& folder, Access access) {
   return Study(std::make_unique<Store>(folder, access));
 }
+
+void Study::read_beside_writers() noexcept { reads_beside_writers = true; }
 
 Study Study::open_up_to_date(const std::filesystem::path& folder) {
   try {

@@ -60,6 +60,11 @@ class Study final {
   /// For reading, as `open` does; but a study of an older program is brought up to date first, which
   /// writes to it.
   static Study open_up_to_date(const std::filesystem::path& folder);
+  /// For a program that reads and writes studies at the same time, such as the windows: from now on
+  /// its readers take part in SQLite's bookkeeping (where the folder can be written to). Within one
+  /// process all connections share one index of the log; a reader that may not touch it would have
+  /// SQLite refuse the writers. To be called before the first study is opened.
+  static void read_beside_writers() noexcept;
   static bool exists(const std::filesystem::path& folder);
 
   Study(Study&&) noexcept;

@@ -11,6 +11,7 @@
 #include "app/gui/study/session_desk.h"
 #include "app/gui/study/settings.h"
 #include "app/gui/study/study_window.h"
+#include "results_schema/study.h"
 
 namespace asperity {
 
@@ -45,6 +46,7 @@ int run_windows(int& argc, char** argv, const std::optional<std::filesystem::pat
   QApplication::setApplicationName("asperity");
   apply_theme(application, theme_choice());
   apply_language(language_choice());
+  Study::read_beside_writers();
   StudyWindow window{};
   const SessionDesk desk(window, nullptr);
   if (study) window.open_study(*study);

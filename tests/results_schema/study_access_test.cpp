@@ -81,6 +81,34 @@ TEST(StudyReading, WritesNothingIntoAStudyWhoseWriterWasKilled) {
   EXPECT_EQ(state_of(folder.path()), before);
 }
 
+/// What a program that reads and writes at once can do with a study whose writer was killed.
+bool can_write_beside_a_reader(const std::filesystem::path& folder, bool is_told) {
+  const pid_t child = ::fork();  // being told holds for the whole process
+  if (child == 0) {
+    if (is_told) Study::read_beside_writers();
+    try {
+      const Study reader = Study::open(folder, Access::read_only);
+      read_everything(Study::open(folder, Access::read_only));
+      Study::open(folder, Access::read_write).add_participant({.label = "Later"});
+      const bool follows = reader.participant("Later").has_value();
+      ::_exit(follows ? 0 : 2);
+    } catch (const ResultsError&) {
+      ::_exit(1);
+    }
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+TEST(StudyReading, LeavesRoomForWritersOfTheSameProcessWhenToldSo) {
+  const TemporaryFolder folder;
+  make_killed_study(folder / "s");
+  std::filesystem::copy(folder / "s", folder / "t", std::filesystem::copy_options::recursive);
+  EXPECT_TRUE(can_write_beside_a_reader(folder / "s", true));
+  EXPECT_FALSE(can_write_beside_a_reader(folder / "t", false)) << "then it needs no telling";
+}
+
 /// Runs as somebody who may not write here; the superuser may write everywhere.
 class AsSomebodyElse {
  public:

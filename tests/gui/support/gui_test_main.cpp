@@ -6,6 +6,7 @@
 #include <locale.h>
 
 #include "app/gui/look/theme.h"
+#include "results_schema/study.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
   setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName("asperity");
   QApplication::setApplicationName("asperity-tests");
+  asperity::Study::read_beside_writers();  // as the program with its windows does
   asperity::apply_theme(application, asperity::ThemeChoice::light);
   return RUN_ALL_TESTS();
 }
