@@ -54,7 +54,14 @@ EndSummary::EndSummary(std::filesystem::path study, QWidget* parent)
 
 void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row, bool complete,
                           const QString& why) {
-  title_->setText(complete ? tr("✓ The session is complete") : tr("▲ The session was stopped"));
+  const bool began = row.session > 0;
+  title_->setText(!began     ? tr("✕ The session did not begin")
+                  : complete ? tr("✓ The session is complete")
+                             : tr("▲ The session was stopped"));
+  place_->setVisible(began);
+  for (const char* name : {"see_table", "see_trials"}) {
+    findChild<QPushButton*>(name)->setVisible(began);
+  }
   const auto& attempts = *snapshot.attempts;
   const auto flagged = std::count_if(attempts.begin(), attempts.end(),
                                      [](const AttemptSummary& each) { return each.flagged; });
@@ -73,7 +80,7 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
                      .arg(flagged)
                      .arg(invalid)
                      .arg(skipped);
-  if (snapshot.trials == 0) text = tr("No trial was begun.");
+  if (snapshot.trials == 0) text = began ? tr("No trial was begun.") : tr("Nothing was stored.");
   if (!why.isEmpty()) text = tr("%1\n\n%2").arg(why, text);
   if (!complete && snapshot.trials > 0) {
     text = tr("%1\n\nThe session can be gone on with: start it again with the same participant.")
