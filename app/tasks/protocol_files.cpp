@@ -3,12 +3,17 @@
 #include "app/tasks/protocol_files.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
 #include <span>
 #include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "analysis/random.h"
 #include "device/simulated_device.h"
 #include "results_schema/atomic_file.h"
+#include "results_schema/study.h"
 #include "results_schema/table.h"
 #include "stimuli/photograph.h"
 
@@ -115,13 +120,30 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                              const std::optional<std::filesystem::path>& study,
                              const std::optional<std::string>& device) {
+  const std::string found = found_file(file, study).string();
+  std::string text{};
+  try {
+    text = read_file(found);
+  } catch (const std::exception& error) {
+    ProtocolCheck check{};
+    check.file = found;
+    check.diagnostics.push_back({found, 1, 1, "", error.what()});
+    return check;
+  }
+  return check_protocol_text(text, found, models, study, device);
+}
+
+ProtocolCheck check_protocol_text(const std::string& text, const std::string& file_name,
+                                  const ModelRegistry& models,
+                                  const std::optional<std::filesystem::path>& study,
+                                  const std::optional<std::string>& device) {
   ProtocolCheck check{};
-  check.file = found_file(file, study).string();
+  check.file = file_name;
   const auto whole_file = [&check](const std::string& message) {
     check.diagnostics.push_back({check.file, 1, 1, "", message});
   };
   try {
-    check.protocol = load_protocol(file, models, study);
+    check.protocol = read_protocol(text, file_name, declarations_of(models));
   } catch (const ProtocolError& error) {
     check.diagnostics = error.diagnostics();
     return check;
@@ -145,6 +167,29 @@ ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegis
   }
   check.cost = cost_of(*check.protocol, make_plan(*check.protocol, {1, 0}));
   return check;
+}
+
+std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object()) return {};
+  const auto said = [&json](const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string{};
+  };
+  const std::string name = said("name");
+  VersionUse use{said("version"), 0};
+  if (name.empty() || use.version.empty()) return {};
+  std::set<std::int64_t> others{};
+  for (const ProtocolRow& row : study.protocols()) {
+    if (row.name == name && row.version == use.version && row.source != text) others.insert(row.id);
+  }
+  for (const SessionRow& session : study.sessions()) {
+    if (session.mode != SessionMode::simulate && others.contains(session.protocol_id)) {
+      ++use.sessions;
+    }
+  }
+  if (use.sessions == 0) return {};
+  return use;
 }
 
 std::vector<std::string> complaints_about_device(const Protocol& protocol,

@@ -15,6 +15,8 @@
 
 namespace asperity {
 
+class Study;
+
 /// The declarations of a registry, as a protocol is checked against them.
 std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models);
 
@@ -45,6 +47,20 @@ struct ProtocolCheck {
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                              const std::optional<std::filesystem::path>& study,
                              const std::optional<std::string>& device);
+/// The same for a text that need not be on disk. `file_name` is what its problems are said to be in.
+ProtocolCheck check_protocol_text(const std::string& text, const std::string& file_name,
+                                  const ModelRegistry& models,
+                                  const std::optional<std::filesystem::path>& study,
+                                  const std::optional<std::string>& device);
+
+/// Sessions of people that were run with this protocol's name and version, but with another text.
+struct VersionUse {
+  std::string version{};
+  int sessions = 0;
+};
+/// Nothing where there are none, or the text says no name and version. Errors: ResultsError as
+/// Study's.
+std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text);
 
 /// What a protocol asks for that a device cannot do, a sentence each.
 std::vector<std::string> complaints_about_device(const Protocol& protocol,
