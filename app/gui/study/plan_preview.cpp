@@ -1,7 +1,18 @@
 #include "app/gui/study/plan_preview.h"
 
+#include <algorithm>
+#include <limits>
+
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QSpinBox>
+#include <QtWidgets/QSplitter>
+
 #include "app/gui/look/controls.h"
+#include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
+#include "results_schema/table.h"
 
 namespace asperity {
 
@@ -56,63 +67,215 @@ Line line_of(const PlanStep& step, const Plan& plan) {
   return {{}, PlanPreview::tr("questions"), questions.join(", "), {}};
 }
 
+QString html_line(const QString& what, const QString& words) {
+  return words.isEmpty()
+             ? QString{}
+             : QString("<p><b>%1</b><br>%2</p>").arg(what.toHtmlEscaped(), words.toHtmlEscaped());
+}
+
+QString factors_of(const Trial& trial) {
+  QStringList factors{};
+  for (const auto& [name, level] : trial.factors) {
+    factors.append(PlanPreview::tr("%1: %2").arg(text(name), text(text_of(level))));
+  }
+  return factors.join(" · ");
+}
+
+/// "A: height_map of metal, stiffness_N_per_m 500"
+QString surface_in_full(const PlannedPresentation& surface) {
+  const StimulusDescription& stimulus = surface.stimulus;
+  QString words = stimulus.texture.empty()
+                      ? PlanPreview::tr("%1: %2").arg(text(surface.code), text(stimulus.model))
+                      : PlanPreview::tr("%1: %2 of %3")
+                            .arg(text(surface.code), text(stimulus.model), text(stimulus.texture));
+  for (const auto& [name, value] : stimulus.parameters) {
+    const auto* number = std::get_if<double>(&value);
+    words += ", " + text(name) + ' ' +
+             text(number != nullptr ? text_of_number(*number) : std::get<std::string>(value));
+  }
+  return words;
+}
+
+QString in_full(const Trial& trial) {
+  QStringList surfaces{};
+  for (const PlannedPresentation& surface : trial.presentations) {
+    surfaces.append(surface_in_full(surface));
+  }
+  QStringList options{};
+  for (const Option& option : trial.question.options) {
+    options.append(option.label.empty()
+                       ? text(option.value)
+                       : PlanPreview::tr("%1: %2").arg(text(option.label), text(option.value)));
+  }
+  const QString head = PlanPreview::tr("Trial %1, %2, repetition %3")
+                           .arg(trial.ordinal)
+                           .arg(text(trial.block))
+                           .arg(trial.repetition);
+  return QString("<p><b>%1</b></p>").arg(head.toHtmlEscaped()) +
+         html_line(PlanPreview::tr("Factors"), factors_of(trial)) +
+         html_line(PlanPreview::tr("Surfaces in order"), surfaces.join(" · ")) +
+         html_line(PlanPreview::tr("Question"), text(trial.question.prompt)) +
+         html_line(PlanPreview::tr("Options as shown"), options.join(" · ")) +
+         html_line(PlanPreview::tr("Right answer"), line_of(trial).answer);
+}
+
+QString in_full(const PlanStep& step, const Plan& plan) {
+  if (const auto* trial = std::get_if<TrialStep>(&step)) return in_full(plan.trials[trial->trial]);
+  const Line line = line_of(step, plan);
+  return html_line(line.block, line.what);
+}
+
+/// "48 trials · 48 contacts · about 42 min · at most 12 min without a break"
+QString cost_in_words(const PlanCost& cost) {
+  const QStringList facts{
+      cost.trials == 1 ? PlanPreview::tr("1 trial") : PlanPreview::tr("%1 trials").arg(cost.trials),
+      cost.contacts == 1 ? PlanPreview::tr("1 contact")
+                         : PlanPreview::tr("%1 contacts").arg(cost.contacts),
+      PlanPreview::tr("about %1").arg(text_of_duration(cost.total_s)),
+      PlanPreview::tr("at most %1 without a break")
+          .arg(text_of_duration(cost.longest_without_break_s))};
+  return facts.join(" · ");
+}
+
 }  // namespace
 
-PlanPreview::PlanPreview(QWidget* parent) : QWidget(parent) {
+PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
-  auto* row = new QHBoxLayout();
+  layout->addWidget(make_choice());
   words_ = make_text({}, this, true);
   words_->setObjectName("plan_words");
-  QPushButton* another = make_button(tr("Another example"), ButtonRole::link, this);
-  another->setObjectName("plan_another");
-  row->addWidget(words_, 1);
-  row->addWidget(another);
-  layout->addLayout(row);
+  layout->addWidget(words_);
   using Align = StudyTable::Align;
-  table_ = new StudyTable({{tr("Step"), 80, Align::number},
-                           {tr("Trial"), 72, Align::number},
-                           {tr("Block"), 144, Align::text},
-                           {tr("Surfaces in order"), 0, Align::text},
-                           {tr("Right answer"), 208, Align::text}},
-                          this);
+  if (shape == Shape::wide) {
+    table_ = new StudyTable({{tr("Step"), 80, Align::number},
+                             {tr("Trial"), 72, Align::number},
+                             {tr("Block"), 144, Align::text},
+                             {tr("Surfaces in order"), 0, Align::text},
+                             {tr("Right answer"), 208, Align::text}},
+                            this);
+    layout->addWidget(table_, 1);
+  } else {
+    auto* splitter = new QSplitter(Qt::Vertical, this);
+    splitter->setChildrenCollapsible(false);
+    splitter->setHandleWidth(kGrid);
+    splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
+    table_ = new StudyTable({{tr("Step"), 64, Align::number},
+                             {tr("Trial"), 64, Align::number},
+                             {tr("Block"), 168, Align::text},
+                             {tr("Surfaces in order"), 0, Align::text}},
+                            splitter);
+    auto* scroll = new QScrollArea(splitter);
+    scroll->setWidgetResizable(true);
+    scroll->viewport()->setAutoFillBackground(false);
+    detail_ = make_text({}, scroll);
+    detail_->setObjectName("plan_detail");
+    detail_->setTextFormat(Qt::RichText);
+    detail_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    scroll->setWidget(detail_);
+    detail_->setAutoFillBackground(false);  // setWidget turns it on
+    splitter->addWidget(table_);
+    splitter->addWidget(scroll);
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({320, 240});
+    layout->addWidget(splitter, 1);
+    connect(table_, &StudyTable::row_selected, this, [this](const QString& key) {
+      if (!key.isEmpty()) show_step(key.toInt());
+    });
+  }
   table_->setObjectName("plan_table");
-  layout->addWidget(table_, 1);
-  connect(another, &QPushButton::clicked, this, [this] {
-    ++seed_;
-    make_example();
-  });
+  table_->horizontalHeader()->setSortIndicatorShown(false);  // the order of the session is plain
+}
+
+QWidget* PlanPreview::make_choice() {
+  auto* choice = new QWidget(this);
+  auto* row = new QHBoxLayout(choice);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGrid);
+  const auto add = [&](const QString& name, const char* object, int least, int most) {
+    auto* spin = new QSpinBox(choice);
+    spin->setObjectName(object);
+    spin->setRange(least, most);
+    spin->setPrefix(name + ' ');
+    spin->setAccessibleName(name);
+    spin->setFixedWidth(128);
+    row->addWidget(spin);
+    connect(spin, &QSpinBox::valueChanged, this, &PlanPreview::make_plan_anew);
+    return spin;
+  };
+  seed_ = add(tr("Seed"), "plan_seed", 0, std::numeric_limits<int>::max());
+  seed_->setValue(1);
+  seed_->setToolTip(tr("What is random is drawn anew for every session."));
+  row_ = add(tr("Row"), "plan_row", 1, 1);
+  row_->setToolTip(tr("The row of the counterbalancing, which goes on from person to person."));
+  rows_ = make_text({}, choice, true);
+  rows_->setWordWrap(false);
+  row->addWidget(rows_);
+  row->addStretch(1);
+  QPushButton* another = make_button(tr("Another order"), ButtonRole::link, choice);
+  another->setObjectName("plan_another");
+  row->addWidget(another);
+  connect(another, &QPushButton::clicked, this, [this] { seed_->setValue(seed_->value() + 1); });
+  return choice;
+}
+
+Allocation PlanPreview::allocation() const {
+  return {static_cast<std::uint64_t>(seed_->value()), row_->value() - 1};
 }
 
 void PlanPreview::show_protocol(const Protocol& protocol) {
   protocol_ = std::make_shared<const Protocol>(protocol);
-  make_example();
+  const int rows = counterbalance_rows(protocol);
+  {
+    const QSignalBlocker quiet(row_);
+    row_->setMaximum(rows);
+  }
+  row_->setVisible(rows > 1);  // else nothing is counterbalanced
+  rows_->setVisible(rows > 1);
+  rows_->setText(tr("of %1").arg(rows));
+  make_plan_anew();
 }
 
-void PlanPreview::make_example() {
-  task_.run<Plan>(
-      [protocol = protocol_, seed = seed_](const std::stop_token&,
-                                           const BackgroundTask::Progress&) {
-        return make_plan(*protocol,
-                         {seed, static_cast<int>(seed - 1) % counterbalance_rows(*protocol)});
-      },
-      [this](const Plan& plan) {
-        words_->setText(
-            tr("Example %1: what is random is drawn anew for every session.").arg(seed_));
-        std::vector<StudyTable::Row> rows{};
-        for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-          const Line line = line_of(plan.steps[i], plan);
-          QStandardItem* trial = line.trial.isEmpty()
-                                     ? number_cell({}, -1.0)
-                                     : number_cell(line.trial, line.trial.toDouble());
-          rows.push_back({QString::number(i),
-                          {number_cell(static_cast<int>(i) + 1), trial, text_cell(line.block),
-                           text_cell(line.what), text_cell(line.answer)}});
-        }
-        table_->fill(rows);
+void PlanPreview::make_plan_anew() {
+  if (protocol_ == nullptr) return;
+  work_.ask(
+      [this, protocol = protocol_, allocation = allocation()]() -> NewestWork::Delivery {
+        auto plan = std::make_shared<const Plan>(make_plan(*protocol, allocation));
+        return [this, protocol, plan, cost = cost_of(*protocol, *plan)] {
+          if (protocol != protocol_) return;
+          plan_ = plan;
+          words_->setText(cost_in_words(cost));
+          show_plan();
+        };
       },
       [this](const QString& what) { words_->setText(what); });
+}
+
+void PlanPreview::show_plan() {
+  std::vector<StudyTable::Row> rows{};
+  for (std::size_t i = 0; i < plan_->steps.size(); ++i) {
+    const Line line = line_of(plan_->steps[i], *plan_);
+    QStandardItem* trial = line.trial.isEmpty() ? number_cell({}, -1.0)
+                                                : number_cell(line.trial, line.trial.toDouble());
+    QList<QStandardItem*> cells{number_cell(static_cast<int>(i) + 1), trial, text_cell(line.block),
+                                text_cell(line.what)};
+    if (detail_ == nullptr) cells.append(text_cell(line.answer));
+    rows.push_back({QString::number(i), cells});
+  }
+  table_->fill(rows);
+  if (detail_ != nullptr && table_->selected_key().isEmpty()) {
+    const auto first =
+        std::find_if(plan_->steps.begin(), plan_->steps.end(),
+                     [](const PlanStep& step) { return std::holds_alternative<TrialStep>(step); });
+    table_->select(QString::number(first - plan_->steps.begin()));
+  }
+}
+
+void PlanPreview::show_step(int step) {
+  if (detail_ == nullptr || static_cast<std::size_t>(step) >= plan_->steps.size()) return;
+  detail_->setText(in_full(plan_->steps[static_cast<std::size_t>(step)], *plan_));
 }
 
 }  // namespace asperity

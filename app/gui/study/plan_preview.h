@@ -1,16 +1,16 @@
-// The steps of a session as a protocol would lay them out: for an example of everything random.
+// The steps of a session as a protocol would lay them out: for one seed and row of everything random.
 
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
+#include <memory>
 
 #include <QtWidgets/QWidget>
 
-#include "app/gui/look/background_task.h"
-#include "app/tasks/protocol_files.h"
+#include "app/gui/workbench/newest_work.h"
+#include "protocols/plan.h"
 
 class QLabel;
+class QSpinBox;
 
 namespace asperity {
 
@@ -19,19 +19,31 @@ class StudyTable;
 class PlanPreview final : public QWidget {
   Q_OBJECT
  public:
-  explicit PlanPreview(QWidget* parent = nullptr);
+  /// What there is room for: a wide table alone, or a narrow one with the chosen step below it.
+  enum class Shape { wide, tall };
+
+  explicit PlanPreview(Shape shape, QWidget* parent = nullptr);
 
   /// A protocol without problems.
   void show_protocol(const Protocol& protocol);
+  /// Of the seed and row that are set.
+  Allocation allocation() const;
 
  private:
-  void make_example();
+  QWidget* make_choice();
+  void make_plan_anew();
+  void show_plan();
+  void show_step(int step);
 
   std::shared_ptr<const Protocol> protocol_{};
-  std::uint64_t seed_ = 1;
-  BackgroundTask task_{};
+  std::shared_ptr<const Plan> plan_{};
+  QSpinBox* seed_ = nullptr;
+  QSpinBox* row_ = nullptr;
+  QLabel* rows_ = nullptr;
   QLabel* words_ = nullptr;
   StudyTable* table_ = nullptr;
+  QLabel* detail_ = nullptr;  ///< null in the wide shape
+  NewestWork work_{};
 };
 
 }  // namespace asperity

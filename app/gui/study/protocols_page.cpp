@@ -224,7 +224,7 @@ QWidget* ProtocolsPage::make_detail() {
   problems_->setWordWrap(true);
   problems_->setTextElideMode(Qt::ElideNone);
   problems_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  plan_ = new PlanPreview(below_);
+  plan_ = new PlanPreview(PlanPreview::Shape::wide, below_);
   simulation_ = new SimulationPanel(study(), below_);
   for (QWidget* widget : std::initializer_list<QWidget*>{scroll, problems_, plan_, simulation_}) {
     below_->addWidget(widget);
