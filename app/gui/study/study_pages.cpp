@@ -4,6 +4,7 @@
 #include <QtGui/QDesktopServices>
 
 #include "app/gui/data/analysis_page.h"
+#include "app/gui/data/attempt_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/study/devices_page.h"
 #include "app/gui/study/participants_page.h"
@@ -21,12 +22,14 @@ void StudyWindow::add_pages() {
   auto* participants = new ParticipantsPage(*study_);
   auto* sessions = new SessionsPage(*study_);
   auto* trials = new TrialsPage(*study_);
+  auto* attempt = new AttemptPage(*study_);
   auto* stimuli = new StimuliPage(*study_);
   auto* devices = new DevicesPage(*study_);
   add_page("protocols", tr("Protocols"), protocols);
   add_page("participants", tr("Participants"), participants);
   add_page("sessions", tr("Sessions"), sessions);
   add_page("trials", {}, trials);
+  add_page("attempt", {}, attempt);
   add_page("stimuli", tr("Stimuli"), stimuli);
   add_page("workbench", tr("Workbench"), new WorkbenchPage(*study_));
   add_page("analysis", tr("Analysis"), new AnalysisPage(*study_));
@@ -64,6 +67,11 @@ void StudyWindow::add_pages() {
     trials->show_session(id);
     show_page("trials");
   });
+  connect(trials, &TrialsPage::attempt_opened, this, [this, attempt](qlonglong id) {
+    attempt->show_attempt(id);
+    show_page("attempt");
+  });
+  connect(attempt, &AttemptPage::back_wanted, this, [this] { show_page("trials"); });
   connect(trials, &TrialsPage::back_wanted, this, [this] { show_page("sessions"); });
 }
 

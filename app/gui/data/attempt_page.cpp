@@ -1,0 +1,269 @@
+#include "app/gui/data/attempt_page.h"
+
+#include <memory>
+#include <utility>
+
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QTabWidget>
+
+#include "app/conductor/recording_columns.h"
+#include "app/gui/data/attempt_tables.h"
+#include "app/gui/data/attempt_words.h"
+#include "app/gui/data/decision_form.h"
+#include "app/gui/data/recording_view.h"
+#include "app/tasks/recording_curves.h"
+#include "results_schema/atomic_file.h"
+
+namespace asperity {
+
+namespace {
+
+/// The bands that the attempt was judged by; they are those of its trial, whatever the surface.
+AskedBands bands_of(const AttemptRow& attempt) {
+  AskedBands bands{};
+  for (const ComplianceRow& row : attempt.compliance) {
+    if (row.quantity == "normal_force_N") bands.force_N = {row.minimum, row.maximum};
+    if (row.quantity == "speed_m_per_s") bands.speed_m_per_s = {row.minimum, row.maximum};
+  }
+  return bands;
+}
+
+std::vector<RecordingView::Surface> surfaces_of(const AttemptRow& attempt) {
+  std::vector<RecordingView::Surface> surfaces{};
+  for (const PresentationRow& row : attempt.presentations) {
+    surfaces.push_back({row.position, AttemptWords::of_surface(row)});
+  }
+  return surfaces;
+}
+
+}  // namespace
+
+AttemptPage::AttemptPage(OpenStudy& study, QWidget* parent)
+    : StudyPage(study, tr("Attempt"), parent) {
+  setObjectName("attempt_page");
+  previous_ = make_button(tr("← Previous"), ButtonRole::plain, this);
+  previous_->setObjectName("attempt_previous");
+  next_ = make_button(tr("Next →"), ButtonRole::plain, this);
+  next_->setObjectName("attempt_next");
+  place_ = make_text({}, this, true);
+  place_->setObjectName("attempt_place");
+  place_->setWordWrap(false);
+  QPushButton* back = make_button(tr("All trials of the session"), ButtonRole::link, this);
+  back->setObjectName("attempt_back");
+  head().addWidget(previous_);
+  head().addWidget(place_);
+  head().addWidget(next_);
+  head().addSpacing(kMargin);
+  head().addWidget(back);
+  body().setSpacing(kGrid);
+  band_ = new ModeBand(this);
+  body().addWidget(band_);
+  summary_ = make_text({}, this, true);
+  summary_->setObjectName("attempt_summary");
+  body().addWidget(summary_);
+  names_ = new StateLabel(this);
+  names_->setObjectName("attempt_names");
+  body().addWidget(names_);
+  add_actions();
+  tabs_ = new QTabWidget(this);
+  tabs_->setObjectName("attempt_tabs");
+  tabs_->setDocumentMode(true);
+  recording_ = new RecordingView(tabs_);
+  measures_ = new MeasureTables(tabs_);
+  history_ = new HistoryTables(tabs_);
+  tabs_->addTab(recording_, tr("Recording"));
+  tabs_->addTab(measures_, tr("Answers and measures"));
+  tabs_->addTab(history_, tr("Events and decisions"));
+  body().addWidget(tabs_, 1);
+  connect(back, &QPushButton::clicked, this, &AttemptPage::back_wanted);
+  connect(previous_, &QPushButton::clicked, this, [this] {
+    if (detail_ && detail_->previous_id) show_attempt(*detail_->previous_id);
+  });
+  connect(next_, &QPushButton::clicked, this, [this] {
+    if (detail_ && detail_->next_id) show_attempt(*detail_->next_id);
+  });
+  connect(recording_, &RecordingView::export_wanted, this, &AttemptPage::ask_where_to_export);
+}
+
+void AttemptPage::add_actions() {
+  auto* actions = new QHBoxLayout();
+  actions->setSpacing(kGrid);
+  standing_ = new StateLabel(this);
+  standing_->setObjectName("attempt_standing");
+  why_not_ = make_text({}, this, true);
+  why_not_->setObjectName("attempt_why_not");
+  why_not_->setWordWrap(false);
+  flag_ = make_button(tr("Flag…"), ButtonRole::plain, this);
+  flag_->setObjectName("attempt_flag");
+  exclude_ = make_button(tr("Exclude…"), ButtonRole::plain, this);
+  exclude_->setObjectName("attempt_exclude");
+  actions->addWidget(standing_, 1);
+  actions->addWidget(why_not_);
+  actions->addWidget(flag_);
+  actions->addWidget(exclude_);
+  body().addLayout(actions);
+  form_ = new DecisionForm(study(), this);
+  body().addWidget(form_);
+  connect(flag_, &QPushButton::clicked, this, &AttemptPage::ask_to_flag);
+  connect(exclude_, &QPushButton::clicked, this, &AttemptPage::ask_to_exclude);
+}
+
+void AttemptPage::show_attempt(qlonglong attempt_id) {
+  form_->cancel();
+  forget_readings();
+  read_with<AttemptDetail>(
+      Need::always,
+      [attempt_id](const Study& own, const std::stop_token&) {
+        return attempt_detail(own, attempt_id);
+      },
+      [this](const AttemptDetail& detail) { show_detail(detail); });
+}
+
+void AttemptPage::show_detail(const AttemptDetail& detail) {
+  detail_ = detail;
+  title().setText(AttemptWords::title(detail));
+  place_->setText(tr("%1 of %2").arg(detail.ordinal).arg(detail.count));
+  previous_->setEnabled(detail.previous_id.has_value());
+  next_->setEnabled(detail.next_id.has_value());
+  band_->set_mode(detail.session.mode);
+  summary_->setText(AttemptWords::summary(detail));
+  if (detail.session.state == SessionState::completed) {
+    names_->set_state(State::unknown,
+                      tr("Textures and models are shown by name: the session is over."));
+  } else {
+    names_->set_state(State::look, tr("Textures and models are shown by name, and the session is "
+                                      "not complete: who sees them is no longer blind to them."));
+  }
+  show_actions();
+  measures_->show_attempt(detail);
+  history_->show_attempt(detail);
+  tabs_->setTabText(
+      2,
+      tr("Events and decisions (%1)").arg(detail.attempt.events.size() + detail.decisions.size()));
+  read_recording_of(detail.attempt);
+}
+
+void AttemptPage::show_actions() {
+  const AttemptDetail& detail = *detail_;
+  standing_->set_state(AttemptWords::state(detail), AttemptWords::standing(detail));
+  const bool excluded = detail.is_excluded_itself();
+  exclude_->setText(excluded ? tr("Include again…") : tr("Exclude…"));
+  QString why_not{};
+  if (!excluded && detail.session.excluded) {
+    why_not = tr("The whole session is excluded; its page includes it again.");
+  } else if (!excluded && !detail.attempt.valid) {
+    why_not = tr("There is nothing to exclude: it does not count.");
+  }
+  exclude_->setEnabled(why_not.isEmpty());
+  why_not_->setText(why_not);
+}
+
+void AttemptPage::read_recording_of(const AttemptRow& attempt) {
+  if (recording_of_ == attempt.id) return;  // a recording never changes
+  recording_of_ = attempt.id;
+  if (!attempt.recording) {
+    recording_->show_reason(State::unknown, tr("This attempt has no recording. Its answers and "
+                                               "measures are on the next page."));
+    return;
+  }
+  recording_->show_reason(State::unknown, tr("Reading the recording…"));
+  reading_.run<std::shared_ptr<const RecordingCurves>>(
+      [folder = study().folder(), row = *attempt.recording, begin_ns = attempt.onset_ns](
+          const std::stop_token&, const BackgroundTask::Progress&) {
+        const Recording recording = recording_of(folder, row);
+        return std::make_shared<const RecordingCurves>(
+            curves_of(records_of(recording), recording.header.rate_Hz, begin_ns));
+      },
+      [this](std::shared_ptr<const RecordingCurves> curves) {
+        if (curves->time_s.empty()) {
+          recording_->show_reason(State::unknown, tr("The recording of this attempt is empty: it "
+                                                     "ended before its first tick."));
+          return;
+        }
+        recording_->show_recording(std::move(curves), surfaces_of(detail_->attempt),
+                                   bands_of(detail_->attempt));
+      },
+      [this](const QString& what) {
+        recording_->show_reason(
+            State::stop,
+            tr("The recording cannot be shown: %1. The answers and measures of the attempt are in "
+               "the store and not touched by that.")
+                .arg(what));
+      });
+}
+
+void AttemptPage::ask_to_flag() {
+  if (!detail_) return;
+  DecisionForm::Question question{};
+  question.session_id = detail_->session.id;
+  question.draft = {.trial = detail_->attempt.trial,
+                    .attempt = detail_->attempt.attempt,
+                    .verdict = Verdict::flag};
+  question.text = tr("Why should somebody look at this attempt? It goes on to count.");
+  question.common_reasons = QStringList{
+      tr("The participant seemed distracted"), tr("The hand slipped"), tr("Somebody came in"),
+      tr("The force felt wrong"), tr("The participant took the answer back")};
+  question.verb = tr("Flag attempt");
+  form_->ask(question);
+}
+
+void AttemptPage::ask_to_exclude() {
+  if (!detail_) return;
+  const bool excluded = detail_->is_excluded_itself();
+  DecisionForm::Question question{};
+  question.session_id = detail_->session.id;
+  question.draft = {.trial = detail_->attempt.trial,
+                    .attempt = detail_->attempt.attempt,
+                    .verdict = excluded ? Verdict::include : Verdict::exclude};
+  if (excluded) {
+    question.text = tr("Why do analyses count this attempt again?");
+    question.common_reasons =
+        QStringList{tr("Excluded by mistake"), tr("The reason turned out not to hold")};
+    question.verb = tr("Include attempt");
+  } else {
+    question.text =
+        tr("Why do analyses leave this attempt out? It stays in the study and can be included "
+           "again.");
+    question.common_reasons =
+        QStringList{tr("The participant did not follow the instruction"), tr("Interrupted"),
+                    tr("Answered by mistake"), tr("The device did not work as it should"),
+                    tr("The surface was recognised by something other than touch")};
+    question.verb = tr("Exclude attempt");
+  }
+  form_->ask(question);
+}
+
+void AttemptPage::ask_where_to_export() {
+  auto* dialog = new QFileDialog(this, tr("A file for the table"));
+  dialog->setObjectName("recording_dialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setOption(QFileDialog::DontUseNativeDialog);
+  dialog->setNameFilter(tr("Tab-separated table (*.tsv)"));
+  dialog->setDefaultSuffix("tsv");
+  const std::filesystem::path recording(detail_->attempt.recording->path);
+  dialog->selectFile(QString::fromStdString(recording.stem().string()) + ".tsv");
+  connect(dialog, &QFileDialog::fileSelected, this, &AttemptPage::export_to);
+  dialog->open();
+}
+
+void AttemptPage::export_to(const QString& file) {
+  exporting_.run<std::size_t>(
+      [folder = study().folder(), row = *detail_->attempt.recording,
+       to = std::filesystem::path(file.toStdString())](const std::stop_token&,
+                                                       const BackgroundTask::Progress&) {
+        const Table table = table_of(recording_of(folder, row));
+        write_file(to, tsv_of(table), Overwrite::allow);  // the dialog has asked
+        return table.rows.size();
+      },
+      [this, file](std::size_t ticks) {
+        banner().show_news(State::fine,
+                           tr("%n tick(s) are in %1; docs/formats/recording.md says what the "
+                              "columns mean.",
+                              nullptr, static_cast<int>(ticks))
+                               .arg(file));
+      },
+      [this](const QString& what) { banner().show_news(State::stop, what); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,269 @@
+#include "app/gui/data/attempt_tables.h"
+
+#include <QtWidgets/QHeaderView>
+
+#include "analysis/number_text.h"
+#include "app/gui/data/attempt_words.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/study/shown_text.h"
+#include "app/gui/study/study_table.h"
+
+namespace asperity {
+
+namespace {
+
+using Align = StudyTable::Align;
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+QStandardItem* decimal_cell(const std::optional<double>& value, int decimals, double scale = 1.0) {
+  if (!value) return empty_number_cell();
+  return number_cell(text(fixed(*value * scale, decimals)), *value);
+}
+
+QStandardItem* state_cell(State state, const QString& words) {
+  QStandardItem* cell = text_cell(shape_of(state) + ' ' + words, words);
+  cell->setForeground(color_of(state));
+  return cell;
+}
+
+/// How a quantity of the compliance is shown: its words, and what it is multiplied with.
+struct Quantity {
+  QString name{};
+  double scale = 1.0;
+  int decimals = 2;
+};
+
+Quantity quantity_of(const std::string& name) {
+  if (name == "normal_force_N") return {MeasureTables::tr("normal force, N"), 1.0, 2};
+  if (name == "speed_m_per_s") return {MeasureTables::tr("speed, mm/s"), 1e3, 0};
+  if (name == "contact_s") return {MeasureTables::tr("contact, s"), 1.0, 2};
+  if (name == "strokes") return {MeasureTables::tr("strokes"), 1.0, 0};
+  if (name == "stroke_length_m") return {MeasureTables::tr("stroke length, mm"), 1e3, 1};
+  return {text(name), 1.0, 3};
+}
+
+QString asked_of(const ComplianceRow& row, const Quantity& quantity) {
+  const auto number = [&quantity](double value) {
+    return QString::number(value * quantity.scale, 'g', 4);
+  };
+  if (row.minimum && row.maximum) {
+    return MeasureTables::tr("%1 to %2").arg(number(*row.minimum), number(*row.maximum));
+  }
+  if (row.minimum) return MeasureTables::tr("%1 or more").arg(number(*row.minimum));
+  if (row.maximum) return MeasureTables::tr("%1 or less").arg(number(*row.maximum));
+  return MeasureTables::tr("nothing");
+}
+
+QStandardItem* passed_cell(const std::optional<bool>& passed) {
+  if (!passed) return state_cell(State::unknown, MeasureTables::tr("not judged"));
+  return *passed ? state_cell(State::fine, MeasureTables::tr("met"))
+                 : state_cell(State::stop, MeasureTables::tr("not met"));
+}
+
+/// "wood, brick": a list of words, as it is stored.
+QString words_of_list(const std::string& json) {
+  QString list = text(json);
+  for (const char sign : {'[', ']', '"'}) list.remove(sign);
+  return list.replace(",", ", ").simplified();
+}
+
+/// "amplitude 1.2, …": an object of numbers, as it is stored.
+QString words_of_object(const std::string& json) {
+  QString list = text(json);
+  for (const char sign : {'{', '}', '"'}) list.remove(sign);
+  return list.replace(",", ", ").replace(":", " ").simplified();
+}
+
+struct LoopRow {
+  QString name{};
+  QString value{};
+  State state = State::unknown;
+};
+
+std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
+  const auto us = [](double time_s) {
+    return MeasureTables::tr("%1 µs").arg(text(fixed(time_s * 1e6, 0)));
+  };
+  const auto count = [](std::int64_t ticks) { return QString::number(ticks); };
+  const auto none = [](std::int64_t ticks) { return ticks == 0 ? State::fine : State::look; };
+  const auto lost = [](std::int64_t records) { return records == 0 ? State::fine : State::stop; };
+  return {
+      {MeasureTables::tr("ticks, at %1 Hz").arg(text(fixed(servo.rate_Hz, 0))), count(servo.ticks)},
+      {MeasureTables::tr("period: mean"), us(servo.period_mean_s)},
+      {MeasureTables::tr("period: 99 of 100 below"), us(servo.period_p99_s)},
+      {MeasureTables::tr("period: longest"), us(servo.period_maximum_s)},
+      {MeasureTables::tr("lateness: 99 of 100 below"), us(servo.lateness_p99_s)},
+      {MeasureTables::tr("lateness: greatest"), us(servo.lateness_maximum_s)},
+      {MeasureTables::tr("missed deadlines"), count(servo.missed_deadlines),
+       none(servo.missed_deadlines)},
+      {MeasureTables::tr("lost records"), count(servo.lost_records), lost(servo.lost_records)},
+      {MeasureTables::tr("ticks at the limit of force"), count(servo.saturated_ticks),
+       none(servo.saturated_ticks)},
+      {MeasureTables::tr("ticks whose change of force was shortened"),
+       count(servo.slew_limited_ticks), none(servo.slew_limited_ticks)},
+      {MeasureTables::tr("ticks without a finite force"), count(servo.not_finite_ticks),
+       none(servo.not_finite_ticks)},
+      {MeasureTables::tr("fault"), text(servo.fault),
+       servo.fault == "none" ? State::fine : State::stop},
+  };
+}
+
+/// The page scrolls, not the table; an empty one has room for one row.
+void fill_whole(StudyTable& table, const std::vector<StudyTable::Row>& rows) {
+  table.fill(rows);
+  table.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  const int shown = std::max(1, static_cast<int>(rows.size()));
+  table.setFixedHeight(table.horizontalHeader()->sizeHint().height() + shown * kControlHeight + 4);
+}
+
+}  // namespace
+
+MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* page = new QWidget(this);
+  auto* rows = new QVBoxLayout(page);
+  rows->setContentsMargins(0, kMargin, kMargin, kMargin);
+  rows->setSpacing(kGrid);
+  const auto add = [&](const QString& heading, const char* name,
+                       const std::vector<StudyTable::Column>& columns) {
+    rows->addWidget(make_heading(heading, page));
+    auto* table = new StudyTable(columns, page);
+    table->setObjectName(name);
+    rows->addWidget(table);
+    rows->addSpacing(kMargin);
+    return table;
+  };
+  answers_ = add(tr("Answers"), "attempt_answers",
+                 {{tr("Item"), 64, Align::number},
+                  {tr("Question"), 0, Align::text},
+                  {tr("Answer"), 0, Align::text},
+                  {tr("Right"), 88, Align::text},
+                  {tr("Choices, as shown"), 0, Align::text},
+                  {tr("From contact, s"), 152, Align::number},
+                  {tr("From cue, s"), 120, Align::number},
+                  {tr("Given by"), 136, Align::text}});
+  surfaces_ = add(tr("Surfaces felt"), "attempt_surfaces",
+                  {{tr("No."), 64, Align::number},
+                   {tr("Role"), 112, Align::text},
+                   {tr("Texture"), 128, Align::text},
+                   {tr("Model"), 168, Align::text},
+                   {tr("Parameters"), 0, Align::text},
+                   {tr("Contact, s"), 112, Align::number},
+                   {tr("Texture force, N"), 160, Align::number}});
+  compliance_ = add(tr("Explored as asked?"), "attempt_compliance",
+                    {{tr("Surface"), 88, Align::number},
+                     {tr("Quantity"), 0, Align::text},
+                     {tr("Asked"), 128, Align::text},
+                     {tr("Median"), 96, Align::number},
+                     {tr("5 %"), 80, Align::number},
+                     {tr("95 %"), 80, Align::number},
+                     {tr("In band"), 96, Align::number},
+                     {tr("Met"), 136, Align::text}});
+  loop_ = add(tr("How the servo loop ran"), "attempt_loop",
+              {{tr("Measure"), 0, Align::text},
+               {tr("Value"), 160, Align::number},
+               {tr("Standing"), 160, Align::text}});
+  rows->addStretch(1);
+  setWidget(page);
+}
+
+void MeasureTables::show_attempt(const AttemptDetail& detail) {
+  const AttemptRow& attempt = detail.attempt;
+  std::vector<StudyTable::Row> rows{};
+  const auto add = [&rows](const QList<QStandardItem*>& cells) {
+    rows.push_back({QString::number(rows.size()), cells});
+  };
+  for (const ResponseRow& response : attempt.responses) {
+    const QString right = !response.correct ? tr("–") : *response.correct ? tr("yes") : tr("no");
+    add({number_cell(response.item), text_cell(text(response.question)),
+         text_cell(text(response.answer)), text_cell(right),
+         text_cell(words_of_list(response.options_json)), decimal_cell(response.from_contact_s, 2),
+         decimal_cell(response.from_cue_s, 2), text_cell(text(response.source).replace('_', ' '))});
+  }
+  fill_whole(*answers_, rows);
+  rows.clear();
+  for (const PresentationRow& surface : attempt.presentations) {
+    add({number_cell(surface.position), text_cell(text(surface.role)),
+         text_cell(text(surface.texture)),
+         text_cell(tr("%1 %2").arg(text(surface.model), text(surface.model_version))),
+         text_cell(words_of_object(surface.parameters_json)), decimal_cell(surface.contact_s, 2),
+         decimal_cell(surface.achieved_texture_force_N, 4)});
+  }
+  fill_whole(*surfaces_, rows);
+  rows.clear();
+  for (const ComplianceRow& row : attempt.compliance) {
+    const Quantity quantity = quantity_of(row.quantity);
+    add({number_cell(row.position), text_cell(quantity.name), text_cell(asked_of(row, quantity)),
+         decimal_cell(row.p50, quantity.decimals, quantity.scale),
+         decimal_cell(row.p05, quantity.decimals, quantity.scale),
+         decimal_cell(row.p95, quantity.decimals, quantity.scale),
+         row.fraction_in_band
+             ? number_cell(tr("%1 %").arg(text(fixed(100.0 * *row.fraction_in_band, 0))),
+                           *row.fraction_in_band)
+             : empty_number_cell(),
+         passed_cell(row.passed)});
+  }
+  fill_whole(*compliance_, rows);
+  rows.clear();
+  if (attempt.servo) {
+    for (const LoopRow& row : loop_rows(*attempt.servo)) {
+      // Read from top to bottom: what it was, how regular, what went wrong.
+      add({text_cell(row.name, QVariant::fromValue(rows.size())), number_cell(row.value, 0.0),
+           row.state == State::unknown
+               ? text_cell({})
+               : state_cell(row.state, row.state == State::fine ? tr("fine") : tr("look at it"))});
+    }
+  }
+  fill_whole(*loop_, rows);
+}
+
+HistoryTables::HistoryTables(QWidget* parent) : QWidget(parent) {
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, kMargin, 0, 0);
+  rows->setSpacing(kGrid);
+  rows->addWidget(make_heading(tr("Decisions about the attempt or its session"), this));
+  decisions_ = new StudyTable({{tr("No."), 56, Align::number},
+                               {tr("When"), 192, Align::text},
+                               {tr("About"), 144, Align::text},
+                               {tr("Decision"), 208, Align::text},
+                               {tr("Reason"), 0, Align::text},
+                               {tr("Who"), 160, Align::text}},
+                              this);
+  decisions_->setObjectName("attempt_decisions");
+  rows->addWidget(decisions_, 1);
+  rows->addSpacing(kMargin);
+  rows->addWidget(make_heading(tr("What happened during the attempt"), this));
+  events_ = new StudyTable({{tr("Time, s"), 96, Align::number},
+                            {tr("What"), 200, Align::text},
+                            {tr("Words"), 0, Align::text}},
+                           this);
+  events_->setObjectName("attempt_events");
+  rows->addWidget(events_, 1);
+}
+
+void HistoryTables::show_attempt(const AttemptDetail& detail) {
+  std::vector<StudyTable::Row> rows{};
+  int number = 0;
+  for (const DecisionRow& decision : detail.decisions) {
+    ++number;
+    rows.push_back({QString::number(number),
+                    {number_cell(number),
+                     text_cell(text_of_time(decision.decided_utc), text(decision.decided_utc)),
+                     text_cell(decision.trial ? tr("this attempt") : tr("the session")),
+                     text_cell(AttemptWords::of_verdict(decision.verdict)),
+                     text_cell(text(decision.reason)), text_cell(text(decision.decided_by))}});
+  }
+  decisions_->fill(rows);
+  rows.clear();
+  for (const EventRow& event : detail.attempt.events) {
+    const double time_s = static_cast<double>(event.time_ns - detail.attempt.onset_ns) * 1e-9;
+    rows.push_back({QString::number(rows.size()),
+                    {number_cell(text(fixed(time_s, 2)), time_s), text_cell(text(event.kind)),
+                     text_cell(text(event.text))}});
+  }
+  events_->fill(rows);
+}
+
+}  // namespace asperity

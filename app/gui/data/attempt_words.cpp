@@ -1,0 +1,111 @@
+#include "app/gui/data/attempt_words.h"
+
+#include "analysis/number_text.h"
+#include "app/gui/study/shown_text.h"
+
+namespace asperity {
+
+namespace {
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+}  // namespace
+
+QString AttemptWords::of_outcome(AttemptOutcome outcome) {
+  switch (outcome) {
+    case AttemptOutcome::answered:
+      return tr("answered");
+    case AttemptOutcome::timed_out:
+      return tr("no answer in time");
+    case AttemptOutcome::not_compliant:
+      return tr("not explored as asked");
+    case AttemptOutcome::aborted:
+      return tr("aborted");
+    case AttemptOutcome::device_fault:
+      return tr("device fault");
+    case AttemptOutcome::skipped:
+      break;
+  }
+  return tr("skipped");
+}
+
+QString AttemptWords::of_verdict(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::set_aside:
+      return tr("set aside, asked again");
+    case Verdict::flag:
+      return tr("flagged");
+    case Verdict::exclude:
+      return tr("excluded");
+    case Verdict::include:
+      break;
+  }
+  return tr("included again");
+}
+
+QString AttemptWords::title(const AttemptDetail& detail) {
+  return tr("Trial %1, attempt %2 · session %3 of %4")
+      .arg(detail.attempt.trial)
+      .arg(detail.attempt.attempt)
+      .arg(detail.session.session)
+      .arg(text(detail.session.participant));
+}
+
+QString AttemptWords::summary(const AttemptDetail& detail) {
+  const AttemptRow& attempt = detail.attempt;
+  QStringList answers{};
+  for (const ResponseRow& response : attempt.responses) {
+    answers << (attempt.responses.size() > 1
+                    ? QString("%1 %2").arg(response.item).arg(text(response.answer))
+                    : text(response.answer));
+  }
+  QStringList parts{tr("%1 %2").arg(text(detail.protocol_name), text(detail.protocol_version)),
+                    tr("block %1").arg(text(detail.planned.block)),
+                    answers.isEmpty()
+                        ? of_outcome(attempt.outcome)
+                        : tr("%1: %2").arg(of_outcome(attempt.outcome), answers.join(", "))};
+  if (!attempt.responses.empty()) {
+    parts << tr("%1 from first contact").arg(of_seconds(attempt.responses.back().from_contact_s));
+  }
+  const double took_s = static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
+  parts << tr("took %1").arg(of_seconds(took_s))
+        << tr("session started %1").arg(text_of_time(detail.session.started_utc));
+  return parts.join(" · ");
+}
+
+QString AttemptWords::standing(const AttemptDetail& detail) {
+  const AttemptRow& attempt = detail.attempt;
+  QStringList said{};
+  if (!attempt.valid) {
+    said << tr("Does not count: %1").arg(text(attempt.invalid_reason.value_or("–")));
+  }
+  if (detail.session.excluded) {
+    said << tr("Excluded with its whole session: %1").arg(text(*detail.session.excluded));
+  } else if (attempt.excluded) {
+    said << tr("Excluded: %1").arg(text(*attempt.excluded));
+  }
+  if (said.isEmpty() && !attempt.flagged) said << tr("Counts in the analyses");
+  if (attempt.flagged) {
+    said << (said.isEmpty() ? tr("Counts, but is flagged: %1") : tr("flagged: %1"))
+                .arg(text(attempt.flag_reason.value_or("–")));
+  }
+  return said.join(tr("; "));
+}
+
+State AttemptWords::state(const AttemptDetail& detail) {
+  if (!detail.attempt.valid || detail.attempt.excluded) return State::stop;
+  return detail.attempt.flagged ? State::look : State::fine;
+}
+
+QString AttemptWords::of_surface(const PresentationRow& surface) {
+  QStringList names{};
+  if (!surface.texture.empty()) names << text(surface.texture);
+  if (!surface.model.empty()) names << text(surface.model);
+  return tr("%1 · %2").arg(surface.position).arg(names.join(", "));
+}
+
+QString AttemptWords::of_seconds(const std::optional<double>& time_s) {
+  return time_s ? tr("%1 s").arg(text(fixed(*time_s, 2))) : QString("–");
+}
+
+}  // namespace asperity

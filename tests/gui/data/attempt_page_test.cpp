@@ -1,0 +1,293 @@
+// A simulated session, looked at afterwards: its numbers, its recordings, and what is decided.
+
+#include "app/gui/data/attempt_page.h"
+
+#include <fstream>
+
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QTabWidget>
+#include <gtest/gtest.h>
+#include <qcustomplot.h>
+
+#include "app/gui/data/analysis_page.h"
+#include "app/gui/data/time_plots.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/study/study_table.h"
+#include "app/gui/study/study_window.h"
+#include "app/gui/study/trials_page.h"
+#include "app/tasks/simulation.h"
+#include "results_schema/atomic_file.h"
+#include "tests/app/small_study.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kPatience_ms = 20000;
+
+class DataView : public testing::Test {
+ protected:
+  DataView() {
+    make_small_study(folder());
+    std::string protocol =
+        small_protocol("", R"(, "normal_force_N": {"minimum": 0.5, "maximum": 1.5},
+      "speed_m_per_s": {"minimum": 0.02, "maximum": 0.2})");
+    if (!qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) {
+      // As long as a person feels a surface; half a second is enough for a test.
+      const std::string short_contact = R"("minimum_contact_s": 0.5, "maximum_contact_s": 2)";
+      protocol.replace(protocol.find(short_contact), short_contact.size(),
+                       R"("minimum_contact_s": 6, "maximum_contact_s": 12)");
+    }
+    write_file(folder() / "protocols" / "small.json", protocol, Overwrite::refuse);
+    SimulationInputs inputs{};
+    inputs.protocols = {folder() / "protocols" / "small.json"};
+    inputs.study = folder();
+    inputs.recordings = Recordings::all;
+    (void)simulate(inputs, built_in_models(), {}, {}, {});
+    study_.emplace(folder());
+    const std::vector<SessionRow> sessions = study_->study().sessions();
+    session_id_ = sessions.at(0).id;
+  }
+
+  std::filesystem::path folder() const { return temporary_.path() / "study"; }
+  std::vector<AttemptRow> attempts() const { return study_->study().attempts(session_id_); }
+  AttemptRow attempt(std::size_t index) const { return attempts().at(index); }
+
+  template <class Widget>
+  static Widget& child(const QWidget& parent, const char* name) {
+    auto* found = parent.findChild<Widget*>(name);
+    if (found == nullptr) throw std::runtime_error(std::string("no widget ") + name);
+    return *found;
+  }
+  static bool eventually(const std::function<bool()>& condition) {
+    return QTest::qWaitFor(condition, kPatience_ms);
+  }
+  static QString text(const QWidget& page, const char* label) {
+    return child<QLabel>(page, label).text();
+  }
+  static void click(const QWidget& page, const char* button) {
+    QTest::mouseClick(&child<QPushButton>(page, button), Qt::LeftButton);
+  }
+  static void give_reason(const QWidget& page, const QString& reason) {
+    child<QComboBox>(page, "decision_reason").setEditText(reason);
+  }
+  /// Shows the attempt and waits for all of it.
+  void show_attempt(AttemptPage& page, const AttemptRow& attempt) {
+    page.resize(1366, 768);
+    page.show();
+    page.show_attempt(attempt.id);
+    const QString place = QString("Trial %1, attempt %2").arg(attempt.trial).arg(attempt.attempt);
+    ASSERT_TRUE(eventually([&] {
+      for (const QLabel* label : page.findChildren<QLabel*>()) {
+        if (label->text().startsWith(place)) return true;
+      }
+      return false;
+    }));
+  }
+  static bool shows_recording(const AttemptPage& page) {
+    return child<QComboBox>(page, "recording_choice").isVisible();
+  }
+
+  TemporaryFolder temporary_{};
+  std::optional<OpenStudy> study_{};
+  std::int64_t session_id_ = 0;
+};
+
+TEST_F(DataView, ShowsTheNumbersOfTheStore) {
+  AttemptPage page(*study_);
+  const AttemptRow stored = attempt(1);
+  show_attempt(page, stored);
+  EXPECT_EQ(text(page, "attempt_place"), "2 of 3");
+  const auto& answers = child<StudyTable>(page, "attempt_answers");
+  ASSERT_EQ(answers.shown_rows(), 1);
+  EXPECT_EQ(answers.text_at(0, 2), QString::fromStdString(stored.responses.at(0).answer));
+  EXPECT_EQ(answers.text_at(0, 5), QString::number(*stored.responses.at(0).from_contact_s, 'f', 2));
+  const auto& surfaces = child<StudyTable>(page, "attempt_surfaces");
+  ASSERT_EQ(surfaces.shown_rows(), 2);
+  EXPECT_TRUE(
+      surfaces.text_at(0, 3).startsWith(QString::fromStdString(stored.presentations.at(0).model)));
+  const auto& compliance = child<StudyTable>(page, "attempt_compliance");
+  ASSERT_EQ(compliance.shown_rows(), static_cast<int>(stored.compliance.size()));
+  const ComplianceRow& force = stored.compliance.at(0);
+  ASSERT_EQ(force.quantity, "normal_force_N");
+  EXPECT_EQ(compliance.text_at(0, 2), "0.5 to 1.5");
+  EXPECT_EQ(compliance.text_at(0, 3), QString::number(force.p50, 'f', 2));
+  EXPECT_EQ(compliance.text_at(0, 7), *force.passed ? "✓ met" : "✕ not met");
+  const auto& loop = child<StudyTable>(page, "attempt_loop");
+  EXPECT_EQ(loop.text_at(0, 1), QString::number(stored.servo->ticks));
+}
+
+TEST_F(DataView, DrawsTheRecordingOfEverySurfaceOverOneTime) {
+  AttemptPage page(*study_);
+  const AttemptRow stored = attempt(0);
+  show_attempt(page, stored);
+  ASSERT_TRUE(eventually([&] { return shows_recording(page); }));
+  auto& choice = child<QComboBox>(page, "recording_choice");
+  EXPECT_EQ(choice.count(), 3);  // whole, and two surfaces
+  auto& plots = child<TimePlots>(page, "time_plots");
+  const TimeStretch whole = plots.seen();
+  EXPECT_NEAR(whole.duration_s(), static_cast<double>(stored.recording->records - 1) * 1e-3, 1e-6);
+  choice.setCurrentIndex(2);
+  const TimeStretch second = plots.seen();
+  EXPECT_NEAR(second.begin_s,
+              static_cast<double>(*stored.presentations[1].onset_ns - stored.onset_ns) * 1e-9,
+              2e-3);
+  QTest::keyClick(&plots, Qt::Key_Plus);
+  EXPECT_NEAR(plots.seen().duration_s(), second.duration_s() / 1.5, 1e-9);
+  for (const char* name :
+       {"force_over_time", "penetration_over_time", "speed_over_time", "position_over_time"}) {
+    const QCPRange range = child<QCustomPlot>(page, name).xAxis->range();
+    EXPECT_EQ(range.lower, plots.seen().begin_s) << name;
+    EXPECT_EQ(range.upper, plots.seen().end_s) << name;
+  }
+  QTest::keyClick(&plots, Qt::Key_Home);
+  EXPECT_EQ(plots.seen().duration_s(), whole.duration_s());
+}
+
+TEST_F(DataView, ZoomsAllPlotsWithTheAxisOfOne) {
+  AttemptPage page(*study_);
+  show_attempt(page, attempt(0));
+  ASSERT_TRUE(eventually([&] { return shows_recording(page); }));
+  auto& plots = child<TimePlots>(page, "time_plots");
+  const double begin_s = plots.seen().begin_s;
+  child<QCustomPlot>(page, "speed_over_time").xAxis->setRange(begin_s + 0.1, begin_s + 0.3);
+  const QCPRange range = child<QCustomPlot>(page, "force_over_time").xAxis->range();
+  EXPECT_NEAR(range.lower, begin_s + 0.1, 1e-9);
+  EXPECT_NEAR(range.upper, begin_s + 0.3, 1e-9);
+}
+
+TEST_F(DataView, ExcludesWithAReasonAndIncludesAgain) {
+  AnalysisPage analysis(*study_);
+  QSignalSpy counted(&analysis, &AnalysisPage::refreshed);
+  analysis.show();
+  ASSERT_TRUE(counted.wait(kPatience_ms));
+  ASSERT_EQ(analysis.outcomes().at(0).answers, 3U);
+  AttemptPage page(*study_);
+  show_attempt(page, attempt(1));
+  EXPECT_TRUE(text(page, "attempt_standing").contains("Counts in the analyses"));
+
+  click(page, "attempt_exclude");
+  give_reason(page, "interrupted by a fire alarm");
+  child<QLineEdit>(page, "decision_by").setText("A. Keller");
+  click(page, "decision_write");
+  ASSERT_TRUE(eventually([&] {
+    return text(page, "attempt_standing").contains("Excluded: interrupted by a fire alarm");
+  })) << text(page, "attempt_standing").toStdString();
+  const std::vector<DecisionRow> stored = study_->study().decisions(session_id_);
+  ASSERT_EQ(stored.size(), 1U);
+  EXPECT_EQ(stored[0].verdict, Verdict::exclude);
+  EXPECT_EQ(stored[0].trial, 2);
+  EXPECT_EQ(stored[0].reason, "interrupted by a fire alarm");
+  EXPECT_EQ(stored[0].decided_by, "A. Keller");
+  ASSERT_TRUE(eventually([&] { return analysis.outcomes().at(0).answers == 2; }));
+
+  EXPECT_EQ(child<QPushButton>(page, "attempt_exclude").text(), "Include again…");
+  click(page, "attempt_exclude");
+  give_reason(page, "the alarm was after the answer");
+  click(page, "decision_write");
+  ASSERT_TRUE(eventually(
+      [&] { return text(page, "attempt_standing").contains("Counts in the analyses"); }));
+  ASSERT_TRUE(eventually([&] { return analysis.outcomes().at(0).answers == 3; }));
+  // Nothing is forgotten.
+  const auto& history = child<StudyTable>(page, "attempt_decisions");
+  ASSERT_EQ(history.shown_rows(), 2);
+  EXPECT_EQ(history.text_at(0, 4), "interrupted by a fire alarm");
+  EXPECT_EQ(history.text_at(0, 5), "A. Keller");
+  EXPECT_EQ(history.text_at(1, 3), "included again");
+}
+
+TEST_F(DataView, FlagsWithAReasonAndGoesOnCounting) {
+  AttemptPage page(*study_);
+  show_attempt(page, attempt(0));
+  click(page, "attempt_flag");
+  give_reason(page, "hesitated for long");
+  QTest::keyClick(&child<QLineEdit>(page, "decision_by"), Qt::Key_Return);
+  ASSERT_TRUE(eventually([&] {
+    return text(page, "attempt_standing").contains("Counts, but is flagged: hesitated for long");
+  })) << text(page, "attempt_standing").toStdString();
+  EXPECT_TRUE(attempt(0).flagged);
+  EXPECT_TRUE(attempt(0).valid);
+  EXPECT_FALSE(attempt(0).excluded);
+}
+
+TEST_F(DataView, DecidesNothingWithoutAReason) {
+  AttemptPage page(*study_);
+  show_attempt(page, attempt(0));
+  click(page, "attempt_exclude");
+  const auto& write = child<QPushButton>(page, "decision_write");
+  EXPECT_FALSE(write.isEnabled());
+  EXPECT_TRUE(text(page, "decision_note").contains("A reason is needed"));
+  give_reason(page, "   ");
+  EXPECT_FALSE(write.isEnabled());
+  QTest::keyClick(&child<QLineEdit>(page, "decision_by"), Qt::Key_Return);
+  QTest::keyClick(&child<QLineEdit>(page, "decision_by"), Qt::Key_Escape);
+  EXPECT_FALSE(child<QWidget>(page, "decision_form").isVisible());
+  EXPECT_TRUE(study_->study().decisions(session_id_).empty());
+}
+
+TEST_F(DataView, SaysWhatIsWrongWithABrokenRecordingAndShowsTheRest) {
+  const AttemptRow stored = attempt(0);
+  const std::filesystem::path file = folder() / stored.recording->path;
+  std::string bytes = read_file(file);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  std::ofstream(file, std::ios::binary) << bytes;
+  AttemptPage page(*study_);
+  show_attempt(page, stored);
+  ASSERT_TRUE(
+      eventually([&] { return text(page, "recording_reason").contains("cannot be shown"); }));
+  EXPECT_TRUE(text(page, "recording_reason").contains(QString::fromStdString(file.string())))
+      << text(page, "recording_reason").toStdString();
+  EXPECT_TRUE(text(page, "recording_reason").contains("chunk"))
+      << text(page, "recording_reason").toStdString();
+  EXPECT_EQ(child<StudyTable>(page, "attempt_answers").shown_rows(), 1);
+
+  std::filesystem::remove(folder() / attempt(1).recording->path);
+  click(page, "attempt_next");
+  EXPECT_TRUE(eventually([&] {
+    return text(page, "recording_reason")
+        .contains(QString::fromStdString(attempt(1).recording->path));
+  })) << text(page, "recording_reason").toStdString();
+  click(page, "attempt_next");
+  EXPECT_TRUE(eventually([&] { return shows_recording(page); }));
+}
+
+TEST_F(DataView, RefusesARecordingOfAnotherAttempt) {
+  const AttemptRow stored = attempt(0);
+  std::filesystem::copy_file(folder() / attempt(1).recording->path,
+                             folder() / stored.recording->path,
+                             std::filesystem::copy_options::overwrite_existing);
+  AttemptPage page(*study_);
+  show_attempt(page, stored);
+  EXPECT_TRUE(eventually([&] { return text(page, "recording_reason").contains("SHA-256"); }))
+      << text(page, "recording_reason").toStdString();
+}
+
+TEST_F(DataView, ExportsARecordingTickByTick) {
+  AttemptPage page(*study_);
+  const AttemptRow stored = attempt(0);
+  show_attempt(page, stored);
+  ASSERT_TRUE(eventually([&] { return shows_recording(page); }));
+  click(page, "recording_export");
+  const std::filesystem::path file = temporary_.path() / "recording.tsv";
+  emit child<QFileDialog>(page, "recording_dialog")
+      .fileSelected(QString::fromStdString(file.string()));
+  ASSERT_TRUE(eventually([&] { return page.findChild<Banner*>()->isVisible(); }));
+  EXPECT_TRUE(page.findChild<Banner*>()->text().contains("recording.tsv"));
+  const Table table = read_tsv(read_file(file), "recording.tsv");
+  EXPECT_EQ(static_cast<std::int64_t>(table.rows.size()), stored.recording->records);
+  const Recording recording = read_recording(folder() / stored.recording->path);
+  ASSERT_EQ(table.columns.size(), recording.header.columns.size() + 1);
+  EXPECT_EQ(table.columns[0], "time_ns");
+  EXPECT_EQ(table.columns[3], "z_m");
+  const auto z_m = number_in(std::get<std::string>(table.rows.at(100).at(3)));
+  EXPECT_EQ(static_cast<float>(z_m.value()), recording.columns.at(2).at(100));
+}
+
+}  // namespace
+}  // namespace asperity
