@@ -36,6 +36,15 @@ QStandardItem* mode_cell(SessionMode mode) {
 }
 
 QStandardItem* state_cell(const SessionOverview& session) {
+  if (session.row.excluded) {
+    const QString excluded = SessionsPage::tr("excluded");
+    QStandardItem* cell = text_cell(shape_of(State::stop) + ' ' + excluded, excluded);
+    cell->setForeground(theme().stop);
+    cell->setToolTip(
+        SessionsPage::tr("%1; analyses leave it out: %2")
+            .arg(text_of_session_state(session), QString::fromStdString(*session.row.excluded)));
+    return cell;
+  }
   const State state = state_of_session(session);
   const QString text = text_of_session_state(session);
   QStandardItem* cell = text_cell(shape_of(state) + ' ' + text, text);

@@ -66,6 +66,15 @@ QStandardItem* empty_number_cell() {
   return number_cell("–", -std::numeric_limits<double>::infinity());
 }
 
+void strike_through(const QList<QStandardItem*>& cells) {
+  for (QStandardItem* cell : cells) {
+    QFont font = text_font(TextSize::body);
+    font.setStrikeOut(true);
+    cell->setFont(font);
+    cell->setForeground(theme().muted);
+  }
+}
+
 StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
     : QTableView(parent), rows_(new QStandardItemModel(0, static_cast<int>(columns.size()), this)) {
   auto* filter = new WordFilter(this);

@@ -20,6 +20,8 @@ QStandardItem* number_cell(const QString& text, double value);
 QStandardItem* number_cell(int value);
 /// "–": nothing there; below every number.
 QStandardItem* empty_number_cell();
+/// For what is there and does not count.
+void strike_through(const QList<QStandardItem*>& cells);
 
 class StudyTable final : public QTableView {
   Q_OBJECT

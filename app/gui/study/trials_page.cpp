@@ -6,6 +6,8 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QTabWidget>
 
+#include "app/gui/data/attempt_words.h"
+#include "app/gui/data/decision_form.h"
 #include "app/gui/study/sessions_page.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
@@ -34,21 +36,7 @@ QStandardItem* seconds_cell(const std::optional<double>& time_s) {
 
 QString text_of_outcome(const TrialOverview& trial) {
   if (!trial.attempt) return TrialsPage::tr("to come");
-  switch (trial.attempt->outcome) {
-    case AttemptOutcome::answered:
-      return TrialsPage::tr("answered");
-    case AttemptOutcome::timed_out:
-      return TrialsPage::tr("no answer in time");
-    case AttemptOutcome::not_compliant:
-      return TrialsPage::tr("not explored as asked");
-    case AttemptOutcome::aborted:
-      return TrialsPage::tr("aborted");
-    case AttemptOutcome::device_fault:
-      return TrialsPage::tr("device fault");
-    case AttemptOutcome::skipped:
-      break;
-  }
-  return TrialsPage::tr("skipped");
+  return AttemptWords::of_outcome(trial.attempt->outcome);
 }
 
 /// What is to be said of the attempt beside its outcome.
@@ -61,7 +49,7 @@ QString text_of_remarks(const AttemptRow& attempt) {
     remarks.append(TrialsPage::tr("flagged: %1").arg(text(attempt.flag_reason.value_or("–"))));
   }
   if (attempt.excluded) {
-    remarks.append(TrialsPage::tr("left out: %1").arg(text(*attempt.excluded)));
+    remarks.append(TrialsPage::tr("excluded: %1").arg(text(*attempt.excluded)));
   }
   return remarks.join("; ");
 }
@@ -83,13 +71,16 @@ StudyTable::Row row_of(const SessionDetail& detail, const TrialOverview& trial) 
   const QString remarks = attempt ? text_of_remarks(*attempt) : QString{};
   QStandardItem* remark_cell = text_cell(remarks);
   remark_cell->setForeground(theme().look);
-  return {attempt ? QString::number(attempt->id) : QString{},
-          {number_cell(trial.planned.trial),
-           attempt ? number_cell(attempt->attempt) : empty_number_cell(),
-           text_cell(text(trial.planned.block)), outcome, text_cell(text(trial.answer())),
-           text_cell(right), seconds_cell(from_contact_s), seconds_cell(from_cue_s),
-           attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell(),
-           remark_cell}};
+  StudyTable::Row row{
+      attempt ? QString::number(attempt->id) : QString{},
+      {number_cell(trial.planned.trial),
+       attempt ? number_cell(attempt->attempt) : empty_number_cell(),
+       text_cell(text(trial.planned.block)), outcome, text_cell(text(trial.answer())),
+       text_cell(right), seconds_cell(from_contact_s), seconds_cell(from_cue_s),
+       attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell()}};
+  if (attempt && attempt->excluded) strike_through(row.cells);
+  row.cells << remark_cell;
+  return row;
 }
 
 }  // namespace
@@ -112,6 +103,11 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   summary_ = make_text({}, this, true);
   summary_->setObjectName("trials_summary");
   body().addWidget(summary_);
+  standing_ = new StateLabel(this);
+  standing_->setObjectName("trials_standing");
+  body().addWidget(standing_);
+  form_ = new DecisionForm(study, this);
+  body().addWidget(form_);
   tabs_ = new QTabWidget(this);
   tabs_->setDocumentMode(true);
   using Align = StudyTable::Align;
@@ -137,7 +133,16 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   body().addWidget(tabs_, 1);
   selected_ = make_text({}, this, true);
   selected_->setObjectName("trials_selected");
-  body().addWidget(selected_);
+  open_ = make_button(tr("Show attempt"), ButtonRole::primary, this);
+  open_->setObjectName("trials_open");
+  exclude_ = make_button(tr("Exclude session…"), ButtonRole::plain, this);
+  exclude_->setObjectName("trials_exclude");
+  auto* below = new QHBoxLayout();
+  below->setSpacing(kMargin);
+  below->addWidget(open_);
+  below->addWidget(selected_, 1);
+  below->addWidget(exclude_);
+  body().addLayout(below);
 
   connect(trials_, &StudyTable::row_selected, this, &TrialsPage::show_selected);
   connect(back, &QPushButton::clicked, this, &TrialsPage::back_wanted);
@@ -146,10 +151,14 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   connect(trials_, &StudyTable::row_opened, this, [this](const QString& key) {
     if (!key.isEmpty()) emit attempt_opened(key.toLongLong());
   });
+  connect(open_, &QPushButton::clicked, this,
+          [this] { emit attempt_opened(trials_->selected_key().toLongLong()); });
+  connect(exclude_, &QPushButton::clicked, this, &TrialsPage::ask_to_exclude);
 }
 
 void TrialsPage::show_session(std::int64_t id) {
   session_id_ = id;
+  form_->cancel();
   filter_->clear();
   forget_readings();
   read_with<SessionDetail>(
@@ -164,8 +173,9 @@ void TrialsPage::show_selected() {
   const auto found = std::find_if(
       detail_.trials.begin(), detail_.trials.end(),
       [id](const TrialOverview& trial) { return trial.attempt && trial.attempt->id == id; });
+  open_->setEnabled(found != detail_.trials.end());
   if (found == detail_.trials.end()) {
-    selected_->setText(tr("Select a trial to read it in full."));
+    selected_->setText(tr("Select a trial that was begun to read it in full."));
     return;
   }
   const QString remarks = text_of_remarks(*found->attempt);
@@ -175,6 +185,29 @@ void TrialsPage::show_selected() {
                          .arg(QStringList{text_of_outcome(*found), text(found->answer()), remarks}
                                   .filter(QRegularExpression("."))
                                   .join("; ")));
+}
+
+void TrialsPage::ask_to_exclude() {
+  const bool excluded = detail_.overview.row.excluded.has_value();
+  DecisionForm::Question question{};
+  question.session_id = detail_.overview.row.id;
+  question.draft.verdict = excluded ? Verdict::include : Verdict::exclude;
+  if (excluded) {
+    question.text = tr("Why do analyses count this session again?");
+    question.common_reasons =
+        QStringList{tr("Excluded by mistake"), tr("The reason turned out not to hold")};
+    question.verb = tr("Include session");
+  } else {
+    question.text =
+        tr("Why do analyses leave the whole session out? It stays in the study and can be included "
+           "again.");
+    question.common_reasons =
+        QStringList{tr("The participant withdrew consent"),
+                    tr("The participant did not follow the instruction"),
+                    tr("The device did not work as it should"), tr("It was run to try things out")};
+    question.verb = tr("Exclude session");
+  }
+  form_->ask(question);
 }
 
 void TrialsPage::show_detail(const SessionDetail& detail) {
@@ -191,6 +224,13 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
                         .arg(text_of_duration(session.duration_s),
                              text_of_time(session.row.started_utc), text(session.row.device),
                              text(session.row.program_version)));
+  const auto& excluded = session.row.excluded;
+  standing_->setVisible(excluded.has_value());
+  if (excluded) {
+    standing_->set_state(State::stop,
+                         tr("Analyses leave the whole session out: %1").arg(text(*excluded)));
+  }
+  exclude_->setText(excluded ? tr("Include session again…") : tr("Exclude session…"));
   std::vector<StudyTable::Row> rows{};
   for (const TrialOverview& trial : detail.trials) rows.push_back(row_of(detail, trial));
   trials_->fill(rows);

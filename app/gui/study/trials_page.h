@@ -13,6 +13,7 @@ class QTabWidget;
 
 namespace asperity {
 
+class DecisionForm;
 class StudyTable;
 
 class TrialsPage final : public StudyPage {
@@ -28,6 +29,7 @@ class TrialsPage final : public StudyPage {
   void attempt_opened(qlonglong id);
 
  private:
+  void ask_to_exclude();
   void show_detail(const SessionDetail& detail);
   void show_selected();
 
@@ -36,6 +38,10 @@ class TrialsPage final : public StudyPage {
   ModeBand* band_ = nullptr;
   QLabel* summary_ = nullptr;
   QLineEdit* filter_ = nullptr;
+  StateLabel* standing_ = nullptr;
+  DecisionForm* form_ = nullptr;
+  QPushButton* open_ = nullptr;
+  QPushButton* exclude_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   StudyTable* trials_ = nullptr;
   QLabel* selected_ = nullptr;  ///< the trial that is selected, in full

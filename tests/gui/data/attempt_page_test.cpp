@@ -6,13 +6,13 @@
 
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTabWidget>
-#include <gtest/gtest.h>
 #include <qcustomplot.h>
 
 #include "app/gui/data/analysis_page.h"
@@ -24,14 +24,13 @@
 #include "app/tasks/simulation.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
+#include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
 
 namespace asperity {
 namespace {
 
-constexpr int kPatience_ms = 20000;
-
-class DataView : public testing::Test {
+class DataView : public QuietHome {
  protected:
   DataView() {
     make_small_study(folder());
@@ -59,22 +58,13 @@ class DataView : public testing::Test {
   std::vector<AttemptRow> attempts() const { return study_->study().attempts(session_id_); }
   AttemptRow attempt(std::size_t index) const { return attempts().at(index); }
 
-  template <class Widget>
-  static Widget& child(const QWidget& parent, const char* name) {
-    auto* found = parent.findChild<Widget*>(name);
-    if (found == nullptr) throw std::runtime_error(std::string("no widget ") + name);
-    return *found;
-  }
-  static bool eventually(const std::function<bool()>& condition) {
-    return QTest::qWaitFor(condition, kPatience_ms);
-  }
-  static QString text(const QWidget& page, const char* label) {
+  static QString text(QWidget& page, const char* label) {
     return child<QLabel>(page, label).text();
   }
-  static void click(const QWidget& page, const char* button) {
+  static void click(QWidget& page, const char* button) {
     QTest::mouseClick(&child<QPushButton>(page, button), Qt::LeftButton);
   }
-  static void give_reason(const QWidget& page, const QString& reason) {
+  static void give_reason(QWidget& page, const QString& reason) {
     child<QComboBox>(page, "decision_reason").setEditText(reason);
   }
   /// Shows the attempt and waits for all of it.
@@ -90,7 +80,7 @@ class DataView : public testing::Test {
       return false;
     }));
   }
-  static bool shows_recording(const AttemptPage& page) {
+  static bool shows_recording(AttemptPage& page) {
     return child<QComboBox>(page, "recording_choice").isVisible();
   }
 
@@ -166,7 +156,7 @@ TEST_F(DataView, ExcludesWithAReasonAndIncludesAgain) {
   AnalysisPage analysis(*study_);
   QSignalSpy counted(&analysis, &AnalysisPage::refreshed);
   analysis.show();
-  ASSERT_TRUE(counted.wait(kPatience_ms));
+  ASSERT_TRUE(counted.wait(20000));
   ASSERT_EQ(analysis.outcomes().at(0).answers, 3U);
   AttemptPage page(*study_);
   show_attempt(page, attempt(1));
@@ -287,6 +277,117 @@ TEST_F(DataView, ExportsARecordingTickByTick) {
   EXPECT_EQ(table.columns[3], "z_m");
   const auto z_m = number_in(std::get<std::string>(table.rows.at(100).at(3)));
   EXPECT_EQ(static_cast<float>(z_m.value()), recording.columns.at(2).at(100));
+}
+
+TEST_F(DataView, OpensFromTheTrialsWhichMarkWhatIsExcluded) {
+  StudyWindow window;
+  window.resize(1366, 768);
+  window.show();
+  ASSERT_TRUE(window.open_study(folder()));
+  window.show_page("sessions");
+  auto& sessions = child<StudyTable>(window, "sessions_table");
+  ASSERT_TRUE(eventually([&] { return sessions.shown_rows() == 1; }));
+  sessions.selectRow(0);
+  click(window, "sessions_open");
+  auto& trials = child<StudyTable>(window, "trials_table");
+  ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 3; }));
+  trials.selectRow(1);
+  click(window, "trials_open");
+  EXPECT_EQ(window.shown_page(), "attempt");
+  auto& page = child<AttemptPage>(window, "attempt_page");
+  ASSERT_TRUE(eventually([&] { return shows_recording(page); }));
+  EXPECT_EQ(text(page, "attempt_place"), "2 of 3");
+  click(page, "attempt_exclude");
+  give_reason(page, "Interrupted");
+  click(page, "decision_write");
+  ASSERT_TRUE(
+      eventually([&] { return text(page, "attempt_standing").contains("Excluded: Interrupted"); }));
+  click(page, "attempt_back");
+  EXPECT_EQ(window.shown_page(), "trials");
+  ASSERT_TRUE(eventually([&] { return trials.text_at(1, 9) == "excluded: Interrupted"; }));
+  const auto is_struck = [&trials](int row) {
+    return trials.model()->index(row, 3).data(Qt::FontRole).value<QFont>().strikeOut();
+  };
+  EXPECT_FALSE(is_struck(0));
+  EXPECT_TRUE(is_struck(1));
+}
+
+TEST_F(DataView, ExcludesAWholeSessionAndIncludesItAgain) {
+  StudyWindow window;
+  window.resize(1366, 768);
+  window.show();
+  ASSERT_TRUE(window.open_study(folder()));
+  auto& page = child<TrialsPage>(window, "trials_page");
+  page.show_session(session_id_);
+  window.show_page("trials");
+  auto& trials = child<StudyTable>(window, "trials_table");
+  ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 3; }));
+  click(page, "trials_exclude");
+  give_reason(page, "It was run to try things out");
+  click(page, "decision_write");
+  ASSERT_TRUE(eventually([&] { return child<QLabel>(page, "trials_standing").isVisible(); }));
+  EXPECT_EQ(trials.text_at(2, 9), "excluded: It was run to try things out");
+  EXPECT_EQ(study_->study().session(session_id_).excluded, "It was run to try things out");
+  window.show_page("sessions");
+  EXPECT_EQ(child<StudyTable>(window, "sessions_table").text_at(0, 4), "✕ excluded");
+  // One of its attempts cannot be included without it, and the page says where it can.
+  auto& attempt_page = child<AttemptPage>(window, "attempt_page");
+  attempt_page.show_attempt(attempt(0).id);
+  window.show_page("attempt");
+  ASSERT_TRUE(eventually([&] {
+    return text(attempt_page, "attempt_standing").contains("Excluded with its whole session");
+  }));
+  EXPECT_FALSE(child<QPushButton>(attempt_page, "attempt_exclude").isEnabled());
+  EXPECT_EQ(text(attempt_page, "attempt_why_not"),
+            "The whole session is excluded; its page includes it again.");
+  window.show_page("trials");
+  click(page, "trials_exclude");
+  give_reason(page, "Excluded by mistake");
+  click(page, "decision_write");
+  ASSERT_TRUE(eventually([&] { return !child<QLabel>(page, "trials_standing").isVisible(); }));
+  EXPECT_FALSE(study_->study().session(session_id_).excluded);
+}
+
+TEST_F(DataView, LooksAsItShould) {
+  if (qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) GTEST_SKIP() << "nobody looks";
+  Study writer = Study::open(folder(), Access::read_write);
+  writer.add_decision(session_id_, {.trial = 2,
+                                    .attempt = 1,
+                                    .verdict = Verdict::exclude,
+                                    .reason = "Interrupted by a fire alarm",
+                                    .decided_by = "A. Keller"});
+  writer.add_decision(session_id_, {.trial = 3,
+                                    .attempt = 1,
+                                    .verdict = Verdict::flag,
+                                    .reason = "The hand slipped",
+                                    .decided_by = "A. Keller"});
+  for (const ThemeChoice choice : {ThemeChoice::light, ThemeChoice::dark}) {
+    apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), choice);
+    const QString theme_name = choice == ThemeChoice::dark ? "-dark" : "";
+    StudyWindow window;
+    window.show();
+    ASSERT_TRUE(window.open_study(folder()));
+    child<TrialsPage>(window, "trials_page").show_session(session_id_);
+    window.show_page("trials");
+    auto& trials = child<StudyTable>(window, "trials_table");
+    ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 3; }));
+    trials.selectRow(1);
+    take_screenshot(window, "data-trials" + theme_name);
+    auto& page = child<AttemptPage>(window, "attempt_page");
+    page.show_attempt(attempt(1).id);
+    window.show_page("attempt");
+    ASSERT_TRUE(eventually([&] { return shows_recording(page); }));
+    take_screenshot(window, "data-attempt" + theme_name);
+    child<QComboBox>(page, "recording_choice").setCurrentIndex(1);
+    click(page, "attempt_exclude");
+    take_screenshot(window, "data-attempt-surface" + theme_name);
+    child<QTabWidget>(page, "attempt_tabs").setCurrentIndex(1);
+    click(page, "decision_cancel");
+    take_screenshot(window, "data-attempt-measures" + theme_name);
+    child<QTabWidget>(page, "attempt_tabs").setCurrentIndex(2);
+    take_screenshot(window, "data-attempt-history" + theme_name);
+  }
+  apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ThemeChoice::light);
 }
 
 }  // namespace
