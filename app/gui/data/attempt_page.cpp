@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QtWidgets/QFileDialog>
+#include <QtWidgets/QTabBar>
 #include <QtWidgets/QTabWidget>
 
 #include "app/conductor/recording_columns.h"
@@ -63,11 +64,15 @@ AttemptPage::AttemptPage(OpenStudy& study, QWidget* parent)
   body().addWidget(summary_);
   names_ = new StateLabel(this);
   names_->setObjectName("attempt_names");
+  names_->set_state(State::look,
+                    tr("Textures and models are shown by name, though the session is not complete: "
+                       "who goes on with it is no longer blind to them."));
   body().addWidget(names_);
   add_actions();
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName("attempt_tabs");
   tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setDrawBase(false);
   recording_ = new RecordingView(tabs_);
   measures_ = new MeasureTables(tabs_);
   history_ = new HistoryTables(tabs_);
@@ -127,13 +132,7 @@ void AttemptPage::show_detail(const AttemptDetail& detail) {
   next_->setEnabled(detail.next_id.has_value());
   band_->set_mode(detail.session.mode);
   summary_->setText(AttemptWords::summary(detail));
-  if (detail.session.state == SessionState::completed) {
-    names_->set_state(State::unknown,
-                      tr("Textures and models are shown by name: the session is over."));
-  } else {
-    names_->set_state(State::look, tr("Textures and models are shown by name, and the session is "
-                                      "not complete: who sees them is no longer blind to them."));
-  }
+  names_->setVisible(detail.session.state != SessionState::completed);
   show_actions();
   measures_->show_attempt(detail);
   history_->show_attempt(detail);

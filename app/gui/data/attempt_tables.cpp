@@ -128,7 +128,9 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
   rows->setSpacing(kGrid);
   const auto add = [&](const QString& heading, const char* name,
                        const std::vector<StudyTable::Column>& columns) {
-    rows->addWidget(make_heading(heading, page));
+    QLabel* words = make_heading(heading, page);
+    words->setObjectName(QString(name) + "_heading");
+    rows->addWidget(words);
     auto* table = new StudyTable(columns, page);
     table->setObjectName(name);
     rows->addWidget(table);
@@ -146,12 +148,13 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
                   {tr("Given by"), 136, Align::text}});
   surfaces_ = add(tr("Surfaces felt"), "attempt_surfaces",
                   {{tr("No."), 64, Align::number},
-                   {tr("Role"), 112, Align::text},
-                   {tr("Texture"), 128, Align::text},
+                   {tr("Role"), 128, Align::text},
+                   {tr("Texture"), 112, Align::text},
                    {tr("Model"), 168, Align::text},
                    {tr("Parameters"), 0, Align::text},
                    {tr("Contact, s"), 112, Align::number},
                    {tr("Texture force, N"), 160, Align::number}});
+  surfaces_heading_ = page->findChild<QLabel*>("attempt_surfaces_heading");
   compliance_ = add(tr("Explored as asked?"), "attempt_compliance",
                     {{tr("Surface"), 88, Align::number},
                      {tr("Quantity"), 0, Align::text},
@@ -184,6 +187,9 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
   }
   fill_whole(*answers_, rows);
   rows.clear();
+  surfaces_heading_->setText(detail.session.state == SessionState::completed
+                                 ? tr("Surfaces felt, by name: the session is over")
+                                 : tr("Surfaces felt, by name"));
   for (const PresentationRow& surface : attempt.presentations) {
     add({number_cell(surface.position), text_cell(text(surface.role)),
          text_cell(text(surface.texture)),

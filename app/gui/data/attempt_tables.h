@@ -7,6 +7,8 @@
 
 #include "app/tasks/attempt_detail.h"
 
+class QLabel;
+
 namespace asperity {
 
 class StudyTable;
@@ -20,6 +22,7 @@ class MeasureTables final : public QScrollArea {
 
  private:
   StudyTable* answers_ = nullptr;
+  QLabel* surfaces_heading_ = nullptr;
   StudyTable* surfaces_ = nullptr;
   StudyTable* compliance_ = nullptr;
   StudyTable* loop_ = nullptr;

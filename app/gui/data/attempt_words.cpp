@@ -44,10 +44,9 @@ QString AttemptWords::of_verdict(Verdict verdict) {
 }
 
 QString AttemptWords::title(const AttemptDetail& detail) {
-  return tr("Trial %1, attempt %2 · session %3 of %4")
+  return tr("Trial %1, attempt %2 · %3")
       .arg(detail.attempt.trial)
       .arg(detail.attempt.attempt)
-      .arg(detail.session.session)
       .arg(text(detail.session.participant));
 }
 
@@ -59,7 +58,8 @@ QString AttemptWords::summary(const AttemptDetail& detail) {
                     ? QString("%1 %2").arg(response.item).arg(text(response.answer))
                     : text(response.answer));
   }
-  QStringList parts{tr("%1 %2").arg(text(detail.protocol_name), text(detail.protocol_version)),
+  QStringList parts{tr("Session %1").arg(detail.session.session),
+                    tr("%1 %2").arg(text(detail.protocol_name), text(detail.protocol_version)),
                     tr("block %1").arg(text(detail.planned.block)),
                     answers.isEmpty()
                         ? of_outcome(attempt.outcome)
@@ -68,8 +68,7 @@ QString AttemptWords::summary(const AttemptDetail& detail) {
     parts << tr("%1 from first contact").arg(of_seconds(attempt.responses.back().from_contact_s));
   }
   const double took_s = static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
-  parts << tr("took %1").arg(of_seconds(took_s))
-        << tr("session started %1").arg(text_of_time(detail.session.started_utc));
+  parts << tr("took %1").arg(of_seconds(took_s)) << text_of_time(detail.session.started_utc);
   return parts.join(" · ");
 }
 

@@ -15,9 +15,9 @@ class AttemptWords final {
  public:
   static QString of_outcome(AttemptOutcome outcome);
   static QString of_verdict(Verdict verdict);
-  /// "Trial 3, attempt 1 · session 2 of P001"
+  /// "Trial 3, attempt 1 · P001"
   static QString title(const AttemptDetail& detail);
-  /// Protocol, block, outcome, answer, times.
+  /// Session, protocol, block, outcome, answer, times.
   static QString summary(const AttemptDetail& detail);
   /// Whether it counts, and if not, why.
   static QString standing(const AttemptDetail& detail);

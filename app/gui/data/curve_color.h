@@ -16,7 +16,7 @@ inline QColor curve_color(int index) {
 
 /// "━ name" in that colour, for a heading in rich text.
 inline QString curve_key(const QColor& color, const QString& name) {
-  return QString("&nbsp;&nbsp; <span style='color:%1'>━</span> %2")
+  return QString("&nbsp; <span style='color:%1'>━</span>&nbsp;%2")
       .arg(color.name(), name.toHtmlEscaped());
 }
 

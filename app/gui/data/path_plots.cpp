@@ -84,8 +84,10 @@ void PathPlots::show_surfaces(const RecordingCurves& curves, std::optional<int> 
   }
   extent_.reset();
   highest_ = 0.0;
-  QString path = QString("<b>%1</b>").arg(tr("PATH mm, from above"));
-  QString spectrum = QString("<b>%1</b>").arg(tr("SPECTRUM N/√Hz of the force sent"));
+  QString path =
+      QString("<b>%1</b>&nbsp;&nbsp; %2").arg(tr("PATH from above, y mm"), tr("surface"));
+  QString spectrum = QString("<b>%1</b>&nbsp;&nbsp; %2")
+                         .arg(tr("SPECTRUM of the sent force, N/√Hz"), tr("surface"));
   double longest_s = 0.0;
   for (const SurfaceCurves& surface : curves.surfaces) {
     if (position && surface.position != *position) continue;
@@ -97,9 +99,9 @@ void PathPlots::show_surfaces(const RecordingCurves& curves, std::optional<int> 
     longest_s = std::max(longest_s, surface.longest_contact.duration_s());
   }
   if (longest_s > 0.0) {
-    spectrum += position ? tr("&nbsp; in its longest contact, %1 s")
+    spectrum += position ? tr(", in its longest contact of %1 s")
                                .arg(QString::fromStdString(fixed(longest_s, 1)))
-                         : tr("&nbsp; each in its longest contact");
+                         : tr(", each in its longest contact");
   }
   path_heading_->setText(path);
   spectrum_heading_->setText(spectrum);

@@ -30,12 +30,12 @@ QColor contact_color() { return faint(theme().muted, theme().dark ? 0.22F : 0.14
 QColor band_color() { return faint(theme().fine, theme().dark ? 0.24F : 0.16F); }
 
 QString area_key(const QColor& color, const QString& name) {
-  return QString("&nbsp;&nbsp; <span style='background:%1'>&nbsp;&nbsp;&nbsp;&nbsp;</span> %2")
+  return QString("&nbsp; <span style='background:%1'>&nbsp;&nbsp;&nbsp;&nbsp;</span>&nbsp;%2")
       .arg(color.name(QColor::HexArgb), name.toHtmlEscaped());
 }
 
 QString mark_key(const QColor& color, const QString& mark, const QString& name) {
-  return QString("&nbsp;&nbsp; <span style='color:%1'>%2</span> %3")
+  return QString("&nbsp; <span style='color:%1'>%2</span>&nbsp;%3")
       .arg(color.name(), mark, name.toHtmlEscaped());
 }
 
@@ -116,7 +116,6 @@ void TimePlots::add_strip(const char* name, const QString& heading, std::vector<
   plot.setNotAntialiasedElements(QCP::aeAll);
   plot.addLayer("areas", plot.layer("grid"), QCustomPlot::limBelow);
   style_plot(plot);
-  plot.yAxis->ticker()->setTickCount(3);
   plot.yAxis2->setRange(0.0, 1.0);
   plot.axisRect()->setAutoMargins(QCP::msNone);
   plot.axisRect()->setRangeDrag(Qt::Horizontal);
@@ -192,17 +191,12 @@ void TimePlots::write_headings() {
     for (const Curve& curve : strip.curves) {
       if (!curve.name.isEmpty()) text += curve_key(curve_color(curve.color), curve.name);
     }
-    if (strip.missed != nullptr) {
-      text += area_key(contact_color(), tr("contact"));
-    }
+    // In the force's there is no room for all of them.
+    if (&strip == &strips_[1]) text += area_key(contact_color(), tr("in contact"));
     if (strip.band->visible()) text += area_key(band_color(), tr("asked"));
     if (strip.missed != nullptr) {
-      text += mark_key(
-          theme().stop, "▼",
-          tr("%n missed deadline(s)", nullptr, static_cast<int>(curves_->missed_s.size())));
-      text +=
-          mark_key(theme().look, "■",
-                   tr("%n limited tick(s)", nullptr, static_cast<int>(curves_->limited_s.size())));
+      text += mark_key(theme().stop, "▼", tr("%1 missed").arg(curves_->missed_s.size()));
+      text += mark_key(theme().look, "■", tr("%1 limited").arg(curves_->limited_s.size()));
     }
     strip.heading->setText(text);
   }
@@ -249,6 +243,9 @@ void TimePlots::draw() {
   following_ = true;
   for (Strip& strip : strips_) {
     strip.plot->xAxis->setRange(seen_.begin_s, seen_.end_s);
+    // Labels of a low plot would touch.
+    constexpr int kLow = 56;
+    strip.plot->yAxis->ticker()->setTickCount(strip.plot->axisRect()->height() < kLow ? 2 : 3);
     const int columns = std::max(1, strip.plot->axisRect()->width());
     for (Curve& curve : strip.curves) {
       QVector<QCPGraphData> points{};

@@ -4,6 +4,7 @@
 
 #include <QtCore/QRegularExpression>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QTabBar>
 #include <QtWidgets/QTabWidget>
 
 #include "app/gui/data/attempt_words.h"
@@ -110,6 +111,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   body().addWidget(form_);
   tabs_ = new QTabWidget(this);
   tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setDrawBase(false);
   using Align = StudyTable::Align;
   trials_ = new StudyTable({{tr("Trial"), 80, Align::number},
                             {tr("Attempt"), 96, Align::number},

@@ -23,6 +23,7 @@
 #include "app/gui/study/trials_page.h"
 #include "app/tasks/simulation.h"
 #include "results_schema/atomic_file.h"
+#include "tests/app/made_up_study.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
@@ -94,6 +95,7 @@ TEST_F(DataView, ShowsTheNumbersOfTheStore) {
   const AttemptRow stored = attempt(1);
   show_attempt(page, stored);
   EXPECT_EQ(text(page, "attempt_place"), "2 of 3");
+  EXPECT_FALSE(child<QLabel>(page, "attempt_names").isVisible());  // the session is over
   const auto& answers = child<StudyTable>(page, "attempt_answers");
   ASSERT_EQ(answers.shown_rows(), 1);
   EXPECT_EQ(answers.text_at(0, 2), QString::fromStdString(stored.responses.at(0).answer));
@@ -247,6 +249,64 @@ TEST_F(DataView, SaysWhatIsWrongWithABrokenRecordingAndShowsTheRest) {
   EXPECT_TRUE(eventually([&] { return shows_recording(page); }));
 }
 
+/// An answered attempt that nobody recorded, in a session that was stopped.
+AttemptRow unrecorded_attempt(MadeUpStudy& made) {
+  made.add_person("P001", "F");
+  SessionRow session{};
+  session.participant = "P001";
+  session.protocol_id = made.add_protocol("made_up", "recognition");
+  session.seed = "1";
+  session.device_json = "{}";
+  session.pacing = "stepped";
+  session.rate_Hz = 1000.0;
+  session.started_utc = "2026-03-02T09:00:00Z";
+  PlannedTrialRow planned{};
+  planned.trial = 1;
+  planned.block = "main";
+  planned.block_ordinal = 1;
+  planned.phase = "main";
+  Study& study = made.study();
+  const std::int64_t id = study.add_session(session, {planned});
+  AttemptRow attempt{};
+  attempt.trial = 1;
+  attempt.attempt = 1;
+  attempt.segment = study.begin_segment(id, 0);
+  attempt.offset_ns = 1'000'000'000;
+  attempt.presentations = {surface_of("A", "height_map", "brick")};
+  attempt.presentations[0].position = 1;
+  ResponseRow answer{};
+  answer.question = "recognised";
+  answer.answer = "A";
+  answer.source = "keyboard";
+  attempt.responses = {answer};
+  study.add_attempt(id, attempt);
+  study.end_segment(id, attempt.segment, attempt.offset_ns, "stopped");
+  study.end_session(id, SessionState::stopped, "2026-03-02T10:00:00Z");
+  return study.attempts(id).at(0);
+}
+
+TEST_F(DataView, ShowsAnAttemptThatWasNotRecorded) {
+  MadeUpStudy made;
+  const AttemptRow stored = unrecorded_attempt(made);
+  OpenStudy study(made.folder());
+  AttemptPage page(study);
+  show_attempt(page, stored);
+  EXPECT_TRUE(text(page, "recording_reason").contains("has no recording"));
+  EXPECT_EQ(child<StudyTable>(page, "attempt_answers").text_at(0, 2), "A");
+  EXPECT_FALSE(child<QPushButton>(page, "attempt_next").isEnabled());
+  EXPECT_EQ(text(page, "attempt_place"), "1 of 1");
+}
+
+TEST_F(DataView, WarnsOfNamesWhileASessionCanGoOn) {
+  MadeUpStudy made;
+  const AttemptRow stored = unrecorded_attempt(made);
+  OpenStudy study(made.folder());
+  AttemptPage page(study);
+  show_attempt(page, stored);
+  EXPECT_TRUE(child<QLabel>(page, "attempt_names").isVisible());
+  EXPECT_TRUE(text(page, "attempt_names").contains("no longer blind"));
+}
+
 TEST_F(DataView, RefusesARecordingOfAnotherAttempt) {
   const AttemptRow stored = attempt(0);
   std::filesystem::copy_file(folder() / attempt(1).recording->path,
@@ -368,6 +428,7 @@ TEST_F(DataView, LooksAsItShould) {
     window.show();
     ASSERT_TRUE(window.open_study(folder()));
     child<TrialsPage>(window, "trials_page").show_session(session_id_);
+    window.show_page("sessions");
     window.show_page("trials");
     auto& trials = child<StudyTable>(window, "trials_table");
     ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 3; }));
