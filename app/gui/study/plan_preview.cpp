@@ -143,10 +143,23 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
-  layout->addWidget(make_choice());
+  auto* choice = new QHBoxLayout();
+  choice->setSpacing(kGrid);
+  layout->addLayout(choice);
+  add_choice(*choice);
   words_ = make_text({}, this, true);
   words_->setObjectName("plan_words");
-  layout->addWidget(words_);
+  if (shape == Shape::wide) {
+    choice->addSpacing(kGrid);
+    choice->addWidget(words_, 1);
+  } else {
+    choice->addStretch(1);
+    layout->addWidget(words_);
+  }
+  QPushButton* another = make_button(tr("Another order"), ButtonRole::link, this);
+  another->setObjectName("plan_another");
+  choice->addWidget(another);
+  connect(another, &QPushButton::clicked, this, [this] { seed_->setValue(seed_->value() + 1); });
   using Align = StudyTable::Align;
   if (shape == Shape::wide) {
     table_ = new StudyTable({{tr("Step"), 80, Align::number},
@@ -161,16 +174,22 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
     splitter->setChildrenCollapsible(false);
     splitter->setHandleWidth(kGrid);
     splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
-    table_ = new StudyTable({{tr("Step"), 64, Align::number},
-                             {tr("Trial"), 64, Align::number},
-                             {tr("Block"), 168, Align::text},
-                             {tr("Surfaces in order"), 0, Align::text}},
+    table_ = new StudyTable({{tr("Step"), 56, Align::number},
+                             {tr("Trial"), 56, Align::number},
+                             {tr("Block"), 136, Align::text},
+                             {tr("Surfaces"), 0, Align::text}},
                             splitter);
+    const QFont small = text_font(TextSize::small);
+    words_->setFont(small);
+    table_->setFont(small);
+    table_->horizontalHeader()->setFont(small);
+    table_->verticalHeader()->setDefaultSectionSize(3 * kGrid);
     auto* scroll = new QScrollArea(splitter);
     scroll->setWidgetResizable(true);
     scroll->viewport()->setAutoFillBackground(false);
     detail_ = make_text({}, scroll);
     detail_->setObjectName("plan_detail");
+    detail_->setFont(small);
     detail_->setTextFormat(Qt::RichText);
     detail_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     scroll->setWidget(detail_);
@@ -189,19 +208,15 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
   table_->horizontalHeader()->setSortIndicatorShown(false);  // the order of the session is plain
 }
 
-QWidget* PlanPreview::make_choice() {
-  auto* choice = new QWidget(this);
-  auto* row = new QHBoxLayout(choice);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kGrid);
+void PlanPreview::add_choice(QHBoxLayout& row) {
   const auto add = [&](const QString& name, const char* object, int least, int most) {
-    auto* spin = new QSpinBox(choice);
+    auto* spin = new QSpinBox(this);
     spin->setObjectName(object);
     spin->setRange(least, most);
     spin->setPrefix(name + ' ');
     spin->setAccessibleName(name);
     spin->setFixedWidth(128);
-    row->addWidget(spin);
+    row.addWidget(spin);
     connect(spin, &QSpinBox::valueChanged, this, &PlanPreview::make_plan_anew);
     return spin;
   };
@@ -210,15 +225,9 @@ QWidget* PlanPreview::make_choice() {
   seed_->setToolTip(tr("What is random is drawn anew for every session."));
   row_ = add(tr("Row"), "plan_row", 1, 1);
   row_->setToolTip(tr("The row of the counterbalancing, which goes on from person to person."));
-  rows_ = make_text({}, choice, true);
+  rows_ = make_text({}, this, true);
   rows_->setWordWrap(false);
-  row->addWidget(rows_);
-  row->addStretch(1);
-  QPushButton* another = make_button(tr("Another order"), ButtonRole::link, choice);
-  another->setObjectName("plan_another");
-  row->addWidget(another);
-  connect(another, &QPushButton::clicked, this, [this] { seed_->setValue(seed_->value() + 1); });
-  return choice;
+  row.addWidget(rows_);
 }
 
 Allocation PlanPreview::allocation() const {

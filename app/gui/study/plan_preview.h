@@ -9,6 +9,7 @@
 #include "app/gui/workbench/newest_work.h"
 #include "protocols/plan.h"
 
+class QHBoxLayout;
 class QLabel;
 class QSpinBox;
 
@@ -30,7 +31,7 @@ class PlanPreview final : public QWidget {
   Allocation allocation() const;
 
  private:
-  QWidget* make_choice();
+  void add_choice(QHBoxLayout& row);
   void make_plan_anew();
   void show_plan();
   void show_step(int step);
