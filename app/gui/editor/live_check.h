@@ -1,0 +1,51 @@
+// The checks of a text that is being typed: off the GUI thread, and only the newest text counts.
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <QtCore/QObject>
+#include <QtCore/QTimer>
+
+#include "app/gui/workbench/newest_work.h"
+#include "app/tasks/protocol_files.h"
+
+namespace asperity {
+
+/// Waits until the typing pauses, takes the text and has it checked. What comes back for a text that
+/// was changed meanwhile is dropped. Belongs to the GUI thread.
+class LiveCheck final : public QObject {
+  Q_OBJECT
+ public:
+  using Text = std::function<std::string()>;                       ///< on the GUI thread
+  using Check = std::function<ProtocolCheck(const std::string&)>;  ///< on the worker
+  using Result = std::shared_ptr<const ProtocolCheck>;
+
+  LiveCheck(Text text, Check check, QObject* parent = nullptr);
+
+  /// The text has changed: what is known of it no longer holds.
+  void want();
+  /// Without waiting for a pause.
+  void want_now();
+  /// Neither waiting nor checking: what `checked` said last holds.
+  bool is_settled() const noexcept { return settled_; }
+
+ signals:
+  void checked(const asperity::LiveCheck::Result& result);
+  void failed(const QString& what);
+
+ private:
+  void begin();
+
+  Text text_{};
+  Check check_{};
+  QTimer pause_{};
+  std::uint64_t wanted_ = 0;
+  bool settled_ = true;
+  NewestWork work_{};
+};
+
+}  // namespace asperity

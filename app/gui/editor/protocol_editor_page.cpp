@@ -1,0 +1,523 @@
+#include "app/gui/editor/protocol_editor_page.h"
+
+#include <utility>
+
+#include <QtCore/QFileSystemWatcher>
+#include <QtGui/QShortcut>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QSplitter>
+#include <QtWidgets/QStackedWidget>
+
+#include "app/gui/editor/find_bar.h"
+#include "app/gui/editor/protocol_text_edit.h"
+#include "app/gui/editor/question_bar.h"
+#include "app/gui/study/plan_preview.h"
+#include "app/gui/study/study_table.h"
+#include "results_schema/atomic_file.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 4U << 20U;  // what the reader of protocols accepts
+constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+QSplitter* make_splitter(Qt::Orientation orientation, QWidget* parent) {
+  auto* splitter = new QSplitter(orientation, parent);
+  splitter->setChildrenCollapsible(false);
+  splitter->setHandleWidth(kMargin);
+  splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
+  return splitter;
+}
+
+/// "1.2.3" → "1.2.4"; empty when it is no version.
+QString raised(const QString& version) {
+  QStringList numbers = version.split('.');
+  bool is_number = false;
+  const int last = numbers.back().toInt(&is_number);
+  if (numbers.size() != 3 || !is_number) return {};
+  numbers.back() = QString::number(last + 1);
+  return numbers.join('.');
+}
+
+QString how_many_problems(std::size_t count) {
+  return count == 1 ? ProtocolEditorPage::tr("1 problem")
+                    : ProtocolEditorPage::tr("%1 problems").arg(count);
+}
+
+std::optional<std::string> content_on_disk(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return {};
+  return read_file(file);
+}
+
+}  // namespace
+
+/// What came of an attempt to save.
+struct ProtocolEditorPage::Saving {
+  std::string written{};
+  int revision = 0;                     ///< of the text that was written
+  std::optional<std::string> theirs{};  ///< somebody has changed the file: nothing was written
+  std::optional<VersionUse> use{};  ///< the version stands for another text: nothing was written
+  std::string not_looked_up{};      ///< why it is not known whether it does
+};
+
+ProtocolEditorPage::ProtocolEditorPage(OpenStudy& study, QWidget* parent)
+    : StudyPage(study, tr("Protocol"), parent), help_(declarations_of(study.models())) {
+  setObjectName("editor_page");
+  make_head();
+  question_ = new QuestionBar(this);
+  body().addWidget(question_);
+  QSplitter* sides = make_splitter(Qt::Horizontal, this);
+  sides->addWidget(make_text_side());
+  sides->addWidget(make_plan_side());
+  sides->setStretchFactor(0, 5);
+  sides->setStretchFactor(1, 3);
+  sides->setSizes({960, 640});
+  body().addWidget(sides, 1);
+  auto* empty =
+      new EmptyState(tr("No protocol is open"),
+                     tr("Choose one among the study's protocols and press \"Edit\"."), this);
+  empty->add_action(tr("Show the protocols"), ButtonRole::primary, [this] { emit back_wanted(); });
+  set_empty_state(empty);
+  show_empty(true);
+
+  watcher_ = new QFileSystemWatcher(this);
+  connect(watcher_, &QFileSystemWatcher::fileChanged, this, &ProtocolEditorPage::look_at_disk);
+  connect(watcher_, &QFileSystemWatcher::directoryChanged, this, &ProtocolEditorPage::look_at_disk);
+  check_ = new LiveCheck(
+      [this] { return as_it_is_ ? on_disk_ : content(); },
+      [&models = study.models(), folder = study.folder()](const std::string& written) {
+        return check_protocol_text(written, {}, models, folder, std::nullopt);
+      },
+      this);
+  connect(check_, &LiveCheck::checked, this, &ProtocolEditorPage::show_checked);
+  connect(check_, &LiveCheck::failed, this,
+          [this](const QString& what) { state_->set_state(State::unknown, what); });
+  connect(edit_, &QPlainTextEdit::textChanged, this, [this] {
+    state_->set_state(State::unknown, tr("checking…"));
+    check_->want();
+  });
+  connect(edit_, &QPlainTextEdit::cursorPositionChanged, this, &ProtocolEditorPage::show_help);
+  connect(edit_->document(), &QTextDocument::modificationChanged, this,
+          &ProtocolEditorPage::show_whether_saved);
+  const auto add_key = [this](QKeySequence::StandardKey key, auto act) {
+    auto* shortcut = new QShortcut(QKeySequence(key), this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, this, act);
+  };
+  add_key(QKeySequence::Save, [this] { save_->click(); });
+  add_key(QKeySequence::Find, [this] { find_->begin(); });
+}
+
+void ProtocolEditorPage::make_head() {
+  note_ = make_text({}, this, true);
+  note_->setObjectName("editor_note");
+  note_->setWordWrap(false);
+  QPushButton* find = make_button(tr("Find"), ButtonRole::plain, this);
+  find->setObjectName("editor_find");
+  save_ = make_button(tr("Save"), ButtonRole::primary, this);
+  save_->setObjectName("editor_save");
+  QPushButton* back = make_button(tr("← All protocols"), ButtonRole::link, this);
+  back->setObjectName("editor_back");
+  head().addWidget(note_);
+  head().addSpacing(kGrid);
+  head().addWidget(find);
+  head().addWidget(save_);
+  head().addWidget(back);
+  connect(find, &QPushButton::clicked, this, [this] { find_->begin(); });
+  connect(save_, &QPushButton::clicked, this, [this] { save(Agreed::nothing); });
+  connect(back, &QPushButton::clicked, this, [this] {
+    if (may_leave([this] { emit back_wanted(); })) emit back_wanted();
+  });
+}
+
+QWidget* ProtocolEditorPage::make_text_side() {
+  QSplitter* side = make_splitter(Qt::Vertical, this);
+  auto* above = new QWidget(side);
+  auto* layout = new QVBoxLayout(above);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid);
+  edit_ = new ProtocolTextEdit(above);
+  edit_->setObjectName("editor_text");
+  edit_->setAccessibleName(tr("Text of the protocol"));
+  find_ = new FindBar(*edit_, above);
+  find_->setObjectName("editor_find_bar");
+  key_help_ = make_text({}, above);
+  key_help_->setObjectName("editor_help");
+  key_help_->setFont(text_font(TextSize::small));
+  key_help_->setTextFormat(Qt::RichText);
+  key_help_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  key_help_->setFixedHeight(3 * QFontMetrics(key_help_->font()).lineSpacing());
+  layout->addWidget(find_);
+  layout->addWidget(edit_, 1);
+  layout->addWidget(key_help_);
+  side->addWidget(above);
+
+  auto* below = new QWidget(side);
+  layout = new QVBoxLayout(below);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid);
+  state_ = new StateLabel(below);
+  state_->setObjectName("editor_state");
+  problems_ = new StudyTable({{tr("Line"), 72, StudyTable::Align::number},
+                              {tr("Problem"), 0, StudyTable::Align::text},
+                              {tr("Place"), 208, StudyTable::Align::text}},
+                             below);
+  problems_->setObjectName("editor_problems");
+  problems_->setFont(text_font(TextSize::small));
+  problems_->horizontalHeader()->setFont(text_font(TextSize::small));
+  problems_->setWordWrap(true);
+  problems_->setTextElideMode(Qt::ElideNone);
+  problems_->horizontalHeader()->setSortIndicatorShown(false);
+  problems_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  layout->addWidget(state_);
+  layout->addWidget(problems_, 1);
+  side->addWidget(below);
+  side->setStretchFactor(0, 3);
+  side->setStretchFactor(1, 1);
+  side->setSizes({480, 168});
+  connect(problems_, &QTableView::clicked, this,
+          [this] { go_to_problem(problems_->selected_key()); });
+  connect(problems_, &StudyTable::row_opened, this, &ProtocolEditorPage::go_to_problem);
+  return side;
+}
+
+QWidget* ProtocolEditorPage::make_plan_side() {
+  QVBoxLayout* layout = nullptr;
+  QFrame* card = make_card(this, layout);
+  layout->addWidget(make_heading(tr("The plan it expands to"), card));
+  plan_side_ = new QStackedWidget(card);
+  plan_side_->setObjectName("editor_plan_side");
+  plan_ = new PlanPreview(PlanPreview::Shape::tall, plan_side_);
+  why_no_plan_ = make_text({}, plan_side_, true);
+  why_no_plan_->setObjectName("editor_why_no_plan");
+  why_no_plan_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  plan_side_->addWidget(plan_);
+  plan_side_->addWidget(why_no_plan_);
+  plan_side_->setCurrentWidget(why_no_plan_);
+  layout->addWidget(plan_side_, 1);
+  return card;
+}
+
+void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
+  if (protocol == file_) {
+    look_at_disk();
+    edit_->setFocus();
+    return;
+  }
+  if (!may_leave([this, protocol] { open(protocol); })) return;
+  std::string bytes{};
+  try {
+    if (std::filesystem::file_size(protocol) > kLargestFile) {
+      throw ResultsError(
+          protocol.string() + " is larger than 4 MiB; a protocol is a small text file", protocol);
+    }
+    bytes = read_file(protocol);
+  } catch (const std::exception& error) {
+    banner().show_news(
+        State::stop, tr("The protocol could not be read: %1").arg(QString::fromUtf8(error.what())));
+    return;
+  }
+  banner().hide();
+  question_->hide();
+  file_ = protocol;
+  title().setText(text(protocol.filename().string()));
+  show_empty(false);
+  show_content(bytes);
+  watch_file();
+  edit_->setFocus();
+}
+
+bool ProtocolEditorPage::has_unsaved_changes() const {
+  return !file_.empty() && edit_->document()->isModified();
+}
+
+std::string ProtocolEditorPage::content() const {
+  QString written = edit_->text();
+  if (dos_lines_) written.replace('\n', "\r\n");
+  return written.toStdString();
+}
+
+/// What the field is to hold for these bytes; remembers how to get back from it.
+QString ProtocolEditorPage::decoded(const std::string& bytes) {
+  byte_order_mark_ = bytes.starts_with(kByteOrderMark);
+  QString shown = QString::fromUtf8(bytes.data(), static_cast<qsizetype>(bytes.size()));
+  dos_lines_ = shown.contains("\r\n") && shown.count('\n') == shown.count("\r\n");
+  if (dos_lines_) shown.replace("\r\n", "\n");
+  return shown;
+}
+
+void ProtocolEditorPage::show_content(const std::string& bytes) {
+  as_it_is_ = false;
+  edit_->setPlainText(decoded(bytes));  // forgets the undo of another file
+  on_disk_ = bytes;
+  as_it_is_ = (byte_order_mark_ ? kByteOrderMark : "") + content() != bytes;
+  edit_->setReadOnly(as_it_is_);
+  // Saving is of use then: it leaves the mark out, which no protocol may have.
+  edit_->document()->setModified(byte_order_mark_ && !as_it_is_);
+  if (as_it_is_) {
+    banner().show_news(
+        State::look,
+        tr("This file cannot be changed here: it holds bytes that would be lost, because it is not "
+           "UTF-8, or its lines end in different ways. Save it as UTF-8 with another program."));
+  }
+  show_whether_saved();
+  check_->want_now();
+}
+
+/// The same in place of what is in the field, which stays a step of the undo.
+void ProtocolEditorPage::take_content(const std::string& bytes) {
+  const QString shown = decoded(bytes);
+  edit_->setReadOnly(false);
+  edit_->replace_text(shown);
+  if ((byte_order_mark_ ? kByteOrderMark : "") + content() != bytes) {
+    show_content(bytes);
+    return;
+  }
+  on_disk_ = bytes;
+  as_it_is_ = false;
+  edit_->document()->setModified(byte_order_mark_);
+  show_whether_saved();
+  check_->want_now();
+}
+
+void ProtocolEditorPage::show_whether_saved() {
+  const bool changed = has_unsaved_changes();
+  const bool saving = save_task_.is_running();
+  save_->setEnabled(changed && !saving && !as_it_is_);
+  note_->setText(as_it_is_ ? tr("Cannot be changed here")
+                 : saving  ? tr("Saving…")
+                 : changed ? tr("● Unsaved changes")
+                           : tr("No unsaved changes"));
+}
+
+void ProtocolEditorPage::show_checked(const LiveCheck::Result& result) {
+  result_ = result;
+  const std::vector<Diagnostic>& problems = result->diagnostics;
+  edit_->show_problems(problems);
+  std::vector<StudyTable::Row> rows{};
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    rows.push_back({QString::number(i),
+                    {number_cell(problems[i].line), text_cell(text(problems[i].message)),
+                     text_cell(text(problems[i].pointer))}});
+  }
+  problems_->fill(rows);
+  if (problems.empty()) {
+    state_->set_state(State::fine, tr("valid"));
+  } else {
+    state_->set_state(State::stop, how_many_problems(problems.size()));
+  }
+  show_plan_or_why_not();
+}
+
+void ProtocolEditorPage::show_plan_or_why_not() {
+  if (result_->diagnostics.empty() && result_->protocol) {
+    plan_->show_protocol(*result_->protocol);
+    plan_side_->setCurrentWidget(plan_);
+    return;
+  }
+  why_no_plan_->setText(tr("The plan appears here once the text is valid. It has %1 now; the first "
+                           "is in line %2.")
+                            .arg(how_many_problems(result_->diagnostics.size()))
+                            .arg(result_->diagnostics.front().line));
+  plan_side_->setCurrentWidget(why_no_plan_);
+}
+
+void ProtocolEditorPage::show_help() {
+  const auto help = help_.of(json_place(edit_->text(), edit_->textCursor().position()));
+  if (!help) {
+    key_help_->setText(
+        QString("<span style='color:%1'>%2</span>")
+            .arg(theme().muted.name(), tr("What the key under the cursor means is said here.")));
+    return;
+  }
+  key_help_->setText(QString("<b>%1</b>&nbsp; %2<br><span style='color:%3'>%4</span>")
+                         .arg(help->key.toHtmlEscaped(), help->meaning.toHtmlEscaped(),
+                              theme().muted.name(), help->form.toHtmlEscaped()));
+}
+
+void ProtocolEditorPage::go_to_problem(const QString& key) {
+  const auto& places = edit_->underlined();
+  const int problem = key.toInt();
+  if (key.isEmpty() || problem >= places.size()) return;
+  edit_->go_to(places[problem].cursor.selectionStart());
+}
+
+bool ProtocolEditorPage::may_leave(std::function<void()> then) {
+  if (!has_unsaved_changes()) return true;
+  then_ = std::move(then);
+  question_->ask(tr("%1 has changes that are not saved.").arg(text(file_.filename().string())),
+                 {{"editor_leave_save", tr("Save"), [this] { save(Agreed::nothing); }},
+                  {"editor_leave_discard", tr("Discard the changes"),
+                   [this] {
+                     take_content(on_disk_);
+                     edit_->document()->setModified(false);
+                     leave();
+                   }},
+                  {"editor_leave_stay", tr("Keep editing"), [this] {
+                     then_ = {};
+                     edit_->setFocus();
+                   }}});
+  return false;
+}
+
+/// What waited for the changes to be saved or discarded.
+void ProtocolEditorPage::leave() {
+  if (!then_) return;
+  // Later: it may delete this page, whose button or task is at work just now.
+  QMetaObject::invokeMethod(window(), std::exchange(then_, {}), Qt::QueuedConnection);
+}
+
+void ProtocolEditorPage::save(Agreed agreed) {
+  if (file_.empty() || as_it_is_ || save_task_.is_running()) return;
+  question_->hide();
+  save_task_.run<Saving>(
+      [file = file_, folder = study().folder(), written = content(), before = on_disk_, agreed,
+       revision = edit_->document()->revision()](const std::stop_token&,
+                                                 const BackgroundTask::Progress&) {
+        Saving saving{};
+        saving.written = written;
+        saving.revision = revision;
+        if (auto now = content_on_disk(file); now && *now != before && *now != written) {
+          saving.theirs = std::move(now);
+          return saving;
+        }
+        if (agreed == Agreed::nothing) {
+          try {
+            const Study own = Study::open(folder, Access::read_only);
+            saving.use = other_text_of_version(own, written);
+          } catch (const std::exception& error) {
+            saving.not_looked_up = error.what();  // no reason to lose what was typed
+          }
+          if (saving.use) return saving;
+        }
+        write_file(file, written, Overwrite::allow);
+        return saving;
+      },
+      [this](const Saving& saving) { end_saving(saving); },
+      [this](const QString& what) {
+        then_ = {};
+        show_whether_saved();
+        banner().show_news(State::stop, tr("The protocol could not be saved: %1").arg(what),
+                           tr("Try again"), [this] { save(Agreed::nothing); });
+      });
+  show_whether_saved();
+}
+
+void ProtocolEditorPage::end_saving(const Saving& saving) {
+  if (saving.theirs || saving.use) {
+    show_whether_saved();
+    if (saving.theirs) {
+      ask_about_theirs(*saving.theirs, Then::save);
+    } else {
+      ask_about_version(*saving.use);
+    }
+    return;
+  }
+  on_disk_ = saving.written;
+  byte_order_mark_ = false;
+  if (edit_->document()->revision() == saving.revision) edit_->document()->setModified(false);
+  show_whether_saved();
+  banner().hide();
+  if (!saving.not_looked_up.empty()) {
+    banner().show_news(
+        State::look, tr("Saved. Whether sessions were run with another text of this version could "
+                        "not be looked up: %1")
+                         .arg(text(saving.not_looked_up)));
+  }
+  watch_file();
+  study().announce_change();
+  emit saved(text(file_.string()));
+  if (!has_unsaved_changes()) leave();
+}
+
+void ProtocolEditorPage::ask_about_theirs(const std::string& theirs, Then then) {
+  question_->ask(
+      tr("%1 was changed by another program since it was opened here.")
+          .arg(text(file_.filename().string())),
+      {{"editor_take_theirs", tr("Take theirs"),
+        [this, theirs] {
+          take_content(theirs);
+          banner().show_news(State::look, tr("The text of the other program is shown. Undo brings "
+                                             "yours back."));
+          leave();
+        }},
+       {"editor_keep_mine", then == Then::save ? tr("Keep mine and save") : tr("Keep mine"),
+        [this, theirs, then] {
+          on_disk_ = theirs;  // known now: no reason to ask again
+          edit_->setFocus();
+          if (then == Then::save) save(Agreed::nothing);
+        }}});
+}
+
+void ProtocolEditorPage::ask_about_version(const VersionUse& use) {
+  const QString version = text(use.version);
+  const QString next = raised(version);
+  std::vector<QuestionBar::Answer> answers{};
+  if (!next.isEmpty()) {
+    answers.push_back({"editor_raise_version", tr("Raise to %1 and save").arg(next), [this] {
+                         raise_version();
+                         save(Agreed::nothing);
+                       }});
+  }
+  answers.push_back(
+      {"editor_save_anyway", tr("Save under the same version"), [this] { save(Agreed::version); }});
+  answers.push_back({"editor_do_not_save", tr("Do not save yet"), [this] {
+                       then_ = {};
+                       edit_->setFocus();
+                     }});
+  question_->ask(
+      use.sessions == 1
+          ? tr("One session was run with version %1 of another text; raise the version, so that "
+               "the "
+               "data can be told apart.")
+                .arg(version)
+          : tr("%1 sessions were run with version %2 of another text; raise the version, so that "
+               "the data can be told apart.")
+                .arg(use.sessions)
+                .arg(version),
+      answers);
+}
+
+void ProtocolEditorPage::raise_version() {
+  const QString written = edit_->text();
+  const auto range = string_of_key(written, u"version");
+  if (!range) return;
+  const QString version = written.mid(range->start + 1, range->length - 2);
+  edit_->replace(*range, '"' + raised(version) + '"');
+}
+
+// Whoever puts a new file in the old one's place ends the watch on it.
+void ProtocolEditorPage::watch_file() {
+  const QStringList watched = watcher_->files() + watcher_->directories();
+  if (!watched.isEmpty()) watcher_->removePaths(watched);
+  watcher_->addPath(text(file_.parent_path().string()));
+  if (std::filesystem::exists(file_)) watcher_->addPath(text(file_.string()));
+}
+
+void ProtocolEditorPage::look_at_disk() {
+  if (file_.empty() || save_task_.is_running()) return;
+  std::optional<std::string> now{};
+  try {
+    now = content_on_disk(file_);
+  } catch (const std::exception&) {
+    return;  // being written: there will be more news; and saving looks again
+  }
+  if (!now || now->size() > kLargestFile || *now == on_disk_) return;
+  watch_file();
+  if (*now == content()) {
+    on_disk_ = *now;
+    edit_->document()->setModified(false);
+  } else if (has_unsaved_changes()) {
+    ask_about_theirs(*now, Then::nothing);
+  } else {
+    take_content(*now);
+    banner().show_news(State::look,
+                       tr("The file was changed by another program; its text is shown now. Undo "
+                          "brings back the one before."));
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,104 @@
+// A protocol as text: checked while it is typed, beside the plan that it expands to.
+
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/gui/editor/live_check.h"
+#include "app/gui/editor/schema_help.h"
+#include "app/gui/look/background_task.h"
+#include "app/gui/study/study_page.h"
+
+class QFileSystemWatcher;
+class QStackedWidget;
+
+namespace asperity {
+
+class FindBar;
+class PlanPreview;
+class ProtocolTextEdit;
+class QuestionBar;
+class StudyTable;
+
+/// What is typed is in one of three places: in the file, in the field, or a step of its undo. A file
+/// that somebody else has changed is never written over without asking; a file that the field could
+/// not give back byte for byte is shown, but cannot be changed here.
+class ProtocolEditorPage final : public StudyPage {
+  Q_OBJECT
+ public:
+  explicit ProtocolEditorPage(OpenStudy& study, QWidget* parent = nullptr);
+
+  /// Shows the file; asks first when there are unsaved changes of another.
+  void open(const std::filesystem::path& protocol);
+  /// Empty while none is open.
+  const std::filesystem::path& file() const noexcept { return file_; }
+  bool has_unsaved_changes() const;
+
+  /// False with unsaved changes: then the page asks what is to become of them, and does `then` when
+  /// they are saved or discarded (later, so that it may delete the page).
+  bool may_leave(std::function<void()> then = {});
+
+  /// What would be written.
+  std::string content() const;
+  /// Null while nothing was checked.
+  const LiveCheck::Result& result() const noexcept { return result_; }
+  bool is_checked() const { return check_->is_settled(); }
+
+ signals:
+  void saved(const QString& file);
+  void back_wanted();
+
+ private:
+  enum class Agreed { nothing, version };
+  enum class Then { nothing, save };
+  struct Saving;
+
+  void make_head();
+  QWidget* make_text_side();
+  QWidget* make_plan_side();
+  void show_content(const std::string& bytes);
+  void take_content(const std::string& bytes);
+  QString decoded(const std::string& bytes);
+  void show_whether_saved();
+  void show_checked(const LiveCheck::Result& result);
+  void show_plan_or_why_not();
+  void show_help();
+  void go_to_problem(const QString& key);
+  void save(Agreed agreed);
+  void end_saving(const Saving& saving);
+  void ask_about_theirs(const std::string& theirs, Then then);
+  void ask_about_version(const VersionUse& use);
+  void raise_version();
+  void leave();
+  void watch_file();
+  void look_at_disk();
+
+  std::filesystem::path file_{};
+  std::string on_disk_{};         ///< as last read or written
+  bool dos_lines_ = false;        ///< lines end in "\r\n"
+  bool byte_order_mark_ = false;  ///< there was one; it is not written again
+  bool as_it_is_ = false;         ///< the field cannot hold the file: not to be changed
+  std::function<void()> then_{};  ///< what waits for the changes to be saved or discarded
+  LiveCheck::Result result_{};
+  SchemaHelp help_;
+  QFileSystemWatcher* watcher_ = nullptr;
+  QuestionBar* question_ = nullptr;
+  QLabel* note_ = nullptr;
+  QPushButton* save_ = nullptr;
+  ProtocolTextEdit* edit_ = nullptr;
+  FindBar* find_ = nullptr;
+  QLabel* key_help_ = nullptr;
+  StateLabel* state_ = nullptr;
+  StudyTable* problems_ = nullptr;
+  QStackedWidget* plan_side_ = nullptr;
+  PlanPreview* plan_ = nullptr;
+  QLabel* why_no_plan_ = nullptr;
+  LiveCheck* check_ = nullptr;
+  BackgroundTask save_task_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,531 @@
+// The protocol editor as an author meets it: typing, problems, the plan, saving, conflicts.
+
+#include "app/gui/editor/protocol_editor_page.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QSpinBox>
+#include <QtWidgets/QStackedWidget>
+
+#include "app/gui/editor/find_bar.h"
+#include "app/gui/editor/protocol_text_edit.h"
+#include "app/gui/editor/question_bar.h"
+#include "app/gui/study/plan_preview.h"
+#include "app/gui/study/study_table.h"
+#include "protocols/library_protocols.h"
+#include "results_schema/atomic_file.h"
+#include "tests/gui/study/lively_study.h"
+#include "tests/gui/study/quiet_home.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+std::string library_text(std::string_view name) {
+  for (const LibraryProtocol& protocol : library_protocols()) {
+    if (protocol.name == name) return std::string(protocol.text);
+  }
+  throw std::runtime_error("no such protocol");
+}
+
+class ProtocolEditor : public QuietHome {
+ protected:
+  ProtocolEditor() {
+    // Made once and copied: making it waits for the disk file by file.
+    static const QTemporaryDir made{};
+    const std::filesystem::path pattern = made.path().toStdString() + "/demo";
+    if (!std::filesystem::exists(pattern)) {
+      std::filesystem::copy(small_demo_study(), pattern, std::filesystem::copy_options::recursive);
+    }
+    folder_ = home() / "study";
+    std::filesystem::copy(pattern, folder_, std::filesystem::copy_options::recursive);
+    file_ = folder_ / "protocols" / "improved_recognition.json";
+    write_file(file_, library_text("improved_recognition"), Overwrite::refuse);
+  }
+
+  void open() {
+    study_ = std::make_unique<OpenStudy>(folder_);
+    page_ = std::make_unique<ProtocolEditorPage>(*study_);
+    page_->resize(1366, 768);
+    page_->show();
+    page_->open(file_);
+    ASSERT_TRUE(checked());
+  }
+  bool checked() {
+    return eventually([&] { return page_->is_checked(); });
+  }
+  ProtocolTextEdit& edit() { return child<ProtocolTextEdit>(*page_, "editor_text"); }
+  /// Puts the cursor before, or behind, the first place where these words stand.
+  void go_before(const QString& words) {
+    edit().go_to(static_cast<int>(edit().text().indexOf(words)));
+  }
+  void go_behind(const QString& words) {
+    edit().go_to(static_cast<int>(edit().text().indexOf(words) + words.size()));
+  }
+  void type(const QString& keys) { QTest::keyClicks(&edit(), keys); }
+  void click(const char* button) {
+    QTest::mouseClick(&child<QPushButton>(*page_, button), Qt::LeftButton);
+  }
+  QString label(const char* name) { return child<QLabel>(*page_, name).text(); }
+  bool asks() { return child<QuestionBar>(*page_, "editor_question").isVisible(); }
+  bool saved() {
+    return eventually([&] { return !page_->has_unsaved_changes(); });
+  }
+  QStringList underlined() {
+    QStringList words{};
+    for (const QTextEdit::ExtraSelection& underline : edit().underlined()) {
+      words.append(underline.cursor.selectedText());
+    }
+    return words;
+  }
+
+  std::filesystem::path folder_{};
+  std::filesystem::path file_{};
+  std::unique_ptr<OpenStudy> study_{};
+  std::unique_ptr<ProtocolEditorPage> page_{};
+};
+
+TEST_F(ProtocolEditor, ShowsAValidProtocolAsValid) {
+  open();
+  EXPECT_TRUE(label("editor_state").contains("✓"));
+  EXPECT_TRUE(label("editor_state").contains("valid"));
+  EXPECT_TRUE(underlined().isEmpty());
+  EXPECT_FALSE(page_->has_unsaved_changes());
+  EXPECT_EQ(page_->content(), library_text("improved_recognition"));
+}
+
+TEST_F(ProtocolEditor, UnderlinesWhatIsTypedWrongInItsPlace) {
+  open();
+  go_behind("hand_oc");
+  type("x");
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(underlined(), QStringList{"\"hand_ocxcluded\""});
+  EXPECT_TRUE(label("editor_state").contains("✕"));
+  EXPECT_TRUE(label("editor_state").contains("1 problem"));
+  const auto& problems = child<StudyTable>(*page_, "editor_problems");
+  ASSERT_EQ(problems.shown_rows(), 1);
+  EXPECT_EQ(problems.text_at(0, 0), "21");
+  EXPECT_EQ(problems.text_at(0, 2), "/environment/vision");
+  const int place = edit().underlined()[0].cursor.selectionStart();
+  EXPECT_EQ(edit().problems_at(place), problems.text_at(0, 1));
+  EXPECT_TRUE(edit().problems_at(place - 1).isEmpty());
+  EXPECT_EQ(edit().underlined()[0].format.underlineStyle(), QTextCharFormat::WaveUnderline);
+
+  QTest::keyClick(&edit(), Qt::Key_Backspace);
+  ASSERT_TRUE(checked());
+  EXPECT_TRUE(underlined().isEmpty());
+  EXPECT_EQ(problems.shown_rows(), 0);
+}
+
+TEST_F(ProtocolEditor, UnderlinesTheRightCharactersBehindAMicroSignAndAnEmoji) {
+  open();
+  go_before("\"vision\": \"hand_occluded\"");
+  edit().insertPlainText(QString::fromUtf8("\"$comment\": \"µm 😀😀\", "));
+  go_behind("\"vision\": \"hand_");
+  type("x");
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(underlined(), QStringList{"\"hand_xoccluded\""});
+}
+
+TEST_F(ProtocolEditor, FindsWhatCheckFindsInADozenBrokenProtocols) {
+  open();
+  const QString good = QString::fromStdString(library_text("improved_recognition"));
+  const std::array<std::pair<const char*, const char*>, 14> mutations{{
+      {"\"kind\": \"recognition\"", "\"kind\": \"recogniton\""},
+      {"\"version\": \"1.0.0\"", "\"version\": \"1.0\""},
+      {"\"level_dBA\": 65", "\"level_dBA\": 650"},
+      {"\"force_limit_N\": 5,", "\"force_limit_N\": 0,"},
+      {"\"picture\": \"stimuli/metal_photo.png\"", "\"picture\": \"stimuli/no_such.png\""},
+      {"\"factor\": \"texture\"", "\"factor\": \"textur\""},
+      {"\"model\": \"height_map\"", "\"model\": \"heigth_map\""},
+      {"\"exploration\": \"stroking\"", "\"exploration\": \"strokin\""},
+      {"{\"run\": \"familiarisation\"},", ""},
+      {"\"maximum_contact_s\": 15", "\"maximum_contact_s\": 1"},
+      {"\"correct\": 6,", "\"correct\": 9,"},
+      {"\"license\": \"CC0-1.0\",", "\"license\": \"CC0-1.0\" \"\","},
+      {"\"sessions\": 1,", "\"sessions\": 1, \"sessions\": 2,"},
+      {"\"every_tick\": true}\n}", "\"every_tick\": true}\n"},
+  }};
+  const std::filesystem::path other = home() / "other.json";
+  for (const auto& [right, wrong] : mutations) {
+    QString text = good;
+    ASSERT_TRUE(text.contains(right)) << right;
+    text.replace(text.indexOf(right), QString(right).size(), wrong);
+    edit().replace_text(text);
+    ASSERT_TRUE(checked());
+    write_file(other, text.toStdString(), Overwrite::allow);
+    const auto expected =
+        check_protocol(other, study_->models(), folder_, std::nullopt).diagnostics;
+    ASSERT_FALSE(expected.empty()) << wrong;
+    const auto& found = page_->result()->diagnostics;
+    const auto& problems = child<StudyTable>(*page_, "editor_problems");
+    ASSERT_EQ(found.size(), expected.size()) << wrong;
+    ASSERT_EQ(problems.shown_rows(), static_cast<int>(expected.size()));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found[i].line, expected[i].line) << wrong;
+      EXPECT_EQ(found[i].column, expected[i].column) << wrong;
+      EXPECT_EQ(found[i].pointer, expected[i].pointer) << wrong;
+      EXPECT_EQ(found[i].message, expected[i].message) << wrong;
+      EXPECT_FALSE(underlined()[static_cast<qsizetype>(i)].isEmpty()) << wrong;
+    }
+  }
+}
+
+TEST_F(ProtocolEditor, JumpsToTheProblemThatIsClicked) {
+  open();
+  go_behind("\"rate_Hz\": ");
+  type("9");
+  ASSERT_TRUE(checked());
+  edit().go_to(0);
+  auto& problems = child<StudyTable>(*page_, "editor_problems");
+  ASSERT_EQ(problems.shown_rows(), 1);
+  QTest::mouseClick(problems.viewport(), Qt::LeftButton, {},
+                    problems.visualRect(problems.model()->index(0, 1)).center());
+  EXPECT_EQ(edit().textCursor().position(), edit().text().indexOf("91000"));
+  EXPECT_TRUE(edit().hasFocus());
+}
+
+QStringList surfaces_of_table(const StudyTable& table) {
+  QStringList words{};
+  for (int row = 0; row < table.shown_rows(); ++row) {
+    if (!table.text_at(row, 1).isEmpty()) words.append(table.text_at(row, 3));
+  }
+  return words;
+}
+
+QStringList surfaces_of_plan(const Plan& plan) {
+  QStringList words{};
+  for (const PlanStep& step : plan.steps) {
+    const auto* trial = std::get_if<TrialStep>(&step);
+    if (trial == nullptr) continue;
+    QStringList surfaces{};
+    for (const PlannedPresentation& surface : plan.trials[trial->trial].presentations) {
+      surfaces.append(QString::fromStdString(surface.code + ' ' + surface.item));
+    }
+    words.append(surfaces.join(", "));
+  }
+  return words;
+}
+
+TEST_F(ProtocolEditor, LaysOutThePlanThatMakePlanMakes) {
+  open();
+  const Protocol& protocol = *page_->result()->protocol;
+  const auto& table = child<StudyTable>(*page_, "plan_table");
+  const auto shows = [&](const Plan& plan) {
+    return table.shown_rows() == static_cast<int>(plan.steps.size()) &&
+           surfaces_of_table(table) == surfaces_of_plan(plan);
+  };
+  EXPECT_TRUE(eventually([&] { return shows(make_plan(protocol, {1, 0})); }));
+  click("plan_another");
+  EXPECT_TRUE(eventually([&] { return shows(make_plan(protocol, {2, 0})); }));
+  EXPECT_FALSE(shows(make_plan(protocol, {1, 0})));
+  child<QSpinBox>(*page_, "plan_seed").setValue(77);
+  const Plan plan = make_plan(protocol, {77, 0});
+  ASSERT_TRUE(eventually([&] { return shows(plan); }));
+
+  const PlanCost cost = cost_of(protocol, plan);
+  EXPECT_TRUE(
+      label("plan_words")
+          .startsWith(
+              QString("%1 trials · %2 contacts · about").arg(cost.trials).arg(cost.contacts)))
+      << label("plan_words").toStdString();
+  const QString detail = label("plan_detail");
+  EXPECT_TRUE(detail.contains("Trial 1, familiarisation")) << detail.toStdString();
+  for (const Option& option : plan.trials[0].question.options) {
+    EXPECT_TRUE(detail.contains(QString::fromStdString(option.value)));
+  }
+}
+
+TEST_F(ProtocolEditor, LaysOutTheChosenRowOfTheCounterbalancing) {
+  open();
+  EXPECT_FALSE(child<QSpinBox>(*page_, "plan_row").isVisible());
+  QString text = edit().text();
+  text.replace("\"factors\": {",
+               "\"factors\": {\"ground\": {\"levels\": [\"dawn\", \"noon\", \"dusk\"]}, ");
+  text.replace("\"flow\": [", "\"counterbalance\": \"williams\", \"flow\": [");
+  text.replace("\"run\": \"main\",", "\"run\": \"main\", \"for_each\": \"ground\",");
+  edit().replace_text(text);
+  ASSERT_TRUE(checked());
+  ASSERT_TRUE(page_->result()->diagnostics.empty()) << page_->result()->diagnostics[0].message;
+  auto& row = child<QSpinBox>(*page_, "plan_row");
+  EXPECT_TRUE(row.isVisible());
+  EXPECT_EQ(row.maximum(), 6);  // a Williams square of three
+  auto& table = child<StudyTable>(*page_, "plan_table");
+  const Protocol& protocol = *page_->result()->protocol;
+  for (const int chosen : {1, 4, 6}) {
+    row.setValue(chosen);
+    const Plan plan = make_plan(protocol, {1, chosen - 1});
+    const auto first = std::find_if(plan.steps.begin(), plan.steps.end(), [&](const auto& step) {
+      const auto* trial = std::get_if<TrialStep>(&step);
+      return trial != nullptr && plan.trials[trial->trial].block == "main";
+    });
+    ASSERT_NE(first, plan.steps.end());
+    table.select(QString::number(first - plan.steps.begin()));
+    const std::string ground =
+        "ground: " + text_of(plan.trials[std::get<TrialStep>(*first).trial].factors.at("ground"));
+    EXPECT_TRUE(eventually([&] {
+      return label("plan_detail").contains(QString::fromStdString(ground));
+    })) << ground
+        << label("plan_detail").toStdString();
+  }
+}
+
+TEST_F(ProtocolEditor, SaysWhyThereIsNoPlan) {
+  open();
+  auto& side = child<QStackedWidget>(*page_, "editor_plan_side");
+  EXPECT_EQ(side.currentIndex(), 0);
+  go_behind("\"rate_Hz\": ");
+  type("9");
+  ASSERT_TRUE(checked());
+  EXPECT_EQ(side.currentIndex(), 1);
+  EXPECT_EQ(label("editor_why_no_plan"),
+            "The plan appears here once the text is valid. It has 1 problem now; the first is in "
+            "line 22.");
+}
+
+TEST_F(ProtocolEditor, SaysWhatTheKeyUnderTheCursorMeans) {
+  open();
+  go_behind("\"level_d");
+  EXPECT_TRUE(label("editor_help").contains("Level at the ear."));
+  EXPECT_TRUE(label("editor_help").contains("from 0 to 85"));
+}
+
+TEST_F(ProtocolEditor, IndentsByTwoSpacesAndUndoes) {
+  open();
+  const QString before = edit().text();
+  go_before("  \"kind\"");
+  QTest::keyClick(&edit(), Qt::Key_Tab);
+  EXPECT_TRUE(edit().text().contains("\n    \"kind\""));
+  QTest::keyClick(&edit(), Qt::Key_Backtab);
+  EXPECT_EQ(edit().text(), before);
+  QTest::keyClick(&edit(), Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClick(&edit(), Qt::Key_Tab);
+  EXPECT_TRUE(edit().text().startsWith("  {\n    \"format\""));
+  QTest::keyClick(&edit(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(edit().text(), before);
+  go_behind("\"consent\": {");
+  QTest::keyClick(&edit(), Qt::Key_Return);
+  EXPECT_TRUE(edit().text().contains("\"consent\": {\n    \n"));
+}
+
+TEST_F(ProtocolEditor, FindsWords) {
+  open();
+  edit().go_to(0);
+  QTest::keyClick(&edit(), Qt::Key_F, Qt::ControlModifier);
+  auto& words = child<QLineEdit>(*page_, "find_words");
+  ASSERT_TRUE(words.hasFocus());
+  QTest::keyClicks(&words, "masking");
+  EXPECT_EQ(edit().textCursor().selectedText(), "masking");
+  EXPECT_EQ(label("find_count"), "1 place");
+  words.clear();
+  QTest::keyClicks(&words, "\"phase\"");
+  EXPECT_EQ(label("find_count"), "3 places");
+  const int first = edit().textCursor().selectionStart();
+  QTest::keyClick(&words, Qt::Key_Return);
+  EXPECT_GT(edit().textCursor().selectionStart(), first);
+  QTest::keyClick(&words, Qt::Key_Return, Qt::ShiftModifier);
+  EXPECT_EQ(edit().textCursor().selectionStart(), first);
+  QTest::keyClick(&words, Qt::Key_Return, Qt::ShiftModifier);  // around
+  EXPECT_GT(edit().textCursor().selectionStart(), first);
+  QTest::keyClick(&words, Qt::Key_Escape);
+  EXPECT_TRUE(edit().hasFocus());
+}
+
+TEST_F(ProtocolEditor, SavesByCtrlS) {
+  open();
+  QSignalSpy saved_file(page_.get(), &ProtocolEditorPage::saved);
+  EXPECT_FALSE(child<QPushButton>(*page_, "editor_save").isEnabled());
+  go_behind("\"planned\": 2");
+  type("1");
+  EXPECT_TRUE(page_->has_unsaved_changes());
+  QTest::keyClick(&edit(), Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(saved());
+  EXPECT_EQ(saved_file.count(), 1);
+  EXPECT_NE(read_file(file_).find("\"planned\": 210,"), std::string::npos);
+  EXPECT_EQ(read_file(file_), page_->content());
+  EXPECT_FALSE(asks());
+}
+
+TEST_F(ProtocolEditor, KeepsTheTextWhenItCannotBeSaved) {
+  open();
+  go_behind("\"planned\": 2");
+  type("1");
+  std::filesystem::rename(folder_ / "protocols", folder_ / "elsewhere");
+  click("editor_save");
+  ASSERT_TRUE(eventually([&] {
+    for (const Banner* banner : page_->findChildren<Banner*>()) {
+      if (banner->text().startsWith("The protocol could not be saved")) return true;
+    }
+    return false;
+  }));
+  EXPECT_TRUE(page_->has_unsaved_changes());
+  std::filesystem::rename(folder_ / "elsewhere", folder_ / "protocols");
+  click("editor_save");
+  EXPECT_TRUE(saved());
+}
+
+TEST_F(ProtocolEditor, AsksBeforeItWritesOverWhatSomebodyElseHasWritten) {
+  open();
+  go_behind("\"planned\": 2");
+  type("1");
+  const std::string mine = page_->content();
+  write_file(file_, "theirs", Overwrite::allow);
+  click("editor_save");
+  ASSERT_TRUE(eventually(
+      [&] { return asks() && !page_->findChildren<QPushButton*>("editor_keep_mine").isEmpty(); }));
+  EXPECT_EQ(read_file(file_), "theirs");
+  EXPECT_EQ(page_->content(), mine);
+  click("editor_keep_mine");
+  if (page_->has_unsaved_changes()) click("editor_save");  // the news came before the saving
+  ASSERT_TRUE(saved());
+  EXPECT_EQ(read_file(file_), mine);
+}
+
+TEST_F(ProtocolEditor, TakesTheirsWhenToldToAndKeepsMineInTheUndo) {
+  open();
+  go_behind("\"planned\": 2");
+  type("1");
+  const std::string mine = page_->content();
+  write_file(file_, "{\"theirs\": true}\n", Overwrite::allow);
+  ASSERT_TRUE(eventually([&] { return asks(); }));
+  click("editor_take_theirs");
+  EXPECT_EQ(page_->content(), "{\"theirs\": true}\n");
+  EXPECT_FALSE(page_->has_unsaved_changes());
+  QTest::keyClick(&edit(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(page_->content(), mine);
+  EXPECT_TRUE(page_->has_unsaved_changes());
+}
+
+TEST_F(ProtocolEditor, FollowsTheFileWhileNothingIsUnsaved) {
+  open();
+  write_file(file_, "{\"theirs\": true}\n", Overwrite::allow);
+  EXPECT_TRUE(eventually([&] { return page_->content() == "{\"theirs\": true}\n"; }));
+  EXPECT_FALSE(page_->has_unsaved_changes());
+  EXPECT_FALSE(asks());
+}
+
+TEST_F(ProtocolEditor, DoesNotLeaveUnsavedChangesWithoutAsking) {
+  open();
+  QSignalSpy back(page_.get(), &ProtocolEditorPage::back_wanted);
+  EXPECT_TRUE(page_->may_leave());
+  go_behind("\"planned\": 2");
+  type("1");
+  click("editor_back");
+  EXPECT_TRUE(asks());
+  EXPECT_EQ(back.count(), 0);
+  click("editor_leave_stay");
+  QTest::qWait(0);
+  EXPECT_EQ(back.count(), 0);
+  EXPECT_TRUE(page_->has_unsaved_changes());
+
+  click("editor_back");
+  click("editor_leave_save");
+  ASSERT_TRUE(eventually([&] { return back.count() == 1; }));
+  EXPECT_NE(read_file(file_).find("\"planned\": 210,"), std::string::npos);
+
+  go_behind("\"planned\": 2");
+  type("2");
+  const std::filesystem::path another = folder_ / "protocols" / "chapter_matching.json";
+  page_->open(another);
+  EXPECT_EQ(page_->file(), file_);
+  click("editor_leave_discard");
+  ASSERT_TRUE(eventually([&] { return page_->file() == another; }));
+  EXPECT_EQ(page_->content(), library_text("chapter_matching"));
+  EXPECT_NE(read_file(file_).find("\"planned\": 210,"), std::string::npos);
+}
+
+TEST_F(ProtocolEditor, AsksForANewVersionOnceSessionsWereRunWithTheOldOne) {
+  fill_with_people(folder_);
+  file_ = folder_ / "protocols" / "chapter_recognition.json";
+  open();
+  go_behind("\"title\": \"");
+  type("New ");
+  click("editor_save");
+  ASSERT_TRUE(eventually([&] { return asks(); }));
+  EXPECT_TRUE(child<QuestionBar>(*page_, "editor_question")
+                  .question()
+                  .contains("sessions were run with version 1.0.0 of another text"));
+  EXPECT_EQ(read_file(file_), library_text("chapter_recognition"));
+  click("editor_raise_version");
+  ASSERT_TRUE(saved());
+  EXPECT_NE(read_file(file_).find("\"version\": \"1.0.1\""), std::string::npos);
+  EXPECT_EQ(read_file(file_), page_->content());
+
+  go_behind("\"version\": \"1.0.");
+  QTest::keyClick(&edit(), Qt::Key_Delete);
+  type("0");
+  click("editor_save");
+  ASSERT_TRUE(eventually([&] { return asks(); }));
+  click("editor_save_anyway");
+  ASSERT_TRUE(saved());
+  EXPECT_NE(read_file(file_).find("\"version\": \"1.0.0\""), std::string::npos);
+}
+
+TEST_F(ProtocolEditor, GivesBackEveryByteThatItWasGiven) {
+  for (const std::string& bytes :
+       {std::string("{\r\n  \"a\": 1\r\n}\r\n"),
+        std::string("{\"a\": \"\xC2\xA0 \xF0\x9F\x98\x80\"}"), std::string("")}) {
+    write_file(file_, bytes, Overwrite::allow);
+    open();
+    EXPECT_EQ(page_->content(), bytes);
+    EXPECT_FALSE(page_->has_unsaved_changes());
+    EXPECT_FALSE(edit().isReadOnly());
+  }
+}
+
+TEST_F(ProtocolEditor, DoesNotChangeAFileThatItCannotShowByteForByte) {
+  for (const std::string& bytes : {std::string("{\"a\": \"\xFF\"}"), std::string("{\r\n\n}"),
+                                   std::string("{\"\xE2\x80\xA9\"}")}) {
+    write_file(file_, bytes, Overwrite::allow);
+    open();
+    EXPECT_TRUE(edit().isReadOnly()) << bytes;
+    EXPECT_FALSE(child<QPushButton>(*page_, "editor_save").isEnabled());
+    const auto expected = check_protocol(file_, study_->models(), folder_, std::nullopt);
+    ASSERT_FALSE(page_->result()->diagnostics.empty());
+    EXPECT_EQ(page_->result()->diagnostics[0].message, expected.diagnostics[0].message);
+    EXPECT_EQ(read_file(file_), bytes);
+  }
+}
+
+TEST_F(ProtocolEditor, Pictures) {
+  for (const ThemeChoice choice : {ThemeChoice::light, ThemeChoice::dark}) {
+    apply_theme(*qApp, choice);
+    const QString end = choice == ThemeChoice::light ? "" : "-dark";
+    write_file(file_, library_text("improved_recognition"), Overwrite::allow);
+    open();
+    ASSERT_TRUE(
+        eventually([&] { return child<StudyTable>(*page_, "plan_table").shown_rows() > 10; }));
+    go_behind("\"level_d");
+    take_screenshot(*page_, "editor-valid" + end);
+    go_behind("hand_oc");
+    type("x");
+    go_behind("\"level_dBA\": 6");
+    type("5");
+    go_behind("\"tiling\": \"");
+    type("x");
+    ASSERT_TRUE(checked());
+    go_before("hand_ocx");
+    take_screenshot(*page_, "editor-problems" + end);
+    while (underlined().size() > 0) {
+      QTest::keyClick(&edit(), Qt::Key_Z, Qt::ControlModifier);
+      ASSERT_TRUE(checked());
+    }
+    edit().go_to(0);
+    type(" ");
+    QTest::keyClick(&edit(), Qt::Key_F, Qt::ControlModifier);
+    child<QLineEdit>(*page_, "find_words").setText("stimuli/");
+    page_->may_leave();
+    take_screenshot(*page_, "editor-leaving" + end);
+  }
+  apply_theme(*qApp, ThemeChoice::light);
+}
+
+}  // namespace
+}  // namespace asperity
