@@ -1,10 +1,8 @@
 // The pages of a study, in the order of the navigation.
 
-#include <QtCore/QUrl>
-#include <QtGui/QDesktopServices>
-
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/data/attempt_page.h"
+#include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/study/devices_page.h"
 #include "app/gui/study/participants_page.h"
@@ -26,6 +24,8 @@ void StudyWindow::add_pages() {
   auto* stimuli = new StimuliPage(*study_);
   auto* devices = new DevicesPage(*study_);
   add_page("protocols", tr("Protocols"), protocols);
+  auto* editor = new ProtocolEditorPage(*study_);
+  add_page("editor", {}, editor);
   add_page("participants", tr("Participants"), participants);
   add_page("sessions", tr("Sessions"), sessions);
   add_page("trials", {}, trials);
@@ -48,9 +48,11 @@ void StudyWindow::add_pages() {
   connect(participants, &ParticipantsPage::sessions_wanted, this, show_sessions);
   connect(protocols, &ProtocolsPage::sessions_wanted, this, show_sessions);
   connect(protocols, &ProtocolsPage::session_wanted, this, &StudyWindow::session_wanted);
-  connect(protocols, &ProtocolsPage::edit_wanted, this, [](const QString& file) {
-    QDesktopServices::openUrl(QUrl::fromLocalFile(file));  // what the person edits JSON with
+  connect(protocols, &ProtocolsPage::edit_wanted, this, [this, editor](const QString& file) {
+    show_page("editor");
+    editor->open(file.toStdString());
   });
+  connect(editor, &ProtocolEditorPage::back_wanted, this, [this] { show_page("protocols"); });
   connect(sessions, &SessionsPage::resume_wanted, this,
           [this, protocols](const QString& protocol, const QString& participant) {
             const std::filesystem::path file = protocols->file_of(protocol);

@@ -1,6 +1,7 @@
 #include "app/gui/study/study_window.h"
 
 #include <exception>
+#include <utility>
 
 #include <QtCore/QDateTime>
 #include <QtCore/QDir>
@@ -17,6 +18,7 @@
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/study/about_dialog.h"
 #include "app/gui/study/navigation_list.h"
@@ -60,6 +62,7 @@ StudyWindow::~StudyWindow() {
 
 void StudyWindow::refill() {
   const QString shown = shown_page();
+  const std::filesystem::path edited = editor() == nullptr ? "" : editor()->file();
   remove_pages();
   make_menus();
   auto* centre = new QWidget(this);
@@ -88,6 +91,7 @@ void StudyWindow::refill() {
   connect(welcome_, &WelcomePage::open_wanted, this, &StudyWindow::ask_for_study);
   setCentralWidget(centre);  // deletes the one before
   make_pages();
+  if (!edited.empty()) editor()->open(edited);
   if (!shown.isEmpty() && page(shown) != nullptr) show_page(shown);
 }
 
@@ -149,7 +153,7 @@ void StudyWindow::set_count(const QString& key, const QString& count) {
 }
 
 bool StudyWindow::open_study(const std::filesystem::path& folder) {
-  if (refuse_when_busy()) return false;
+  if (must_stay([this, folder] { open_study(folder); })) return false;
   std::unique_ptr<OpenStudy> opened{};
   QString name{};
   try {
@@ -186,6 +190,17 @@ void StudyWindow::close_study() {
 
 void StudyWindow::set_busy(const QString& reason) { busy_ = reason; }
 
+ProtocolEditorPage* StudyWindow::editor() const {
+  return pages_ == nullptr ? nullptr : qobject_cast<ProtocolEditorPage*>(page("editor"));
+}
+
+bool StudyWindow::must_stay(std::function<void()> again) {
+  if (refuse_when_busy()) return true;
+  if (editor() == nullptr || editor()->may_leave(std::move(again))) return false;
+  show_page("editor");
+  return true;
+}
+
 bool StudyWindow::refuse_when_busy() {
   if (busy_.isEmpty()) return false;
   banner_->show_news(State::look, busy_);
@@ -198,9 +213,7 @@ void StudyWindow::watch_folder() {
                      tr("The study is no longer at %1: its folder was removed, renamed, or is on a "
                         "medium that is gone. Bring it back, or close the study.")
                          .arg(text_of_path(study_->folder())),
-                     tr("Close study"), [this] {
-                       if (!refuse_when_busy()) close_study();
-                     });
+                     tr("Close study"), [this] { close_action_->trigger(); });
 }
 
 void StudyWindow::look_whether_changed() {
@@ -218,7 +231,7 @@ void StudyWindow::changeEvent(QEvent* event) {
 }
 
 void StudyWindow::closeEvent(QCloseEvent* event) {
-  if (refuse_when_busy()) {
+  if (must_stay([this] { close(); })) {
     event->ignore();
     return;
   }
@@ -242,7 +255,7 @@ void StudyWindow::make_study_menu() {
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { fill_recent_menu(*recent); });
   menu->addSeparator();
   close_action_ = menu->addAction(tr("&Close"), QKeySequence::Close, this, [this] {
-    if (!refuse_when_busy()) close_study();
+    if (!must_stay([this] { close_study(); })) close_study();
   });
   menu->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
 }
@@ -299,14 +312,14 @@ void StudyWindow::show_about() { (new AboutDialog(this))->open(); }
 
 // Menus, pages and the banner are made anew: not while one of them is still at work.
 void StudyWindow::choose_theme(ThemeChoice choice) {
-  if (refuse_when_busy()) return;
+  if (must_stay([this, choice] { choose_theme(choice); })) return;
   remember_theme(choice);
   apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), choice);
   QMetaObject::invokeMethod(this, &StudyWindow::refill, Qt::QueuedConnection);
 }
 
 void StudyWindow::choose_language(const QString& code) {
-  if (refuse_when_busy()) return;
+  if (must_stay([this, code] { choose_language(code); })) return;
   remember_language(code);
   apply_language(code);
   QMetaObject::invokeMethod(this, &StudyWindow::refill, Qt::QueuedConnection);
@@ -344,7 +357,7 @@ void StudyWindow::ask_for_study() {
 }
 
 void StudyWindow::open_demo() {
-  if (refuse_when_busy()) return;
+  if (must_stay([this] { open_demo(); })) return;
   close_study();
   welcome_->open_demo();
 }

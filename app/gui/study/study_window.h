@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -21,6 +22,7 @@ namespace asperity {
 
 class Banner;
 class NavigationList;
+class ProtocolEditorPage;
 class WelcomePage;
 
 /// Navigation at the left, the pages of the study at the right, news above them.
@@ -31,6 +33,7 @@ class WelcomePage;
 ///   every study, theme and language.
 /// - `session_wanted` says that somebody wants to run a session; whoever runs sessions connects it.
 ///   Until then the pages offer no session to start.
+/// - Whatever takes the pages away asks first when the protocol editor has unsaved changes.
 class StudyWindow final : public QMainWindow {
   Q_OBJECT
  public:
@@ -78,6 +81,9 @@ class StudyWindow final : public QMainWindow {
   /// Everything anew in the theme and language of now.
   void refill();
   bool refuse_when_busy();
+  /// Busy, or the editor asks what is to become of unsaved changes and does `again` afterwards.
+  bool must_stay(std::function<void()> again);
+  ProtocolEditorPage* editor() const;
   void choose_theme(ThemeChoice choice);
   void choose_language(const QString& code);
   void ask_for_new_study();

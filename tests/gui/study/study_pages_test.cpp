@@ -12,6 +12,8 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 
+#include "app/gui/editor/protocol_editor_page.h"
+#include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/study/participants_page.h"
 #include "app/gui/study/protocols_page.h"
@@ -135,13 +137,64 @@ TEST_F(StudyPages, PreviewThePlanStepByStep) {
   open_demo();
   table_of("protocols", "protocols_table", 3);
   click("protocol_preview");
-  const auto& plan = child<StudyTable>(window_, "plan_table");
+  auto* page = window_.findChild<ProtocolsPage*>();  // the editor shows a plan as well
+  const auto& plan = child<StudyTable>(*page, "plan_table");
   ASSERT_TRUE(eventually([&] { return plan.shown_rows() > 10; }));
   EXPECT_TRUE(column(plan, 2).contains("screen"));
   const QStringList before = column(plan, 3);
-  click("plan_another");
+  QTest::mouseClick(&child<QPushButton>(*page, "plan_another"), Qt::LeftButton);
   EXPECT_TRUE(eventually([&] { return column(plan, 3) != before; }));
   take_screenshot(window_, "study-plan");
+}
+
+TEST_F(StudyPages, EditAProtocolInTheWindowAndLoseNothingOfIt) {
+  open_demo();
+  StudyTable& table = table_of("protocols", "protocols_table", 3);
+  const QString file = QString::fromStdString(
+      (window_.study()->folder() / "protocols" / "chapter_recognition.json").string());
+  table.select(file);
+  click("protocol_edit");
+  EXPECT_EQ(window_.shown_page(), "editor");
+  auto* editor = window_.findChild<ProtocolEditorPage*>();
+  EXPECT_EQ(QString::fromStdString(editor->file().string()), file);
+  ASSERT_TRUE(eventually([&] { return editor->is_checked(); }));
+  auto& plan = child<StudyTable>(*editor, "plan_table");
+  ASSERT_TRUE(eventually([&] { return plan.shown_rows() > 10; }));
+  take_screenshot(window_, "study-editor");
+
+  auto& pages = child<QListWidget>(window_, "navigation");
+  QTest::mouseClick(pages.viewport(), Qt::LeftButton, {},
+                    pages.visualItemRect(pages.item(0)).center());
+  EXPECT_EQ(window_.shown_page(), "protocols");
+  click("protocol_edit");
+  EXPECT_EQ(window_.shown_page(), "editor");
+
+  QTest::keyClicks(&child<ProtocolTextEdit>(*editor, "editor_text"), "  ");
+  window_.show_page("sessions");
+  window_.close();
+  EXPECT_TRUE(window_.isVisible());
+  EXPECT_EQ(window_.shown_page(), "editor");
+  click("editor_leave_stay");
+  for (QAction* action : window_.findChildren<QAction*>()) {
+    if (action->text() == "&Dark") action->trigger();
+  }
+  EXPECT_FALSE(theme().dark);
+  EXPECT_EQ(window_.findChild<ProtocolEditorPage*>(), editor);
+  click("editor_leave_save");
+  ASSERT_TRUE(eventually([&] { return theme().dark; }));
+  ASSERT_TRUE(eventually([&] {
+    editor = window_.findChild<ProtocolEditorPage*>();
+    return editor != nullptr && editor->is_checked() && !editor->file().empty();
+  }));
+  EXPECT_EQ(editor->content().substr(0, 3), "  {");
+  EXPECT_EQ(window_.shown_page(), "editor");
+  apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ThemeChoice::light);
+
+  QTest::keyClicks(&child<ProtocolTextEdit>(*editor, "editor_text"), "  ");
+  window_.close();
+  EXPECT_TRUE(window_.isVisible());
+  click("editor_leave_discard");
+  EXPECT_TRUE(eventually([&] { return !window_.isVisible(); }));
 }
 
 TEST_F(StudyPages, SimulateAProtocolAndShowItsSessions) {
