@@ -25,7 +25,13 @@ QString as_sentence(const std::string& what) {
 
 }  // namespace
 
-SessionRunner::SessionRunner(QObject* parent) : QObject(parent) {
+std::unique_ptr<Sound> usual_sound(const SessionOrder& order) {
+  if (order.inputs.is_virtual) return nullptr;
+  return std::make_unique<QtSound>(order.noise, order.speech);
+}
+
+SessionRunner::SessionRunner(QObject* parent, SoundMaker make_sound)
+    : QObject(parent), make_sound_(std::move(make_sound)) {
   qRegisterMetaType<asperity::SessionOrder>();
   qRegisterMetaType<asperity::SessionEnd>();
 }
@@ -47,12 +53,10 @@ void SessionRunner::start(const SessionOrder& order) {
   order_ = order;
   running_ = true;
   std::string trouble{};
-  if (!order.inputs.is_virtual) {
-    try {
-      sound_ = std::make_unique<QtSound>(order.noise, order.speech);
-    } catch (const std::exception& error) {
-      trouble = error.what();
-    }
+  try {
+    sound_ = make_sound_(order);
+  } catch (const std::exception& error) {
+    trouble = error.what();
   }
   person_ = std::make_unique<PersonAtWindow>(monitor_, sound_.get());
   if (!trouble.empty()) {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -38,6 +39,12 @@ struct SessionOrder {
   std::string protocol_sha256{};
 };
 
+/// Makes what a session sounds through; null: nothing sounds. What it throws ends the session before
+/// it begins, with the text as the reason.
+using SoundMaker = std::function<std::unique_ptr<Sound>(const SessionOrder&)>;
+/// The computer's sound card for a person; virtual participants hear nothing.
+std::unique_ptr<Sound> usual_sound(const SessionOrder& order);
+
 /// Runs one session, and only one: what watches it holds references into this object.
 ///
 /// Whatever goes wrong is reported, never thrown: `failed` says what happened, what is safe and what
@@ -51,7 +58,7 @@ struct SessionOrder {
 class SessionRunner final : public QObject {
   Q_OBJECT
  public:
-  explicit SessionRunner(QObject* parent = nullptr);
+  explicit SessionRunner(QObject* parent = nullptr, SoundMaker make_sound = usual_sound);
   ~SessionRunner() override;
 
   /// Once in the life of this object.
@@ -77,6 +84,7 @@ class SessionRunner final : public QObject {
   void announce_attempt();
   void fail(const std::string& what);
 
+  SoundMaker make_sound_{};
   SessionOrder order_{};
   ModelRegistry models_ = built_in_models();
   SessionMonitor monitor_{};

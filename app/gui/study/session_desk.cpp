@@ -1,5 +1,7 @@
 #include "app/gui/study/session_desk.h"
 
+#include <utility>
+
 #include <QtCore/QTimer>
 #include <QtGui/QScreen>
 
@@ -48,7 +50,8 @@ void add_workspace(ParticipantView& view, const SessionMonitor& monitor,
 
 }  // namespace
 
-SessionDesk::SessionDesk(StudyWindow& window, QObject* parent) : QObject(parent), window_(window) {
+SessionDesk::SessionDesk(StudyWindow& window, QObject* parent, SoundMaker make_sound)
+    : QObject(parent), window_(window), make_sound_(std::move(make_sound)) {
   connect(&window_, &StudyWindow::study_opened, this,
           [this](OpenStudy* study) { take_study(*study); });
   connect(&window_, &StudyWindow::session_wanted, this, &SessionDesk::choose);
@@ -82,7 +85,7 @@ void SessionDesk::choose(const SessionWish& wish) {
 
 void SessionDesk::begin(const SessionOrder& order) {
   if (runner_ != nullptr) return;
-  runner_ = std::make_unique<SessionRunner>();
+  runner_ = std::make_unique<SessionRunner>(nullptr, make_sound_);
   runner_->start(order);
   window_.set_busy(tr("A session is running. End it in its own window first."));
   if (!order.inputs.is_virtual) open_participant_window();

@@ -26,7 +26,7 @@ class SessionDesk final : public QObject {
   Q_OBJECT
  public:
   /// `window` outlives the desk, or is its parent.
-  SessionDesk(StudyWindow& window, QObject* parent);
+  SessionDesk(StudyWindow& window, QObject* parent, SoundMaker make_sound = usual_sound);
   ~SessionDesk() override;
 
   bool is_running() const;
@@ -46,6 +46,7 @@ class SessionDesk final : public QObject {
   void finish(const QString& next_page);
 
   StudyWindow& window_;
+  SoundMaker make_sound_{};
   OpenStudy* study_ = nullptr;
   QPointer<StartPage> start_page_{};
   std::unique_ptr<SessionRunner> runner_{};
