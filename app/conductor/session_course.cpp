@@ -62,6 +62,13 @@ void SessionCourse::wait_outside_trial(double duration_s) {
 void SessionCourse::pass_slice() { pass(kSlice_s); }
 
 void SessionCourse::pass(double duration_s) {
+  for (const SessionRequests::ButtonMove& wish : requests_.take_button_moves()) {
+    if (wish.move == SessionRequests::Move::press) {
+      rig_.hand().press(wish.button);
+    } else {
+      rig_.hand().release(wish.button);
+    }
+  }
   rig_.pass(duration_s, recorder_);
   for (const ButtonChange& change : watch_.take_button_changes()) {
     respondent_.button_changed(change);

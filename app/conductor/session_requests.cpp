@@ -1,5 +1,6 @@
 #include "app/conductor/session_requests.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "app/conductor/rig.h"
@@ -63,6 +64,20 @@ void SessionRequests::emergency_stop() noexcept {
   if (rig_ != nullptr) rig_->emergency_stop();
 }
 
+void SessionRequests::press_button(int button) { move_button({button, Move::press}); }
+
+void SessionRequests::release_button(int button) { move_button({button, Move::release}); }
+
+void SessionRequests::move_button(const ButtonMove& wish) {
+  if (wish.button < 1 || wish.button > VirtualHand::kButtons) {
+    throw std::invalid_argument("button " + std::to_string(wish.button) +
+                                ": the simulated device has buttons 1 to " +
+                                std::to_string(VirtualHand::kButtons));
+  }
+  const std::lock_guard lock(mutex_);
+  button_moves_.push_back(wish);
+}
+
 void SessionRequests::clear_fault() {
   const std::lock_guard lock(mutex_);
   clear_fault_ = true;
@@ -115,6 +130,11 @@ std::optional<std::string> SessionRequests::take_abort() {
 bool SessionRequests::take_clear_fault() {
   const std::lock_guard lock(mutex_);
   return std::exchange(clear_fault_, false);
+}
+
+std::vector<SessionRequests::ButtonMove> SessionRequests::take_button_moves() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(button_moves_, {});
 }
 
 std::vector<SessionRequests::Remark> SessionRequests::take_remarks() {

@@ -48,6 +48,11 @@ class SessionRequests final {
   void remark(const std::string& kind, const std::string& text);
   /// Zero force in the next servo tick, latched.
   void emergency_stop() noexcept;
+  /// Of a simulated device, whose handle nobody can hold: its button goes down or up within a few
+  /// hundredths of a second. Buttons count from 1. Errors: std::invalid_argument where there is no
+  /// such button.
+  void press_button(int button);
+  void release_button(int button);
   /// The reason of the fault is mended: go on with the trial that it interrupted.
   void clear_fault();
 
@@ -55,6 +60,11 @@ class SessionRequests final {
     std::int64_t time_ns = 0;
     std::string kind{};
     std::string text{};
+  };
+  enum class Move { press, release };
+  struct ButtonMove {
+    int button = 0;
+    Move move = Move::press;
   };
   /// What is asked for now, for whoever shows it.
   struct Pending {
@@ -77,8 +87,12 @@ class SessionRequests final {
   std::optional<std::string> take_abort();
   bool take_clear_fault();
   std::vector<Remark> take_remarks();
+  /// In the order of asking.
+  std::vector<ButtonMove> take_button_moves();
 
  private:
+  void move_button(const ButtonMove& wish);
+
   mutable std::mutex mutex_{};
   Rig* rig_ = nullptr;
   bool stop_wanted_ = false;  ///< an emergency stop from before there was a rig
@@ -89,6 +103,7 @@ class SessionRequests final {
   std::optional<std::string> abort_{};
   bool clear_fault_ = false;
   std::vector<Remark> remarks_{};
+  std::vector<ButtonMove> button_moves_{};
 };
 
 }  // namespace asperity
