@@ -1,0 +1,409 @@
+#include "tests/gui/sessions/session_room.h"
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include <QtGui/QGuiApplication>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+
+#include "app/gui/study/study_table.h"
+#include "app/height_field_files.h"
+#include "app/tasks/protocol_files.h"
+#include "results_schema/atomic_file.h"
+#include "stimuli/preview.h"
+#include "stimuli/synthetic_surface.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPatience_ms = 30000;  // the machine may be busy with other things
+
+std::string text_of(Cue cue) {
+  switch (cue) {
+    case Cue::surface:
+      return "surface";
+    case Cue::next:
+      return "next";
+    case Cue::question:
+      return "question";
+    case Cue::option:
+      return "option";
+    case Cue::accepted:
+      return "accepted";
+    case Cue::refused:
+      return "refused";
+    case Cue::right:
+      return "right";
+    case Cue::wrong:
+      return "wrong";
+    case Cue::rest:
+      return "rest";
+    case Cue::paused:
+      return "paused";
+    case Cue::mask_on:
+      return "mask on";
+    case Cue::mask_off:
+      return "mask off";
+    case Cue::finished:
+      return "finished";
+  }
+  return {};
+}
+
+class NotedSound final : public Sound {
+ public:
+  explicit NotedSound(std::shared_ptr<SoundLog> log) : log_(std::move(log)) {}
+  void set_masking(bool on) override { log_->masking = on; }
+  void play(Cue cue, int number) override { log_->add(cue, number); }
+  bool is_running() const override { return log_->plugged; }
+  std::string description_json() const override { return R"({"output": "of a test"})"; }
+
+ private:
+  std::shared_ptr<SoundLog> log_;
+};
+
+std::string levels(int count) {
+  std::string text = "1";
+  for (int level = 2; level <= count; ++level) text += ", " + std::to_string(level);
+  return text;
+}
+
+std::string block_of(const ProtocolWish& wish) {
+  const std::string common = R"("exploration": "short", "pause_before_trial_s": 0,
+      "pause_between_surfaces_s": 0, )";
+  if (wish.kind == "matching") {
+    return common + R"("crossed": ["go"], "positions": "shuffle",
+      "presented": [{"stimulus": "rendered", "with": {"texture": "slate", "model": "height_map"}},
+                    {"stimulus": "rendered", "with": {"texture": "cork", "model": "height_map"}},
+                    {"stimulus": "rendered", "with": {"texture": "linen", "model": "height_map"}}],
+      "question": {"name": "match", "prompt": "Which picture belongs to which surface?",
+                   "pictures": ["slate", "cork", "linen"], "reshuffle_pictures": true,
+                   "pictures_after_feeling": true, "allow_revisit": false)" +
+           wish.question + "}";
+  }
+  if (wish.kind == "recognition") {
+    return common + R"("crossed": ["texture"],
+      "presented": [{"stimulus": "rendered", "with": {"model": "height_map"}}],
+      "question": {"name": "felt", "prompt": "Which one was it?",
+                   "pictures": ["slate", "cork", "linen"], "reshuffle_pictures": true,
+                   "pictures_after_feeling": true, "allow_revisit": false, "correct_factor": "texture")" +
+           wish.question + "}";
+  }
+  return common + R"("crossed": ["go"], "positions": "shuffle",
+      "presented": [{"stimulus": "rendered", "with": {"texture": "slate", "model": "height_map"}},
+                    {"stimulus": "rendered", "with": {"texture": "slate", "model": "stochastic"}}],
+      "question": {"name": "best", "prompt": "Which felt more real?")" +
+         wish.question + "}";
+}
+
+std::string text_of(const ProtocolWish& wish) {
+  std::string textures{};
+  for (const std::string name : {"slate", "cork", "linen"}) {
+    textures += (textures.empty() ? "" : ", ") + ('"' + name) + R"(": {"height_field": "stimuli/)" +
+                name + R"(.png", "picture": "stimuli/)" + name + R"(_photo.png"})";
+  }
+  return R"({
+  "format": "asperity.protocol/1", "kind": ")" +
+         wish.kind + R"(", "design": "improved", "name": ")" + wish.name +
+         R"(", "version": "1.0.0", "title": "A short session",
+  "consent": {"version": "1.0", "statement": "I take part."},)" +
+         (wish.kind == "selection" ? R"( "realism_standard": "memory",)" : "") + R"(
+  "device": {"rate_Hz": 200, "maximum_missed_deadlines": 100000, "maximum_lost_records": 100000},
+  "textures": {)" +
+         textures + R"(},
+  "factors": {"go": {"levels": [)" +
+         levels(wish.kind == "matching" ? 2 : wish.trials) +
+         R"(]}, "texture": {"levels": ["slate", "cork", "linen"]},
+              "model": {"levels": ["height_map", "stochastic"]}},
+  "stimuli": {"rendered": {"model": {"factor": "model"}, "texture": {"factor": "texture"}}},
+  "explorations": {"short": {"minimum_contact_s": 0.3, "maximum_contact_s": 2)" +
+         wish.exploration + R"(}},
+  "questions": {"comfort": {"prompt": "How is your hand?", "form": "choice", "options": ["well", "tired"]}},
+  "blocks": {"main": {)" +
+         block_of(wish) + "}" + wish.more_blocks + R"(},
+  "flow": [)" +
+         wish.flow + "]" + wish.head + "}";
+}
+
+}  // namespace
+
+std::vector<std::string> SoundLog::tones() {
+  const std::lock_guard lock(mutex_);
+  return tones_;
+}
+
+void SoundLog::add(Cue cue, int number) {
+  const std::lock_guard lock(mutex_);
+  tones_.push_back(text_of(cue) + (number > 0 ? " " + std::to_string(number) : ""));
+}
+
+SessionRoom::SessionRoom() = default;
+
+SessionRoom::~SessionRoom() { close_windows(); }
+
+// --- the study -----------------------------------------------------------------------------------
+
+void SessionRoom::make_study() {
+  std::filesystem::create_directories(folder().parent_path());
+  Study::create(folder(), "small");
+  std::filesystem::create_directories(folder() / "protocols");
+  std::uint64_t seed = 5;
+  for (const std::string name : {"slate", "cork", "linen"}) {
+    const HeightField field =
+        make_surface("noise", {}, SurfaceCanvas{.width_m = 0.02, .pixels = 128, .seed = seed++});
+    save_height_field(folder() / "stimuli" / (name + ".png"), field, {.kind = "noise"},
+                      Overwrite::refuse);
+    save_picture(folder() / "stimuli" / (name + "_photo.png"), height_picture(field),
+                 Overwrite::refuse);
+  }
+}
+
+void SessionRoom::add_protocol(const ProtocolWish& wish) {
+  const std::filesystem::path file = folder() / "protocols" / (wish.name + ".json");
+  write_file(file, text_of(wish), Overwrite::refuse);
+  load_protocol(file, built_in_models(), folder());  // says here what is wrong with it
+}
+
+SessionRow SessionRoom::stored_session() const {
+  const Study study = Study::open(folder(), Access::read_only);
+  const std::vector<SessionRow> sessions = study.sessions();
+  const auto newest =
+      std::max_element(sessions.begin(), sessions.end(),
+                       [](const SessionRow& a, const SessionRow& b) { return a.id < b.id; });
+  return newest == sessions.end() ? SessionRow{} : *newest;
+}
+
+std::vector<AttemptRow> SessionRoom::stored_attempts() const {
+  return Study::open(folder(), Access::read_only).attempts(stored_session().id);
+}
+
+std::vector<EventRow> SessionRoom::stored_events() const {
+  const Study study = Study::open(folder(), Access::read_only);
+  std::vector<EventRow> events = study.events(stored_session().id);
+  std::stable_sort(events.begin(), events.end(),
+                   [](const EventRow& a, const EventRow& b) { return a.time_ns < b.time_ns; });
+  return events;
+}
+
+std::vector<EventRow> SessionRoom::stored_events(const std::string& kind) const {
+  std::vector<EventRow> events = stored_events();
+  std::erase_if(events, [&](const EventRow& event) { return event.kind != kind; });
+  return events;
+}
+
+std::vector<std::string> SessionRoom::stored_outcomes() const {
+  std::vector<std::string> outcomes{};
+  for (const AttemptRow& attempt : stored_attempts()) {
+    outcomes.push_back(std::to_string(attempt.trial) + "/" + std::to_string(attempt.attempt) + " " +
+                       asperity::text_of(attempt.outcome) + (attempt.valid ? "" : ", not valid"));
+  }
+  return outcomes;
+}
+
+// --- the windows ---------------------------------------------------------------------------------
+
+void SessionRoom::make_windows() {
+  window = std::make_unique<StudyWindow>();
+  desk = std::make_unique<SessionDesk>(*window, nullptr, [log = sound](const SessionOrder& order) {
+    return order.inputs.is_virtual ? nullptr : std::make_unique<NotedSound>(log);
+  });
+  window->resize(1366, 768);
+  window->show();
+  window->activateWindow();
+}
+
+void SessionRoom::close_windows() {
+  desk.reset();
+  window.reset();
+}
+
+void SessionRoom::open() {
+  make_windows();
+  require(window->open_study(folder()), "the study does not open");
+}
+
+bool SessionRoom::is_in(SessionPhase phase) {
+  return desk->runner() != nullptr && monitor().snapshot().phase == phase;
+}
+
+bool SessionRoom::is_in(SessionPhase phase, int trial) {
+  return is_in(phase) && monitor().snapshot().trial == trial;
+}
+
+// --- hands ---------------------------------------------------------------------------------------
+
+void SessionRoom::require(bool holds, const std::string& what) {
+  if (!holds) throw std::runtime_error(what);
+}
+
+void SessionRoom::wait_for(const std::string& what, const std::function<bool()>& condition) {
+  require(until(condition), "waited in vain for " + what);
+}
+
+bool SessionRoom::until(const std::function<bool()>& condition) {
+  return QTest::qWaitFor(condition, kPatience_ms);
+}
+
+void SessionRoom::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+  wait_for("a window with the focus", [] { return QGuiApplication::focusWindow() != nullptr; });
+  QTest::keyClick(QGuiApplication::focusWindow(), key, modifiers);
+}
+
+void SessionRoom::click(QWidget& widget) {
+  wait_for(widget.objectName().toStdString() + " to be pressed",
+           [&] { return widget.isVisible() && widget.isEnabled(); });
+  ++clicks;
+  const bool is_box = qobject_cast<QCheckBox*>(&widget) != nullptr;
+  QTest::mouseClick(&widget, Qt::LeftButton, {},
+                    is_box ? QPoint(8, widget.height() / 2) : widget.rect().center());
+}
+
+void SessionRoom::click_row(QWidget& in, const char* table, const QString& with_text) {
+  auto& rows = child<StudyTable>(in, table);
+  QModelIndex found{};
+  wait_for(std::string("a row of ") + table + " with " + with_text.toStdString(), [&] {
+    for (int row = 0; row < rows.shown_rows(); ++row) {
+      for (int column = 0; column < rows.model()->columnCount(); ++column) {
+        if (rows.text_at(row, column).contains(with_text)) found = rows.model()->index(row, column);
+      }
+    }
+    return found.isValid() && rows.isVisible();
+  });
+  ++clicks;
+  QTest::mouseClick(rows.viewport(), Qt::LeftButton, {}, rows.visualRect(found).center());
+}
+
+QPoint SessionRoom::place_of(ParticipantItem::Kind kind, const QString& key) {
+  for (const ParticipantItem& item : view().items()) {
+    if (item.kind == kind && item.key == key) return item.rect.center().toPoint();
+  }
+  ADD_FAILURE() << "nothing has the key " << key.toStdString();
+  return {};
+}
+
+void SessionRoom::click_item(ParticipantItem::Kind kind, const QString& key) {
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, place_of(kind, key));
+}
+
+// --- what people do ------------------------------------------------------------------------------
+
+void SessionRoom::start(const QString& protocol, const char* mode) {
+  window->show_page("protocols");
+  click_row(*window, "protocols_table", protocol);
+  click(*window, "protocol_start");
+  wait_for("the start page", [&] { return window->shown_page() == "start"; });
+  click(*window, mode);
+  agree();
+  press_start();
+}
+
+void SessionRoom::agree() {
+  QWidget& page = *window->page("start");
+  click(page, "consent_given");
+  auto& seen_by = child<QLineEdit>(page, "consent_seen_by");
+  if (!seen_by.text().isEmpty()) return;  // remembered from the session before
+  click(seen_by);
+  QTest::keyClicks(&seen_by, "AB");
+}
+
+void SessionRoom::press_start() {
+  QWidget& page = *window->page("start");
+  auto& button = child<QPushButton>(page, "start");
+  auto& again = child<QPushButton>(page, "check_again");
+  for (int tries = 0; tries < 20 && !button.isEnabled(); ++tries) {
+    // On a busy machine the loop may be found too slow: what a person does is look again.
+    if (QTest::qWaitFor([&] { return button.isEnabled(); }, 3000)) break;
+    if (again.isEnabled() && again.isVisible()) QTest::mouseClick(&again, Qt::LeftButton);
+  }
+  require(button.isEnabled(), child<QWidget>(page, "start_reason").toolTip().toStdString());
+  click(button);
+  wait_for("the session",
+           [&] { return desk->runner() != nullptr && monitor().facts() != nullptr; });
+}
+
+void SessionRoom::choose(Qt::Key option) {
+  key(option);
+  wait_for("a complete answer", [&] { return view().scene().can_confirm; });
+  key(Qt::Key_Return);
+}
+
+void SessionRoom::take_part(const std::function<void(const Scene&)>& answer,
+                            const std::function<bool()>& done) {
+  std::int64_t acted_on_ns = -1;
+  const bool came_to_it = until([&] {
+    if (testing::Test::HasFatalFailure()) return true;
+    if (done ? done() : !desk->is_running()) return true;
+    if (desk->participant_window() == nullptr) return false;
+    const Scene scene = view().scene();
+    const bool is_shown = scene.shown_ns == monitor().snapshot().scene->shown_ns;
+    if (!is_shown || scene.shown_ns == acted_on_ns || !view().waits()) return false;
+    switch (scene.kind) {
+      case Scene::Kind::text:
+      case Scene::Kind::mask_on:
+      case Scene::Kind::mask_off:
+        acted_on_ns = scene.shown_ns;
+        key(Qt::Key_Return);
+        break;
+      case Scene::Kind::question:
+        acted_on_ns = scene.shown_ns;
+        answer(scene);
+        break;
+      case Scene::Kind::form:
+        acted_on_ns = scene.shown_ns;
+        key(Qt::Key_1);
+        key(Qt::Key_Return);
+        break;
+      case Scene::Kind::rest:
+        if (monitor().snapshot().now_ns < scene.rest_until_ns.value_or(0)) return false;
+        acted_on_ns = scene.shown_ns;
+        key(Qt::Key_Return);
+        break;
+      case Scene::Kind::blank:
+      case Scene::Kind::feel:
+      case Scene::Kind::feedback:
+      case Scene::Kind::paused:
+      case Scene::Kind::ended:
+        break;
+    }
+    return false;
+  });
+  require(came_to_it, std::string("it stays in phase ") +
+                          asperity::text_of(monitor().snapshot().phase) + ", trial " +
+                          std::to_string(monitor().snapshot().trial));
+}
+
+void SessionRoom::wait_for_end() {
+  wait_for("the end", [&] { return !desk->is_running(); });
+}
+
+std::vector<std::map<std::string, std::string>> read_exported(const std::filesystem::path& file) {
+  const auto cells_of = [](const std::string& line) {
+    std::vector<std::string> cells(1);
+    for (const char sign : line) {
+      if (sign == '\t') {
+        cells.emplace_back();
+      } else {
+        cells.back() += sign;
+      }
+    }
+    return cells;
+  };
+  std::ifstream stream(file);
+  std::string line{};
+  std::getline(stream, line);
+  const std::vector<std::string> columns = cells_of(line);
+  std::vector<std::map<std::string, std::string>> rows{};
+  while (std::getline(stream, line)) {
+    const std::vector<std::string> cells = cells_of(line);
+    std::map<std::string, std::string> row{};
+    for (std::size_t i = 0; i < columns.size(); ++i) row[columns[i]] = cells.at(i);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace asperity

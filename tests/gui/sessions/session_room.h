@@ -1,0 +1,129 @@
+// A study, the program's windows over it, and the two people who sit at them.
+
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <QtTest/QTest>
+
+#include "app/gui/study/session_desk.h"
+#include "app/gui/study/study_window.h"
+#include "results_schema/study.h"
+#include "tests/gui/study/quiet_home.h"
+
+namespace asperity {
+
+/// What a test changes in the protocol of the small study. JSON members, each with a comma before
+/// it.
+struct ProtocolWish {
+  std::string name = "small";
+  std::string kind = "selection";
+  int trials = 2;             ///< of a selection; a matching has two, a recognition three
+  std::string head{};         ///< members of the protocol
+  std::string question{};     ///< members of the question
+  std::string exploration{};  ///< members of the exploration
+  std::string flow = R"({"run": "main"})";
+  std::string more_blocks{};
+};
+
+/// Notes the tones that a session plays, in order, and can be unplugged.
+struct SoundLog {
+  std::atomic<bool> plugged{true};
+  std::atomic<bool> masking{false};
+  std::vector<std::string> tones();  ///< "surface 1", "next", …
+  void add(Cue cue, int number);
+
+ private:
+  std::mutex mutex_{};
+  std::vector<std::string> tones_{};
+};
+
+/// The windows as `asperity` makes them, but for the loudspeaker. Everything is done by keys and
+/// mouse.
+class SessionRoom : public QuietHome {
+ protected:
+  using Scene = ParticipantScene;
+
+  SessionRoom();
+  ~SessionRoom() override;
+
+  // --- the study ---
+  std::filesystem::path folder() const { return home() / "studies" / "small"; }
+  /// Three textures of 128 × 128 pixels (slate, cork, linen), no protocol.
+  void make_study();
+  void add_protocol(const ProtocolWish& wish);
+  /// The newest session with its attempts.
+  SessionRow stored_session() const;
+  std::vector<AttemptRow> stored_attempts() const;
+  /// Every event of the session, those of attempts too, in order of time.
+  std::vector<EventRow> stored_events() const;
+  std::vector<EventRow> stored_events(const std::string& kind) const;
+  /// "1/1 answered", "1/2 aborted": trial, attempt and outcome, as stored.
+  std::vector<std::string> stored_outcomes() const;
+
+  // --- the windows ---
+  void make_windows();
+  void close_windows();
+  void open();  ///< both, with the study
+  SessionRunner& runner() { return *desk->runner(); }
+  SessionMonitor& monitor() { return runner().monitor(); }
+  SessionWindow& experimenter() { return *desk->session_window(); }
+  ParticipantView& view() { return desk->participant_window()->view(); }
+  bool is_in(SessionPhase phase);
+  /// In `trial`.
+  bool is_in(SessionPhase phase, int trial);
+
+  // --- hands ---
+  /// To whichever window has the focus.
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+  /// Counted; the widget has to be seen and enabled within a while.
+  void click(QWidget& widget);
+  template <class Widget>
+  Widget& find(QWidget& in, const char* name) {
+    return child<Widget>(in, name);
+  }
+  void click(QWidget& in, const char* name) { click(child<QWidget>(in, name)); }
+  void click_row(QWidget& in, const char* table, const QString& with_text);
+  QPoint place_of(ParticipantItem::Kind kind, const QString& key);
+  void click_item(ParticipantItem::Kind kind, const QString& key);
+
+  // --- what people do ---
+  /// From the Protocols page over the start page into the session.
+  void start(const QString& protocol, const char* mode = "mode_run");
+  /// The consent of the start page, seen by AB.
+  void agree();
+  /// Presses the start page's button once the checklist allows it.
+  void press_start();
+  /// Follows the session as a participant does (Return where something is read) and answers the
+  /// questions of trials by `answer`, until `until` holds; without it, to the end.
+  void take_part(const std::function<void(const Scene&)>& answer,
+                 const std::function<bool()>& until = {});
+  /// Chooses by key and confirms.
+  void choose(Qt::Key option);
+  /// Waits, with events going on, until it holds; false when it did not for long.
+  bool until(const std::function<bool()>& condition);
+  /// The same; otherwise the test ends, and says what it waited for.
+  void wait_for(const std::string& what, const std::function<bool()>& condition);
+  static void require(bool holds, const std::string& what);
+  void wait_for_end();
+
+  int clicks = 0;
+  std::shared_ptr<SoundLog> sound = std::make_shared<SoundLog>();
+  std::unique_ptr<StudyWindow> window{};
+  std::unique_ptr<SessionDesk> desk{};
+};
+
+/// A table of an export: rows by column.
+std::vector<std::map<std::string, std::string>> read_exported(const std::filesystem::path& file);
+
+}  // namespace asperity
