@@ -38,7 +38,7 @@ endfunction()
 
 # asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…])
 # Tests are discovered when ctest runs, so that building never runs a test program. The label "long" keeps
-# them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo or realtime.
+# them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo, realtime or window.
 function(asperity_add_tests folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   set(program asperity_${folder}_tests)

@@ -50,7 +50,7 @@ class LiveWorkspace final : public QWidget {
   std::filesystem::path study_{};
   SurfaceLook look_ = SurfaceLook::plain;
   WorkspaceView* view_ = nullptr;
-  QTimer timer_{};
+  QTimer timer_{this};
   std::uint64_t next_bin_ = 0;
   std::vector<LiveBin> bins_{};
   std::pair<int, int> shown_{};                                          ///< trial and surface
