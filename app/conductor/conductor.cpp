@@ -633,8 +633,7 @@ bool Conductor::wait_out_fault(const std::string& what) {
       stop(what);
       return false;
     }
-    if (!requests_.take_clear_fault()) continue;
-    rig_.clear_fault();
+    if (!requests_.lift_fault()) continue;
     const std::string problem = device_problem([this](double duration_s) {
       for (double passed_s = 0.0; passed_s < duration_s; passed_s += SessionCourse::kSlice_s) {
         course_.pass_slice();

@@ -61,6 +61,7 @@ void SessionRequests::remark(const std::string& kind, const std::string& text) {
 void SessionRequests::emergency_stop() noexcept {
   const std::lock_guard lock(mutex_);
   stop_wanted_ = true;
+  clear_fault_ = false;  // asked for before this stop: not meant for it
   if (rig_ != nullptr) rig_->emergency_stop();
 }
 
@@ -135,6 +136,13 @@ bool SessionRequests::take_clear_fault() {
 std::vector<SessionRequests::ButtonMove> SessionRequests::take_button_moves() {
   const std::lock_guard lock(mutex_);
   return std::exchange(button_moves_, {});
+}
+
+bool SessionRequests::lift_fault() {
+  const std::lock_guard lock(mutex_);
+  if (!std::exchange(clear_fault_, false)) return false;
+  if (rig_ != nullptr) rig_->clear_fault();
+  return true;
 }
 
 std::vector<SessionRequests::Remark> SessionRequests::take_remarks() {

@@ -53,7 +53,8 @@ class SessionRequests final {
   /// such button.
   void press_button(int button);
   void release_button(int button);
-  /// The reason of the fault is mended: go on with the trial that it interrupted.
+  /// The reason of the fault is mended: go on with the trial that it interrupted. An emergency stop
+  /// that comes later takes it back.
   void clear_fault();
 
   struct Remark {
@@ -86,6 +87,9 @@ class SessionRequests final {
   std::optional<std::string> take_skip();
   std::optional<std::string> take_abort();
   bool take_clear_fault();
+  /// Takes `clear_fault` and lifts the rig's fault, in one: an emergency stop comes before or after
+  /// and is never lifted by what was asked for before it. False when nobody asked.
+  bool lift_fault();
   std::vector<Remark> take_remarks();
   /// In the order of asking.
   std::vector<ButtonMove> take_button_moves();

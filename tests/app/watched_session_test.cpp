@@ -424,6 +424,28 @@ TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
   EXPECT_EQ(events_of("fault_cleared").size(), 1U);
 }
 
+TEST_F(WatchedSession, AnEmergencyStopIsNotLiftedByWhatWasAskedForBeforeIt) {
+  begin(one_trial());
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question > 1) return {{0}, {}};
+    requests_.emergency_stop();
+    return {{}, 1};
+  };
+  int slices = 0;
+  once_in(SessionPhase::fault, [&] {
+    requests_.clear_fault();
+    requests_.emergency_stop();  // in the same hundredths of a second
+    rig_->at_pass = [&] {
+      if (monitor_.snapshot().phase == SessionPhase::fault) ++slices;
+      if (slices == 50) requests_.abort("stopped twice");
+    };
+  });
+  EXPECT_EQ(run().reason, "stopped twice");
+  EXPECT_EQ(slices, 50);
+  EXPECT_EQ(attempts().size(), 1U);
+  EXPECT_TRUE(events_of("fault_cleared").empty());
+}
+
 TEST_F(WatchedSession, StaysInTheFaultWhileTheDeviceIsNotFit) {
   begin(one_trial(), {{.kind = ScriptedFault::Kind::lost, .at_s = 1.0}});
   bool told = false;
