@@ -192,7 +192,8 @@ void Conductor::run_steps() {
   for (std::size_t i = 0; i < first; ++i) {
     if (std::holds_alternative<Protocol::Check>(steps[i])) run_other(steps[i]);
   }
-  int block = 0;
+  block_ = 0;
+  resume_repeats(first);
   for (std::size_t i = first; i < steps.size() && !stopped_; ++i) {
     step_ = i;
     // A stop that was asked for while something was read or answered: there is no trial to wait for.
@@ -203,9 +204,9 @@ void Conductor::run_steps() {
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
     if (step != nullptr) {
       const Trial& trial = session_.plan.trials[step->trial];
-      if (trial.block_ordinal != block) {
-        if (block != 0) finish_block(block);
-        block = trial.block_ordinal;
+      if (trial.block_ordinal != block_) {
+        if (block_ != 0) finish_block(block_);
+        block_ = trial.block_ordinal;
       }
       if (stopped_ || is_done(trial) || is_over(trial)) continue;
       run_trial(trial);
@@ -222,17 +223,31 @@ void Conductor::run_steps() {
         more_to_come = !is_over(trial);
       }
     }
-    if (block != 0 && next_block == block) {
+    if (block_ != 0 && next_block == block_) {
       if (more_to_come) run_other(steps[i]);
       continue;
     }
-    if (block != 0) finish_block(block);
-    block = 0;
+    if (block_ != 0) finish_block(block_);
+    block_ = 0;
     course_.update([](SessionSnapshot& snapshot) { snapshot.block = 0; });
     if (!stopped_) run_other(steps[i]);
   }
-  if (block != 0 && !stopped_) finish_block(block);
+  if (block_ != 0 && !stopped_) finish_block(block_);
+  block_ = 0;
   if (!stopped_) between_steps(Next::other);
+}
+
+/// Trials of blocks before the one that is gone on with: set aside to be asked again, and then the
+/// session was interrupted.
+void Conductor::resume_repeats(std::size_t first) {
+  if (!session_.resumed) return;
+  const TrialStep* next = std::get_if<TrialStep>(&session_.plan.steps.at(first));
+  if (next == nullptr) return;
+  const int block = session_.plan.trials[next->trial].block_ordinal;
+  for (const auto& [ordinal, attempt] : set_aside_) {
+    const Trial& trial = session_.plan.trials.at(static_cast<std::size_t>(ordinal - 1));
+    if (trial.block_ordinal < block && !is_done(trial) && !stopped_) ask_again(trial);
+  }
 }
 
 /// A step that is no trial; it is begun again after a fault.
@@ -417,14 +432,15 @@ int Conductor::attempts_of(int trial) const {
 void Conductor::run_trial(const Trial& trial) {
   int failures = 0;
   for (;;) {
-    course_.enter(SessionPhase::iti);
-    course_.update([&](SessionSnapshot& snapshot) {
-      snapshot.block = trial.block_ordinal;
-      snapshot.trial = trial.ordinal;
-      snapshot.attempt = attempts_of(trial.ordinal) + 1;
-    });
-    course_.show({});
-    between_steps(Next::trial);
+    do {
+      course_.enter(SessionPhase::iti);
+      course_.update([&](SessionSnapshot& snapshot) {
+        snapshot.block = trial.block_ordinal;
+        snapshot.trial = trial.ordinal;
+        snapshot.attempt = attempts_of(trial.ordinal) + 1;
+      });
+      course_.show({});
+    } while (between_steps(Next::trial) && !stopped_);
     if (stopped_) return;
     std::optional<Interruption> interruption{};
     const AttemptRow attempt = make_attempt(trial, interruption);
@@ -513,12 +529,13 @@ void Conductor::tell(const Trial& trial, const AttemptRow& attempt) {
 
 // --- what the experimenter wants -----------------------------------------------------------------
 
-void Conductor::between_steps(Next next) {
-  course_.store_remarks();
-  hold(next);
-  while (!stopped_) {
+bool Conductor::between_steps(Next next) {
+  for (bool repeated = false;; repeated = true) {
+    course_.store_remarks();
+    hold(next);
+    if (stopped_) return repeated;
     const std::optional<std::string> reason = requests_.take_repeat();
-    if (!reason) return;
+    if (!reason) return repeated;
     repeat_last(*reason);
   }
 }
@@ -551,7 +568,15 @@ void Conductor::repeat_last(const std::string& reason) {
     snapshot.attempts = std::move(attempts);
   });
   publish_progress();
-  run_trial(session_.plan.trials.at(static_cast<std::size_t>(trial - 1)));
+  ask_again(session_.plan.trials.at(static_cast<std::size_t>(trial - 1)));
+}
+
+/// A trial that was set aside. Where its block is over nothing at the end of the block asks it once
+/// more when that should be needed.
+void Conductor::ask_again(const Trial& trial) {
+  do {
+    run_trial(trial);
+  } while (!stopped_ && trial.block_ordinal != block_ && !is_done(trial));
 }
 
 /// Returns when nothing stands in the way of what comes next: no pause, no fault, no lost noise.

@@ -84,6 +84,7 @@ class Conductor final {
   void stop(const std::string& reason);
 
   void run_steps();
+  void resume_repeats(std::size_t first);
   void run_other(const PlanStep& step);
   void try_other(const PlanStep& step);
   void rest(const Protocol::Break& pause);
@@ -96,9 +97,11 @@ class Conductor final {
   AttemptRow make_attempt(const Trial& trial, std::optional<Interruption>& interruption);
   void tell(const Trial& trial, const AttemptRow& attempt);
 
-  void between_steps(Next next);
+  /// True when a trial was asked again meanwhile: where the session is has then to be said anew.
+  bool between_steps(Next next);
   void hold(Next next);
   void repeat_last(const std::string& reason);
+  void ask_again(const Trial& trial);
   bool outlives(const Interruption& interruption);
   /// False when the session is to end; it then has its reason.
   bool wait_out_fault(const std::string& what);
@@ -132,6 +135,8 @@ class Conductor final {
   int attempts_made_ = 0;
 
   Wait outside_{};  ///< waits where there is no trial under way
+
+  int block_ = 0;  ///< whose trials are asked, by ordinal; 0 between blocks
 
   std::size_t step_ = 0;             ///< of the plan, under way
   std::vector<double> planned_s_{};  ///< each step's cost; empty without a monitor

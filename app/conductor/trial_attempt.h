@@ -55,7 +55,6 @@ class TrialAttempt final {
   void prepare();
   void carry_out();
   Reply ask();
-  void show_surface(std::size_t index);
   void feel(std::size_t index);
   void explore(Surface& surface);
   void measure(const std::vector<TickRecord>& records);

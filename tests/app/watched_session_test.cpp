@@ -382,6 +382,91 @@ TEST_F(WatchedSession, AsksARepeatedTrialAgainAfterAResumeWhenItWasInterrupted) 
   EXPECT_TRUE(rows[2].valid);
 }
 
+/// Each trial in a block of its own.
+std::string blocks_of_one_trial(const std::string& exploration = "") {
+  std::string text = one_trial(small_protocol("", exploration));
+  text.replace(text.find(R"({"run": "main"})"), 15, R"({"run": "main"}, {"run": "main"})");
+  return text;
+}
+
+TEST_F(WatchedSession, AsksARepeatedTrialUntilItCountsAlsoWhenItsBlockIsOver) {
+  begin(blocks_of_one_trial(R"(, "on_failure": "requeue_at_end_of_block", "maximum_repeats": 2)"));
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question == 1) requests_.repeat_last("somebody came in");
+    return {{0}, {}};
+  };
+  // In the second attempt the first touch is too short.
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    if (now.attempt == 2 && now.phase == SessionPhase::contact) rig_->hand().lift();
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[1].outcome, AttemptOutcome::not_compliant);
+  EXPECT_EQ(rows[2].trial, 1);
+  EXPECT_TRUE(rows[2].valid);
+  EXPECT_TRUE(rows[3].valid);
+}
+
+TEST_F(WatchedSession, AsksARepeatedTrialOfAnEarlierBlockAgainAfterAResume) {
+  begin(blocks_of_one_trial());
+  person_.at_question = [&](int question, const Trial& trial) -> Reply {
+    if (question == 1) {
+      EXPECT_EQ(trial.ordinal, 1);
+    } else if (question == 2) {  // trial 2 is not answered: the last is trial 1
+      EXPECT_EQ(trial.ordinal, 2);
+      requests_.repeat_last("the hand had slipped");
+      requests_.emergency_stop();
+      return {{}, 1};
+    } else if (question == 3) {
+      EXPECT_EQ(trial.ordinal, 1);
+      requests_.abort("the fire alarm rang");
+      return {{}, 1};
+    }
+    return {{0}, {}};
+  };
+  once_in(SessionPhase::fault, [&] { requests_.clear_fault(); });
+  EXPECT_EQ(run().state, SessionState::stopped);
+  make_rig({});
+  rig_->move_clock_to(1'000'000'000'000);
+  session_ = reopen(*study_, protocol_, study_->session(session_.row.id));
+  EXPECT_EQ(run().state, SessionState::completed);
+  std::vector<int> counted{};
+  for (const AttemptRow& row : attempts()) {
+    if (row.valid) counted.push_back(row.trial);
+  }
+  EXPECT_THAT(counted, ElementsAre(1, 2));
+}
+
+TEST_F(WatchedSession, PausesAfterARepeatedTrialToo) {
+  begin(small_protocol());
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question == 1) requests_.repeat_last("somebody came in");
+    if (question == 2) requests_.pause();
+    return {{0}, {}};
+  };
+  std::size_t stored = 0;
+  once_in(SessionPhase::paused, [&] {
+    stored = attempts().size();
+    requests_.resume();
+  });
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_EQ(stored, 2U);
+}
+
+TEST_F(WatchedSession, IsInTheBlockOfTheNextTrialAfterARepeatedOne) {
+  begin(blocks_of_one_trial());
+  std::vector<int> blocks{};
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question == 1) requests_.repeat_last("somebody came in");
+    blocks.push_back(monitor_.snapshot().scene->block);
+    return {{0}, {}};
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_THAT(blocks, ElementsAre(1, 1, 2));
+}
+
 TEST_F(WatchedSession, SaysThatThereIsNothingToRepeat) {
   begin(one_trial());
   requests_.repeat_last("too early");
