@@ -642,6 +642,7 @@ bool Conductor::wait_out_fault(const std::string& what) {
   course_.event("fault", name_of(rig_.loop().status().fault));
   course_.enter(SessionPhase::fault);
   course_.show(scene_of(ParticipantScene::Kind::paused));
+  course_.play(Cue::paused);
   const auto trouble = [&](const std::string& more) {
     publish_trouble(with_capital(what) + ". The force is zero until the fault is cleared." + more,
                     SessionTrouble::Remedy::clear_fault);
@@ -674,7 +675,8 @@ bool Conductor::wait_out_fault(const std::string& what) {
   course_.event("fault_cleared", "");
   course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
   course_.enter(before);
-  course_.show({});
+  course_.show(before == SessionPhase::paused ? scene_of(ParticipantScene::Kind::paused)
+                                              : ParticipantScene{});
   return true;
 }
 

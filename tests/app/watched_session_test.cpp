@@ -531,6 +531,46 @@ TEST_F(WatchedSession, AnEmergencyStopIsNotLiftedByWhatWasAskedForBeforeIt) {
   EXPECT_TRUE(events_of("fault_cleared").empty());
 }
 
+TEST_F(WatchedSession, ShowsThePauseAgainAfterAFaultInIt) {
+  begin(small_protocol());
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question == 1) requests_.pause();
+    return {{0}, {}};
+  };
+  enum class Step { pause, fault, pause_again } step = Step::pause;
+  std::vector<ParticipantScene::Kind> kinds{};
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    if (step == Step::pause && now.phase == SessionPhase::paused) {
+      requests_.emergency_stop();
+      step = Step::fault;
+    } else if (step == Step::fault && now.phase == SessionPhase::fault) {
+      requests_.clear_fault();
+      step = Step::pause_again;
+    } else if (step == Step::pause_again && now.phase == SessionPhase::paused) {
+      kinds.push_back(now.scene->kind);
+      requests_.resume();
+    }
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  ASSERT_FALSE(kinds.empty());
+  EXPECT_EQ(kinds.front(), ParticipantScene::Kind::paused);
+}
+
+// Nobody who wears an eye mask sees the screen.
+TEST_F(WatchedSession, IsHeardToPauseInAFault) {
+  play_sound();
+  begin(one_trial());
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question > 1) return {{0}, {}};
+    requests_.emergency_stop();
+    return {{}, 1};
+  };
+  once_in(SessionPhase::fault, [&] { requests_.clear_fault(); });
+  run();
+  EXPECT_THAT(sound_.cues, Contains(testing::Pair(Cue::paused, 0)));
+}
+
 TEST_F(WatchedSession, StaysInTheFaultWhileTheDeviceIsNotFit) {
   begin(one_trial(), {{.kind = ScriptedFault::Kind::lost, .at_s = 1.0}});
   bool told = false;
