@@ -455,7 +455,10 @@ void Conductor::run_trial(const Trial& trial) {
       if (!wait_out_fault(reason)) return;
       continue;
     }
-    if (interruption && interruption->ask_again) continue;  // `hold` sees to the reason
+    if (interruption && interruption->ask_again) {
+      pause_without_noise();  // also where it has come back meanwhile
+      continue;
+    }
     if (attempt.outcome == AttemptOutcome::aborted) {
       stop(attempt.invalid_reason.value_or("aborted"));
       return;
@@ -594,11 +597,7 @@ void Conductor::hold(Next next) {
       return;
     }
     if (is_attended && next == Next::trial && course_.has_lost_noise() && !requests_.is_paused()) {
-      requests_.pause();
-      publish_trouble(
-          "The masking noise has stopped, and the session is paused. Mend the sound, then resume.",
-          SessionTrouble::Remedy::resume);
-      course_.event("masking_noise_lost", "");
+      pause_without_noise();
     }
     if (!requests_.is_paused()) break;
     if (!paused) {
@@ -620,6 +619,14 @@ void Conductor::hold(Next next) {
   course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
   course_.enter(before);
   course_.show({});
+}
+
+void Conductor::pause_without_noise() {
+  requests_.pause();
+  publish_trouble(
+      "The masking noise has stopped, and the session is paused. Mend the sound, then resume.",
+      SessionTrouble::Remedy::resume);
+  course_.event("masking_noise_lost", "");
 }
 
 /// Whether what was interrupted outside an attempt can be begun again; waits for it.

@@ -100,6 +100,7 @@ class Conductor final {
   /// True when a trial was asked again meanwhile: where the session is has then to be said anew.
   bool between_steps(Next next);
   void hold(Next next);
+  void pause_without_noise();
   void repeat_last(const std::string& reason);
   void ask_again(const Trial& trial);
   bool outlives(const Interruption& interruption);

@@ -717,6 +717,25 @@ TEST_F(WatchedSession, PausesWhenTheNoiseStopsAndAsksTheTrialAgain) {
   EXPECT_FALSE(monitor_.snapshot().trouble);
 }
 
+TEST_F(WatchedSession, PausesWhenTheNoiseStoppedAlsoIfItIsBackAtOnce) {
+  play_sound();
+  begin(one_trial(with_noise(small_protocol())));
+  bool lost = false;
+  bool paused = false;
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    sound_.running = lost || now.phase != SessionPhase::contact;
+    lost = lost || !sound_.running;
+    if (now.phase == SessionPhase::paused) {
+      paused = true;
+      requests_.resume();
+    }
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_TRUE(paused);
+  EXPECT_EQ(events_of("masking_noise_lost").size(), 1U);
+}
+
 TEST_F(WatchedSession, EndsWhenTheNoiseStopsAndNobodyIsThere) {
   play_sound();
   links_.experimenter_is_there = false;
