@@ -165,6 +165,7 @@ void Conductor::end_after(const std::exception& error) noexcept {
     course_.show(scene_of(ParticipantScene::Kind::ended));
     course_.publish(SessionPhase::ended);
     course_.take_attempt_events();  // of an attempt that has no row to hang on
+    course_.store_remarks();
     course_.event("session_failed", error.what());
     study_.end_segment(session_.row.id, segment_, rig_.clock().now_ns(), "stopped");
     study_.end_session(session_.row.id, SessionState::stopped, rig_.clock().utc());

@@ -571,6 +571,17 @@ TEST_F(WatchedSession, IsHeardToPauseInAFault) {
   EXPECT_THAT(sound_.cues, Contains(testing::Pair(Cue::paused, 0)));
 }
 
+TEST_F(WatchedSession, KeepsNotesOfASessionThatFails) {
+  begin(small_protocol());
+  person_.at_question = [&](int, const Trial&) -> Reply {
+    requests_.note("it smells of smoke");
+    throw std::runtime_error("the recording cannot be written");
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+  ASSERT_EQ(events_of("note").size(), 1U);
+  EXPECT_EQ(events_of("session_failed").size(), 1U);
+}
+
 TEST_F(WatchedSession, StaysInTheFaultWhileTheDeviceIsNotFit) {
   begin(one_trial(), {{.kind = ScriptedFault::Kind::lost, .at_s = 1.0}});
   bool told = false;
