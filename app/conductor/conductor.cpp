@@ -512,17 +512,20 @@ void Conductor::tell(const Trial& trial, const AttemptRow& attempt) {
     return;
   }
   const bool right = is_right(attempt);
-  std::string text = right ? "That was right." : "That was not right.";
-  if (!right && feedback == Feedback::correct_answer) {
-    text += " The right answer:";
+  std::string right_answer{};
+  if (feedback == Feedback::correct_answer) {
     for (const std::string& correct : trial.question.correct) {
       for (const Option& option : trial.question.options) {
-        if (option.value == correct) text += ' ' + option.label;
+        if (option.value != correct) continue;
+        if (!right_answer.empty()) right_answer += ' ';
+        right_answer += option.label;
       }
     }
   }
+  ParticipantScene scene = scene_of_feedback(right, right_answer);
+  const std::string text = scene.text;
   course_.enter(SessionPhase::feedback);
-  course_.show(scene_of(ParticipantScene::Kind::feedback, text));
+  course_.show(std::move(scene));
   course_.play(right ? Cue::right : Cue::wrong);
   try {
     respondent_.tell(text, [this](double duration_s) { course_.wait(duration_s); });

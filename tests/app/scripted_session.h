@@ -79,6 +79,7 @@ inline std::string practised_protocol(const std::string& on_failure) {
 class ScriptedPerson final : public Respondent {
  public:
   std::function<Reply(int, const Trial&)> at_question{};
+  std::function<void()> at_tell{};
   std::vector<std::string> texts{};
   std::vector<int> felt_positions{};
   std::vector<ForceFeatures> last_felt{};
@@ -99,7 +100,10 @@ class ScriptedPerson final : public Respondent {
     if (at_question) return at_question(questions, trial);
     return {{0}, {}};
   }
-  void tell(const std::string& text, const Wait&) override { texts.push_back(text); }
+  void tell(const std::string& text, const Wait&) override {
+    texts.push_back(text);
+    if (at_tell) at_tell();
+  }
   std::string answer(const Question& question, const Wait&) override {
     return question.options.empty() ? std::string() : question.options.front();
   }

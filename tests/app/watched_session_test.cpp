@@ -582,6 +582,19 @@ TEST_F(WatchedSession, KeepsNotesOfASessionThatFails) {
   EXPECT_EQ(events_of("session_failed").size(), 1U);
 }
 
+TEST_F(WatchedSession, SaysFeedbackInWordsThatCanBeTranslated) {
+  begin(practised_protocol("continue_flagged"));
+  std::vector<Saying::What> said{};
+  person_.at_tell = [&] { said.push_back(monitor_.snapshot().scene->text_saying.what); };
+  person_.at_question = [](int question, const Trial& trial) -> Reply {
+    const bool first_is_right = trial.question.options[0].value == trial.question.correct[0];
+    return {{first_is_right == (question > 1) ? std::size_t{0} : std::size_t{1}}, {}};
+  };
+  run();
+  EXPECT_THAT(said, ElementsAre(Saying::What::was_wrong, Saying::What::was_right,
+                                Saying::What::was_right, Saying::What::was_right));
+}
+
 TEST_F(WatchedSession, StaysInTheFaultWhileTheDeviceIsNotFit) {
   begin(one_trial(), {{.kind = ScriptedFault::Kind::lost, .at_s = 1.0}});
   bool told = false;
