@@ -21,7 +21,8 @@ namespace {
 using Kind = ParticipantInput::Kind;
 
 constexpr double kPoll_s = 0.01;
-constexpr double kFeedback_s = 1.5;  // long enough to be read, gone before it bores
+constexpr double kShortestPoll_s = 0.001;  // no clock of a session is finer
+constexpr double kFeedback_s = 1.5;        // long enough to be read, gone before it bores
 constexpr double kHeld_s = 0.8;
 // Nobody means more than this between two looks; a key is stuck.
 constexpr std::size_t kMostWaiting = 1000;
@@ -93,6 +94,7 @@ struct PersonAtWindow::Desk {
   ParticipantScene::Kind shown = ParticipantScene::Kind::blank;  ///< the present scene
   std::uint64_t cues = 0;     ///< a new scene may begin without the number of the last cue
   std::int64_t shown_ns = 0;  ///< what is stamped before was meant for another scene
+  std::optional<std::int64_t> deadline_ns{};  ///< what is stamped after came too late
 
   std::vector<std::string> codes{};  ///< of the trial's surfaces, by position
   std::set<int> felt{};              ///< positions, of this attempt
@@ -114,9 +116,13 @@ struct PersonAtWindow::Desk {
   void play(Cue cue, int number = 0) const {
     if (sound != nullptr) sound->play(cue, number);
   }
-  /// Hears until `heard` is done (true) or the time is over; false when it was.
-  bool listen(const Wait& wait, const std::optional<double>& longest_s,
-              const std::function<bool(const ParticipantInput&, double passed_s)>& heard);
+  /// Hears until `heard` is done (true) or the time is over; false when it was. By the session's
+  /// clock: waiting takes a little longer than it was asked to, every time.
+  bool listen(const Wait& wait, std::optional<std::int64_t> until_ns,
+              const std::function<bool(const ParticipantInput&)>& heard);
+  std::int64_t after_shown_ns(double duration_s) const {
+    return shown_ns + std::llround(1e9 * duration_s);
+  }
 
   void wait_for_confirmation(const Wait& wait);
 
@@ -146,6 +152,7 @@ void PersonAtWindow::Desk::face(std::initializer_list<ParticipantScene::Kind> ki
   shown = snapshot.scene->kind;
   shown_ns = snapshot.scene->shown_ns != 0 ? snapshot.scene->shown_ns
                                            : std::max(snapshot.now_ns, snapshot.phase_began_ns);
+  deadline_ns.reset();
 }
 
 void PersonAtWindow::Desk::change(const std::function<void(ParticipantScene&)>& alter) {
@@ -173,11 +180,13 @@ std::optional<ParticipantInput> PersonAtWindow::Desk::hear() {
     const bool is_stale = !is_release && input.time_ns < shown_ns;
     nlohmann::ordered_json data{{"source", input.source}};
     if (input.held_s > 0.0) data["held_s"] = input.held_s;
+    const bool is_late = !is_release && deadline_ns && input.time_ns > *deadline_ns;
     if (is_stale) data["meant_for_an_earlier_scene"] = true;
+    if (is_late) data["after_the_deadline"] = true;
     const auto held_ns = static_cast<std::int64_t>(std::llround(1e9 * input.held_s));
     events.push_back({is_release ? input.time_ns + held_ns : input.time_ns,
                       is_release ? "input_released" : "input", description_of(input), data.dump()});
-    if (!is_release && !is_stale) return input;
+    if (!is_release && !is_stale && !is_late) return input;
   }
 }
 
@@ -193,24 +202,25 @@ void PersonAtWindow::Desk::refuse(const ParticipantInput& input, Saying saying) 
   play(Cue::refused);
 }
 
-bool PersonAtWindow::Desk::listen(
-    const Wait& wait, const std::optional<double>& longest_s,
-    const std::function<bool(const ParticipantInput&, double passed_s)>& heard) {
-  double passed_s = 0.0;
+bool PersonAtWindow::Desk::listen(const Wait& wait, std::optional<std::int64_t> until_ns,
+                                  const std::function<bool(const ParticipantInput&)>& heard) {
   for (;;) {
     while (const std::optional<ParticipantInput> input = hear()) {
-      if (heard(*input, passed_s)) return true;
+      if (heard(*input)) return true;
     }
-    if (longest_s && passed_s >= *longest_s) return false;
-    const double slice_s = longest_s ? std::min(kPoll_s, *longest_s - passed_s) : kPoll_s;
+    double slice_s = kPoll_s;
+    if (until_ns) {
+      const std::int64_t left_ns = *until_ns - monitor.snapshot().now_ns;
+      if (left_ns <= 0) return false;
+      slice_s = std::clamp(1e-9 * static_cast<double>(left_ns), kShortestPoll_s, kPoll_s);
+    }
     wait(slice_s);
-    passed_s += slice_s;
   }
 }
 
 void PersonAtWindow::Desk::wait_for_confirmation(const Wait& wait) {
   change([](ParticipantScene& scene) { scene.can_confirm = true; });
-  listen(wait, {}, [](const ParticipantInput& input, double) { return goes_on(input); });
+  listen(wait, {}, goes_on);
 }
 
 void PersonAtWindow::Desk::leave_surface() {
@@ -329,13 +339,18 @@ void PersonAtWindow::post(ParticipantInput input) { desk_->put(std::move(input))
 void PersonAtWindow::read(const std::string& text, double minimum_s, const Wait& wait) {
   desk_->face({ParticipantScene::Kind::text, ParticipantScene::Kind::rest}, scene_to_read(text));
   if (minimum_s > 0.0) {
-    desk_->listen(wait, minimum_s, [&](const ParticipantInput& input, double passed_s) {
-      if (goes_on(input)) {
-        desk_->refuse(input, {.what = Saying::What::wait,
-                              .number = static_cast<int>(std::ceil(minimum_s - passed_s))});
-      }
+    // Where the scene counts down, to the same moment.
+    const std::int64_t until_ns =
+        desk_->monitor.snapshot().scene->rest_until_ns.value_or(desk_->after_shown_ns(minimum_s));
+    const bool is_over = desk_->listen(wait, until_ns, [&](const ParticipantInput& input) {
+      if (!goes_on(input)) return false;
+      if (input.time_ns >= until_ns) return true;
+      const double left_s = 1e-9 * static_cast<double>(until_ns - input.time_ns);
+      desk_->refuse(input,
+                    {.what = Saying::What::wait, .number = static_cast<int>(std::ceil(left_s))});
       return false;
     });
+    if (is_over) return;
   }
   desk_->wait_for_confirmation(wait);
 }
@@ -403,8 +418,9 @@ Reply PersonAtWindow::ask(const Trial& trial, std::span<const ForceFeatures>,
   desk_->face({ParticipantScene::Kind::question},
               scene_of_question(trial, desk_->felt_positions()));
   desk_->show_sheet();
+  if (deadline_s) desk_->deadline_ns = desk_->after_shown_ns(*deadline_s);
   std::optional<Reply> reply{};
-  desk_->listen(wait, deadline_s, [&](const ParticipantInput& input, double) {
+  desk_->listen(wait, desk_->deadline_ns, [&](const ParticipantInput& input) {
     reply = desk_->hear_answer(trial, input);
     return reply.has_value();
   });
@@ -416,15 +432,14 @@ void PersonAtWindow::tell(const std::string& text, const Wait& wait) {
   plain.kind = ParticipantScene::Kind::feedback;
   plain.text = text;
   desk_->face({ParticipantScene::Kind::feedback}, std::move(plain));
-  desk_->listen(wait, kFeedback_s,
-                [](const ParticipantInput& input, double) { return goes_on(input); });
+  desk_->listen(wait, desk_->after_shown_ns(kFeedback_s), goes_on);
 }
 
 std::string PersonAtWindow::answer(const Question& question, const Wait& wait) {
   desk_->face({ParticipantScene::Kind::form}, scene_of_form(question));
   std::string given{};
   std::optional<std::size_t> pointed{};
-  desk_->listen(wait, {}, [&](const ParticipantInput& input, double) {
+  desk_->listen(wait, {}, [&](const ParticipantInput& input) {
     if (steps_by_button(input)) {
       if (question.options.empty()) return false;
       pointed = pointed ? (*pointed + 1) % question.options.size() : 0;

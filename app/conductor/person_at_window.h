@@ -18,7 +18,8 @@ namespace asperity {
 /// The rules of answering live here, without any window: digits and letters choose, `next` switches
 /// surfaces where that is allowed, `confirm` answers when the answer is complete; an answer before
 /// all was felt is refused with a cue; each picture is given once, and an assignment may be changed
-/// until it is confirmed (AnswerSheet). What was pressed before a scene was shown never answers it.
+/// until it is confirmed (AnswerSheet). What was pressed before a scene was shown never answers it,
+/// nor does what was pressed after the deadline, however soon it is heard.
 ///
 /// With device buttons alone: button 1 steps through the options, a tone for each; button 2, or
 /// button 1 held for 0.8 s, confirms. In an assignment that gives the option to the surface whose

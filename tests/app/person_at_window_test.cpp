@@ -67,6 +67,9 @@ Trial matching() {
 class PersonAtWindowTest : public testing::Test {
  protected:
   static constexpr double kBegin_s = 100.0;
+  PersonAtWindowTest() {
+    monitor_.update([this](SessionSnapshot& snapshot) { snapshot.now_ns = now_ns_; });
+  }
 
   /// `after_s` counts from now.
   void press(double after_s, ParticipantInput input) {
@@ -247,6 +250,26 @@ TEST_F(AChoice, CountsWhenItIsConfirmedJustInTime) {
   press(1.0, Kind::option, 1);
   press(3.995, Kind::confirm);
   EXPECT_EQ(ask(selection(), 4.0).options, Options{0});
+}
+
+// On a real clock every wait takes a little longer than was asked for.
+TEST_F(AChoice, IsOverAtTheDeadlineHoweverLongTheWaitsTake) {
+  feel_all(selection());
+  press(1.0, Kind::option, 1);
+  press(4.05, Kind::confirm);
+  const std::int64_t asked_ns = now_ns_;
+  wait_ = [this](double duration_s) { pass(duration_s + 0.002); };
+  EXPECT_TRUE(ask(selection(), 4.0).options.empty());
+  EXPECT_LT(now_ns_, asked_ns + nanoseconds(4.0 + 0.01));
+}
+
+TEST_F(AChoice, IsNotConfirmedAfterTheDeadlineBetweenTwoLooks) {
+  feel_all(selection());
+  press(1.0, Kind::option, 1);
+  press(4.001, Kind::confirm);
+  wait_ = [this](double duration_s) { pass(duration_s + 0.007); };
+  EXPECT_TRUE(ask(selection(), 4.0).options.empty());
+  EXPECT_NE(events("input").back().data_json.find("after_the_deadline"), std::string::npos);
 }
 
 TEST_F(AChoice, IsNotMadeByWhatWasPressedBeforeTheQuestion) {
@@ -580,6 +603,19 @@ TEST_F(Reading, LastsAsLongAsABreakHasTo) {
   const std::int64_t began_ns = now_ns_;
   person_.read("Please rest.", 60.0, wait_);
   EXPECT_NEAR(1e-9 * static_cast<double>(now_ns_ - began_ns), 61.2, 0.011);
+}
+
+TEST_F(Reading, GoesOnWhenTheCountdownOfABreakIsAtItsEnd) {
+  ParticipantScene rest = scene_to_read("Please rest.");
+  rest.kind = ParticipantScene::Kind::rest;
+  rest.rest_until_ns = now_ns_ + nanoseconds(60.0);
+  monitor_.show(rest);
+  press(60.05, Kind::confirm);
+  const std::int64_t began_ns = now_ns_;
+  wait_ = [this](double duration_s) { pass(duration_s + 0.001); };
+  person_.read("Please rest.", 60.0, wait_);
+  EXPECT_LT(now_ns_, began_ns + nanoseconds(60.1));
+  EXPECT_TRUE(events("refused").empty());
 }
 
 TEST_F(Reading, IsNotOverByAKeyFromBefore) {
