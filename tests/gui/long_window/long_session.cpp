@@ -70,10 +70,11 @@ ServoTimes servo_times_of(const std::filesystem::path& study_folder,
     times.scheduling = session.scheduling;
     const std::vector<AttemptRow> attempts = study.attempts(session.id);
     for (const AttemptRow& attempt : attempts) {
+      if (!attempt.servo || !attempt.recording) continue;  // cut off before its first tick
       ++times.attempts;
-      times.missed_deadlines += attempt.servo.value().missed_deadlines;
-      times.lost_records += attempt.servo.value().lost_records;
-      const Recording recording = read_recording(study_folder / attempt.recording.value().path);
+      times.missed_deadlines += attempt.servo->missed_deadlines;
+      times.lost_records += attempt.servo->lost_records;
+      const Recording recording = read_recording(study_folder / attempt.recording->path);
       for (const TickRecord& tick : records_of(recording)) {
         lateness_s.push_back(static_cast<double>(tick.lateness_ns) * 1e-9);
       }
