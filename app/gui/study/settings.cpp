@@ -4,6 +4,7 @@
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDir>
+#include <QtCore/QLibraryInfo>
 #include <QtCore/QLocale>
 #include <QtCore/QSettings>
 #include <QtCore/QTranslator>
@@ -28,6 +29,16 @@ void write_recent(const std::vector<RecentStudy>& studies) {
     settings.setValue("used", studies[i].used);
   }
   settings.endArray();
+}
+
+/// The texts of one origin, in place of those that were there under its name.
+template <typename Load>
+void exchange_texts(const QString& name, const Load& load) {
+  QCoreApplication* const program = QCoreApplication::instance();
+  delete program->findChild<QTranslator*>(name);  // takes its texts with it
+  auto* translator = new QTranslator(program);
+  translator->setObjectName(name);
+  if (load(*translator)) QCoreApplication::installTranslator(translator);
 }
 
 }  // namespace
@@ -80,22 +91,21 @@ void remember_language(const QString& code) { QSettings{}.setValue("language", c
 QStringList available_languages() {
   QStringList codes{"en"};
   for (const QString& file : QDir(":/translations").entryList({"asperity_*.qm"})) {
-    codes.append(file.mid(9, file.size() - 12));
+    const QString code = file.mid(9, file.size() - 12);
+    if (code != "en") codes.append(code);
   }
   return codes;
 }
 
 void apply_language(const QString& choice) {
   const QLocale locale = choice == "system" ? QLocale::system() : QLocale(choice);
-  QCoreApplication* const program = QCoreApplication::instance();
-  const QString name = "asperity-translator";
-  delete program->findChild<QTranslator*>(name);  // takes its texts with it
-  auto* translator = new QTranslator(program);
-  translator->setObjectName(name);
-  if (locale.language() != QLocale::English &&
-      translator->load(locale, "asperity", "_", ":/translations")) {
-    QCoreApplication::installTranslator(translator);
-  }
+  exchange_texts("asperity-texts", [&locale](QTranslator& texts) {
+    return texts.load(locale, "asperity", "_", ":/translations") ||
+           texts.load("asperity_en", ":/translations");
+  });
+  exchange_texts("qt-texts", [&locale](QTranslator& texts) {
+    return texts.load(locale, "qtbase", "_", QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  });
 }
 
 bool restore_geometry(QWidget& window, const QString& name) {

@@ -32,10 +32,11 @@ void remember_theme(ThemeChoice choice);
 /// "system", or the code of a language: "en", "de".
 QString language_choice();
 void remember_language(const QString& code);
-/// Those that the program has texts in: English, in which it is written, and every
-/// :/translations/asperity_CODE.qm.
+/// The codes of those that the program has texts in: every :/translations/asperity_CODE.qm. English
+/// is the first; its file holds plurals alone, the program is written in English.
 QStringList available_languages();
-/// Its texts from now on in that language; windows that are open have to be filled anew.
+/// Its texts from now on in that language, or in English where there are none; windows that are open
+/// have to be filled anew. Qt's own texts, of its dialogs and menus, follow where they are installed.
 void apply_language(const QString& choice);
 
 /// Where a window was, by its name; false when it has never been anywhere.

@@ -28,7 +28,9 @@ constexpr int kSliderSteps = 1000;
 constexpr int kFieldWidth = 128;
 constexpr int kResetWidth = 64;
 
-QString tr(const char* text) { return QCoreApplication::translate("ParameterForm", text); }
+struct FormWords {
+  Q_DECLARE_TR_FUNCTIONS(FormWords)
+};
 
 /// value · 10^exponent by moving the decimal point, not by a product that rounds.
 double decimal_shifted(double value, int exponent) {
@@ -186,7 +188,8 @@ QString words_of(std::string name) {
 }
 
 QString choice_words(const Parameter& parameter, const std::string& choice) {
-  if (parameter.name == "histogram") return choice == "none" ? tr("As it is") : tr("Equalized");
+  if (parameter.name == "histogram")
+    return choice == "none" ? FormWords::tr("As it is") : FormWords::tr("Equalized");
   return words_of(choice);
 }
 
@@ -206,9 +209,9 @@ QString tip_of(const Parameter& parameter) {
   const QString meaning = QString::fromStdString(parameter.meaning).toHtmlEscaped();
   const QString name = QString::fromStdString(parameter.name);
   if (parameter.kind == ParameterKind::choice) {
-    return tr("<p>%1.</p><p>In files: %2</p>").arg(meaning, name);
+    return FormWords::tr("<p>%1.</p><p>In files: %2</p>").arg(meaning, name);
   }
-  return tr("<p>%1.</p><p>From %2 to %3. In files: %4</p>")
+  return FormWords::tr("<p>%1.</p><p>From %2 to %3. In files: %4</p>")
       .arg(meaning, text_of(parameter, parameter.minimum), text_of(parameter, parameter.maximum),
            name);
 }
@@ -217,20 +220,20 @@ QString tip_of(const Parameter& parameter) {
 
 QString caption_of(const Parameter& parameter) {
   const std::map<std::string, QString, std::less<>> better{
-      {"width_m", tr("Picture width")},
-      {"histogram", tr("Brightness")},
-      {"homomorphic_wavelength_m", tr("Lighting is above")},
-      {"gamma_low", tr("Lighting kept")},
-      {"gamma_high", tr("Detail raised")},
-      {"gaussian_wavelength_m", tr("Longest wave kept")},
-      {"rms_m", tr("Roughness RMS")},
-      {"noise_sd_N", tr("Noise, standard deviation")},
-      {"noise_mean_N", tr("Noise, mean")},
-      {"friction_speed_m_per_s", tr("Friction starts at")},
-      {"velocity_threshold_m_per_s", tr("Noise starts at")},
-      {"depth_limit_m", tr("Depth limit")},
-      {"k1_N_per_m", tr("Plate stiffness k1")},
-      {"gain_N", tr("Gain")},
+      {"width_m", FormWords::tr("Picture width")},
+      {"histogram", FormWords::tr("Brightness")},
+      {"homomorphic_wavelength_m", FormWords::tr("Lighting is above")},
+      {"gamma_low", FormWords::tr("Lighting kept")},
+      {"gamma_high", FormWords::tr("Detail raised")},
+      {"gaussian_wavelength_m", FormWords::tr("Longest wave kept")},
+      {"rms_m", FormWords::tr("Roughness RMS")},
+      {"noise_sd_N", FormWords::tr("Noise, standard deviation")},
+      {"noise_mean_N", FormWords::tr("Noise, mean")},
+      {"friction_speed_m_per_s", FormWords::tr("Friction starts at")},
+      {"velocity_threshold_m_per_s", FormWords::tr("Noise starts at")},
+      {"depth_limit_m", FormWords::tr("Depth limit")},
+      {"k1_N_per_m", FormWords::tr("Plate stiffness k1")},
+      {"gain_N", FormWords::tr("Gain")},
   };
   const auto found = better.find(parameter.name);
   return found == better.end() ? without_unit(parameter) : found->second;
@@ -242,7 +245,7 @@ QString text_of(const Parameter& parameter, const ParameterValue& value) {
   }
   const ShownUnit unit = shown_unit(parameter);
   const QString number = short_number(unit.shown(std::get<double>(value)));
-  return unit.name.isEmpty() ? number : tr("%1 %2").arg(number, unit.name);
+  return unit.name.isEmpty() ? number : FormWords::tr("%1 %2").arg(number, unit.name);
 }
 
 struct ParameterForm::Row {

@@ -16,7 +16,9 @@ namespace {
 constexpr int kWidth = 128;
 constexpr int kCaption = 28;  // pixels of a thumbnail's words and border
 
-QString tr(const char* text) { return QCoreApplication::translate("StepStrip", text); }
+struct StepWords {
+  Q_DECLARE_TR_FUNCTIONS(StepWords)
+};
 
 std::size_t at(Step step) { return static_cast<std::size_t>(step); }
 
@@ -25,38 +27,39 @@ std::size_t at(Step step) { return static_cast<std::size_t>(step); }
 QString name_of(Step step) {
   switch (step) {
     case Step::photograph:
-      return tr("Photograph");
+      return StepWords::tr("Photograph");
     case Step::grey:
-      return tr("Grey");
+      return StepWords::tr("Grey");
     case Step::evened:
-      return tr("Light evened");
+      return StepWords::tr("Light evened");
     case Step::low_pass:
-      return tr("Long waves");
+      return StepWords::tr("Long waves");
     case Step::heights:
-      return tr("Heights");
+      return StepWords::tr("Heights");
     case Step::relief:
       break;
   }
-  return tr("Relief");
+  return StepWords::tr("Relief");
 }
 
 QString meaning_of(Step step) {
   switch (step) {
     case Step::photograph:
-      return tr("The photograph as it was dropped.");
+      return StepWords::tr("The photograph as it was dropped.");
     case Step::grey:
-      return tr("Its brightness alone; with “Equalize” every brightness is equally frequent.");
+      return StepWords::tr(
+          "Its brightness alone; with “Equalize” every brightness is equally frequent.");
     case Step::evened:
-      return tr("Slow changes of the lighting are weakened and fine detail is raised.");
+      return StepWords::tr("Slow changes of the lighting are weakened and fine detail is raised.");
     case Step::low_pass:
-      return tr(
+      return StepWords::tr(
           "What is longer than the longest wave kept; it is taken away from the step before.");
     case Step::heights:
-      return tr("What is left, as heights: low is dark, high is bright.");
+      return StepWords::tr("What is left, as heights: low is dark, high is bright.");
     case Step::relief:
       break;
   }
-  return tr("The heights as a surface in light.");
+  return StepWords::tr("The heights as a surface in light.");
 }
 
 StepStrip::StepStrip(QWidget* parent) : QWidget(parent) {

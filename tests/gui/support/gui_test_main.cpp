@@ -6,6 +6,7 @@
 #include <locale.h>
 
 #include "app/gui/look/theme.h"
+#include "app/gui/study/settings.h"
 #include "results_schema/study.h"
 
 int main(int argc, char** argv) {
@@ -19,5 +20,6 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("asperity-tests");
   asperity::Study::read_beside_writers();  // as the program with its windows does
   asperity::apply_theme(application, asperity::ThemeChoice::light);
+  asperity::apply_language("en");
   return RUN_ALL_TESTS();
 }

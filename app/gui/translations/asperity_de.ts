@@ -1,0 +1,4126 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en_US">
+<context>
+    <name>AttemptWords</name>
+    <message>
+        <source>answered</source>
+        <translation>beantwortet</translation>
+    </message>
+    <message>
+        <source>no answer in time</source>
+        <translation>keine Antwort in der Zeit</translation>
+    </message>
+    <message>
+        <source>not explored as asked</source>
+        <translation>nicht wie verlangt erkundet</translation>
+    </message>
+    <message>
+        <source>aborted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>device fault</source>
+        <translation>Gerätestörung</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>übersprungen</translation>
+    </message>
+    <message>
+        <source>set aside, asked again</source>
+        <translation>zurückgestellt, erneut gefragt</translation>
+    </message>
+    <message>
+        <source>flagged</source>
+        <translation>markiert</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>included again</source>
+        <translation>wieder eingeschlossen</translation>
+    </message>
+    <message>
+        <source>Trial %1, attempt %2 · session %3 of %4</source>
+        <translation>Durchgang %1, Versuch %2 · Sitzung %3 von %4</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>block %1</source>
+        <translation>Block %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 from first contact</source>
+        <translation>%1 ab Erstkontakt</translation>
+    </message>
+    <message>
+        <source>took %1</source>
+        <translation>dauerte %1</translation>
+    </message>
+    <message>
+        <source>session started %1</source>
+        <translation>Sitzung begonnen %1</translation>
+    </message>
+    <message>
+        <source>Does not count: %1</source>
+        <translation>Zählt nicht: %1</translation>
+    </message>
+    <message>
+        <source>Excluded with its whole session: %1</source>
+        <translation>Mit der ganzen Sitzung ausgeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>Excluded: %1</source>
+        <translation>Ausgeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>Counts in the analyses</source>
+        <translation>Zählt in den Auswertungen</translation>
+    </message>
+    <message>
+        <source>Counts, but is flagged: %1</source>
+        <translation>Zählt, ist aber markiert: %1</translation>
+    </message>
+    <message>
+        <source>flagged: %1</source>
+        <translation>markiert: %1</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>FormWords</name>
+    <message>
+        <source>As it is</source>
+        <translation>Wie sie ist</translation>
+    </message>
+    <message>
+        <source>Equalized</source>
+        <translation>Ausgeglichen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;%1.&lt;/p&gt;&lt;p&gt;In files: %2&lt;/p&gt;</source>
+        <translation>&lt;p&gt;%1.&lt;/p&gt;&lt;p&gt;In Dateien: %2&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;%1.&lt;/p&gt;&lt;p&gt;From %2 to %3. In files: %4&lt;/p&gt;</source>
+        <translation>&lt;p&gt;%1.&lt;/p&gt;&lt;p&gt;Von %2 bis %3. In Dateien: %4&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Picture width</source>
+        <translation>Bildbreite</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Lighting is above</source>
+        <translation>Beleuchtung ist ab</translation>
+    </message>
+    <message>
+        <source>Lighting kept</source>
+        <translation>Beleuchtung bleibt</translation>
+    </message>
+    <message>
+        <source>Detail raised</source>
+        <translation>Feines verstärkt</translation>
+    </message>
+    <message>
+        <source>Longest wave kept</source>
+        <translation>Längste Welle</translation>
+    </message>
+    <message>
+        <source>Roughness RMS</source>
+        <translation>Rauheit (RMS)</translation>
+    </message>
+    <message>
+        <source>Noise, standard deviation</source>
+        <translation>Rauschen, Streuung</translation>
+    </message>
+    <message>
+        <source>Noise, mean</source>
+        <translation>Rauschen, Mittelwert</translation>
+    </message>
+    <message>
+        <source>Friction starts at</source>
+        <translation>Reibung beginnt bei</translation>
+    </message>
+    <message>
+        <source>Noise starts at</source>
+        <translation>Rauschen beginnt bei</translation>
+    </message>
+    <message>
+        <source>Depth limit</source>
+        <translation>Tiefengrenze</translation>
+    </message>
+    <message>
+        <source>Plate stiffness k1</source>
+        <translation>Plattensteifigkeit k1</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantLayout</name>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>Von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 oder weniger</translation>
+    </message>
+    <message>
+        <source>Block %1 of %2</source>
+        <translation>Block %1 von %2</translation>
+    </message>
+    <message>
+        <source>Feel again</source>
+        <translation>Noch einmal fühlen</translation>
+    </message>
+    <message>
+        <source>Feel %1 again</source>
+        <translation>%1 noch einmal fühlen</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabetaste</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Enough of this surface</source>
+        <translation>Genug von dieser Oberfläche</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Bestätigen</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>You can go on in %1</source>
+        <translation>Weiter geht es in %1</translation>
+    </message>
+    <message>
+        <source>You can go on when you are ready.</source>
+        <translation>Sie können weitermachen, wenn Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>One moment, please. You may let go of the handle.</source>
+        <translation>Einen Moment bitte. Sie dürfen den Griff loslassen.</translation>
+    </message>
+    <message>
+        <source>Thank you. You may let go of the handle.</source>
+        <translation>Vielen Dank. Sie dürfen den Griff loslassen.</translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantWords</name>
+    <message>
+        <source>Feel surface %1 now.</source>
+        <translation>Fühlen Sie jetzt Oberfläche %1.</translation>
+    </message>
+    <message>
+        <source>Please put on the eye mask.</source>
+        <translation>Bitte setzen Sie die Augenmaske auf.</translation>
+    </message>
+    <message>
+        <source>Please take off the eye mask.</source>
+        <translation>Bitte nehmen Sie die Augenmaske ab.</translation>
+    </message>
+    <message>
+        <source>I cannot tell</source>
+        <translation>Ich kann es nicht sagen</translation>
+    </message>
+    <message>
+        <source>Please feel surface %1 first.</source>
+        <translation>Bitte fühlen Sie zuerst Oberfläche %1.</translation>
+    </message>
+    <message>
+        <source>Please feel surface %1 a little longer.</source>
+        <translation>Bitte fühlen Sie Oberfläche %1 noch etwas länger.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Please wait %n more second(s).</source>
+        <translation>
+            <numerusform>Bitte warten Sie noch %n Sekunde.</numerusform>
+            <numerusform>Bitte warten Sie noch %n Sekunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Please choose first.</source>
+        <translation>Bitte wählen Sie zuerst.</translation>
+    </message>
+    <message>
+        <source>Please give surface %1 a picture first.</source>
+        <translation>Bitte geben Sie zuerst Oberfläche %1 ein Bild.</translation>
+    </message>
+    <message>
+        <source>The surfaces cannot be felt again.</source>
+        <translation>Die Oberflächen können nicht noch einmal gefühlt werden.</translation>
+    </message>
+    <message>
+        <source>That was right.</source>
+        <translation>Das war richtig.</translation>
+    </message>
+    <message>
+        <source>That was not right.</source>
+        <translation>Das war nicht richtig.</translation>
+    </message>
+    <message>
+        <source>That was not right. The right answer: %1</source>
+        <translation>Das war nicht richtig. Die richtige Antwort: %1</translation>
+    </message>
+    <message>
+        <source>This question needs an answer.</source>
+        <translation>Diese Frage braucht eine Antwort.</translation>
+    </message>
+    <message>
+        <source>A number from %1 to %2 is needed.</source>
+        <translation>Bitte geben Sie eine Zahl von %1 bis %2 an.</translation>
+    </message>
+    <message>
+        <source>A number is needed, %1 or more.</source>
+        <translation>Bitte geben Sie eine Zahl an, %1 oder mehr.</translation>
+    </message>
+    <message>
+        <source>A number is needed, %1 or less.</source>
+        <translation>Bitte geben Sie eine Zahl an, %1 oder weniger.</translation>
+    </message>
+    <message>
+        <source>A number is needed.</source>
+        <translation>Bitte geben Sie eine Zahl an.</translation>
+    </message>
+    <message>
+        <source>Please choose one of the answers.</source>
+        <translation>Bitte wählen Sie eine der Antworten.</translation>
+    </message>
+</context>
+<context>
+    <name>SessionText</name>
+    <message>
+        <source>The session has not begun</source>
+        <translation>Die Sitzung hat nicht begonnen</translation>
+    </message>
+    <message>
+        <source>Getting ready: the participant reads, or the device is checked</source>
+        <translation>Vorbereitung: Die Versuchsperson liest, oder das Gerät wird geprüft</translation>
+    </message>
+    <message>
+        <source>Between trials, next is trial %1</source>
+        <translation>Zwischen Durchgängen, als Nächstes Durchgang %1</translation>
+    </message>
+    <message>
+        <source>Between trials</source>
+        <translation>Zwischen Durchgängen</translation>
+    </message>
+    <message>
+        <source>Trial %1: waiting for the first touch, %2 s</source>
+        <translation>Durchgang %1: wartet auf die erste Berührung, %2 s</translation>
+    </message>
+    <message>
+        <source>Trial %1: feeling surface %2 of %3 (%4), %5 s</source>
+        <translation>Durchgang %1: fühlt Oberfläche %2 von %3 (%4), %5 s</translation>
+    </message>
+    <message>
+        <source>Trial %1: feeling %2, %3 s</source>
+        <translation>Durchgang %1: fühlt %2, %3 s</translation>
+    </message>
+    <message>
+        <source>Trial %1: answering, %2 s</source>
+        <translation>Durchgang %1: antwortet, %2 s</translation>
+    </message>
+    <message>
+        <source>Trial %1: feedback</source>
+        <translation>Durchgang %1: Rückmeldung</translation>
+    </message>
+    <message>
+        <source>Break, %1</source>
+        <translation>Pause, %1</translation>
+    </message>
+    <message>
+        <source>The participant answers questions</source>
+        <translation>Die Versuchsperson beantwortet Fragen</translation>
+    </message>
+    <message>
+        <source>Paused before trial %1</source>
+        <translation>Angehalten vor Durchgang %1</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Stopped: the force is held at zero</source>
+        <translation>Gestoppt: Die Kraft wird auf null gehalten</translation>
+    </message>
+    <message>
+        <source>The session has ended</source>
+        <translation>Die Sitzung ist zu Ende</translation>
+    </message>
+    <message>
+        <source>waiting for touch %1 s</source>
+        <translation>wartet auf Berührung %1 s</translation>
+    </message>
+    <message>
+        <source>feeling %1 s</source>
+        <translation>fühlt %1 s</translation>
+    </message>
+    <message>
+        <source>answering %1 s</source>
+        <translation>antwortet %1 s</translation>
+    </message>
+    <message>
+        <source>feedback</source>
+        <translation>Rückmeldung</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>paused before it</source>
+        <translation>davor angehalten</translation>
+    </message>
+    <message>
+        <source>after the break</source>
+        <translation>nach der Pause</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>als Nächstes</translation>
+    </message>
+    <message>
+        <source>answered</source>
+        <translation>beantwortet</translation>
+    </message>
+    <message>
+        <source>answered %1</source>
+        <translation>beantwortet %1</translation>
+    </message>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, richtig</translation>
+    </message>
+    <message>
+        <source>%1, wrong</source>
+        <translation>%1, falsch</translation>
+    </message>
+    <message>
+        <source>%1, does not count</source>
+        <translation>%1, zählt nicht</translation>
+    </message>
+    <message>
+        <source>%1, flagged</source>
+        <translation>%1, markiert</translation>
+    </message>
+    <message>
+        <source>no answer in time</source>
+        <translation>keine Antwort in der Zeit</translation>
+    </message>
+    <message>
+        <source>not explored as asked</source>
+        <translation>nicht wie verlangt erkundet</translation>
+    </message>
+    <message>
+        <source>aborted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>stopped by a fault</source>
+        <translation>durch Störung gestoppt</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>übersprungen</translation>
+    </message>
+    <message>
+        <source>RUN</source>
+        <translation>ERHEBUNG</translation>
+    </message>
+    <message>
+        <source>PILOT</source>
+        <translation>PILOT</translation>
+    </message>
+    <message>
+        <source>SIMULATE</source>
+        <translation>SIMULATION</translation>
+    </message>
+    <message>
+        <source>less than a minute left</source>
+        <translation>noch weniger als eine Minute</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>noch etwa %1 min</translation>
+    </message>
+</context>
+<context>
+    <name>StepWords</name>
+    <message>
+        <source>Photograph</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Graustufen</translation>
+    </message>
+    <message>
+        <source>Light evened</source>
+        <translation>Licht ausgeglichen</translation>
+    </message>
+    <message>
+        <source>Long waves</source>
+        <translation>Lange Wellen</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>The photograph as it was dropped.</source>
+        <translation>Das Foto, wie es abgelegt wurde.</translation>
+    </message>
+    <message>
+        <source>Its brightness alone; with “Equalize” every brightness is equally frequent.</source>
+        <translation>Nur seine Helligkeit; mit „Ausgeglichen“ ist jede Helligkeit gleich häufig.</translation>
+    </message>
+    <message>
+        <source>Slow changes of the lighting are weakened and fine detail is raised.</source>
+        <translation>Langsame Änderungen der Beleuchtung sind abgeschwächt, Feines ist verstärkt.</translation>
+    </message>
+    <message>
+        <source>What is longer than the longest wave kept; it is taken away from the step before.</source>
+        <translation>Was länger ist als die längste Welle, die bleibt; es wird vom vorigen Schritt abgezogen.</translation>
+    </message>
+    <message>
+        <source>What is left, as heights: low is dark, high is bright.</source>
+        <translation>Was bleibt, als Höhen: Dunkel ist tief, hell ist hoch.</translation>
+    </message>
+    <message>
+        <source>The heights as a surface in light.</source>
+        <translation>Die Höhen als Oberfläche im Licht.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::AbortDialog</name>
+    <message>
+        <source>Abort the session?</source>
+        <translation>Sitzung abbrechen?</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: every finished trial is stored. The trial under way is kept as aborted and will be asked again when the session is gone on with.</source>
+        <translation>Nichts geht verloren: Jeder abgeschlossene Durchgang ist gespeichert. Der laufende Durchgang bleibt als abgebrochen erhalten und wird erneut gefragt, wenn die Sitzung fortgesetzt wird.</translation>
+    </message>
+    <message>
+        <source>Why is it aborted?</source>
+        <translation>Warum wird abgebrochen?</translation>
+    </message>
+    <message>
+        <source>The participant wishes to stop</source>
+        <translation>Die Versuchsperson möchte aufhören</translation>
+    </message>
+    <message>
+        <source>The participant is unwell</source>
+        <translation>Der Versuchsperson ist nicht wohl</translation>
+    </message>
+    <message>
+        <source>Technical problem</source>
+        <translation>Technisches Problem</translation>
+    </message>
+    <message>
+        <source>Abort session</source>
+        <translation>Sitzung abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::AboutDialog</name>
+    <message>
+        <source>About Asperity</source>
+        <translation>Über Asperity</translation>
+    </message>
+    <message>
+        <source>Asperity</source>
+        <translation>Asperity</translation>
+    </message>
+    <message>
+        <source>Psychophysics experiments on haptic texture.</source>
+        <translation>Psychophysische Experimente zu haptischer Textur.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later, without any warranty.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder neuer, ohne jede Gewährleistung.</translation>
+    </message>
+    <message>
+        <source>The documents are not installed on this machine.</source>
+        <translation>Die Dokumente sind auf diesem Rechner nicht installiert.</translation>
+    </message>
+    <message>
+        <source>The documents are in %1.</source>
+        <translation>Die Dokumente liegen in %1.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::AnalysisPage</name>
+    <message>
+        <source>chance</source>
+        <translation>Zufall</translation>
+    </message>
+    <message>
+        <source>share, with its 95 % interval (Wilson)</source>
+        <translation>Anteil mit 95-%-Intervall (Wilson)</translation>
+    </message>
+    <message>
+        <source>people</source>
+        <translation>Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>pilot sessions</source>
+        <translation>Pilotsitzungen</translation>
+    </message>
+    <message>
+        <source>virtual participants</source>
+        <translation>virtuelle Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Which rendering was chosen as the most realistic?</source>
+        <translation>Welche Wiedergabe wurde als die echteste gewählt?</translation>
+    </message>
+    <message>
+        <source>Were felt textures matched to their pictures?</source>
+        <translation>Wurden gefühlte Texturen ihren Bildern zugeordnet?</translation>
+    </message>
+    <message>
+        <source>Was the felt texture recognised among the pictures?</source>
+        <translation>Wurde die gefühlte Textur unter den Bildern erkannt?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %2 · %3 · %n answer(s) counted</source>
+        <translation>
+            <numerusform>%1 %2 · %3 · %n Antwort gezählt</numerusform>
+            <numerusform>%1 %2 · %3 · %n Antworten gezählt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s)</source>
+        <translation>
+            <numerusform>%n Versuchsperson</numerusform>
+            <numerusform>%n Versuchspersonen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>How it was computed</source>
+        <translation>Wie es berechnet wurde</translation>
+    </message>
+    <message>
+        <source>In all</source>
+        <translation>Insgesamt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (%3; 95 % interval %4 to %5)</source>
+        <translation>%1 von %2 (%3; 95-%-Intervall %4 bis %5)</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2, where chance is %3.</source>
+        <translation>%1: %2, durch Zufall %3.</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>Export the tables…</source>
+        <translation>Tabellen exportieren…</translation>
+    </message>
+    <message>
+        <source>No answers yet</source>
+        <translation>Noch keine Antworten</translation>
+    </message>
+    <message>
+        <source>When a session has been run or simulated, its answers are counted and tested here. Start one from the page Protocols.</source>
+        <translation>Sobald eine Sitzung durchgeführt oder simuliert wurde, werden ihre Antworten hier gezählt und getestet. Gestartet wird auf der Seite „Protokolle“.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %2
+%3 · %n answer(s)</source>
+        <translation>
+            <numerusform>%1 %2
+%3 · %n Antwort</numerusform>
+            <numerusform>%1 %2
+%3 · %n Antworten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no sessions to export yet.</source>
+        <translation>Es gibt noch keine Sitzungen zu exportieren.</translation>
+    </message>
+    <message>
+        <source>A new folder for the tables</source>
+        <translation>Ein neuer Ordner für die Tabellen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) are in %1; codebook.tsv says what every column means.</source>
+        <translation>
+            <numerusform>%n Datei liegt in %1; codebook.tsv sagt, was jede Spalte bedeutet.</numerusform>
+            <numerusform>%n Dateien liegen in %1; codebook.tsv sagt, was jede Spalte bedeutet.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::AnswersPanel</name>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, richtig</translation>
+    </message>
+    <message>
+        <source>%1, wrong</source>
+        <translation>%1, falsch</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Last answer  %1  in %2 s</source>
+        <translation>Letzte Antwort  %1  in %2 s</translation>
+    </message>
+    <message>
+        <source>Last answer  %1</source>
+        <translation>Letzte Antwort  %1</translation>
+    </message>
+    <message>
+        <source>No answer yet</source>
+        <translation>Noch keine Antwort</translation>
+    </message>
+    <message>
+        <source>Before, by trial: %1</source>
+        <translation>Vorher, nach Durchgang: %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::AttemptPage</name>
+    <message>
+        <source>Attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>← Previous</source>
+        <translation>← Voriger</translation>
+    </message>
+    <message>
+        <source>Next →</source>
+        <translation>Nächster →</translation>
+    </message>
+    <message>
+        <source>All trials of the session</source>
+        <translation>Alle Durchgänge der Sitzung</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Answers and measures</source>
+        <translation>Antworten und Maße</translation>
+    </message>
+    <message>
+        <source>Events and decisions</source>
+        <translation>Ereignisse und Entscheidungen</translation>
+    </message>
+    <message>
+        <source>Flag…</source>
+        <translation>Markieren…</translation>
+    </message>
+    <message>
+        <source>Exclude…</source>
+        <translation>Ausschließen…</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Textures and models are shown by name: the session is over.</source>
+        <translation>Texturen und Modelle stehen mit Namen da: Die Sitzung ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>Textures and models are shown by name, and the session is not complete: who sees them is no longer blind to them.</source>
+        <translation>Texturen und Modelle stehen mit Namen da, und die Sitzung ist nicht vollständig: Wer sie sieht, ist nicht mehr verblindet.</translation>
+    </message>
+    <message>
+        <source>Events and decisions (%1)</source>
+        <translation>Ereignisse und Entscheidungen (%1)</translation>
+    </message>
+    <message>
+        <source>Include again…</source>
+        <translation>Wieder einschließen…</translation>
+    </message>
+    <message>
+        <source>The whole session is excluded; its page includes it again.</source>
+        <translation>Die ganze Sitzung ist ausgeschlossen; auf ihrer Seite wird sie wieder eingeschlossen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to exclude: it does not count.</source>
+        <translation>Es gibt nichts auszuschließen: Der Versuch zählt nicht.</translation>
+    </message>
+    <message>
+        <source>This attempt has no recording. Its answers and measures are on the next page.</source>
+        <translation>Dieser Versuch hat keine Aufzeichnung. Seine Antworten und Maße stehen auf der nächsten Seite.</translation>
+    </message>
+    <message>
+        <source>Reading the recording…</source>
+        <translation>Aufzeichnung wird gelesen…</translation>
+    </message>
+    <message>
+        <source>The recording of this attempt is empty: it ended before its first tick.</source>
+        <translation>Die Aufzeichnung dieses Versuchs ist leer: Er endete vor dem ersten Takt.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be shown: %1. The answers and measures of the attempt are in the store and not touched by that.</source>
+        <translation>Die Aufzeichnung kann nicht gezeigt werden: %1. Antworten und Maße des Versuchs sind gespeichert und davon nicht berührt.</translation>
+    </message>
+    <message>
+        <source>Why should somebody look at this attempt? It goes on to count.</source>
+        <translation>Warum soll jemand diesen Versuch ansehen? Er zählt weiterhin.</translation>
+    </message>
+    <message>
+        <source>The participant seemed distracted</source>
+        <translation>Die Versuchsperson wirkte abgelenkt</translation>
+    </message>
+    <message>
+        <source>The hand slipped</source>
+        <translation>Die Hand ist abgerutscht</translation>
+    </message>
+    <message>
+        <source>Somebody came in</source>
+        <translation>Jemand kam herein</translation>
+    </message>
+    <message>
+        <source>The force felt wrong</source>
+        <translation>Die Kraft fühlte sich falsch an</translation>
+    </message>
+    <message>
+        <source>The participant took the answer back</source>
+        <translation>Die Versuchsperson nahm die Antwort zurück</translation>
+    </message>
+    <message>
+        <source>Flag attempt</source>
+        <translation>Versuch markieren</translation>
+    </message>
+    <message>
+        <source>Why do analyses count this attempt again?</source>
+        <translation>Warum zählen die Auswertungen diesen Versuch wieder?</translation>
+    </message>
+    <message>
+        <source>Excluded by mistake</source>
+        <translation>Aus Versehen ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>The reason turned out not to hold</source>
+        <translation>Der Grund hat sich nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Include attempt</source>
+        <translation>Versuch einschließen</translation>
+    </message>
+    <message>
+        <source>Why do analyses leave this attempt out? It stays in the study and can be included again.</source>
+        <translation>Warum lassen die Auswertungen diesen Versuch weg? Er bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
+    </message>
+    <message>
+        <source>The participant did not follow the instruction</source>
+        <translation>Die Versuchsperson folgte der Anweisung nicht</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Answered by mistake</source>
+        <translation>Aus Versehen beantwortet</translation>
+    </message>
+    <message>
+        <source>The device did not work as it should</source>
+        <translation>Das Gerät arbeitete nicht wie vorgesehen</translation>
+    </message>
+    <message>
+        <source>The surface was recognised by something other than touch</source>
+        <translation>Die Oberfläche wurde an etwas anderem als der Berührung erkannt</translation>
+    </message>
+    <message>
+        <source>Exclude attempt</source>
+        <translation>Versuch ausschließen</translation>
+    </message>
+    <message>
+        <source>A file for the table</source>
+        <translation>Eine Datei für die Tabelle</translation>
+    </message>
+    <message>
+        <source>Tab-separated table (*.tsv)</source>
+        <translation>Tabulatorgetrennte Tabelle (*.tsv)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tick(s) are in %1; docs/formats/recording.md says what the columns mean.</source>
+        <translation>
+            <numerusform>%n Takt liegt in %1; docs/formats/recording.md sagt, was die Spalten bedeuten.</numerusform>
+            <numerusform>%n Takte liegen in %1; docs/formats/recording.md sagt, was die Spalten bedeuten.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::Banner</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::CheckList</name>
+    <message>
+        <source>Checklist</source>
+        <translation>Checkliste</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>One of these keeps the session from starting.</source>
+        <translation>Einer dieser Punkte verhindert den Start.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of these keep the session from starting.</source>
+        <translation>
+            <numerusform>%n dieser Punkte verhindert den Start.</numerusform>
+            <numerusform>%n dieser Punkte verhindern den Start.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready, with %n to look at.</source>
+        <translation>
+            <numerusform>Bereit, %n Hinweis zu beachten.</numerusform>
+            <numerusform>Bereit, %n Hinweise zu beachten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everything is ready.</source>
+        <translation>Alles ist bereit.</translation>
+    </message>
+    <message>
+        <source>Looking at everything: a second or so.</source>
+        <translation>Alles wird geprüft: etwa eine Sekunde.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::CloseDialog</name>
+    <message>
+        <source>A session is under way</source>
+        <translation>Eine Sitzung läuft</translation>
+    </message>
+    <message>
+        <source>What is done is safe: every finished trial is stored, and the session can be gone on with. The window closes once the session has ended.</source>
+        <translation>Was getan ist, ist sicher: Jeder abgeschlossene Durchgang ist gespeichert, und die Sitzung kann fortgesetzt werden. Das Fenster schließt, sobald die Sitzung beendet ist.</translation>
+    </message>
+    <message>
+        <source>Abort now</source>
+        <translation>Jetzt abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop after this trial</source>
+        <translation>Nach diesem Durchgang stoppen</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>Weiterlaufen lassen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ConsentCard</name>
+    <message>
+        <source>Consent</source>
+        <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>Seen by *</source>
+        <translation>Bezeugt von *</translation>
+    </message>
+    <message>
+        <source>The participant has agreed to this statement (version %1)</source>
+        <translation>Die Versuchsperson hat dieser Erklärung zugestimmt (Version %1)</translation>
+    </message>
+    <message>
+        <source>The participant has not agreed to the statement yet.</source>
+        <translation>Die Versuchsperson hat der Erklärung noch nicht zugestimmt.</translation>
+    </message>
+    <message>
+        <source>It is not said who saw the participant agree.</source>
+        <translation>Es ist nicht angegeben, wer die Zustimmung gesehen hat.</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>um %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::DecisionForm</name>
+    <message>
+        <source>Choose a reason or type one</source>
+        <translation>Grund wählen oder eingeben</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Who decides</source>
+        <translation>Wer entscheidet</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>It is written with the time; the data stay as they are.</source>
+        <translation>Es wird mit der Uhrzeit festgehalten; die Daten bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>A reason is needed: whoever reads the data later has to understand it.</source>
+        <translation>Ein Grund ist nötig: Wer die Daten später liest, muss es verstehen.</translation>
+    </message>
+    <message>
+        <source>It could not be written: %1</source>
+        <translation>Es konnte nicht geschrieben werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::DevicesPage</name>
+    <message>
+        <source>Motion sensed</source>
+        <translation>Erfasste Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 degrees of freedom</source>
+        <translation>%1 Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>Force given</source>
+        <translation>Ausgegebene Kraft</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Lasting force</source>
+        <translation>Dauerkraft</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Resolution of position</source>
+        <translation>Auflösung der Position</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>exact (simulated)</source>
+        <translation>exakt (simuliert)</translation>
+    </message>
+    <message>
+        <source>Fastest loop</source>
+        <translation>Schnellste Schleife</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Who keeps time</source>
+        <translation>Wer den Takt gibt</translation>
+    </message>
+    <message>
+        <source>this program</source>
+        <translation>dieses Programm</translation>
+    </message>
+    <message>
+        <source>the maker&apos;s driver</source>
+        <translation>der Treiber des Herstellers</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>The simulated device is always there: a virtual hand holds its probe. What a protocol asks for is compared with the device before a session starts.</source>
+        <translation>Das simulierte Gerät ist immer da: Eine virtuelle Hand hält seinen Taster. Was ein Protokoll verlangt, wird vor dem Start einer Sitzung mit dem Gerät verglichen.</translation>
+    </message>
+    <message>
+        <source>%1 ready</source>
+        <translation>%1 bereit</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::EndSummary</name>
+    <message>
+        <source>See the table</source>
+        <translation>Tabelle ansehen</translation>
+    </message>
+    <message>
+        <source>See the trials</source>
+        <translation>Durchgänge ansehen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>✕ The session did not begin</source>
+        <translation>✕ Die Sitzung hat nicht begonnen</translation>
+    </message>
+    <message>
+        <source>✓ The session is complete</source>
+        <translation>✓ Die Sitzung ist vollständig</translation>
+    </message>
+    <message>
+        <source>▲ The session was stopped</source>
+        <translation>▲ Die Sitzung wurde gestoppt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 trials are done. Of %3 attempts, %4 are flagged, %5 do not count and %6 were skipped.</source>
+        <translation>%1 von %2 Durchgängen sind abgeschlossen. Von %3 Versuchen sind %4 markiert, %5 zählen nicht und %6 wurden übersprungen.</translation>
+    </message>
+    <message>
+        <source>No trial was begun.</source>
+        <translation>Kein Durchgang wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>Nothing was stored.</source>
+        <translation>Nichts wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1
+
+%2</source>
+        <translation>%1
+
+%2</translation>
+    </message>
+    <message>
+        <source>%1
+
+The session can be gone on with: start it again with the same participant.</source>
+        <translation>%1
+
+Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten.</translation>
+    </message>
+    <message>
+        <source>Everything is stored in %1, session %2 of %3.</source>
+        <translation>Alles ist in %1 gespeichert, Sitzung %2 von %3.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FaultPanel</name>
+    <message>
+        <source>It is safe: no hand is caught, nothing touches the device</source>
+        <translation>Es ist sicher: Keine Hand ist eingeklemmt, nichts berührt das Gerät</translation>
+    </message>
+    <message>
+        <source>Clear and go on</source>
+        <translation>Beheben und fortsetzen</translation>
+    </message>
+    <message>
+        <source>End the session…</source>
+        <translation>Sitzung beenden…</translation>
+    </message>
+    <message>
+        <source>Going on asks that it is safe: tick the box.</source>
+        <translation>Fortsetzen verlangt, dass es sicher ist: Kästchen ankreuzen.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ForceComparison</name>
+    <message>
+        <source>Choose models, then drag the mouse over the relief: each shows the force that it would give to a hand on the same path.</source>
+        <translation>Modelle wählen, dann die Maus über das Relief ziehen: Jedes zeigt die Kraft, die es einer Hand auf demselben Weg gäbe.</translation>
+    </message>
+    <message>
+        <source>Stroke once across</source>
+        <translation>Einmal darüberstreichen</translation>
+    </message>
+    <message>
+        <source>From left to right at 60 mm/s, always the same</source>
+        <translation>Von links nach rechts mit 60 mm/s, immer gleich</translation>
+    </message>
+    <message>
+        <source>Pressing back (normal)</source>
+        <translation>Gegendruck (normal)</translation>
+    </message>
+    <message>
+        <source>Against the motion</source>
+        <translation>Gegen die Bewegung</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Hear</source>
+        <translation>Hören</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Surface and hand&lt;/b&gt;, the same for all</source>
+        <translation>&lt;b&gt;Oberfläche und Hand&lt;/b&gt;, für alle gleich</translation>
+    </message>
+    <message>
+        <source>There is no sound card to hear a force with.</source>
+        <translation>Es gibt keine Soundkarte, mit der eine Kraft zu hören wäre.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::HealthLine</name>
+    <message>
+        <source>study.sqlite · attempts stored: %1</source>
+        <translation>study.sqlite · gespeicherte Versuche: %1</translation>
+    </message>
+    <message>
+        <source>The device loop has not ticked yet</source>
+        <translation>Die Geräteschleife hat noch keinen Takt ausgeführt</translation>
+    </message>
+    <message>
+        <source>%1 · %2 Hz · p99 %3 µs late · %4 missed · %5 lost · %6 saturated · %7</source>
+        <translation>%1 · %2 Hz · p99 %3 µs verspätet · %4 verpasst · %5 verloren · %6 gesättigt · %7</translation>
+    </message>
+    <message>
+        <source>masking noise on</source>
+        <translation>Maskierrauschen an</translation>
+    </message>
+    <message>
+        <source>masking noise off</source>
+        <translation>Maskierrauschen aus</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::HistoryTables</name>
+    <message>
+        <source>Decisions about the attempt or its session</source>
+        <translation>Entscheidungen über den Versuch oder seine Sitzung</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Worüber</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Entscheidung</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>What happened during the attempt</source>
+        <translation>Was während des Versuchs geschah</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Wortlaut</translation>
+    </message>
+    <message>
+        <source>this attempt</source>
+        <translation>dieser Versuch</translation>
+    </message>
+    <message>
+        <source>the session</source>
+        <translation>die Sitzung</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LivePlots</name>
+    <message>
+        <source>FORCE N</source>
+        <translation>KRAFT N</translation>
+    </message>
+    <message>
+        <source>SPEED mm/s</source>
+        <translation>GESCHWINDIGKEIT mm/s</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>PATH mm, top view</source>
+        <translation>WEG mm, von oben</translation>
+    </message>
+    <message>
+        <source>no band</source>
+        <translation>kein Sollbereich</translation>
+    </message>
+    <message>
+        <source>band %1</source>
+        <translation>Sollbereich %1</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translation>kein Kontakt</translation>
+    </message>
+    <message>
+        <source>nothing asked</source>
+        <translation>nichts verlangt</translation>
+    </message>
+    <message>
+        <source>in band %1 %</source>
+        <translation>im Sollbereich %1 %</translation>
+    </message>
+    <message>
+        <source>no stroke yet</source>
+        <translation>noch kein Strich</translation>
+    </message>
+    <message>
+        <source>strokes: %1, mean %2 mm</source>
+        <translation>Striche: %1, Mittel %2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MeasureTables</name>
+    <message>
+        <source>normal force, N</source>
+        <translation>Normalkraft, N</translation>
+    </message>
+    <message>
+        <source>speed, mm/s</source>
+        <translation>Geschwindigkeit, mm/s</translation>
+    </message>
+    <message>
+        <source>contact, s</source>
+        <translation>Kontakt, s</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>stroke length, mm</source>
+        <translation>Strichlänge, mm</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 oder weniger</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht bewertet</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>not met</source>
+        <translation>nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>ticks, at %1 Hz</source>
+        <translation>Takte, bei %1 Hz</translation>
+    </message>
+    <message>
+        <source>period: mean</source>
+        <translation>Periode: Mittelwert</translation>
+    </message>
+    <message>
+        <source>period: 99 of 100 below</source>
+        <translation>Periode: 99 von 100 unter</translation>
+    </message>
+    <message>
+        <source>period: longest</source>
+        <translation>Periode: längste</translation>
+    </message>
+    <message>
+        <source>lateness: 99 of 100 below</source>
+        <translation>Verspätung: 99 von 100 unter</translation>
+    </message>
+    <message>
+        <source>lateness: greatest</source>
+        <translation>Verspätung: größte</translation>
+    </message>
+    <message>
+        <source>missed deadlines</source>
+        <translation>verpasste Fristen</translation>
+    </message>
+    <message>
+        <source>lost records</source>
+        <translation>verlorene Datensätze</translation>
+    </message>
+    <message>
+        <source>ticks at the limit of force</source>
+        <translation>Takte an der Kraftgrenze</translation>
+    </message>
+    <message>
+        <source>ticks whose change of force was shortened</source>
+        <translation>Takte mit gekürzter Kraftänderung</translation>
+    </message>
+    <message>
+        <source>ticks without a finite force</source>
+        <translation>Takte ohne endliche Kraft</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>Choices, as shown</source>
+        <translation>Auswahl, wie gezeigt</translation>
+    </message>
+    <message>
+        <source>From contact, s</source>
+        <translation>Ab Kontakt, s</translation>
+    </message>
+    <message>
+        <source>From cue, s</source>
+        <translation>Ab Signal, s</translation>
+    </message>
+    <message>
+        <source>Given by</source>
+        <translation>Gegeben von</translation>
+    </message>
+    <message>
+        <source>Surfaces felt</source>
+        <translation>Gefühlte Oberflächen</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Contact, s</source>
+        <translation>Kontakt, s</translation>
+    </message>
+    <message>
+        <source>Texture force, N</source>
+        <translation>Texturkraft, N</translation>
+    </message>
+    <message>
+        <source>Explored as asked?</source>
+        <translation>Wie verlangt erkundet?</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Asked</source>
+        <translation>Verlangt</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>In band</source>
+        <translation>Im Bereich</translation>
+    </message>
+    <message>
+        <source>Met</source>
+        <translation>Erfüllt</translation>
+    </message>
+    <message>
+        <source>How the servo loop ran</source>
+        <translation>Wie die Regelschleife lief</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>look at it</source>
+        <translation>ansehen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ModeBand</name>
+    <message>
+        <source>PILOT: not study data</source>
+        <translation>PILOT: keine Studiendaten</translation>
+    </message>
+    <message>
+        <source>SIMULATED: no person</source>
+        <translation>SIMULIERT: keine Person</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::NavigationList</name>
+    <message>
+        <source>Pages of the study</source>
+        <translation>Seiten der Studie</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::NewStudyDialog</name>
+    <message>
+        <source>Create a study</source>
+        <translation>Studie anlegen</translation>
+    </message>
+    <message>
+        <source>A study is a folder: its protocols, its stimuli, and everything that is answered.</source>
+        <translation>Eine Studie ist ein Ordner: ihre Protokolle, ihre Reize und alles, was geantwortet wird.</translation>
+    </message>
+    <message>
+        <source>for example: Rough surfaces 2026</source>
+        <translation>zum Beispiel: Raue Oberflächen 2026</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>In the folder</source>
+        <translation>Im Ordner</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Create study</source>
+        <translation>Studie anlegen</translation>
+    </message>
+    <message>
+        <source>Where the study is to lie</source>
+        <translation>Wo die Studie liegen soll</translation>
+    </message>
+    <message>
+        <source>The study needs a name.</source>
+        <translation>Die Studie braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>The name becomes that of a folder: it cannot be &quot;%1&quot;.</source>
+        <translation>Der Name wird der eines Ordners: „%1“ geht nicht.</translation>
+    </message>
+    <message>
+        <source>The folder has to be written in full, beginning with &quot;/&quot; or &quot;~&quot;.</source>
+        <translation>Der Ordner muss vollständig angegeben sein, mit „/“ oder „~“ am Anfang.</translation>
+    </message>
+    <message>
+        <source>There is something at %1 already; choose another name.</source>
+        <translation>Bei %1 gibt es schon etwas; ein anderer Name ist nötig.</translation>
+    </message>
+    <message>
+        <source>The study will lie in %1.</source>
+        <translation>Die Studie wird in %1 liegen.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::NoiseCheck</name>
+    <message>
+        <source>This protocol plays no masking noise. Cues are played all the same.</source>
+        <translation>Dieses Protokoll spielt kein Maskierrauschen. Signale werden trotzdem gespielt.</translation>
+    </message>
+    <message>
+        <source>The protocol asks for white noise of %1 dB(A) at the ear.</source>
+        <translation>Das Protokoll verlangt weißes Rauschen mit %1 dB(A) am Ohr.</translation>
+    </message>
+    <message>
+        <source>The protocol asks for pink noise of %1 dB(A) at the ear.</source>
+        <translation>Das Protokoll verlangt rosa Rauschen mit %1 dB(A) am Ohr.</translation>
+    </message>
+    <message>
+        <source>The protocol asks for white noise and states no level.</source>
+        <translation>Das Protokoll verlangt weißes Rauschen und nennt keinen Pegel.</translation>
+    </message>
+    <message>
+        <source>The protocol asks for pink noise and states no level.</source>
+        <translation>Das Protokoll verlangt rosa Rauschen und nennt keinen Pegel.</translation>
+    </message>
+    <message>
+        <source>Play noise</source>
+        <translation>Rauschen spielen</translation>
+    </message>
+    <message>
+        <source>Play a cue</source>
+        <translation>Signal spielen</translation>
+    </message>
+    <message>
+        <source>Relative to the highest level that the sound card can play</source>
+        <translation>Bezogen auf den höchsten Pegel, den die Soundkarte spielen kann</translation>
+    </message>
+    <message>
+        <source>&amp;Gain</source>
+        <translation>&amp;Verstärkung</translation>
+    </message>
+    <message>
+        <source> dB(A)</source>
+        <translation> dB(A)</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>&amp;Measured at the ear</source>
+        <translation>Am Ohr &amp;gemessen</translation>
+    </message>
+    <message>
+        <source>Who read the sound level meter</source>
+        <translation>Wer den Schallpegelmesser abgelesen hat</translation>
+    </message>
+    <message>
+        <source>&amp;Verified by</source>
+        <translation>Geprüft v&amp;on</translation>
+    </message>
+    <message>
+        <source>Stop noise</source>
+        <translation>Rauschen stoppen</translation>
+    </message>
+    <message>
+        <source>No sound card: noise and cues are not heard.</source>
+        <translation>Keine Soundkarte: Rauschen und Signale sind nicht zu hören.</translation>
+    </message>
+    <message>
+        <source>The level of the noise at the ear was not measured.</source>
+        <translation>Der Pegel des Rauschens am Ohr wurde nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>The noise was measured at %1 dB(A): more than %2 dB(A) harms hearing.</source>
+        <translation>Das Rauschen wurde mit %1 dB(A) gemessen: Mehr als %2 dB(A) schaden dem Gehör.</translation>
+    </message>
+    <message>
+        <source>The noise was measured at %1 dB(A), the protocol wants %2 dB(A).</source>
+        <translation>Das Rauschen wurde mit %1 dB(A) gemessen, das Protokoll will %2 dB(A).</translation>
+    </message>
+    <message>
+        <source>Who measured the noise is not written down.</source>
+        <translation>Wer das Rauschen gemessen hat, ist nicht festgehalten.</translation>
+    </message>
+    <message>
+        <source>%1 dB</source>
+        <translation>%1 dB</translation>
+    </message>
+    <message>
+        <source>Plays through %1.</source>
+        <translation>Spielt über %1.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::NotesPanel</name>
+    <message>
+        <source>NOTES</source>
+        <translation>NOTIZEN</translation>
+    </message>
+    <message>
+        <source>Note, F2; Return stores it</source>
+        <translation>Notiz, F2; Eingabetaste speichert</translation>
+    </message>
+    <message>
+        <source>Lifted early</source>
+        <translation>Zu früh abgehoben</translation>
+    </message>
+    <message>
+        <source>Distracted</source>
+        <translation>Abgelenkt</translation>
+    </message>
+    <message>
+        <source>Asked a question</source>
+        <translation>Stellte eine Frage</translation>
+    </message>
+    <message>
+        <source>Noise outside</source>
+        <translation>Lärm von außen</translation>
+    </message>
+    <message>
+        <source>Grip changed</source>
+        <translation>Griff gewechselt</translation>
+    </message>
+    <message>
+        <source>Seems tired</source>
+        <translation>Wirkt müde</translation>
+    </message>
+    <message>
+        <source>Notes “%1”</source>
+        <translation>Notiert „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ParameterForm</name>
+    <message>
+        <source>default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>↺ Reset</source>
+        <translation>↺ Zurück</translation>
+    </message>
+    <message>
+        <source>The default is %1.</source>
+        <translation>Die Vorgabe ist %1.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ParticipantCard</name>
+    <message>
+        <source>Participant</source>
+        <translation>Versuchsperson</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Already in the study</source>
+        <translation>Schon in der Studie</translation>
+    </message>
+    <message>
+        <source>Label, in place of a name *</source>
+        <translation>Kürzel statt eines Namens *</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Who *</source>
+        <translation>Wer *</translation>
+    </message>
+    <message>
+        <source>Virtual</source>
+        <translation>Virtuell</translation>
+    </message>
+    <message>
+        <source>Session %1, begun %2, goes on: %3 of its %4 trials are done and stored.</source>
+        <translation>Sitzung %1, begonnen %2, wird fortgesetzt: %3 ihrer %4 Durchgänge sind abgeschlossen und gespeichert.</translation>
+    </message>
+    <message>
+        <source>Session %1 of this protocol, begun %2, is unfinished.</source>
+        <translation>Sitzung %1 dieses Protokolls, begonnen %2, ist unvollendet.</translation>
+    </message>
+    <message>
+        <source>Go on with session %1 (%2 of %3 trials done)</source>
+        <translation>Sitzung %1 fortsetzen (%2 von %3 Durchgängen abgeschlossen)</translation>
+    </message>
+    <message>
+        <source>No participant is chosen.</source>
+        <translation>Keine Versuchsperson ist gewählt.</translation>
+    </message>
+    <message>
+        <source>The new participant has no label.</source>
+        <translation>Die neue Versuchsperson hat kein Kürzel.</translation>
+    </message>
+    <message>
+        <source>The label may have 1 to 32 letters and digits (0-9, A-Z, a-z), and not begin with &quot;virtual&quot;.</source>
+        <translation>Das Kürzel darf 1 bis 32 Buchstaben und Ziffern haben (0-9, A-Z, a-z) und nicht mit „virtual“ beginnen.</translation>
+    </message>
+    <message>
+        <source>%1 is in the study already: choose them under &quot;Already in the study&quot;, or enter another label.</source>
+        <translation>%1 ist schon in der Studie: unter „Schon in der Studie“ auswählen oder ein anderes Kürzel eingeben.</translation>
+    </message>
+    <message>
+        <source>%1 years</source>
+        <translation>%1 Jahre</translation>
+    </message>
+    <message>
+        <source>female</source>
+        <translation>weiblich</translation>
+    </message>
+    <message>
+        <source>male</source>
+        <translation>männlich</translation>
+    </message>
+    <message>
+        <source>left-handed</source>
+        <translation>linkshändig</translation>
+    </message>
+    <message>
+        <source>right-handed</source>
+        <translation>rechtshändig</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ParticipantView</name>
+    <message>
+        <source>What the participant sees</source>
+        <translation>Was die Versuchsperson sieht</translation>
+    </message>
+    <message>
+        <source>Mirror of what the participant sees</source>
+        <translation>Spiegel dessen, was die Versuchsperson sieht</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ParticipantWindow</name>
+    <message>
+        <source>Participant</source>
+        <translation>Versuchsperson</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ParticipantsPage</name>
+    <message>
+        <source>Participants</source>
+        <translation>Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Nobody has taken part yet</source>
+        <translation>Noch hat niemand teilgenommen</translation>
+    </message>
+    <message>
+        <source>A participant is added when their first session starts: choose a protocol on the page Protocols and press &quot;Start session…&quot;. The label is suggested, the protocol&apos;s questions are asked there.</source>
+        <translation>Eine Versuchsperson kommt hinzu, wenn ihre erste Sitzung startet: auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Das Kürzel wird vorgeschlagen, die Fragen des Protokolls werden dort gestellt.</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Kürzel</translation>
+    </message>
+    <message>
+        <source>Age, years</source>
+        <translation>Alter, Jahre</translation>
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>Handedness</source>
+        <translation>Händigkeit</translation>
+    </message>
+    <message>
+        <source>Sessions done</source>
+        <translation>Sitzungen fertig</translation>
+    </message>
+    <message>
+        <source>Unfinished</source>
+        <translation>Unvollendet</translation>
+    </message>
+    <message>
+        <source>Last session</source>
+        <translation>Letzte Sitzung</translation>
+    </message>
+    <message>
+        <source>Show sessions</source>
+        <translation>Sitzungen zeigen</translation>
+    </message>
+    <message>
+        <source>People %1</source>
+        <translation>Personen %1</translation>
+    </message>
+    <message>
+        <source>Virtual %1</source>
+        <translation>Virtuell %1</translation>
+    </message>
+    <message>
+        <source>Somebody new would be called %1: suggested when a session starts.</source>
+        <translation>Die nächste Versuchsperson hieße %1: Das wird beim Start einer Sitzung vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>%1 virtual</source>
+        <translation>%1 virtuell</translation>
+    </message>
+    <message>
+        <source>Select somebody to see their answers and sessions.</source>
+        <translation>Jemanden auswählen, um Antworten und Sitzungen zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::PathPlots</name>
+    <message>
+        <source>x, mm</source>
+        <translation>x, mm</translation>
+    </message>
+    <message>
+        <source>frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>PATH mm, from above</source>
+        <translation>WEG mm, von oben</translation>
+    </message>
+    <message>
+        <source>SPECTRUM N/√Hz of the force sent</source>
+        <translation>SPEKTRUM N/√Hz der gesendeten Kraft</translation>
+    </message>
+    <message>
+        <source>&amp;nbsp; in its longest contact, %1 s</source>
+        <translation>&amp;nbsp; im längsten Kontakt, %1 s</translation>
+    </message>
+    <message>
+        <source>&amp;nbsp; each in its longest contact</source>
+        <translation>&amp;nbsp; jeweils im längsten Kontakt</translation>
+    </message>
+    <message>
+        <source>No surface was presented.</source>
+        <translation>Keine Oberfläche wurde dargeboten.</translation>
+    </message>
+    <message>
+        <source>No contact was long enough.</source>
+        <translation>Kein Kontakt war lang genug.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::PlanModel</name>
+    <message>
+        <source>Block %1 of %2, %3</source>
+        <translation>Block %1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>%1, before: %2</source>
+        <translation>%1, zuvor: %2</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::PlanPreview</name>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>screen</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>check</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>the force at rest</source>
+        <translation>die Kraft in Ruhe</translation>
+    </message>
+    <message>
+        <source>the device</source>
+        <translation>das Gerät</translation>
+    </message>
+    <message>
+        <source>break</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>at least %1 s: %2</source>
+        <translation>mindestens %1 s: %2</translation>
+    </message>
+    <message>
+        <source>questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 von %3</translation>
+    </message>
+    <message>
+        <source>Trial %1, %2, repetition %3</source>
+        <translation>Durchgang %1, %2, Wiederholung %3</translation>
+    </message>
+    <message>
+        <source>Factors</source>
+        <translation>Faktoren</translation>
+    </message>
+    <message>
+        <source>Surfaces in order</source>
+        <translation>Oberflächen, in Folge</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Options as shown</source>
+        <translation>Auswahl, wie gezeigt</translation>
+    </message>
+    <message>
+        <source>Right answer</source>
+        <translation>Richtige Antwort</translation>
+    </message>
+    <message>
+        <source>1 trial</source>
+        <translation>1 Durchgang</translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation>%1 Durchgänge</translation>
+    </message>
+    <message>
+        <source>1 contact</source>
+        <translation>1 Kontakt</translation>
+    </message>
+    <message>
+        <source>%1 contacts</source>
+        <translation>%1 Kontakte</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>at most %1 without a break</source>
+        <translation>höchstens %1 ohne Pause</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>What is random is drawn anew for every session.</source>
+        <translation>Was zufällig ist, wird für jede Sitzung neu gezogen.</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>The row of the counterbalancing, which goes on from person to person.</source>
+        <translation>Die Zeile der Ausbalancierung; sie rückt von Person zu Person weiter.</translation>
+    </message>
+    <message>
+        <source>Another order</source>
+        <translation>Andere Reihenfolge</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::PlanTable</name>
+    <message>
+        <source>PLAN</source>
+        <translation>PLAN</translation>
+    </message>
+    <message>
+        <source>Back to the trial under way</source>
+        <translation>Zurück zum laufenden Durchgang</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ProgressCell</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ProtocolsPage</name>
+    <message>
+        <source>selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>matching</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>recognition</source>
+        <translation>Wiedererkennung</translation>
+    </message>
+    <message>
+        <source>sees everything</source>
+        <translation>sieht alles</translation>
+    </message>
+    <message>
+        <source>hand occluded</source>
+        <translation>Hand verdeckt</translation>
+    </message>
+    <message>
+        <source>blindfold</source>
+        <translation>Augenmaske</translation>
+    </message>
+    <message>
+        <source>white masking noise</source>
+        <translation>weißes Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>pink masking noise</source>
+        <translation>rosa Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>no masking noise</source>
+        <translation>kein Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>1 trial</source>
+        <translation>1 Durchgang</translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation>%1 Durchgänge</translation>
+    </message>
+    <message>
+        <source>1 block</source>
+        <translation>1 Block</translation>
+    </message>
+    <message>
+        <source>%1 blocks</source>
+        <translation>%1 Blöcke</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>%1 sessions each</source>
+        <translation>je %1 Sitzungen</translation>
+    </message>
+    <message>
+        <source>Not run yet.</source>
+        <translation>Noch nicht durchgeführt.</translation>
+    </message>
+    <message>
+        <source>Last run %1, %2, %3.</source>
+        <translation>Zuletzt %1, %2, %3.</translation>
+    </message>
+    <message>
+        <source>not ended</source>
+        <translation>nicht beendet</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>gültig</translation>
+    </message>
+    <message>
+        <source>1 problem</source>
+        <translation>1 Problem</translation>
+    </message>
+    <message>
+        <source>%1 problems</source>
+        <translation>%1 Probleme</translation>
+    </message>
+    <message>
+        <source>Protocols</source>
+        <translation>Protokolle</translation>
+    </message>
+    <message>
+        <source>New from template</source>
+        <translation>Neu aus Vorlage</translation>
+    </message>
+    <message>
+        <source>No protocols yet</source>
+        <translation>Noch keine Protokolle</translation>
+    </message>
+    <message>
+        <source>A protocol says what is felt and asked, in which order. Begin with one from the library, or copy a protocol file into the study&apos;s folder &quot;protocols&quot;: it appears here at once.</source>
+        <translation>Ein Protokoll sagt, was in welcher Reihenfolge gefühlt und gefragt wird. Am besten mit einem aus der Bibliothek beginnen oder eine Protokolldatei in den Ordner „protocols“ der Studie kopieren: Sie erscheint hier sofort.</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Start session…</source>
+        <translation>Sitzung starten…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Preview plan</source>
+        <translation>Plan ansehen</translation>
+    </message>
+    <message>
+        <source>Simulate…</source>
+        <translation>Simulieren…</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>The protocol could not be made: %1</source>
+        <translation>Das Protokoll konnte nicht angelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>It has to be valid first: the problems are below.</source>
+        <translation>Es muss zuerst gültig sein: Die Probleme stehen unten.</translation>
+    </message>
+    <message>
+        <source>Close the plan</source>
+        <translation>Plan schließen</translation>
+    </message>
+    <message>
+        <source>Close the simulation</source>
+        <translation>Simulation schließen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::QuestionForm</name>
+    <message>
+        <source>* has to be answered</source>
+        <translation>* muss beantwortet werden</translation>
+    </message>
+    <message>
+        <source>%1 *</source>
+        <translation>%1 *</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ReasonForm</name>
+    <message>
+        <source>Choose a reason above or type one</source>
+        <translation>Oben einen Grund wählen oder einen eingeben</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::RecordingView</name>
+    <message>
+        <source>What of the recording is seen</source>
+        <translation>Was von der Aufzeichnung zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Export this recording as a table…</source>
+        <translation>Diese Aufzeichnung als Tabelle exportieren…</translation>
+    </message>
+    <message>
+        <source>Whole attempt</source>
+        <translation>Ganzer Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ReliefView</name>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>Drag to turn the relief. Drag with the right button to move the light. The wheel zooms. Keys: arrows, Shift and arrows, + and −, Home.</source>
+        <translation>Ziehen dreht das Relief. Ziehen mit der rechten Taste bewegt das Licht. Das Rad zoomt. Tasten: Pfeile, Umschalt und Pfeile, + und −, Pos1.</translation>
+    </message>
+    <message>
+        <source>Drag over the relief to stroke it. Drag with the right button to move the light. Arrow keys turn the relief.</source>
+        <translation>Ziehen streicht über das Relief. Ziehen mit der rechten Taste bewegt das Licht. Pfeiltasten drehen das Relief.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SessionControls</name>
+    <message>
+        <source>Sets the force to zero at once, from any window. F12, Pause/Break and Ctrl+Space all do.</source>
+        <translation>Setzt die Kraft sofort auf null, von jedem Fenster aus. F12, Pause/Untbr und Strg+Leertaste tun es alle.</translation>
+    </message>
+    <message>
+        <source>■ EMERGENCY STOP</source>
+        <translation>■ NOT-HALT</translation>
+    </message>
+    <message>
+        <source>F12 from any window</source>
+        <translation>F12 aus jedem Fenster</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>F5</source>
+        <translation>F5</translation>
+    </message>
+    <message>
+        <source>Do not pause</source>
+        <translation>Nicht anhalten</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Esc or F6</source>
+        <translation>Esc oder F6</translation>
+    </message>
+    <message>
+        <source>Do not stop</source>
+        <translation>Nicht stoppen</translation>
+    </message>
+    <message>
+        <source>Stop after trial</source>
+        <translation>Stopp nach Durchgang</translation>
+    </message>
+    <message>
+        <source>F7</source>
+        <translation>F7</translation>
+    </message>
+    <message>
+        <source>Stop after block</source>
+        <translation>Stopp nach Block</translation>
+    </message>
+    <message>
+        <source>F8</source>
+        <translation>F8</translation>
+    </message>
+    <message>
+        <source>Repeat last…</source>
+        <translation>Letzten wiederholen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Strg+R</translation>
+    </message>
+    <message>
+        <source>Skip…</source>
+        <translation>Überspringen…</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Abort…</source>
+        <translation>Abbrechen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Q</source>
+        <translation>Strg+Umschalt+Q</translation>
+    </message>
+    <message>
+        <source>There is no session under way.</source>
+        <translation>Es läuft keine Sitzung.</translation>
+    </message>
+    <message>
+        <source>Pause: the session is stopped already.</source>
+        <translation>Anhalten: Die Sitzung ist schon gestoppt.</translation>
+    </message>
+    <message>
+        <source>Repeat: the last trial is asked again next.</source>
+        <translation>Wiederholen: Der letzte Durchgang wird als Nächstes erneut gefragt.</translation>
+    </message>
+    <message>
+        <source>Repeat: no trial is finished yet.</source>
+        <translation>Wiederholen: Noch ist kein Durchgang abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Skip: no trial is under way.</source>
+        <translation>Überspringen: Es läuft kein Durchgang.</translation>
+    </message>
+    <message>
+        <source>Note: the keys answer the trial now, use a phrase.</source>
+        <translation>Notiz: Die Tasten beantworten gerade den Durchgang; eine Floskel benutzen.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SessionDesk</name>
+    <message>
+        <source>A session is running. End it in its own window first.</source>
+        <translation>Eine Sitzung läuft. Zuerst in ihrem eigenen Fenster beenden.</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s screen %1 is gone. The session pauses after this trial; their window stands on the screen that is left.</source>
+        <translation>Der Bildschirm %1 der Versuchsperson ist weg. Die Sitzung hält nach diesem Durchgang an; das Fenster der Versuchsperson steht auf dem Bildschirm, der übrig ist.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SessionRunner</name>
+    <message numerus="yes">
+        <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the start page.</source>
+        <translation>
+            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Startseite fortsetzen.</numerusform>
+            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Startseite fortsetzen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The session did not begin and no trial was run. When the cause is mended, start it again.</source>
+        <translation>Die Sitzung hat nicht begonnen, und kein Durchgang lief. Wenn die Ursache behoben ist, erneut starten.</translation>
+    </message>
+    <message>
+        <source>Please wait for the experimenter.</source>
+        <translation>Bitte warten Sie auf die Versuchsleitung.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SessionWindow</name>
+    <message>
+        <source>Session – Asperity</source>
+        <translation>Sitzung – Asperity</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>PARTICIPANT SEES</source>
+        <translation>SICHT DER VERSUCHSPERSON</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window is not open.</source>
+        <translation>Das Fenster der Versuchsperson ist nicht offen.</translation>
+    </message>
+    <message>
+        <source>Why is the last trial repeated? What was answered stays stored and no longer counts.</source>
+        <translation>Warum wird der letzte Durchgang wiederholt? Was geantwortet wurde, bleibt gespeichert und zählt nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The participant was distracted</source>
+        <translation>Die Versuchsperson war abgelenkt</translation>
+    </message>
+    <message>
+        <source>Wrong key pressed</source>
+        <translation>Falsche Taste gedrückt</translation>
+    </message>
+    <message>
+        <source>The participant asks for it</source>
+        <translation>Die Versuchsperson bittet darum</translation>
+    </message>
+    <message>
+        <source>Technical problem</source>
+        <translation>Technisches Problem</translation>
+    </message>
+    <message>
+        <source>Repeat last trial</source>
+        <translation>Letzten Durchgang wiederholen</translation>
+    </message>
+    <message>
+        <source>Why is trial %1 skipped? It is kept as skipped and not asked again.</source>
+        <translation>Warum wird Durchgang %1 übersprungen? Er bleibt als übersprungen erhalten und wird nicht erneut gefragt.</translation>
+    </message>
+    <message>
+        <source>The participant cannot answer</source>
+        <translation>Die Versuchsperson kann nicht antworten</translation>
+    </message>
+    <message>
+        <source>The participant does not want to go on</source>
+        <translation>Die Versuchsperson möchte nicht weitermachen</translation>
+    </message>
+    <message>
+        <source>Skip this trial</source>
+        <translation>Diesen Durchgang überspringen</translation>
+    </message>
+    <message>
+        <source>Why do you need to know the conditions? The reason is stored with the session, and the window stays marked.</source>
+        <translation>Warum müssen die Bedingungen bekannt sein? Der Grund wird mit der Sitzung gespeichert, und das Fenster bleibt gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>Safety of the participant</source>
+        <translation>Sicherheit der Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Suspected fault of a stimulus</source>
+        <translation>Verdacht auf einen fehlerhaften Reiz</translation>
+    </message>
+    <message>
+        <source>Not the experimenter of this study</source>
+        <translation>Nicht die Versuchsleitung dieser Studie</translation>
+    </message>
+    <message>
+        <source>Unblind</source>
+        <translation>Entblinden</translation>
+    </message>
+    <message>
+        <source>▲ Blind again; UNBLINDED at %1</source>
+        <translation>▲ Wieder verblindet; ENTBLINDET um %1</translation>
+    </message>
+    <message>
+        <source>▲ UNBLINDED at %1</source>
+        <translation>▲ ENTBLINDET um %1</translation>
+    </message>
+    <message>
+        <source>Blind: codes stand for conditions</source>
+        <translation>Verblindet: Codes stehen für Bedingungen</translation>
+    </message>
+    <message>
+        <source>Names are shown</source>
+        <translation>Namen werden gezeigt</translation>
+    </message>
+    <message>
+        <source>Unblind…</source>
+        <translation>Entblinden…</translation>
+    </message>
+    <message>
+        <source>Show names</source>
+        <translation>Namen zeigen</translation>
+    </message>
+    <message>
+        <source>Blind again</source>
+        <translation>Wieder verblinden</translation>
+    </message>
+    <message>
+        <source>Hide names</source>
+        <translation>Namen verbergen</translation>
+    </message>
+    <message>
+        <source>Session %1 · %2 · %3 · %4</source>
+        <translation>Sitzung %1 · %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>The session has ended</source>
+        <translation>Die Sitzung ist zu Ende</translation>
+    </message>
+    <message>
+        <source>Keys answer the trial now</source>
+        <translation>Tasten beantworten jetzt den Durchgang</translation>
+    </message>
+    <message>
+        <source>%1 – Asperity</source>
+        <translation>%1 – Asperity</translation>
+    </message>
+    <message>
+        <source>Block %1 of %2</source>
+        <translation>Block %1 von %2</translation>
+    </message>
+    <message>
+        <source>Blocks: %1</source>
+        <translation>Blöcke: %1</translation>
+    </message>
+    <message>
+        <source>trial %1 of %2</source>
+        <translation>Durchgang %1 von %2</translation>
+    </message>
+    <message>
+        <source>trials: %1</source>
+        <translation>Durchgänge: %1</translation>
+    </message>
+    <message>
+        <source>Preparing the session</source>
+        <translation>Sitzung wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>%1 elapsed</source>
+        <translation>%1 vergangen</translation>
+    </message>
+    <message>
+        <source>Paused since %1, Resume F5</source>
+        <translation>Angehalten seit %1, Fortsetzen F5</translation>
+    </message>
+    <message>
+        <source>Going on</source>
+        <translation>Es geht weiter</translation>
+    </message>
+    <message>
+        <source>Pausing after this trial</source>
+        <translation>Hält nach diesem Durchgang an</translation>
+    </message>
+    <message>
+        <source>Stopping after this trial</source>
+        <translation>Stoppt nach diesem Durchgang</translation>
+    </message>
+    <message>
+        <source>Stopping after this block</source>
+        <translation>Stoppt nach diesem Block</translation>
+    </message>
+    <message>
+        <source>Repeating the last trial next</source>
+        <translation>Der letzte Durchgang wird als Nächstes wiederholt</translation>
+    </message>
+    <message>
+        <source>Clearing the fault</source>
+        <translation>Störung wird behoben</translation>
+    </message>
+    <message>
+        <source>EMERGENCY STOP at %1. Zero force was asked of the device; its answer is awaited.</source>
+        <translation>NOT-HALT um %1. Vom Gerät wurde Kraft null verlangt; seine Antwort steht aus.</translation>
+    </message>
+    <message>
+        <source>EMERGENCY STOP at %1. %2</source>
+        <translation>NOT-HALT um %1. %2</translation>
+    </message>
+    <message>
+        <source>EMERGENCY STOP at %1. The force is zero and is held there.</source>
+        <translation>NOT-HALT um %1. Die Kraft ist null und wird dort gehalten.</translation>
+    </message>
+    <message>
+        <source>Stopped at %1, the force is held at zero. %2</source>
+        <translation>Gestoppt um %1, die Kraft wird auf null gehalten. %2</translation>
+    </message>
+    <message>
+        <source>Stopped at %1, the force is held at zero: %2.</source>
+        <translation>Gestoppt um %1, die Kraft wird auf null gehalten: %2.</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>What ended it: %1</source>
+        <translation>Was sie beendete: %1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The screen “%1” was unplugged. What was on it is now on another one. Pause, and plug it in again, if it was the participant&apos;s.</source>
+        <translation>Der Bildschirm „%1“ wurde abgezogen. Was darauf war, ist jetzt auf einem anderen. War es der Bildschirm der Versuchsperson: anhalten und ihn wieder anstecken.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SessionsPage</name>
+    <message>
+        <source>Run</source>
+        <translation>Erhebung</translation>
+    </message>
+    <message>
+        <source>Pilot</source>
+        <translation>Pilot</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simuliert</translation>
+    </message>
+    <message>
+        <source>running now</source>
+        <translation>läuft gerade</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>vollständig</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>broken off</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>No session yet</source>
+        <translation>Noch keine Sitzung</translation>
+    </message>
+    <message>
+        <source>Choose a protocol on the page Protocols and press &quot;Start session…&quot;. To see first what comes out, press &quot;Simulate…&quot; there: virtual participants take minutes off an hour.</source>
+        <translation>Auf der Seite „Protokolle“ ein Protokoll wählen und „Sitzung starten…“ drücken. Um zuerst zu sehen, was herauskommt, dort „Simulieren…“ drücken: Virtuelle Versuchspersonen brauchen Minuten für eine Stunde.</translation>
+    </message>
+    <message>
+        <source>Filter: participant, protocol, state</source>
+        <translation>Filter: Versuchsperson, Protokoll, Zustand</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Versuchsperson</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Started</source>
+        <translation>Begonnen</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Show trials</source>
+        <translation>Durchgänge zeigen</translation>
+    </message>
+    <message>
+        <source>Go on with this session…</source>
+        <translation>Diese Sitzung fortsetzen…</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Select a session.</source>
+        <translation>Eine Sitzung auswählen.</translation>
+    </message>
+    <message>
+        <source>It is running, here or in another program.</source>
+        <translation>Sie läuft, hier oder in einem anderen Programm.</translation>
+    </message>
+    <message>
+        <source>It is complete: there is nothing to go on with.</source>
+        <translation>Sie ist vollständig: Es gibt nichts fortzusetzen.</translation>
+    </message>
+    <message>
+        <source>A simulation goes on from the page Protocols.</source>
+        <translation>Eine Simulation wird auf der Seite „Protokolle“ fortgesetzt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 trials are done and safe.</source>
+        <translation>%1 von %2 Durchgängen sind abgeschlossen und sicher.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SetupCard</name>
+    <message>
+        <source>Device and screens</source>
+        <translation>Gerät und Bildschirme</translation>
+    </message>
+    <message>
+        <source>Simulated device</source>
+        <translation>Simuliertes Gerät</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Held by</source>
+        <translation>Gehalten mit</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window</source>
+        <translation>Fenster der Versuchsperson</translation>
+    </message>
+    <message>
+        <source>The participant has a keyboard or device buttons of their own</source>
+        <translation>Die Versuchsperson hat eine eigene Tastatur oder Gerätetasten</translation>
+    </message>
+    <message>
+        <source>With one keyboard for both, your text fields are greyed while an answer is open.</source>
+        <translation>Bei einer gemeinsamen Tastatur sind die eigenen Textfelder grau, während eine Antwort offen ist.</translation>
+    </message>
+    <message>
+        <source>As the session began: it goes on with the same hand.</source>
+        <translation>Wie die Sitzung begann: Sie geht mit derselben Hand weiter.</translation>
+    </message>
+    <message>
+        <source>The workspace and the strokes are mirrored left to right.</source>
+        <translation>Arbeitsraum und Striche sind links-rechts gespiegelt.</translation>
+    </message>
+    <message>
+        <source>The workspace as the protocol describes it.</source>
+        <translation>Der Arbeitsraum, wie das Protokoll ihn beschreibt.</translation>
+    </message>
+    <message>
+        <source>Beside this window</source>
+        <translation>Neben diesem Fenster</translation>
+    </message>
+    <message>
+        <source>Full screen on %1 (%2 × %3)</source>
+        <translation>Vollbild auf %1 (%2 × %3)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ShownText</name>
+    <message>
+        <source>today %1</source>
+        <translation>heute %1</translation>
+    </message>
+    <message>
+        <source>yesterday %1</source>
+        <translation>gestern %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SimulationPanel</name>
+    <message>
+        <source>A virtual hand feels every surface and arithmetic answers: the sessions run as fast as this machine can, and are marked as simulated for ever.</source>
+        <translation>Eine virtuelle Hand fühlt jede Oberfläche, und Arithmetik antwortet: Die Sitzungen laufen so schnell, wie dieser Rechner kann, und sind für immer als simuliert gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>Virtual participants to add</source>
+        <translation>Neue virtuelle Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Seed (the same seed gives the same answers)</source>
+        <translation>Startwert (derselbe gibt dieselben Antworten)</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Show the sessions</source>
+        <translation>Sitzungen zeigen</translation>
+    </message>
+    <message>
+        <source>Stopping after the trials under way…</source>
+        <translation>Stoppt nach den laufenden Durchgängen…</translation>
+    </message>
+    <message>
+        <source>Simulate %1</source>
+        <translation>%1 simulieren</translation>
+    </message>
+    <message>
+        <source>Simulating %1…</source>
+        <translation>%1 wird simuliert…</translation>
+    </message>
+    <message>
+        <source>%1 sessions with %2 attempts, in %3</source>
+        <translation>%1 Sitzungen mit %2 Versuchen, in %3</translation>
+    </message>
+    <message>
+        <source>Cancelled after %1. What is finished is stored.</source>
+        <translation>Abgebrochen nach %1. Was fertig ist, ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Simulated: %1.</source>
+        <translation>Simuliert: %1.</translation>
+    </message>
+    <message>
+        <source>The simulation ended: %1</source>
+        <translation>Die Simulation ist beendet: %1</translation>
+    </message>
+    <message>
+        <source>Simulate 1 participant</source>
+        <translation>1 Versuchsperson simulieren</translation>
+    </message>
+    <message>
+        <source>Simulate %1 participants</source>
+        <translation>%1 Versuchspersonen simulieren</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::StartPage</name>
+    <message>
+        <source>selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>matching</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>recognition</source>
+        <translation>Wiedererkennung</translation>
+    </message>
+    <message>
+        <source>hand and screen seen</source>
+        <translation>Hand und Bildschirm sichtbar</translation>
+    </message>
+    <message>
+        <source>hand hidden, screen seen</source>
+        <translation>Hand verdeckt, Bildschirm sichtbar</translation>
+    </message>
+    <message>
+        <source>blindfold</source>
+        <translation>Augenmaske</translation>
+    </message>
+    <message>
+        <source>no masking noise</source>
+        <translation>kein Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>white masking noise %1 dBA</source>
+        <translation>weißes Maskierrauschen %1 dB(A)</translation>
+    </message>
+    <message>
+        <source>pink masking noise %1 dBA</source>
+        <translation>rosa Maskierrauschen %1 dB(A)</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>Und %n weiteres.</numerusform>
+            <numerusform>Und %n weitere.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Start a session</source>
+        <translation>Sitzung starten</translation>
+    </message>
+    <message>
+        <source>Masking noise</source>
+        <translation>Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Erhebung</translation>
+    </message>
+    <message>
+        <source>Pilot</source>
+        <translation>Pilot</translation>
+    </message>
+    <message>
+        <source>Simulate</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Virtual participants</source>
+        <translation>Virtuelle Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>So schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>Stop the simulation</source>
+        <translation>Simulation stoppen</translation>
+    </message>
+    <message>
+        <source>Start session</source>
+        <translation>Sitzung starten</translation>
+    </message>
+    <message>
+        <source>This protocol is not valid, line %1: %2.</source>
+        <translation>Dieses Protokoll ist nicht gültig, Zeile %1: %2.</translation>
+    </message>
+    <message>
+        <source>The study has no protocol yet: make one on the Protocols page.</source>
+        <translation>Die Studie hat noch kein Protokoll: auf der Seite „Protokolle“ eines anlegen.</translation>
+    </message>
+    <message>
+        <source>Choose what is to be run.</source>
+        <translation>Wählen, was durchgeführt werden soll.</translation>
+    </message>
+    <message>
+        <source>%1 · version %2 · SHA-256 %3</source>
+        <translation>%1 · Version %2 · SHA-256 %3</translation>
+    </message>
+    <message>
+        <source>1 trial</source>
+        <translation>1 Durchgang</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trials</source>
+        <translation>
+            <numerusform>%n Durchgang</numerusform>
+            <numerusform>%n Durchgänge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, about %2 · %3 · %4</source>
+        <translation>%1, etwa %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>A session goes on in the mode in which it began.</source>
+        <translation>Eine Sitzung geht in dem Modus weiter, in dem sie begann.</translation>
+    </message>
+    <message>
+        <source>Study data. Plan and plots show codes in place of names.</source>
+        <translation>Studiendaten. Plan und Kurven zeigen Codes statt Namen.</translation>
+    </message>
+    <message>
+        <source>A person tries it out. Kept apart from the study&apos;s data.</source>
+        <translation>Eine Person probiert es aus. Getrennt von den Studiendaten aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Virtual participants exercise the study. Their answers say nothing about people.</source>
+        <translation>Virtuelle Versuchspersonen proben die Studie. Ihre Antworten sagen nichts über Menschen.</translation>
+    </message>
+    <message>
+        <source>A simulated session goes on at the speed at which it began.</source>
+        <translation>Eine simulierte Sitzung geht in dem Tempo weiter, in dem sie begann.</translation>
+    </message>
+    <message>
+        <source>Real time takes one virtual participant at a time.</source>
+        <translation>Echtzeit nimmt eine virtuelle Versuchsperson auf einmal.</translation>
+    </message>
+    <message>
+        <source>One session, shown while it runs.</source>
+        <translation>Eine Sitzung, zu sehen, während sie läuft.</translation>
+    </message>
+    <message>
+        <source>All of their sessions, in the background.</source>
+        <translation>Alle ihre Sitzungen, im Hintergrund.</translation>
+    </message>
+    <message>
+        <source>The program names virtual participants; the next one is %1.</source>
+        <translation>Das Programm benennt virtuelle Versuchspersonen; die nächste ist %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The program names virtual participants; the next %n begin with %1.</source>
+        <translation>
+            <numerusform>Das Programm benennt virtuelle Versuchspersonen; die nächste (%n) ist %1.</numerusform>
+            <numerusform>Das Programm benennt virtuelle Versuchspersonen; die nächsten %n beginnen mit %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Go on with a session</source>
+        <translation>Sitzung fortsetzen</translation>
+    </message>
+    <message>
+        <source>This is session %1 of this participant; %2 of %3 planned ones of this protocol are done.</source>
+        <translation>Das ist Sitzung %1 dieser Versuchsperson; %2 von %3 geplanten dieses Protokolls sind abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>%1 No counterbalancing.</source>
+        <translation>%1 Keine Ausbalancierung.</translation>
+    </message>
+    <message>
+        <source>%1 Counterbalancing row %2 of %3, the least used one.</source>
+        <translation>%1 Zeile %2 von %3 der Ausbalancierung, die bisher seltenste.</translation>
+    </message>
+    <message>
+        <source>Go on with session %1</source>
+        <translation>Sitzung %1 fortsetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Simulate %n participants</source>
+        <translation>
+            <numerusform>%n Versuchsperson simulieren</numerusform>
+            <numerusform>%n Versuchspersonen simulieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Virtual participants go through their sessions.</source>
+        <translation>Virtuelle Versuchspersonen gehen durch ihre Sitzungen.</translation>
+    </message>
+    <message>
+        <source>Ready.</source>
+        <translation>Bereit.</translation>
+    </message>
+    <message>
+        <source>No protocol is chosen.</source>
+        <translation>Kein Protokoll ist gewählt.</translation>
+    </message>
+    <message>
+        <source>The protocol is not valid.</source>
+        <translation>Das Protokoll ist nicht gültig.</translation>
+    </message>
+    <message>
+        <source>The checklist is being gone through.</source>
+        <translation>Die Checkliste wird durchgegangen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 sessions, %2 answers: look at the table.</source>
+        <translation>%1 Sitzungen, %2 Antworten: Tabelle ansehen.</translation>
+    </message>
+    <message>
+        <source>Show the sessions</source>
+        <translation>Sitzungen zeigen</translation>
+    </message>
+    <message>
+        <source>The simulation was stopped. Trials that are finished and stored: %1.</source>
+        <translation>Die Simulation wurde gestoppt. Abgeschlossene und gespeicherte Durchgänge: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::StimuliPage</name>
+    <message>
+        <source>Stimuli</source>
+        <translation>Reize</translation>
+    </message>
+    <message>
+        <source>No stimuli yet</source>
+        <translation>Noch keine Reize</translation>
+    </message>
+    <message>
+        <source>Stimuli are pictures and height fields in the study&apos;s folder &quot;stimuli&quot;. Make one from a photograph on the page Workbench, or copy files there: they appear here at once.</source>
+        <translation>Reize sind Bilder und Höhenfelder im Ordner „stimuli“ der Studie. Auf der Seite „Werkstatt“ einen aus einem Foto machen oder Dateien dorthin kopieren: Sie erscheinen hier sofort.</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Größe, mm</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Pitch, µm</source>
+        <translation>Abstand, µm</translation>
+    </message>
+    <message>
+        <source>RMS, µm</source>
+        <translation>RMS, µm</translation>
+    </message>
+    <message>
+        <source>Used by</source>
+        <translation>Benutzt von</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>height field (%1)</source>
+        <translation>Höhenfeld (%1)</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>no protocol</source>
+        <translation>keinem Protokoll</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::StudyPage</name>
+    <message>
+        <source>The study could not be read: %1</source>
+        <translation>Die Studie konnte nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::StudyWindow</name>
+    <message>
+        <source>Protocols</source>
+        <translation>Protokolle</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Stimuli</source>
+        <translation>Reize</translation>
+    </message>
+    <message>
+        <source>Workbench</source>
+        <translation>Werkstatt</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>The session cannot go on: its protocol &quot;%1&quot; is not among the study&apos;s protocols any more.</source>
+        <translation>Die Sitzung kann nicht fortgesetzt werden: Ihr Protokoll „%1“ gehört nicht mehr zu den Protokollen der Studie.</translation>
+    </message>
+    <message>
+        <source>Asperity</source>
+        <translation>Asperity</translation>
+    </message>
+    <message>
+        <source>Asperity ─ %1</source>
+        <translation>Asperity ─ %1</translation>
+    </message>
+    <message>
+        <source>The study could not be opened: %1</source>
+        <translation>Die Studie konnte nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>The study is no longer at %1: its folder was removed, renamed, or is on a medium that is gone. Bring it back, or close the study.</source>
+        <translation>Die Studie ist nicht mehr bei %1: Ihr Ordner wurde entfernt oder umbenannt oder liegt auf einem Datenträger, der weg ist. Den Ordner zurückbringen oder die Studie schließen.</translation>
+    </message>
+    <message>
+        <source>Close study</source>
+        <translation>Studie schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation>&amp;Studie</translation>
+    </message>
+    <message>
+        <source>&amp;New…</source>
+        <translation>&amp;Neu…</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo study</source>
+        <translation>&amp;Demostudie öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Recent</source>
+        <translation>&amp;Zuletzt benutzt</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>No study was opened yet</source>
+        <translation>Noch wurde keine Studie geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das S&amp;ystem</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>L&amp;anguage</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Documents</source>
+        <translation>&amp;Dokumente</translation>
+    </message>
+    <message>
+        <source>&amp;About Asperity</source>
+        <translation>&amp;Über Asperity</translation>
+    </message>
+    <message>
+        <source>The study could not be made: %1</source>
+        <translation>Die Studie konnte nicht angelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>Open the folder of a study</source>
+        <translation>Ordner einer Studie öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TimePlots</name>
+    <message>
+        <source>The wheel, + and − zoom; the mouse, ← and → move; Home shows all.</source>
+        <translation>Das Rad, + und − zoomen; die Maus, ← und → bewegen; Pos1 zeigt alles.</translation>
+    </message>
+    <message>
+        <source>Force, penetration, speed and position over time</source>
+        <translation>Kraft, Eindringtiefe, Geschwindigkeit und Position über der Zeit</translation>
+    </message>
+    <message>
+        <source>FORCE N, normal</source>
+        <translation>KRAFT N, normal</translation>
+    </message>
+    <message>
+        <source>rendered</source>
+        <translation>berechnet</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
+    <message>
+        <source>PENETRATION mm</source>
+        <translation>EINDRINGTIEFE mm</translation>
+    </message>
+    <message>
+        <source>SPEED mm/s, along the surface</source>
+        <translation>GESCHWINDIGKEIT mm/s, längs der Oberfläche</translation>
+    </message>
+    <message>
+        <source>POSITION mm</source>
+        <translation>POSITION mm</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z, up</source>
+        <translation>z, nach oben</translation>
+    </message>
+    <message>
+        <source>time since the attempt began, s</source>
+        <translation>Zeit seit Beginn des Versuchs, s</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>verlangt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n missed deadline(s)</source>
+        <translation>
+            <numerusform>%n verpasste Frist</numerusform>
+            <numerusform>%n verpasste Fristen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n limited tick(s)</source>
+        <translation>
+            <numerusform>%n begrenzter Takt</numerusform>
+            <numerusform>%n begrenzte Takte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TrialsPage</name>
+    <message>
+        <source>to come</source>
+        <translation>steht aus</translation>
+    </message>
+    <message>
+        <source>answered</source>
+        <translation>beantwortet</translation>
+    </message>
+    <message>
+        <source>no answer in time</source>
+        <translation>keine Antwort in der Zeit</translation>
+    </message>
+    <message>
+        <source>not explored as asked</source>
+        <translation>nicht wie verlangt erkundet</translation>
+    </message>
+    <message>
+        <source>aborted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>device fault</source>
+        <translation>Gerätestörung</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>übersprungen</translation>
+    </message>
+    <message>
+        <source>not valid: %1</source>
+        <translation>nicht gültig: %1</translation>
+    </message>
+    <message>
+        <source>flagged: %1</source>
+        <translation>markiert: %1</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>← All sessions</source>
+        <translation>← Alle Sitzungen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>From contact, s</source>
+        <translation>Ab Kontakt, s</translation>
+    </message>
+    <message>
+        <source>From cue, s</source>
+        <translation>Ab Signal, s</translation>
+    </message>
+    <message>
+        <source>Began</source>
+        <translation>Begann</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Wortlaut</translation>
+    </message>
+    <message>
+        <source>Notes and events</source>
+        <translation>Notizen und Ereignisse</translation>
+    </message>
+    <message>
+        <source>Select a trial to read it in full.</source>
+        <translation>Einen Durchgang auswählen, um ihn ganz zu lesen.</translation>
+    </message>
+    <message>
+        <source>Trial %1, attempt %2: %3</source>
+        <translation>Durchgang %1, Versuch %2: %3</translation>
+    </message>
+    <message>
+        <source>Session %1 of %2</source>
+        <translation>Sitzung %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 · %3 · %4 of %5 trials in %6 · started %7 · device %8 · asperity %9</source>
+        <translation>%1 %2 · %3 · %4 von %5 Durchgängen in %6 · begonnen %7 · Gerät %8 · asperity %9</translation>
+    </message>
+    <message>
+        <source>Notes and events (%1)</source>
+        <translation>Notizen und Ereignisse (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::WelcomePage</name>
+    <message>
+        <source>Asperity</source>
+        <translation>Asperity</translation>
+    </message>
+    <message>
+        <source>Psychophysics experiments on haptic texture: people feel rendered surfaces, compare them with pictures, and say what they felt.
+A study is a folder with its protocols, its stimuli, and everything that was answered and recorded.</source>
+        <translation>Psychophysische Experimente zu haptischer Textur: Menschen fühlen wiedergegebene Oberflächen, vergleichen sie mit Bildern und sagen, was sie gefühlt haben.
+Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was geantwortet und aufgezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>Create a study…</source>
+        <translation>Studie anlegen…</translation>
+    </message>
+    <message>
+        <source>Open a study…</source>
+        <translation>Studie öffnen…</translation>
+    </message>
+    <message>
+        <source>See it work</source>
+        <translation>Sehen, wie es geht</translation>
+    </message>
+    <message>
+        <source>Six textures and three protocols, ready to run with the simulated device. No hardware and no network are needed.</source>
+        <translation>Sechs Texturen und drei Protokolle, bereit für das simulierte Gerät. Weder Hardware noch Netz sind nötig.</translation>
+    </message>
+    <message>
+        <source>Open the demo study</source>
+        <translation>Demostudie öffnen</translation>
+    </message>
+    <message>
+        <source>Another folder…</source>
+        <translation>Anderer Ordner…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stopping after the texture that is being made…</source>
+        <translation>Stoppt nach der Textur, die gerade entsteht…</translation>
+    </message>
+    <message>
+        <source>Where the demo study is to lie</source>
+        <translation>Wo die Demostudie liegen soll</translation>
+    </message>
+    <message>
+        <source>Recent studies</source>
+        <translation>Letzte Studien</translation>
+    </message>
+    <message>
+        <source>None yet. The studies that you open are listed here, the latest first.</source>
+        <translation>Noch keine. Studien, die geöffnet wurden, stehen hier, die letzte zuerst.</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Last used</source>
+        <translation>Zuletzt benutzt</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Remove from this list</source>
+        <translation>Aus dieser Liste entfernen</translation>
+    </message>
+    <message>
+        <source>Select a study in the list.</source>
+        <translation>Eine Studie in der Liste auswählen.</translation>
+    </message>
+    <message>
+        <source>There is no study in this folder any more.</source>
+        <translation>In diesem Ordner ist keine Studie mehr.</translation>
+    </message>
+    <message>
+        <source>Making six textures in %1…</source>
+        <translation>Sechs Texturen entstehen in %1…</translation>
+    </message>
+    <message>
+        <source>The demo study could not be made: %1</source>
+        <translation>Die Demostudie konnte nicht angelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>no study there any more</source>
+        <translation>dort ist keine Studie mehr</translation>
+    </message>
+    <message>
+        <source>It is in %1.</source>
+        <translation>Sie liegt in %1.</translation>
+    </message>
+    <message>
+        <source>It will be made in %1 (about 25 MB), which takes some seconds.</source>
+        <translation>Sie wird in %1 angelegt (etwa 25 MB); das dauert einige Sekunden.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::WorkbenchPage</name>
+    <message>
+        <source>It changes mostly in one direction: a grain, or light from one side? More at the end of this list.</source>
+        <translation>Es ändert sich vor allem in einer Richtung: eine Maserung oder Licht von einer Seite? Mehr am Ende dieser Liste.</translation>
+    </message>
+    <message>
+        <source>It has narrow bright parts. If they lie low, as light mortar does, dark parts stand out.</source>
+        <translation>Es hat schmale helle Teile. Liegen sie tief, wie heller Mörtel, stehen dunkle Teile hervor.</translation>
+    </message>
+    <message>
+        <source>Drop a photograph of a surface here</source>
+        <translation>Hier ein Foto einer Oberfläche ablegen</translation>
+    </message>
+    <message>
+        <source>It becomes a relief that can be felt: its light is evened out, long waves are taken away, and what is left of its brightness is read as height. PNG, JPEG, TIFF, BMP and WebP are read. Best is a picture in even light, taken from straight above.</source>
+        <translation>Daraus wird ein Relief zum Fühlen: Sein Licht wird ausgeglichen, lange Wellen werden entfernt, und was an Helligkeit bleibt, gilt als Höhe. Gelesen werden PNG, JPEG, TIFF, BMP und WebP. Am besten ist ein Bild in gleichmäßigem Licht, senkrecht von oben.</translation>
+    </message>
+    <message>
+        <source>Open a photograph…</source>
+        <translation>Foto öffnen…</translation>
+    </message>
+    <message>
+        <source>Workbench</source>
+        <translation>Werkstatt</translation>
+    </message>
+    <message>
+        <source>Make a relief</source>
+        <translation>Relief machen</translation>
+    </message>
+    <message>
+        <source>Compare force models</source>
+        <translation>Kraftmodelle vergleichen</translation>
+    </message>
+    <message>
+        <source>Relief of the study</source>
+        <translation>Relief der Studie</translation>
+    </message>
+    <message>
+        <source>Profile along the orange line</source>
+        <translation>Profil entlang der orangen Linie</translation>
+    </message>
+    <message>
+        <source>Place, mm</source>
+        <translation>Ort, mm</translation>
+    </message>
+    <message>
+        <source>Height, µm</source>
+        <translation>Höhe, µm</translation>
+    </message>
+    <message>
+        <source>Its spectrum</source>
+        <translation>Sein Spektrum</translation>
+    </message>
+    <message>
+        <source>Waves per mm</source>
+        <translation>Wellen pro mm</translation>
+    </message>
+    <message>
+        <source>Power, µm² mm</source>
+        <translation>Leistung, µm² mm</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Kraft, N</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>Power, N²/Hz</source>
+        <translation>Leistung, N²/Hz</translation>
+    </message>
+    <message>
+        <source>This relief is finished: it comes from a file of the study. Open a photograph to make another one, or compare how the force models render this one.</source>
+        <translation>Dieses Relief ist fertig: Es kommt aus einer Datei der Studie. Ein Foto öffnen, um ein anderes zu machen, oder vergleichen, wie die Kraftmodelle dieses wiedergeben.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;What does the photograph show?&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Was zeigt das Foto?&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Relief: bright parts stand out</source>
+        <translation>Relief: Helles steht hervor</translation>
+    </message>
+    <message>
+        <source>Relief: dark parts stand out</source>
+        <translation>Relief: Dunkles steht hervor</translation>
+    </message>
+    <message>
+        <source>A surface lit from one side</source>
+        <translation>Von einer Seite beleuchtet</translation>
+    </message>
+    <message>
+        <source>Paint, print or stains</source>
+        <translation>Farbe, Druck oder Flecken</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;What the picture tells about itself&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Was das Bild über sich verrät&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Even the light</source>
+        <translation>Licht ausgleichen</translation>
+    </message>
+    <message>
+        <source>Take long waves away</source>
+        <translation>Lange Wellen entfernen</translation>
+    </message>
+    <message>
+        <source>Name in the study</source>
+        <translation>Name in der Studie</translation>
+    </message>
+    <message>
+        <source>Save to study</source>
+        <translation>In Studie speichern</translation>
+    </message>
+    <message>
+        <source>This study has no relief yet</source>
+        <translation>Diese Studie hat noch kein Relief</translation>
+    </message>
+    <message>
+        <source>Open a photograph of a surface</source>
+        <translation>Foto einer Oberfläche öffnen</translation>
+    </message>
+    <message>
+        <source>Photographs (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.webp)</source>
+        <translation>Fotos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.webp)</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The file could not be opened: %1</source>
+        <translation>Die Datei konnte nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm, %3 µm from the lowest to the highest point, RMS %4 µm</source>
+        <translation>%1 × %2 mm, %3 µm vom tiefsten bis zum höchsten Punkt, RMS %4 µm</translation>
+    </message>
+    <message>
+        <source>Dark is high: for light mortar between bricks or light sand between pebbles. The shape comes back well in even light.</source>
+        <translation>Dunkel ist hoch: für hellen Mörtel zwischen Ziegeln oder hellen Sand zwischen Kieseln. Die Form kommt bei gleichmäßigem Licht gut heraus.</translation>
+    </message>
+    <message>
+        <source>▲ What comes back is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish. It looks like a relief and feels like one, of another surface. Take the picture again in even light if you can.</source>
+        <translation>▲ Heraus kommt die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden. Es sieht aus wie ein Relief und fühlt sich so an, aber wie das einer anderen Oberfläche. Das Bild möglichst in gleichmäßigem Licht neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>▲ The paint becomes relief: what is felt has nothing to do with the surface under it. Use it only if that is what you want.</source>
+        <translation>▲ Die Farbe wird zum Relief: Was gefühlt wird, hat nichts mit der Oberfläche darunter zu tun. Nur benutzen, wenn das gewollt ist.</translation>
+    </message>
+    <message>
+        <source>Bright is high: for a surface in even light, where grooves and gaps are dark. The shape comes back well; how deep it is you have to say.</source>
+        <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Die Form kommt gut heraus; wie tief sie ist, muss angegeben werden.</translation>
+    </message>
+    <message>
+        <source>Heights are drawn %1 times too high.</source>
+        <translation>Höhen sind %1-fach überhöht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Heights are drawn to scale.</source>
+        <translation>Höhen sind maßstäblich gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 Drag to turn, right button: light, wheel: zoom.</source>
+        <translation>%1 Ziehen: drehen, rechte Taste: Licht, Rad: zoomen.</translation>
+    </message>
+    <message>
+        <source>%1 Drag to stroke, right button: light, arrow keys: turn.</source>
+        <translation>%1 Ziehen: streichen, rechte Taste: Licht, Pfeiltasten: drehen.</translation>
+    </message>
+    <message>
+        <source>Drag over the relief to feel it</source>
+        <translation>Über das Relief ziehen, um es zu fühlen</translation>
+    </message>
+    <message>
+        <source>After a quarter of a second</source>
+        <translation>Nach einer Viertelsekunde</translation>
+    </message>
+    <message>
+        <source>A relief that comes from a file is saved already.</source>
+        <translation>Ein Relief aus einer Datei ist schon gespeichert.</translation>
+    </message>
+    <message>
+        <source>The relief needs a name.</source>
+        <translation>Das Relief braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>Letters without accents, digits, _ and - only.</source>
+        <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und -.</translation>
+    </message>
+    <message>
+        <source>Names that end in _photo are those of photographs.</source>
+        <translation>Namen, die auf _photo enden, sind die von Fotos.</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Goes to stimuli/ with its sidecar and its photograph.</source>
+        <translation>Kommt nach stimuli/, mit Begleitdatei und Foto.</translation>
+    </message>
+    <message>
+        <source>The study has a stimulus “%1” already. Protocols that use it would present the new one; sessions that were run keep the mark of the old.</source>
+        <translation>Die Studie hat schon einen Reiz „%1“. Protokolle, die ihn benutzen, würden den neuen darbieten; durchgeführte Sitzungen behalten die Kennung des alten.</translation>
+    </message>
+    <message>
+        <source>Replace “%1”</source>
+        <translation>„%1“ ersetzen</translation>
+    </message>
+    <message>
+        <source>Saved as stimuli/%1.png, with its sidecar and stimuli/%1_photo.png.</source>
+        <translation>Gespeichert als stimuli/%1.png, mit Begleitdatei und stimuli/%1_photo.png.</translation>
+    </message>
+    <message>
+        <source>The relief was not saved: %1</source>
+        <translation>Das Relief wurde nicht gespeichert: %1</translation>
+    </message>
+</context>
+</TS>

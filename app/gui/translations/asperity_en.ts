@@ -1,0 +1,133 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en_US" sourcelanguage="en_US">
+<context>
+    <name>ParticipantWords</name>
+    <message numerus="yes">
+        <source>Please wait %n more second(s).</source>
+        <translation>
+            <numerusform>Please wait %n more second.</numerusform>
+            <numerusform>Please wait %n more seconds.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::AnalysisPage</name>
+    <message numerus="yes">
+        <source>%1 %2 · %3 · %n answer(s) counted</source>
+        <translation>
+            <numerusform>%1 %2 · %3 · %n answer counted</numerusform>
+            <numerusform>%1 %2 · %3 · %n answers counted</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s)</source>
+        <translation>
+            <numerusform>%n participant</numerusform>
+            <numerusform>%n participants</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %2
+%3 · %n answer(s)</source>
+        <translation>
+            <numerusform>%1 %2
+%3 · %n answer</numerusform>
+            <numerusform>%1 %2
+%3 · %n answers</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) are in %1; codebook.tsv says what every column means.</source>
+        <translation>
+            <numerusform>%n file is in %1; codebook.tsv says what every column means.</numerusform>
+            <numerusform>%n files are in %1; codebook.tsv says what every column means.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::AttemptPage</name>
+    <message numerus="yes">
+        <source>%n tick(s) are in %1; docs/formats/recording.md says what the columns mean.</source>
+        <translation>
+            <numerusform>%n tick is in %1; docs/formats/recording.md says what the columns mean.</numerusform>
+            <numerusform>%n ticks are in %1; docs/formats/recording.md says what the columns mean.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::CheckList</name>
+    <message numerus="yes">
+        <source>%n of these keep the session from starting.</source>
+        <translation>
+            <numerusform>%n of these keeps the session from starting.</numerusform>
+            <numerusform>%n of these keep the session from starting.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready, with %n to look at.</source>
+        <translation>
+            <numerusform>Ready, with %n to look at.</numerusform>
+            <numerusform>Ready, with %n to look at.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SessionRunner</name>
+    <message numerus="yes">
+        <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the start page.</source>
+        <translation>
+            <numerusform>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the start page.</numerusform>
+            <numerusform>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the start page.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::StartPage</name>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>And %n more.</numerusform>
+            <numerusform>And %n more.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trials</source>
+        <translation>
+            <numerusform>%n trial</numerusform>
+            <numerusform>%n trials</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The program names virtual participants; the next %n begin with %1.</source>
+        <translation>
+            <numerusform>The program names virtual participants; the next one is %1.</numerusform>
+            <numerusform>The program names virtual participants; the next %n begin with %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Simulate %n participants</source>
+        <translation>
+            <numerusform>Simulate %n participant</numerusform>
+            <numerusform>Simulate %n participants</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TimePlots</name>
+    <message numerus="yes">
+        <source>%n missed deadline(s)</source>
+        <translation>
+            <numerusform>%n missed deadline</numerusform>
+            <numerusform>%n missed deadlines</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n limited tick(s)</source>
+        <translation>
+            <numerusform>%n limited tick</numerusform>
+            <numerusform>%n limited ticks</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,108 @@
+// The windows in another language: chosen in the menu, shown on the pages, with its own plurals.
+
+#include <QtCore/QFile>
+#include <QtCore/QLocale>
+#include <QtTest/QTest>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenuBar>
+#include <QtWidgets/QPushButton>
+
+#include "app/gui/participant/participant_words.h"
+#include "app/gui/study/settings.h"
+#include "app/gui/study/study_table.h"
+#include "app/gui/study/study_window.h"
+#include "tests/gui/study/lively_study.h"
+#include "tests/gui/study/quiet_home.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+QString wait_of(int seconds) {
+  return words_of({.what = Saying::What::wait, .number = seconds}, "");
+}
+
+class Languages : public QuietHome {
+ protected:
+  ~Languages() override { apply_language("en"); }
+
+  /// As a person does, in the menu.
+  static void choose(StudyWindow& window, const QString& name) {
+    for (QAction* action : window.findChildren<QAction*>()) {
+      if (action->text() == name) return action->trigger();
+    }
+    ADD_FAILURE() << "no menu offers " << name.toStdString();
+  }
+  static QString navigation_of(StudyWindow& window) {
+    QStringList names{};
+    auto* list = window.findChild<QListWidget*>();
+    for (int row = 0; list != nullptr && row < list->count(); ++row) {
+      names.append(list->item(row)->text());
+    }
+    return names.join('|');
+  }
+};
+
+TEST_F(Languages, AreEnglishAndGerman) {
+  EXPECT_EQ(available_languages(), (QStringList{"en", "de"}));
+}
+
+TEST_F(Languages, HavePluralsOfTheirOwn) {
+  apply_language("en");
+  EXPECT_EQ(wait_of(1), "Please wait 1 more second.");
+  EXPECT_EQ(wait_of(2), "Please wait 2 more seconds.");
+  apply_language("de");
+  EXPECT_EQ(wait_of(1), "Bitte warten Sie noch 1 Sekunde.");
+  EXPECT_EQ(wait_of(2), "Bitte warten Sie noch 2 Sekunden.");
+}
+
+TEST_F(Languages, ThatHaveNoTextsAreEnglish) {
+  apply_language("de");
+  apply_language("fr");
+  EXPECT_EQ(wait_of(1), "Please wait 1 more second.");
+  apply_language("C");
+  EXPECT_EQ(wait_of(1), "Please wait 1 more second.");
+}
+
+TEST_F(Languages, OfARegionAreThatLanguage) {
+  apply_language("de_AT");
+  EXPECT_EQ(wait_of(1), "Bitte warten Sie noch 1 Sekunde.");
+  apply_language("en_GB");
+  EXPECT_EQ(wait_of(1), "Please wait 1 more second.");
+}
+
+TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
+  const std::filesystem::path folder = small_demo_study();
+  fill_with_people(folder);
+  StudyWindow window{};
+  window.show();
+  ASSERT_TRUE(window.open_study(folder));
+  choose(window, QLocale("de").nativeLanguageName());
+  ASSERT_TRUE(eventually([&] { return window.menuBar()->actions()[1]->text() == "&Ansicht"; }));
+  EXPECT_EQ(language_choice(), "de");
+  const QString pages = navigation_of(window);
+  for (const char* name : {"Protokolle", "Versuchspersonen", "Sitzungen", "Reize", "Werkstatt"}) {
+    EXPECT_TRUE(pages.contains(name)) << pages.toStdString();
+  }
+  const auto picture_of = [&window](const char* page, const char* table, int rows) {
+    window.show_page(page);
+    EXPECT_TRUE(eventually([&] { return child<StudyTable>(window, table).shown_rows() == rows; }));
+    child<StudyTable>(window, table).selectRow(0);
+    take_screenshot(window, QString("german-study-") + page);
+  };
+  picture_of("protocols", "protocols_table", 4);
+  picture_of("participants", "participants_table", 12);
+  picture_of("stimuli", "stimuli_table", 16);
+  picture_of("sessions", "sessions_table", 15);
+  EXPECT_EQ(
+      child<StudyTable>(window, "sessions_table").model()->headerData(0, Qt::Horizontal).toString(),
+      "Versuchsperson");
+
+  choose(window, "English");
+  ASSERT_TRUE(eventually([&] { return window.menuBar()->actions()[1]->text() == "&View"; }));
+  EXPECT_TRUE(navigation_of(window).contains("Sessions"));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Every text that the windows pass through tr() has its finished translation, with the same places for values."""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+FOLDER = os.path.join(ROOT, "app", "gui", "translations")
+LANGUAGES = ("de", "en")
+REFRESH = "run scripts/translations and fill what is new"
+complaints = []
+
+
+def messages(folder, language):
+    """(class, text, comment) -> (is it finished, is it a plural, its translations)"""
+    found = {}
+    for context in ElementTree.parse(os.path.join(folder, f"asperity_{language}.ts")).getroot().iter("context"):
+        for message in context.iter("message"):
+            key = (context.findtext("name"), message.findtext("source"), message.findtext("comment") or "")
+            translation = message.find("translation")
+            is_plural = message.get("numerus") == "yes"
+            forms = [form.text or "" for form in translation] if is_plural else [translation.text or ""]
+            found[key] = (translation.get("type") is None and all(forms), is_plural, forms)
+    return found
+
+
+def values(text):
+    return sorted(set(re.findall(r"%L?[1-9]", text)))
+
+
+def mnemonics(text):
+    return len(re.findall(r"&(?=\w)(?!\w+;)", text))
+
+
+def complain(language, key, what):
+    complaints.append(f'asperity_{language}.ts, {key[0]}, "{key[1]}": {what}')
+
+
+def check_translation(language, key, is_plural, forms):
+    source = key[1]
+    if is_plural and len(forms) != 2:
+        complain(language, key, f"needs a singular and a plural, has {len(forms)} forms")
+    for index, form in enumerate(forms):
+        if values(form) != values(source):
+            complain(language, key, f'"{form}" has {values(form)} in place of {values(source)}')
+        # The singular may say "one" without a number, the plural may not.
+        if "%n" in form if not is_plural else index > 0 and "%n" not in form:
+            complain(language, key, f'"{form}" has %n where it should not be, or lacks it')
+        if "(s)" in form:
+            complain(language, key, f'"{form}" leaves the plural to the reader')
+        if source.strip() != source and (form[0] == " ", form[-1] == " ") != (source[0] == " ", source[-1] == " "):
+            complain(language, key, f'"{form}" begins or ends with another blank')
+        if mnemonics(form) != mnemonics(source):
+            complain(language, key, f'"{form}" has another number of mnemonics (&)')
+
+
+with tempfile.TemporaryDirectory() as fresh:
+    refreshed = subprocess.run([os.path.join(ROOT, "scripts", "translations"), "--into", fresh], text=True,
+                               capture_output=True, timeout=120)
+    if refreshed.returncode != 0:
+        sys.exit(f"scripts/translations ended with {refreshed.returncode}: {refreshed.stderr}")
+    # A class without Q_OBJECT looks its texts up under the name of its base class, and misses them.
+    complaints += [line for line in refreshed.stderr.splitlines() if line.strip()]
+    for language in LANGUAGES:
+        kept = messages(FOLDER, language)
+        wanted = messages(fresh, language)
+        for key, (finished, is_plural, forms) in wanted.items():
+            if not finished:
+                complain(language, key, f"has no finished translation; {REFRESH}")
+            else:
+                check_translation(language, key, is_plural, forms)
+        for key in kept.keys() - wanted.keys():
+            complain(language, key, f"is no text of the windows any more; {REFRESH}")
+        if language == "de" and len(wanted) < 100:
+            complaints.append(f"only {len(wanted)} texts were found in app/gui")
+
+if complaints:
+    sys.exit("\n".join(complaints))
