@@ -12,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kPathStep_m = 0.05e-3;  // a fifth of a pixel when the patch fills a screen
+constexpr double kPathStep_m = 0.25e-3;  // about a pixel where a patch of 100 mm fills its plot
 constexpr std::size_t kWindow = 1024;    // about one second: lines 1 Hz apart
 constexpr std::size_t kShortWindow = 256;
 

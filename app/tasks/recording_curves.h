@@ -29,7 +29,7 @@ struct PathPoint {
 struct SurfaceCurves {
   int position = 0;                   ///< in its trial, from 1
   std::vector<TimeStretch> visits{};  ///< more than one where the hand came back to it
-  /// Of the tip from above, in the device frame; no two points nearer than 0.05 mm unless the
+  /// Of the tip from above, in the device frame; no two points nearer than 0.25 mm unless the
   /// contact begins or ends between them.
   std::vector<PathPoint> path{};
   /// Of the normal force that the device got in the longest contact; absent when that is shorter

@@ -173,7 +173,8 @@ void AttemptPage::read_recording_of(const AttemptRow& attempt) {
         return std::make_shared<const RecordingCurves>(
             curves_of(records_of(recording), recording.header.rate_Hz, begin_ns));
       },
-      [this](std::shared_ptr<const RecordingCurves> curves) {
+      [this, id = attempt.id](std::shared_ptr<const RecordingCurves> curves) {
+        if (recording_of_ != id) return;  // another attempt is shown by now
         if (curves->time_s.empty()) {
           recording_->show_reason(State::unknown, tr("The recording of this attempt is empty: it "
                                                      "ended before its first tick."));
@@ -182,7 +183,8 @@ void AttemptPage::read_recording_of(const AttemptRow& attempt) {
         recording_->show_recording(std::move(curves), surfaces_of(detail_->attempt),
                                    bands_of(detail_->attempt));
       },
-      [this](const QString& what) {
+      [this, id = attempt.id](const QString& what) {
+        if (recording_of_ != id) return;
         recording_->show_reason(
             State::stop,
             tr("The recording cannot be shown: %1. The answers and measures of the attempt are in "

@@ -389,7 +389,8 @@ TEST_F(DataView, ExcludesAWholeSessionAndIncludesItAgain) {
   EXPECT_EQ(trials.text_at(2, 9), "excluded: It was run to try things out");
   EXPECT_EQ(study_->study().session(session_id_).excluded, "It was run to try things out");
   window.show_page("sessions");
-  EXPECT_EQ(child<StudyTable>(window, "sessions_table").text_at(0, 4), "✕ excluded");
+  const auto& sessions = child<StudyTable>(window, "sessions_table");
+  EXPECT_TRUE(eventually([&] { return sessions.text_at(0, 4) == "✕ excluded"; }));
   // One of its attempts cannot be included without it, and the page says where it can.
   auto& attempt_page = child<AttemptPage>(window, "attempt_page");
   attempt_page.show_attempt(attempt(0).id);
