@@ -113,7 +113,7 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
         study.protocol(row.protocol_id).source != protocol.source) {
       continue;
     }
-    if (row.state == SessionState::completed) {
+    if (row.state == SessionState::completed || has_ended_by_rule(study, protocol, row)) {
       ++completed;
     } else {
       unfinished = row;

@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "app/conductor/session_setup.h"
+
 namespace asperity {
 
 std::optional<UnfinishedSession> unfinished_session(const Study& study, const Protocol& protocol,
@@ -9,7 +11,8 @@ std::optional<UnfinishedSession> unfinished_session(const Study& study, const Pr
   std::optional<UnfinishedSession> found{};
   for (const SessionRow& row : study.sessions()) {
     if (row.participant != participant || row.state == SessionState::completed) continue;
-    if (study.protocol(row.protocol_id).source == protocol.source) {
+    if (study.protocol(row.protocol_id).source == protocol.source &&
+        !has_ended_by_rule(study, protocol, row)) {
       found = UnfinishedSession{.row = row};
     }
   }

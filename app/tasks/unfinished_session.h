@@ -16,8 +16,9 @@ struct UnfinishedSession {
   int trials = 0;
 };
 
-/// The latest session of this participant and this very protocol that is not completed: the one
-/// that `RunInputs::resume` goes on with. Nothing when there is none.
+/// The latest session of this participant and this very protocol that is neither completed nor ended
+/// by a rule of the protocol: the one that `RunInputs::resume` goes on with. Nothing when there is
+/// none.
 std::optional<UnfinishedSession> unfinished_session(const Study& study, const Protocol& protocol,
                                                     const std::string& participant);
 

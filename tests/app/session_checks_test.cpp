@@ -7,10 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/unfinished_session.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
-#include "tests/app/small_study.h"
+#include "tests/app/scripted_session.h"
 
 namespace asperity {
 namespace {
@@ -152,6 +154,30 @@ TEST_F(SessionChecks, FindTheUnfinishedSessionThatCanGoOn) {
   EXPECT_NE(changed.text.find("grain_photo.png has changed since session 1 began"),
             std::string::npos)
       << changed.text;
+}
+
+TEST_F(SessionChecks, KnowThatASessionWhichTheProtocolEndedIsOver) {
+  write_protocol(practised_protocol("end_session"));
+  const Protocol protocol = load_protocol(inputs.protocol, models, study);
+  {
+    Study store = Study::open(study, Access::read_write);
+    store.add_participant({.label = "P001", .created_utc = "2026-01-01T00:00:00.000Z"});
+    const SessionConditions conditions{.seed = 1,
+                                       .pacing = "stepped",
+                                       .scheduling = "none",
+                                       .device = {.name = "simulated"},
+                                       .started_utc = "2026-01-01T00:00:00.000Z"};
+    const std::int64_t id =
+        begin_session(store, protocol, "P001", conditions, this_program()).row.id;
+    EXPECT_TRUE(unfinished_session(store, protocol, "P001"));
+    store.add_event(id, {0, "criterion_not_met", "practice", "null"});
+    store.end_session(id, SessionState::stopped, "2026-01-01T01:00:00.000Z");
+    EXPECT_FALSE(unfinished_session(store, protocol, "P001"));
+  }
+  EXPECT_NE(check("participant").text.find("has done 1 of 1"), std::string::npos)
+      << check("participant").text;
+  inputs.resume = true;
+  EXPECT_NE(check("participant").text.find("no unfinished session"), std::string::npos);
 }
 
 TEST_F(SessionChecks, HoldStimuliToTheirSidecars) {
