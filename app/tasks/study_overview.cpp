@@ -12,6 +12,7 @@
 
 #include "analysis/random.h"
 #include "app/height_field_files.h"
+#include "app/tasks/unfinished_session.h"
 #include "device/simulated_device.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
@@ -30,10 +31,6 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
   }
   std::sort(files.begin(), files.end());
   return files;
-}
-
-bool is_done(const AttemptRow& attempt) {
-  return attempt.valid || attempt.outcome == AttemptOutcome::skipped;
 }
 
 int count_notes(const std::vector<EventRow>& events) {
@@ -68,13 +65,9 @@ SessionOverview overview_of(const Study& study, const SessionRow& row, const Pro
   overview.protocol_name = protocol.name;
   overview.protocol_version = protocol.version;
   overview.planned_trials = static_cast<int>(study.plan(row.id).size());
-  std::set<int> done{};
   overview.notes = count_notes(study.events(row.id));
-  for (const AttemptRow& attempt : attempts) {
-    if (is_done(attempt)) done.insert(attempt.trial);
-    overview.notes += count_notes(attempt.events);
-  }
-  overview.done_trials = static_cast<int>(done.size());
+  for (const AttemptRow& attempt : attempts) overview.notes += count_notes(attempt.events);
+  overview.done_trials = static_cast<int>(trials_done(attempts, study.decisions(row.id)).size());
   overview.attempts = static_cast<int>(attempts.size());
   overview.duration_s = running_s(attempts);
   overview.is_running =

@@ -1,6 +1,6 @@
 #include "app/tasks/unfinished_session.h"
 
-#include <set>
+#include <algorithm>
 
 #include "app/conductor/session_setup.h"
 
@@ -17,13 +17,27 @@ std::optional<UnfinishedSession> unfinished_session(const Study& study, const Pr
     }
   }
   if (!found) return {};
-  std::set<int> done{};
-  for (const AttemptRow& attempt : study.attempts(found->row.id)) {
-    if (attempt.valid || attempt.outcome == AttemptOutcome::skipped) done.insert(attempt.trial);
-  }
-  found->trials_done = static_cast<int>(done.size());
+  const std::int64_t id = found->row.id;
+  found->trials_done =
+      static_cast<int>(trials_done(study.attempts(id), study.decisions(id)).size());
   found->trials = static_cast<int>(study.plan(found->row.id).size());
   return found;
+}
+
+std::set<int> trials_done(const std::vector<AttemptRow>& attempts,
+                          const std::vector<DecisionRow>& decisions) {
+  std::set<int> done{};
+  for (const AttemptRow& attempt : attempts) {
+    const bool is_set_aside =
+        std::any_of(decisions.begin(), decisions.end(), [&attempt](const DecisionRow& decision) {
+          return decision.verdict == Verdict::set_aside && decision.trial == attempt.trial &&
+                 decision.attempt == attempt.attempt;
+        });
+    if (attempt.valid || (attempt.outcome == AttemptOutcome::skipped && !is_set_aside)) {
+      done.insert(attempt.trial);
+    }
+  }
+  return done;
 }
 
 }  // namespace asperity

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "protocols/protocol.h"
 #include "results_schema/study.h"
@@ -12,7 +14,7 @@ namespace asperity {
 
 struct UnfinishedSession {
   SessionRow row{};
-  int trials_done = 0;  ///< answered and valid, or skipped
+  int trials_done = 0;
   int trials = 0;
 };
 
@@ -21,5 +23,10 @@ struct UnfinishedSession {
 /// none.
 std::optional<UnfinishedSession> unfinished_session(const Study& study, const Protocol& protocol,
                                                     const std::string& participant);
+
+/// The trials of a session that are not asked any more: with a valid attempt, or skipped and not set
+/// aside.
+std::set<int> trials_done(const std::vector<AttemptRow>& attempts,
+                          const std::vector<DecisionRow>& decisions);
 
 }  // namespace asperity

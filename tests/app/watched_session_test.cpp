@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "app/conductor/recording_columns.h"
+#include "app/tasks/study_overview.h"
+#include "app/tasks/unfinished_session.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {
@@ -371,6 +373,8 @@ TEST_F(WatchedSession, AsksARepeatedTrialAgainAfterAResumeWhenItWasInterrupted) 
     return {{}, 1};
   };
   EXPECT_EQ(run().state, SessionState::stopped);
+  EXPECT_EQ(unfinished_session(*study_, protocol_, "p1")->trials_done, 0);  // skipped, set aside
+  EXPECT_EQ(session_detail(*study_, session_.row.id).overview.done_trials, 0);
   make_rig({});
   rig_->move_clock_to(1'000'000'000'000);
   person_.at_question = {};
