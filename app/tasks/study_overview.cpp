@@ -14,6 +14,7 @@
 #include "app/height_field_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "device/simulated_device.h"
+#include "protocols/protocol_reader.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "stimuli/preview.h"
@@ -115,12 +116,7 @@ std::map<std::string, std::vector<std::string>> users_of_files(const std::filesy
     try {
       const Protocol protocol = load_protocol(file, models, study);
       std::set<std::string> named{};
-      for (const auto& [name, texture] : protocol.textures) {
-        for (const auto& path :
-             {texture.height_field, texture.picture, texture.true_height_field}) {
-          if (path) named.insert(*path);
-        }
-      }
+      for (const NamedFile& each : files_of(protocol, file.string())) named.insert(each.path);
       for (const std::string& path : named) users[path].push_back(protocol.name);
     } catch (const std::exception&) {
       // What is wrong with it is said where protocols are listed.
