@@ -10,12 +10,10 @@
 #include <thread>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "app/conductor/virtual_participant.h"
+#include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
-#include "results_schema/table.h"
 
 namespace asperity {
 
@@ -56,26 +54,12 @@ void ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonito
 ParticipantRow ask_person(const Protocol& protocol, const std::string& label,
                           Respondent& respondent, const std::string& created_utc,
                           SessionMonitor* monitor, const Wait& wait) {
-  ParticipantRow person{};
-  person.label = label;
-  person.created_utc = created_utc;
-  nlohmann::ordered_json others = nlohmann::ordered_json::object();
+  ParticipantAnswers answers{};
   for (const Question& question : protocol.participant_questions) {
     if (monitor != nullptr) monitor->show(scene_of_form(question));
-    const std::string answer = respondent.answer(question, wait);
-    if (answer.empty()) continue;
-    if (question.name == "sex") {
-      person.sex = answer == "female" ? "F" : answer == "male" ? "M" : "X";
-    } else if (question.name == "handedness") {
-      person.handedness = answer == "left" || answer == "right" ? answer : "ambidextrous";
-    } else if (question.name == "age") {
-      person.age_years = number_in(answer);
-    } else {
-      others[question.name] = answer;
-    }
+    answers[question.name] = respondent.answer(question, wait);
   }
-  person.answers_json = others.dump();
-  return person;
+  return person_of(label, protocol, answers, created_utc);
 }
 
 ParticipantRow new_person(const RunInputs& inputs, const Protocol& protocol, Respondent* respondent,
