@@ -1,12 +1,11 @@
 #include "app/tasks/session_checks.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "analysis/number_text.h"
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/recorder.h"
 #include "app/conductor/recording_columns.h"
@@ -31,21 +30,14 @@ constexpr double kWantedSessions = 2.0;  // room for one more than this
 constexpr double kSlowestRate = 0.9;     // of what the protocol asks for
 constexpr const char* kStudyCheckLock = "session-check";
 
-std::string fixed_text(double value, int decimals) {
-  std::array<char, 64> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                 std::chars_format::fixed, decimals);
-  return std::string(text.data(), end.ptr);
-}
-
 std::string bytes_text(double bytes) {
-  if (bytes >= 1e9) return fixed_text(bytes * 1e-9, 1) + " GB";
-  return fixed_text(bytes * 1e-6, 0) + " MB";
+  if (bytes >= 1e9) return fixed(bytes * 1e-9, 1) + " GB";
+  return fixed(bytes * 1e-6, 0) + " MB";
 }
 
 std::string time_text(double duration_s) {
-  if (duration_s >= 1e-3) return fixed_text(duration_s * 1e3, 2) + " ms";
-  return fixed_text(duration_s * 1e6, 0) + " µs";
+  if (duration_s >= 1e-3) return fixed(duration_s * 1e3, 2) + " ms";
+  return fixed(duration_s * 1e6, 0) + " µs";
 }
 
 /// What an exception says, with a capital letter and a full stop.
@@ -210,10 +202,9 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
     check.remedy = "Choose another device, or ask for less in the protocol.";
     return check;
   }
-  check.text = "\"" + device.name + "\" gives " + fixed_text(device.peak_force_N, 1) +
-               " N at up to " + fixed_text(device.maximum_rate_Hz, 0) +
-               " Hz; the protocol asks for " + fixed_text(protocol.force_limit_N, 1) + " N at " +
-               fixed_text(protocol.rate_Hz, 0) + " Hz.";
+  check.text = "\"" + device.name + "\" gives " + fixed(device.peak_force_N, 1) + " N at up to " +
+               fixed(device.maximum_rate_Hz, 0) + " Hz; the protocol asks for " +
+               fixed(protocol.force_limit_N, 1) + " N at " + fixed(protocol.rate_Hz, 0) + " Hz.";
   if (inputs.mode == SessionMode::run && device.name == "simulated") {
     check.state = State::look;
     check.text += " It is simulated: nobody's hand feels anything.";
@@ -264,16 +255,15 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol) {
     zero.remedy = "See to the device, then check again.";
   } else if (trial.strongest_N > 0.0) {
     zero.state = State::stop;
-    zero.text =
-        "A force of " + fixed_text(trial.strongest_N, 3) + " N was sent with nothing to feel.";
+    zero.text = "A force of " + fixed(trial.strongest_N, 3) + " N was sent with nothing to feel.";
     zero.remedy = "Let go of the handle, switch the device off and on, then check again.";
   } else {
     zero.text = "Exactly 0 N in " + std::to_string(quality.ticks) + " ticks.";
   }
   SessionCheck rate{.id = "rate", .title = "Rate"};
   const double measured_Hz = quality.period_mean_s > 0.0 ? 1.0 / quality.period_mean_s : 0.0;
-  rate.text = fixed_text(measured_Hz, 0) + " of " + fixed_text(protocol.rate_Hz, 0) +
-              " Hz; period p99 " + time_text(quality.period_p99_s) + ", lateness p99 " +
+  rate.text = fixed(measured_Hz, 0) + " of " + fixed(protocol.rate_Hz, 0) + " Hz; period p99 " +
+              time_text(quality.period_p99_s) + ", lateness p99 " +
               time_text(quality.lateness_p99_s) + ", " + std::to_string(quality.missed_deadlines) +
               " missed.";
   if (measured_Hz < kSlowestRate * protocol.rate_Hz) {
@@ -330,13 +320,13 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
     check.remedy = "Play the noise, measure it at the ear, and enter the level and your name.";
     return check;
   }
-  const std::string measured = fixed_text(*inputs.noise.measured_dBA, 1) + " dBA";
+  const std::string measured = fixed(*inputs.noise.measured_dBA, 1) + " dBA";
   if (declared.declared_dBA &&
       std::abs(*inputs.noise.measured_dBA - *declared.declared_dBA) > kNoiseTolerance_dBA) {
     check.state = when_wrong;
     check.text = measured + " at the ear; the protocol asks for " +
-                 fixed_text(*declared.declared_dBA, 1) + " dBA within " +
-                 fixed_text(kNoiseTolerance_dBA, 0) + " dBA.";
+                 fixed(*declared.declared_dBA, 1) + " dBA within " + fixed(kNoiseTolerance_dBA, 0) +
+                 " dBA.";
     check.remedy = "Change the gain and measure again.";
     return check;
   }
