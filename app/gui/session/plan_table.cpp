@@ -296,7 +296,7 @@ PlanTable::PlanTable(QWidget* parent) : QWidget(parent) {
   view_->horizontalHeader()->setSectionResizeMode(kTrialColumn, QHeaderView::Fixed);
   view_->horizontalHeader()->setSectionResizeMode(kConditionColumn, QHeaderView::Fixed);
   view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  view_->setColumnWidth(kTrialColumn, 72);
+  view_->setColumnWidth(kTrialColumn, 88);
   view_->setItemDelegateForColumn(kTrialColumn, new NumberDelegate(view_));
   view_->setFocusPolicy(Qt::TabFocus);
   view_->installEventFilter(this);

@@ -1,5 +1,8 @@
 #include "app/gui/study/navigation_list.h"
 
+#include <algorithm>
+
+#include <QtGui/QFontMetrics>
 #include <QtGui/QPainter>
 #include <QtWidgets/QStyledItemDelegate>
 
@@ -12,7 +15,7 @@ namespace {
 constexpr int kKey = Qt::UserRole;
 constexpr int kCount = Qt::UserRole + 1;
 constexpr int kItemHeight = 40;
-constexpr int kWidth = 208;
+constexpr int kWidth = 208;  // at least: words may be longer in other languages
 
 /// The name at the left, the count at the right, a bar before the page that is shown.
 class PageItem final : public QStyledItemDelegate {
@@ -74,6 +77,7 @@ NavigationList::NavigationList(QWidget* parent) : QListWidget(parent) {
 void NavigationList::add_page(const QString& key, const QString& name) {
   auto* item = new QListWidgetItem(name, this);
   item->setData(kKey, key);
+  make_room();
 }
 
 void NavigationList::set_count(const QString& key, const QString& count) {
@@ -81,6 +85,19 @@ void NavigationList::set_count(const QString& key, const QString& count) {
   if (item == nullptr) return;
   item->setData(kCount, count);
   item->setData(Qt::AccessibleTextRole, QString(item->text() + ' ' + count).trimmed());
+  make_room();
+}
+
+void NavigationList::make_room() {
+  const QFontMetrics name(text_font(TextSize::body, true));
+  const QFontMetrics number(text_font(TextSize::small));
+  int width = kWidth;
+  for (int row = 0; row < count(); ++row) {
+    const int words = name.horizontalAdvance(item(row)->text()) +
+                      number.horizontalAdvance(item(row)->data(kCount).toString());
+    width = std::max(width, words + 3 * kMargin);
+  }
+  setFixedWidth(width);
 }
 
 void NavigationList::select(const QString& key) {

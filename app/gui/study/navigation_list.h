@@ -23,6 +23,7 @@ class NavigationList final : public QListWidget {
 
  private:
   QListWidgetItem* item_of(const QString& key) const;
+  void make_room();
 };
 
 }  // namespace asperity

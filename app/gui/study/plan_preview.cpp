@@ -215,7 +215,7 @@ void PlanPreview::add_choice(QHBoxLayout& row) {
     spin->setRange(least, most);
     spin->setPrefix(name + ' ');
     spin->setAccessibleName(name);
-    spin->setFixedWidth(128);
+    spin->setFixedWidth(88 + spin->fontMetrics().horizontalAdvance(name));
     row.addWidget(spin);
     connect(spin, &QSpinBox::valueChanged, this, &PlanPreview::make_plan_anew);
     return spin;

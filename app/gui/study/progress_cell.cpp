@@ -13,7 +13,7 @@ namespace asperity {
 namespace {
 
 constexpr int kFraction = Qt::UserRole + 2;
-constexpr int kWordsWidth = 96;
+constexpr int kWordsWidth = 112;
 constexpr int kBarHeight = 8;
 
 }  // namespace

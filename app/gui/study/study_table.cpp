@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <QtCore/QSortFilterProxyModel>
+#include <QtGui/QFontMetrics>
 #include <QtGui/QKeyEvent>
 #include <QtGui/QStandardItemModel>
 #include <QtWidgets/QHeaderView>
@@ -76,7 +77,9 @@ void strike_through(const QList<QStandardItem*>& cells) {
 }
 
 StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
-    : QTableView(parent), rows_(new QStandardItemModel(0, static_cast<int>(columns.size()), this)) {
+    : QTableView(parent),
+      rows_(new QStandardItemModel(0, static_cast<int>(columns.size()), this)),
+      columns_(columns) {
   auto* filter = new WordFilter(this);
   filter->setSourceModel(rows_);
   filter->setSortRole(kValue);
@@ -99,10 +102,9 @@ StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
                          Qt::TextAlignmentRole);
     if (columns[i].width == 0) {
       horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
-    } else {
-      setColumnWidth(column, columns[i].width);
     }
   }
+  fit_columns();
   sortByColumn(0, Qt::AscendingOrder);
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
     if (!filling_) emit row_selected(selected_key());
@@ -119,9 +121,22 @@ void StudyTable::fill(const std::vector<Row>& rows) {
     row.cells.front()->setData(row.key, kKey);
     rows_->appendRow(row.cells);
   }
+  fit_columns();
   if (!selected.isEmpty()) select(selected);
   filling_ = false;
   emit row_selected(selected_key());
+}
+
+// The widths are made for English words; other languages have longer ones.
+void StudyTable::fit_columns() {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const int width = columns_[i].width;
+    if (width == 0) continue;
+    const int column = static_cast<int>(i);
+    const int name = horizontalHeader()->fontMetrics().horizontalAdvance(columns_[i].name);
+    const int cells = std::min(sizeHintForColumn(column) + kGrid, width + width / 3);
+    setColumnWidth(column, std::max({width, name + 2 * kGrid, cells}));
+  }
 }
 
 void StudyTable::set_filter(const QString& words) {

@@ -33,7 +33,7 @@ class StudyTable final : public QTableView {
   enum class Align { text, number };
   struct Column {
     QString name{};
-    int width = 0;  ///< 0: what is left over
+    int width = 0;  ///< 0: what is left over; more where the name or the cells need some more
     Align align = Align::text;
   };
 
@@ -57,9 +57,11 @@ class StudyTable final : public QTableView {
 
  private:
   QString key_at(const QModelIndex& shown) const;
+  void fit_columns();
 
   QStandardItemModel* rows_ = nullptr;
   QSortFilterProxyModel* shown_ = nullptr;
+  std::vector<Column> columns_{};
   bool filling_ = false;
 };
 

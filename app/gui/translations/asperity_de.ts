@@ -440,7 +440,7 @@
     </message>
     <message>
         <source>answered %1</source>
-        <translation>beantwortet %1</translation>
+        <translation>Antwort %1</translation>
     </message>
     <message>
         <source>%1, right</source>
@@ -742,11 +742,11 @@
     </message>
     <message>
         <source>Last answer  %1  in %2 s</source>
-        <translation>Letzte Antwort  %1  in %2 s</translation>
+        <translation>Zuletzt  %1  in %2 s</translation>
     </message>
     <message>
         <source>Last answer  %1</source>
-        <translation>Letzte Antwort  %1</translation>
+        <translation>Zuletzt  %1</translation>
     </message>
     <message>
         <source>No answer yet</source>
@@ -1350,7 +1350,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>SPEED mm/s</source>
-        <translation>GESCHWINDIGKEIT mm/s</translation>
+        <translation>TEMPO mm/s</translation>
     </message>
     <message>
         <source>time, s</source>
@@ -1362,11 +1362,11 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>no band</source>
-        <translation>kein Sollbereich</translation>
+        <translation>kein Soll</translation>
     </message>
     <message>
         <source>band %1</source>
-        <translation>Sollbereich %1</translation>
+        <translation>Soll %1</translation>
     </message>
     <message>
         <source>N</source>
@@ -1390,7 +1390,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>in band %1 %</source>
-        <translation>im Sollbereich %1 %</translation>
+        <translation>im Soll %1 %</translation>
     </message>
     <message>
         <source>no stroke yet</source>
@@ -1409,7 +1409,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>speed, mm/s</source>
-        <translation>Geschwindigkeit, mm/s</translation>
+        <translation>Tempo, mm/s</translation>
     </message>
     <message>
         <source>contact, s</source>
@@ -1601,7 +1601,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>In band</source>
-        <translation>Im Bereich</translation>
+        <translation>Im Soll</translation>
     </message>
     <message>
         <source>Met</source>
@@ -1832,7 +1832,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>Lifted early</source>
-        <translation>Zu früh abgehoben</translation>
+        <translation>Früh gehoben</translation>
     </message>
     <message>
         <source>Distracted</source>
@@ -1840,15 +1840,15 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>Asked a question</source>
-        <translation>Stellte eine Frage</translation>
+        <translation>Hatte Frage</translation>
     </message>
     <message>
         <source>Noise outside</source>
-        <translation>Lärm von außen</translation>
+        <translation>Lärm außen</translation>
     </message>
     <message>
         <source>Grip changed</source>
-        <translation>Griff gewechselt</translation>
+        <translation>Umgegriffen</translation>
     </message>
     <message>
         <source>Seems tired</source>
@@ -2089,7 +2089,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>Trial</source>
-        <translation>Durchgang</translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Code</source>
@@ -2887,11 +2887,11 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>Filter: participant, protocol, state</source>
-        <translation>Filter: Versuchsperson, Protokoll, Zustand</translation>
+        <translation>Filter: Vp, Protokoll, Zustand</translation>
     </message>
     <message>
         <source>Participant</source>
-        <translation>Versuchsperson</translation>
+        <translation>Vp</translation>
     </message>
     <message>
         <source>No.</source>
@@ -3591,7 +3591,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>SPEED mm/s, along the surface</source>
-        <translation>GESCHWINDIGKEIT mm/s, längs der Oberfläche</translation>
+        <translation>TEMPO mm/s, längs der Oberfläche</translation>
     </message>
     <message>
         <source>POSITION mm</source>
@@ -3700,7 +3700,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>Trial</source>
-        <translation>Durchgang</translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Attempt</source>
@@ -3736,7 +3736,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>Remarks</source>
-        <translation>Bemerkungen</translation>
+        <translation>Bemerkung</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -3873,7 +3873,7 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     </message>
     <message>
         <source>no study there any more</source>
-        <translation>dort ist keine Studie mehr</translation>
+        <translation>nicht mehr dort</translation>
     </message>
     <message>
         <source>It is in %1.</source>

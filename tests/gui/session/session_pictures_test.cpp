@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/look/theme.h"
+#include "app/gui/study/settings.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/support/screenshot.h"
 
@@ -35,6 +36,21 @@ TEST(SessionPictures, ASurfaceIsFelt) {
   EXPECT_LE(window->minimumSizeHint().width(), 1366);
   EXPECT_LE(window->minimumSizeHint().height(), 768);
   take_both(*window, "session-window");
+}
+
+TEST(SessionPictures, ASurfaceIsFeltInGerman) {
+  apply_language("de");
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  session.stroke(25.0);
+  const auto window = session.window();
+  EXPECT_EQ(window->findChild<QPushButton*>("emergency_stop")->text(),
+            QString("■ NOT-HALT\nF12 aus jedem Fenster"));
+  EXPECT_LE(window->minimumSizeHint().width(), 1366);  // longer words fit too
+  EXPECT_LE(window->minimumSizeHint().height(), 768);
+  take_both(*window, "german-session-window");
+  apply_language("en");
 }
 
 TEST(SessionPictures, APilotIsPausedWithNamesShown) {

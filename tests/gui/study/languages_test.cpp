@@ -1,6 +1,7 @@
 // The windows in another language: chosen in the menu, shown on the pages, with its own plurals.
 
-#include <QtCore/QFile>
+#include <algorithm>
+
 #include <QtCore/QLocale>
 #include <QtTest/QTest>
 #include <QtWidgets/QLabel>
@@ -9,6 +10,8 @@
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/participant/participant_words.h"
+#include "app/gui/start/start_page.h"
+#include "app/gui/study/session_desk.h"
 #include "app/gui/study/settings.h"
 #include "app/gui/study/study_table.h"
 #include "app/gui/study/study_window.h"
@@ -76,6 +79,7 @@ TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
   const std::filesystem::path folder = small_demo_study();
   fill_with_people(folder);
   StudyWindow window{};
+  const SessionDesk desk(window, nullptr);
   window.show();
   ASSERT_TRUE(window.open_study(folder));
   choose(window, QLocale("de").nativeLanguageName());
@@ -91,13 +95,24 @@ TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
     child<StudyTable>(window, table).selectRow(0);
     take_screenshot(window, QString("german-study-") + page);
   };
-  picture_of("protocols", "protocols_table", 4);
   picture_of("participants", "participants_table", 12);
   picture_of("stimuli", "stimuli_table", 16);
   picture_of("sessions", "sessions_table", 15);
   EXPECT_EQ(
       child<StudyTable>(window, "sessions_table").model()->headerData(0, Qt::Horizontal).toString(),
-      "Versuchsperson");
+      "Vp");
+
+  picture_of("protocols", "protocols_table", 4);
+  child<QPushButton>(window, "protocol_start").click();
+  const auto* start = window.findChild<StartPage*>();
+  ASSERT_NE(start, nullptr);
+  EXPECT_TRUE(eventually([&] {
+    const std::vector<QString> reasons = start->reasons();
+    return std::none_of(reasons.begin(), reasons.end(),
+                        [](const QString& reason) { return reason.contains("Checkliste wird"); });
+  }));
+  EXPECT_EQ(child<QPushButton>(window, "start").text(), "Sitzung starten");
+  take_screenshot(window, "german-study-start");
 
   choose(window, "English");
   ASSERT_TRUE(eventually([&] { return window.menuBar()->actions()[1]->text() == "&View"; }));
