@@ -382,24 +382,27 @@ void PersonAtWindow::announce(const Trial& trial, const PlannedPresentation& sur
 
 bool PersonAtWindow::wants_next(bool may_go) {
   const std::optional<int> unfelt = desk_->unfelt();
+  // When a surface is felt again the question comes after it anyway.
+  const auto refuse_answer = [&](const ParticipantInput& input) {
+    if (!unfelt) return;
+    desk_->refuse(input, {.what = Saying::What::feel_first, .code = desk_->code_of(*unfelt)});
+  };
   while (const std::optional<ParticipantInput> input = desk_->hear()) {
     switch (input->kind) {
-      case Kind::surface:
-        if (input->number != unfelt || unfelt == desk_->now) continue;
-        break;
       case Kind::next:
         break;
+      case Kind::surface:
+        if (input->number == unfelt && unfelt != desk_->now) break;
+        // The letter of any other surface is the answer to a choice.
+        refuse_answer(*input);
+        continue;
       case Kind::device_button:
         if (input->number == 1) break;
         [[fallthrough]];
       case Kind::option:
       case Kind::assign:
       case Kind::confirm:
-        // An answer, too early. When a surface is felt again the question comes after it anyway.
-        if (unfelt) {
-          desk_->refuse(*input,
-                        {.what = Saying::What::feel_first, .code = desk_->code_of(*unfelt)});
-        }
+        refuse_answer(*input);
         continue;
       case Kind::text:
       case Kind::released:

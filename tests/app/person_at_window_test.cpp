@@ -538,9 +538,11 @@ TEST_F(WhileFeeling, TheSurfaceThatComesNextMayBeNamed) {
   person_.begin_attempt(1, 1);
   announce(selection(), 1);
   press(0.1, Kind::surface, 3);
-  press(0.2, Kind::surface, 1);
+  press(0.2, Kind::surface, 1);  // the letter of an answer, too early
   pass(0.3);
   EXPECT_FALSE(person_.wants_next(true));
+  EXPECT_EQ(scene()->cue, "Please feel surface B first.");
+  EXPECT_EQ(sound_.count(Cue::refused), 2);
   press(0.1, Kind::surface, 2);
   pass(0.2);
   EXPECT_TRUE(person_.wants_next(true));
