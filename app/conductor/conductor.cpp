@@ -359,6 +359,8 @@ void Conductor::finish_block(int block_ordinal) {
   // Rounds over what is still open: a trial that is asked again comes after all others.
   for (bool again = true; again && !stopped_;) {
     again = false;
+    // The last trial is repeated before a wish to stop after the block comes true.
+    repeat_as_asked();
     for (const Trial& trial : session_.plan.trials) {
       if (trial.block_ordinal != block_ordinal || stopped_ || is_done(trial) || is_over(trial)) {
         continue;
@@ -535,6 +537,14 @@ void Conductor::tell(const Trial& trial, const AttemptRow& attempt) {
 }
 
 // --- what the experimenter wants -----------------------------------------------------------------
+
+void Conductor::repeat_as_asked() {
+  while (!stopped_) {
+    const std::optional<std::string> reason = requests_.take_repeat();
+    if (!reason) return;
+    repeat_last(*reason);
+  }
+}
 
 bool Conductor::between_steps(Next next) {
   for (bool repeated = false;; repeated = true) {

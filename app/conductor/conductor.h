@@ -101,6 +101,7 @@ class Conductor final {
   bool between_steps(Next next);
   void hold(Next next);
   void pause_without_noise();
+  void repeat_as_asked();
   void repeat_last(const std::string& reason);
   void ask_again(const Trial& trial);
   bool outlives(const Interruption& interruption);
