@@ -295,6 +295,8 @@ void SessionWindow::do_verb(SessionVerb verb) {
       ask_repeat();
       break;
     case SessionVerb::note:
+      if (notes_->is_locked()) break;
+      take_keyboard();
       notes_->focus_field();
       break;
     case SessionVerb::abort:
@@ -306,6 +308,7 @@ void SessionWindow::do_verb(SessionVerb verb) {
 
 void SessionWindow::ask_repeat() {
   if (shown_.attempts->empty() || requests_.pending().repeat_last) return;
+  if (field_lock().isEmpty()) take_keyboard();
   reason_->lock(field_lock());
   reason_->ask(tr("Why is the last trial repeated? What was answered stays stored and no longer "
                   "counts."),
@@ -313,6 +316,13 @@ void SessionWindow::ask_repeat() {
                 tr("The participant asks for it"), tr("Technical problem")},
                tr("Repeat last trial"),
                [this](const QString& reason) { requests_.repeat_last(reason.toStdString()); });
+}
+
+/// What is typed next is meant for this window, whichever had the focus when the key was pressed: in
+/// the participant's it would be an answer.
+void SessionWindow::take_keyboard() {
+  raise();
+  activateWindow();
 }
 
 void SessionWindow::ask_skip() {

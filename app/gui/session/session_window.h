@@ -94,6 +94,7 @@ class SessionWindow final : public QWidget {
   QWidget* make_middle();
   void do_verb(SessionVerb verb);
   void do_emergency_stop();
+  void take_keyboard();
   void ask_repeat();
   void ask_skip();
   void ask_abort();
