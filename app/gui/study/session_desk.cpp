@@ -95,6 +95,12 @@ void SessionDesk::begin(const SessionOrder& order) {
   connect(runner_.get(), &SessionRunner::failed, session_window_, &SessionWindow::show_failure);
   connect(runner_.get(), &SessionRunner::failed, study_, &OpenStudy::announce_change);
   connect(runner_.get(), &SessionRunner::ended, study_, &OpenStudy::announce_change);
+  next_page_.reset();
+  const auto finish_if_closed = [this] {
+    if (next_page_) finish(*std::exchange(next_page_, std::nullopt));
+  };
+  connect(runner_.get(), &SessionRunner::ended, this, finish_if_closed);
+  connect(runner_.get(), &SessionRunner::failed, this, finish_if_closed);
 }
 
 void SessionDesk::open_participant_window() {
@@ -151,7 +157,12 @@ void SessionDesk::open_session_window() {
 }
 
 void SessionDesk::finish(const QString& next_page) {
-  if (is_running() || runner_ == nullptr) return;
+  if (runner_ == nullptr) return;
+  if (is_running()) {
+    // The window knows of the end from the monitor, a moment before the session's thread is done.
+    next_page_ = next_page;
+    return;
+  }
   const bool was_beside = participant_window_ != nullptr && !participant_window_->is_full_screen();
   if (session_window_ != nullptr && !was_beside) remember_geometry(*session_window_, "session");
   window_.set_busy({});

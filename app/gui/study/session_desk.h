@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QtCore/QObject>
 #include <QtCore/QPointer>
+#include <QtCore/QString>
 
 #include "app/gui/participant/participant_window.h"
 #include "app/gui/session/session_runner.h"
@@ -48,6 +50,7 @@ class SessionDesk final : public QObject {
   StudyWindow& window_;
   SoundMaker make_sound_{};
   OpenStudy* study_ = nullptr;
+  std::optional<QString> next_page_{};  ///< the session's window is left, its thread not done yet
   QPointer<StartPage> start_page_{};
   std::unique_ptr<SessionRunner> runner_{};
   QPointer<SessionWindow> session_window_{};
