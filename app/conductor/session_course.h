@@ -85,6 +85,7 @@ class SessionCourse final {
   void play(Cue cue, int number = 0);
   /// Does nothing where the protocol wants no noise or nothing can sound.
   void set_masking(bool on);
+  bool is_masking() const noexcept { return masking_; }
   /// The protocol wants noise, it is to be played, and it is not.
   bool has_lost_noise() const;
   /// Has the eye mask put on or taken off by a person who wears one, if it is not so already.

@@ -9,6 +9,7 @@
 
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/layout.h"
+#include "app/conductor/masking_sound.h"
 #include "app/conductor/recording_columns.h"
 #include "app/parameter_json.h"
 #include "renderers/offline/recorded_force.h"
@@ -150,7 +151,9 @@ void TrialAttempt::carry_out() {
   course_.put_mask(true, waiting_);
   course_.show({});
   course_.set_masking(true);
-  course_.wait(block_.pause_before_trial_s);
+  // Noise is whole before anything of the device can be heard.
+  const double fade_s = course_.is_masking() ? MaskingSound::kFade_s : 0.0;
+  course_.wait(std::max(block_.pause_before_trial_s, fade_s));
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     if (i > 0) {
       course_.enter(SessionPhase::fore);

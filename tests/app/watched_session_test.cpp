@@ -700,6 +700,14 @@ TEST_F(WatchedSession, PlaysItsNoiseFromBeforeTheContactUntilAfterIt) {
   EXPECT_EQ(events_of("masking_noise")[0].data_json, R"({"kind":"pink"})");
 }
 
+TEST_F(WatchedSession, LetsTheNoiseFadeInWhereThereIsNoPauseBeforeTheTrial) {
+  play_sound();
+  begin(one_trial(with_noise(small_protocol(R"(, "pause_before_trial_s": 0)"))));
+  run();
+  EXPECT_GE(*attempts().front().presentations[0].onset_ns - sound_.masking.at(0).first,
+            200'000'000);
+}
+
 TEST_F(WatchedSession, PlaysNoNoiseThatTheProtocolDoesNotWant) {
   play_sound();
   begin(one_trial());
