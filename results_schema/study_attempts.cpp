@@ -220,7 +220,8 @@ void apply_decisions(Database& database, const std::string& which, std::int64_t 
     switch (enum_of(verdict, kVerdicts)) {
       case Verdict::set_aside:
         row.valid = false;
-        row.invalid_reason = "set aside: " + reason;
+        row.invalid_reason =
+            (row.invalid_reason ? *row.invalid_reason + "; " : "") + "set aside: " + reason;
         break;
       case Verdict::flag:
         row.flagged = true;

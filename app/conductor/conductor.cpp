@@ -572,7 +572,8 @@ void Conductor::repeat_last(const std::string& reason) {
   study_.set_aside(session_.row.id, trial, attempt, reason);
   set_aside_.insert({trial, attempt});
   last->valid = false;
-  last->invalid_reason = "set aside: " + reason;
+  last->invalid_reason =
+      (last->invalid_reason ? *last->invalid_reason + "; " : "") + "set aside: " + reason;
   course_.event("trial_repeated", reason,
                 nlohmann::ordered_json{{"trial", trial}, {"attempt", attempt}}.dump());
   course_.update([&](SessionSnapshot& snapshot) {

@@ -358,6 +358,9 @@ TEST_F(WatchedSession, AsksASkippedTrialAgainWhenWanted) {
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].outcome, AttemptOutcome::skipped);
+  EXPECT_EQ(rows[0].invalid_reason,
+            "the wrong sample lay there; set aside: the right sample lies there now");
+  EXPECT_EQ(monitor_.snapshot().attempts->at(0).reason, rows[0].invalid_reason);
   EXPECT_TRUE(rows[1].valid);
 }
 
