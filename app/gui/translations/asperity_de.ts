@@ -44,10 +44,6 @@
         <translation>wieder eingeschlossen</translation>
     </message>
     <message>
-        <source>Trial %1, attempt %2 · session %3 of %4</source>
-        <translation>Durchgang %1, Versuch %2 · Sitzung %3 von %4</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -66,10 +62,6 @@
     <message>
         <source>took %1</source>
         <translation>dauerte %1</translation>
-    </message>
-    <message>
-        <source>session started %1</source>
-        <translation>Sitzung begonnen %1</translation>
     </message>
     <message>
         <source>Does not count: %1</source>
@@ -106,6 +98,14 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Trial %1, attempt %2 · %3</source>
+        <translation>Durchgang %1, Versuch %2 · %3</translation>
+    </message>
+    <message>
+        <source>Session %1</source>
+        <translation>Sitzung %1</translation>
     </message>
 </context>
 <context>
@@ -800,14 +800,6 @@
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>Textures and models are shown by name: the session is over.</source>
-        <translation>Texturen und Modelle stehen mit Namen da: Die Sitzung ist zu Ende.</translation>
-    </message>
-    <message>
-        <source>Textures and models are shown by name, and the session is not complete: who sees them is no longer blind to them.</source>
-        <translation>Texturen und Modelle stehen mit Namen da, und die Sitzung ist nicht vollständig: Wer sie sieht, ist nicht mehr verblindet.</translation>
-    </message>
-    <message>
         <source>Events and decisions (%1)</source>
         <translation>Ereignisse und Entscheidungen (%1)</translation>
     </message>
@@ -925,6 +917,10 @@
             <numerusform>%n Takt liegt in %1; docs/formats/recording.md sagt, was die Spalten bedeuten.</numerusform>
             <numerusform>%n Takte liegen in %1; docs/formats/recording.md sagt, was die Spalten bedeuten.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Textures and models are shown by name, though the session is not complete: who goes on with it is no longer blind to them.</source>
+        <translation>Texturen und Modelle stehen mit Namen da, obwohl die Sitzung nicht vollständig ist: Wer sie fortsetzt, ist dafür nicht mehr verblindet.</translation>
     </message>
 </context>
 <context>
@@ -1219,6 +1215,37 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Going on asks that it is safe: tick the box.</source>
         <translation>Fortsetzen verlangt, dass es sicher ist: Kästchen ankreuzen.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FindBar</name>
+    <message>
+        <source>Find in the text</source>
+        <translation>Im Text suchen</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Voriges</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächstes</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>1 place</source>
+        <translation>1 Stelle</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 Stellen</translation>
     </message>
 </context>
 <context>
@@ -1651,6 +1678,14 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>look at it</source>
         <translation>ansehen</translation>
     </message>
+    <message>
+        <source>Surfaces felt, by name: the session is over</source>
+        <translation>Gefühlte Oberflächen, mit Namen: Die Sitzung ist zu Ende</translation>
+    </message>
+    <message>
+        <source>Surfaces felt, by name</source>
+        <translation>Gefühlte Oberflächen, mit Namen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ModeBand</name>
@@ -2053,28 +2088,32 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>Frequenz, Hz</translation>
     </message>
     <message>
-        <source>PATH mm, from above</source>
-        <translation>WEG mm, von oben</translation>
-    </message>
-    <message>
-        <source>SPECTRUM N/√Hz of the force sent</source>
-        <translation>SPEKTRUM N/√Hz der gesendeten Kraft</translation>
-    </message>
-    <message>
-        <source>&amp;nbsp; in its longest contact, %1 s</source>
-        <translation>&amp;nbsp; im längsten Kontakt, %1 s</translation>
-    </message>
-    <message>
-        <source>&amp;nbsp; each in its longest contact</source>
-        <translation>&amp;nbsp; jeweils im längsten Kontakt</translation>
-    </message>
-    <message>
         <source>No surface was presented.</source>
         <translation>Keine Oberfläche wurde dargeboten.</translation>
     </message>
     <message>
         <source>No contact was long enough.</source>
         <translation>Kein Kontakt war lang genug.</translation>
+    </message>
+    <message>
+        <source>PATH from above, y mm</source>
+        <translation>WEG von oben, y mm</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>SPECTRUM of the sent force, N/√Hz</source>
+        <translation>SPEKTRUM der gesendeten Kraft, N/√Hz</translation>
+    </message>
+    <message>
+        <source>, in its longest contact of %1 s</source>
+        <translation>, im längsten Kontakt von %1 s</translation>
+    </message>
+    <message>
+        <source>, each in its longest contact</source>
+        <translation>, jeweils im längsten Kontakt</translation>
     </message>
 </context>
 <context>
@@ -2200,7 +2239,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>Trial</source>
-        <translation>Durchgang</translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Block</source>
@@ -2230,6 +2269,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>of %1</source>
         <translation>von %1</translation>
     </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Oberflächen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::PlanTable</name>
@@ -2247,6 +2290,173 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ProtocolEditorPage</name>
+    <message>
+        <source>1 problem</source>
+        <translation>1 Problem</translation>
+    </message>
+    <message>
+        <source>%1 problems</source>
+        <translation>%1 Probleme</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>No protocol is open</source>
+        <translation>Kein Protokoll ist offen</translation>
+    </message>
+    <message>
+        <source>Choose one among the study&apos;s protocols and press &quot;Edit&quot;.</source>
+        <translation>Unter den Protokollen der Studie eines auswählen und „Bearbeiten“ drücken.</translation>
+    </message>
+    <message>
+        <source>Show the protocols</source>
+        <translation>Protokolle zeigen</translation>
+    </message>
+    <message>
+        <source>checking…</source>
+        <translation>wird geprüft…</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>← All protocols</source>
+        <translation>← Alle Protokolle</translation>
+    </message>
+    <message>
+        <source>Text of the protocol</source>
+        <translation>Text des Protokolls</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>The plan it expands to</source>
+        <translation>Der Plan, der daraus wird</translation>
+    </message>
+    <message>
+        <source>The protocol could not be read: %1</source>
+        <translation>Das Protokoll konnte nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>This file cannot be changed here: it holds bytes that would be lost, because it is not UTF-8, or its lines end in different ways. Save it as UTF-8 with another program.</source>
+        <translation>Diese Datei kann hier nicht geändert werden: Sie enthält Bytes, die verloren gingen, weil sie nicht UTF-8 ist oder ihre Zeilen verschieden enden. Mit einem anderen Programm als UTF-8 speichern.</translation>
+    </message>
+    <message>
+        <source>Cannot be changed here</source>
+        <translation>Hier nicht zu ändern</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Wird gespeichert…</translation>
+    </message>
+    <message>
+        <source>● Unsaved changes</source>
+        <translation>● Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>No unsaved changes</source>
+        <translation>Alles gespeichert</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>gültig</translation>
+    </message>
+    <message>
+        <source>The plan appears here once the text is valid. It has %1 now; the first is in line %2.</source>
+        <translation>Der Plan erscheint hier, sobald der Text gültig ist. Jetzt: %1, das erste in Zeile %2.</translation>
+    </message>
+    <message>
+        <source>What the key under the cursor means is said here.</source>
+        <translation>Hier steht, was der Schlüssel unter der Schreibmarke bedeutet.</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 hat ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Discard the changes</source>
+        <translation>Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Keep editing</source>
+        <translation>Weiter bearbeiten</translation>
+    </message>
+    <message>
+        <source>The protocol could not be saved: %1</source>
+        <translation>Das Protokoll konnte nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Saved. Whether sessions were run with another text of this version could not be looked up: %1</source>
+        <translation>Gespeichert. Ob Sitzungen mit einem anderen Text dieser Version liefen, konnte nicht nachgesehen werden: %1</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program since it was opened here.</source>
+        <translation>%1 wurde von einem anderen Programm geändert, seit es hier offen ist.</translation>
+    </message>
+    <message>
+        <source>Take theirs</source>
+        <translation>Andere Fassung nehmen</translation>
+    </message>
+    <message>
+        <source>The text of the other program is shown. Undo brings yours back.</source>
+        <translation>Der Text des anderen Programms wird gezeigt. „Rückgängig“ holt den eigenen zurück.</translation>
+    </message>
+    <message>
+        <source>Keep mine and save</source>
+        <translation>Eigene behalten und speichern</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Eigene behalten</translation>
+    </message>
+    <message>
+        <source>Raise to %1 and save</source>
+        <translation>Auf %1 erhöhen und speichern</translation>
+    </message>
+    <message>
+        <source>Save under the same version</source>
+        <translation>Unter derselben Version speichern</translation>
+    </message>
+    <message>
+        <source>Do not save yet</source>
+        <translation>Noch nicht speichern</translation>
+    </message>
+    <message>
+        <source>One session was run with version %1 of another text; raise the version, so that the data can be told apart.</source>
+        <translation>Eine Sitzung lief mit Version %1 eines anderen Textes; die Version erhöhen, damit die Daten zu unterscheiden sind.</translation>
+    </message>
+    <message>
+        <source>%1 sessions were run with version %2 of another text; raise the version, so that the data can be told apart.</source>
+        <translation>%1 Sitzungen liefen mit Version %2 eines anderen Textes; die Version erhöhen, damit die Daten zu unterscheiden sind.</translation>
+    </message>
+    <message>
+        <source>The file was changed by another program; its text is shown now. Undo brings back the one before.</source>
+        <translation>Die Datei wurde von einem anderen Programm geändert; jetzt wird dessen Text gezeigt. „Rückgängig“ holt den vorigen zurück.</translation>
     </message>
 </context>
 <context>
@@ -2482,6 +2692,89 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Light</source>
         <translation>Licht</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SchemaHelp</name>
+    <message>
+        <source>object {…}</source>
+        <translation>Objekt {…}</translation>
+    </message>
+    <message>
+        <source>list […]</source>
+        <translation>Liste […]</translation>
+    </message>
+    <message>
+        <source>whole number</source>
+        <translation>ganze Zahl</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>always %1</source>
+        <translation>immer %1</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>eines von: %1</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 oder weniger</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>%1 entries</source>
+        <translation>%1 Einträge</translation>
+    </message>
+    <message>
+        <source>%1 to %2 entries</source>
+        <translation>%1 bis %2 Einträge</translation>
+    </message>
+    <message>
+        <source>A remark: the program does not read it.</source>
+        <translation>Eine Bemerkung: Das Programm liest sie nicht.</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>notwendig</translation>
+    </message>
+    <message>
+        <source>default %1</source>
+        <translation>Vorgabe %1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 %3</source>
+        <translation>von %1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 · parameter of %2</source>
+        <translation>%1 · Parameter von %2</translation>
     </message>
 </context>
 <context>
@@ -2956,6 +3249,14 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>%1 of %2 trials are done and safe.</source>
         <translation>%1 von %2 Durchgängen sind abgeschlossen und sicher.</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>%1; analyses leave it out: %2</source>
+        <translation>%1; Auswertungen lassen sie weg: %2</translation>
     </message>
 </context>
 <context>
@@ -3614,26 +3915,20 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>Zeit seit Beginn des Versuchs, s</translation>
     </message>
     <message>
-        <source>contact</source>
-        <translation>Kontakt</translation>
-    </message>
-    <message>
         <source>asked</source>
         <translation>verlangt</translation>
     </message>
-    <message numerus="yes">
-        <source>%n missed deadline(s)</source>
-        <translation>
-            <numerusform>%n verpasste Frist</numerusform>
-            <numerusform>%n verpasste Fristen</numerusform>
-        </translation>
+    <message>
+        <source>in contact</source>
+        <translation>in Kontakt</translation>
     </message>
-    <message numerus="yes">
-        <source>%n limited tick(s)</source>
-        <translation>
-            <numerusform>%n begrenzter Takt</numerusform>
-            <numerusform>%n begrenzte Takte</numerusform>
-        </translation>
+    <message>
+        <source>%1 missed</source>
+        <translation>%1 verpasst</translation>
+    </message>
+    <message>
+        <source>%1 limited</source>
+        <translation>%1 begrenzt</translation>
     </message>
 </context>
 <context>
@@ -3643,40 +3938,12 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>steht aus</translation>
     </message>
     <message>
-        <source>answered</source>
-        <translation>beantwortet</translation>
-    </message>
-    <message>
-        <source>no answer in time</source>
-        <translation>keine Antwort in der Zeit</translation>
-    </message>
-    <message>
-        <source>not explored as asked</source>
-        <translation>nicht wie verlangt erkundet</translation>
-    </message>
-    <message>
-        <source>aborted</source>
-        <translation>abgebrochen</translation>
-    </message>
-    <message>
-        <source>device fault</source>
-        <translation>Gerätestörung</translation>
-    </message>
-    <message>
-        <source>skipped</source>
-        <translation>übersprungen</translation>
-    </message>
-    <message>
         <source>not valid: %1</source>
         <translation>nicht gültig: %1</translation>
     </message>
     <message>
         <source>flagged: %1</source>
         <translation>markiert: %1</translation>
-    </message>
-    <message>
-        <source>left out: %1</source>
-        <translation>weggelassen: %1</translation>
     </message>
     <message>
         <source>yes</source>
@@ -3759,10 +4026,6 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>Notizen und Ereignisse</translation>
     </message>
     <message>
-        <source>Select a trial to read it in full.</source>
-        <translation>Einen Durchgang auswählen, um ihn ganz zu lesen.</translation>
-    </message>
-    <message>
         <source>Trial %1, attempt %2: %3</source>
         <translation>Durchgang %1, Versuch %2: %3</translation>
     </message>
@@ -3777,6 +4040,70 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Notes and events (%1)</source>
         <translation>Notizen und Ereignisse (%1)</translation>
+    </message>
+    <message>
+        <source>excluded: %1</source>
+        <translation>ausgeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>Show attempt</source>
+        <translation>Versuch zeigen</translation>
+    </message>
+    <message>
+        <source>Exclude session…</source>
+        <translation>Sitzung ausschließen…</translation>
+    </message>
+    <message>
+        <source>Select a trial that was begun to read it in full.</source>
+        <translation>Einen begonnenen Durchgang auswählen, um ihn ganz zu lesen.</translation>
+    </message>
+    <message>
+        <source>Why do analyses count this session again?</source>
+        <translation>Warum zählen die Auswertungen diese Sitzung wieder?</translation>
+    </message>
+    <message>
+        <source>Excluded by mistake</source>
+        <translation>Aus Versehen ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>The reason turned out not to hold</source>
+        <translation>Der Grund hat sich nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Include session</source>
+        <translation>Sitzung einschließen</translation>
+    </message>
+    <message>
+        <source>Why do analyses leave the whole session out? It stays in the study and can be included again.</source>
+        <translation>Warum lassen die Auswertungen die ganze Sitzung weg? Sie bleibt in der Studie und kann wieder eingeschlossen werden.</translation>
+    </message>
+    <message>
+        <source>The participant withdrew consent</source>
+        <translation>Die Versuchsperson zog die Einwilligung zurück</translation>
+    </message>
+    <message>
+        <source>The participant did not follow the instruction</source>
+        <translation>Die Versuchsperson folgte der Anweisung nicht</translation>
+    </message>
+    <message>
+        <source>The device did not work as it should</source>
+        <translation>Das Gerät arbeitete nicht wie vorgesehen</translation>
+    </message>
+    <message>
+        <source>It was run to try things out</source>
+        <translation>Sie diente zum Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Exclude session</source>
+        <translation>Sitzung ausschließen</translation>
+    </message>
+    <message>
+        <source>Analyses leave the whole session out: %1</source>
+        <translation>Auswertungen lassen die ganze Sitzung weg: %1</translation>
+    </message>
+    <message>
+        <source>Include session again…</source>
+        <translation>Sitzung wieder einschließen…</translation>
     </message>
 </context>
 <context>
@@ -3802,10 +4129,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>See it work</source>
         <translation>Sehen, wie es geht</translation>
-    </message>
-    <message>
-        <source>Six textures and three protocols, ready to run with the simulated device. No hardware and no network are needed.</source>
-        <translation>Sechs Texturen und drei Protokolle, bereit für das simulierte Gerät. Weder Hardware noch Netz sind nötig.</translation>
     </message>
     <message>
         <source>Open the demo study</source>
@@ -3882,6 +4205,10 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>It will be made in %1 (about 25 MB), which takes some seconds.</source>
         <translation>Sie wird in %1 angelegt (etwa 25 MB); das dauert einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>Six textures and four protocols, ready to run with the simulated device. No hardware and no network are needed.</source>
+        <translation>Sechs Texturen und vier Protokolle, bereit für das simulierte Gerät. Weder Hardware noch Netz sind nötig.</translation>
     </message>
 </context>
 <context>

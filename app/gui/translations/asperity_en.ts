@@ -113,21 +113,4 @@
         </translation>
     </message>
 </context>
-<context>
-    <name>asperity::TimePlots</name>
-    <message numerus="yes">
-        <source>%n missed deadline(s)</source>
-        <translation>
-            <numerusform>%n missed deadline</numerusform>
-            <numerusform>%n missed deadlines</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n limited tick(s)</source>
-        <translation>
-            <numerusform>%n limited tick</numerusform>
-            <numerusform>%n limited ticks</numerusform>
-        </translation>
-    </message>
-</context>
 </TS>
