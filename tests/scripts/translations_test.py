@@ -39,6 +39,17 @@ def complain(language, key, what):
     complaints.append(f'asperity_{language}.ts, {key[0]}, "{key[1]}": {what}')
 
 
+def names_without_namespace():
+    """What the sources declare for tr() and translate() apart from classes of the namespace."""
+    declared = set()
+    for folder, _, files in os.walk(os.path.join(ROOT, "app", "gui")):
+        for name in files:
+            if name.endswith((".h", ".cpp")):
+                with open(os.path.join(folder, name), encoding="utf-8") as source:
+                    declared |= set(re.findall(r"Q_DECLARE_TR_FUNCTIONS\((\w+)\)", source.read()))
+    return declared
+
+
 def check_translation(language, key, is_plural, forms):
     source = key[1]
     if is_plural and len(forms) != 2:
@@ -62,11 +73,15 @@ with tempfile.TemporaryDirectory() as fresh:
                                capture_output=True, timeout=120)
     if refreshed.returncode != 0:
         sys.exit(f"scripts/translations ended with {refreshed.returncode}: {refreshed.stderr}")
-    # A class without Q_OBJECT looks its texts up under the name of its base class, and misses them.
+    # What it warns of (a class without Q_OBJECT, tr() of a class in a function that it misreads) files a text
+    # under another class than the program looks it up under.
     complaints += [line for line in refreshed.stderr.splitlines() if line.strip()]
     for language in LANGUAGES:
         kept = messages(FOLDER, language)
         wanted = messages(fresh, language)
+        for name in {key[0] for key in wanted} - names_without_namespace():
+            if not name.startswith("asperity::"):
+                complaints.append(f"{name} is no class that looks up texts: its tr() is written where it is misread")
         for key, (finished, is_plural, forms) in wanted.items():
             if not finished:
                 complain(language, key, f"has no finished translation; {REFRESH}")

@@ -116,8 +116,12 @@ std::vector<QString> QuestionForm::complaints() const {
   const ParticipantAnswers given = answers();
   std::vector<QString> complaints{};
   for (const Question& question : questions_) {
-    if (const auto complaint = complaint_about_answer(question, given.at(question.name))) {
-      complaints.push_back(QString::fromStdString(*complaint));
+    const std::string& answer = given.at(question.name);
+    if (const auto complaint = complaint_about_answer(question, answer)) {
+      complaints.push_back(
+          answer.empty()
+              ? tr("\"%1\" is not answered.").arg(QString::fromStdString(question.prompt))
+              : QString::fromStdString(*complaint));
     }
   }
   return complaints;

@@ -653,7 +653,7 @@ std::vector<QString> StartPage::reasons() const {
     // Said above already, in the words of the form.
     if (check.id == "participant" && !participant_->complaints().empty()) continue;
     reasons.push_back(
-        tr("%1: %2").arg(QString::fromStdString(check.title), QString::fromStdString(check.text)));
+        tr("%1: %2").arg(CheckList::title_of(check), QString::fromStdString(check.text)));
   }
   return reasons;
 }

@@ -966,6 +966,50 @@
         <source>Looking at everything: a second or so.</source>
         <translation>Alles wird geprüft: etwa eine Sekunde.</translation>
     </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Study folder</source>
+        <translation>Studienordner</translation>
+    </message>
+    <message>
+        <source>Disk space</source>
+        <translation>Speicherplatz</translation>
+    </message>
+    <message>
+        <source>Stimuli</source>
+        <translation>Reize</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Force zero</source>
+        <translation>Kraft null</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Taktrate</translation>
+    </message>
+    <message>
+        <source>Screens</source>
+        <translation>Bildschirme</translation>
+    </message>
+    <message>
+        <source>Masking noise</source>
+        <translation>Maskierrauschen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::CloseDialog</name>
@@ -2639,6 +2683,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Choose</source>
         <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not answered.</source>
+        <translation>„%1“ ist nicht beantwortet.</translation>
     </message>
 </context>
 <context>
