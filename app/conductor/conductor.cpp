@@ -202,6 +202,11 @@ void Conductor::run_steps() {
       stop("as asked");
       break;
     }
+    // Asked for between two blocks, the block that it means is over.
+    if (block_ == 0 && !session_.attempts.empty() && requests_.take_stop(StopAfter::block)) {
+      stop("as asked, after the block");
+      break;
+    }
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
     if (step != nullptr) {
       const Trial& trial = session_.plan.trials[step->trial];
@@ -236,6 +241,8 @@ void Conductor::run_steps() {
   if (block_ != 0 && !stopped_) finish_block(block_);
   block_ = 0;
   if (!stopped_) between_steps(Next::other);
+  // Nobody is left behind a mask.
+  if (!stopped_) course_.put_mask(false, [this](double duration_s) { course_.wait(duration_s); });
 }
 
 /// Trials of blocks before the one that is gone on with: set aside to be asked again, and then the

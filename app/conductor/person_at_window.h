@@ -53,6 +53,7 @@ class PersonAtWindow final : public Respondent {
   void begin_attempt(int trial, int attempt) override;
   bool wants_next(bool may_go) override;
   bool wears_mask() const override { return true; }
+  bool leaves_prompts_to_experimenter() const override { return true; }
   void put_mask(bool on, const Wait& wait) override;
   void button_changed(const ButtonChange& change) override;
   std::vector<EventRow> take_events() override;

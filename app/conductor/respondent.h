@@ -77,6 +77,9 @@ class Respondent {
   }
   /// There are eyes to be covered: a person at a window. Others are never asked to put on a mask.
   virtual bool wears_mask() const { return false; }
+  /// What the protocol wants of the experimenter is none of this person's business: it is asked at
+  /// the experimenter's own window.
+  virtual bool leaves_prompts_to_experimenter() const { return false; }
   /// The eye mask is to be put on or taken off; returns when that was confirmed.
   virtual void put_mask(bool on, const Wait& wait);
   /// Called while time goes by in `wait`.

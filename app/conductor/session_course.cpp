@@ -169,6 +169,35 @@ bool SessionCourse::has_lost_noise() const {
   return links_.sound != nullptr && wants_masking_noise(protocol_) && !links_.sound->is_running();
 }
 
+void SessionCourse::ask_experimenter(const std::string& prompt, const Wait& waiting) {
+  if (!links_.experimenter_is_there || !respondent_.leaves_prompts_to_experimenter()) {
+    show(scene_to_read(prompt));
+    respondent_.read(prompt, 0.0, waiting);
+    return;
+  }
+  // However the waiting ends, the prompt goes.
+  struct Shown {
+    explicit Shown(SessionCourse& shown_course, const std::string& prompt_text)
+        : course(shown_course) {
+      course.update([&](SessionSnapshot& snapshot) {
+        snapshot.trouble =
+            SessionTrouble{prompt_text, course.now_ns(), SessionTrouble::Remedy::confirm};
+      });
+    }
+    ~Shown() {
+      course.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
+    }
+    Shown(const Shown&) = delete;
+    Shown& operator=(const Shown&) = delete;
+    SessionCourse& course;
+  };
+  show({});
+  requests_.take_confirmation();  // one that came before it was asked for
+  const Shown shown(*this, prompt);
+  while (!requests_.take_confirmation()) waiting(kSlice_s);
+  event("experimenter_ready", prompt);
+}
+
 void SessionCourse::put_mask(bool on, const Wait& waiting) {
   if (on == mask_on_ || !respondent_.wears_mask() || protocol_.vision != Vision::blindfold) return;
   show(scene_of_mask(on));

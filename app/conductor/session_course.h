@@ -88,6 +88,9 @@ class SessionCourse final {
   bool is_masking() const noexcept { return masking_; }
   /// The protocol wants noise, it is to be played, and it is not.
   bool has_lost_noise() const;
+  /// Has the experimenter do something before a trial (place a sample) and waits until that was
+  /// confirmed; the participant sees nothing of it. Where nobody sits beside, the respondent reads.
+  void ask_experimenter(const std::string& prompt, const Wait& waiting);
   /// Has the eye mask put on or taken off by a person who wears one, if it is not so already.
   void put_mask(bool on, const Wait& waiting);
 

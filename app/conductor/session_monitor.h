@@ -57,6 +57,7 @@ struct SessionTrouble {
     none,
     clear_fault,  ///< when the reason is mended, go on
     resume,       ///< paused by the program
+    confirm,      ///< nothing is wrong: `what` is to be done before the trial, and confirmed
     try_again,    ///< the session ended; everything stored, go on with it from the start page
   };
   std::string what{};  ///< a sentence: what happened and what was done about it

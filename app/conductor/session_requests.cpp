@@ -85,6 +85,11 @@ void SessionRequests::clear_fault() {
   stop_wanted_ = false;
 }
 
+void SessionRequests::confirm() {
+  const std::lock_guard lock(mutex_);
+  confirmed_ = true;
+}
+
 SessionRequests::Pending SessionRequests::pending() const {
   const std::lock_guard lock(mutex_);
   return {stop_, paused_, repeat_.has_value()};
@@ -126,6 +131,11 @@ std::optional<std::string> SessionRequests::take_skip() {
 std::optional<std::string> SessionRequests::take_abort() {
   const std::lock_guard lock(mutex_);
   return std::exchange(abort_, std::nullopt);
+}
+
+bool SessionRequests::take_confirmation() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(confirmed_, false);
 }
 
 bool SessionRequests::take_clear_fault() {

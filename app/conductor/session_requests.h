@@ -57,6 +57,9 @@ class SessionRequests final {
   /// that comes later takes it back.
   void clear_fault();
 
+  /// What the protocol wanted the experimenter to do before a trial is done.
+  void confirm();
+
   struct Remark {
     std::int64_t time_ns = 0;
     std::string kind{};
@@ -87,6 +90,7 @@ class SessionRequests final {
   std::optional<std::string> take_skip();
   std::optional<std::string> take_abort();
   bool take_clear_fault();
+  bool take_confirmation();
   /// Takes `clear_fault` and lifts the rig's fault, in one: an emergency stop comes before or after
   /// and is never lifted by what was asked for before it. False when nobody asked.
   bool lift_fault();
@@ -106,6 +110,7 @@ class SessionRequests final {
   std::optional<std::string> skip_{};
   std::optional<std::string> abort_{};
   bool clear_fault_ = false;
+  bool confirmed_ = false;
   std::vector<Remark> remarks_{};
   std::vector<ButtonMove> button_moves_{};
 };

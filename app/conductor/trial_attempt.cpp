@@ -145,8 +145,7 @@ void TrialAttempt::prepare() {
 void TrialAttempt::carry_out() {
   course_.enter(SessionPhase::fore);
   if (!trial_.question.experimenter_prompt.empty()) {
-    course_.show(scene_to_read(trial_.question.experimenter_prompt));
-    course_.respondent().read(trial_.question.experimenter_prompt, 0.0, waiting_);
+    course_.ask_experimenter(trial_.question.experimenter_prompt, waiting_);
   }
   course_.put_mask(true, waiting_);
   course_.show({});

@@ -820,6 +820,7 @@ class TalkativePerson final : public Respondent {
   void begin_attempt(int, int) override {}
   bool wants_next(bool may_go) override { return may_go && has_had_enough; }
   bool wears_mask() const override { return true; }
+  bool leaves_prompts_to_experimenter() const override { return true; }
   void put_mask(bool on, const Wait& wait) override {
     calls.push_back(on ? "mask on" : "mask off");
     wait(0.1);
@@ -909,6 +910,47 @@ TEST_F(TalkativeSession, HasTheMaskOnWhileFeelingAndOffToLookAtPictures) {
   const AttemptRow row = attempts().front();
   for (const EventRow& event : row.events) kinds.push_back(event.kind);
   EXPECT_THAT(kinds, testing::IsSupersetOf({"mask_on", "mask_off"}));
+}
+
+TEST_F(TalkativeSession, LeavesNobodyBehindTheMask) {
+  std::string text =
+      with(one_trial(), "\"textures\"", R"("environment": {"vision": "blindfold"}, )");
+  text.replace(text.find("\"photograph\""), 12, "\"memory\"");
+  const std::string ending = R"(, {"ask": ["comfort", "remarks"]}, {"screen": "Thank you."})";
+  text.erase(text.find(ending), ending.size());  // nothing else takes it off
+  begin(text);
+  run_talkative();
+  ASSERT_FALSE(talker_.calls.empty());
+  EXPECT_EQ(talker_.calls.back(), "mask off");
+}
+
+TEST_F(TalkativeSession, HasTheExperimenterConfirmWhatOnlyTheyAreToDo) {
+  begin(with(one_trial(), "\"name\": \"best\"",
+             R"("experimenter_prompt": "Place sample {code}.", )"));
+  std::string asked{};
+  ParticipantScene seen{};
+  int looks = 0;
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    if (!now.trouble || now.trouble->remedy != SessionTrouble::Remedy::confirm) return;
+    asked = now.trouble->what;
+    seen = *now.scene;
+    EXPECT_EQ(rig_->loop().status().presentation, 0U);  // nothing is rendered
+    if (++looks == 10) requests_.confirm();
+  };
+  requests_.confirm();  // before anybody asked: means nothing
+  run_talkative();
+  EXPECT_GE(looks, 10);
+  EXPECT_THAT(asked, testing::StartsWith("Place sample "));
+  EXPECT_EQ(seen.kind, ParticipantScene::Kind::blank);
+  EXPECT_EQ(seen.text, "");
+  // The participant reads the two screens of the flow and nothing else.
+  EXPECT_EQ(std::count(talker_.calls.begin(), talker_.calls.end(), "read"), 2);
+  EXPECT_FALSE(monitor_.snapshot().trouble);
+  std::vector<std::string> kinds{};
+  const AttemptRow row = attempts().front();
+  for (const EventRow& event : row.events) kinds.push_back(event.kind);
+  EXPECT_THAT(kinds, Contains("experimenter_ready"));
 }
 
 TEST_F(TalkativeSession, AsksNobodyToPutOnAMaskWhereTheProtocolDoesNot) {

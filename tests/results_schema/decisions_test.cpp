@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include "results_schema/study.h"
 #include "tests/results_schema/rows_for_tests.h"
@@ -9,6 +10,20 @@
 
 namespace asperity {
 namespace {
+
+/// The first cell that another tool reads.
+std::string cell(const std::filesystem::path& study, const std::string& sql) {
+  sqlite3* handle = nullptr;
+  sqlite3_open_v2((study / "study.sqlite").c_str(), &handle, SQLITE_OPEN_READONLY, nullptr);
+  std::string text;
+  const auto keep = [](void* target, int, char** values, char**) {
+    *static_cast<std::string*>(target) = values[0] != nullptr ? values[0] : "NULL";
+    return 0;
+  };
+  EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), keep, &text, nullptr), SQLITE_OK);
+  sqlite3_close(handle);
+  return text;
+}
 
 AttemptRow of(const Study& study, std::int64_t session, int attempt) {
   for (AttemptRow& row : study.attempts(session)) {
@@ -26,6 +41,8 @@ TEST(Decision, SetsAnAttemptAsideSoThatItsTrialCanBeAskedAgain) {
   study.set_aside(session, 1, 1, "the door opened");
   EXPECT_FALSE(of(study, session, 1).valid);
   EXPECT_EQ(of(study, session, 1).invalid_reason, "set aside: the door opened");
+  EXPECT_EQ(cell(folder / "s", "SELECT invalid_reason FROM tidy_attempt"),
+            "set aside: the door opened");
   study.add_attempt(session, some_attempt(1, 2));
   EXPECT_TRUE(of(study, session, 2).valid);
   EXPECT_THROW(study.add_attempt(session, some_attempt(1, 3)), ResultsError);
@@ -73,6 +90,8 @@ TEST(Decision, AddsAFlagToThoseOfTheProgram) {
   study.add_decision(session,
                      {.trial = 1, .attempt = 1, .verdict = Verdict::flag, .reason = "a noise"});
   EXPECT_EQ(of(study, session, 1).flag_reason, "saturated for 3 ticks; a noise");
+  EXPECT_EQ(cell(folder / "s", "SELECT flag_reason FROM tidy_attempt"),
+            "saturated for 3 ticks; a noise");
 }
 
 TEST(Decision, NeedsAReasonAndSomethingToDecideAbout) {

@@ -270,6 +270,7 @@ void SessionWindow::do_verb(SessionVerb verb) {
   switch (verb) {
     case SessionVerb::start_or_resume:
       requests_.resume();
+      requests_.confirm();
       break;
     case SessionVerb::leave_or_pause:
       if (dialog_ != nullptr && dialog_->isVisible()) {
@@ -650,6 +651,9 @@ void SessionWindow::write_trouble() {
     case SessionTrouble::Remedy::try_again:
     case SessionTrouble::Remedy::clear_fault:
       trouble_->show_news(State::look, what);
+      break;
+    case SessionTrouble::Remedy::confirm:
+      trouble_->show_news(State::look, what, tr("Done (F5)"), [this] { requests_.confirm(); });
       break;
     case SessionTrouble::Remedy::resume:
       trouble_->show_news(State::look, what, tr("Resume"), [this] { requests_.resume(); });
