@@ -9,6 +9,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 
+#include "analysis/number_text.h"
 #include "app/gui/study/study_table.h"
 #include "app/height_field_files.h"
 #include "app/tasks/protocol_files.h"
@@ -120,11 +121,12 @@ std::string text_of(const ProtocolWish& wish) {
          R"(]}, "texture": {"levels": ["slate", "cork", "linen"]},
               "model": {"levels": ["height_map", "stochastic"]}},
   "stimuli": {"rendered": {"model": {"factor": "model"}, "texture": {"factor": "texture"}}},
-  "explorations": {"short": {"minimum_contact_s": 0.3, "maximum_contact_s": 2)" +
-         wish.exploration + R"(}},
+  "explorations": {"short": {"maximum_contact_s": 4, "minimum_contact_s": )" +
+         number_text(wish.minimum_contact_s) + R"(}},
   "questions": {"comfort": {"prompt": "How is your hand?", "form": "choice", "options": ["well", "tired"]}},
   "blocks": {"main": {)" +
-         block_of(wish) + "}" + wish.more_blocks + R"(},
+         block_of(wish) + "}" +
+         (wish.blocks > 1 ? R"(, "second": {)" + block_of(wish) + "}" : std::string()) + R"(},
   "flow": [)" +
          wish.flow + "]" + wish.head + "}";
 }
@@ -183,7 +185,11 @@ std::vector<AttemptRow> SessionRoom::stored_attempts() const {
 
 std::vector<EventRow> SessionRoom::stored_events() const {
   const Study study = Study::open(folder(), Access::read_only);
-  std::vector<EventRow> events = study.events(stored_session().id);
+  const std::int64_t session = stored_session().id;
+  std::vector<EventRow> events = study.events(session);
+  for (const AttemptRow& attempt : study.attempts(session)) {
+    events.insert(events.end(), attempt.events.begin(), attempt.events.end());
+  }
   std::stable_sort(events.begin(), events.end(),
                    [](const EventRow& a, const EventRow& b) { return a.time_ns < b.time_ns; });
   return events;
@@ -234,6 +240,13 @@ bool SessionRoom::is_in(SessionPhase phase, int trial) {
   return is_in(phase) && monitor().snapshot().trial == trial;
 }
 
+bool SessionRoom::is_pushed(int trial) {
+  if (!is_in(SessionPhase::contact, trial)) return false;
+  std::vector<LiveBin> bins{};
+  monitor().bins_from(0, bins);
+  return !bins.empty() && bins.back().touching && bins.back().force_minimum_N > 0.1F;
+}
+
 // --- hands ---------------------------------------------------------------------------------------
 
 void SessionRoom::require(bool holds, const std::string& what) {
@@ -249,6 +262,12 @@ bool SessionRoom::until(const std::function<bool()>& condition) {
 }
 
 void SessionRoom::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+  if (QGuiApplication::focusWindow() == nullptr) {
+    // Off screen nobody hands the focus on when a window goes.
+    (desk->session_window() != nullptr ? static_cast<QWidget*>(desk->session_window())
+                                       : window.get())
+        ->activateWindow();
+  }
   wait_for("a window with the focus", [] { return QGuiApplication::focusWindow() != nullptr; });
   QTest::keyClick(QGuiApplication::focusWindow(), key, modifiers);
 }
@@ -257,6 +276,10 @@ void SessionRoom::click(QWidget& widget) {
   wait_for(widget.objectName().toStdString() + " to be pressed",
            [&] { return widget.isVisible() && widget.isEnabled(); });
   ++clicks;
+  // Off screen nobody activates the window that is clicked.
+  QWidget* top = widget.window();
+  top->activateWindow();
+  wait_for("the focus", [&] { return QGuiApplication::focusWindow() == top->windowHandle(); });
   const bool is_box = qobject_cast<QCheckBox*>(&widget) != nullptr;
   QTest::mouseClick(&widget, Qt::LeftButton, {},
                     is_box ? QPoint(8, widget.height() / 2) : widget.rect().center());
@@ -314,15 +337,21 @@ void SessionRoom::press_start() {
   QWidget& page = *window->page("start");
   auto& button = child<QPushButton>(page, "start");
   auto& again = child<QPushButton>(page, "check_again");
-  for (int tries = 0; tries < 20 && !button.isEnabled(); ++tries) {
-    // On a busy machine the loop may be found too slow: what a person does is look again.
-    if (QTest::qWaitFor([&] { return button.isEnabled(); }, 3000)) break;
-    if (again.isEnabled() && again.isVisible()) QTest::mouseClick(&again, Qt::LeftButton);
+  const auto has_begun = [&] { return desk->runner() != nullptr; };
+  for (int tries = 0; tries < 20 && !has_begun(); ++tries) {
+    // On a busy machine the loop may be found too slow: what a person does is look again. News of the
+    // study may take the button away just before it is pressed.
+    if (QTest::qWaitFor([&] { return button.isEnabled(); }, 3000)) {
+      QTest::mouseClick(&button, Qt::LeftButton);
+    } else if (again.isEnabled() && again.isVisible()) {
+      QTest::mouseClick(&again, Qt::LeftButton);
+    }
   }
-  require(button.isEnabled(), child<QWidget>(page, "start_reason").toolTip().toStdString());
-  click(button);
-  wait_for("the session",
-           [&] { return desk->runner() != nullptr && monitor().facts() != nullptr; });
+  ++clicks;
+  require(has_begun(), child<QWidget>(page, "start_reason").toolTip().toStdString());
+  wait_for("the session", [&] { return monitor().facts() != nullptr || !desk->is_running(); });
+  const std::optional<SessionTrouble> trouble = monitor().snapshot().trouble;
+  require(monitor().facts() != nullptr, trouble ? trouble->what : "the session did not begin");
 }
 
 void SessionRoom::choose(Qt::Key option) {
@@ -371,9 +400,10 @@ void SessionRoom::take_part(const std::function<void(const Scene&)>& answer,
     }
     return false;
   });
-  require(came_to_it, std::string("it stays in phase ") +
-                          asperity::text_of(monitor().snapshot().phase) + ", trial " +
-                          std::to_string(monitor().snapshot().trial));
+  if (came_to_it) return;
+  const SessionSnapshot now = desk->runner() == nullptr ? SessionSnapshot{} : monitor().snapshot();
+  throw std::runtime_error(std::string("it stays in phase ") + asperity::text_of(now.phase) +
+                           ", trial " + std::to_string(now.trial));
 }
 
 void SessionRoom::wait_for_end() {

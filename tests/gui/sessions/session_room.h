@@ -23,17 +23,16 @@
 
 namespace asperity {
 
-/// What a test changes in the protocol of the small study. JSON members, each with a comma before
-/// it.
+/// What a test changes in the protocol of the small study.
 struct ProtocolWish {
   std::string name = "small";
   std::string kind = "selection";
-  int trials = 2;             ///< of a selection; a matching has two, a recognition three
-  std::string head{};         ///< members of the protocol
-  std::string question{};     ///< members of the question
-  std::string exploration{};  ///< members of the exploration
+  int trials = 2;  ///< of each block of a selection; a matching has two, a recognition three
+  int blocks = 1;  ///< "main", "second"
+  double minimum_contact_s = 0.3;
+  std::string head{};      ///< members of the protocol, each with a comma before it
+  std::string question{};  ///< members of the question, likewise
   std::string flow = R"({"run": "main"})";
-  std::string more_blocks{};
 };
 
 /// Notes the tones that a session plays, in order, and can be unplugged.
@@ -83,6 +82,9 @@ class SessionRoom : public QuietHome {
   /// In `trial`.
   bool is_in(SessionPhase phase, int trial);
 
+  /// A surface is under the hand and pushes back, in this trial.
+  bool is_pushed(int trial);
+
   // --- hands ---
   /// To whichever window has the focus.
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
@@ -108,6 +110,10 @@ class SessionRoom : public QuietHome {
   /// questions of trials by `answer`, until `until` holds; without it, to the end.
   void take_part(const std::function<void(const Scene&)>& answer,
                  const std::function<bool()>& until = {});
+  /// Presses A and Return.
+  std::function<void(const Scene&)> chooses_a() {
+    return [this](const Scene&) { choose(Qt::Key_A); };
+  }
   /// Chooses by key and confirms.
   void choose(Qt::Key option);
   /// Waits, with events going on, until it holds; false when it did not for long.

@@ -1,0 +1,206 @@
+// Who may see and hear what: a session without eyes, and one in which nobody knows what is felt.
+
+#include <algorithm>
+#include <set>
+
+#include <QtCore/QAbstractItemModel>
+#include <QtCore/QRegularExpression>
+#include <QtWidgets/QAbstractItemView>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QListWidget>
+#include <QtWidgets/QPushButton>
+#include <qcustomplot.h>
+
+#include "app/gui/session/reason_form.h"
+#include "tests/gui/sessions/session_room.h"
+
+namespace asperity {
+namespace {
+
+class Blindfold : public SessionRoom {};
+
+TEST_F(Blindfold, GoesThroughASessionByTonesAndDeviceButtonsAlone) {
+  make_study();
+  add_protocol({.head = R"(, "environment": {"vision": "blindfold",
+                           "masking_noise": {"kind": "pink", "level_dBA": 60}})",
+                .question = R"(, "allow_revisit": false)",
+                .flow = R"({"screen": "Welcome."}, {"run": "main"}, {"screen": "Thank you."})"});
+  open();
+  start("small");
+  const auto press = [&](int button) {
+    runner().requests().press_button(button);
+    runner().requests().release_button(button);
+  };
+  // The welcome can be read: the mask is not on yet. From then on only tones say what to do.
+  wait_for("the welcome", [&] { return monitor().snapshot().scene->can_confirm; });
+  press(1);
+  std::size_t heard = 0;
+  int options = 0;
+  int questions = 0;
+  wait_for("the end", [&] {
+    const std::vector<std::string> tones = sound->tones();
+    for (; heard < tones.size(); ++heard) {
+      const std::string& tone = tones[heard];
+      if (tone == "mask on" || tone == "mask off") press(2);
+      if (tone == "question") {
+        ++questions;
+        options = 0;
+        press(1);
+      }
+      if (tone.starts_with("option")) {
+        ++options;
+        // The first time the second surface, the second time the first.
+        press(questions == 1 && options == 1 ? 1 : 2);
+      }
+    }
+    // What follows the mask can be read again.
+    const std::shared_ptr<const Scene> scene = monitor().snapshot().scene;
+    if (scene->text == "Thank you." && scene->can_confirm) press(1);
+    return !desk->is_running();
+  });
+  EXPECT_EQ(sound->tones(),
+            (std::vector<std::string>{"mask on", "surface 1", "next", "surface 2", "next",
+                                      "question", "option 1", "option 2", "accepted",  // trial 1
+                                      "surface 1", "next", "surface 2", "next", "question",
+                                      "option 1", "accepted", "mask off", "finished"}));
+  EXPECT_EQ(stored_session().state, SessionState::completed);
+  const std::vector<AttemptRow> attempts = stored_attempts();
+  ASSERT_EQ(attempts.size(), 2U);
+  EXPECT_EQ(attempts[0].responses.at(0).answer, attempts[0].presentations.at(1).model);
+  EXPECT_EQ(attempts[1].responses.at(0).answer, attempts[1].presentations.at(0).model);
+  for (const AttemptRow& attempt : attempts) {
+    EXPECT_EQ(attempt.responses.at(0).source, "device_button");
+    EXPECT_GT(attempt.responses.at(0).from_cue_s.value_or(0.0), 0.0);
+  }
+  for (const EventRow& input : stored_events("input")) {
+    EXPECT_TRUE(input.text.starts_with("device button")) << input.text;
+  }
+  EXPECT_EQ(stored_events("mask_on").size(), 1U);
+  EXPECT_EQ(stored_events("mask_off").size(), 1U);
+}
+
+class DoubleBlind : public SessionRoom {
+ protected:
+  /// Every text of a window and of all in it, seen or not, that holds a name.
+  static QStringList leaks(QWidget& top) {
+    QStringList texts{};
+    QList<QWidget*> widgets = top.findChildren<QWidget*>();
+    widgets << &top;
+    for (QWidget* widget : widgets) {
+      for (const char* property :
+           {"text", "title", "windowTitle", "toolTip", "statusTip", "whatsThis", "accessibleName",
+            "accessibleDescription", "placeholderText"}) {
+        texts << widget->property(property).toString();
+      }
+      if (auto* view = qobject_cast<ParticipantView*>(widget)) texts << view->drawn_texts();
+      if (auto* items = qobject_cast<QAbstractItemView*>(widget)) add_cells(*items, texts);
+      if (auto* plot = qobject_cast<QCustomPlot*>(widget)) add_words(*plot, texts);
+    }
+    static const QRegularExpression kNames("slate|cork|linen|height.?map|stochastic",
+                                           QRegularExpression::CaseInsensitiveOption);
+    return texts.filter(kNames);
+  }
+
+ private:
+  static void add_cells(const QAbstractItemView& view, QStringList& texts) {
+    const QAbstractItemModel* model = view.model();
+    if (model == nullptr) return;
+    for (int row = 0; row < model->rowCount(); ++row) {
+      for (int column = 0; column < model->columnCount(); ++column) {
+        for (const int role : {Qt::DisplayRole, Qt::ToolTipRole, Qt::AccessibleTextRole}) {
+          texts << model->index(row, column).data(role).toString();
+        }
+      }
+    }
+  }
+  static void add_words(QCustomPlot& plot, QStringList& texts) {
+    for (int i = 0; i < plot.graphCount(); ++i) texts << plot.graph(i)->name();
+    for (int i = 0; i < plot.itemCount(); ++i) {
+      if (auto* words = qobject_cast<QCPItemText*>(plot.item(i))) texts << words->text();
+    }
+    for (QCPAxis* axis : {plot.xAxis, plot.yAxis, plot.xAxis2, plot.yAxis2}) texts << axis->label();
+  }
+};
+
+TEST_F(DoubleBlind, NoNameIsSeenInAnyPhaseOfARunUntilAReasonIsGiven) {
+  make_study();
+  add_protocol({.kind = "recognition",
+                .flow = R"({"screen": "Welcome."}, {"run": "main"}, {"ask": ["comfort"]},
+                           {"break": {"minimum_s": 0, "text": "Rest."}}, {"screen": "Thanks."})"});
+  open();
+  start("small");
+  std::set<std::string> phases{};
+  QStringList found{};
+  const auto look = [&] {
+    const SessionPhase phase = monitor().snapshot().phase;
+    phases.insert(text_of(phase));
+    found << leaks(experimenter());
+    if (desk->participant_window() != nullptr) found << leaks(*desk->participant_window());
+    return false;
+  };
+  const auto answer = [&](const Scene&) {
+    wait_for("the pictures", [&] {
+      view().grab();
+      return view().pictures_are_there();
+    });
+    look();
+    choose(Qt::Key_1);
+  };
+  take_part(answer, [&] { return look() || is_in(SessionPhase::contact, 2); });
+  key(Qt::Key_F6);
+  take_part(answer, [&] { return look() || is_in(SessionPhase::paused); });
+  look();
+  EXPECT_TRUE(found.isEmpty()) << found.first().toStdString();
+
+  click(experimenter(), "unblind");
+  auto& form = child<ReasonForm>(experimenter(), "reason_form");
+  wait_for("the question", [&] { return form.isVisible(); });
+  EXPECT_TRUE(experimenter().is_blind());
+  child<QLineEdit>(form, "reason").setFocus();
+  QTest::keyClicks(&child<QLineEdit>(form, "reason"), "the hand is hot");
+  click(form, "reason_given");
+  EXPECT_FALSE(experimenter().is_blind());
+  EXPECT_FALSE(leaks(experimenter()).isEmpty());  // and this test would have seen a name
+  click(experimenter(), "unblind");
+  EXPECT_TRUE(experimenter().is_blind());
+  EXPECT_EQ(leaks(experimenter()).join('|').toStdString(), "");
+  key(Qt::Key_F5);
+  take_part(answer, [&] { return look() || !desk->is_running(); });
+  wait_for("the summary", [&] { return child<QWidget>(experimenter(), "see_table").isVisible(); });
+  look();
+  EXPECT_TRUE(found.isEmpty()) << found.first().toStdString();
+  const std::vector<EventRow> unblinded = stored_events("unblinded");
+  ASSERT_EQ(unblinded.size(), 1U);
+  EXPECT_EQ(unblinded[0].text, "the hand is hot");
+  EXPECT_EQ(stored_events("blinded_again").size(), 1U);
+  for (const char* phase :
+       {"ready", "fore", "contact", "response", "paused", "questions", "rest", "ended"}) {
+    EXPECT_TRUE(phases.contains(phase)) << phase;
+  }
+}
+
+class NewUser : public SessionRoom {};
+
+TEST_F(NewUser, ComesFromTheWelcomePageToASimulatedSessionsTableInUnderTenClicks) {
+  const std::filesystem::path demo = small_demo_study();
+  std::filesystem::create_directories(home() / "Asperity");
+  std::filesystem::rename(demo, home() / "Asperity" / "demo");
+  make_windows();
+  click(*window, "welcome_demo");
+  wait_for("the study", [&] { return window->study() != nullptr; });
+  click_row(*window, "protocols_table", "chapter_recognition");
+  click(*window, "protocol_start");
+  click(*window, "mode_simulate");
+  press_start();
+  wait_for_end();
+  click(experimenter(), "see_table");
+  wait_for("the analysis", [&] { return window->shown_page() == "analysis"; });
+  auto& outcomes = child<QListWidget>(*window, "outcomes");
+  wait_for("the table", [&] { return outcomes.count() == 1 && outcomes.isVisible(); });
+  EXPECT_LT(clicks, 10);
+  EXPECT_FALSE(window->page("analysis")->findChildren<QTableView*>().isEmpty());
+  RecordProperty("clicks", clicks);
+}
+
+}  // namespace
+}  // namespace asperity
