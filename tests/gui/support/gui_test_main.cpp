@@ -1,6 +1,8 @@
 // An application off screen around the tests of the windows.
 
+#include <QtCore/QSettings>
 #include <QtCore/QStandardPaths>
+#include <QtCore/QTemporaryDir>
 #include <QtWidgets/QApplication>
 #include <gtest/gtest.h>
 #include <locale.h>
@@ -12,8 +14,11 @@
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  // Settings of the person who runs the tests are neither read nor written.
+  // Settings of the person who runs the tests are neither read nor written, nor are those of a test
+  // that runs at the same time.
   QStandardPaths::setTestModeEnabled(true);
+  const QTemporaryDir settings{};
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   QApplication application(argc, argv);
   setlocale(LC_NUMERIC, "C");
   QApplication::setOrganizationName("asperity");
