@@ -9,20 +9,23 @@ namespace asperity {
 BackgroundTask::BackgroundTask(QObject* parent) : QObject(parent) {}
 
 BackgroundTask::~BackgroundTask() {
-  // The worker may be posting to this object: it has to end first.
-  worker_.request_stop();
-  if (worker_.joinable()) worker_.join();
+  // A worker may be posting to this object: all have to end first, and none waits for another.
+  cancel();
+  workers_.clear();
+}
+
+void BackgroundTask::cancel() {
+  for (auto& [number, worker] : workers_) worker.request_stop();
 }
 
 void BackgroundTask::begin(std::function<void(const std::stop_token&, const Progress&)> work,
                            std::function<void()> done, std::function<void(QString)> failed) {
-  worker_.request_stop();
-  if (worker_.joinable()) worker_.join();
+  cancel();
   const std::uint64_t number = ++number_;
   running_ = true;
   emit started();
-  worker_ = std::jthread([this, number, work = std::move(work), done = std::move(done),
-                          failed = std::move(failed)](const std::stop_token& stop) {
+  workers_[number] = std::jthread([this, number, work = std::move(work), done = std::move(done),
+                                   failed = std::move(failed)](const std::stop_token& stop) {
     const Progress progress = [this, number](double fraction) {
       QMetaObject::invokeMethod(
           this,
@@ -40,6 +43,7 @@ void BackgroundTask::begin(std::function<void(const std::stop_token&, const Prog
     QMetaObject::invokeMethod(
         this,
         [this, number, deliver] {
+          workers_.erase(number);  // it has nothing left to do
           if (number != number_) return;
           running_ = false;
           deliver();

@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <stop_token>
 #include <thread>
@@ -26,10 +28,11 @@ class BackgroundTask final : public QObject {
   ~BackgroundTask() override;
 
   bool is_running() const noexcept { return running_; }
-  void cancel() { worker_.request_stop(); }
+  void cancel();
 
-  /// Runs `work`, then one of the two on the GUI thread. A task that still runs is cancelled and
-  /// waited for first. `failed` gets what an exception says.
+  /// Runs `work`, then one of the two on the GUI thread. Work that still runs is cancelled, and what
+  /// comes of it is dropped; it may go on beside the new one until it notices, so that nobody waits:
+  /// work that writes is begun only when nothing is running. `failed` gets what an exception says.
   template <class Result>
   void run(std::function<Result(const std::stop_token&, const Progress&)> work,
            std::function<void(Result)> done, std::function<void(QString)> failed) {
@@ -50,9 +53,9 @@ class BackgroundTask final : public QObject {
   void begin(std::function<void(const std::stop_token&, const Progress&)> work,
              std::function<void()> done, std::function<void(QString)> failed);
 
-  std::jthread worker_{};
+  std::map<std::uint64_t, std::jthread> workers_{};  ///< by number of the run; the last one counts
   bool running_ = false;
-  std::uint64_t number_ = 0;  ///< of the run; what an earlier one delivers late is dropped
+  std::uint64_t number_ = 0;
 };
 
 }  // namespace asperity

@@ -47,6 +47,25 @@ TEST(BackgroundTask, SaysWhatAnExceptionSays) {
   EXPECT_EQ(said, "no such photograph");
 }
 
+TEST(BackgroundTask, BeginsAnewWithoutWaitingForWhatItReplaces) {
+  std::atomic<bool> may_end{false};  // outlives the task, which waits at its end
+  BackgroundTask task{};
+  QSignalSpy finished(&task, &BackgroundTask::finished);
+  task.run<int>(
+      [&may_end](const std::stop_token&, const BackgroundTask::Progress&) {
+        while (!may_end) QThread::yieldCurrentThread();  // deaf to being stopped
+        return 1;
+      },
+      [](int) { FAIL() << "it was replaced"; }, [](const QString&) { FAIL(); });
+  int result = 0;
+  task.run<int>([](const std::stop_token&, const BackgroundTask::Progress&) { return 2; },
+                [&result](int value) { result = value; }, [](const QString&) { FAIL(); });
+  EXPECT_TRUE(finished.wait(5000));
+  EXPECT_EQ(result, 2);
+  EXPECT_FALSE(task.is_running());
+  may_end = true;
+}
+
 TEST(BackgroundTask, StopsItsWorkWhenItIsDestroyed) {
   std::atomic<bool> stopped{false};
   {
