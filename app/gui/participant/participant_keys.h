@@ -23,6 +23,8 @@ struct ParticipantAction {
   What what = What::confirm;
   int number = 0;
   QString text{};
+
+  bool operator==(const ParticipantAction&) const = default;
 };
 
 /// What a key stands for, by the text that it types; nothing where the scene has no use for it.

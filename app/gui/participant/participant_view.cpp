@@ -325,9 +325,9 @@ void ParticipantView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const QPointF at = to_page(event->position());
   if (const std::optional<std::size_t> item = item_at(at)) {
-    press_ = Press{.item = *item, .at = at, .time_ns = time_ns};
-    if (!scene_->is_assignment || scene_->kind != Scene::Kind::question) return;
     const Item& pressed = items_[*item];
+    press_ = Press{.item = pressed, .at = at, .time_ns = time_ns};
+    if (!scene_->is_assignment || scene_->kind != Scene::Kind::question) return;
     press_->letter = pressed.kind == Item::Kind::chip ? pressed.text : pressed.given_to;
   }
 }
@@ -357,18 +357,18 @@ void ParticipantView::mouseReleaseEvent(QMouseEvent* event) {
   const std::optional<std::size_t> item = item_at(to_page(event->position()));
   if (press.dragging) {
     drop(press, item, released_ns);
-  } else if (item == press.item) {
-    act(Action(*items_[*item].action), press.time_ns, "mouse");
+  } else if (item && items_[*item].action == press.item.action) {
+    act(Action(*press.item.action), press.time_ns, "mouse");
   }
 }
 
 /// A surface's letter let go over a picture is given to it; drawn off its picture, it is taken back.
 void ParticipantView::drop(const Press& press, std::optional<std::size_t> item,
                            std::int64_t time_ns) {
-  const Item& from = items_[press.item];
+  const Item& from = press.item;
   ParticipantInput input{.kind = ParticipantInput::Kind::assign};
   if (item && items_[*item].kind == Item::Kind::picture) {
-    if (*item == press.item) return;
+    if (items_[*item].action == from.action) return;
     input.number = items_[*item].action->number;
     for (std::size_t i = 0; i < scene_->surfaces.size(); ++i) {
       if (QString::fromStdString(scene_->surfaces[i].code) == press.letter) {

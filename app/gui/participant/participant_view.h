@@ -91,7 +91,7 @@ class ParticipantView final : public QWidget {
 
  private:
   struct Press {
-    std::size_t item = 0;
+    ParticipantItem item{};  ///< as it was: cues come and go under a hand
     QPointF at{};
     std::int64_t time_ns = 0;
     QString letter{};  ///< of the surface that a drag from here carries; empty: none

@@ -172,6 +172,36 @@ TEST(ParticipantView, TakesASurfaceBackThatIsDraggedOffItsPicture) {
   EXPECT_EQ(seat.last().surface, 0);
 }
 
+// A cue is one more thing in the picture, and goes by itself after some seconds.
+TEST(ParticipantView, KeepsWhatIsUnderTheHandWhenACueComesOrGoes) {
+  for (const bool first_with_cue : {true, false}) {
+    Seat seat{};
+    ParticipantScene quiet = scenes::matching(4);
+    quiet.cue.clear();
+    quiet.choices[3].assigned_to = "C";
+    ParticipantScene with_cue = quiet;
+    with_cue.cue = "Please give surface D a picture first.";
+    with_cue.cue_number = 7;
+    seat.show(first_with_cue ? with_cue : quiet);
+    const QPoint from = seat.place_of(Item::Kind::picture, "4");
+    const std::size_t things = seat.view.items().size();
+    QTest::mousePress(&seat.view, Qt::LeftButton, {}, from);
+    QTest::mouseMove(&seat.view, from + QPoint(30, 30));
+    seat.show(first_with_cue ? quiet : with_cue);
+    ASSERT_NE(seat.view.items().size(), things);
+    QTest::mouseMove(&seat.view, QPoint(683, 40));
+    QTest::mouseRelease(&seat.view, Qt::LeftButton, {}, QPoint(683, 40));
+    EXPECT_EQ(seat.last().kind, Kind::assign);
+    EXPECT_EQ(seat.last().number, 4);
+    EXPECT_EQ(seat.last().surface, 0);
+    QTest::mousePress(&seat.view, Qt::LeftButton, {}, from);
+    seat.show(first_with_cue ? with_cue : quiet);
+    QTest::mouseRelease(&seat.view, Qt::LeftButton, {}, from);
+    EXPECT_EQ(seat.last().kind, Kind::option);
+    EXPECT_EQ(seat.last().number, 4);
+  }
+}
+
 TEST(ParticipantView, AssignsByKeysAlone) {
   Seat seat{};
   ParticipantScene scene = scenes::matching(3);
