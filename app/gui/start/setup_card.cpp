@@ -122,7 +122,10 @@ void SetupCard::fix_hand(bool left) {
   hand_text_->setText(tr("As the session began: it goes on with the same hand."));
 }
 
+void SetupCard::forget_hand() { hand_chosen_ = false; }
+
 void SetupCard::free_hand() {
+  if (right_->isEnabled()) return;  // what somebody chose stays
   right_->setEnabled(true);
   left_->setEnabled(true);
   hand_chosen_ = false;

@@ -23,6 +23,8 @@ class SetupCard final : public QWidget {
   /// As the session began; it cannot be chosen any more.
   void fix_hand(bool left);
   void free_hand();
+  /// Another person: what was chosen for the one before says nothing about them.
+  void forget_hand();
   /// Nobody sits there in a simulation: no screen and no keyboard.
   void set_virtual(bool is_virtual);
 
