@@ -123,9 +123,19 @@ StateLabel::StateLabel(QWidget* parent) : QLabel(parent) { setWordWrap(true); }
 
 void StateLabel::set_state(State state, const QString& text) {
   state_ = state;
+  words_ = text;
+  write();
+}
+
+void StateLabel::write() {
   setTextFormat(Qt::RichText);
   setText(QString("<span style='color:%1'><b>%2</b></span>&nbsp; %3")
-              .arg(color_of(state).name(), shape_of(state), text.toHtmlEscaped()));
+              .arg(color_of(state_).name(), shape_of(state_), words_.toHtmlEscaped()));
+}
+
+void StateLabel::changeEvent(QEvent* event) {
+  QLabel::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && !text().isEmpty()) write();
 }
 
 Banner::Banner(QWidget* parent) : QFrame(parent) {
@@ -152,17 +162,30 @@ Banner::Banner(QWidget* parent) : QFrame(parent) {
 
 void Banner::show_news(State state, const QString& text, const QString& action,
                        std::function<void()> on_action) {
-  const QString color = color_of(state).name();
-  setStyleSheet(QString("asperity--Banner { background: %1; border: 1px solid %2; "
-                        "border-left: 6px solid %2; border-radius: 4px; }")
-                    .arg(theme().panel.name(), color));
+  state_ = state;
+  restyle();
   shape_->setText(shape_of(state));
-  shape_->setStyleSheet("color: " + color);
   text_->setText(text);
   action_->setText(action);
   action_->setVisible(!action.isEmpty());
   on_action_ = std::move(on_action);
   show();
+}
+
+void Banner::restyle() {
+  const QString color = color_of(state_).name();
+  const QString style = QString(
+                            "asperity--Banner { background: %1; border: 1px solid %2; "
+                            "border-left: 6px solid %2; border-radius: 4px; }")
+                            .arg(theme().panel.name(), color);
+  if (style == styleSheet()) return;  // a style sheet may change the palette in its turn
+  setStyleSheet(style);
+  shape_->setStyleSheet("color: " + color);
+}
+
+void Banner::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && shape_ != nullptr) restyle();
 }
 
 QString Banner::text() const { return text_->text(); }
@@ -215,10 +238,12 @@ void style_table(QTableView& table) {
   table.setShowGrid(false);
   table.setAlternatingRowColors(false);
   table.setWordWrap(false);
+  table.setTabKeyNavigation(false);  // by Tab one comes past it, by arrows through it
   table.verticalHeader()->hide();
   table.verticalHeader()->setDefaultSectionSize(kControlHeight);
   table.horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table.horizontalHeader()->setStretchLastSection(true);
+  table.horizontalHeader()->setHighlightSections(false);
   auto* copy = new QShortcut(QKeySequence::Copy, &table);
   copy->setContext(Qt::WidgetShortcut);
   QObject::connect(copy, &QShortcut::activated, &table, [&table] { copy_selection(table); });

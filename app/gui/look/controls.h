@@ -34,7 +34,8 @@ QLabel* make_text(const QString& text, QWidget* parent, bool muted = false);
 /// A panel with a border; its layout has the usual margins.
 QFrame* make_card(QWidget* parent, QVBoxLayout*& layout);
 
-/// How something stands, as a shape and a word: never colour alone.
+/// How something stands, as a shape and a word: never colour alone. In the colours of the theme,
+/// also when that changes.
 enum class State { fine, look, stop, unknown };
 class StateLabel final : public QLabel {
   Q_OBJECT
@@ -44,13 +45,20 @@ class StateLabel final : public QLabel {
   void set_state(State state, const QString& text);
   State state() const noexcept { return state_; }
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void write();
+
   State state_ = State::unknown;
+  QString words_{};
 };
 QString shape_of(State state);
 QColor color_of(State state);
 
-/// News in place, with the button that helps. Hidden until `show_news`.
+/// News in place, with the button that helps, in the colours of the theme, also when that changes.
+/// Hidden until `show_news`.
 class Banner final : public QFrame {
   Q_OBJECT
  public:
@@ -60,7 +68,13 @@ class Banner final : public QFrame {
                  std::function<void()> on_action = {});
   QString text() const;
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void restyle();
+
+  State state_ = State::unknown;
   QLabel* shape_ = nullptr;
   QLabel* text_ = nullptr;
   QPushButton* action_ = nullptr;
@@ -87,7 +101,7 @@ class EmptyState final : public QWidget {
 };
 
 /// Rows are selected as a whole, sorted by a click on a header, and copied as tab-separated text by
-/// Ctrl+C.
+/// Ctrl+C. Tab goes on to what comes after the table.
 void style_table(QTableView& table);
 
 }  // namespace asperity

@@ -76,12 +76,6 @@ void FaultPanel::restyle() {
   if (style == styleSheet()) return;
   setStyleSheet(style);
   shape_->setStyleSheet("color: " + color);
-  // The style's own box is hardly seen on a dark ground.
-  safe_->setStyleSheet(
-      QString("QCheckBox::indicator { width: 16px; height: 16px; border: 2px solid "
-              "%1; border-radius: 3px; } "
-              "QCheckBox::indicator:checked { background: %2; border-color: %2; }")
-          .arg(theme().muted.name(), theme().press.name()));
 }
 
 void FaultPanel::changeEvent(QEvent* event) {

@@ -296,7 +296,6 @@ PlanTable::PlanTable(QWidget* parent) : QWidget(parent) {
   view_->horizontalHeader()->setSectionResizeMode(kTrialColumn, QHeaderView::Fixed);
   view_->horizontalHeader()->setSectionResizeMode(kConditionColumn, QHeaderView::Fixed);
   view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  view_->setColumnWidth(kTrialColumn, 88);
   view_->setItemDelegateForColumn(kTrialColumn, new NumberDelegate(view_));
   view_->setFocusPolicy(Qt::TabFocus);
   view_->installEventFilter(this);
@@ -320,14 +319,17 @@ void PlanTable::set_blind(bool blind) {
 }
 
 void PlanTable::fit_columns() {
+  constexpr int kPadding = 16;
   int widest = 0;
   const QFontMetrics letters(text_font(TextSize::body, true));
+  // The trial under way is marked, and its number is what the experimenter looks for.
+  const int marked = letters.horizontalAdvance(QString("▶ %1").arg(model_->rowCount()));
+  view_->setColumnWidth(kTrialColumn, marked + 2 * kPadding);
   for (int row = 0; row < model_->rowCount(); ++row) {
     if (model_->is_heading(row)) continue;
     widest = std::max(
         widest, letters.horizontalAdvance(model_->index(row, kConditionColumn).data().toString()));
   }
-  constexpr int kPadding = 16;
   constexpr int kOutcome = 176;  // longer names are in the tool tip
   const int room = view_->viewport()->width() - view_->columnWidth(kTrialColumn) - kOutcome;
   view_->setColumnWidth(kConditionColumn, std::clamp(widest + kPadding, 72, std::max(room, 72)));

@@ -89,10 +89,8 @@ StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
   setModel(filter);
   style_table(*this);
   setSelectionMode(QAbstractItemView::SingleSelection);
-  setTabKeyNavigation(false);
   setTextElideMode(Qt::ElideRight);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setStretchLastSection(false);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const int column = static_cast<int>(i);
@@ -103,8 +101,8 @@ StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
     if (columns[i].width == 0) {
       horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
     }
+    widths_.push_back(columns[i].width);
   }
-  fit_columns();
   sortByColumn(0, Qt::AscendingOrder);
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
     if (!filling_) emit row_selected(selected_key());
@@ -121,21 +119,26 @@ void StudyTable::fill(const std::vector<Row>& rows) {
     row.cells.front()->setData(row.key, kKey);
     rows_->appendRow(row.cells);
   }
-  fit_columns();
   if (!selected.isEmpty()) select(selected);
+  widen_columns();
   filling_ = false;
   emit row_selected(selected_key());
 }
 
-// The widths are made for English words; other languages have longer ones.
-void StudyTable::fit_columns() {
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const int width = columns_[i].width;
-    if (width == 0) continue;
-    const int column = static_cast<int>(i);
-    const int name = horizontalHeader()->fontMetrics().horizontalAdvance(columns_[i].name);
-    const int cells = std::min(sizeHintForColumn(column) + kGrid, width + width / 3);
-    setColumnWidth(column, std::max({width, name + 2 * kGrid, cells}));
+// Other languages have longer words than the widths were chosen for. Never narrower: somebody may have
+// drawn a column wider.
+void StudyTable::widen_columns() {
+  for (int column = 0; column < shown_->columnCount(); ++column) {
+    const int declared = widths_[static_cast<std::size_t>(column)];
+    if (declared == 0 || isColumnHidden(column)) continue;
+    constexpr int kPadding = 22;  // of a header, as the style sheet says
+    const QString name = shown_->headerData(column, Qt::Horizontal).toString();
+    const int wanted =
+        std::max(sizeHintForColumn(column),
+                 horizontalHeader()->fontMetrics().horizontalAdvance(name) + kPadding);
+    // Of a text that is longer still the tool tip says the rest.
+    const int given = std::min(wanted, declared * 3 / 2);
+    if (given > columnWidth(column)) setColumnWidth(column, given);
   }
 }
 
@@ -155,6 +158,16 @@ void StudyTable::select(const QString& key) {
 QString StudyTable::selected_key() const {
   const QModelIndexList rows = selectionModel()->selectedRows();
   return rows.isEmpty() ? QString{} : key_at(rows.front());
+}
+
+void StudyTable::hide_when_narrower(int column, int width) {
+  narrowest_[column] = width;
+  setColumnHidden(column, this->width() < width);
+}
+
+void StudyTable::resizeEvent(QResizeEvent* event) {
+  for (const auto& [column, narrowest] : narrowest_) setColumnHidden(column, width() < narrowest);
+  QTableView::resizeEvent(event);
 }
 
 int StudyTable::shown_rows() const { return shown_->rowCount(); }

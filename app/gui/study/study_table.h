@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -45,6 +46,8 @@ class StudyTable final : public QTableView {
   void set_filter(const QString& words);
   void select(const QString& key);
   QString selected_key() const;  ///< empty when nothing is selected
+  /// The column is left out while the table is narrower than this.
+  void hide_when_narrower(int column, int width);
   int shown_rows() const;
   QString text_at(int row, int column) const;  ///< as shown
 
@@ -54,15 +57,17 @@ class StudyTable final : public QTableView {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QString key_at(const QModelIndex& shown) const;
-  void fit_columns();
+  void widen_columns();
 
   QStandardItemModel* rows_ = nullptr;
   QSortFilterProxyModel* shown_ = nullptr;
-  std::vector<Column> columns_{};
   bool filling_ = false;
+  std::vector<int> widths_{};       ///< as declared
+  std::map<int, int> narrowest_{};  ///< by column, the table's width from which on it is shown
 };
 
 }  // namespace asperity

@@ -178,7 +178,6 @@ QWidget* WelcomePage::make_recent_card() {
   style_table(*recent_);
   recent_->setSortingEnabled(false);
   recent_->setSelectionMode(QAbstractItemView::SingleSelection);
-  recent_->setTabKeyNavigation(false);
   recent_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   recent_->horizontalHeader()->setStretchLastSection(false);
   recent_->setColumnWidth(0, 240);

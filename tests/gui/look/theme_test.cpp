@@ -42,5 +42,14 @@ TEST(Theme, HasReadableContrastLightAndDark) {
   apply_theme(*qApp, ThemeChoice::light);
 }
 
+TEST(Theme, GoesBackToThatOfTheSystem) {
+  apply_theme(*qApp, ThemeChoice::system);
+  const bool system_is_dark = theme().dark;
+  apply_theme(*qApp, system_is_dark ? ThemeChoice::light : ThemeChoice::dark);
+  apply_theme(*qApp, ThemeChoice::system);
+  EXPECT_EQ(theme().dark, system_is_dark);
+  apply_theme(*qApp, ThemeChoice::light);
+}
+
 }  // namespace
 }  // namespace asperity

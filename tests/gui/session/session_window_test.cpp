@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include <QtCore/QRegularExpression>
+#include <QtGui/QFontMetrics>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractItemView>
@@ -18,6 +19,7 @@
 #include <QtWidgets/QTableView>
 #include <gtest/gtest.h>
 
+#include "app/gui/look/theme.h"
 #include "app/gui/session/live_plots.h"
 #include "app/gui/session/plan_table.h"
 #include "tests/gui/session/filled_monitor.h"
@@ -107,6 +109,17 @@ TEST(SessionWindow, SaysWhichSessionItIsAndHowFarItIs) {
   EXPECT_EQ(find<QLabel>(*window, "now").text(), "Trial 17: feeling S2, 6.2 s");
   EXPECT_TRUE(find<QLabel>(*window, "health").text().contains("1000 Hz · p99 31 µs late"));
   EXPECT_TRUE(find<QLabel>(*window, "stored").text().contains("attempts stored: 18"));
+}
+
+TEST(SessionWindow, ShowsTheWholeNumberOfTheTrialUnderWay) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  const auto window = session.window();
+  const auto& plan = find<QTableView>(*window, "plan");
+  const QFontMetrics letters(text_font(TextSize::body, true));
+  constexpr int kCellPadding = 24;
+  EXPECT_GE(plan.columnWidth(0), letters.horizontalAdvance("▶ 17") + kCellPadding);
 }
 
 TEST(SessionWindow, ShowsNoNameAnywhereWhileItIsBlind) {
