@@ -217,6 +217,15 @@ QString group_text(AnswerGroup group) {
   return {};
 }
 
+QString people_text(int count) {
+  return count == 1 ? AnalysisPage::tr("1 participant")
+                    : AnalysisPage::tr("%n participants", nullptr, count);
+}
+
+QString answers_text(int count) {
+  return count == 1 ? AnalysisPage::tr("1 answer") : AnalysisPage::tr("%n answers", nullptr, count);
+}
+
 QString question_of(const AnalysisOutcome& outcome) {
   if (outcome.kind == "selection") {
     return AnalysisPage::tr("Which rendering was chosen as the most realistic?");
@@ -251,11 +260,10 @@ QWidget* make_outcome(const AnalysisOutcome& outcome) {
     break;
   }
   layout->addWidget(make_text(
-      AnalysisPage::tr("%1 %2 · %3 · %n answer(s) counted", nullptr,
-                       static_cast<int>(outcome.answers))
+      AnalysisPage::tr("%1 %2 · %3 · %4 counted")
           .arg(QString::fromStdString(outcome.protocol), QString::fromStdString(outcome.version),
-               AnalysisPage::tr("%n participant(s)", nullptr,
-                                static_cast<int>(outcome.count.participants))),
+               people_text(static_cast<int>(outcome.count.participants)),
+               answers_text(static_cast<int>(outcome.answers))),
       page, true));
   for (const std::string& remark : outcome.remarks) {
     auto* line = new StateLabel(page);
@@ -391,9 +399,10 @@ void AnalysisPage::show_outcomes(std::vector<AnalysisOutcome> outcomes) {
   outcomes_ = std::move(outcomes);
   list_->clear();
   for (const AnalysisOutcome& outcome : outcomes_) {
-    list_->addItem(tr("%1 %2\n%3 · %n answer(s)", nullptr, static_cast<int>(outcome.answers))
+    list_->addItem(tr("%1 %2\n%3 · %4")
                        .arg(QString::fromStdString(outcome.protocol),
-                            QString::fromStdString(outcome.version), group_text(outcome.group)));
+                            QString::fromStdString(outcome.version), group_text(outcome.group),
+                            answers_text(static_cast<int>(outcome.answers))));
   }
   stack_->setCurrentIndex(outcomes_.empty() ? 0 : 1);
   export_->setEnabled(!outcomes_.empty());
@@ -430,7 +439,7 @@ void AnalysisPage::export_to(const QString& folder) {
       },
       [this, folder](std::size_t files) {
         banner_->show_news(State::fine,
-                           tr("%n file(s) are in %1; codebook.tsv says what every column means.",
+                           tr("%n files are in %1; codebook.tsv says what every column means.",
                               nullptr, static_cast<int>(files))
                                .arg(folder));
       },
