@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <QtCore/QDateTime>
-#include <QtCore/QSettings>
 #include <QtCore/QTimer>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QGuiApplication>
@@ -36,7 +35,6 @@ constexpr int kFrame_ms = 16;  // a little faster than 60 Hz, so that no bin wai
 constexpr int kReadable_ms = 250;  // numbers that change faster cannot be read
 // A fault that is still there after this was not cleared.
 constexpr int kClearing_ms = 3000;
-const char* const kGeometryKey = "session_window/geometry";
 
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(to_ns - from_ns);
@@ -120,7 +118,6 @@ SessionWindow::SessionWindow(SessionMonitor& monitor, SessionRequests& requests,
   // Not to the first button: the participant's Space would press it.
   setFocus();
   resize(1366, 720);
-  restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
   write_blindness();
   refresh();
   auto* frames = new QTimer(this);
@@ -718,7 +715,6 @@ bool SessionWindow::may_close() {
 void SessionWindow::closeEvent(QCloseEvent* event) {
   if (!may_close()) return event->ignore();
   event->accept();
-  QSettings().setValue(kGeometryKey, saveGeometry());
   if (!closed_) {
     closed_ = true;
     emit closed();
@@ -745,6 +741,13 @@ bool SessionWindow::focusNextPrevChild(bool next) {
   if (by_tab) return QWidget::focusNextPrevChild(next);
   setFocus();
   return true;
+}
+
+void SessionWindow::tell_screen_lost(const QString& name) {
+  news_->show_news(State::look,
+                   tr("The participant's screen “%1” is gone. The session pauses after "
+                      "this trial; their window stands on the screen that is left.")
+                       .arg(name));
 }
 
 void SessionWindow::screen_left(QScreen* screen) {

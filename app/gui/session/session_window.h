@@ -74,6 +74,8 @@ class SessionWindow final : public QWidget {
   void refresh();
   /// How it ended, where that is known; otherwise the counts of the monitor decide what is said.
   void show_end(const asperity::SessionEnd& end);
+  /// Where the participant's screen was unplugged, and the session was asked to pause.
+  void tell_screen_lost(const QString& name);
   /// The session could not begin, or broke off: says so, and lets the window close.
   void show_failure(const QString& what);
 

@@ -50,43 +50,6 @@ std::uint64_t new_seed() {
   return (std::uint64_t{source()} << 32U) | source();
 }
 
-QString kind_text(ProtocolKind kind) {
-  switch (kind) {
-    case ProtocolKind::selection:
-      return StartPage::tr("selection");
-    case ProtocolKind::matching:
-      return StartPage::tr("matching");
-    case ProtocolKind::recognition:
-      break;
-  }
-  return StartPage::tr("recognition");
-}
-
-QString vision_text(Vision vision) {
-  switch (vision) {
-    case Vision::free:
-      return StartPage::tr("hand and screen seen");
-    case Vision::hand_occluded:
-      return StartPage::tr("hand hidden, screen seen");
-    case Vision::blindfold:
-      break;
-  }
-  return StartPage::tr("blindfold");
-}
-
-QString noise_text(const Protocol::Noise& noise) {
-  const QString level = noise.level_dBA ? QString::number(*noise.level_dBA, 'f', 0) : QString();
-  switch (noise.kind) {
-    case Protocol::Noise::Kind::none:
-      return StartPage::tr("no masking noise");
-    case Protocol::Noise::Kind::white:
-      return StartPage::tr("white masking noise %1 dBA").arg(level);
-    case Protocol::Noise::Kind::pink:
-      break;
-  }
-  return StartPage::tr("pink masking noise %1 dBA").arg(level);
-}
-
 /// Several sentences as one text: the first few, and how many more there are.
 QString text_of_reasons(const std::vector<QString>& reasons) {
   QStringList shown{};
@@ -295,6 +258,7 @@ void StartPage::connect_parts() {
   });
   connect(participant_, &ParticipantCard::person_changed, this, [this] {
     consent_->forget();
+    setup_->forget_hand();
     resume_ = false;
     show_mode();
   });
@@ -325,12 +289,14 @@ void StartPage::connect_parts() {
   connect(&simulate_task_, &BackgroundTask::progressed, this, [this](double fraction) {
     progress_->setValue(static_cast<int>(fraction * progress_->maximum()));
   });
-  connect(&simulate_task_, &BackgroundTask::finished, this, [this] { show_start(); });
+  connect(&simulate_task_, &BackgroundTask::started, this, [this] { emit simulating(true); });
+  connect(&simulate_task_, &BackgroundTask::finished, this, [this] {
+    emit simulating(false);
+    show_start();
+  });
   connect(&study_, &OpenStudy::changed, this, [this] {
-    list_protocols();
-    read_study();
-    show_person();
-    check_soon();
+    stale_ = !isVisible();
+    if (!stale_) read_again();
   });
 }
 
@@ -446,13 +412,13 @@ void StartPage::show_protocol() {
       QString::fromStdString(protocol_->title.empty() ? protocol_->name : protocol_->title);
   const QString head =
       tr("%1 · version %2 · SHA-256 %3")
-          .arg(kind_text(protocol_->kind), QString::fromStdString(protocol_->version),
+          .arg(text_of_kind(protocol_->kind), QString::fromStdString(protocol_->version),
                QString::fromStdString(short_hash(protocol_sha256_)));
   const QString trials = cost.trials == 1 ? tr("1 trial") : tr("%n trials", nullptr, cost.trials);
   const QString tail =
       tr("%1, about %2 · %3 · %4")
-          .arg(trials, text_of_duration(cost.total_s), vision_text(protocol_->vision),
-               noise_text(protocol_->masking_noise));
+          .arg(trials, text_of_duration(cost.total_s), text_of_vision(protocol_->vision),
+               text_of_noise(protocol_->masking_noise));
   protocol_text_->setTextFormat(Qt::RichText);
   protocol_text_->setText(
       QString("<b>%1</b><br>%2<br>%3")
@@ -658,16 +624,23 @@ std::vector<QString> StartPage::reasons() const {
   return reasons;
 }
 
+void StartPage::read_again() {
+  list_protocols();
+  read_study();
+  show_person();
+  check_soon();
+}
+
 void StartPage::check_soon() {
   checks_.reset();
   show_start();
-  check_timer_->start();
+  if (isVisible()) check_timer_->start();
 }
 
 void StartPage::check() {
   check_timer_->stop();
   checks_.reset();
-  if (file_.empty()) return;
+  if (file_.empty() || !isVisible()) return;
   if (check_task_.is_running()) {
     // The loop that it tries runs for a while yet: nobody waits for it here.
     check_task_.cancel();
@@ -693,7 +666,7 @@ void StartPage::check() {
         return check_session(inputs, models, stop);
       },
       [this](std::vector<SessionCheck> checks) {
-        if (check_outdated_ || check_timer_->isActive()) return;
+        if (check_outdated_ || check_timer_->isActive() || !isVisible()) return;
         check_list_->set_running(false);
         check_list_->set_checks(checks);
         checks_ = std::move(checks);
@@ -788,7 +761,21 @@ void StartPage::simulate_several() {
 
 void StartPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  check_soon();
+  setProperty("keep",
+              tr("Theme and language are changed from another page: what is filled in for a "
+                 "session would be lost."));
+  if (std::exchange(stale_, false)) {
+    read_again();
+  } else {
+    check_soon();
+  }
+}
+
+void StartPage::hideEvent(QHideEvent* event) {
+  check_timer_->stop();
+  check_task_.cancel();
+  setProperty("keep", {});
+  QWidget::hideEvent(event);
 }
 
 }  // namespace asperity

@@ -47,7 +47,8 @@ class StateLabel;
 /// One virtual participant in a simulation makes a SessionOrder like anybody else; several are
 /// simulated here in the background, with progress, and reported.
 ///
-/// Only reads the study; whoever starts the session writes it.
+/// Only reads the study; whoever starts the session writes it. Looks at nothing while it is hidden:
+/// the checklist runs the servo loop, which nobody may do beside a session.
 class StartPage final : public QWidget {
   Q_OBJECT
  public:
@@ -59,6 +60,7 @@ class StartPage final : public QWidget {
   void choose(const std::filesystem::path& protocol, const std::optional<std::string>& participant,
               bool resume);
   void set_mode(SessionMode mode);
+  SessionMode mode() const noexcept { return mode_; }
 
   /// What keeps the session from starting, a sentence each; empty when it can start.
   std::vector<QString> reasons() const;
@@ -67,11 +69,14 @@ class StartPage final : public QWidget {
 
  signals:
   void start_wanted(const asperity::SessionOrder& order);
+  /// Several virtual participants begin their sessions, or no longer go through them.
+  void simulating(bool now);
   /// Several virtual participants were simulated; somebody wants to see their sessions.
   void sessions_wanted();
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   void make_protocol_card(QVBoxLayout& column);
@@ -86,6 +91,7 @@ class StartPage final : public QWidget {
   void show_noise();
   void show_mode();
   void read_study();
+  void read_again();
   void show_person();
   void show_start();
   void go_on(bool wanted);
@@ -108,6 +114,7 @@ class StartPage final : public QWidget {
   SessionMode mode_ = SessionMode::run;
   std::optional<UnfinishedSession> unfinished_{};
   bool resume_ = false;
+  bool stale_ = false;  ///< the study has changed while the page was hidden
   std::optional<std::vector<SessionCheck>> checks_{};  ///< absent: not up to date
   bool check_outdated_ = false;  ///< what is looked at now is to be looked at once more
   // What the study holds, as last read.

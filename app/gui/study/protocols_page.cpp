@@ -14,7 +14,6 @@
 #include "app/gui/study/progress_cell.h"
 #include "app/gui/study/sessions_page.h"
 #include "app/gui/study/shown_text.h"
-#include "app/gui/study/simulation_panel.h"
 #include "app/gui/study/study_table.h"
 #include "app/tasks/protocol_templates.h"
 #include "protocols/library_protocols.h"
@@ -24,42 +23,6 @@ namespace asperity {
 namespace {
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-QString text_of_kind(ProtocolKind kind) {
-  switch (kind) {
-    case ProtocolKind::selection:
-      return ProtocolsPage::tr("selection");
-    case ProtocolKind::matching:
-      return ProtocolsPage::tr("matching");
-    case ProtocolKind::recognition:
-      break;
-  }
-  return ProtocolsPage::tr("recognition");
-}
-
-QString text_of_vision(Vision vision) {
-  switch (vision) {
-    case Vision::free:
-      return ProtocolsPage::tr("sees everything");
-    case Vision::hand_occluded:
-      return ProtocolsPage::tr("hand occluded");
-    case Vision::blindfold:
-      break;
-  }
-  return ProtocolsPage::tr("blindfold");
-}
-
-QString text_of_noise(const Protocol::Noise& noise) {
-  switch (noise.kind) {
-    case Protocol::Noise::Kind::white:
-      return ProtocolsPage::tr("white masking noise");
-    case Protocol::Noise::Kind::pink:
-      return ProtocolsPage::tr("pink masking noise");
-    case Protocol::Noise::Kind::none:
-      break;
-  }
-  return ProtocolsPage::tr("no masking noise");
-}
 
 QString counted(int count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(count);
@@ -165,7 +128,7 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   connect(watcher_, &QFileSystemWatcher::fileChanged, this, &ProtocolsPage::refresh);
   watch_files();
   read_with<std::vector<ProtocolOverview>>(
-      Need::always,
+      Need::when_shown,  // it builds every stimulus: not beside a session that runs
       [&models = study.models()](const Study& own, const std::stop_token& stop) {
         return protocol_overviews(own, models, stop);
       },
@@ -202,7 +165,7 @@ QWidget* ProtocolsPage::make_detail() {
   }
   row->addSpacing(kGrid);
   row->addWidget(reason_, 1);
-  close_ = make_button({}, ButtonRole::link, card);
+  close_ = make_button(tr("Close the plan"), ButtonRole::link, card);
   close_->setObjectName("protocol_close_below");
   row->addWidget(close_);
   layout->addSpacing(kGrid);
@@ -225,8 +188,7 @@ QWidget* ProtocolsPage::make_detail() {
   problems_->setTextElideMode(Qt::ElideNone);
   problems_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   plan_ = new PlanPreview(PlanPreview::Shape::wide, below_);
-  simulation_ = new SimulationPanel(study(), below_);
-  for (QWidget* widget : std::initializer_list<QWidget*>{scroll, problems_, plan_, simulation_}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{scroll, problems_, plan_}) {
     below_->addWidget(widget);
   }
   layout->addWidget(below_, 1);
@@ -243,9 +205,12 @@ QWidget* ProtocolsPage::make_detail() {
     plan_->show_protocol(*selected()->check.protocol);
     show_below(plan);
   });
-  connect(simulate_, &QPushButton::clicked, this, [this] { show_below(simulation); });
+  connect(simulate_, &QPushButton::clicked, this, [this] {
+    if (const ProtocolOverview* protocol = selected()) {
+      emit session_wanted({.protocol = protocol->check.file, .simulate = true});
+    }
+  });
   connect(close_, &QPushButton::clicked, this, [this] { show_below(what_it_asks); });
-  connect(simulation_, &SimulationPanel::sessions_wanted, this, &ProtocolsPage::sessions_wanted);
   return card;
 }
 
@@ -319,19 +284,17 @@ void ProtocolsPage::show_selected() {
         {QString::number(i), {number_cell(problem.line), text_cell(text(problem.message))}});
   }
   problems_->fill(rows);
-  simulation_->set_protocol(file, text(overview->name()));
   if (!valid) {
     show_below(problems);
   } else if (below_->currentIndex() == plan) {
     plan_->show_protocol(*protocol);
-  } else if (below_->currentIndex() != simulation) {
+  } else {
     show_below(what_it_asks);
   }
 }
 
 void ProtocolsPage::show_below(Below below) {
-  close_->setVisible(below == plan || below == simulation);
-  close_->setText(below == plan ? tr("Close the plan") : tr("Close the simulation"));
+  close_->setVisible(below == plan);
   below_->setCurrentIndex(below);
 }
 

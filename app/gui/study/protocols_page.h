@@ -15,7 +15,6 @@ class QStackedWidget;
 namespace asperity {
 
 class PlanPreview;
-class SimulationPanel;
 class StudyTable;
 
 class ProtocolsPage final : public StudyPage {
@@ -29,10 +28,9 @@ class ProtocolsPage final : public StudyPage {
  signals:
   void session_wanted(const asperity::SessionWish& wish);
   void edit_wanted(const QString& file);
-  void sessions_wanted(const QString& protocol_name);
 
  private:
-  enum Below { what_it_asks, problems, plan, simulation };
+  enum Below { what_it_asks, problems, plan };
 
   QWidget* make_detail();
   void add_templates(QPushButton* button);
@@ -56,13 +54,12 @@ class ProtocolsPage final : public StudyPage {
   QPushButton* edit_ = nullptr;
   QPushButton* preview_ = nullptr;
   QPushButton* simulate_ = nullptr;
-  QPushButton* close_ = nullptr;  ///< of what is shown below
+  QPushButton* close_ = nullptr;  ///< of the plan below
   QLabel* reason_ = nullptr;
   QStackedWidget* below_ = nullptr;
   QLabel* description_ = nullptr;
   StudyTable* problems_ = nullptr;
   PlanPreview* plan_ = nullptr;
-  SimulationPanel* simulation_ = nullptr;
 };
 
 }  // namespace asperity

@@ -69,6 +69,12 @@ void SessionDesk::take_study(OpenStudy& study) {
   study_ = &study;
   start_page_ = new StartPage(study);
   window_.add_page(kStartPage, {}, start_page_);
+  connect(start_page_, &StartPage::simulating, this, [this](bool simulating) {
+    window_.set_busy(
+        simulating
+            ? tr("Virtual participants go through their sessions. Stop the simulation first.")
+            : QString());
+  });
   connect(start_page_, &StartPage::start_wanted, this, &SessionDesk::begin);
   connect(start_page_, &StartPage::sessions_wanted, this,
           [this] { window_.show_page("sessions"); });
@@ -76,8 +82,15 @@ void SessionDesk::take_study(OpenStudy& study) {
 
 void SessionDesk::choose(const SessionWish& wish) {
   if (runner_ != nullptr) {
+    window_.banner().show_news(
+        State::look, tr("One session at a time: close the window of the one that is open first."));
     if (session_window_ != nullptr) session_window_->raise();
     return;
+  }
+  if (wish.simulate) {
+    start_page_->set_mode(SessionMode::simulate);
+  } else if (!wish.participant && start_page_->mode() == SessionMode::simulate) {
+    start_page_->set_mode(SessionMode::run);
   }
   start_page_->choose(wish.protocol, wish.participant, wish.resume);
   window_.show_page(kStartPage);
@@ -88,8 +101,15 @@ void SessionDesk::begin(const SessionOrder& order) {
   runner_ = std::make_unique<SessionRunner>(nullptr, make_sound_);
   runner_->start(order);
   window_.set_busy(tr("A session is running. End it in its own window first."));
+  window_.show_page("sessions");  // the page before a session has done its part
   if (!order.inputs.is_virtual) open_participant_window();
   open_session_window();
+  // First of all: the session's window may close at once, and then nothing is busy any more.
+  const auto is_over = [this] {
+    window_.set_busy(tr("The window of the session that has ended is open. Close it first."));
+  };
+  connect(runner_.get(), &SessionRunner::ended, this, is_over);
+  connect(runner_.get(), &SessionRunner::failed, this, is_over);
   connect(runner_.get(), &SessionRunner::attempt_done, study_, &OpenStudy::announce_change);
   connect(runner_.get(), &SessionRunner::ended, session_window_, &SessionWindow::show_end);
   connect(runner_.get(), &SessionRunner::failed, session_window_, &SessionWindow::show_failure);
@@ -118,10 +138,10 @@ void SessionDesk::open_participant_window() {
           [this, runner](const QString& name) {
             runner->requests().remark("screen_lost", name.toStdString());
             runner->requests().pause();
-            window_.banner().show_news(
-                State::look, tr("The participant's screen %1 is gone. The session pauses after "
-                                "this trial; their window stands on the screen that is left.")
-                                 .arg(name));
+            // Once the experimenter's window is there, and has said what it says of any screen.
+            QTimer::singleShot(0, this, [this, name] {
+              if (session_window_ != nullptr) session_window_->tell_screen_lost(name);
+            });
           });
   participant_window_->open_on(runner_->order().participant_screen);
 }
@@ -187,9 +207,6 @@ void SessionDesk::finish(const QString& next_page) {
   if (!next_page.isEmpty()) window_.show_page(next_page);
   if (auto* analysis = qobject_cast<AnalysisPage*>(window_.page("analysis"))) {
     analysis->choose(protocol);
-  }
-  if (start_page_ != nullptr && window_.shown_page() == kStartPage) {
-    window_.show_page("protocols");
   }
   study_->announce_change();
   window_.raise();

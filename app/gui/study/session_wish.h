@@ -14,6 +14,7 @@ struct SessionWish {
   std::filesystem::path protocol{};          ///< file
   std::optional<std::string> participant{};  ///< label; otherwise asked for
   bool resume = false;                       ///< the participant's unfinished session goes on
+  bool simulate = false;                     ///< by virtual participants
 };
 
 }  // namespace asperity

@@ -108,12 +108,13 @@ SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
                            {tr("Protocol"), 0, Align::text},
                            {tr("Mode"), 112, Align::text},
                            {tr("State"), 128, Align::text},
-                           {tr("Started"), 192, Align::text},
-                           {tr("Duration"), 88, Align::number},
+                           {tr("Started"), 176, Align::text},
+                           {tr("Duration"), 104, Align::number},
                            {tr("Trials"), 104, Align::number},
-                           {tr("Notes"), 72, Align::number}},
+                           {tr("Notes"), 80, Align::number}},
                           this);
   table_->setObjectName("sessions_table");
+  table_->hide_when_narrower(6, 1120);  // the page of the session's trials says it as well
   table_->sortByColumn(5, Qt::DescendingOrder);
   table_->setItemDelegateForColumn(3, new BandDelegate(table_));
   body().addWidget(table_, 1);
@@ -134,8 +135,7 @@ SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
 
   connect(filter_, &QLineEdit::textChanged, table_, &StudyTable::set_filter);
   connect(table_, &StudyTable::row_selected, this, &SessionsPage::show_selected);
-  connect(table_, &StudyTable::row_opened, this,
-          [this](const QString& key) { emit session_opened(key.toLongLong()); });
+  connect(table_, &StudyTable::row_opened, this, [this] { open_->click(); });
   connect(open_, &QPushButton::clicked, this,
           [this] { emit session_opened(table_->selected_key().toLongLong()); });
   connect(resume_, &QPushButton::clicked, this, [this] {
@@ -184,17 +184,19 @@ const SessionOverview* SessionsPage::selected() const {
 
 void SessionsPage::show_selected() {
   const SessionOverview* session = selected();
-  open_->setEnabled(session != nullptr);
-  const bool simulated = session != nullptr && session->row.mode == SessionMode::simulate;
-  resume_->setEnabled(session != nullptr && session->is_unfinished() && !simulated);
+  // Whoever runs it may not know yet what was felt and whether it was right.
+  const bool is_blind =
+      session != nullptr && session->is_running && session->row.mode == SessionMode::run;
+  open_->setEnabled(session != nullptr && !is_blind);
+  resume_->setEnabled(session != nullptr && session->is_unfinished());
   if (session == nullptr) {
     reason_->setText(tr("Select a session."));
+  } else if (is_blind) {
+    reason_->setText(tr("It is running: until it ends, its own window shows what may be known."));
   } else if (session->is_running) {
     reason_->setText(tr("It is running, here or in another program."));
   } else if (session->row.state == SessionState::completed) {
     reason_->setText(tr("It is complete: there is nothing to go on with."));
-  } else if (simulated) {
-    reason_->setText(tr("A simulation goes on from the page Protocols."));
   } else {
     reason_->setText(tr("%1 of %2 trials are done and safe.")
                          .arg(session->done_trials)

@@ -50,4 +50,43 @@ QString text_of_duration(double duration_s) {
       .arg(minutes % 60, 2, 10, QChar('0'));
 }
 
+QString text_of_kind(ProtocolKind kind) {
+  switch (kind) {
+    case ProtocolKind::selection:
+      return QCoreApplication::translate("asperity::ShownText", "selection");
+    case ProtocolKind::matching:
+      return QCoreApplication::translate("asperity::ShownText", "matching");
+    case ProtocolKind::recognition:
+      break;
+  }
+  return QCoreApplication::translate("asperity::ShownText", "recognition");
+}
+
+QString text_of_vision(Vision vision) {
+  switch (vision) {
+    case Vision::free:
+      return QCoreApplication::translate("asperity::ShownText", "hand and screen seen");
+    case Vision::hand_occluded:
+      return QCoreApplication::translate("asperity::ShownText", "hand hidden, screen seen");
+    case Vision::blindfold:
+      break;
+  }
+  return QCoreApplication::translate("asperity::ShownText", "blindfold");
+}
+
+QString text_of_noise(const Protocol::Noise& noise) {
+  const bool is_pink = noise.kind == Protocol::Noise::Kind::pink;
+  if (noise.kind == Protocol::Noise::Kind::none) {
+    return QCoreApplication::translate("asperity::ShownText", "no masking noise");
+  }
+  if (!noise.level_dBA) {
+    return is_pink ? QCoreApplication::translate("asperity::ShownText", "pink masking noise")
+                   : QCoreApplication::translate("asperity::ShownText", "white masking noise");
+  }
+  const QString text =
+      is_pink ? QCoreApplication::translate("asperity::ShownText", "pink masking noise, %1 dBA")
+              : QCoreApplication::translate("asperity::ShownText", "white masking noise, %1 dBA");
+  return text.arg(*noise.level_dBA, 0, 'f', 0);
+}
+
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// How paths, times and durations are written on the pages of a study.
+// How paths, times, durations and what a protocol asks for are written on the pages of a study.
 
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QString>
 
+#include "protocols/protocol.h"
 #include "results_schema/rows.h"
 
 namespace asperity {
@@ -20,5 +21,11 @@ std::filesystem::path path_of_text(const QString& text);
 QString text_of_time(const std::string& utc);
 /// "42 min", "1 h 05 min", "18 s"
 QString text_of_duration(double duration_s);
+
+QString text_of_kind(ProtocolKind kind);
+/// "hand hidden, screen seen"
+QString text_of_vision(Vision vision);
+/// "pink masking noise, 65 dBA"
+QString text_of_noise(const Protocol::Noise& noise);
 
 }  // namespace asperity

@@ -46,7 +46,6 @@ void StudyWindow::add_pages() {
     show_page("sessions");
   };
   connect(participants, &ParticipantsPage::sessions_wanted, this, show_sessions);
-  connect(protocols, &ProtocolsPage::sessions_wanted, this, show_sessions);
   connect(protocols, &ProtocolsPage::session_wanted, this, &StudyWindow::session_wanted);
   connect(protocols, &ProtocolsPage::edit_wanted, this, [this, editor](const QString& file) {
     show_page("editor");

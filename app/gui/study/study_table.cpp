@@ -78,8 +78,7 @@ void strike_through(const QList<QStandardItem*>& cells) {
 
 StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
     : QTableView(parent),
-      rows_(new QStandardItemModel(0, static_cast<int>(columns.size()), this)),
-      columns_(columns) {
+      rows_(new QStandardItemModel(0, static_cast<int>(columns.size()), this)) {
   auto* filter = new WordFilter(this);
   filter->setSourceModel(rows_);
   filter->setSortRole(kValue);

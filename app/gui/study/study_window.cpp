@@ -207,6 +207,17 @@ bool StudyWindow::refuse_when_busy() {
   return true;
 }
 
+bool StudyWindow::refuse_to_refill() {
+  if (refuse_when_busy()) return true;
+  for (int i = 0; i < pages_->count(); ++i) {
+    const QString reason = pages_->widget(i)->property("keep").toString();
+    if (reason.isEmpty()) continue;
+    banner_->show_news(State::look, reason);
+    return true;
+  }
+  return false;
+}
+
 void StudyWindow::watch_folder() {
   if (study_ == nullptr || Study::exists(study_->folder())) return;
   banner_->show_news(State::stop,
@@ -312,14 +323,14 @@ void StudyWindow::show_about() { (new AboutDialog(this))->open(); }
 
 // Menus, pages and the banner are made anew: not while one of them is still at work.
 void StudyWindow::choose_theme(ThemeChoice choice) {
-  if (must_stay([this, choice] { choose_theme(choice); })) return;
+  if (refuse_to_refill() || must_stay([this, choice] { choose_theme(choice); })) return;
   remember_theme(choice);
   apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), choice);
   QMetaObject::invokeMethod(this, &StudyWindow::refill, Qt::QueuedConnection);
 }
 
 void StudyWindow::choose_language(const QString& code) {
-  if (must_stay([this, code] { choose_language(code); })) return;
+  if (refuse_to_refill() || must_stay([this, code] { choose_language(code); })) return;
   remember_language(code);
   apply_language(code);
   QMetaObject::invokeMethod(this, &StudyWindow::refill, Qt::QueuedConnection);

@@ -30,7 +30,8 @@ class WelcomePage;
 /// What other parts of the program rely on:
 /// - `add_page` puts a page into the navigation; one without a name is reached by `show_page` only.
 /// - After `study_opened` every page is there and belongs to that study; pages are made anew with
-///   every study, theme and language.
+///   every study, theme and language. A page with something half done that would be lost says so in
+///   its property "keep", a sentence: theme and language then stay, and the sentence is shown.
 /// - `session_wanted` says that somebody wants to run a session; whoever runs sessions connects it.
 ///   Until then the pages offer no session to start.
 /// - Whatever takes the pages away asks first when the protocol editor has unsaved changes.
@@ -84,6 +85,7 @@ class StudyWindow final : public QMainWindow {
   /// Busy, or the editor asks what is to become of unsaved changes and does `again` afterwards.
   bool must_stay(std::function<void()> again);
   ProtocolEditorPage* editor() const;
+  bool refuse_to_refill();
   void choose_theme(ThemeChoice choice);
   void choose_language(const QString& code);
   void ask_for_new_study();

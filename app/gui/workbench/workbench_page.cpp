@@ -471,6 +471,7 @@ void WorkbenchPage::take(std::shared_ptr<const Opened> opened) {
     hint_->setVisible(!hint.isEmpty());
   }
   name_->setText(study_name(opened_->file));
+  keep_unsaved(has_recipe);
   show_preview(opened_->preview);
   strip_->choose(Step::relief);
   choose_step(Step::relief);
@@ -488,6 +489,7 @@ TextureRecipe WorkbenchPage::recipe() const {
 
 void WorkbenchPage::recompute() {
   if (opened_ == nullptr || opened_->reduced.values.empty()) return;
+  keep_unsaved(true);
   const bool dragging = std::any_of(forms_.begin(), forms_.end(),
                                     [](const ParameterForm* form) { return form->is_dragging(); });
   work_.ask(
@@ -627,6 +629,14 @@ void WorkbenchPage::show_forces() {
   relief_->set_trail(std::move(trail_m));
 }
 
+/// For the window, which makes its pages anew in another theme or language.
+void WorkbenchPage::keep_unsaved(bool unsaved) {
+  setProperty("keep", unsaved
+                          ? tr("The relief in the workbench is not saved and would be lost: save "
+                               "it, then change theme or language.")
+                          : QString());
+}
+
 void WorkbenchPage::check_name() {
   QString problem{};
   const QString name = name_->text();
@@ -679,6 +689,7 @@ void WorkbenchPage::save(Overwrite overwrite) {
         return 0;
       },
       [this, shown = name_->text()](int) {
+        keep_unsaved(false);
         banner_->show_news(
             State::fine,
             tr("Saved as stimuli/%1.png, with its sidecar and stimuli/%1_photo.png.").arg(shown));

@@ -93,6 +93,7 @@ class WorkbenchPage final : public QWidget {
   void show_line(double y_m);
   void show_forces();
   void check_name();
+  void keep_unsaved(bool unsaved);
   void save(Overwrite overwrite);
 
   OpenStudy& study_;

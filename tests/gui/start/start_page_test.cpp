@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include <QtCore/QSettings>
+#include <QtCore/QTimer>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -325,6 +326,46 @@ TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.is_running(); }, kPatience_ms));
   ASSERT_EQ(ended.size(), 1);
   EXPECT_EQ(ended.first().first().value<SessionEnd>().attempts, 2);
+}
+
+TEST_F(TheStartPage, KeepsTheHandThatSomebodyChose) {
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  click("left_hand");
+  click("mode_pilot");
+  type("question_age", "31");
+  pick("question_hand_used", "right");
+  study->announce_change();
+  EXPECT_TRUE(page->order().inputs.mirrored) << "it was chosen after all that is suggested";
+  type("participant_label", "P777");
+  EXPECT_FALSE(page->order().inputs.mirrored) << "somebody else is suggested their own";
+}
+
+// A session runs then, as likely as not, and the checklist would run a second servo loop beside it.
+TEST_F(TheStartPage, LooksAtNothingWhileItIsHidden) {
+  const auto looks_soon = [this] {
+    const QList<QTimer*> timers =
+        page->findChildren<QTimer*>(QString(), Qt::FindDirectChildrenOnly);
+    return std::any_of(timers.begin(), timers.end(), [](QTimer* one) { return one->isActive(); });
+  };
+  page->show();
+  page->choose(protocol, std::nullopt, false);
+  ASSERT_TRUE(wait_for_checks());
+  page->hide();
+  const QString suggested = find<QLineEdit>("participant_label").text();
+  {
+    Study other = Study::open(folder, Access::read_write);
+    ParticipantRow person{};
+    person.label = suggested.toStdString();
+    person.created_utc = "2026-03-02T08:00:00Z";
+    other.add_participant(person);
+  }
+  study->announce_change();
+  EXPECT_FALSE(looks_soon());
+  EXPECT_EQ(find<QLineEdit>("participant_label").text(), suggested);
+  page->show();
+  EXPECT_TRUE(looks_soon());
+  EXPECT_NE(find<QLineEdit>("participant_label").text(), suggested);
 }
 
 TEST_F(TheStartPage, GoesOnAtOnceWhenItIsToldTo) {

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include <QtCore/QPointer>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -10,7 +11,6 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QPushButton>
-#include <QtWidgets/QSpinBox>
 
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/editor/protocol_text_edit.h"
@@ -197,23 +197,46 @@ TEST_F(StudyPages, EditAProtocolInTheWindowAndLoseNothingOfIt) {
   EXPECT_TRUE(eventually([&] { return !window_.isVisible(); }));
 }
 
-TEST_F(StudyPages, SimulateAProtocolAndShowItsSessions) {
+TEST_F(StudyPages, SayWhichProtocolIsToBeSimulated) {
   open_demo();
-  StudyTable& table = table_of("protocols", "protocols_table", 3);
-  table.select(QString::fromStdString(
-      (window_.study()->folder() / "protocols" / "chapter_recognition.json").string()));
+  table_of("protocols", "protocols_table", 3);
+  QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
   click("protocol_simulate");
-  child<QSpinBox>(window_, "simulation_participants").setValue(1);
-  take_screenshot(window_, "study-simulate");
-  click("simulation_begin");
-  auto& show = child<QPushButton>(window_, "simulation_show");
-  ASSERT_TRUE(eventually([&] { return show.isVisible(); }))
-      << child<QLabel>(window_, "simulation_outcome").text().toStdString();
-  click("simulation_show");
-  const StudyTable& sessions = table_of("sessions", "sessions_table", 1);
-  EXPECT_EQ(sessions.text_at(0, 0), "virtual0001");
-  EXPECT_EQ(sessions.text_at(0, 3), "Simulated");
-  EXPECT_EQ(sessions.text_at(0, 4), "✓ complete");
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_TRUE(wanted[0][0].value<SessionWish>().simulate);
+}
+
+TEST_F(StudyPages, TellNothingOfTheTrialsOfABlindSessionThatRuns) {
+  const std::filesystem::path folder = small_demo_study();
+  fill_with_people(folder);
+  const StudyLock running(folder, Study::session_lock_name("P012"));
+  {
+    Study study = Study::open(folder, Access::read_write);
+    for (const SessionRow& session : study.sessions()) {
+      if (session.participant == "P012") study.reopen_session(session.id);
+    }
+  }
+  ASSERT_TRUE(window_.open_study(folder));
+  StudyTable& table = table_of("sessions", "sessions_table", 15);
+  child<QLineEdit>(window_, "sessions_filter").setText("P012");
+  table.setFocus();
+  table.selectRow(0);
+  EXPECT_EQ(table.text_at(0, 4), "· running now");
+  EXPECT_FALSE(child<QPushButton>(window_, "sessions_open").isEnabled());
+  QTest::keyClick(&table, Qt::Key_Return);
+  EXPECT_EQ(window_.shown_page(), "sessions");
+}
+
+TEST_F(StudyPages, LeaveRoomForTheProtocolOfASession) {
+  open_lively();
+  const StudyTable& table = table_of("sessions", "sessions_table", 15);
+  for (const int width : {1250, 1366, 1920}) {
+    window_.resize(width, 768);
+    QCoreApplication::processEvents();
+    QStringList widths{};
+    for (int each = 0; each < 9; ++each) widths << QString::number(table.columnWidth(each));
+    EXPECT_GE(table.columnWidth(2), 200) << width << ": " << widths.join(' ').toStdString();
+  }
 }
 
 TEST_F(StudyPages, KeepVirtualParticipantsApart) {
@@ -333,10 +356,12 @@ TEST_F(StudyPages, SayWhatToDoWhereThereIsNothing) {
 TEST_F(StudyPages, StayWithTheStudyWhenTheThemeChanges) {
   open_lively();
   table_of("sessions", "sessions_table", 15);
+  const QPointer<QWidget> before = window_.page("sessions");
   for (QAction* action : window_.findChildren<QAction*>()) {
     if (action->text() == "&Dark") action->trigger();
   }
-  ASSERT_TRUE(eventually([] { return theme().dark; }));
+  ASSERT_TRUE(theme().dark);
+  ASSERT_TRUE(eventually([&before] { return before.isNull(); })) << "its pages are made anew";
   ASSERT_TRUE(eventually([&] {
     auto* table = window_.findChild<StudyTable*>("sessions_table");
     return table != nullptr && table->shown_rows() == 15;
