@@ -384,19 +384,28 @@ void AnalysisPage::showEvent(QShowEvent* event) {
 
 void AnalysisPage::refresh() {
   outdated_ = false;
-  analysis_.run<std::vector<AnalysisOutcome>>(
+  analysis_.run<Analysis>(
       [folder = study_.folder()](const std::stop_token&, const BackgroundTask::Progress&) {
-        return analyze_study(Study::open(folder, Access::read_only));
+        const Study study = Study::open(folder, Access::read_only);
+        Analysis analysis{analyze_study(study), {}};
+        for (const SessionRow& session : study.sessions()) {
+          const bool runs =
+              session.state == SessionState::open && session.mode == SessionMode::run &&
+              StudyLock::holder(folder, Study::session_lock_name(session.participant));
+          if (runs) analysis.running.insert(study.protocol(session.protocol_id).name);
+        }
+        return analysis;
       },
-      [this](std::vector<AnalysisOutcome> outcomes) { show_outcomes(std::move(outcomes)); },
+      [this](Analysis analysis) { show_analysis(std::move(analysis)); },
       [this](const QString& what) {
         banner_->show_news(State::stop, what, tr("Try again"), [this] { refresh(); });
       });
 }
 
-void AnalysisPage::show_outcomes(std::vector<AnalysisOutcome> outcomes) {
+void AnalysisPage::show_analysis(Analysis analysis) {
   const int shown = std::max(0, list_->currentRow());
-  outcomes_ = std::move(outcomes);
+  outcomes_ = std::move(analysis.outcomes);
+  running_ = std::move(analysis.running);
   list_->clear();
   for (const AnalysisOutcome& outcome : outcomes_) {
     list_->addItem(tr("%1 %2\n%3 · %4")
@@ -415,7 +424,15 @@ void AnalysisPage::show_outcomes(std::vector<AnalysisOutcome> outcomes) {
 
 void AnalysisPage::show_outcome(int index) {
   if (index < 0) return;
-  area_->setWidget(make_outcome(outcomes_.at(static_cast<std::size_t>(index))));
+  const AnalysisOutcome& outcome = outcomes_.at(static_cast<std::size_t>(index));
+  if (outcome.group == AnswerGroup::people && running_.contains(outcome.protocol)) {
+    area_->setWidget(new EmptyState(
+        tr("Blind while a session runs"),
+        tr("A session of %1 is running. Its counts by name are shown when it is over.")
+            .arg(QString::fromStdString(outcome.protocol))));
+    return;
+  }
+  area_->setWidget(make_outcome(outcome));
 }
 
 void AnalysisPage::ask_where_to_export() {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,13 @@ class AnalysisPage final : public QWidget {
 
  private:
   void refresh();
-  void show_outcomes(std::vector<AnalysisOutcome> outcomes);
+  struct Analysis {
+    std::vector<AnalysisOutcome> outcomes{};
+    /// Protocols with a session in mode run that is running now: nobody who runs it is to see counts
+    /// by name.
+    std::set<std::string> running{};
+  };
+  void show_analysis(Analysis analysis);
   void show_outcome(int index);
   void select_wanted();
   void ask_where_to_export();
@@ -49,6 +56,7 @@ class AnalysisPage final : public QWidget {
   bool outdated_ = true;
   std::string wanted_{};  ///< the protocol to show next
   std::vector<AnalysisOutcome> outcomes_{};
+  std::set<std::string> running_{};
   Banner* banner_ = nullptr;
   QStackedWidget* stack_ = nullptr;
   QListWidget* list_ = nullptr;

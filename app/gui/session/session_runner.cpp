@@ -114,7 +114,7 @@ void SessionRunner::fail(const std::string& what) {
     text +=
         tr("The force is at zero and the session has stopped. Every finished trial is stored "
            "(%n of them in this stretch). When the cause is mended, go on with this session "
-           "from the start page.",
+           "from the page Sessions.",
            nullptr, attempts_);
   } else {
     text +=

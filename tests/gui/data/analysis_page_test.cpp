@@ -1,5 +1,7 @@
 #include "app/gui/data/analysis_page.h"
 
+#include <memory>
+
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QFileDialog>
@@ -112,6 +114,28 @@ TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
   ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 10000));
   EXPECT_TRUE(std::filesystem::exists(made.beside("tables") / "responses.tsv"));
   EXPECT_TRUE(banner->text().contains("codebook.tsv")) << banner->text().toStdString();
+}
+
+TEST(AnalysisPage, TellsNothingByNameWhileASessionRuns) {
+  MadeUpStudy made;
+  add_choices(made, 15);
+  const std::int64_t protocol = made.study().sessions().front().protocol_id;
+  made.study().add_participant({.label = "p99"});
+  SessionRow session = made.study().sessions().front();
+  session.participant = "p99";
+  session.protocol_id = protocol;
+  session.session = 0;
+  session.state = SessionState::open;
+  session.ended_utc.reset();
+  made.study().add_session(session, {});
+  const auto lock = std::make_unique<StudyLock>(made.folder(), Study::session_lock_name("p99"));
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(10000));
+  EXPECT_EQ(page.findChild<QLabel*>("answer"), nullptr);
+  EXPECT_TRUE(page.findChildren<QTableView*>().isEmpty());
 }
 
 TEST(AnalysisPage, ReadsAgainWhenTheStudyChanges) {
