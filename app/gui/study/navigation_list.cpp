@@ -95,7 +95,7 @@ void NavigationList::make_room() {
   for (int row = 0; row < count(); ++row) {
     const int words = name.horizontalAdvance(item(row)->text()) +
                       number.horizontalAdvance(item(row)->data(kCount).toString());
-    width = std::max(width, words + 3 * kMargin);
+    width = std::max(width, words + 2 * kMargin + kGrid);
   }
   setFixedWidth(width);
 }
