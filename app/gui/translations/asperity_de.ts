@@ -112,11 +112,11 @@
     <name>FormWords</name>
     <message>
         <source>As it is</source>
-        <translation>Wie sie ist</translation>
+        <translation>Original</translation>
     </message>
     <message>
         <source>Equalized</source>
-        <translation>Ausgeglichen</translation>
+        <translation>Egalisiert</translation>
     </message>
     <message>
         <source>&lt;p&gt;%1.&lt;/p&gt;&lt;p&gt;In files: %2&lt;/p&gt;</source>
@@ -511,7 +511,7 @@
     </message>
     <message>
         <source>Light evened</source>
-        <translation>Licht ausgeglichen</translation>
+        <translation>Ebenes Licht</translation>
     </message>
     <message>
         <source>Long waves</source>
@@ -531,7 +531,7 @@
     </message>
     <message>
         <source>Its brightness alone; with “Equalize” every brightness is equally frequent.</source>
-        <translation>Nur seine Helligkeit; mit „Ausgeglichen“ ist jede Helligkeit gleich häufig.</translation>
+        <translation>Nur seine Helligkeit; mit „Egalisiert“ ist jede Helligkeit gleich häufig.</translation>
     </message>
     <message>
         <source>Slow changes of the lighting are weakened and fine detail is raised.</source>
@@ -646,20 +646,6 @@
         <source>Was the felt texture recognised among the pictures?</source>
         <translation>Wurde die gefühlte Textur unter den Bildern erkannt?</translation>
     </message>
-    <message numerus="yes">
-        <source>%1 %2 · %3 · %n answer(s) counted</source>
-        <translation>
-            <numerusform>%1 %2 · %3 · %n Antwort gezählt</numerusform>
-            <numerusform>%1 %2 · %3 · %n Antworten gezählt</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n participant(s)</source>
-        <translation>
-            <numerusform>%n Versuchsperson</numerusform>
-            <numerusform>%n Versuchspersonen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>How it was computed</source>
         <translation>Wie es berechnet wurde</translation>
@@ -700,16 +686,6 @@
         <source>Try again</source>
         <translation>Erneut versuchen</translation>
     </message>
-    <message numerus="yes">
-        <source>%1 %2
-%3 · %n answer(s)</source>
-        <translation>
-            <numerusform>%1 %2
-%3 · %n Antwort</numerusform>
-            <numerusform>%1 %2
-%3 · %n Antworten</numerusform>
-        </translation>
-    </message>
     <message>
         <source>There are no sessions to export yet.</source>
         <translation>Es gibt noch keine Sitzungen zu exportieren.</translation>
@@ -718,8 +694,40 @@
         <source>A new folder for the tables</source>
         <translation>Ein neuer Ordner für die Tabellen</translation>
     </message>
+    <message>
+        <source>1 participant</source>
+        <translation>1 Versuchsperson</translation>
+    </message>
     <message numerus="yes">
-        <source>%n file(s) are in %1; codebook.tsv says what every column means.</source>
+        <source>%n participants</source>
+        <translation>
+            <numerusform>%n Versuchsperson</numerusform>
+            <numerusform>%n Versuchspersonen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 answer</source>
+        <translation>1 Antwort</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n answers</source>
+        <translation>
+            <numerusform>%n Antwort</numerusform>
+            <numerusform>%n Antworten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 %2 · %3 · %4 counted</source>
+        <translation>%1 %2 · %3 · %4 gezählt</translation>
+    </message>
+    <message>
+        <source>%1 %2
+%3 · %4</source>
+        <translation>%1 %2
+%3 · %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files are in %1; codebook.tsv says what every column means.</source>
         <translation>
             <numerusform>%n Datei liegt in %1; codebook.tsv sagt, was jede Spalte bedeutet.</numerusform>
             <numerusform>%n Dateien liegen in %1; codebook.tsv sagt, was jede Spalte bedeutet.</numerusform>
@@ -1942,7 +1950,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <name>asperity::ParameterForm</name>
     <message>
         <source>default</source>
-        <translation>Vorgabe</translation>
+        <translation>üblich</translation>
     </message>
     <message>
         <source>↺ Reset</source>
@@ -1950,7 +1958,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>The default is %1.</source>
-        <translation>Die Vorgabe ist %1.</translation>
+        <translation>Üblich ist %1.</translation>
     </message>
 </context>
 <context>
@@ -3183,6 +3191,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>Pause</source>
         <translation>Anhalten</translation>
     </message>
+    <message>
+        <source>Done (F5)</source>
+        <translation>Fertig (F5)</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionsPage</name>
@@ -3735,7 +3747,7 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
     <message>
         <source>Pitch, µm</source>
-        <translation>Abstand, µm</translation>
+        <translation>Raster, µm</translation>
     </message>
     <message>
         <source>RMS, µm</source>

@@ -14,31 +14,21 @@
 <context>
     <name>asperity::AnalysisPage</name>
     <message numerus="yes">
-        <source>%1 %2 · %3 · %n answer(s) counted</source>
-        <translation>
-            <numerusform>%1 %2 · %3 · %n answer counted</numerusform>
-            <numerusform>%1 %2 · %3 · %n answers counted</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n participant(s)</source>
+        <source>%n participants</source>
         <translation>
             <numerusform>%n participant</numerusform>
             <numerusform>%n participants</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 %2
-%3 · %n answer(s)</source>
+        <source>%n answers</source>
         <translation>
-            <numerusform>%1 %2
-%3 · %n answer</numerusform>
-            <numerusform>%1 %2
-%3 · %n answers</numerusform>
+            <numerusform>%n answer</numerusform>
+            <numerusform>%n answers</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n file(s) are in %1; codebook.tsv says what every column means.</source>
+        <source>%n files are in %1; codebook.tsv says what every column means.</source>
         <translation>
             <numerusform>%n file is in %1; codebook.tsv says what every column means.</numerusform>
             <numerusform>%n files are in %1; codebook.tsv says what every column means.</numerusform>
