@@ -624,7 +624,7 @@
     </message>
     <message>
         <source>people</source>
-        <translation>Versuchspersonen</translation>
+        <translation>Personen</translation>
     </message>
     <message>
         <source>pilot sessions</source>
@@ -2514,42 +2514,6 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
 <context>
     <name>asperity::ProtocolsPage</name>
     <message>
-        <source>selection</source>
-        <translation>Auswahl</translation>
-    </message>
-    <message>
-        <source>matching</source>
-        <translation>Zuordnung</translation>
-    </message>
-    <message>
-        <source>recognition</source>
-        <translation>Wiedererkennung</translation>
-    </message>
-    <message>
-        <source>sees everything</source>
-        <translation>sieht alles</translation>
-    </message>
-    <message>
-        <source>hand occluded</source>
-        <translation>Hand verdeckt</translation>
-    </message>
-    <message>
-        <source>blindfold</source>
-        <translation>Augenmaske</translation>
-    </message>
-    <message>
-        <source>white masking noise</source>
-        <translation>weißes Maskierrauschen</translation>
-    </message>
-    <message>
-        <source>pink masking noise</source>
-        <translation>rosa Maskierrauschen</translation>
-    </message>
-    <message>
-        <source>no masking noise</source>
-        <translation>kein Maskierrauschen</translation>
-    </message>
-    <message>
         <source>1 trial</source>
         <translation>1 Durchgang</translation>
     </message>
@@ -2672,10 +2636,6 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Close the plan</source>
         <translation>Plan schließen</translation>
-    </message>
-    <message>
-        <source>Close the simulation</source>
-        <translation>Simulation schließen</translation>
     </message>
 </context>
 <context>
@@ -2947,8 +2907,16 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>Eine Sitzung läuft. Zuerst in ihrem eigenen Fenster beenden.</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen %1 is gone. The session pauses after this trial; their window stands on the screen that is left.</source>
-        <translation>Der Bildschirm %1 der Versuchsperson ist weg. Die Sitzung hält nach diesem Durchgang an; das Fenster der Versuchsperson steht auf dem Bildschirm, der übrig ist.</translation>
+        <source>Virtual participants go through their sessions. Stop the simulation first.</source>
+        <translation>Virtuelle Versuchspersonen gehen durch ihre Sitzungen. Zuerst die Simulation stoppen.</translation>
+    </message>
+    <message>
+        <source>One session at a time: close the window of the one that is open first.</source>
+        <translation>Nur eine Sitzung auf einmal: zuerst das Fenster der offenen schließen.</translation>
+    </message>
+    <message>
+        <source>The window of the session that has ended is open. Close it first.</source>
+        <translation>Das Fenster der beendeten Sitzung ist noch offen. Es zuerst schließen.</translation>
     </message>
 </context>
 <context>
@@ -3195,6 +3163,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>Done (F5)</source>
         <translation>Fertig (F5)</translation>
     </message>
+    <message>
+        <source>The participant&apos;s screen “%1” is gone. The session pauses after this trial; their window stands on the screen that is left.</source>
+        <translation>Der Bildschirm „%1“ der Versuchsperson ist weg. Die Sitzung hält nach diesem Durchgang an; das Fenster der Versuchsperson steht auf dem Bildschirm, der übrig ist.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionsPage</name>
@@ -3303,10 +3275,6 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>Sie ist vollständig: Es gibt nichts fortzusetzen.</translation>
     </message>
     <message>
-        <source>A simulation goes on from the page Protocols.</source>
-        <translation>Eine Simulation wird auf der Seite „Protokolle“ fortgesetzt.</translation>
-    </message>
-    <message>
         <source>%1 of %2 trials are done and safe.</source>
         <translation>%1 von %2 Durchgängen sind abgeschlossen und sicher.</translation>
     </message>
@@ -3317,6 +3285,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>%1; analyses leave it out: %2</source>
         <translation>%1; Auswertungen lassen sie weg: %2</translation>
+    </message>
+    <message>
+        <source>It is running: until it ends, its own window shows what may be known.</source>
+        <translation>Sie läuft: Bis sie endet, zeigt ihr eigenes Fenster, was bekannt sein darf.</translation>
     </message>
 </context>
 <context>
@@ -3404,72 +3376,6 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>%1 h %2 min</source>
         <translation>%1 h %2 min</translation>
     </message>
-</context>
-<context>
-    <name>asperity::SimulationPanel</name>
-    <message>
-        <source>A virtual hand feels every surface and arithmetic answers: the sessions run as fast as this machine can, and are marked as simulated for ever.</source>
-        <translation>Eine virtuelle Hand fühlt jede Oberfläche, und Arithmetik antwortet: Die Sitzungen laufen so schnell, wie dieser Rechner kann, und sind für immer als simuliert gekennzeichnet.</translation>
-    </message>
-    <message>
-        <source>Virtual participants to add</source>
-        <translation>Neue virtuelle Versuchspersonen</translation>
-    </message>
-    <message>
-        <source>Seed (the same seed gives the same answers)</source>
-        <translation>Startwert (derselbe gibt dieselben Antworten)</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Show the sessions</source>
-        <translation>Sitzungen zeigen</translation>
-    </message>
-    <message>
-        <source>Stopping after the trials under way…</source>
-        <translation>Stoppt nach den laufenden Durchgängen…</translation>
-    </message>
-    <message>
-        <source>Simulate %1</source>
-        <translation>%1 simulieren</translation>
-    </message>
-    <message>
-        <source>Simulating %1…</source>
-        <translation>%1 wird simuliert…</translation>
-    </message>
-    <message>
-        <source>%1 sessions with %2 attempts, in %3</source>
-        <translation>%1 Sitzungen mit %2 Versuchen, in %3</translation>
-    </message>
-    <message>
-        <source>Cancelled after %1. What is finished is stored.</source>
-        <translation>Abgebrochen nach %1. Was fertig ist, ist gespeichert.</translation>
-    </message>
-    <message>
-        <source>Simulated: %1.</source>
-        <translation>Simuliert: %1.</translation>
-    </message>
-    <message>
-        <source>The simulation ended: %1</source>
-        <translation>Die Simulation ist beendet: %1</translation>
-    </message>
-    <message>
-        <source>Simulate 1 participant</source>
-        <translation>1 Versuchsperson simulieren</translation>
-    </message>
-    <message>
-        <source>Simulate %1 participants</source>
-        <translation>%1 Versuchspersonen simulieren</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::StartPage</name>
     <message>
         <source>selection</source>
         <translation>Auswahl</translation>
@@ -3499,13 +3405,24 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>kein Maskierrauschen</translation>
     </message>
     <message>
-        <source>white masking noise %1 dBA</source>
-        <translation>weißes Maskierrauschen %1 dB(A)</translation>
+        <source>pink masking noise</source>
+        <translation>rosa Maskierrauschen</translation>
     </message>
     <message>
-        <source>pink masking noise %1 dBA</source>
-        <translation>rosa Maskierrauschen %1 dB(A)</translation>
+        <source>white masking noise</source>
+        <translation>weißes Maskierrauschen</translation>
     </message>
+    <message>
+        <source>pink masking noise, %1 dBA</source>
+        <translation>rosa Maskierrauschen, %1 dB(A)</translation>
+    </message>
+    <message>
+        <source>white masking noise, %1 dBA</source>
+        <translation>weißes Maskierrauschen, %1 dB(A)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::StartPage</name>
     <message numerus="yes">
         <source>And %n more.</source>
         <translation>
@@ -3709,6 +3626,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>The simulation was stopped. Trials that are finished and stored: %1.</source>
         <translation>Die Simulation wurde gestoppt. Abgeschlossene und gespeicherte Durchgänge: %1.</translation>
+    </message>
+    <message>
+        <source>Theme and language are changed from another page: what is filled in for a session would be lost.</source>
+        <translation>Farben und Sprache werden auf einer anderen Seite gewechselt: Was für eine Sitzung ausgefüllt ist, ginge verloren.</translation>
     </message>
 </context>
 <context>
@@ -4508,6 +4429,10 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>The relief was not saved: %1</source>
         <translation>Das Relief wurde nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>The relief in the workbench is not saved and would be lost: save it, then change theme or language.</source>
+        <translation>Das Relief in der Werkstatt ist nicht gespeichert und ginge verloren: erst speichern, dann Farben oder Sprache wechseln.</translation>
     </message>
 </context>
 </TS>
