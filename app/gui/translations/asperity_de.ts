@@ -733,6 +733,14 @@
             <numerusform>%n Dateien liegen in %1; codebook.tsv sagt, was jede Spalte bedeutet.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Blind while a session runs</source>
+        <translation>Verblindet, solange eine Sitzung läuft</translation>
+    </message>
+    <message>
+        <source>A session of %1 is running. Its counts by name are shown when it is over.</source>
+        <translation>Eine Sitzung von %1 läuft. Die Zählungen mit Namen werden gezeigt, wenn sie zu Ende ist.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AnswersPanel</name>
@@ -2921,13 +2929,6 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
 </context>
 <context>
     <name>asperity::SessionRunner</name>
-    <message numerus="yes">
-        <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the start page.</source>
-        <translation>
-            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Startseite fortsetzen.</numerusform>
-            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Startseite fortsetzen.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The session did not begin and no trial was run. When the cause is mended, start it again.</source>
         <translation>Die Sitzung hat nicht begonnen, und kein Durchgang lief. Wenn die Ursache behoben ist, erneut starten.</translation>
@@ -2935,6 +2936,13 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Please wait for the experimenter.</source>
         <translation>Bitte warten Sie auf die Versuchsleitung.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</source>
+        <translation>
+            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
+            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

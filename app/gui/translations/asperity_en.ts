@@ -65,10 +65,10 @@
 <context>
     <name>asperity::SessionRunner</name>
     <message numerus="yes">
-        <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the start page.</source>
+        <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</source>
         <translation>
-            <numerusform>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the start page.</numerusform>
-            <numerusform>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the start page.</numerusform>
+            <numerusform>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</numerusform>
+            <numerusform>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</numerusform>
         </translation>
     </message>
 </context>
