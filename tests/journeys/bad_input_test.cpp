@@ -346,7 +346,6 @@ TEST(BadDevice, IsRefusedWithThoseThatThereAre) {
 TEST(WrongUsage, EndsWithTwo) {
   const SmallStudy small(1);
   const std::vector<std::vector<std::string>> wrong{
-      {},
       {"fly"},
       {"new"},
       {"models", "--jsn"},

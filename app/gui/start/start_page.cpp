@@ -313,6 +313,7 @@ void StartPage::choose(const std::filesystem::path& protocol,
       set_mode(SessionMode::run);
     }
   }
+  going_on_.reset();
   load(protocol);
   show_person();
   if (participant) {
@@ -320,7 +321,22 @@ void StartPage::choose(const std::filesystem::path& protocol,
   } else {
     participant_->choose_next();
   }
-  if (resume) go_on(true);
+  if (!resume) return;
+  going_on_ = participant;
+  go_on(true);
+  if (!resume_) {
+    banner_->show_news(
+        State::look, tr("The session of %1 cannot go on with this protocol: its text is another "
+                        "one than when the session began. Put the earlier text back to go on; what "
+                        "follows here is a new session.")
+                         .arg(QString::fromStdString(participant.value_or(""))));
+  }
+}
+
+void StartPage::forget_person() {
+  going_on_.reset();
+  resume_ = false;
+  participant_->choose_next();
 }
 
 void StartPage::set_mode(SessionMode mode) {
@@ -352,7 +368,10 @@ void StartPage::list_protocols() {
 
 void StartPage::load(const std::filesystem::path& protocol) {
   if (protocol.empty()) return;
-  if (file_ != protocol) resume_ = false;
+  if (file_ != protocol) {
+    resume_ = false;
+    going_on_.reset();
+  }
   file_ = protocol;
   protocol_.reset();
   protocol_sha256_.clear();
@@ -518,6 +537,8 @@ void StartPage::show_person() {
     unfinished_ = unfinished_session(study_.study(), *protocol_, known->label);
   }
   if (!unfinished_) resume_ = false;
+  // Somebody came here to go on with it: no reading of the study in between makes it a new session.
+  if (unfinished_ && !resume_ && going_on_ == known->label) return go_on(true);
   participant_->set_unfinished(unfinished_, resume_);
   participant_->set_session_text(session_text());
   if (resume_) {

@@ -60,6 +60,8 @@ class StartPage final : public QWidget {
   void choose(const std::filesystem::path& protocol, const std::optional<std::string>& participant,
               bool resume);
   void set_mode(SessionMode mode);
+  /// The next person is somebody else: nothing of the last one's answers or consent stays.
+  void forget_person();
   SessionMode mode() const noexcept { return mode_; }
 
   /// What keeps the session from starting, a sentence each; empty when it can start.
@@ -114,7 +116,8 @@ class StartPage final : public QWidget {
   SessionMode mode_ = SessionMode::run;
   std::optional<UnfinishedSession> unfinished_{};
   bool resume_ = false;
-  bool stale_ = false;  ///< the study has changed while the page was hidden
+  std::optional<std::string> going_on_{};  ///< whose session the page was opened to go on with
+  bool stale_ = false;                     ///< the study has changed while the page was hidden
   std::optional<std::vector<SessionCheck>> checks_{};  ///< absent: not up to date
   bool check_outdated_ = false;  ///< what is looked at now is to be looked at once more
   // What the study holds, as last read.

@@ -12,6 +12,7 @@
 #include "app/gui/study/open_study.h"
 #include "app/gui/study/settings.h"
 #include "app/gui/study/study_window.h"
+#include "app/gui/study/trials_page.h"
 
 namespace asperity {
 
@@ -157,7 +158,7 @@ void SessionDesk::open_session_window() {
   session_window_->set_mirror(mirror);
   connect(session_window_, &SessionWindow::closed, this, [this] { finish({}); });
   connect(session_window_, &SessionWindow::results_wanted, this, [this] { finish("analysis"); });
-  connect(session_window_, &SessionWindow::trials_wanted, this, [this] { finish("sessions"); });
+  connect(session_window_, &SessionWindow::trials_wanted, this, [this] { finish("trials"); });
   const QRect room = window_.screen()->availableGeometry();
   const bool beside = participant_window_ != nullptr && !participant_window_->is_full_screen();
   if (beside) {
@@ -190,6 +191,8 @@ void SessionDesk::finish(const QString& next_page) {
   // runner as long as the windows that look into it.
   const auto facts = runner_->monitor().facts();
   const std::string protocol = facts == nullptr ? std::string{} : facts->protocol->name;
+  // A session that did not begin is started again with the same answers.
+  if (facts != nullptr && start_page_ != nullptr) start_page_->forget_person();
   auto* runner = runner_.release();
   if (session_window_ != nullptr) {
     session_window_->disconnect(this);
@@ -203,6 +206,10 @@ void SessionDesk::finish(const QString& next_page) {
     participant_window_->allow_close();
     participant_window_->close();
     delete participant_window_;
+  }
+  if (auto* trials = qobject_cast<TrialsPage*>(window_.page("trials"));
+      trials != nullptr && facts != nullptr && next_page == "trials") {
+    trials->show_session(facts->row.id);
   }
   if (!next_page.isEmpty()) window_.show_page(next_page);
   if (auto* analysis = qobject_cast<AnalysisPage*>(window_.page("analysis"))) {

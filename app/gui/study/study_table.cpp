@@ -77,8 +77,7 @@ void strike_through(const QList<QStandardItem*>& cells) {
 }
 
 StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
-    : QTableView(parent),
-      rows_(new QStandardItemModel(0, static_cast<int>(columns.size()), this)) {
+    : QTableView(parent), rows_(new QStandardItemModel(0, static_cast<int>(columns.size()), this)) {
   auto* filter = new WordFilter(this);
   filter->setSourceModel(rows_);
   filter->setSortRole(kValue);
@@ -99,6 +98,8 @@ StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
                          Qt::TextAlignmentRole);
     if (columns[i].width == 0) {
       horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+    } else {
+      setColumnWidth(column, columns[i].width);
     }
     widths_.push_back(columns[i].width);
   }

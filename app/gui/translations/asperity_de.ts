@@ -3639,6 +3639,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>Theme and language are changed from another page: what is filled in for a session would be lost.</source>
         <translation>Farben und Sprache werden auf einer anderen Seite gewechselt: Was für eine Sitzung ausgefüllt ist, ginge verloren.</translation>
     </message>
+    <message>
+        <source>The session of %1 cannot go on with this protocol: its text is another one than when the session began. Put the earlier text back to go on; what follows here is a new session.</source>
+        <translation>Die Sitzung von %1 kann mit diesem Protokoll nicht fortgesetzt werden: Sein Text ist ein anderer als zu Beginn der Sitzung. Zum Fortsetzen den früheren Text wiederherstellen; was hier folgt, ist eine neue Sitzung.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::StimuliPage</name>

@@ -5,6 +5,7 @@
 
 #include <QtGui/QKeyEvent>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
@@ -103,7 +104,10 @@ TEST_F(SessionKeysAtWork, StopAfterTheTrialThenAbortWithAReason) {
   EXPECT_EQ(stored_session().state, SessionState::stopped);
   EXPECT_EQ(texts("session_stopped"), Outcomes{"as asked, after the trial"});
   click(experimenter(), "see_trials");
-  wait_for("the sessions page", [&] { return window->shown_page() == "sessions"; });
+  wait_for("the trials of the session", [&] { return window->shown_page() == "trials"; });
+  // The page before a session knows nothing any more of who was here.
+  EXPECT_FALSE(child<QCheckBox>(*window, "consent_given").isChecked());
+  window->show_page("sessions");
 
   click_row(*window, "sessions_table", "small");
   click(*window, "sessions_resume");

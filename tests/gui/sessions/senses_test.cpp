@@ -156,7 +156,9 @@ TEST_F(DoubleBlind, NoNameIsSeenInAnyPhaseOfARunUntilAReasonIsGiven) {
   auto& form = child<ReasonForm>(experimenter(), "reason_form");
   wait_for("the question", [&] { return form.isVisible(); });
   EXPECT_TRUE(experimenter().is_blind());
+  experimenter().activateWindow();
   child<QLineEdit>(form, "reason").setFocus();
+  wait_for("the keyboard", [&] { return child<QLineEdit>(form, "reason").hasFocus(); });
   QTest::keyClicks(&child<QLineEdit>(form, "reason"), "the hand is hot");
   click(form, "reason_given");
   EXPECT_FALSE(experimenter().is_blind());
