@@ -7,8 +7,6 @@
 
 namespace asperity {
 
-namespace {
-
 std::optional<std::size_t> whole_number(const std::string& text) {
   std::size_t number = 0;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -16,7 +14,12 @@ std::optional<std::size_t> whole_number(const std::string& text) {
   return number;
 }
 
-}  // namespace
+std::string trimmed(const std::string& text) {
+  constexpr const char* kBlank = " \t\r\n";
+  const auto first = text.find_first_not_of(kBlank);
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
 
 std::optional<Saying> complaint_about_answer(const Question& question, std::string& answer) {
   if (answer.empty()) {

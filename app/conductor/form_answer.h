@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -13,5 +14,10 @@ namespace asperity {
 /// Why an answer is not acceptable; nothing when it is. `answer` may be the number of an option; it
 /// is then replaced by the option.
 std::optional<Saying> complaint_about_answer(const Question& question, std::string& answer);
+
+/// What was typed, without the blanks and line ends around it.
+std::string trimmed(const std::string& text);
+/// The whole text as a number without sign; nothing when it is not one.
+std::optional<std::size_t> whole_number(const std::string& text);
 
 }  // namespace asperity

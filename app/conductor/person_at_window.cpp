@@ -70,13 +70,6 @@ bool goes_on(const ParticipantInput& input) {
   return input.kind == Kind::confirm || input.kind == Kind::device_button;
 }
 
-std::string trimmed(const std::string& text) {
-  constexpr const char* kBlank = " \t\r\n";
-  const auto first = text.find_first_not_of(kBlank);
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
-
 }  // namespace
 
 /// Everything between the inputs and the answers.

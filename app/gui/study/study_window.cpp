@@ -181,7 +181,6 @@ void StudyWindow::close_study() {
   if (const QStringList watched = watcher_->directories(); !watched.isEmpty()) {
     watcher_->removePaths(watched);
   }
-  emit study_closed();
   remove_pages();
   study_.reset();
   banner_->hide();

@@ -63,7 +63,6 @@ class StudyWindow final : public QMainWindow {
 
  signals:
   void study_opened(asperity::OpenStudy* study);
-  void study_closed();
   void session_wanted(const asperity::SessionWish& wish);
 
  protected:
