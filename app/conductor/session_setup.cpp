@@ -189,14 +189,22 @@ bool has_ended_by_rule(const Study& study, const Protocol& protocol, const Sessi
   });
 }
 
-SessionRow find_unfinished(const Study& study, const Protocol& protocol,
-                           const std::string& participant) {
+std::optional<SessionRow> unfinished_row(const Study& study, const Protocol& protocol,
+                                         const std::string& participant,
+                                         std::optional<std::int64_t> id) {
   std::optional<SessionRow> found{};
   for (const SessionRow& row : study.sessions()) {
     if (row.participant != participant || row.state == SessionState::completed) continue;
+    if (id && row.id != *id) continue;
     if (study.protocol(row.protocol_id).source != protocol.source) continue;
     if (!has_ended_by_rule(study, protocol, row)) found = row;
   }
+  return found;
+}
+
+SessionRow find_unfinished(const Study& study, const Protocol& protocol,
+                           const std::string& participant, std::optional<std::int64_t> id) {
+  const std::optional<SessionRow> found = unfinished_row(study, protocol, participant, id);
   if (!found) {
     throw std::runtime_error("participant " + participant +
                              " has no unfinished session of the protocol \"" + protocol.name +

@@ -54,11 +54,15 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
 /// with.
 bool has_ended_by_rule(const Study& study, const Protocol& protocol, const SessionRow& row);
 
-/// The latest session of this participant and protocol that is neither completed nor ended by rule.
-///
-/// Errors: std::runtime_error saying that there is none.
+/// A session of this participant and protocol that is neither completed nor ended by rule: the one
+/// with this id, or without an id the latest. Nothing when there is none.
+std::optional<SessionRow> unfinished_row(const Study& study, const Protocol& protocol,
+                                         const std::string& participant,
+                                         std::optional<std::int64_t> id);
+
+/// The same where there has to be one. Errors: std::runtime_error saying that there is none.
 SessionRow find_unfinished(const Study& study, const Protocol& protocol,
-                           const std::string& participant);
+                           const std::string& participant, std::optional<std::int64_t> id);
 
 /// A session of the store, ready to go on.
 ///

@@ -107,7 +107,8 @@ std::unique_ptr<Rig> make_rig(const RunInputs& inputs, const Protocol& protocol,
 
 SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
                               const Protocol& protocol) {
-  const SessionRow row = find_unfinished(study, protocol, inputs.participant);
+  const SessionRow row =
+      find_unfinished(study, protocol, inputs.participant, inputs.resumed_session);
   const bool was_stepped = row.pacing == "stepped";
   if (was_stepped != (inputs.pacing == RunPacing::stepped)) {
     throw std::runtime_error("session " + std::to_string(row.session) + " of participant " +

@@ -25,7 +25,9 @@ struct RunInputs {
   std::string participant{};
   std::uint64_t seed = 0;
   SessionMode mode = SessionMode::run;
-  bool resume = false;
+  bool resume = false;  ///< an unfinished session goes on
+  /// Which one, by its id in the store; otherwise the participant's latest.
+  std::optional<std::int64_t> resumed_session{};
   bool is_virtual = false;
   RunPacing pacing = RunPacing::real_time;
   std::vector<ScriptedFault> faults{};  ///< of the simulated device

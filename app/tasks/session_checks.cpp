@@ -98,6 +98,18 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
                                      : "Leave the label to the program, or switch to Run or Pilot.";
     return check;
   }
+  if (inputs.resume) {
+    const std::optional<SessionRow> going_on =
+        unfinished_row(study, protocol, inputs.participant, inputs.resumed_session);
+    if (!going_on) {
+      check.text = inputs.participant + " has no unfinished session of this protocol as it is now.";
+      check.remedy = "Start a new session instead.";
+      return check;
+    }
+    check.state = State::fine;
+    check.text = "Session " + std::to_string(going_on->session) + " is free and can go on.";
+    return check;
+  }
   int completed = 0;
   std::optional<SessionRow> unfinished{};
   for (const SessionRow& row : study.sessions()) {
@@ -110,16 +122,6 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
     } else {
       unfinished = row;
     }
-  }
-  if (inputs.resume) {
-    if (!unfinished) {
-      check.text = inputs.participant + " has no unfinished session of this protocol as it is now.";
-      check.remedy = "Start a new session instead.";
-      return check;
-    }
-    check.state = State::fine;
-    check.text = "Session " + std::to_string(unfinished->session) + " is free and can go on.";
-    return check;
   }
   if (!is_virtual && unfinished) {
     check.text =
@@ -170,7 +172,8 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
   const std::vector<StimulusFileRow> files = hash_files(protocol, inputs.study);
   if (inputs.resume) {
     const Study study = Study::open(inputs.study, Access::read_only);
-    const SessionRow row = find_unfinished(study, protocol, inputs.participant);
+    const SessionRow row =
+        find_unfinished(study, protocol, inputs.participant, inputs.resumed_session);
     for (const StimulusFileRow& before : row.files) {
       const bool same = std::any_of(files.begin(), files.end(), [&before](const auto& file) {
         return file.path == before.path && file.sha256 == before.sha256;

@@ -39,6 +39,7 @@ struct CheckInputs {
   std::string participant{};
   SessionMode mode = SessionMode::run;
   bool resume = false;
+  std::optional<std::int64_t> resumed_session{};  ///< see RunInputs
   RunPacing pacing = RunPacing::real_time;
   MaskingNoise noise{};     ///< what will be played, and the level that a person has measured
   bool sound_card = false;  ///< there is a sound output

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "analysis/random.h"
+#include "app/conductor/session_setup.h"
 #include "app/height_field_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "device/simulated_device.h"
@@ -59,6 +60,28 @@ double running_s(const std::vector<AttemptRow>& attempts) {
   return sum_s;
 }
 
+/// The files of the study's `protocols/` by their texts.
+std::map<std::string, std::filesystem::path> protocol_files_by_text(
+    const std::filesystem::path& study) {
+  std::map<std::string, std::filesystem::path> files{};
+  for (const std::filesystem::path& file : files_in(study / "protocols")) {
+    if (file.extension() != ".json") continue;
+    try {
+      files.emplace(read_file(file), file);
+    } catch (const std::exception&) {
+      // What is wrong with it is said where protocols are listed.
+    }
+  }
+  return files;
+}
+
+bool is_ended_by_rule(const Study& study, const SessionRow& row, const ProtocolRow& protocol) {
+  if (row.state != SessionState::stopped) return false;
+  const ProtocolCheck check = check_protocol_text(protocol.source, protocol.name, built_in_models(),
+                                                  std::nullopt, std::nullopt);
+  return check.protocol && has_ended_by_rule(study, *check.protocol, row);
+}
+
 SessionOverview overview_of(const Study& study, const SessionRow& row, const ProtocolRow& protocol,
                             const std::vector<AttemptRow>& attempts) {
   SessionOverview overview{};
@@ -74,6 +97,7 @@ SessionOverview overview_of(const Study& study, const SessionRow& row, const Pro
   overview.is_running =
       row.state == SessionState::open &&
       StudyLock::holder(study.folder(), Study::session_lock_name(row.participant)).has_value();
+  overview.ended_by_rule = is_ended_by_rule(study, row, protocol);
   return overview;
 }
 
@@ -172,11 +196,15 @@ std::vector<SessionOverview> session_overviews(const Study& study, const std::st
     const std::int64_t id = protocol.id;
     protocols.emplace(id, std::move(protocol));
   }
+  const auto files = protocol_files_by_text(study.folder());
   std::vector<SessionOverview> overviews{};
   for (const SessionRow& row : study.sessions()) {
     if (stop.stop_requested()) break;
-    overviews.push_back(
-        overview_of(study, row, protocols.at(row.protocol_id), study.attempts(row.id)));
+    const ProtocolRow& protocol = protocols.at(row.protocol_id);
+    overviews.push_back(overview_of(study, row, protocol, study.attempts(row.id)));
+    if (const auto file = files.find(protocol.source); file != files.end()) {
+      overviews.back().protocol_file = file->second;
+    }
   }
   return overviews;
 }

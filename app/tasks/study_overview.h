@@ -33,10 +33,14 @@ struct SessionOverview {
   double duration_s = 0.0;
   /// Open, and some process holds it.
   bool is_running = false;
+  bool ended_by_rule = false;  ///< see `has_ended_by_rule`
+  /// The file of the study's `protocols/` with the very text that the session began with; looked
+  /// for by `session_overviews` only.
+  std::optional<std::filesystem::path> protocol_file{};
 
-  /// Neither completed nor running.
+  /// It could go on: neither completed, nor ended by a rule, nor running.
   bool is_unfinished() const noexcept {
-    return row.state != SessionState::completed && !is_running;
+    return row.state != SessionState::completed && !ended_by_rule && !is_running;
   }
 };
 /// By participant, then session.

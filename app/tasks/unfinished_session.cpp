@@ -7,21 +7,16 @@
 namespace asperity {
 
 std::optional<UnfinishedSession> unfinished_session(const Study& study, const Protocol& protocol,
-                                                    const std::string& participant) {
-  std::optional<UnfinishedSession> found{};
-  for (const SessionRow& row : study.sessions()) {
-    if (row.participant != participant || row.state == SessionState::completed) continue;
-    if (study.protocol(row.protocol_id).source == protocol.source &&
-        !has_ended_by_rule(study, protocol, row)) {
-      found = UnfinishedSession{.row = row};
-    }
-  }
-  if (!found) return {};
-  const std::int64_t id = found->row.id;
-  found->trials_done =
-      static_cast<int>(trials_done(study.attempts(id), study.decisions(id)).size());
-  found->trials = static_cast<int>(study.plan(found->row.id).size());
-  return found;
+                                                    const std::string& participant,
+                                                    std::optional<std::int64_t> id) {
+  const std::optional<SessionRow> row = unfinished_row(study, protocol, participant, id);
+  if (!row) return {};
+  return UnfinishedSession{
+      .row = *row,
+      .trials_done =
+          static_cast<int>(trials_done(study.attempts(row->id), study.decisions(row->id)).size()),
+      .trials = static_cast<int>(study.plan(row->id).size()),
+  };
 }
 
 std::set<int> trials_done(const std::vector<AttemptRow>& attempts,

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,11 +19,11 @@ struct UnfinishedSession {
   int trials = 0;
 };
 
-/// The latest session of this participant and this very protocol that is neither completed nor ended
-/// by a rule of the protocol: the one that `RunInputs::resume` goes on with. Nothing when there is
-/// none.
+/// The session of this participant and this very protocol that `RunInputs::resume` goes on with: see
+/// `unfinished_row`.
 std::optional<UnfinishedSession> unfinished_session(const Study& study, const Protocol& protocol,
-                                                    const std::string& participant);
+                                                    const std::string& participant,
+                                                    std::optional<std::int64_t> id);
 
 /// The trials of a session that are not asked any more: with a valid attempt, or skipped and not set
 /// aside.

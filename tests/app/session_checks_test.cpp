@@ -169,15 +169,43 @@ TEST_F(SessionChecks, KnowThatASessionWhichTheProtocolEndedIsOver) {
                                        .started_utc = "2026-01-01T00:00:00.000Z"};
     const std::int64_t id =
         begin_session(store, protocol, "P001", conditions, this_program()).row.id;
-    EXPECT_TRUE(unfinished_session(store, protocol, "P001"));
+    EXPECT_TRUE(unfinished_session(store, protocol, "P001", {}));
     store.add_event(id, {0, "criterion_not_met", "practice", "null"});
     store.end_session(id, SessionState::stopped, "2026-01-01T01:00:00.000Z");
-    EXPECT_FALSE(unfinished_session(store, protocol, "P001"));
+    EXPECT_FALSE(unfinished_session(store, protocol, "P001", {}));
   }
   EXPECT_NE(check("participant").text.find("has done 1 of 1"), std::string::npos)
       << check("participant").text;
   inputs.resume = true;
   EXPECT_NE(check("participant").text.find("no unfinished session"), std::string::npos);
+}
+
+TEST_F(SessionChecks, TellOneUnfinishedSessionFromAnother) {
+  const Protocol protocol = load_protocol(inputs.protocol, models, study);
+  std::vector<std::int64_t> ids{};
+  {
+    Study store = Study::open(study, Access::read_write);
+    store.add_participant({.label = "P001", .created_utc = "2026-01-01T00:00:00.000Z"});
+    for (const SessionMode mode : {SessionMode::pilot, SessionMode::run}) {
+      const SessionConditions conditions{.mode = mode,
+                                         .seed = 1,
+                                         .pacing = "real_time",
+                                         .scheduling = "none",
+                                         .device = {.name = "simulated"},
+                                         .started_utc = "2026-01-01T00:00:00.000Z"};
+      ids.push_back(begin_session(store, protocol, "P001", conditions, this_program()).row.id);
+      store.end_session(ids.back(), SessionState::stopped, "2026-01-01T01:00:00.000Z");
+    }
+    EXPECT_EQ(unfinished_session(store, protocol, "P001", ids[0])->row.mode, SessionMode::pilot);
+    EXPECT_EQ(unfinished_session(store, protocol, "P001", ids[1])->row.mode, SessionMode::run);
+    EXPECT_EQ(unfinished_session(store, protocol, "P001", {})->row.id, ids[1]);
+    EXPECT_FALSE(unfinished_session(store, protocol, "P002", ids[0]));
+  }
+  inputs.resume = true;
+  inputs.mode = SessionMode::pilot;
+  inputs.resumed_session = ids[0];
+  EXPECT_NE(check("participant").text.find("Session 1 is free"), std::string::npos)
+      << check("participant").text;
 }
 
 TEST_F(SessionChecks, HoldStimuliToTheirSidecars) {

@@ -56,6 +56,20 @@ TEST(SessionOverviews, KnowWhetherAnOpenSessionIsHeld) {
   EXPECT_FALSE(session_overviews(made.study(), {})[1].is_unfinished());
 }
 
+TEST(SessionOverviews, KnowTheFileWithTheTextThatASessionBeganWith) {
+  MadeUpStudy made{};
+  const std::int64_t protocol = made.add_protocol("one", "recognition");
+  made.add_person("P1", "F");
+  made.add_session("P1", protocol, {answered("wood", "wood")});
+  EXPECT_FALSE(session_overviews(made.study(), {})[0].protocol_file);
+  const std::filesystem::path file = made.folder() / "protocols" / "another_name.json";
+  std::filesystem::create_directories(file.parent_path());
+  write_file(file, made.study().protocol(protocol).source, Overwrite::refuse);
+  EXPECT_EQ(session_overviews(made.study(), {})[0].protocol_file, file);
+  write_file(file, made.study().protocol(protocol).source + "\n", Overwrite::allow);
+  EXPECT_FALSE(session_overviews(made.study(), {})[0].protocol_file);
+}
+
 TEST(SessionDetail, SaysWhatWasAnsweredAndWhetherItWasRight) {
   MadeUpStudy made{};
   const std::int64_t protocol = made.add_protocol("one", "matching");

@@ -376,7 +376,8 @@ TEST_F(WatchedSession, AsksARepeatedTrialAgainAfterAResumeWhenItWasInterrupted) 
     return {{}, 1};
   };
   EXPECT_EQ(run().state, SessionState::stopped);
-  EXPECT_EQ(unfinished_session(*study_, protocol_, "p1")->trials_done, 0);  // skipped, set aside
+  EXPECT_EQ(unfinished_session(*study_, protocol_, "p1", {})->trials_done,
+            0);  // skipped, set aside
   EXPECT_EQ(session_detail(*study_, session_.row.id).overview.done_trials, 0);
   make_rig({});
   rig_->move_clock_to(1'000'000'000'000);
@@ -684,7 +685,10 @@ TEST_F(WatchedSession, IsNotGoneOnWithAfterItEndedAsTheProtocolSays) {
   EXPECT_TRUE(run().as_the_protocol_says);
   EXPECT_FALSE(monitor_.snapshot().trouble);
   EXPECT_TRUE(has_ended_by_rule(*study_, protocol_, study_->session(session_.row.id)));
-  EXPECT_THROW(find_unfinished(*study_, protocol_, "p1"), std::runtime_error);
+  EXPECT_THROW(find_unfinished(*study_, protocol_, "p1", {}), std::runtime_error);
+  const SessionOverview overview = session_overviews(*study_, {})[0];
+  EXPECT_TRUE(overview.ended_by_rule);
+  EXPECT_FALSE(overview.is_unfinished());
 }
 
 // --- sound ---------------------------------------------------------------------------------------

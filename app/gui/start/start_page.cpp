@@ -303,7 +303,8 @@ void StartPage::connect_parts() {
 // --- what is chosen ------------------------------------------------------------------------------
 
 void StartPage::choose(const std::filesystem::path& protocol,
-                       const std::optional<std::string>& participant, bool resume) {
+                       const std::optional<std::string>& participant,
+                       std::optional<std::int64_t> session) {
   banner_->hide();
   if (participant) {
     const std::optional<ParticipantRow> person = study_.study().participant(*participant);
@@ -321,8 +322,9 @@ void StartPage::choose(const std::filesystem::path& protocol,
   } else {
     participant_->choose_next();
   }
-  if (!resume) return;
-  going_on_ = participant;
+  if (!session) return;
+  going_on_ = session;
+  show_person();
   go_on(true);
   if (!resume_) {
     banner_->show_news(
@@ -534,11 +536,11 @@ void StartPage::show_person() {
   const std::optional<ParticipantRow> known = participant_->known();
   unfinished_.reset();
   if (known && protocol_) {
-    unfinished_ = unfinished_session(study_.study(), *protocol_, known->label);
+    unfinished_ = unfinished_session(study_.study(), *protocol_, known->label, going_on_);
   }
   if (!unfinished_) resume_ = false;
   // Somebody came here to go on with it: no reading of the study in between makes it a new session.
-  if (unfinished_ && !resume_ && going_on_ == known->label) return go_on(true);
+  if (unfinished_ && !resume_ && going_on_) return go_on(true);
   participant_->set_unfinished(unfinished_, resume_);
   participant_->set_session_text(session_text());
   if (resume_) {
@@ -614,6 +616,10 @@ bool StartPage::needs_consent() const {
   return protocol_ && !protocol_->consent_statement.empty() && !is_virtual() && !resume_;
 }
 
+std::optional<std::int64_t> StartPage::resumed_session() const {
+  return resume_ ? std::optional(unfinished_->row.id) : std::nullopt;
+}
+
 bool StartPage::is_batch() const {
   return is_virtual() && participant_->is_new() && virtual_people_->value() > 1;
 }
@@ -675,6 +681,7 @@ void StartPage::check() {
       .participant = participant_->label(),
       .mode = mode_,
       .resume = resume_,
+      .resumed_session = resumed_session(),
       .pacing = order().inputs.pacing,
       .noise = noise(),
       .sound_card = !sound_outputs().empty(),
@@ -709,6 +716,7 @@ SessionOrder StartPage::order() const {
   inputs.seed = new_seed();
   inputs.mode = mode_;
   inputs.resume = resume_;
+  inputs.resumed_session = resumed_session();
   inputs.is_virtual = is_virtual();
   inputs.pacing = is_virtual() && fast_->isChecked() ? RunPacing::stepped : RunPacing::real_time;
   inputs.mirrored = setup_->is_mirrored();

@@ -56,9 +56,9 @@ class StartPage final : public QWidget {
   ~StartPage() override;
 
   /// `participant`: somebody known, or a label for somebody new; otherwise the next one is
-  /// suggested. With `resume` their unfinished session goes on.
+  /// suggested. `session`: the id of the unfinished session of theirs that goes on.
   void choose(const std::filesystem::path& protocol, const std::optional<std::string>& participant,
-              bool resume);
+              std::optional<std::int64_t> session);
   void set_mode(SessionMode mode);
   /// The next person is somebody else: nothing of the last one's answers or consent stays.
   void forget_person();
@@ -101,6 +101,7 @@ class StartPage final : public QWidget {
 
   bool is_virtual() const noexcept { return mode_ == SessionMode::simulate; }
   bool needs_consent() const;
+  std::optional<std::int64_t> resumed_session() const;
   bool is_batch() const;
   MaskingNoise noise() const;
   void check_soon();
@@ -116,8 +117,8 @@ class StartPage final : public QWidget {
   SessionMode mode_ = SessionMode::run;
   std::optional<UnfinishedSession> unfinished_{};
   bool resume_ = false;
-  std::optional<std::string> going_on_{};  ///< whose session the page was opened to go on with
-  bool stale_ = false;                     ///< the study has changed while the page was hidden
+  std::optional<std::int64_t> going_on_{};  ///< the session that the page was opened to go on with
+  bool stale_ = false;                      ///< the study has changed while the page was hidden
   std::optional<std::vector<SessionCheck>> checks_{};  ///< absent: not up to date
   bool check_outdated_ = false;  ///< what is looked at now is to be looked at once more
   // What the study holds, as last read.

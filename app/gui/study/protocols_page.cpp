@@ -256,13 +256,6 @@ const ProtocolOverview* ProtocolsPage::selected() const {
   return found == protocols_.end() ? nullptr : &*found;
 }
 
-std::filesystem::path ProtocolsPage::file_of(const QString& protocol_name) const {
-  for (const ProtocolOverview& overview : protocols_) {
-    if (overview.name() == protocol_name.toStdString()) return overview.check.file;
-  }
-  return {};
-}
-
 void ProtocolsPage::show_selected() {
   const ProtocolOverview* overview = selected();
   detail_->setVisible(overview != nullptr);

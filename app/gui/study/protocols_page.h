@@ -22,9 +22,6 @@ class ProtocolsPage final : public StudyPage {
  public:
   explicit ProtocolsPage(OpenStudy& study, QWidget* parent = nullptr);
 
-  /// The file of the protocol of this name; empty when the study has none.
-  std::filesystem::path file_of(const QString& protocol_name) const;
-
  signals:
   void session_wanted(const asperity::SessionWish& wish);
   void edit_wanted(const QString& file);

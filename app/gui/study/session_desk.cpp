@@ -93,7 +93,7 @@ void SessionDesk::choose(const SessionWish& wish) {
   } else if (!wish.participant && start_page_->mode() == SessionMode::simulate) {
     start_page_->set_mode(SessionMode::run);
   }
-  start_page_->choose(wish.protocol, wish.participant, wish.resume);
+  start_page_->choose(wish.protocol, wish.participant, wish.session);
   window_.show_page(kStartPage);
 }
 

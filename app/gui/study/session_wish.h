@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,8 +14,9 @@ namespace asperity {
 struct SessionWish {
   std::filesystem::path protocol{};          ///< file
   std::optional<std::string> participant{};  ///< label; otherwise asked for
-  bool resume = false;                       ///< the participant's unfinished session goes on
-  bool simulate = false;                     ///< by virtual participants
+  /// The participant's unfinished session that goes on, by its id in the store.
+  std::optional<std::int64_t> session{};
+  bool simulate = false;  ///< by virtual participants
 };
 
 }  // namespace asperity

@@ -140,9 +140,10 @@ SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
           [this] { emit session_opened(table_->selected_key().toLongLong()); });
   connect(resume_, &QPushButton::clicked, this, [this] {
     const SessionOverview* session = selected();
-    if (session == nullptr) return;
-    emit resume_wanted(QString::fromStdString(session->protocol_name),
-                       QString::fromStdString(session->row.participant));
+    if (session == nullptr || !session->protocol_file) return;
+    emit session_wanted({.protocol = *session->protocol_file,
+                         .participant = session->row.participant,
+                         .session = session->row.id});
   });
   read_with<std::vector<SessionOverview>>(
       Need::always,
@@ -188,7 +189,7 @@ void SessionsPage::show_selected() {
   const bool is_blind =
       session != nullptr && session->is_running && session->row.mode == SessionMode::run;
   open_->setEnabled(session != nullptr && !is_blind);
-  resume_->setEnabled(session != nullptr && session->is_unfinished());
+  resume_->setEnabled(session != nullptr && session->is_unfinished() && session->protocol_file);
   if (session == nullptr) {
     reason_->setText(tr("Select a session."));
   } else if (is_blind) {
@@ -197,6 +198,13 @@ void SessionsPage::show_selected() {
     reason_->setText(tr("It is running, here or in another program."));
   } else if (session->row.state == SessionState::completed) {
     reason_->setText(tr("It is complete: there is nothing to go on with."));
+  } else if (session->ended_by_rule) {
+    reason_->setText(tr("It has ended as its protocol says: there is nothing to go on with."));
+  } else if (!session->protocol_file) {
+    reason_->setText(tr("None of the study's protocols is still the text that it began with. Put "
+                        "%1 version %2 back as it was to go on.")
+                         .arg(QString::fromStdString(session->protocol_name),
+                              QString::fromStdString(session->protocol_version)));
   } else {
     reason_->setText(tr("%1 of %2 trials are done and safe.")
                          .arg(session->done_trials)

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "app/gui/study/session_wish.h"
 #include "app/gui/study/study_page.h"
 #include "app/tasks/study_overview.h"
 
@@ -22,8 +23,7 @@ class SessionsPage final : public StudyPage {
 
  signals:
   void session_opened(qlonglong id);
-  /// The unfinished session of this participant with the protocol of this name.
-  void resume_wanted(const QString& protocol_name, const QString& participant);
+  void session_wanted(const asperity::SessionWish& wish);
 
  private:
   void show_sessions(const std::vector<SessionOverview>& sessions);

@@ -52,18 +52,7 @@ void StudyWindow::add_pages() {
     editor->open(file.toStdString());
   });
   connect(editor, &ProtocolEditorPage::back_wanted, this, [this] { show_page("protocols"); });
-  connect(sessions, &SessionsPage::resume_wanted, this,
-          [this, protocols](const QString& protocol, const QString& participant) {
-            const std::filesystem::path file = protocols->file_of(protocol);
-            if (file.empty()) {
-              banner_->show_news(
-                  State::stop, tr("The session cannot go on: its protocol \"%1\" is not among the "
-                                  "study's protocols any more.")
-                                   .arg(protocol));
-              return;
-            }
-            emit session_wanted({file, participant.toStdString(), true});
-          });
+  connect(sessions, &SessionsPage::session_wanted, this, &StudyWindow::session_wanted);
   connect(sessions, &SessionsPage::session_opened, this, [this, trials](qlonglong id) {
     trials->show_session(id);
     show_page("trials");

@@ -3298,6 +3298,14 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>It is running: until it ends, its own window shows what may be known.</source>
         <translation>Sie läuft: Bis sie endet, zeigt ihr eigenes Fenster, was bekannt sein darf.</translation>
     </message>
+    <message>
+        <source>It has ended as its protocol says: there is nothing to go on with.</source>
+        <translation>Sie ist so zu Ende gegangen, wie ihr Protokoll es vorsieht: Es gibt nichts fortzusetzen.</translation>
+    </message>
+    <message>
+        <source>None of the study&apos;s protocols is still the text that it began with. Put %1 version %2 back as it was to go on.</source>
+        <translation>Keines der Protokolle der Studie hat noch den Text, mit dem sie begann. Um sie fortzusetzen, %1 Version %2 so zurücklegen, wie es war.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SetupCard</name>
@@ -3751,10 +3759,6 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Devices</source>
         <translation>Geräte</translation>
-    </message>
-    <message>
-        <source>The session cannot go on: its protocol &quot;%1&quot; is not among the study&apos;s protocols any more.</source>
-        <translation>Die Sitzung kann nicht fortgesetzt werden: Ihr Protokoll „%1“ gehört nicht mehr zu den Protokollen der Studie.</translation>
     </message>
     <message>
         <source>Asperity</source>

@@ -134,7 +134,7 @@ class TheStartPage : public testing::Test {
 
 TEST_F(TheStartPage, StartsAFilledInRunWithEverythingThatWasSaid) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   fill_in();
   ASSERT_TRUE(wait_for_checks());
   EXPECT_EQ(page->reasons(), std::vector<QString>{});
@@ -161,7 +161,7 @@ TEST_F(TheStartPage, StartsAFilledInRunWithEverythingThatWasSaid) {
 
 TEST_F(TheStartPage, RefusesToStartWithoutConsentAndSaysSo) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   fill_in();
   find<QCheckBox>("consent_given").setChecked(false);
   ASSERT_TRUE(wait_for_checks());
@@ -175,7 +175,7 @@ TEST_F(TheStartPage, RefusesToStartWithoutConsentAndSaysSo) {
 }
 
 TEST_F(TheStartPage, AsksAnewForConsentWhenSomebodyElseTakesPart) {
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   fill_in();
   EXPECT_TRUE(find<QCheckBox>("consent_given").isChecked());
   type("participant_label", "P007");
@@ -184,7 +184,7 @@ TEST_F(TheStartPage, AsksAnewForConsentWhenSomebodyElseTakesPart) {
 
 TEST_F(TheStartPage, NamesEveryRequiredAnswerThatIsMissingOrNotPossible) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   EXPECT_TRUE(has_reason("\"How old are you?\" is not answered."));
   EXPECT_TRUE(has_reason("\"Which hand?\" is not answered."));
   EXPECT_FALSE(has_reason("What do you like?"));
@@ -201,7 +201,7 @@ TEST_F(TheStartPage, NamesEveryRequiredAnswerThatIsMissingOrNotPossible) {
 TEST_F(TheStartPage, RefusesLabelsThatAreEmptyImpossibleOrTaken) {
   Study::open(folder, Access::read_write).add_participant({.label = "P001"});
   study->announce_change();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   EXPECT_EQ(find<QLineEdit>("participant_label").text(), "P002");  // the study's own pattern
   EXPECT_FALSE(has_reason("label"));
   type("participant_label", "");
@@ -215,7 +215,7 @@ TEST_F(TheStartPage, RefusesLabelsThatAreEmptyImpossibleOrTaken) {
 TEST_F(TheStartPage, WaitsForTheChecklistAndTellsWhatItFound) {
   const StudyLock elsewhere(folder, Study::session_lock_name("sub001"));
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   fill_in();
   EXPECT_TRUE(has_reason("The checklist is being gone through."));
   EXPECT_FALSE(can_start());
@@ -229,7 +229,7 @@ TEST_F(TheStartPage, SaysThatAProtocolIsNotChosenOrNotValid) {
   write_file(folder / "protocols" / "broken.json", "{}", Overwrite::refuse);
   const StartPage other(*study);
   EXPECT_EQ(other.reasons(), std::vector<QString>{"No protocol is chosen."});
-  page->choose(folder / "protocols" / "broken.json", std::nullopt, false);
+  page->choose(folder / "protocols" / "broken.json", std::nullopt, {});
   EXPECT_EQ(page->reasons(), std::vector<QString>{"The protocol is not valid."});
   EXPECT_TRUE(find<QLabel>("protocol_state").text().contains("not valid"));
   EXPECT_FALSE(can_start());
@@ -238,7 +238,7 @@ TEST_F(TheStartPage, SaysThatAProtocolIsNotChosenOrNotValid) {
 TEST_F(TheStartPage, RefusesAProtocolThatChangedAndReadsItAnewWhenAsked) {
   page->show();
   page->set_mode(SessionMode::simulate);
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   ASSERT_TRUE(wait_for_checks());
   EXPECT_TRUE(can_start()) << shown_reason();
   write_protocol(protocol_with_questions() + "\n");
@@ -255,7 +255,7 @@ TEST_F(TheStartPage, RefusesAProtocolThatChangedAndReadsItAnewWhenAsked) {
 
 TEST_F(TheStartPage, NeedsNeitherConsentNorAnswersForASimulation) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   click("mode_simulate");
   EXPECT_FALSE(is_shown("consent_statement"));
   EXPECT_FALSE(is_shown("question_age"));
@@ -276,7 +276,7 @@ TEST_F(TheStartPage, NeedsNeitherConsentNorAnswersForASimulation) {
 
 TEST_F(TheStartPage, ShowsTheBandOfTheModeAtOnce) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   auto* band = page->findChild<ModeBand*>();
   ASSERT_NE(band, nullptr);
   EXPECT_FALSE(band->isVisible());
@@ -290,7 +290,7 @@ TEST_F(TheStartPage, ShowsTheBandOfTheModeAtOnce) {
 }
 
 TEST_F(TheStartPage, MirrorsTheLayoutForALeftHandUnlessItIsChosenOtherwise) {
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   EXPECT_FALSE(page->order().inputs.mirrored);
   pick("question_hand_used", "left");
   EXPECT_TRUE(page->order().inputs.mirrored);
@@ -301,14 +301,14 @@ TEST_F(TheStartPage, MirrorsTheLayoutForALeftHandUnlessItIsChosenOtherwise) {
 
   Study::open(folder, Access::read_write).add_participant({.label = "P009", .handedness = "left"});
   study->announce_change();
-  page->choose(protocol, "P009", false);
+  page->choose(protocol, "P009", {});
   EXPECT_TRUE(page->order().inputs.mirrored);
 }
 
 TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
   run_unfinished("virtual0001");
   page->show();
-  page->choose(protocol, "virtual0001", false);
+  page->choose(protocol, "virtual0001", {});
   EXPECT_EQ(find<QPushButton>("go_on").text(), "Go on with session 1 (1 of 3 trials done)");
   EXPECT_FALSE(page->order().inputs.resume);
   click("go_on");
@@ -330,7 +330,7 @@ TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
 
 TEST_F(TheStartPage, KeepsTheHandThatSomebodyChose) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   click("left_hand");
   click("mode_pilot");
   type("question_age", "31");
@@ -349,7 +349,7 @@ TEST_F(TheStartPage, LooksAtNothingWhileItIsHidden) {
     return std::any_of(timers.begin(), timers.end(), [](QTimer* one) { return one->isActive(); });
   };
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   ASSERT_TRUE(wait_for_checks());
   page->hide();
   const QString suggested = find<QLineEdit>("participant_label").text();
@@ -370,16 +370,16 @@ TEST_F(TheStartPage, LooksAtNothingWhileItIsHidden) {
 
 TEST_F(TheStartPage, GoesOnAtOnceWhenItIsToldTo) {
   run_unfinished("virtual0001");
-  page->choose(protocol, "virtual0001", true);
+  page->choose(protocol, "virtual0001", std::int64_t{1});
   EXPECT_TRUE(page->order().inputs.resume);
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   EXPECT_FALSE(page->order().inputs.resume);
   EXPECT_TRUE(find<QPushButton>("mode_run").isEnabled());
 }
 
 TEST_F(TheStartPage, RunsOneVirtualParticipantFromEndToEnd) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   click("mode_simulate");
   ASSERT_TRUE(wait_for_checks());
   SessionRunner runner;
@@ -396,7 +396,7 @@ TEST_F(TheStartPage, RunsOneVirtualParticipantFromEndToEnd) {
 
 TEST_F(TheStartPage, SimulatesSeveralInTheBackgroundAndReportsThem) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   click("mode_simulate");
   find<QSpinBox>("virtual_participants").setValue(3);
   ASSERT_TRUE(wait_for_checks());
@@ -419,7 +419,7 @@ TEST_F(TheStartPage, SimulatesSeveralInTheBackgroundAndReportsThem) {
 
 TEST_F(TheStartPage, StopsASimulationThatIsCancelledAndKeepsWhatIsDone) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   click("mode_simulate");
   find<QSpinBox>("virtual_participants").setValue(200);
   ASSERT_TRUE(wait_for_checks());
@@ -436,7 +436,7 @@ TEST_F(TheStartPage, StopsASimulationThatIsCancelledAndKeepsWhatIsDone) {
 
 TEST_F(TheStartPage, ComesInTheOrderInWhichASessionIsPrepared) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   QTest::qWait(10);
   const std::vector<const char*> order{"protocols",    "participant_label", "question_age",
                                        "session_text", "mode_run",          "consent_given",
@@ -456,7 +456,7 @@ TEST_F(TheStartPage, IsFilledInByTheKeyboardAlone) {
   page->show();
   page->activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(page.get()));
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   find<QComboBox>("protocols").setFocus();
   // Every control comes by Tab, from the protocol to the last one, and round again.
   QStringList reached{};
@@ -491,7 +491,7 @@ TEST_F(TheStartPage, IsFilledInByTheKeyboardAlone) {
 
 TEST_F(TheStartPage, KeepsStartInSightAndNeverScrollsSideways) {
   page->show();
-  page->choose(protocol, std::nullopt, false);
+  page->choose(protocol, std::nullopt, {});
   page->resize(1048, 620);
   QTest::qWait(10);
   for (auto* area : page->findChildren<QScrollArea*>()) {
@@ -549,7 +549,7 @@ TEST(StartPagePictures, ShowEveryMode) {
     page.set_mode(SessionMode::simulate);
     settle();
     take_screenshot(page, "start-page-simulate" + suffix);
-    page.choose(folder / "protocols" / "chapter_selection.json", "virtual0001", true);
+    page.choose(folder / "protocols" / "chapter_selection.json", "virtual0001", std::int64_t{1});
     settle();
     take_screenshot(page, "start-page-go-on" + suffix);
   }
