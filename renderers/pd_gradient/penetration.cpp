@@ -1,0 +1,23 @@
+// The steps of the differences and the force of a penetration depth.
+
+#include "renderers/pd_gradient/penetration.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+DifferenceSteps difference_steps(const SamplingGrid& grid, double step_m) noexcept {
+  return {.along_m = step_m,
+          .tilt_rad = 0.5 * step_m / grid.width_m,
+          .turn_rad = 2.0 * step_m / grid.width_m};
+}
+
+Wrench contact_wrench(const Penetration& penetration, const ContactFrame& frame,
+                      double stiffness_N_per_m) noexcept {
+  const double force_N = stiffness_N_per_m * std::max(0.0, penetration.depth_m);
+  const glm::dvec3 gradient{penetration.slope, -1.0};
+  return {.force_N = frame.to_world(-force_N * gradient),
+          .torque_N_m = frame.to_world(-force_N * penetration.lever_m)};
+}
+
+}  // namespace asperity
