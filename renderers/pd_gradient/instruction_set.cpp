@@ -1,0 +1,29 @@
+// What the processor and the system offer.
+
+#include "renderers/pd_gradient/instruction_set.h"
+
+namespace asperity {
+
+const char* name_of(InstructionSet set) noexcept {
+  switch (set) {
+    case InstructionSet::sse2:
+      return "sse2";
+    case InstructionSet::avx2:
+      return "avx2";
+    case InstructionSet::avx512:
+      return "avx512";
+  }
+  return "";
+}
+
+std::vector<InstructionSet> instruction_sets_here() {
+  std::vector<InstructionSet> sets{InstructionSet::sse2};
+  if (!__builtin_cpu_supports("avx2")) return sets;
+  sets.push_back(InstructionSet::avx2);
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw")) {
+    sets.push_back(InstructionSet::avx512);
+  }
+  return sets;
+}
+
+}  // namespace asperity

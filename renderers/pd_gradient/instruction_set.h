@@ -1,0 +1,19 @@
+// Which vector instructions the loops over samples use.
+
+#pragma once
+
+#include <vector>
+
+namespace asperity {
+
+/// Same source, same operations in the same order, no fused multiplications: every set gives the
+/// same bits, wider ones sooner. x86-64 only.
+enum class InstructionSet { sse2, avx2, avx512 };
+
+/// "sse2", "avx2", "avx512".
+const char* name_of(InstructionSet set) noexcept;
+
+/// Those that this processor and system can run, the widest last; never empty.
+std::vector<InstructionSet> instruction_sets_here();
+
+}  // namespace asperity

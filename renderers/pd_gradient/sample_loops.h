@@ -1,0 +1,131 @@
+// What the loops over a contact's samples read and write, whatever the instructions they use.
+
+#pragma once
+
+#include <cstdint>
+
+namespace asperity {
+
+// These structs cross into sources that are compiled for other processors than the rest. They are
+// plain, and this header has no inline function: what such a source emitted could be linked in
+// everywhere.
+
+/// Stands where there is no surface, in metres outwards. Far below every surface, and no further:
+/// a weight of 1e-9 beside it must not matter.
+inline constexpr float kNoSurface_m = -1.0F;
+/// A sum of two surfaces below this has at least one of them missing.
+inline constexpr float kNothing_m = -0.5F;
+
+inline constexpr int kMostLanes = 16;
+/// Samples are visited a band of rows at a time, so that what is passed on stays in the first cache.
+inline constexpr int kBandRows = 16;
+
+/// A quantity over a triangle: middle + per_column·(x − m) + per_row·(y − m), m the window's middle.
+struct Ramp {
+  float middle = 0.0F;
+  float per_column = 0.0F;
+  float per_row = 0.0F;
+};
+
+/// A line through (x, y) that moves by so many columns in a row.
+struct EdgeLine {
+  float x = 0.0F;
+  float y = 0.0F;
+  float slope = 0.0F;
+};
+
+/// A face in cells of the window, (0, 0) at its first sample. Rows and columns: first and one after
+/// the last, inside the field.
+struct SampledTriangle {
+  EdgeLine whole{};  ///< from the lowest corner to the highest
+  EdgeLine below{};  ///< from the lowest to the middle one
+  EdgeLine above{};
+  float middle_y = 0.0F;
+  std::int32_t first_row = 0;
+  std::int32_t end_row = 0;
+  std::int32_t first_column = 0;
+  std::int32_t end_column = 0;
+  Ramp place_x{};   ///< in texels
+  Ramp place_y{};   ///< in texels
+  Ramp height_m{};  ///< outwards, undisplaced
+  Ramp lift_m{};    ///< what 1/16384 of a count of the atlas adds, outwards
+};
+
+/// Texels two by two: a row's value in the lower 16 bits, the next row's in the upper ones. The pitch
+/// is no power of two, which would map a column of texels onto few lines of the cache.
+struct PairedTexels {
+  const std::uint32_t* pairs = nullptr;
+  std::int32_t pitch = 0;
+  float last_column = 0.0F;
+  float last_row = 0.0F;
+};
+
+/// Heights outwards (along n of B, against n of A) on the samples of the window and an apron around.
+struct HeightSamples {
+  float* height_m = nullptr;  ///< of the apron's first corner; kMostLanes more than rows · stride
+  std::int32_t samples = 0;   ///< of the window, each way
+  std::int32_t apron = 0;
+  std::int32_t stride = 0;
+};
+
+/// Room for one band; never NaN, so that what is computed where no surface is stays a number.
+struct BandRoom {
+  float* place_x = nullptr;
+  float* place_y = nullptr;
+  float* height_m = nullptr;
+  float* lift_m = nullptr;
+};
+
+struct SurfaceTask {
+  const SampledTriangle* triangles = nullptr;
+  std::int32_t count = 0;
+  PairedTexels texels{};
+  HeightSamples field{};
+  BandRoom room{};
+};
+
+/// The turned A is read between samples. Seen from A, a sample moves by turn·(y, −x) cells or back;
+/// along y that is a whole number of cells and a weight for each column.
+struct TurnTable {
+  float turn_rad = 0.0F;
+  const std::int32_t* forth_cells = nullptr;  ///< the same for kMostLanes columns at a time
+  const float* forth_weight = nullptr;
+  const std::int32_t* back_cells = nullptr;
+  const float* back_weight = nullptr;
+};
+
+struct ComparisonTask {
+  HeightSamples a{};  ///< apron: step_cells
+  HeightSamples b{};  ///< apron: 0
+  std::int32_t step_cells = 0;
+  float tilt_rise_m = 0.0F;  ///< what a tilt's step lifts a cell away from the axis
+  TurnTable turn{};
+  float* row_most_m = nullptr;     ///< kMostLanes for each row
+  float* column_most_m = nullptr;  ///< one for each column
+};
+
+/// The largest sum of both surfaces as A stands and in the ten configurations around. "tilt": what
+/// moved A about u or v through the origin, without the way that takes it along the window.
+struct ElevenMaxima {
+  float here_m = 0.0F;
+  float u_m[2]{};  ///< forth, back
+  float v_m[2]{};
+  float tilt_u_m[2]{};
+  float tilt_v_m[2]{};
+  float turn_m[2]{};
+  std::int32_t row = 0;  ///< of the deepest sample; the first where several are equally deep
+  std::int32_t column = 0;
+  std::int32_t covered = 0;
+};
+
+/// The two loops for one instruction set. Real-time: no allocation, no lock, no exception.
+struct SampleLoops {
+  void (*sample_surface)(const SurfaceTask& task) = nullptr;
+  void (*compare)(const ComparisonTask& task, ElevenMaxima& maxima) = nullptr;
+};
+
+extern const SampleLoops kSse2Loops;
+extern const SampleLoops kAvx2Loops;
+extern const SampleLoops kAvx512Loops;
+
+}  // namespace asperity
