@@ -1,0 +1,318 @@
+// What penetration depth and its gradient cost for one contact, and how far they are from the truth.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <sys/resource.h>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "renderers/pd_gradient/penetration_sampler.h"
+#include "renderers/pd_gradient/reference_penetration.h"
+#include "tests/renderers/pd_gradient_surfaces.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kWarmUp = 2'000;
+constexpr int kCounted = 40'000;
+constexpr int kCountedReference = 20;
+constexpr double kDepth_m = 0.1e-3;
+constexpr double kSlide_m = 10e-6;  // from tick to tick
+constexpr int kTruthSamples = 1024;
+constexpr int kContactsOfAKind = 6;
+
+struct Costs {
+  std::string name{};
+  std::vector<std::int64_t> undisturbed_ns{};
+  std::int64_t preempted = 0;
+};
+
+std::int64_t context_switches() {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return usage.ru_nivcsw + usage.ru_nvcsw;
+}
+
+// Calls during which the kernel took the processor away are counted apart: they measure the machine.
+Costs measure(const std::string& name, int warm_up, int counted,
+              const std::function<void(int)>& work) {
+  Costs costs{.name = name};
+  costs.undisturbed_ns.reserve(static_cast<std::size_t>(counted));
+  for (int i = 0; i < warm_up; ++i) work(i);
+  std::int64_t switches = context_switches();
+  for (int i = warm_up; i < warm_up + counted; ++i) {
+    const auto started = std::chrono::steady_clock::now();
+    work(i);
+    const auto took = std::chrono::steady_clock::now() - started;
+    const std::int64_t switches_after = context_switches();
+    if (switches_after == switches) {
+      costs.undisturbed_ns.push_back(
+          std::chrono::duration_cast<std::chrono::nanoseconds>(took).count());
+    } else {
+      ++costs.preempted;
+    }
+    switches = switches_after;
+  }
+  std::sort(costs.undisturbed_ns.begin(), costs.undisturbed_ns.end());
+  return costs;
+}
+
+std::int64_t quantile_ns(const Costs& costs, double fraction) {
+  if (costs.undisturbed_ns.empty()) return 0;
+  const double last = static_cast<double>(costs.undisturbed_ns.size() - 1);
+  return costs.undisturbed_ns[static_cast<std::size_t>(std::llround(fraction * last))];
+}
+
+const char* kind_name(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::flat:
+      return "flat";
+    case ContactKind::convex_on_flat:
+      return "convex_on_flat";
+    case ContactKind::convex_on_convex:
+      return "convex_on_convex";
+    case ContactKind::conforming:
+      return "conforming";
+    case ContactKind::ridge:
+      return "ridge";
+    case ContactKind::overlapping:
+      return "overlapping";
+  }
+  return "";
+}
+
+SamplingGrid window_of(int samples) {
+  return {.width_m = ContactsByChance::kWindow_m, .samples = samples};
+}
+
+// Pressed in until the surfaces are that deep in each other on this grid.
+ChanceContact pressed(ContactsByChance& chance, ContactKind kind, const SamplingGrid& grid) {
+  ChanceContact contact = chance.draw(kind);
+  const auto found =
+      reference_penetration(contact.a(), contact.b(), {}, grid, HardMaximum{.step_m = 1e-4});
+  contact.pose_a.position_m.z -= kDepth_m - found->depth_m;
+  return contact;
+}
+
+// To and fro over a millimetre, slowly drifting aside.
+Pose slid(Pose pose, int tick) {
+  const double phase_rad = kSlide_m * tick / 0.5e-3;
+  pose.position_m.x += 0.5e-3 * std::sin(phase_rad);
+  pose.position_m.y += 0.3e-3 * std::sin(0.137 * phase_rad);
+  return pose;
+}
+
+Costs time_of_sampler(int samples, ContactKind kind, InstructionSet set, double& used) {
+  ContactsByChance chance(1);
+  const ChanceContact contact = pressed(chance, kind, window_of(samples));
+  const PackedSurface a(contact.mesh_a);
+  const PackedSurface b(contact.mesh_b);
+  PenetrationSampler sampler(
+      {.grid = window_of(samples),
+       .step_cells = samples / 64,
+       .most_triangles = std::max(a.triangles().size(), b.triangles().size()),
+       .instructions = set});
+  const std::string name = std::string("sampler/") + name_of(set) + "/" + std::to_string(samples) +
+                           "/" + kind_name(kind);
+  return measure(name, kWarmUp, kCounted, [&](int tick) {
+    const auto found = sampler.evaluate(
+        {.surface = a, .triangles = contact.triangles_a, .pose = slid(contact.pose_a, tick)},
+        {.surface = b, .triangles = contact.triangles_b, .pose = contact.pose_b}, {});
+    if (found) used += found->depth_m;
+  });
+}
+
+Costs time_of_reference(int samples, double& used) {
+  ContactsByChance chance(1);
+  ChanceContact contact = pressed(chance, ContactKind::flat, window_of(samples));
+  const Pose start = contact.pose_a;
+  return measure(
+      "reference/" + std::to_string(samples) + "/flat", 1, kCountedReference, [&](int tick) {
+        contact.pose_a = slid(start, tick);
+        const auto found = reference_penetration(contact.a(), contact.b(), {}, window_of(samples),
+                                                 HardMaximum{.step_m = 0.125e-3});
+        if (found) used += found->depth_m;
+      });
+}
+
+// Root mean squares over contacts, relative to the truth's.
+struct Errors {
+  std::string name{};
+  double depth_m2 = 0.0;
+  std::array<double, 5> difference{};
+  std::array<double, 5> whole{};
+  int contacts = 0;
+
+  void add(const Penetration& found, const Penetration& truth) {
+    depth_m2 += (found.depth_m - truth.depth_m) * (found.depth_m - truth.depth_m);
+    const auto gradient = [](const Penetration& p) {
+      return std::array{p.slope.x, p.slope.y, p.lever_m.x, p.lever_m.y, p.lever_m.z};
+    };
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double apart = gradient(found)[i] - gradient(truth)[i];
+      difference[i] += apart * apart;
+      whole[i] += gradient(truth)[i] * gradient(truth)[i];
+    }
+    ++contacts;
+  }
+  double relative(std::size_t i) const { return std::sqrt(difference[i] / whole[i]); }
+  double depth_um() const { return 1e6 * std::sqrt(depth_m2 / contacts); }
+};
+
+// Against the same definition on a grid of 1024 × 1024, with the same step.
+std::vector<Errors> accuracy() {
+  constexpr double kStep_m = ContactsByChance::kShortest_m / 8.0;
+  constexpr std::array kSmooth = {SmoothMaximum{.tau_m = 5e-6}, SmoothMaximum{.tau_m = 20e-6}};
+  constexpr std::array kSamples = {64, 128, 256};
+  std::vector<Errors> all;
+  for (const int samples : kSamples) {
+    const std::string at = "/" + std::to_string(samples);
+    all.push_back({.name = "reference" + at});
+    all.push_back({.name = "sampler" + at});
+    all.push_back({.name = "smooth/5_um" + at});
+    all.push_back({.name = "smooth/20_um" + at});
+  }
+  ContactsByChance chance(2);
+  for (const ContactKind kind : kContactKinds) {
+    for (int i = 0; i < kContactsOfAKind; ++i) {
+      const ChanceContact contact = pressed(chance, kind, window_of(256));
+      const PackedSurface a(contact.mesh_a);
+      const PackedSurface b(contact.mesh_b);
+      const auto plain = [&](int samples, const MaximumLaw& law) {
+        return reference_penetration(contact.a(), contact.b(), {}, window_of(samples), law).value();
+      };
+      const HardMaximum hard{.step_m = kStep_m};
+      const Penetration truth = plain(kTruthSamples, hard);
+      const std::array smooth_truth = {plain(kTruthSamples, kSmooth[0]),
+                                       plain(kTruthSamples, kSmooth[1])};
+      std::size_t row = 0;
+      for (const int samples : kSamples) {
+        PenetrationSampler sampler(
+            {.grid = window_of(samples),
+             .step_cells = samples / 64,
+             .most_triangles = std::max(a.triangles().size(), b.triangles().size()),
+             .instructions = instruction_sets_here().back()});
+        all[row++].add(plain(samples, hard), truth);
+        all[row++].add(
+            sampler
+                .evaluate({.surface = a, .triangles = contact.triangles_a, .pose = contact.pose_a},
+                          {.surface = b, .triangles = contact.triangles_b, .pose = contact.pose_b},
+                          {})
+                .value(),
+            truth);
+        all[row++].add(plain(samples, kSmooth[0]), smooth_truth[0]);
+        all[row++].add(plain(samples, kSmooth[1]), smooth_truth[1]);
+      }
+    }
+  }
+  return all;
+}
+
+std::string machine() {
+  std::ifstream cpus("/proc/cpuinfo");
+  for (std::string line; std::getline(cpus, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+nlohmann::ordered_json head() {
+  return {{"format", "asperity.bench/1"},
+          {"machine", machine()},
+          {"commit", ASPERITY_COMMIT},
+          {"isa", asperity::name_of(instruction_sets_here().back())}};
+}
+
+void print_costs(const std::vector<Costs>& all, bool as_json) {
+  nlohmann::ordered_json document = head();
+  document["cases"] = nlohmann::ordered_json::array();
+  if (!as_json) {
+    std::printf("%-40s %9s %9s %9s %7s %9s\n", "case (ns)", "p50", "p99", "p99.9", "count",
+                "preempted");
+  }
+  for (const Costs& costs : all) {
+    const std::array quantiles_ns = {quantile_ns(costs, 0.5), quantile_ns(costs, 0.99),
+                                     quantile_ns(costs, 0.999)};
+    document["cases"].push_back({{"name", costs.name},
+                                 {"unit", "ns"},
+                                 {"p50", quantiles_ns[0]},
+                                 {"p99", quantiles_ns[1]},
+                                 {"p99_9", quantiles_ns[2]},
+                                 {"count", costs.undisturbed_ns.size()},
+                                 {"preempted", costs.preempted}});
+    if (!as_json) {
+      std::printf("%-40s %9lld %9lld %9lld %7zu %9lld\n", costs.name.c_str(),
+                  static_cast<long long>(quantiles_ns[0]), static_cast<long long>(quantiles_ns[1]),
+                  static_cast<long long>(quantiles_ns[2]), costs.undisturbed_ns.size(),
+                  static_cast<long long>(costs.preempted));
+    }
+  }
+  if (as_json) std::puts(document.dump(2).c_str());
+}
+
+void print_errors(const std::vector<Errors>& all, bool as_json) {
+  constexpr std::array kNames = {"u", "v", "theta_u", "theta_v", "theta_n"};
+  nlohmann::ordered_json document = head();
+  document["errors"] = nlohmann::ordered_json::array();
+  for (const Errors& errors : all) {
+    nlohmann::ordered_json row{{"name", errors.name}, {"depth_um", errors.depth_um()}};
+    for (std::size_t i = 0; i < kNames.size(); ++i) row[kNames[i]] = errors.relative(i);
+    row["contacts"] = errors.contacts;
+    document["errors"].push_back(row);
+    if (!as_json) {
+      std::printf("%-20s depth %6.2f um, relative", errors.name.c_str(), errors.depth_um());
+      for (std::size_t i = 0; i < kNames.size(); ++i) {
+        std::printf("  %s %.3f", kNames[i], errors.relative(i));
+      }
+      std::puts("");
+    }
+  }
+  if (as_json) std::puts(document.dump(2).c_str());
+}
+
+int run(bool as_json, bool with_accuracy) {
+  if (with_accuracy) {
+    print_errors(accuracy(), as_json);
+    return 0;
+  }
+  double used = 0.0;  // so that no work can be left out
+  std::vector<Costs> all;
+  for (const int samples : {64, 128}) {
+    for (const ContactKind kind : {ContactKind::flat, ContactKind::convex_on_flat}) {
+      for (const InstructionSet set : instruction_sets_here()) {
+        all.push_back(time_of_sampler(samples, kind, set, used));
+      }
+    }
+    all.push_back(time_of_reference(samples, used));
+  }
+  print_costs(all, as_json);
+  return std::isfinite(used) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+  bool as_json = false;
+  bool with_accuracy = false;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--json") == 0) {
+      as_json = true;
+    } else if (std::strcmp(argv[i], "--accuracy") == 0) {
+      with_accuracy = true;
+    } else {
+      std::fprintf(stderr, "usage: %s [--json] [--accuracy]\n", argv[0]);
+      return 2;
+    }
+  }
+  return asperity::run(as_json, with_accuracy);
+}
