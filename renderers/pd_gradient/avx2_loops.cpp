@@ -5,6 +5,7 @@
 #include <immintrin.h>
 
 #include "renderers/pd_gradient/sample_loops.h"
+#include "renderers/pd_gradient/triangle_loops.h"
 
 namespace asperity {
 namespace {
@@ -87,7 +88,9 @@ struct Lanes {
 }  // namespace asperity
 
 #include "renderers/pd_gradient/sample_loops_of_lanes.h"
+#include "renderers/pd_gradient/triangle_loops_of_lanes.h"
 
 namespace asperity {
 const SampleLoops kAvx2Loops{sample_surface_by_lanes, compare_by_lanes};
+const TriangleLoops kAvx2TriangleLoops{find_pairs_by_lanes};
 }  // namespace asperity
