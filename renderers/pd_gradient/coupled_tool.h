@@ -1,0 +1,96 @@
+// The tool that is simulated between the hand and the surfaces: virtual coupling, integrated implicitly.
+
+#pragma once
+
+#include <span>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "device/probe_state.h"
+#include "device/wrench.h"
+
+namespace asperity {
+
+/// A rigid body's pose: where its centre of mass is, and how it is turned.
+struct ToolPose {
+  glm::dvec3 centre_m{0.0};
+  glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
+};
+
+/// One contact as a penalty energy ½·k·δ² of the tool's pose, to first order around the present one:
+///
+///   δ(x + dx) = δ + ∇δ · dx      dx a translation [m] and a rotation vector [rad] of the tool about
+///                                its centre of mass, both in the device's frame
+struct PenaltyContact {
+  double stiffness_N_per_m = 0.0;   ///< k
+  double depth_m = 0.0;             ///< δ, positive
+  glm::dvec3 depth_per_m{0.0};      ///< of a translation; −n where n separates
+  glm::dvec3 depth_per_rad_m{0.0};  ///< of a rotation [m/rad]
+  double damping_N_s_per_m = 0.0;   ///< along ∇δ, while they touch
+};
+
+/// A body of mass m and inertia I (the same about every axis) between the device and the contacts.
+///
+/// The hand holds it by springs and dampers to where the device is,
+///
+///   F_c = k_t·(p_d − p) + b_t·(v_d − v)      T_c = k_r·φ + b_r·(ω_d − ω)
+///
+/// with φ the rotation vector [rad] from the tool's orientation to the device's, and the contacts
+/// push with −(k·δ + b·δ̇)·∇δ. One step solves
+///
+///   (M/h + h·K + B)·V⁺ = M·V/h + Q
+///
+/// for the twist V⁺ at its end, Q the generalised force at the present pose, K and B the sums of the
+/// springs' and dampers' matrices, those of a contact k·∇δ∇δᵀ and b·∇δ∇δᵀ: backward Euler, linearised
+/// once. K and B are positive semi-definite, therefore a step never adds energy to a linear problem,
+/// however stiff the contacts and however long the step. A contact that would pull is left out.
+///
+/// What the hand feels is the springs and dampers of the coupling: it is never stiffer than k_t, k_r.
+///
+/// Units and frame: SI, in the device's frame. The centre of mass lies at `centre_in_tool_m` from the
+/// device's tip, in the frame that turns with the device.
+///
+/// Errors: the constructor throws std::invalid_argument, naming the field, for a mass, inertia or
+/// stiffness that is not positive or a damping that is negative.
+///
+/// Real-time: `reset` and `step` do not allocate, lock or throw.
+///
+/// Sources: virtual coupling [Colgate 1995]; implicit integration of the tool [Otaduy 2006].
+class CoupledTool final {
+ public:
+  struct Properties {
+    double mass_kg = 0.05;
+    double inertia_kg_m2 = 2e-5;
+    double stiffness_N_per_m = 2000.0;
+    double damping_N_s_per_m = 2.0;
+    double angular_stiffness_N_m_per_rad = 2.0;
+    double angular_damping_N_m_s_per_rad = 0.002;
+    glm::dvec3 centre_in_tool_m{0.0};
+  };
+
+  explicit CoupledTool(const Properties& properties);
+
+  /// The tool is where the device is, and moves with it.
+  void reset(const ProbeState& device) noexcept;
+
+  /// Where the tool is now: the pose for which the next step's contacts are to be found.
+  const ToolPose& pose() const noexcept { return pose_; }
+
+  /// One step of `dt_s`. What it returns is the coupling's wrench on the hand, about the device's
+  /// tip. Of more than `kMaximumContacts` contacts the deepest should be given: the rest is ignored.
+  Wrench step(const ProbeState& device, std::span<const PenaltyContact> contacts,
+              double dt_s) noexcept;
+
+  static constexpr std::size_t kMaximumContacts = 64;
+
+ private:
+  glm::dvec3 arm_m(const ProbeState& device) const noexcept;
+
+  Properties properties_{};
+  ToolPose pose_{};
+  glm::dvec3 velocity_m_per_s_{0.0};
+  glm::dvec3 angular_velocity_rad_per_s_{0.0};
+};
+
+}  // namespace asperity

@@ -1,0 +1,154 @@
+// The simulated tool between hand and surfaces.
+
+#include "renderers/pd_gradient/coupled_tool.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/random.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kTick_s = 0.001;
+
+ProbeState at(const glm::dvec3& position_m) { return {.position_m = position_m}; }
+
+glm::dquat turned(double angle_rad, const glm::dvec3& axis) {
+  return {std::cos(0.5 * angle_rad), std::sin(0.5 * angle_rad) * glm::normalize(axis)};
+}
+
+/// A plane at z = 0 under the point `point` of the tool [m, from its centre, turned with it].
+struct PlaneUnderPoint {
+  glm::dvec3 point_m{0.0};
+  double stiffness_N_per_m = 1000.0;
+
+  std::vector<PenaltyContact> contacts(const ToolPose& pose) const {
+    const glm::dvec3 arm = pose.orientation * point_m;
+    const double depth_m = -(pose.centre_m.z + arm.z);
+    if (depth_m <= 0.0) return {};
+    const glm::dvec3 down(0.0, 0.0, -1.0);
+    return {{.stiffness_N_per_m = stiffness_N_per_m,
+             .depth_m = depth_m,
+             .depth_per_m = down,
+             .depth_per_rad_m = glm::cross(arm, down)}};
+  }
+};
+
+Wrench settle(CoupledTool& tool, const ProbeState& device, const PlaneUnderPoint& plane,
+              int ticks = 5000) {
+  Wrench wrench{};
+  for (int tick = 0; tick < ticks; ++tick) {
+    wrench = tool.step(device, plane.contacts(tool.pose()), kTick_s);
+  }
+  return wrench;
+}
+
+TEST(CoupledTool, ComesToWhereTheDeviceIsAndThenPullsNoMore) {
+  CoupledTool tool({.centre_in_tool_m = {0.0, 0.0, 0.03}});
+  tool.reset(at({0.0, 0.0, 0.05}));
+  const ProbeState device{.position_m = {0.01, -0.02, 0.06},
+                          .orientation = turned(0.7, {1.0, 2.0, -1.0})};
+  Wrench wrench{};
+  for (int tick = 0; tick < 5000; ++tick) wrench = tool.step(device, {}, kTick_s);
+  const glm::dvec3 centre_m = device.position_m + device.orientation * glm::dvec3(0.0, 0.0, 0.03);
+  EXPECT_LT(glm::distance(tool.pose().centre_m, centre_m), 1e-9);
+  EXPECT_NEAR(std::abs(glm::dot(tool.pose().orientation, device.orientation)), 1.0, 1e-12);
+  EXPECT_LT(glm::length(wrench.force_N), 1e-6);
+  EXPECT_LT(glm::length(wrench.torque_N_m), 1e-6);
+}
+
+TEST(CoupledTool, HasNoForceWhileItMovesAlongWithTheDevice) {
+  CoupledTool tool({});
+  ProbeState device{.velocity_m_per_s = {0.1, 0.0, 0.0}};
+  tool.reset(device);
+  for (int tick = 1; tick < 200; ++tick) {
+    // The tool is where the device will be at the tick's end.
+    device.position_m.x = 0.1 * kTick_s * tick;
+    const Wrench wrench = tool.step(device, {}, kTick_s);
+    ASSERT_LT(glm::length(wrench.force_N), 1e-9) << tick;
+  }
+}
+
+TEST(CoupledTool, SharesAPressBetweenTheTwoSpringsInSeries) {
+  const CoupledTool::Properties properties{.stiffness_N_per_m = 2000.0};
+  CoupledTool tool(properties);
+  tool.reset(at({0.0, 0.0, 0.01}));
+  const Wrench wrench = settle(tool, at({0.0, 0.0, -0.003}), {.stiffness_N_per_m = 1000.0});
+  // 3 mm over 1/(1/2000 + 1/1000) N/m.
+  EXPECT_NEAR(wrench.force_N.z, 0.003 * 2000.0 * 1000.0 / 3000.0, 1e-9);
+  EXPECT_NEAR(tool.pose().centre_m.z, -0.002, 1e-12);
+  EXPECT_NEAR(wrench.force_N.x, 0.0, 1e-12);
+}
+
+TEST(CoupledTool, FeelsAnOffCentreContactAsATorqueAboutTheDevicesTip) {
+  // Stiff in rotation, so that the contact stays where it is: 4 cm beside the tip.
+  CoupledTool tool({.angular_stiffness_N_m_per_rad = 1e4, .centre_in_tool_m = {0.01, 0.0, 0.0}});
+  tool.reset(at({0.0, 0.0, 0.01}));
+  const PlaneUnderPoint plane{.point_m = {0.03, 0.0, 0.0}};
+  const Wrench wrench = settle(tool, at({0.0, 0.0, -0.002}), plane, 20000);
+  EXPECT_GT(wrench.force_N.z, 0.1);
+  const glm::dvec3 expected = glm::cross(glm::dvec3(0.04, 0.0, 0.0), wrench.force_N);
+  EXPECT_LT(glm::distance(wrench.torque_N_m, expected), 1e-4 * glm::length(expected));
+}
+
+TEST(CoupledTool, IsLetGoByAContactThatWouldPull) {
+  CoupledTool tool({});
+  tool.reset(at({0.0, 0.0, -0.0001}));
+  // The hand is gone within a tick: nothing holds the tool back.
+  const ProbeState away = at({0.0, 0.0, 0.5});
+  CoupledTool unhindered({});
+  unhindered.reset(at({0.0, 0.0, -0.0001}));
+  const PlaneUnderPoint sticky{.stiffness_N_per_m = 1e6};
+  const Wrench wrench = tool.step(away, sticky.contacts(tool.pose()), kTick_s);
+  EXPECT_EQ(wrench.force_N.z, unhindered.step(away, {}, kTick_s).force_N.z);
+}
+
+TEST(CoupledTool, IsNeverStifferToTheHandThanItsCoupling) {
+  CoupledTool tool({.stiffness_N_per_m = 800.0});
+  tool.reset(at({0.0, 0.0, 0.0}));
+  const PlaneUnderPoint rock{.stiffness_N_per_m = 1e9};
+  const Wrench wrench = settle(tool, at({0.0, 0.0, -0.004}), rock);
+  EXPECT_NEAR(wrench.force_N.z, 800.0 * 0.004, 1e-4);
+}
+
+TEST(CoupledTool, StaysBoundedAtOneKilohertzOnContactsFarStifferThanAnExplicitStepBears) {
+  CoupledTool tool({.mass_kg = 0.01, .inertia_kg_m2 = 1e-6});
+  Random random(3);
+  ProbeState device = at({0.0, 0.0, 0.001});
+  tool.reset(device);
+  const PlaneUnderPoint plane{.point_m = {0.02, 0.01, 0.0}, .stiffness_N_per_m = 1e6};
+  double largest_m = 0.0;
+  for (int tick = 0; tick < 60000; ++tick) {
+    const double time_s = tick * kTick_s;
+    device.position_m = {0.01 * std::sin(3.0 * time_s), 0.01 * std::cos(2.0 * time_s),
+                         -0.002 + 0.003 * std::sin(7.0 * time_s) + 1e-5 * random.uniform()};
+    device.orientation = turned(0.2 * std::sin(5.0 * time_s), {1.0, 0.3, 0.1});
+    tool.step(device, plane.contacts(tool.pose()), kTick_s);
+    largest_m = std::max(largest_m, glm::distance(tool.pose().centre_m, device.position_m));
+  }
+  EXPECT_LT(largest_m, 0.02);
+}
+
+TEST(CoupledTool, RefusesPropertiesThatNoBodyHas) {
+  const auto message = [](const CoupledTool::Properties& properties) -> std::string {
+    try {
+      CoupledTool tool(properties);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_THAT(message({.mass_kg = 0.0}), testing::HasSubstr("mass_kg"));
+  EXPECT_THAT(message({.inertia_kg_m2 = std::nan("")}), testing::HasSubstr("inertia_kg_m2"));
+  EXPECT_THAT(message({.damping_N_s_per_m = -1.0}), testing::HasSubstr("damping_N_s_per_m"));
+  EXPECT_EQ(message({}), "");
+}
+
+}  // namespace
+}  // namespace asperity
