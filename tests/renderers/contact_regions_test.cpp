@@ -1,0 +1,185 @@
+// Pairs of triangles become contacts, and their directions are steady.
+
+#include "renderers/pd_gradient/contact_regions.h"
+
+#include <cmath>
+#include <memory>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/renderers/meshes.h"
+#include "tests/support/allocation_guard.h"
+
+namespace asperity {
+namespace {
+
+Pose at(const glm::dvec3& place_m) { return {.position_m = place_m}; }
+
+Pose turned(double angle_rad, const glm::dvec3& axis, const glm::dvec3& place_m) {
+  return {.rotation = glm::mat3_cast(glm::angleAxis(angle_rad, glm::normalize(axis))),
+          .position_m = place_m};
+}
+
+/// The two steps of a tick that end in contacts.
+struct Meeting {
+  Meeting(const TriangleMesh& a, const TriangleMesh& b)
+      : query(std::make_shared<ClusteredMesh>(a), std::make_shared<ClusteredMesh>(b), 4000),
+        regions(a, b, 4000, 16) {}
+
+  std::span<const ContactRegion> update(const Pose& a, const Pose& b) {
+    const glm::dmat3 back = glm::transpose(b.rotation);
+    const auto pairs = query.find(
+        {.rotation = back * a.rotation, .position_m = back * (a.position_m - b.position_m)});
+    return regions.update(pairs, a, b);
+  }
+
+  MeshQuery query;
+  ContactRegions regions;
+};
+
+constexpr double kRadius_m = 0.01;
+constexpr double kDepth_m = 0.001;
+
+TriangleMesh plate() { return box({0.1, 0.1, 0.01}); }
+/// Under whose upper face z = 0 lies.
+Pose plate_pose() { return at({0.0, 0.0, -0.005}); }
+
+TEST(ContactRegions, ABallOnAPlateIsOneContactAlongThePlatesNormal) {
+  Meeting meeting(ball(kRadius_m, 24, 36), plate());
+  const auto regions = meeting.update(at({0.013, -0.007, kRadius_m - kDepth_m}), plate_pose());
+  ASSERT_EQ(regions.size(), 1U);
+  const ContactRegion& region = regions[0];
+  EXPECT_GT(region.frame.n.z, 0.999);
+  EXPECT_NEAR(region.frame.origin_m.x, 0.013, 2e-4);
+  EXPECT_NEAR(region.frame.origin_m.y, -0.007, 2e-4);
+  EXPECT_NEAR(region.frame.origin_m.z, 0.0, 1e-9);  // on the plane in which both are cut
+  // The circle in which the ball is cut, and not much more.
+  const double circle_m = 2.0 * std::sqrt(2.0 * kRadius_m * kDepth_m - kDepth_m * kDepth_m);
+  EXPECT_GT(region.width_m, 0.97 * circle_m);
+  EXPECT_LT(region.width_m, 1.3 * circle_m);
+  EXPECT_EQ(meeting.regions.regions_left_out(), 0U);
+}
+
+TEST(ContactRegions, AFacePressedIntoAFaceIsOneContactAlongTheirNormal) {
+  // No triangle of the two faces cuts the other's plane: the curve is that of the box's walls.
+  Meeting meeting(box({0.02, 0.03, 0.02}), plate());
+  const auto regions =
+      meeting.update(turned(0.3, {0.0, 0.0, 1.0}, {0.0, 0.0, 0.01 - 1e-4}), plate_pose());
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_GT(regions[0].frame.n.z, 1.0 - 1e-9);
+  EXPECT_GT(regions[0].width_m, 0.03);
+}
+
+TEST(ContactRegions, WhatDoesNotHangTogetherIsSeveralContacts) {
+  // A ring that stands on edge, half of it in a block, cuts the block's face in two places.
+  Meeting meeting(bumpy_torus(40, 20), box({0.1, 0.1, 0.1}));
+  const Pose ring = turned(1.5, {1.0, 0.1, 0.2}, {0.0, 0.0, 0.005});
+  const auto regions = meeting.update(ring, at({0.0, 0.0, -0.05}));
+  ASSERT_EQ(regions.size(), 2U);
+  EXPECT_GT(glm::distance(regions[0].frame.origin_m, regions[1].frame.origin_m), 0.03);
+}
+
+TEST(ContactRegions, ExchangingTheBodiesReversesTheDirection) {
+  const TriangleMesh one = ball(kRadius_m, 12, 20);
+  const TriangleMesh other = bumpy_torus(24, 15);
+  const Pose one_pose = turned(0.4, {1.0, 2.0, 3.0}, {0.03, 0.004, 0.0205});
+  Meeting forward(one, other);
+  Meeting backward(other, one);
+  const auto first = forward.update(one_pose, {});
+  const auto second = backward.update({}, one_pose);
+  ASSERT_EQ(first.size(), 1U);
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_LT(glm::length(first[0].frame.n + second[0].frame.n), 1e-9);
+  EXPECT_LT(glm::distance(first[0].frame.origin_m, second[0].frame.origin_m), 1e-12);
+}
+
+TEST(ContactRegions, MovingBothBodiesMovesTheContactWithThem) {
+  const TriangleMesh one = ball(kRadius_m, 12, 20);
+  const TriangleMesh other = bumpy_torus(24, 15);
+  const Pose pose = at({0.03, 0.004, 0.0205});
+  const Pose motion = turned(1.1, {2.0, -1.0, 0.5}, {0.2, -0.1, 0.3});
+  const Pose moved{.rotation = motion.rotation * pose.rotation,
+                   .position_m = motion.rotation * pose.position_m + motion.position_m};
+  Meeting still(one, other);
+  Meeting moving(one, other);
+  const ContactRegion before = still.update(pose, {})[0];
+  const ContactRegion after = moving.update(moved, motion)[0];
+  EXPECT_LT(glm::distance(after.frame.n, motion.rotation * before.frame.n), 1e-9);
+  EXPECT_LT(glm::distance(after.frame.origin_m,
+                          motion.rotation * before.frame.origin_m + motion.position_m),
+            1e-9);
+}
+
+TEST(ContactRegions, ADirectionMovesContinuouslyWhileABodySlides) {
+  Meeting meeting(ball(kRadius_m, 16, 24), bumpy_torus(30, 20));
+  constexpr double kStep_m = 1e-5;
+  double largest_rad = 0.0;
+  ContactFrame before{};
+  for (int step = 0; step < 1500; ++step) {
+    const auto regions = meeting.update(at({0.03, -0.0075 + kStep_m * step, 0.0205}), {});
+    ASSERT_EQ(regions.size(), 1U) << step;
+    const ContactFrame& frame = regions[0].frame;
+    if (step > 0) largest_rad = std::max(largest_rad, glm::length(frame.n - before.n));
+    EXPECT_NEAR(glm::dot(frame.u, frame.n), 0.0, 1e-12);
+    EXPECT_NEAR(glm::dot(glm::cross(frame.u, frame.v), frame.n), 1.0, 1e-12);
+    before = frame;
+  }
+  // 10 µm on faces of some 5 mm that meet at some 0.3 rad.
+  EXPECT_LT(largest_rad, 0.005);
+}
+
+TEST(ContactRegions, ADirectionStaysWhileTheBodiesRockWithinItsPlay) {
+  Meeting meeting(box({0.02, 0.02, 0.02}), plate());
+  const auto rocked = [&](double angle_rad) {
+    // The plate rocks, and the box with it.
+    const Pose motion = turned(angle_rad, {0.0, 1.0, 0.0}, {0.0, 0.0, 0.0});
+    const Pose block{.rotation = motion.rotation,
+                     .position_m = motion.rotation * glm::dvec3(0.0, 0.0, 0.0099)};
+    const Pose ground{.rotation = motion.rotation,
+                      .position_m = motion.rotation * glm::dvec3(0.0, 0.0, -0.005)};
+    return meeting.update(block, ground)[0].frame.n;
+  };
+  const glm::dvec3 first = rocked(0.0);
+  EXPECT_EQ(rocked(0.9 * ContactRegions::kPlay_rad), first);
+  EXPECT_EQ(rocked(-0.9 * ContactRegions::kPlay_rad), first);
+  const glm::dvec3 followed = rocked(3.0 * ContactRegions::kPlay_rad);
+  EXPECT_NEAR(std::acos(glm::dot(followed, first)), 2.0 * ContactRegions::kPlay_rad, 1e-6);
+  meeting.regions.reset();
+  EXPECT_NEAR(std::acos(glm::dot(rocked(0.3), first)), 0.3, 1e-6);  // nothing to stay behind
+}
+
+TEST(ContactRegions, AreThoseWithTheLongestCurvesWhereThereIsNoRoomForMore) {
+  const TriangleMesh ring = bumpy_torus(40, 20);
+  const TriangleMesh block = box({0.1, 0.1, 0.1});
+  Meeting meeting(ring, block);
+  ContactRegions narrow(ring, block, 4000, 1);
+  const Pose pose = turned(1.5, {1.0, 0.1, 0.2}, {0.0, 0.0, 0.005});
+  const Pose below = at({0.0, 0.0, -0.05});
+  const ContactRegion longest = meeting.update(pose, below)[0];
+  const auto pairs = meeting.query.find(
+      {.rotation = pose.rotation, .position_m = pose.position_m - below.position_m});
+  const auto regions = narrow.update(pairs, pose, below);
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_EQ(regions[0].frame.origin_m, longest.frame.origin_m);
+  EXPECT_EQ(narrow.regions_left_out(), 1U);
+}
+
+TEST(ContactRegions, BodiesApartMakeNoContact) {
+  Meeting meeting(ball(kRadius_m, 12, 20), plate());
+  EXPECT_TRUE(meeting.update(at({0.0, 0.0, 0.02}), plate_pose()).empty());
+}
+
+TEST(ContactRegions, LeaveTheHeapAlone) {
+  if (!AllocationGuard::kCounts) GTEST_SKIP() << "the sanitizer owns the heap";
+  Meeting meeting(bumpy_torus(30, 20), bumpy_torus(24, 15));
+  const AllocationGuard guard;
+  for (int step = 0; step < 50; ++step) {
+    meeting.update(turned(0.02 * step, {1.0, 2.0, 0.5}, {0.001 * step, 0.002, 0.01}), {});
+  }
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace asperity
