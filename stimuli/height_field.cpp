@@ -98,15 +98,18 @@ HeightField::HeightField(const Grid& grid, std::vector<float> heights_m)
                                 std::to_string(count) + " heights; it must hold rows · columns.");
   }
   double sum_m = 0.0;
+  float low_m = heights_m_.front();
+  float high_m = low_m;
   for (const float height_m : heights_m_) {
     if (!std::isfinite(height_m)) {
       throw std::invalid_argument("heights_m of a height field holds a height that is not finite.");
     }
     sum_m += static_cast<double>(height_m);
+    low_m = std::min(low_m, height_m);
+    high_m = std::max(high_m, height_m);
   }
-  const auto [low, high] = std::minmax_element(heights_m_.begin(), heights_m_.end());
-  minimum_m_ = static_cast<double>(*low);
-  maximum_m_ = static_cast<double>(*high);
+  minimum_m_ = static_cast<double>(low_m);
+  maximum_m_ = static_cast<double>(high_m);
   mean_m_ = sum_m / static_cast<double>(count);
   double sum_m2 = 0.0;
   for (const float height_m : heights_m_) {

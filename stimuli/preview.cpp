@@ -29,7 +29,8 @@ GreyImage stretched(GreyImage picture) {
   const auto share = static_cast<std::ptrdiff_t>(sorted.size() / 100);
   std::nth_element(sorted.begin(), sorted.begin() + share, sorted.end());
   const float black = sorted[static_cast<std::size_t>(share)];
-  std::nth_element(sorted.begin(), sorted.end() - 1 - share, sorted.end());
+  // What is left of there is smaller already.
+  std::nth_element(sorted.begin() + share, sorted.end() - 1 - share, sorted.end());
   const float white = *(sorted.end() - 1 - share);
   for (float& value : picture.values) {
     value = white > black ? std::clamp((value - black) / (white - black), 0.0F, 1.0F) : 0.5F;
@@ -62,14 +63,18 @@ GreyImage shaded_relief(const HeightField& field) {
   relief.values.reserve(field.heights_m().size());
   double sum = 0.0;
   for (std::size_t i = 0; i < grid.rows; ++i) {
+    // At its own samples the slope of the interpolant is the central difference; the outermost
+    // samples repeat themselves beyond.
+    const float* here_m = field.heights_m().data() + i * grid.columns;
+    const float* up_m = i > 0 ? here_m - grid.columns : here_m;
+    const float* down_m = i + 1 < grid.rows ? here_m + grid.columns : here_m;
     for (std::size_t j = 0; j < grid.columns; ++j) {
-      const double x_m =
-          (static_cast<double>(j) - 0.5 * static_cast<double>(grid.columns - 1)) * grid.pitch_m;
-      const double y_m =
-          (0.5 * static_cast<double>(grid.rows - 1) - static_cast<double>(i)) * grid.pitch_m;
-      const HeightSample at = field.sample(x_m, y_m, Tiling::bounded);
+      const auto left_m = static_cast<double>(here_m[j > 0 ? j - 1 : j]);
+      const auto right_m = static_cast<double>(here_m[j + 1 < grid.columns ? j + 1 : j]);
+      const double rise_m =
+          right_m - left_m - (static_cast<double>(up_m[j]) - static_cast<double>(down_m[j]));
       // Light from (−1, 1): ground that rises to the right and falls to the top faces it.
-      const double facing = at.slope_x - at.slope_y;
+      const double facing = 0.5 * rise_m / grid.pitch_m;
       sum += facing * facing;
       relief.values.push_back(static_cast<float>(facing));
     }

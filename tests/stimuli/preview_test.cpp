@@ -2,6 +2,7 @@
 
 #include "stimuli/preview.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -29,6 +30,25 @@ TEST(ShadedRelief, IsBrightOnTheUpperLeftOfAHillAndDarkOnTheLowerRight) {
   EXPECT_GT(at(relief, 23, 23), 0.8F);
   EXPECT_LT(at(relief, 40, 40), 0.2F);
   EXPECT_NEAR(at(relief, 23, 40), 0.5, 0.02);
+}
+
+TEST(ShadedRelief, IsTheSlopeOfTheInterpolantTowardsTheLight) {
+  const HeightField field = hill(1e-3);
+  const GreyImage relief = shaded_relief(field);
+  std::vector<double> facing;
+  double squares = 0.0;
+  for (int i = 0; i < 64; ++i) {
+    for (int j = 0; j < 64; ++j) {
+      const HeightSample slope =
+          field.sample((j - 31.5) * 1e-3, (31.5 - i) * 1e-3, Tiling::bounded);
+      facing.push_back(slope.slope_x - slope.slope_y);
+      squares += facing.back() * facing.back();
+    }
+  }
+  const double rms = std::sqrt(squares / 4096.0);
+  for (std::size_t k = 0; k < facing.size(); ++k) {
+    EXPECT_NEAR(relief.values[k], std::clamp(0.5 + 0.2 * facing[k] / rms, 0.0, 1.0), 1e-6);
+  }
 }
 
 TEST(ShadedRelief, LooksTheSameWhateverTheAmplitude) {
