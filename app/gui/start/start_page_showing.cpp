@@ -1,0 +1,218 @@
+// How the page before a session shows what is chosen.
+
+#include <algorithm>
+
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QProgressBar>
+#include <QtWidgets/QSpinBox>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/sound/noise_check.h"
+#include "app/gui/start/consent_card.h"
+#include "app/gui/start/participant_card.h"
+#include "app/gui/start/setup_card.h"
+#include "app/gui/start/start_page.h"
+#include "app/gui/study/shown_text.h"
+#include "app/tasks/participant_answers.h"
+#include "protocols/plan.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kMostReasons = 3;
+
+/// Several sentences as one text: the first few, and how many more there are.
+QString text_of_reasons(const std::vector<QString>& reasons) {
+  QStringList shown{};
+  for (const QString& reason : reasons) {
+    if (shown.size() < kMostReasons) shown << reason;
+  }
+  const int more = static_cast<int>(reasons.size()) - static_cast<int>(shown.size());
+  if (more > 0) shown << StartPage::tr("And %n more.", nullptr, more);
+  return shown.join(' ');
+}
+
+}  // namespace
+
+void StartPage::show_protocol() {
+  protocol_state_->setVisible(!protocol_);
+  protocol_text_->setVisible(protocol_ != nullptr);
+  if (!protocol_) {
+    if (protocols_->count() == 0) {
+      protocol_state_->set_state(State::stop, tr("The study has no protocol yet: make one on the "
+                                                 "Protocols page."));
+    } else if (protocol_problem_.isEmpty()) {
+      protocol_state_->set_state(State::unknown, tr("Choose what is to be run."));
+    } else {
+      protocol_state_->set_state(State::stop, protocol_problem_);
+    }
+    return;
+  }
+  const PlanCost cost = cost_of(*protocol_, make_plan(*protocol_, {1, 0}));
+  const QString title =
+      QString::fromStdString(protocol_->title.empty() ? protocol_->name : protocol_->title);
+  const QString head =
+      tr("%1 · version %2 · SHA-256 %3")
+          .arg(text_of_kind(protocol_->kind), QString::fromStdString(protocol_->version),
+               QString::fromStdString(short_hash(protocol_sha256_)));
+  const QString trials = cost.trials == 1 ? tr("1 trial") : tr("%n trials", nullptr, cost.trials);
+  const QString tail =
+      tr("%1, about %2 · %3 · %4")
+          .arg(trials, text_of_duration(cost.total_s), text_of_vision(protocol_->vision),
+               text_of_noise(protocol_->masking_noise));
+  protocol_text_->setTextFormat(Qt::RichText);
+  protocol_text_->setText(
+      QString("<b>%1</b><br>%2<br>%3")
+          .arg(title.toHtmlEscaped(), head.toHtmlEscaped(), tail.toHtmlEscaped()));
+  participant_->set_questions(protocol_->participant_questions);
+  consent_->set_statement(*protocol_);
+}
+
+void StartPage::show_noise() {
+  const MaskingNoise declared = protocol_ ? declared_noise(*protocol_) : MaskingNoise{};
+  if (noise_ != nullptr) {
+    const MaskingNoise now = noise_->value();
+    if (now.kind == declared.kind && now.declared_dBA == declared.declared_dBA) return;
+    delete noise_;
+    noise_ = nullptr;
+  }
+  if (declared.kind == MaskingNoise::Kind::none) return;
+  noise_ = new NoiseCheck(declared, noise_card_);
+  noise_layout_->addWidget(noise_);
+  connect(noise_, &NoiseCheck::changed, this, &StartPage::check_soon);
+}
+
+void StartPage::show_mode() {
+  (mode_ == SessionMode::run     ? run_
+   : mode_ == SessionMode::pilot ? pilot_
+                                 : simulate_)
+      ->setChecked(true);
+  band_->set_mode(mode_);
+  for (QPushButton* button : {run_, pilot_, simulate_}) button->setEnabled(!resume_);
+  if (resume_) {
+    mode_text_->setText(tr("A session goes on in the mode in which it began."));
+  } else if (mode_ == SessionMode::run) {
+    mode_text_->setText(tr("Study data. Plan and plots show codes in place of names."));
+  } else if (mode_ == SessionMode::pilot) {
+    mode_text_->setText(tr("A person tries it out. Kept apart from the study's data."));
+  } else {
+    mode_text_->setText(
+        tr("Virtual participants exercise the study. Their answers say nothing "
+           "about people."));
+  }
+  simulation_->setVisible(is_virtual());
+  const bool real_time = real_time_->isChecked();
+  if (real_time || resume_) {
+    const QSignalBlocker silent(virtual_people_);
+    virtual_people_->setValue(1);
+  }
+  virtual_people_->setEnabled(!real_time && !resume_);
+  for (QPushButton* button : {fast_, real_time_}) button->setEnabled(!resume_);
+  if (resume_) {
+    simulation_text_->setText(tr("A simulated session goes on at the speed at which it began."));
+  } else if (real_time) {
+    simulation_text_->setText(tr("Real time takes one virtual participant at a time."));
+  } else if (virtual_people_->value() == 1) {
+    simulation_text_->setText(tr("One session, shown while it runs."));
+  } else {
+    simulation_text_->setText(tr("All of their sessions, in the background."));
+  }
+  setup_->set_virtual(is_virtual());
+  noise_card_->setVisible(noise_ != nullptr && !is_virtual());
+  consent_->setVisible(needs_consent());
+  show_person();
+  check_soon();
+}
+
+void StartPage::show_person() {
+  const int several = virtual_people_->value();
+  const std::string first = next_virtual_label(people_);
+  participant_->set_virtual(
+      is_virtual(), several == 1
+                        ? tr("The program names virtual participants; the next one is %1.")
+                              .arg(QString::fromStdString(first))
+                        : tr("The program names virtual participants; the next %n begin with %1.",
+                             nullptr, several)
+                              .arg(QString::fromStdString(first)));
+  participant_->set_people(people_);
+  const std::optional<ParticipantRow> known = participant_->known();
+  unfinished_.reset();
+  if (known && protocol_) {
+    unfinished_ = unfinished_session(study_.study(), *protocol_, known->label, going_on_);
+  }
+  if (!unfinished_) resume_ = false;
+  // Somebody came here to go on with it: no reading of the study in between makes it a new session.
+  if (unfinished_ && !resume_ && going_on_) return go_on(true);
+  participant_->set_unfinished(unfinished_, resume_);
+  participant_->set_session_text(session_text());
+  if (resume_) {
+    setup_->fix_hand(unfinished_->row.mirrored);
+  } else {
+    setup_->free_hand();
+    if (known) setup_->suggest_left_hand(uses_left_hand(*known));
+  }
+  consent_->setVisible(needs_consent());
+  title_->setText(resume_ ? tr("Go on with a session") : tr("Start a session"));
+  show_start();
+}
+
+QString StartPage::session_text() const {
+  if (!protocol_ || is_batch() || resume_) return {};
+  int sessions = 0;
+  int of_this = 0;
+  const std::string label = participant_->label();
+  for (const SessionBefore& session : sessions_) {
+    if (participant_->is_new() || session.participant != label) continue;
+    ++sessions;
+    if (session.of_this_protocol && session.mode == mode_ &&
+        session.state == SessionState::completed) {
+      ++of_this;
+    }
+  }
+  const QString number = tr("This is session %1 of this participant; %2 of %3 planned ones of this "
+                            "protocol are done.")
+                             .arg(sessions + 1)
+                             .arg(of_this)
+                             .arg(protocol_->sessions);
+  const std::vector<int>& used = rows_used_.at(mode_);
+  const auto rows = static_cast<int>(used.size());
+  if (rows <= 1) return tr("%1 No counterbalancing.").arg(number);
+  const auto least = std::min_element(used.begin(), used.end()) - used.begin();
+  return tr("%1 Counterbalancing row %2 of %3, the least used one.")
+      .arg(number)
+      .arg(least + 1)
+      .arg(rows);
+}
+
+void StartPage::show_start() {
+  const bool simulating = simulate_task_.is_running();
+  progress_->setVisible(simulating);
+  cancel_->setVisible(simulating);
+  start_->setVisible(!simulating);
+  if (resume_) {
+    start_->setText(tr("Go on with session %1").arg(unfinished_->row.session));
+  } else {
+    start_->setText(is_batch() ? tr("Simulate %n participants", nullptr, virtual_people_->value())
+                               : tr("Start session"));
+  }
+  if (simulating) {
+    reason_->set_state(State::unknown, tr("Virtual participants go through their sessions."));
+    return;
+  }
+  const std::vector<QString> why_not = reasons();
+  start_->setEnabled(why_not.empty());
+  if (why_not.empty()) {
+    reason_->set_state(State::fine, tr("Ready."));
+  } else {
+    const bool only_waiting = !checks_ && why_not.size() == 1;
+    reason_->set_state(only_waiting ? State::unknown : State::look, text_of_reasons(why_not));
+  }
+  QStringList all{};
+  for (const QString& reason : why_not) all << reason;
+  reason_->setToolTip(all.join('\n'));
+}
+
+}  // namespace asperity

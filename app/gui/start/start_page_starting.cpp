@@ -1,0 +1,190 @@
+// Whether a session can start, and starting it.
+
+#include <algorithm>
+#include <atomic>
+#include <random>
+#include <thread>
+
+#include <QtCore/QTimer>
+#include <QtGui/QGuiApplication>
+#include <QtWidgets/QProgressBar>
+#include <QtWidgets/QSpinBox>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/sound/noise_check.h"
+#include "app/gui/sound/sound_output.h"
+#include "app/gui/start/check_list.h"
+#include "app/gui/start/consent_card.h"
+#include "app/gui/start/participant_card.h"
+#include "app/gui/start/setup_card.h"
+#include "app/gui/start/start_page.h"
+
+namespace asperity {
+
+namespace {
+
+std::uint64_t new_seed() {
+  std::random_device source;
+  return (std::uint64_t{source()} << 32U) | source();
+}
+
+}  // namespace
+
+MaskingNoise StartPage::noise() const {
+  return noise_ != nullptr && !is_virtual() ? noise_->value() : MaskingNoise{};
+}
+
+std::vector<QString> StartPage::reasons() const {
+  if (!protocol_) {
+    return {protocol_problem_.isEmpty() ? tr("No protocol is chosen.")
+                                        : tr("The protocol is not valid.")};
+  }
+  std::vector<QString> reasons = participant_->complaints();
+  if (needs_consent()) {
+    for (QString& complaint : consent_->complaints()) reasons.push_back(std::move(complaint));
+  }
+  if (!checks_) {
+    reasons.push_back(tr("The checklist is being gone through."));
+    return reasons;
+  }
+  for (const SessionCheck& check : *checks_) {
+    if (check.state != SessionCheck::State::stop) continue;
+    // Said above already, in the words of the form.
+    if (check.id == "participant" && !participant_->complaints().empty()) continue;
+    reasons.push_back(
+        tr("%1: %2").arg(CheckList::title_of(check), QString::fromStdString(check.text)));
+  }
+  return reasons;
+}
+
+void StartPage::check_soon() {
+  checks_.reset();
+  show_start();
+  if (isVisible()) check_timer_->start();
+}
+
+void StartPage::check() {
+  check_timer_->stop();
+  checks_.reset();
+  if (file_.empty() || !isVisible()) return;
+  if (check_task_.is_running()) {
+    // The loop that it tries runs for a while yet: nobody waits for it here.
+    check_task_.cancel();
+    check_outdated_ = true;
+    return;
+  }
+  const CheckInputs inputs{
+      .study = study_.folder(),
+      .protocol = file_,
+      .protocol_sha256 = protocol_sha256_,
+      .participant = participant_->label(),
+      .mode = mode_,
+      .resume = resume_,
+      .resumed_session = resumed_session(),
+      .pacing = order().inputs.pacing,
+      .noise = noise(),
+      .sound_card = !sound_outputs().empty(),
+      .screens = static_cast<int>(QGuiApplication::screens().size()),
+  };
+  check_list_->set_running(true);
+  check_task_.run<std::vector<SessionCheck>>(
+      [inputs, models = built_in_models()](const std::stop_token& stop,
+                                           const BackgroundTask::Progress&) {
+        return check_session(inputs, models, stop);
+      },
+      [this](std::vector<SessionCheck> checks) {
+        if (check_outdated_ || check_timer_->isActive() || !isVisible()) return;
+        check_list_->set_running(false);
+        check_list_->set_checks(checks);
+        checks_ = std::move(checks);
+        show_start();
+      },
+      [this](const QString& what) {
+        check_list_->set_running(false);
+        banner_->show_news(State::stop, what);
+      });
+  show_start();
+}
+
+SessionOrder StartPage::order() const {
+  SessionOrder order{};
+  RunInputs& inputs = order.inputs;
+  inputs.protocol = file_;
+  inputs.study = study_.folder();
+  inputs.participant = participant_->label();
+  inputs.seed = new_seed();
+  inputs.mode = mode_;
+  inputs.resume = resume_;
+  inputs.resumed_session = resumed_session();
+  inputs.is_virtual = is_virtual();
+  inputs.pacing = is_virtual() && fast_->isChecked() ? RunPacing::stepped : RunPacing::real_time;
+  inputs.mirrored = setup_->is_mirrored();
+  if (protocol_ && !is_virtual() && participant_->is_new()) {
+    inputs.new_person = participant_->new_person(*protocol_);
+  }
+  if (needs_consent()) {
+    inputs.has_consented = consent_->is_given();
+    order.consent_seen_by = consent_->seen_by();
+  }
+  order.noise = noise();
+  order.own_keyboard = setup_->own_keyboard();
+  order.participant_screen = setup_->participant_screen();
+  if (protocol_) {
+    for (const auto& [cue, path] : protocol_->speech) order.speech[cue] = study_.folder() / path;
+  }
+  order.protocol_sha256 = protocol_sha256_;
+  return order;
+}
+
+void StartPage::press_start() {
+  if (!reasons().empty()) return;
+  if (is_batch()) {
+    simulate_several();
+    return;
+  }
+  // What was found holds for one start: the next one looks again.
+  const SessionOrder ordered = order();
+  checks_.reset();
+  show_start();
+  emit start_wanted(ordered);
+}
+
+void StartPage::simulate_several() {
+  SimulationInputs inputs{};
+  inputs.protocols = {file_};
+  inputs.study = study_.folder();
+  inputs.participants = virtual_people_->value();
+  inputs.seed = new_seed();
+  inputs.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency() / 2));
+  auto answers = std::make_shared<std::atomic<int>>(0);
+  progress_->setValue(0);
+  cancel_->setEnabled(true);
+  simulate_task_.run<SimulationResult>(
+      [inputs, answers, models = built_in_models()](const std::stop_token& stop,
+                                                    const BackgroundTask::Progress& progress) {
+        return simulate(inputs, models, stop, progress,
+                        [answers](const AttemptDone&) { ++*answers; });
+      },
+      [this](const SimulationResult& result) {
+        banner_->show_news(State::fine,
+                           tr("%1 sessions, %2 answers: look at the table.")
+                               .arg(result.sessions)
+                               .arg(result.attempts),
+                           tr("Show the sessions"), [this] { emit sessions_wanted(); });
+        study_.announce_change();
+      },
+      [this, answers](const QString& what) {
+        if (cancel_->isEnabled()) {
+          banner_->show_news(State::stop, what);
+        } else {
+          banner_->show_news(State::look,
+                             tr("The simulation was stopped. Trials that are finished and stored: "
+                                "%1.")
+                                 .arg(*answers));
+        }
+        study_.announce_change();
+      });
+  show_start();
+}
+
+}  // namespace asperity
