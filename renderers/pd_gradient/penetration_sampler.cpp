@@ -120,14 +120,18 @@ std::optional<SampledTriangle> sampled_triangle(const PackedSurface::Triangle& t
   const glm::dvec3 in_cells{1.0, 1.0, window.cells_per_m};
   const glm::dvec3 normal = window.handedness * glm::cross((points[1] - points[0]) * in_cells,
                                                            (points[2] - points[0]) * in_cells);
-  if (!(normal.z > kSteepest_cosine * glm::length(normal))) return std::nullopt;
+  constexpr double kSteepest = kSteepest_cosine * kSteepest_cosine;
+  if (!(normal.z > 0.0 && normal.z * normal.z > kSteepest * glm::dot(normal, normal))) {
+    return std::nullopt;
+  }
 
   std::sort(corners.begin(), corners.end(), [](const WindowCorner& p, const WindowCorner& q) {
     return p.y < q.y || (p.y == q.y && p.x < q.x);
   });
   const auto& [low, middle, high] = corners;
   const auto first_from = [&ends](float at) {
-    return std::clamp(static_cast<int>(std::ceil(at)), ends.first, ends.end);
+    const int cut = static_cast<int>(at);  // std::ceil is a call without SSE4.1
+    return std::clamp(static_cast<float>(cut) < at ? cut + 1 : cut, ends.first, ends.end);
   };
   const auto [left, right] = std::minmax({low.x, middle.x, high.x});
   SampledTriangle result{.whole = edge(low, high),

@@ -36,88 +36,100 @@ inline Floats along_edge(const EdgeLine& edge, Floats y) {
                     Lanes::mul(Lanes::all(edge.slope), Lanes::sub(y, Lanes::all(edge.y))));
 }
 
-// The columns [first, end) that a triangle covers in rows from `row` on.
-struct Spans {
-  std::int32_t first[kBandRows + kMostLanes];
-  std::int32_t end[kBandRows + kMostLanes];
+// What a triangle is in the rows from `row` on: the columns [first, end) that it covers, and where its
+// ramps stand in the window's middle column.
+struct TriangleRows {
+  std::int32_t first[kBandRows];
+  std::int32_t end[kBandRows];
+  float place_x[kBandRows];
+  float place_y[kBandRows];
+  float height_m[kBandRows];
+  float lift_m[kBandRows];
 };
 
-inline void find_spans(const SampledTriangle& triangle, std::int32_t row, std::int32_t rows,
-                       Spans& spans) {
+inline float middle_of(const HeightSamples& field) {
+  return 0.5F * static_cast<float>(field.samples - 1);
+}
+
+inline void find_rows(const SampledTriangle& triangle, std::int32_t row, std::int32_t rows,
+                      float middle, TriangleRows& found) {
+  static_assert(kBandRows % Lanes::kWidth == 0);
   for (std::int32_t i = 0; i < rows; i += Lanes::kWidth) {
     const Floats y = Lanes::as_float(Lanes::counted_from(row + i));
     const Floats whole = along_edge(triangle.whole, y);
     const Floats broken =
         Lanes::choose(Lanes::less(y, Lanes::all(triangle.middle_y)), along_edge(triangle.below, y),
                       along_edge(triangle.above, y));
-    Lanes::store(spans.first + i, Lanes::ceiling(Lanes::min(whole, broken)));
-    Lanes::store(spans.end + i, Lanes::ceiling(Lanes::max(whole, broken)));
+    Lanes::store(found.first + i, Lanes::ceiling(Lanes::min(whole, broken)));
+    Lanes::store(found.end + i, Lanes::ceiling(Lanes::max(whole, broken)));
+    const Floats from_middle = Lanes::sub(y, Lanes::all(middle));
+    const auto down = [from_middle](const Ramp& ramp, float* to) {
+      Lanes::store(to, Lanes::add(Lanes::all(ramp.middle),
+                                  Lanes::mul(Lanes::all(ramp.per_row), from_middle)));
+    };
+    down(triangle.place_x, found.place_x + i);
+    down(triangle.place_y, found.place_y + i);
+    down(triangle.height_m, found.height_m + i);
+    down(triangle.lift_m, found.lift_m + i);
   }
 }
 
-inline Floats across(const Ramp& ramp, Floats from_middle) {
-  return Lanes::mul(Lanes::all(ramp.per_column), from_middle);
-}
-
-inline Floats down(const Ramp& ramp, float from_middle) {
-  return Lanes::all(ramp.middle + ramp.per_row * from_middle);
-}
-
-inline float middle_of(const HeightSamples& field) {
-  return 0.5F * static_cast<float>(field.samples - 1);
-}
-
 // Leaves in the band what the triangle is at its samples, where nothing stands further out.
-inline void put_triangle(const SampledTriangle& triangle, const SurfaceTask& task,
-                         std::int32_t band_row, std::int32_t band_rows) {
+inline void put_triangle(const SampledTriangle& triangle, const HeightSamples& field,
+                         const BandRoom& room, std::int32_t band_row, std::int32_t band_rows) {
   const std::int32_t row = later(triangle.first_row, band_row);
   const std::int32_t rows = sooner(triangle.end_row, band_row + band_rows) - row;
   if (rows <= 0) return;
-  Spans spans;
-  find_spans(triangle, row, rows, spans);
-  const HeightSamples& field = task.field;
+  const float middle = middle_of(field);
+  TriangleRows found;
+  find_rows(triangle, row, rows, middle, found);
   const std::int32_t first_block =
       (triangle.first_column + field.apron) / Lanes::kWidth * Lanes::kWidth;
   for (std::int32_t block = first_block; block < triangle.end_column + field.apron;
        block += Lanes::kWidth) {
     const Lanes::Ints column = Lanes::counted_from(block - field.apron);
-    const Floats from_middle = Lanes::sub(Lanes::as_float(column), Lanes::all(middle_of(field)));
-    const Floats place_x = across(triangle.place_x, from_middle);
-    const Floats place_y = across(triangle.place_y, from_middle);
-    const Floats height_m = across(triangle.height_m, from_middle);
-    const Floats lift_m = across(triangle.lift_m, from_middle);
-    for (std::int32_t i = 0; i < rows; ++i) {
-      const Lanes::Mask inside = Lanes::within(column, spans.first[i], spans.end[i]);
+    const Floats from_middle = Lanes::sub(Lanes::as_float(column), Lanes::all(middle));
+    const auto across = [from_middle](const Ramp& ramp) {
+      return Lanes::mul(Lanes::all(ramp.per_column), from_middle);
+    };
+    const Floats place_x = across(triangle.place_x);
+    const Floats place_y = across(triangle.place_y);
+    const Floats height_m = across(triangle.height_m);
+    const Floats lift_m = across(triangle.lift_m);
+    std::int32_t at = (row - band_row) * field.stride + block;
+    for (std::int32_t i = 0; i < rows; ++i, at += field.stride) {
+      const Lanes::Mask inside = Lanes::within(column, found.first[i], found.end[i]);
       if (Lanes::bits(inside) == 0) continue;
-      const std::int32_t at = (row - band_row + i) * field.stride + block;
-      const float down_by = static_cast<float>(row + i) - middle_of(field);
-      const Floats here_m = Lanes::add(down(triangle.height_m, down_by), height_m);
-      const Lanes::Mask outermost =
-          Lanes::both(inside, Lanes::less(Lanes::load(task.room.height_m + at), here_m));
-      const auto put = [&](float* room, const Ramp& ramp, Floats along) {
-        Lanes::store_where(room + at, outermost, Lanes::add(down(ramp, down_by), along));
+      const auto here = [i](const float* down, Floats along) {
+        return Lanes::add(Lanes::all(down[i]), along);
       };
-      Lanes::store_where(task.room.height_m + at, outermost, here_m);
-      put(task.room.place_x, triangle.place_x, place_x);
-      put(task.room.place_y, triangle.place_y, place_y);
-      put(task.room.lift_m, triangle.lift_m, lift_m);
+      const Floats here_m = here(found.height_m, height_m);
+      const Lanes::Mask outermost =
+          Lanes::both(inside, Lanes::less(Lanes::load(room.height_m + at), here_m));
+      Lanes::store_where(room.height_m + at, outermost, here_m);
+      Lanes::store_where(room.place_x + at, outermost, here(found.place_x, place_x));
+      Lanes::store_where(room.place_y + at, outermost, here(found.place_y, place_y));
+      Lanes::store_where(room.lift_m + at, outermost, here(found.lift_m, lift_m));
     }
   }
 }
 
 void sample_surface_by_lanes(const SurfaceTask& task) {
-  const HeightSamples& field = task.field;
+  // Copies: what is stored through the pointers cannot change them.
+  const HeightSamples field = task.field;
+  const BandRoom room = task.room;
+  const PairedTexels texels = task.texels;
   const std::int32_t across_all = field.samples + 2 * field.apron;
   const Floats nothing = Lanes::all(0.0F);
-  const Floats last_column = Lanes::all(task.texels.last_column);
-  const Floats last_row = Lanes::all(task.texels.last_row);
+  const Floats last_column = Lanes::all(texels.last_column);
+  const Floats last_row = Lanes::all(texels.last_row);
   for (std::int32_t band = 0; band < across_all; band += kBandRows) {
     const std::int32_t rows = sooner(kBandRows, across_all - band);
     for (std::int32_t i = 0; i < rows * field.stride; i += Lanes::kWidth) {
-      Lanes::store(task.room.height_m + i, Lanes::all(kNoSurface_m));
+      Lanes::store(room.height_m + i, Lanes::all(kNoSurface_m));
     }
     for (std::int32_t i = 0; i < task.count; ++i) {
-      put_triangle(task.triangles[i], task, band - field.apron, rows);
+      put_triangle(task.triangles[i], field, room, band - field.apron, rows);
     }
     for (std::int32_t i = 0; i < rows; ++i) {
       for (std::int32_t column = 0; column < across_all; column += Lanes::kWidth) {
@@ -125,11 +137,11 @@ void sample_surface_by_lanes(const SurfaceTask& task) {
         const auto inside = [&](const float* place, Floats last) {
           return Lanes::min(Lanes::max(Lanes::load(place + at), nothing), last);
         };
-        const Floats texture = Lanes::texture(task.texels, inside(task.room.place_x, last_column),
-                                              inside(task.room.place_y, last_row));
+        const Floats texture = Lanes::texture(texels, inside(room.place_x, last_column),
+                                              inside(room.place_y, last_row));
         Lanes::store(field.height_m + band * field.stride + at,
-                     Lanes::add(Lanes::load(task.room.height_m + at),
-                                Lanes::mul(Lanes::load(task.room.lift_m + at), texture)));
+                     Lanes::add(Lanes::load(room.height_m + at),
+                                Lanes::mul(Lanes::load(room.lift_m + at), texture)));
       }
     }
   }
@@ -142,7 +154,8 @@ struct Accumulated {
   Floats covered;
 };
 
-inline void compare_row(const ComparisonTask& task, std::int32_t row, Accumulated& most) {
+inline void compare_row(const ComparisonTask& whole_task, std::int32_t row, Accumulated& most) {
+  const ComparisonTask task = whole_task;  // a copy: no store below changes it
   const std::int32_t stride = task.a.stride;
   const std::int32_t step = task.step_cells;
   const float* const a_row = task.a.height_m + (row + task.a.apron) * stride + task.a.apron;
