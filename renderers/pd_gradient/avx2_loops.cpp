@@ -58,16 +58,17 @@ struct Lanes {
     const Floats down = _mm256_sub_ps(y, _mm256_cvtepi32_ps(row));
     const Ints index =
         _mm256_add_epi32(_mm256_madd_epi16(row, _mm256_set1_epi32(texels.pitch)), column);
-    alignas(32) std::int32_t at[kWidth];
+    alignas(32) std::uint64_t at[kWidth / 2];
     _mm256_store_si256(reinterpret_cast<__m256i*>(at), index);
     asm("" : "+m"(at));  // through memory: moving the indices lane by lane takes longer
-    const auto two = [&texels](std::int32_t first, std::int32_t second) {
-      const auto* p = reinterpret_cast<const __m128i*>(texels.pairs + first);
-      const auto* q = reinterpret_cast<const __m64*>(texels.pairs + second);
+    const auto two = [&texels, &at](int i) {
+      const auto* p =
+          reinterpret_cast<const __m128i*>(texels.pairs + static_cast<std::uint32_t>(at[i]));
+      const auto* q = reinterpret_cast<const __m64*>(texels.pairs + (at[i] >> 32));
       return _mm_castps_si128(_mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(p)), q));
     };
-    const Ints evens = _mm256_set_m128i(two(at[4], at[5]), two(at[0], at[1]));
-    const Ints odds = _mm256_set_m128i(two(at[6], at[7]), two(at[2], at[3]));
+    const Ints evens = _mm256_set_m128i(two(2), two(0));
+    const Ints odds = _mm256_set_m128i(two(3), two(1));
     const Ints lower = _mm256_cvttps_epi32(
         _mm256_add_ps(_mm256_mul_ps(down, _mm256_set1_ps(16384.0F)), _mm256_set1_ps(0.5F)));
     const Ints weights = _mm256_or_si256(_mm256_slli_epi32(lower, 16),

@@ -54,17 +54,18 @@ struct Lanes {
     const Floats down = _mm512_sub_ps(y, _mm512_cvtepi32_ps(row));
     const Ints index =
         _mm512_add_epi32(_mm512_madd_epi16(row, _mm512_set1_epi32(texels.pitch)), column);
-    alignas(64) std::int32_t at[kWidth];
+    alignas(64) std::uint64_t at[kWidth / 2];
     _mm512_store_si512(at, index);
     asm("" : "+m"(at));  // through memory: moving the indices lane by lane takes longer
-    const auto two = [&texels](std::int32_t first, std::int32_t second) {
-      const auto* p = reinterpret_cast<const __m128i*>(texels.pairs + first);
-      const auto* q = reinterpret_cast<const __m64*>(texels.pairs + second);
+    const auto two = [&texels, &at](int i) {
+      const auto* p =
+          reinterpret_cast<const __m128i*>(texels.pairs + static_cast<std::uint32_t>(at[i]));
+      const auto* q = reinterpret_cast<const __m64*>(texels.pairs + (at[i] >> 32));
       return _mm_castps_si128(_mm_loadh_pi(_mm_castsi128_ps(_mm_loadl_epi64(p)), q));
     };
-    const auto four = [&two, &at](int i, int j) {
-      const __m256i low = _mm256_set_m128i(two(at[i + 4], at[j + 4]), two(at[i], at[j]));
-      const __m256i high = _mm256_set_m128i(two(at[i + 12], at[j + 12]), two(at[i + 8], at[j + 8]));
+    const auto four = [&two](int i) {
+      const __m256i low = _mm256_set_m128i(two(i + 2), two(i));
+      const __m256i high = _mm256_set_m128i(two(i + 6), two(i + 4));
       return _mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1);
     };
     const Ints lower = _mm512_cvttps_epi32(
@@ -72,9 +73,9 @@ struct Lanes {
     const Ints weights = _mm512_or_si512(_mm512_slli_epi32(lower, 16),
                                          _mm512_sub_epi32(_mm512_set1_epi32(16384), lower));
     const Floats first =
-        _mm512_castsi512_ps(_mm512_madd_epi16(four(0, 1), _mm512_unpacklo_epi32(weights, weights)));
+        _mm512_castsi512_ps(_mm512_madd_epi16(four(0), _mm512_unpacklo_epi32(weights, weights)));
     const Floats second =
-        _mm512_castsi512_ps(_mm512_madd_epi16(four(2, 3), _mm512_unpackhi_epi32(weights, weights)));
+        _mm512_castsi512_ps(_mm512_madd_epi16(four(1), _mm512_unpackhi_epi32(weights, weights)));
     const Floats here =
         _mm512_cvtepi32_ps(_mm512_castps_si512(_mm512_shuffle_ps(first, second, 0x88)));
     const Floats next =

@@ -59,6 +59,8 @@ struct Penetration {
   glm::dvec3 lever_m{0.0};  ///< ∂δ/∂θu, ∂δ/∂θv, ∂δ/∂θn, about axes through the origin, per radian
   glm::dvec3 deepest_m{0.0};  ///< where on A, in the frame
   int covered = 0;            ///< samples in D
+  /// Samples where more than one sheet of A, or of B, looks the same way: no height field along n.
+  int folded = 0;
   /// The deepest sample lies at the border of D, where the surfaces may go on: δ is a lower bound.
   bool at_border = false;
 };

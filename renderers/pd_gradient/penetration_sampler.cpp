@@ -221,8 +221,8 @@ void PenetrationSampler::prepare_turn() {
   }
 }
 
-void PenetrationSampler::sample(const PackedPatch& patch, const ContactFrame& frame,
-                                double outwards, Field& field) {
+int PenetrationSampler::sample(const PackedPatch& patch, const ContactFrame& frame, double outwards,
+                               Field& field) {
   assert(patch.triangles.size() <= triangles_.size());
   const ToWindow window = to_window(patch.pose, frame, grid_, outwards);
   const FieldEnds ends{.first = -field.samples.apron, .end = grid_.samples + field.samples.apron};
@@ -236,14 +236,14 @@ void PenetrationSampler::sample(const PackedPatch& patch, const ContactFrame& fr
   const auto band = room_.size() / kRoomQuantities;
   HeightSamples samples = field.samples;
   samples.height_m = field.height_m.data();
-  loops_->sample_surface({.triangles = triangles_.data(),
-                          .count = static_cast<std::int32_t>(count),
-                          .texels = patch.surface.texels(),
-                          .field = samples,
-                          .room = {.place_x = room_.data(),
-                                   .place_y = room_.data() + band,
-                                   .height_m = room_.data() + 2 * band,
-                                   .lift_m = room_.data() + 3 * band}});
+  return loops_->sample_surface({.triangles = triangles_.data(),
+                                 .count = static_cast<std::int32_t>(count),
+                                 .texels = patch.surface.texels(),
+                                 .field = samples,
+                                 .room = {.place_x = room_.data(),
+                                          .place_y = room_.data() + band,
+                                          .height_m = room_.data() + 2 * band,
+                                          .lift_m = room_.data() + 3 * band}});
 }
 
 float PenetrationSampler::height_m(const Field& field, int row, int column) const noexcept {
@@ -264,8 +264,7 @@ bool PenetrationSampler::at_border(int row, int column) const noexcept {
 
 std::optional<Penetration> PenetrationSampler::evaluate(const PackedPatch& a, const PackedPatch& b,
                                                         const ContactFrame& frame) noexcept {
-  sample(a, frame, -1.0, a_);
-  sample(b, frame, 1.0, b_);
+  const int folded = sample(a, frame, -1.0, a_) + sample(b, frame, 1.0, b_);
   const auto side = static_cast<std::size_t>(grid_.samples);
   const std::size_t blocks = side / kMostLanes;
   ComparisonTask task{.a = a_.samples,
@@ -304,6 +303,7 @@ std::optional<Penetration> PenetrationSampler::evaluate(const PackedPatch& a, co
                                  difference(found.turn_m, steps_.turn_rad)},
                      .deepest_m = {grid_.place_m(found.column), grid_.place_m(found.row), z_m},
                      .covered = found.covered,
+                     .folded = folded,
                      .at_border = at_border(found.row, found.column)};
 }
 

@@ -36,15 +36,16 @@ struct SamplerSettings {
 /// anew:
 ///
 ///   ± u, ± v      A's samples, step_cells further on: exact, with an apron around A's window
-///   ± θu, ± θv    h_A ± θ·v, ∓ θ·u: maxima of rows and of columns. Tilting also takes what stands at
-///                 height z along by θ·z; with z of the deepest point that is ∓ z·∂δ/∂v, ∂δ/∂u
+///   ± θu, ± θv    h_A ± θ·v and h_A ∓ θ·u: the maxima of rows and of columns are enough. Tilting also
+///                 moves what stands at height z along by θ·z, which adds −z·∂δ/∂v and z·∂δ/∂u with z
+///                 of the deepest point
 ///   ± θn          A's samples between four, to first order in θ
 ///
 /// Against the reference on the same grid and step, from rounding: δ to 10 nm, ∂δ/∂u and ∂δ/∂v to
-/// 10⁻⁴. Approximations: the levers of tilts to about 1 % and that of turning, where interpolation
-/// shaves peaks, to about a tenth of their RMS at 8 samples a wavelength; neither is further from the
-/// truth than the reference (tests/renderers/pd_gradient_sampler_test.cpp). Samples at the border of
-/// what a surface covers may fall to either side.
+/// 10⁻⁴. To first order only: the levers of tilts, to 2 % of their RMS, and that of turning, where
+/// interpolation shaves peaks, to 5 to 10 % at 8 samples a wavelength; neither is further from the
+/// truth than the reference is (bench/penetration_depth --accuracy). Samples at the border of what a
+/// surface covers may fall to either side. `folded` counts the apron, and every sheet but the first.
 ///
 /// Every instruction set gives the same bits.
 ///
@@ -57,7 +58,8 @@ class PenetrationSampler final {
  public:
   explicit PenetrationSampler(const SamplerSettings& settings);
 
-  /// Nothing where no sample is covered by both, or a pose is not finite.
+  /// Nothing where no sample is covered by both, the surfaces are apart by more than half a metre, or
+  /// a pose is not finite.
   std::optional<Penetration> evaluate(const PackedPatch& a, const PackedPatch& b,
                                       const ContactFrame& frame) noexcept;
 
@@ -73,7 +75,7 @@ class PenetrationSampler final {
 
   Field field_with_apron(int apron) const;
   void prepare_turn();
-  void sample(const PackedPatch& patch, const ContactFrame& frame, double outwards, Field& field);
+  int sample(const PackedPatch& patch, const ContactFrame& frame, double outwards, Field& field);
   bool at_border(int row, int column) const noexcept;
   float height_m(const Field& field, int row, int column) const noexcept;
 

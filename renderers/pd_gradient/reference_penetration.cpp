@@ -175,6 +175,7 @@ SampledSurface sampled(const ContactPatch& patch, const ContactFrame& frame,
   surface.height_m.assign(side * side, 0.0);
   surface.covered.assign(side * side, 0);
   if (rates == Rates::wanted) surface.rates.assign(side * side, {});
+  std::vector<std::uint8_t> folded(side * side, 0);
   const double same_sheet_m = kSameSheet_m + 2.0 * std::abs(patch.mesh.atlas.step_m);
 
   for (const std::uint32_t triangle : patch.triangles) {
@@ -197,7 +198,7 @@ SampledSurface sampled(const ContactPatch& patch, const ContactFrame& frame,
         const double further_out_m = facing == Facing::along_n ? height_m - surface.height_m[i]
                                                                : surface.height_m[i] - height_m;
         if (surface.covered[i] != 0) {
-          if (std::abs(further_out_m) > same_sheet_m) ++surface.folded;
+          if (std::abs(further_out_m) > same_sheet_m) folded[i] = 1;
           if (further_out_m <= 0.0) continue;
         }
         surface.covered[i] = 1;
@@ -206,6 +207,7 @@ SampledSurface sampled(const ContactPatch& patch, const ContactFrame& frame,
       }
     }
   }
+  surface.folded = static_cast<int>(std::count(folded.begin(), folded.end(), 1));
   return surface;
 }
 
@@ -250,6 +252,7 @@ Penetration without_gradient(const Deepest& found, const SampledSurface& a, cons
   return {.depth_m = found.depth_m,
           .deepest_m = {grid.place_m(column), grid.place_m(row), a.height_m[found.sample]},
           .covered = found.covered,
+          .folded = a.folded + b.folded,
           .at_border = at_border(a, b, grid, found.sample)};
 }
 

@@ -18,7 +18,7 @@ inline constexpr float kNothing_m = -0.5F;
 
 inline constexpr int kMostLanes = 16;
 /// Samples are visited a band of rows at a time, so that what is passed on stays in the first cache.
-inline constexpr int kBandRows = 16;
+inline constexpr int kBandRows = 32;
 
 /// A quantity over a triangle: middle + per_column·(x − m) + per_row·(y − m), m the window's middle.
 struct Ramp {
@@ -120,7 +120,8 @@ struct ElevenMaxima {
 
 /// The two loops for one instruction set. Real-time: no allocation, no lock, no exception.
 struct SampleLoops {
-  void (*sample_surface)(const SurfaceTask& task) = nullptr;
+  /// Answers at how many samples, apron included, a sheet met another one.
+  std::int32_t (*sample_surface)(const SurfaceTask& task) = nullptr;
   void (*compare)(const ComparisonTask& task, ElevenMaxima& maxima) = nullptr;
 };
 

@@ -74,12 +74,15 @@ inline void find_rows(const SampledTriangle& triangle, std::int32_t row, std::in
   }
 }
 
-// Leaves in the band what the triangle is at its samples, where nothing stands further out.
-inline void put_triangle(const SampledTriangle& triangle, const HeightSamples& field,
-                         const BandRoom& room, std::int32_t band_row, std::int32_t band_rows) {
+// Leaves in the band what the triangle is at its samples, where nothing stands further out. Answers at
+// how many something stood already.
+inline std::int32_t put_triangle(const SampledTriangle& triangle, const HeightSamples& field,
+                                 const BandRoom& room, std::int32_t band_row,
+                                 std::int32_t band_rows) {
   const std::int32_t row = later(triangle.first_row, band_row);
   const std::int32_t rows = sooner(triangle.end_row, band_row + band_rows) - row;
-  if (rows <= 0) return;
+  if (rows <= 0) return 0;
+  std::int32_t folded = 0;
   const float middle = middle_of(field);
   TriangleRows found;
   find_rows(triangle, row, rows, middle, found);
@@ -104,17 +107,22 @@ inline void put_triangle(const SampledTriangle& triangle, const HeightSamples& f
         return Lanes::add(Lanes::all(down[i]), along);
       };
       const Floats here_m = here(found.height_m, height_m);
-      const Lanes::Mask outermost =
-          Lanes::both(inside, Lanes::less(Lanes::load(room.height_m + at), here_m));
+      const Floats before_m = Lanes::load(room.height_m + at);
+      const Lanes::Mask outermost = Lanes::both(inside, Lanes::less(before_m, here_m));
+      const unsigned taken =
+          Lanes::bits(Lanes::both(inside, Lanes::less(Lanes::all(kNothing_m), before_m)));
+      if (taken != 0) folded += __builtin_popcount(taken);
       Lanes::store_where(room.height_m + at, outermost, here_m);
       Lanes::store_where(room.place_x + at, outermost, here(found.place_x, place_x));
       Lanes::store_where(room.place_y + at, outermost, here(found.place_y, place_y));
       Lanes::store_where(room.lift_m + at, outermost, here(found.lift_m, lift_m));
     }
   }
+  return folded;
 }
 
-void sample_surface_by_lanes(const SurfaceTask& task) {
+std::int32_t sample_surface_by_lanes(const SurfaceTask& task) {
+  std::int32_t folded = 0;
   // Copies: what is stored through the pointers cannot change them.
   const HeightSamples field = task.field;
   const BandRoom room = task.room;
@@ -129,7 +137,7 @@ void sample_surface_by_lanes(const SurfaceTask& task) {
       Lanes::store(room.height_m + i, Lanes::all(kNoSurface_m));
     }
     for (std::int32_t i = 0; i < task.count; ++i) {
-      put_triangle(task.triangles[i], field, room, band - field.apron, rows);
+      folded += put_triangle(task.triangles[i], field, room, band - field.apron, rows);
     }
     for (std::int32_t i = 0; i < rows; ++i) {
       for (std::int32_t column = 0; column < across_all; column += Lanes::kWidth) {
@@ -145,6 +153,7 @@ void sample_surface_by_lanes(const SurfaceTask& task) {
       }
     }
   }
+  return folded;
 }
 
 struct Accumulated {

@@ -23,7 +23,7 @@ constexpr double kDepth_m = 0.1e-3;
 SamplerSettings settings_for(int samples, int step_cells, InstructionSet instructions) {
   return {.grid = {.width_m = kWindow_m, .samples = samples},
           .step_cells = step_cells,
-          .most_triangles = 50,
+          .most_triangles = 100,
           .instructions = instructions};
 }
 
@@ -76,6 +76,7 @@ TEST(PenetrationSampler, AgreesWithThePlainEvaluation) {
       EXPECT_NEAR(found->deepest_m.z, expected->deepest_m.z, 10e-9);
       EXPECT_EQ(found->at_border, expected->at_border);
       EXPECT_EQ(found->covered, expected->covered);
+      EXPECT_EQ(found->folded, 0);
       tilts.add(found->lever_m.x, expected->lever_m.x);
       tilts.add(found->lever_m.y, expected->lever_m.y);
       turn.add(found->lever_m.z, expected->lever_m.z);
@@ -106,6 +107,39 @@ TEST(PenetrationSampler, FindsNothingDeeperWhereASurfaceEnds) {
     EXPECT_NEAR(found->slope.y, expected->slope.y, 1e-3);
     // No lever is longer than the window's half diagonal.
     EXPECT_LT(glm::length(found->lever_m), kWindow_m);
+  }
+}
+
+// B stands twice, the second time half a millimetre lower.
+TEST(PenetrationSampler, TakesTheOutermostSheetAndCountsTheFold) {
+  ContactsByChance chance(17);
+  const ChanceContact once = chance.draw(ContactKind::flat);
+  PenetrationSampler sampler(settings_for(32, 1, instruction_sets_here().back()));
+  const auto single = answer(sampler, once);
+  for (const bool lower_first : {true, false}) {
+    ChanceContact twice = once;
+    TexturedMesh& mesh = twice.mesh_b;
+    const auto count = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      mesh.vertices_m.push_back(mesh.vertices_m[i] - glm::dvec3{0.0, 0.0, 0.5e-3});
+      mesh.normals.push_back(glm::dvec3(mesh.normals[i]));
+    }
+    for (const auto& [a, b, c] : once.mesh_b.triangles) {
+      mesh.triangles.push_back({a + count, b + count, c + count});
+    }
+    const std::vector<std::array<glm::dvec2, 3>> places = mesh.places;
+    mesh.places.insert(mesh.places.end(), places.begin(), places.end());
+    twice.triangles_b = all_triangles(mesh);
+    if (lower_first) std::reverse(twice.triangles_b.begin(), twice.triangles_b.end());
+    const auto found = answer(sampler, twice);
+    ASSERT_TRUE(single && found);
+    EXPECT_EQ(found->depth_m, single->depth_m);
+    EXPECT_EQ(found->lever_m, single->lever_m);
+    EXPECT_EQ(single->folded, 0);
+    EXPECT_EQ(found->folded, 32 * 32);
+    const auto plain = reference_penetration(twice.a(), twice.b(), {}, sampler.grid(),
+                                             HardMaximum{.step_m = sampler.step_m()});
+    EXPECT_EQ(plain->folded, 32 * 32);
   }
 }
 
