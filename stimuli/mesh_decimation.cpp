@@ -1,0 +1,242 @@
+// Half-edges, heap and legality of collapses are OpenMesh's; what a collapse costs and which are forbidden is ours.
+//
+// OpenMesh's own ModQuadric takes an error for a refusal when rounding makes it negative, which on flat faces is every
+// second one; its ModNormalFlipping forbids every collapse beside a face of no area.
+
+#include "stimuli/mesh_decimation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+// QuadricT.hh does not include what it needs.
+// clang-format off
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Geometry/QuadricT.hh>
+// clang-format on
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+#include <OpenMesh/Tools/Decimater/Observer.hh>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace asperity {
+
+namespace {
+
+using OpenMesh::Vec3d;
+
+struct MeshTraits : OpenMesh::DefaultTraits {
+  using Point = Vec3d;
+  using Normal = Vec3d;
+};
+using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
+using Decimater = OpenMesh::Decimater::DecimaterT<HalfEdgeMesh>;
+
+using CollapseInfo = OpenMesh::Decimater::CollapseInfoT<HalfEdgeMesh>;
+using Module = OpenMesh::Decimater::ModBaseT<HalfEdgeMesh>;
+
+constexpr std::size_t kFewestTriangles = 4;  // a tetrahedron
+
+/// What a collapse costs.
+class QuadricError final : public Module {
+ public:
+  using Handle = OpenMesh::Decimater::ModHandleT<QuadricError>;
+
+  explicit QuadricError(HalfEdgeMesh& mesh) : Module(mesh, false) {}
+
+  void initialize() override {
+    quadrics_.assign(mesh().n_vertices(), OpenMesh::Geometry::Quadricd());
+    for (const auto face : mesh().faces()) {
+      HalfEdgeMesh::VertexHandle corners[3];
+      std::size_t next = 0;
+      for (const auto corner : mesh().fv_range(face)) corners[next++] = corner;
+      const Vec3d origin = mesh().point(corners[0]);
+      Vec3d normal = (mesh().point(corners[1]) - origin) % (mesh().point(corners[2]) - origin);
+      const double doubled_area = normal.norm();
+      if (doubled_area <= 0.0) continue;
+      normal /= doubled_area;
+      OpenMesh::Geometry::Quadricd quadric(normal[0], normal[1], normal[2], -(normal | origin));
+      quadric *= 0.5 * doubled_area;
+      for (const auto corner : corners) quadrics_[index(corner)] += quadric;
+    }
+  }
+
+  float collapse_priority(const CollapseInfo& collapse) override {
+    constexpr double kEdgeWeight = 1e-6;
+    const double moved = std::max(0.0, quadrics_[index(collapse.v0)](collapse.p1) +
+                                           quadrics_[index(collapse.v1)](collapse.p1));
+    const double squared_length = (collapse.p1 - collapse.p0).sqrnorm();
+    return static_cast<float>(moved + kEdgeWeight * squared_length * squared_length);
+  }
+
+  void postprocess_collapse(const CollapseInfo& collapse) override {
+    quadrics_[index(collapse.v1)] += quadrics_[index(collapse.v0)];
+  }
+
+ private:
+  static std::size_t index(HalfEdgeMesh::VertexHandle vertex) {
+    return static_cast<std::size_t>(vertex.idx());
+  }
+
+  std::vector<OpenMesh::Geometry::Quadricd> quadrics_{};
+};
+
+enum class Strictness { turn_and_shape, flip_only };
+
+/// Which collapses are forbidden.
+class NormalControl final : public Module {
+ public:
+  using Handle = OpenMesh::Decimater::ModHandleT<NormalControl>;
+
+  explicit NormalControl(HalfEdgeMesh& mesh) : Module(mesh, true) {}
+
+  void set_strictness(Strictness strictness) { strictness_ = strictness; }
+
+  float collapse_priority(const CollapseInfo& collapse) override {
+    for (const auto half : mesh().voh_range(collapse.v0)) {
+      const auto face = mesh().face_handle(half);
+      if (!face.is_valid() || face == collapse.fl || face == collapse.fr) continue;
+      const Vec3d one = mesh().point(mesh().to_vertex_handle(half));
+      const Vec3d other = mesh().point(mesh().to_vertex_handle(mesh().next_halfedge_handle(half)));
+      if (!allowed({collapse.p0, one, other}, {collapse.p1, one, other})) return ILLEGAL_COLLAPSE;
+    }
+    return LEGAL_COLLAPSE;
+  }
+
+ private:
+  using Corners = std::array<Vec3d, 3>;
+
+  static Vec3d doubled_area(const Corners& face) {
+    return (face[1] - face[0]) % (face[2] - face[0]);
+  }
+  /// 1 for equal sides, 0 for a needle.
+  static double roundness(const Corners& face, double doubled_area) {
+    const double sides = (face[1] - face[0]).sqrnorm() + (face[2] - face[1]).sqrnorm() +
+                         (face[0] - face[2]).sqrnorm();
+    return sides > 0.0 ? 2.0 * std::sqrt(3.0) * doubled_area / sides : 0.0;
+  }
+
+  bool allowed(const Corners& before, const Corners& after) const {
+    constexpr double kSmallestCosine = 0.5;
+    constexpr double kLeastRoundness = 0.05;
+    const Vec3d old_area = doubled_area(before);
+    const Vec3d new_area = doubled_area(after);
+    const double old_size = old_area.norm();
+    const double new_size = new_area.norm();
+    const double old_roundness = roundness(before, old_size);
+    const double new_roundness = roundness(after, new_size);
+    if (old_roundness < 1e-6) return true;  // it had no direction that could turn
+    const double least = strictness_ == Strictness::flip_only ? 0.0 : kSmallestCosine;
+    if ((old_area | new_area) <= least * old_size * new_size) return false;
+    return strictness_ == Strictness::flip_only || new_roundness >= kLeastRoundness ||
+           new_roundness >= old_roundness;
+  }
+
+  Strictness strictness_ = Strictness::turn_and_shape;
+};
+
+class Watch final : public OpenMesh::Decimater::Observer {
+ public:
+  Watch(std::size_t collapses, const std::function<void(double)>& progress)
+      : Observer(kInterval), collapses_(collapses), progress_(progress) {}
+  void notify(std::size_t step) override {
+    if (progress_) {
+      progress_(std::min(1.0, static_cast<double>(step) / static_cast<double>(collapses_)));
+    }
+  }
+
+ private:
+  static constexpr std::size_t kInterval = 1000;
+  std::size_t collapses_;
+  const std::function<void(double)>& progress_;
+};
+
+/// Where a mesh lies, so that the arithmetic can happen about the origin at a size of one.
+struct Place {
+  glm::dvec3 centre_m{};
+  double size_m = 1.0;
+};
+
+Place place_of(const TriangleMesh& mesh) {
+  glm::dvec3 low_m = mesh.vertices_m.front();
+  glm::dvec3 high_m = low_m;
+  for (const glm::dvec3& point_m : mesh.vertices_m) {
+    low_m = glm::min(low_m, point_m);
+    high_m = glm::max(high_m, point_m);
+  }
+  return {0.5 * (low_m + high_m), glm::length(high_m - low_m)};
+}
+
+}  // namespace
+
+TriangleMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles, const std::string& name,
+                           const std::function<void(double)>& progress) {
+  if (triangles < kFewestTriangles) {
+    throw std::invalid_argument(name + " cannot have " + std::to_string(triangles) +
+                                " triangles; a closed mesh has at least 4.");
+  }
+  if (triangles > mesh.triangles.size()) {
+    throw std::invalid_argument(name + " cannot be simplified to " + std::to_string(triangles) +
+                                " triangles: it has only " + std::to_string(mesh.triangles.size()) +
+                                '.');
+  }
+  if (triangles == mesh.triangles.size()) return mesh;
+  omerr().disable();  // what it would print is said below, in a sentence
+  const Place place = place_of(mesh);
+  HalfEdgeMesh half_edges{};
+  half_edges.reserve(mesh.vertices_m.size(), 3 * mesh.triangles.size() / 2, mesh.triangles.size());
+  // Which vertex of `mesh` it is: the result has its very coordinates.
+  OpenMesh::VPropHandleT<std::uint32_t> origin{};
+  half_edges.add_property(origin);
+  for (std::uint32_t i = 0; i < mesh.vertices_m.size(); ++i) {
+    const glm::dvec3 point = (mesh.vertices_m[i] - place.centre_m) / place.size_m;
+    half_edges.property(origin, half_edges.add_vertex(Vec3d(point.x, point.y, point.z))) = i;
+  }
+  for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
+    const auto corner = [&](std::size_t i) { return half_edges.vertex_handle(triangle[i]); };
+    if (!half_edges.add_face(corner(0), corner(1), corner(2)).is_valid()) {
+      throw std::invalid_argument(name +
+                                  " has a surface that no half-edges can follow, at vertex " +
+                                  std::to_string(triangle[0]) + "; its repair has not seen it.");
+    }
+  }
+  Watch watch((mesh.triangles.size() - triangles) / 2, progress);
+  for (const Strictness strictness : {Strictness::turn_and_shape, Strictness::flip_only}) {
+    if (half_edges.n_faces() <= triangles) break;
+    Decimater decimater(half_edges);
+    QuadricError::Handle error{};
+    NormalControl::Handle control{};
+    decimater.add(error);
+    decimater.add(control);
+    decimater.module(control).set_strictness(strictness);
+    decimater.set_observer(&watch);
+    decimater.initialize();
+    decimater.decimate_to_faces(0, triangles);
+    half_edges.garbage_collection();
+  }
+  if (half_edges.n_faces() > triangles) {
+    throw std::invalid_argument(
+        name + " cannot be simplified to " + std::to_string(triangles) + " triangles: at " +
+        std::to_string(half_edges.n_faces()) +
+        " no edge can go any more without a face turning over or a part or handle closing up.");
+  }
+  TriangleMesh result{};
+  for (const auto vertex : half_edges.vertices()) {
+    result.vertices_m.push_back(mesh.vertices_m[half_edges.property(origin, vertex)]);
+  }
+  for (const auto face : half_edges.faces()) {
+    std::array<std::uint32_t, 3> triangle{};
+    std::size_t next = 0;
+    for (const auto vertex : half_edges.fv_range(face)) {
+      triangle[next++] = static_cast<std::uint32_t>(vertex.idx());
+    }
+    result.triangles.push_back(triangle);
+  }
+  return result;
+}
+
+}  // namespace asperity

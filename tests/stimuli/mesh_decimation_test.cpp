@@ -1,0 +1,135 @@
+// Fewer triangles, and still the same thing.
+
+#include "stimuli/mesh_decimation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "stimuli/mesh_error.h"
+#include "tests/stimuli/made_mesh.h"
+
+namespace asperity::test {
+namespace {
+
+using testing::HasSubstr;
+
+double rms_error_m(const TriangleMesh& original, const TriangleMesh& simplified) {
+  const SurfaceSearch search(simplified);
+  return plain_error(surface_samples(original, 5000), search, {}).rms_m;
+}
+
+std::string refusal(const TriangleMesh& mesh, std::size_t triangles) {
+  try {
+    decimate_mesh(mesh, triangles, "thing");
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Decimation, ReachesItsTargetAndStaysClosed) {
+  const TriangleMesh mesh = ring(60, 24, 0.0003);  // 2880 triangles
+  for (const std::size_t triangles : {2880U, 1000U, 301U, 64U}) {
+    const TriangleMesh simplified = decimate_mesh(mesh, triangles, "thing");
+    EXPECT_LE(simplified.triangles.size(), triangles);
+    EXPECT_GE(simplified.triangles.size(), triangles - 1);
+    EXPECT_TRUE(is_closed(simplified));
+    EXPECT_NEAR(volume_m3(simplified), volume_m3(mesh), 0.3 * volume_m3(mesh));
+  }
+}
+
+// A chord of a great circle that spans an angle α leaves R(1 − cos α/2) ≈ Rα²/8. N equal triangles on a ball have sides
+// of about α = √(16π/(√3 N)) radians: with N = 512, 0.24, and 7·10⁻³ R at the middle of a side.
+TEST(Decimation, OfABallLiesAsCloseAsItsTrianglesPermit) {
+  constexpr double kRadius_m = 0.02;
+  const TriangleMesh mesh = smooth_ball(5, kRadius_m);
+  const double error_m = rms_error_m(mesh, decimate_mesh(mesh, 512, "thing"));
+  EXPECT_LT(error_m, 0.01 * kRadius_m);
+  EXPECT_GT(error_m, 0.002 * kRadius_m);
+}
+
+TEST(Decimation, LeavesNothingOfAFinelyDividedBoxButItsCorners) {
+  // Each face of the box in 2·8² triangles: all that lies flat goes, at no cost.
+  TriangleMesh mesh{};
+  const TriangleMesh plain = box({0.01, 0.02, 0.03});
+  constexpr std::uint32_t kParts = 8;
+  for (std::size_t face = 0; face < plain.triangles.size(); ++face) {
+    const auto corner = [&](std::size_t i) { return plain.vertices_m[plain.triangles[face][i]]; };
+    const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    std::vector<std::vector<std::uint32_t>> rows{};
+    std::uint32_t next = first;
+    for (std::uint32_t j = 0; j <= kParts; ++j) {
+      rows.emplace_back();
+      for (std::uint32_t i = 0; i + j <= kParts; ++i) {
+        // In a fixed order of the corners, so that both faces of an edge compute the same point.
+        mesh.vertices_m.push_back(
+            (corner(0) * double(kParts - i - j) + corner(1) * double(i) + corner(2) * double(j)) /
+            double(kParts));
+        rows.back().push_back(next++);
+      }
+    }
+    for (std::uint32_t j = 0; j < kParts; ++j) {
+      for (std::uint32_t i = 0; i + j < kParts; ++i) {
+        mesh.triangles.push_back({rows[j][i], rows[j][i + 1], rows[j + 1][i]});
+        if (i + j + 2 <= kParts) {
+          mesh.triangles.push_back({rows[j][i + 1], rows[j + 1][i + 1], rows[j + 1][i]});
+        }
+      }
+    }
+  }
+  std::map<std::array<std::int64_t, 3>, std::uint32_t> places{};
+  TriangleMesh welded{};
+  for (auto triangle : mesh.triangles) {
+    for (std::uint32_t& vertex : triangle) {
+      const glm::dvec3 point_m = mesh.vertices_m[vertex];
+      const auto key = [](double length_m) { return std::llround(length_m * 1e9); };
+      const auto [place, is_new] =
+          places.try_emplace({key(point_m.x), key(point_m.y), key(point_m.z)},
+                             static_cast<std::uint32_t>(welded.vertices_m.size()));
+      if (is_new) welded.vertices_m.push_back(point_m);
+      vertex = place->second;
+    }
+    welded.triangles.push_back(triangle);
+  }
+  ASSERT_EQ(welded.triangles.size(), 12U * 64U);
+  const TriangleMesh simplified = decimate_mesh(welded, 12, "thing");
+  EXPECT_EQ(simplified.triangles.size(), 12U);
+  EXPECT_NEAR(volume_m3(simplified), 8.0 * 0.01 * 0.02 * 0.03, 1e-12);
+}
+
+TEST(Decimation, UsesVerticesOfTheOriginal) {
+  const TriangleMesh mesh = bumpy_ball(3, 0.02, 0.001, 5.0);
+  for (const glm::dvec3& vertex : decimate_mesh(mesh, 100, "thing").vertices_m) {
+    EXPECT_THAT(mesh.vertices_m, testing::Contains(vertex));
+  }
+}
+
+TEST(Decimation, GivesTheSameAgain) {
+  const TriangleMesh mesh = ring(40, 20, 0.0003);
+  const TriangleMesh one = decimate_mesh(mesh, 200, "thing");
+  const TriangleMesh two = decimate_mesh(mesh, 200, "thing");
+  EXPECT_EQ(one.triangles, two.triangles);
+  EXPECT_TRUE(one.vertices_m == two.vertices_m);
+}
+
+TEST(Decimation, RefusesTargetsThatCannotBe) {
+  const TriangleMesh mesh = box({0.01, 0.02, 0.03});
+  EXPECT_THAT(refusal(mesh, 13),
+              HasSubstr("thing cannot be simplified to 13 triangles: it has only 12"));
+  EXPECT_THAT(refusal(mesh, 3), HasSubstr("at least 4"));
+  const TriangleMesh several = together(mesh, box({0.01, 0.01, 0.01}, {0.1, 0.0, 0.0}));
+  EXPECT_THAT(refusal(several, 6), HasSubstr("thing cannot be simplified to 6 triangles: at "));
+}
+
+TEST(Decimation, TellsHowFarItIs) {
+  double last = 0.0;
+  decimate_mesh(smooth_ball(5, 0.02), 500, "thing", [&last](double fraction) {
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1.0);
+    last = fraction;
+  });
+  EXPECT_GT(last, 0.7);
+}
+
+}  // namespace
+}  // namespace asperity::test
