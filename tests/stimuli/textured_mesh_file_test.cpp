@@ -1,0 +1,127 @@
+// A textured mesh comes back from its file as it was, or not at all.
+
+#include "stimuli/textured_mesh_file.h"
+
+#include <functional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "stimuli/mesh_decimation.h"
+#include "stimuli/texture_baking.h"
+#include "tests/stimuli/made_mesh.h"
+
+namespace asperity::test {
+namespace {
+
+using testing::HasSubstr;
+
+StoredTexturedMesh made() {
+  const TriangleMesh original = bumpy_ball(3, 0.02, 0.0005, 9.0);
+  BakedMesh baked =
+      bake_texture(original, decimate_mesh(original, 60, "thing"), {.error_samples = 100}, {});
+  return {std::move(baked.mesh),
+          baked.report.plain,
+          baked.report.textured,
+          {"ball \"1\".obj", std::string(64, 'a'), 0.001, 512, {"Holes closed: 2."}, "0.0"}};
+}
+
+std::string text_of(const StoredTexturedMesh& stored) {
+  const std::vector<std::byte> bytes = encode_textured_mesh(stored);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+StoredTexturedMesh read(const std::string& content) {
+  return decode_textured_mesh(std::as_bytes(std::span(content.data(), content.size())), "thing");
+}
+
+std::string refusal(const std::string& content) {
+  try {
+    read(content);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::string refusal_of_changed(const std::function<void(StoredTexturedMesh&)>& change) {
+  StoredTexturedMesh stored = made();
+  change(stored);
+  return refusal(text_of(stored));
+}
+
+TEST(TexturedMeshFile, GivesBackEveryBit) {
+  const StoredTexturedMesh stored = made();
+  const StoredTexturedMesh back = read(text_of(stored));
+  EXPECT_TRUE(back.mesh.vertices_m == stored.mesh.vertices_m);
+  EXPECT_TRUE(back.mesh.normals == stored.mesh.normals);
+  EXPECT_TRUE(back.mesh.triangles == stored.mesh.triangles);
+  EXPECT_TRUE(back.mesh.places == stored.mesh.places);
+  EXPECT_EQ(back.mesh.atlas.rows, stored.mesh.atlas.rows);
+  EXPECT_EQ(back.mesh.atlas.columns, stored.mesh.atlas.columns);
+  EXPECT_EQ(back.mesh.atlas.step_m, stored.mesh.atlas.step_m);
+  EXPECT_TRUE(back.mesh.atlas.values == stored.mesh.atlas.values);
+  EXPECT_EQ(back.plain.rms_m, stored.plain.rms_m);
+  EXPECT_EQ(back.textured.max_m, stored.textured.max_m);
+  EXPECT_EQ(back.provenance.source_name, stored.provenance.source_name);
+  EXPECT_EQ(back.provenance.source_unit_m, 0.001);
+  EXPECT_EQ(back.provenance.source_triangles, 512U);
+  EXPECT_EQ(back.provenance.findings, stored.provenance.findings);
+}
+
+TEST(TexturedMeshFile, IsTheSameForTheSameMesh) { EXPECT_EQ(text_of(made()), text_of(made())); }
+
+TEST(TexturedMeshFile, IsRefusedWhereverItIsDamaged) {
+  const std::string good = text_of(made());
+  for (std::size_t at = 0; at < good.size(); at += 1 + good.size() / 400) {
+    std::string damaged = good;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
+    EXPECT_THAT(refusal(damaged), testing::StartsWith("thing ")) << "byte " << at;
+  }
+}
+
+TEST(TexturedMeshFile, IsRefusedWhereverItIsCutOff) {
+  const std::string good = text_of(made());
+  for (std::size_t length = 0; length < good.size(); length += 1 + good.size() / 200) {
+    EXPECT_THAT(refusal(good.substr(0, length)), testing::StartsWith("thing ")) << length;
+  }
+  EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("cut off"));
+  EXPECT_THAT(refusal(good + "x"), HasSubstr("goes on after its end"));
+}
+
+TEST(TexturedMeshFile, OfAnotherKindOrVersionIsRefused) {
+  EXPECT_THAT(refusal("v 0 0 0\n"), HasSubstr("no textured mesh"));
+  EXPECT_THAT(refusal("{}\n"), HasSubstr("no textured mesh"));
+  std::string newer = text_of(made());
+  newer.replace(newer.find("mesh/1"), 6, "mesh/2");
+  EXPECT_THAT(refusal(newer), HasSubstr("asperity.textured_mesh/2"));
+}
+
+// With the right digest, since anybody can write one.
+TEST(TexturedMeshFile, ThatSaysWhatCannotBeIsRefused) {
+  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.triangles[3][1] = 99999; }),
+              HasSubstr("vertex that is not there"));
+  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.places[3][1].x = 1e6; }),
+              HasSubstr("outside of the atlas"));
+  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.places[3][1].y = std::nan(""); }),
+              HasSubstr("outside of the atlas"));
+  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.vertices_m[2].z = std::nan(""); }),
+              HasSubstr("finite"));
+  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.normals[2] *= 2.0; }),
+              HasSubstr("unit length"));
+  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.normals.pop_back(); }),
+              HasSubstr("as many normals"));
+  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.places.pop_back(); }),
+              HasSubstr("as many places"));
+  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.atlas.rows += 1; }),
+              HasSubstr("rows and columns"));
+  EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.atlas.step_m = -1.0; }), HasSubstr("step"));
+  EXPECT_THAT(refusal_of_changed([](auto& s) {
+                s.mesh.triangles.clear();
+                s.mesh.places.clear();
+              }),
+              HasSubstr("no triangles"));
+}
+
+}  // namespace
+}  // namespace asperity::test
