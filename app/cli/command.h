@@ -15,6 +15,7 @@ namespace asperity {
 using Job = std::function<int()>;
 
 void add_analyze(CLI::App& program, Job& job);
+void add_bake(CLI::App& program, Job& job);
 void add_check(CLI::App& program, Job& job);
 void add_copy(CLI::App& program, Job& job);
 void add_export(CLI::App& program, Job& job);

@@ -371,7 +371,7 @@ TEST(Help, IsThereForEverything) {
   EXPECT_EQ(all.status, 0);
   for (const std::string command :
        {"new", "check", "run", "simulate", "analyze", "export", "models", "render", "texture",
-        "synth", "verify", "replay", "copy"}) {
+        "synth", "bake", "verify", "replay", "copy"}) {
     EXPECT_NE(all.out.find("\n  " + command), std::string::npos) << command;
     const Outcome help = asperity({command, "--help"});
     EXPECT_EQ(help.status, 0) << command;

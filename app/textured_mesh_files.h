@@ -1,0 +1,27 @@
+// Textured meshes on disk.
+
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "results_schema/atomic_file.h"
+#include "stimuli/textured_mesh_file.h"
+
+namespace asperity {
+
+/// A textured mesh as it was read, and the name of its content.
+struct LoadedTexturedMesh {
+  std::shared_ptr<const StoredTexturedMesh> stored{};
+  std::string sha256{};  ///< of the file
+};
+
+/// Errors: ResultsError or std::invalid_argument, naming the file.
+LoadedTexturedMesh load_textured_mesh(const std::filesystem::path& file);
+
+/// The program's version is noted in the provenance.
+void save_textured_mesh(const std::filesystem::path& file, StoredTexturedMesh stored,
+                        Overwrite overwrite);
+
+}  // namespace asperity
