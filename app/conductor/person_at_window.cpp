@@ -85,8 +85,9 @@ struct PersonAtWindow::Desk {
   std::vector<EventRow> events{};
   std::string source = "keyboard";
   ParticipantScene::Kind shown = ParticipantScene::Kind::blank;  ///< the present scene
-  std::uint64_t cues = 0;     ///< a new scene may begin without the number of the last cue
-  std::int64_t shown_ns = 0;  ///< what is stamped before was meant for another scene
+  std::uint64_t cues = 0;         ///< a new scene may begin without the number of the last cue
+  std::int64_t shown_ns = 0;      ///< what is stamped before was meant for another scene
+  std::int64_t perceived_ns = 0;  ///< nobody means the scene, as it is now, any sooner
   std::optional<std::int64_t> deadline_ns{};  ///< what is stamped after came too late
 
   std::vector<std::string> codes{};  ///< of the trial's surfaces, by position
@@ -96,6 +97,7 @@ struct PersonAtWindow::Desk {
   std::optional<AnswerSheet> sheet{};  ///< kept while surfaces are felt again
 
   std::map<int, std::int64_t> buttons_down{};
+  std::map<int, std::int64_t> buttons_let_go{};
 
   /// The conductor has shown the scene, with what only it knows (progress, workspace); where there
   /// is none of these kinds yet it is `plain`.
@@ -103,6 +105,10 @@ struct PersonAtWindow::Desk {
   /// Nothing while the conductor shows something else (a pause).
   void change(const std::function<void(ParticipantScene&)>& alter);
   void put(ParticipantInput input);
+  /// What is pressed from `time_ns` on was not perceived before a little later.
+  void change_meaning(std::int64_t time_ns) {
+    perceived_ns = time_ns + std::llround(1e9 * kTooSoon_s);
+  }
   /// The next input that is meant for the present scene.
   std::optional<ParticipantInput> hear();
   void refuse(const ParticipantInput& input, Saying saying);
@@ -145,6 +151,7 @@ void PersonAtWindow::Desk::face(std::initializer_list<ParticipantScene::Kind> ki
   shown = snapshot.scene->kind;
   shown_ns = snapshot.scene->shown_ns != 0 ? snapshot.scene->shown_ns
                                            : std::max(snapshot.now_ns, snapshot.phase_began_ns);
+  change_meaning(shown_ns);
   deadline_ns.reset();
 }
 
@@ -171,15 +178,17 @@ std::optional<ParticipantInput> PersonAtWindow::Desk::hear() {
     }
     const bool is_release = input.kind == Kind::released;
     const bool is_stale = !is_release && input.time_ns < shown_ns;
+    const bool is_too_soon = !is_release && !is_stale && input.time_ns < perceived_ns;
     nlohmann::ordered_json data{{"source", input.source}};
     if (input.held_s > 0.0) data["held_s"] = input.held_s;
     const bool is_late = !is_release && deadline_ns && input.time_ns > *deadline_ns;
     if (is_stale) data["meant_for_an_earlier_scene"] = true;
+    if (is_too_soon) data["too_soon"] = true;
     if (is_late) data["after_the_deadline"] = true;
     const auto held_ns = static_cast<std::int64_t>(std::llround(1e9 * input.held_s));
     events.push_back({is_release ? input.time_ns + held_ns : input.time_ns,
                       is_release ? "input_released" : "input", description_of(input), data.dump()});
-    if (!is_release && !is_stale && !is_late) return input;
+    if (!is_release && !is_stale && !is_too_soon && !is_late) return input;
   }
 }
 
@@ -287,6 +296,7 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
 std::optional<Reply> PersonAtWindow::Desk::hear_confirmation(const Trial& trial,
                                                              const ParticipantInput& input) {
   if (sheet->take_pointed()) {
+    change_meaning(input.time_ns);
     show_sheet();
     // What comes next: the surface whose turn it is, or the confirmation of the whole.
     if (sheet->is_complete()) {
@@ -469,12 +479,18 @@ std::string PersonAtWindow::source() const { return desk_->source; }
 
 void PersonAtWindow::button_changed(const ButtonChange& change) {
   if (change.down) {
+    const auto let_go = desk_->buttons_let_go.find(change.button);
+    if (let_go != desk_->buttons_let_go.end() &&
+        1e-9 * static_cast<double>(change.time_ns - let_go->second) < kBounce_s) {
+      return;
+    }
     desk_->buttons_down[change.button] = change.time_ns;
     // How long the first one is held decides what it means.
     if (change.button == 1) return;
   }
+  if (!change.down) desk_->buttons_let_go[change.button] = change.time_ns;
   const auto pressed = desk_->buttons_down.find(change.button);
-  if (pressed == desk_->buttons_down.end()) return;  // down since before the session
+  if (pressed == desk_->buttons_down.end()) return;  // down since before the session, or bouncing
   ParticipantInput input{};
   input.kind = Kind::device_button;
   input.number = change.button;

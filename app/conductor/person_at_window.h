@@ -18,8 +18,15 @@ namespace asperity {
 /// The rules of answering live here, without any window: digits and letters choose, `next` switches
 /// surfaces where that is allowed, `confirm` answers when the answer is complete; an answer before
 /// all was felt is refused with a cue; each picture is given once, and an assignment may be changed
-/// until it is confirmed (AnswerSheet). What was pressed before a scene was shown never answers it,
-/// nor does what was pressed after the deadline, however soon it is heard.
+/// until it is confirmed (AnswerSheet).
+///
+/// Nobody answers what they cannot have perceived. What was pressed before a scene was shown, or less
+/// than `kTooSoon_s` after, is stored and does nothing else: a key pressed twice and a button that
+/// bounces never answer the scene that the first press brought. Even an expected light that calls
+/// for one key takes 0.21 s on average [Woods 2015]; what has to be read or chosen takes longer. The
+/// same holds after a confirmation by device button that changed what the next one would mean. A
+/// button down again within `kBounce_s` has not been let go. What was pressed after the deadline
+/// does nothing either, however soon it is heard.
 ///
 /// With device buttons alone: button 1 steps through the options, a tone for each; button 2, or
 /// button 1 held for 0.8 s, confirms. In an assignment that gives the option to the surface whose
@@ -33,8 +40,15 @@ namespace asperity {
 /// "refused" (the cue's words). What is typed into a form is its answer and no event.
 ///
 /// Threads: `post` from any thread; everything else from the conductor's.
+///
+/// [Woods 2015] Woods et al.: Factors influencing the latency of simple reaction time.
 class PersonAtWindow final : public Respondent {
  public:
+  /// By the time stamp of what was pressed, from when the scene was shown.
+  static constexpr double kTooSoon_s = 0.2;
+  /// Contacts of a switch bounce for a few milliseconds; no finger is back so soon.
+  static constexpr double kBounce_s = 0.02;
+
   /// `monitor` and `sound` (may be null) must outlive this.
   PersonAtWindow(SessionMonitor& monitor, Sound* sound);
   ~PersonAtWindow() override;

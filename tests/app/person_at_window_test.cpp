@@ -290,7 +290,7 @@ TEST_F(AChoice, GoesByTheTimeThatTheSceneSaysItWasShownAt) {
   const std::int64_t pressed_ns = now_ns_ - nanoseconds(0.2);
   person_.post({.kind = Kind::option, .number = 1, .time_ns = pressed_ns});
   ParticipantScene scene = scene_of_question(selection(), {1, 2, 3});
-  scene.shown_ns = pressed_ns - 1;
+  scene.shown_ns = pressed_ns - nanoseconds(PersonAtWindow::kTooSoon_s);
   monitor_.show(std::move(scene));
   press(1.0, Kind::confirm);
   EXPECT_EQ(person_.ask(selection(), {}, 2.0, wait_).options, Options{0});
@@ -321,6 +321,87 @@ TEST_F(AChoice, TakesOneAnswerPerKey) {
   feel_all(selection());
   EXPECT_TRUE(ask(selection(), 3.0).options.empty());
   EXPECT_TRUE(events("refused").empty());
+}
+
+// --- what nobody can have perceived --------------------------------------------------------------
+
+class PressedTwice : public PersonAtWindowTest {
+ protected:
+  static Question optional_text() {
+    Question question{};
+    question.form = Question::Form::text;
+    question.optional = true;
+    return question;
+  }
+};
+
+TEST_F(PressedTwice, AKeyDoesNotAnswerTheQuestionThatTheFirstPressBrought) {
+  for (const double gap_s : {0.02, 0.05, 0.1, 0.19}) {
+    const std::int64_t began_ns = now_ns_;
+    press(1.0, Kind::confirm);
+    press(1.0 + gap_s, Kind::confirm);
+    press(4.0, Kind::confirm);
+    EXPECT_EQ(person_.answer(optional_text(), wait_), "");
+    EXPECT_EQ(now_ns_, began_ns + nanoseconds(1.0));
+    EXPECT_EQ(person_.answer(optional_text(), wait_), "");
+    EXPECT_EQ(now_ns_, began_ns + nanoseconds(4.0)) << "pressed again after " << gap_s << " s";
+  }
+  EXPECT_TRUE(events("refused").empty()) << "it is no mistake";
+  EXPECT_EQ(sound_.count(Cue::refused), 0);
+  int too_soon = 0;
+  for (const EventRow& input : events("input")) {
+    if (input.data_json.find("too_soon") != std::string::npos) ++too_soon;
+  }
+  EXPECT_EQ(too_soon, 4) << "it is stored as what it was";
+}
+
+TEST_F(PressedTwice, AKeyAnswersOnceItsScreenCanHaveBeenPerceived) {
+  press(PersonAtWindow::kTooSoon_s, Kind::confirm);
+  const std::int64_t began_ns = now_ns_;
+  person_.answer(optional_text(), wait_);
+  EXPECT_EQ(now_ns_, began_ns + nanoseconds(0.2));
+}
+
+TEST_F(PressedTwice, SpaceDoesNotAskForASurfaceAgain) {
+  const Trial trial = selection();
+  person_.begin_attempt(1, 1);
+  feel(trial, 1);
+  feel(trial, 2);
+  person_.announce(trial, trial.presentations[2]);
+  press(1.0, Kind::next);
+  press(1.15, Kind::next);
+  pass(1.0);
+  EXPECT_TRUE(person_.wants_next(true));
+  EXPECT_FALSE(ask(trial, 2.0).feel_again);
+}
+
+TEST_F(PressedTwice, KeysOfOneQuestionFollowAsFastAsFingersAre) {
+  feel_all(selection());
+  press(1.0, Kind::option, 2);
+  press(1.04, Kind::confirm);
+  EXPECT_EQ(ask(selection()).options, Options{1});
+}
+
+TEST_F(PressedTwice, TheSecondButtonDoesNotConfirmTheWholeWithItsLastSurface) {
+  feel_all(matching());
+  for (int surface = 0; surface < 3; ++surface) {
+    hold_button(1.0 + 2 * surface, 1, 0.1);
+    hold_button(2.0 + 2 * surface, 2, 0.05);
+  }
+  hold_button(6.15, 2, 0.05);
+  EXPECT_TRUE(ask(matching(), 7.0).options.empty());
+}
+
+TEST_F(PressedTwice, AButtonThatBouncesWhenItIsLetGoIsNotPressedAgain) {
+  const std::int64_t began_ns = now_ns_;
+  hold_button(1.0, 2, 0.4);  // let go 0.4 s after the next screen was shown
+  hold_button(1.405, 2, 0.003);
+  hold_button(1.412, 2, 0.002);
+  press(4.0, Kind::confirm);
+  person_.answer(optional_text(), wait_);
+  EXPECT_EQ(now_ns_, began_ns + nanoseconds(1.0));
+  person_.answer(optional_text(), wait_);
+  EXPECT_EQ(now_ns_, began_ns + nanoseconds(4.0));
 }
 
 // --- feeling again -------------------------------------------------------------------------------
@@ -492,6 +573,7 @@ class WhileFeeling : public PersonAtWindowTest {
   void announce(const Trial& trial, int position) {
     monitor_.show(scene_of_surface(trial, {}, position));
     person_.announce(trial, trial.presentations.at(static_cast<std::size_t>(position - 1)));
+    pass(PersonAtWindow::kTooSoon_s);  // it is perceived
   }
 };
 
@@ -859,14 +941,14 @@ TEST(PersonAtWindowThreads, HearWhatIsPostedFromAnother) {
   Trial trial = selection();
   std::jthread window([&person] {
     for (int i = 0; i < 200; ++i) {
-      person.post({.kind = Kind::option, .number = 1 + i % 4, .time_ns = 1});
+      person.post({.kind = Kind::option, .number = 1 + i % 4, .time_ns = nanoseconds(1.0)});
     }
-    person.post({.kind = Kind::option, .number = 3, .time_ns = 2});
-    person.post({.kind = Kind::confirm, .time_ns = 3});
+    person.post({.kind = Kind::option, .number = 3, .time_ns = nanoseconds(2.0)});
+    person.post({.kind = Kind::confirm, .time_ns = nanoseconds(3.0)});
   });
   const Reply reply = person.ask(trial, {}, {}, [](double) { std::this_thread::yield(); });
   EXPECT_EQ(reply.options, Options{2});
-  EXPECT_EQ(reply.answered_ns, 3);
+  EXPECT_EQ(reply.answered_ns, nanoseconds(3.0));
 }
 
 }  // namespace

@@ -178,6 +178,7 @@ TEST_F(SessionKeysAtWork, AnswersTooEarlyAreRefusedWithACue) {
   };
   wait_for("contact", [&] { return is_in(SessionPhase::contact, 1); });
   wait_for("the surface in the window", [&] { return view().scene().kind == Scene::Kind::feel; });
+  wait_for("it to be perceived", [&] { return can_be_perceived(); });
   key(Qt::Key_A);
   wait_for("the tone", [&] { return refusals() == 1; });
   wait_for("the words in the window", [&] {

@@ -27,9 +27,15 @@ TEST_F(Blindfold, GoesThroughASessionByTonesAndDeviceButtonsAlone) {
                 .flow = R"({"screen": "Welcome."}, {"run": "main"}, {"screen": "Thank you."})"});
   open();
   start("small");
+  // Not before the tone can have been heard, nor so soon after the last press that it is one with it.
+  std::int64_t pressed_ns = 0;
   const auto press = [&](int button) {
+    wait_for("the moment to press", [&] {
+      return can_be_perceived() && monitor().snapshot().now_ns - pressed_ns > 50'000'000;
+    });
     runner().requests().press_button(button);
     runner().requests().release_button(button);
+    pressed_ns = monitor().snapshot().now_ns;
   };
   // The welcome can be read: the mask is not on yet. From then on only tones say what to do.
   wait_for("the welcome", [&] { return monitor().snapshot().scene->can_confirm; });

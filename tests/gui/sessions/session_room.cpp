@@ -247,6 +247,12 @@ bool SessionRoom::is_pushed(int trial) {
   return !bins.empty() && bins.back().touching && bins.back().force_minimum_N > 0.1F;
 }
 
+bool SessionRoom::can_be_perceived() {
+  const SessionSnapshot now = monitor().snapshot();
+  const auto shown_s = 1e-9 * static_cast<double>(now.now_ns - now.scene->shown_ns);
+  return shown_s > PersonAtWindow::kTooSoon_s;
+}
+
 // --- hands ---------------------------------------------------------------------------------------
 
 void SessionRoom::require(bool holds, const std::string& what) {
@@ -370,6 +376,7 @@ void SessionRoom::take_part(const std::function<void(const Scene&)>& answer,
     const Scene scene = view().scene();
     const bool is_shown = scene.shown_ns == monitor().snapshot().scene->shown_ns;
     if (!is_shown || scene.shown_ns == acted_on_ns || !view().waits()) return false;
+    if (!can_be_perceived()) return false;
     switch (scene.kind) {
       case Scene::Kind::text:
       case Scene::Kind::mask_on:

@@ -85,6 +85,9 @@ class SessionRoom : public QuietHome {
   /// A surface is under the hand and pushes back, in this trial.
   bool is_pushed(int trial);
 
+  /// The scene has been there long enough to be answered.
+  bool can_be_perceived();
+
   // --- hands ---
   /// To whichever window has the focus.
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
