@@ -327,7 +327,8 @@ std::optional<Reply> PersonAtWindow::Desk::hear_wish(const Trial& trial,
     return {};
   }
   const int surfaces = static_cast<int>(trial.presentations.size());
-  return Reply{.feel_again = input.kind == Kind::surface ? input.number : last_felt % surfaces + 1};
+  return Reply{.feel_again = input.kind == Kind::surface ? input.number : last_felt % surfaces + 1,
+               .answered_ns = input.time_ns};
 }
 
 // --- the person ----------------------------------------------------------------------------------

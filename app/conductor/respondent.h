@@ -27,8 +27,9 @@ struct Reply {
   /// was over or the person wants to feel a surface again.
   std::vector<std::size_t> options{};
   std::optional<int> feel_again{};  ///< position of the surface to be felt again
-  /// When the answer was given, on the session's clock: the time stamp of the key or button itself.
-  /// Absent where nobody knows better than the time at which `ask` returns.
+  /// When the answer was given or the wish to feel again was made, on the session's clock: the time
+  /// stamp of the key or button itself. Absent where nobody knows better than the time at which `ask`
+  /// returns.
   std::optional<std::int64_t> answered_ns{};
 };
 
@@ -56,7 +57,8 @@ class Respondent {
   virtual void read(const std::string& text, double minimum_s, const Wait& wait) = 0;
   /// The surface of this code can be felt now.
   virtual void announce(const Trial& trial, const PlannedPresentation& surface) = 0;
-  /// `felt` are the features of what each surface felt like, by position.
+  /// `felt` are the features of what each surface felt like, by position. `deadline_s` is what is left
+  /// to answer, from now on.
   virtual Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
                     std::optional<double> deadline_s, const Wait& wait) = 0;
   /// Feedback after a practice trial.

@@ -183,9 +183,13 @@ Reply TrialAttempt::ask() {
   course_.enter(SessionPhase::response);
   course_.show(scene_of_question(trial_, felt_));
   course_.play(Cue::question);
-  cue_ns_ = course_.now_ns();
-  Reply reply = course_.respondent().ask(trial_, features, block_.response_deadline_s, waiting_);
+  const std::int64_t asked_ns = course_.now_ns();
+  if (!cue_ns_) cue_ns_ = asked_ns;
+  std::optional<double> left_s = block_.response_deadline_s;
+  if (left_s) left_s = std::max(0.0, *left_s - answerable_s_);
+  Reply reply = course_.respondent().ask(trial_, features, left_s, waiting_);
   answer_ns_ = reply.answered_ns.value_or(course_.now_ns());
+  answerable_s_ += seconds_between(asked_ns, answer_ns_);
   return reply;
 }
 
@@ -302,7 +306,7 @@ void TrialAttempt::answer() {
     }
     response.options_json = options_json(trial_.question);
     response.time_ns = answer_ns_;
-    response.from_cue_s = seconds_between(cue_ns_, answer_ns_);
+    response.from_cue_s = seconds_between(cue_ns_.value(), answer_ns_);
     if (const auto contact_ns = row_.presentations.front().contact_ns) {
       response.from_contact_s = seconds_between(*contact_ns, answer_ns_);
     }

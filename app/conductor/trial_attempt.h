@@ -27,6 +27,11 @@ struct AttemptOrder {
 ///
 /// An attempt that was interrupted has a row as well, invalid, with the reason.
 ///
+/// Where surfaces are felt again the question is put more than once. The reaction time from the cue
+/// counts from the first time, feeling again included: it is how long a person took to decide. The
+/// deadline counts the time in which they could answer: it stands still from the wish to feel again
+/// until the question is there again.
+///
 /// Phases: fore → contact (with the first touch) → fore before the next surface → … → response, and
 /// fore and contact again where a surface is felt again.
 ///
@@ -76,8 +81,9 @@ class TrialAttempt final {
   std::vector<Surface> surfaces_{};
   std::vector<int> felt_{};  ///< positions, as they were felt
   Reply reply_{};
-  std::int64_t cue_ns_ = 0;
+  std::optional<std::int64_t> cue_ns_{};  ///< when the question was put first
   std::int64_t answer_ns_ = 0;
+  double answerable_s_ = 0.0;  ///< how long the question was there, felt again since or not
   std::optional<Interruption> interruption_{};
   AttemptRow row_{};
 };

@@ -296,6 +296,36 @@ TEST_F(ConductorTest, HoldsTheLongestContactOfEachVisitAgainstTheMaximum) {
   EXPECT_FALSE(row.flagged) << row.flag_reason.value_or("");
 }
 
+TEST_F(ConductorTest, CountsReactionTimesFromTheFirstTimeTheQuestionWasPut) {
+  begin(small_protocol());
+  std::int64_t put_ns = 0;
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question == 1) put_ns = rig_->clock().now_ns() - 200'000'000;  // it took 0.2 s
+    if (question < 3) return {{}, 1};
+    return {{0}, {}};
+  };
+  run();
+  const ResponseRow response = attempts().front().responses.at(0);
+  EXPECT_NEAR(*response.from_cue_s, 1e-9 * static_cast<double>(response.time_ns - put_ns), 2e-3);
+  EXPECT_GT(*response.from_cue_s, 1.5);  // the surface was felt twice again
+}
+
+TEST_F(ConductorTest, StopsTheDeadlineWhileASurfaceIsFeltAgain) {
+  begin(small_protocol(R"(, "response_deadline_s": 3)"));
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    // Wished for 0.15 s after the question was put, heard 0.05 s later.
+    if (question == 1) return {{}, 1, rig_->clock().now_ns() - 50'000'000};
+    if (question == 2) return {{}, 1};
+    return {{0}, {}};
+  };
+  run();
+  ASSERT_GE(person_.deadlines_s.size(), 4U);
+  EXPECT_DOUBLE_EQ(*person_.deadlines_s[0], 3.0);
+  EXPECT_NEAR(*person_.deadlines_s[1], 2.85, 2e-3);
+  EXPECT_NEAR(*person_.deadlines_s[2], 2.65, 2e-3);
+  EXPECT_DOUBLE_EQ(*person_.deadlines_s[3], 3.0) << "the next trial has its own";
+}
+
 TEST_F(ConductorTest, EndsAtOnceWhenAskedToStopWhileSomethingIsRead) {
   begin(small_protocol());
   conductor_ = std::make_unique<Conductor>(*study_, protocol_, *builder_, *rig_, person_,

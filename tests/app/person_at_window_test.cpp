@@ -424,7 +424,10 @@ TEST_F(FeelingAgain, MayNameTheSurface) {
   feel_all(selection());
   press(0.5, Kind::surface, 7);
   press(1.0, Kind::surface, 2);
-  EXPECT_EQ(ask(selection()).feel_again, 2);
+  const std::int64_t wished_ns = now_ns_ + nanoseconds(1.0);
+  const Reply reply = ask(selection());
+  EXPECT_EQ(reply.feel_again, 2);
+  EXPECT_EQ(reply.answered_ns, wished_ns);
 }
 
 TEST_F(FeelingAgain, LeavesTheChoiceAsItWas) {

@@ -83,6 +83,7 @@ class ScriptedPerson final : public Respondent {
   std::vector<std::string> texts{};
   std::vector<int> felt_positions{};
   std::vector<ForceFeatures> last_felt{};
+  std::vector<std::optional<double>> deadlines_s{};
   int questions = 0;
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override {
@@ -92,9 +93,10 @@ class ScriptedPerson final : public Respondent {
   void announce(const Trial&, const PlannedPresentation& surface) override {
     felt_positions.push_back(surface.position);
   }
-  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt, std::optional<double>,
-            const Wait& wait) override {
+  Reply ask(const Trial& trial, std::span<const ForceFeatures> felt,
+            std::optional<double> deadline_s, const Wait& wait) override {
     last_felt.assign(felt.begin(), felt.end());
+    deadlines_s.push_back(deadline_s);
     wait(0.2);
     ++questions;
     if (at_question) return at_question(questions, trial);
