@@ -73,6 +73,8 @@ std::string text_of(const Saying& saying) {
       return "Please feel surface " + saying.code + " first.";
     case Saying::What::feel_longer:
       return "Please feel surface " + saying.code + " a little longer.";
+    case Saying::What::not_asked_yet:
+      return "Please wait for the question.";
     case Saying::What::wait:
       return saying.number == 1 ? "Please wait 1 more second."
                                 : "Please wait " + std::to_string(saying.number) + " more seconds.";

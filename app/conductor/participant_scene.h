@@ -23,6 +23,7 @@ struct Saying {
     cannot_tell,    ///< as an option
     feel_first,     ///< refused: surface `code` has to be felt before the answer
     feel_longer,    ///< refused: surface `code` is to be felt a little longer
+    not_asked_yet,  ///< refused: all was felt, and the question is about to be put
     wait,           ///< refused: not before `number` seconds have gone by
     choose_first,   ///< refused: nothing is chosen yet
     assign_first,   ///< refused: surface `code` has no picture yet

@@ -112,6 +112,8 @@ struct PersonAtWindow::Desk {
   /// The next input that is meant for the present scene.
   std::optional<ParticipantInput> hear();
   void refuse(const ParticipantInput& input, Saying saying);
+  /// There is no question yet: surface `to_feel` has to be felt before it.
+  void refuse_answer(const ParticipantInput& input, std::optional<int> to_feel);
   void play(Cue cue, int number = 0) const {
     if (sound != nullptr) sound->play(cue, number);
   }
@@ -127,9 +129,8 @@ struct PersonAtWindow::Desk {
 
   void leave_surface();
   std::vector<int> felt_positions() const { return {felt.begin(), felt.end()}; }
-  /// Position of the surface to be felt before the question can be answered: one that nobody has
-  /// felt yet, the present one last.
-  std::optional<int> unfelt() const;
+  /// Position of a surface other than the present one that nobody has felt yet.
+  std::optional<int> other_unfelt() const;
   const std::string& code_of(int position) const {
     return codes.at(static_cast<std::size_t>(position - 1));
   }
@@ -204,6 +205,15 @@ void PersonAtWindow::Desk::refuse(const ParticipantInput& input, Saying saying) 
   play(Cue::refused);
 }
 
+void PersonAtWindow::Desk::refuse_answer(const ParticipantInput& input,
+                                         std::optional<int> to_feel) {
+  if (to_feel) {
+    refuse(input, {.what = Saying::What::feel_first, .code = code_of(*to_feel)});
+  } else {
+    refuse(input, {.what = Saying::What::not_asked_yet});
+  }
+}
+
 bool PersonAtWindow::Desk::listen(const Wait& wait, std::optional<std::int64_t> until_ns,
                                   const std::function<bool(const ParticipantInput&)>& heard) {
   for (;;) {
@@ -232,12 +242,11 @@ void PersonAtWindow::Desk::leave_surface() {
   now = 0;
 }
 
-std::optional<int> PersonAtWindow::Desk::unfelt() const {
+std::optional<int> PersonAtWindow::Desk::other_unfelt() const {
   for (int position = 1; position <= static_cast<int>(codes.size()); ++position) {
     if (position != now && !felt.contains(position)) return position;
   }
-  if (felt.contains(now)) return {};
-  return now;
+  return {};
 }
 
 // --- the question of a trial ---------------------------------------------------------------------
@@ -385,20 +394,17 @@ void PersonAtWindow::announce(const Trial& trial, const PlannedPresentation& sur
 }
 
 bool PersonAtWindow::wants_next(bool may_go) {
-  const std::optional<int> unfelt = desk_->unfelt();
-  // When a surface is felt again the question comes after it anyway.
-  const auto refuse_answer = [&](const ParticipantInput& input) {
-    if (!unfelt) return;
-    desk_->refuse(input, {.what = Saying::What::feel_first, .code = desk_->code_of(*unfelt)});
-  };
+  const std::optional<int> next = desk_->other_unfelt();
+  std::optional<int> to_feel = next;
+  if (!to_feel && !desk_->felt.contains(desk_->now)) to_feel = desk_->now;
   while (const std::optional<ParticipantInput> input = desk_->hear()) {
     switch (input->kind) {
       case Kind::next:
         break;
       case Kind::surface:
-        if (input->number == unfelt && unfelt != desk_->now) break;
+        if (input->number == next) break;
         // The letter of any other surface is the answer to a choice.
-        refuse_answer(*input);
+        desk_->refuse_answer(*input, to_feel);
         continue;
       case Kind::device_button:
         if (input->number == 1) break;
@@ -406,7 +412,7 @@ bool PersonAtWindow::wants_next(bool may_go) {
       case Kind::option:
       case Kind::assign:
       case Kind::confirm:
-        refuse_answer(*input);
+        desk_->refuse_answer(*input, to_feel);
         continue;
       case Kind::text:
       case Kind::released:
@@ -416,6 +422,29 @@ bool PersonAtWindow::wants_next(bool may_go) {
     desk_->refuse(*input, {.what = Saying::What::feel_longer, .code = desk_->code_of(desk_->now)});
   }
   return false;
+}
+
+void PersonAtWindow::refuse_answers() {
+  const std::optional<int> next = desk_->other_unfelt();
+  while (const std::optional<ParticipantInput> input = desk_->hear()) {
+    switch (input->kind) {
+      case Kind::surface:
+        if (input->number == next) continue;  // it comes
+        break;
+      case Kind::device_button:
+        if (input->number == 1) continue;
+        break;
+      case Kind::option:
+      case Kind::assign:
+      case Kind::confirm:
+        break;
+      case Kind::next:  // they go on already
+      case Kind::text:
+      case Kind::released:
+        continue;
+    }
+    desk_->refuse_answer(*input, next);
+  }
 }
 
 Reply PersonAtWindow::ask(const Trial& trial, std::span<const ForceFeatures>,

@@ -17,8 +17,8 @@ namespace asperity {
 ///
 /// The rules of answering live here, without any window: digits and letters choose, `next` switches
 /// surfaces where that is allowed, `confirm` answers when the answer is complete; an answer before
-/// all was felt is refused with a cue; each picture is given once, and an assignment may be changed
-/// until it is confirmed (AnswerSheet).
+/// the question is there (while a surface is felt, while the hand lifts) is refused with a cue; each
+/// picture is given once, and an assignment may be changed until it is confirmed (AnswerSheet).
 ///
 /// Nobody answers what they cannot have perceived. What was pressed before a scene was shown, or less
 /// than `kTooSoon_s` after, is stored and does nothing else: a key pressed twice and a button that
@@ -66,6 +66,7 @@ class PersonAtWindow final : public Respondent {
   std::string source() const override;
   void begin_attempt(int trial, int attempt) override;
   bool wants_next(bool may_go) override;
+  void refuse_answers() override;
   bool wears_mask() const override { return true; }
   bool leaves_prompts_to_experimenter() const override { return true; }
   void put_mask(bool on, const Wait& wait) override;

@@ -77,6 +77,9 @@ class Respondent {
     static_cast<void>(may_go);
     return false;
   }
+  /// Asked again and again in an attempt while neither a surface is felt nor the question is there:
+  /// the hand lifts, or waits for the next surface. What is pressed for an answer is refused.
+  virtual void refuse_answers() {}
   /// There are eyes to be covered: a person at a window. Others are never asked to put on a mask.
   virtual bool wears_mask() const { return false; }
   /// What the protocol wants of the experimenter is none of this person's business: it is asked at

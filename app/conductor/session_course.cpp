@@ -40,22 +40,27 @@ void SessionCourse::begin(const SessionRow& row) {
 // --- time ----------------------------------------------------------------------------------------
 
 void SessionCourse::wait(double duration_s) {
-  double left_s = duration_s;
-  do {
-    const double slice_s = std::min(left_s, kSlice_s);
-    pass(slice_s);
-    left_s -= slice_s;
-    look(false);
-  } while (left_s > 1e-9);
+  wait_in_slices(duration_s, [this] { look(false); });
 }
 
 void SessionCourse::wait_outside_trial(double duration_s) {
+  wait_in_slices(duration_s, [this] { look(true); });
+}
+
+void SessionCourse::wait_refusing_answers(double duration_s) {
+  wait_in_slices(duration_s, [this] {
+    look(false);
+    respondent_.refuse_answers();
+  });
+}
+
+void SessionCourse::wait_in_slices(double duration_s, const std::function<void()>& after_each) {
   double left_s = duration_s;
   do {
     const double slice_s = std::min(left_s, kSlice_s);
     pass(slice_s);
     left_s -= slice_s;
-    look(true);
+    after_each();
   } while (left_s > 1e-9);
 }
 

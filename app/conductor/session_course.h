@@ -66,8 +66,11 @@ class SessionCourse final {
   /// Throws Interruption on a fault, when the session is aborted, when the trial under way is
   /// skipped, and when masking noise that is needed stops.
   void wait(double duration_s);
-  /// The same where there is no trial to wait for: a wish to stop after the trial ends it as well.
+  /// As `wait`, where there is no trial to wait for: a wish to stop after the trial ends it as well.
   void wait_outside_trial(double duration_s);
+  /// As `wait`, within an attempt while there is neither a surface to be felt nor a question: the
+  /// respondent refuses answers meanwhile.
+  void wait_refusing_answers(double duration_s);
   /// One slice, whatever is asked for.
   void pass_slice();
   static constexpr double kSlice_s = 0.02;
@@ -107,6 +110,7 @@ class SessionCourse final {
   std::vector<EventRow> take_attempt_events();
 
  private:
+  void wait_in_slices(double duration_s, const std::function<void()>& after_each);
   void pass(double duration_s);
   void look(bool outside_trial);
   void publish_now();

@@ -157,7 +157,7 @@ void TrialAttempt::carry_out() {
     if (i > 0) {
       course_.enter(SessionPhase::fore);
       course_.show({});
-      course_.wait(block_.pause_between_surfaces_s);
+      course_.wait_refusing_answers(block_.pause_between_surfaces_s);
     }
     feel(i);
   }
@@ -173,13 +173,14 @@ void TrialAttempt::carry_out() {
 }
 
 Reply TrialAttempt::ask() {
-  if (shows_pictures()) course_.put_mask(false, waiting_);
   std::vector<ForceFeatures> features{};
   for (const PlannedPresentation& planned : trial_.presentations) {
     features.push_back(recorded_force_features({course_.recorder().records(),
                                                 static_cast<std::uint64_t>(planned.position),
                                                 course_.protocol().rate_Hz}));
   }
+  course_.respondent().refuse_answers();  // what was pressed meanwhile
+  if (shows_pictures()) course_.put_mask(false, waiting_);
   course_.enter(SessionPhase::response);
   course_.show(scene_of_question(trial_, felt_));
   course_.play(Cue::question);
@@ -217,11 +218,11 @@ void TrialAttempt::feel(std::size_t index) {
   rig.hand().lift();
   for (double passed_s = 0.0; recorder.live().touching && passed_s < kPatience_s;
        passed_s += kSlice_s) {
-    course_.wait(kSlice_s);
+    course_.wait_refusing_answers(kSlice_s);
   }
   rig.loop().withdraw();
   while (surface.presentation.renderer == nullptr) {
-    course_.wait(kSlice_s);
+    course_.wait_refusing_answers(kSlice_s);
     surface.presentation = rig.loop().collect();
   }
   if (recorder.live().contact_s <= 0.0) {

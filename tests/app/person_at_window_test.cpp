@@ -645,6 +645,54 @@ TEST_F(WhileFeeling, TheFirstDeviceButtonGoesOnAndTheSecondIsAnAnswerTooEarly) {
   EXPECT_TRUE(person_.wants_next(true));
 }
 
+TEST_F(WhileFeeling, AnAnswerIsRefusedAlsoWhenASurfaceIsFeltAgain) {
+  feel_all(selection());
+  ask(selection(), 1.0);
+  announce(selection(), 2);
+  press(0.1, Kind::confirm);
+  pass(0.2);
+  EXPECT_FALSE(person_.wants_next(true));
+  EXPECT_EQ(scene()->cue, "Please wait for the question.");
+}
+
+TEST_F(WhileFeeling, AnAnswerIsRefusedOnceWhileTheHandLifts) {
+  const Trial trial = selection();
+  person_.begin_attempt(1, 1);
+  announce(trial, 1);
+  press(0.1, Kind::next);
+  pass(0.2);
+  ASSERT_TRUE(person_.wants_next(true));
+  press(0.1, Kind::next);  // twice does no harm
+  press(0.1, Kind::surface, 2);
+  hold_button(0.1, 1, 0.05);
+  pass(0.2);
+  person_.refuse_answers();
+  EXPECT_EQ(sound_.count(Cue::refused), 0);
+  press(0.1, Kind::option, 1);
+  pass(0.2);
+  person_.refuse_answers();
+  person_.refuse_answers();
+  EXPECT_EQ(sound_.count(Cue::refused), 1);
+  EXPECT_EQ(scene()->cue, "Please feel surface B first.");
+  monitor_.show({});  // nothing but a tone where the screen is empty
+  hold_button(0.1, 2, 0.05);
+  pass(0.2);
+  person_.refuse_answers();
+  EXPECT_EQ(sound_.count(Cue::refused), 2);
+  EXPECT_EQ(scene()->cue, "");
+  announce(trial, 2);
+  announce(trial, 3);
+  for (const Kind answer : {Kind::option, Kind::assign, Kind::surface, Kind::confirm}) {
+    press(0.1, answer, 1, 1);
+  }
+  pass(0.2);
+  person_.refuse_answers();
+  EXPECT_EQ(sound_.count(Cue::refused), 6);
+  EXPECT_EQ(scene()->cue, "Please wait for the question.");
+  EXPECT_TRUE(ask(trial, 1.0).options.empty()) << "none of it is the answer";
+  EXPECT_EQ(events("refused").size(), 6U);
+}
+
 TEST_F(WhileFeeling, AWishFromBeforeTheSurfaceIsNone) {
   person_.begin_attempt(1, 1);
   press(0.1, Kind::next);

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/conductor/person_at_window.h"
 #include "app/conductor/recording_columns.h"
 #include "app/tasks/study_overview.h"
 #include "app/tasks/unfinished_session.h"
@@ -790,6 +791,49 @@ TEST_F(WatchedSession, EndsWhenTheNoiseStopsAndNobodyIsThere) {
 }
 
 // --- the participant -----------------------------------------------------------------------------
+
+/// The real rules of answering, in a session: the first answer comes while the hand lifts.
+TEST_F(WatchedSession, RefusesAnAnswerBetweenTheLastSurfaceAndItsQuestion) {
+  play_sound();
+  begin(one_trial());
+  PersonAtWindow person(monitor_, &sound_);
+  const auto press = [&](ParticipantInput::Kind kind, int number = 0) {
+    person.post({.kind = kind, .number = number, .time_ns = rig_->clock().now_ns()});
+  };
+  std::size_t lifts = 0;
+  std::int64_t answered_scene_ns = -1;
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    const auto heard = static_cast<std::size_t>(
+        std::count(sound_.cues.begin(), sound_.cues.end(), std::pair(Cue::next, 0)));
+    if (now.scene->kind == ParticipantScene::Kind::feel && heard > lifts) {
+      lifts = heard;
+      press(ParticipantInput::Kind::option, 1);
+    }
+    const bool waits = now.scene->kind == ParticipantScene::Kind::text ||
+                       now.scene->kind == ParticipantScene::Kind::question ||
+                       now.scene->kind == ParticipantScene::Kind::form;
+    if (!waits || now.scene->shown_ns == answered_scene_ns ||
+        now.now_ns - now.scene->shown_ns < 300'000'000) {
+      return;
+    }
+    answered_scene_ns = now.scene->shown_ns;
+    if (now.scene->kind != ParticipantScene::Kind::text) press(ParticipantInput::Kind::option, 2);
+    press(ParticipantInput::Kind::confirm);
+  };
+  Conductor conductor(*study_, protocol_, *builder_, *rig_, person, {.links = links_});
+  EXPECT_EQ(conductor.run(session_).state, SessionState::completed);
+  EXPECT_EQ(lifts, 2U);
+  EXPECT_EQ(std::count(sound_.cues.begin(), sound_.cues.end(), std::pair(Cue::refused, 0)), 2);
+  const AttemptRow row = attempts().front();
+  std::vector<std::string> refusals{};
+  for (const EventRow& event : row.events) {
+    if (event.kind == "refused") refusals.push_back(event.text);
+  }
+  EXPECT_THAT(refusals,
+              ElementsAre("Please feel surface B first.", "Please wait for the question."));
+  EXPECT_EQ(row.responses.at(0).answer, row.presentations[1].item);
+}
 
 /// A person with more to say: enough of a surface, when an answer was given, buttons, a mask.
 class TalkativePerson final : public Respondent {

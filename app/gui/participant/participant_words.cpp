@@ -33,6 +33,8 @@ QString Words::of(const Saying& saying) {
       return tr("Please feel surface %1 first.").arg(code);
     case Saying::What::feel_longer:
       return tr("Please feel surface %1 a little longer.").arg(code);
+    case Saying::What::not_asked_yet:
+      return tr("Please wait for the question.");
     case Saying::What::wait:
       return tr("Please wait %n more second(s).", "", saying.number);
     case Saying::What::choose_first:
