@@ -331,7 +331,7 @@ void Conductor::ask(const Protocol::Ask& questions) {
     ResponseRow row{};
     row.question = name;
     row.answer = answer;
-    row.time_ns = course_.now_ns();
+    row.time_ns = respondent_.answered_ns().value_or(course_.now_ns());
     row.from_cue_s = seconds_between(cue_ns, row.time_ns);
     row.source = respondent_.source();
     study_.add_session_answer(session_.row.id, row);

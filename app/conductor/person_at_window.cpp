@@ -84,6 +84,7 @@ struct PersonAtWindow::Desk {
 
   std::vector<EventRow> events{};
   std::string source = "keyboard";
+  std::optional<std::int64_t> answered_ns{};                     ///< the last question of a form
   ParticipantScene::Kind shown = ParticipantScene::Kind::blank;  ///< the present scene
   std::uint64_t cues = 0;         ///< a new scene may begin without the number of the last cue
   std::int64_t shown_ns = 0;      ///< what is stamped before was meant for another scene
@@ -500,10 +501,13 @@ std::string PersonAtWindow::answer(const Question& question, const Wait& wait) {
     }
     given = std::move(text);
     desk_->source = input.source;
+    desk_->answered_ns = input.time_ns;
     return true;
   });
   return given;
 }
+
+std::optional<std::int64_t> PersonAtWindow::answered_ns() const { return desk_->answered_ns; }
 
 std::string PersonAtWindow::source() const { return desk_->source; }
 

@@ -66,6 +66,9 @@ class Respondent {
   /// Answers to a question about the person or the session, as text; empty where optional and left
   /// out.
   virtual std::string answer(const Question& question, const Wait& wait) = 0;
+  /// When the last `answer` was given, as in Reply. Absent where nobody knows better than the time at
+  /// which it returned.
+  virtual std::optional<std::int64_t> answered_ns() const { return {}; }
   /// Where the last answer came from: "keyboard", "virtual", "virtual_guess".
   virtual std::string source() const = 0;
   /// Before each attempt; a virtual participant takes its random stream for it from here.

@@ -848,6 +848,16 @@ TEST_F(AForm, MayBeLeftEmptyWhereItIsOptional) {
   EXPECT_EQ(events("refused").size(), 1U);
 }
 
+TEST_F(AForm, IsAnsweredAtTheStampOfTheKeyNotWhenItIsHeard) {
+  EXPECT_FALSE(person_.answered_ns());
+  const std::int64_t pressed_ns = now_ns_ + nanoseconds(1.0);
+  script_.emplace(now_ns_ + nanoseconds(1.4),
+                  ParticipantInput{.kind = Kind::text, .text = "tired", .time_ns = pressed_ns});
+  person_.answer(choice(), wait_);
+  EXPECT_EQ(now_ns_, pressed_ns + nanoseconds(0.4));
+  EXPECT_EQ(person_.answered_ns(), pressed_ns);
+}
+
 TEST_F(AForm, KeepsWhatWasTypedOutOfTheEvents) {
   Question question{};
   question.form = Question::Form::text;

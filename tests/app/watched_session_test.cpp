@@ -839,7 +839,7 @@ TEST_F(WatchedSession, RefusesAnAnswerBetweenTheLastSurfaceAndItsQuestion) {
 class TalkativePerson final : public Respondent {
  public:
   bool has_had_enough = false;
-  std::optional<std::int64_t> answered_ns{};
+  std::optional<std::int64_t> form_answered_ns{};
   std::vector<EventRow> events{};
   std::vector<ButtonChange> buttons{};
   std::vector<std::string> calls{};
@@ -860,10 +860,13 @@ class TalkativePerson final : public Respondent {
     return {{0}, {}, cue_ns + 200'000'000};
   }
   void tell(const std::string&, const Wait&) override { calls.push_back("tell"); }
-  std::string answer(const Question& question, const Wait&) override {
+  std::string answer(const Question& question, const Wait& wait) override {
     calls.push_back("answer");
+    form_answered_ns = now_ns() + 300'000'000;
+    wait(0.5);
     return question.options.empty() ? std::string() : question.options.front();
   }
+  std::optional<std::int64_t> answered_ns() const override { return form_answered_ns; }
   std::string source() const override { return "keyboard"; }
   void begin_attempt(int, int) override {}
   bool wants_next(bool may_go) override { return may_go && has_had_enough; }
@@ -911,6 +914,14 @@ TEST_F(TalkativeSession, TakesReactionTimesFromTheStampOfTheAnswer) {
   EXPECT_NEAR(*response.from_contact_s,
               static_cast<double>(response.time_ns - *row.presentations[0].contact_ns) * 1e-9,
               1e-9);
+}
+
+TEST_F(TalkativeSession, TakesTheTimeOfAQuestionnairesAnswerFromItsStamp) {
+  begin(one_trial());
+  run_talkative();
+  const auto answers = study_->session_answers(session_.row.id);
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_NEAR(*answers[0].from_cue_s, 0.3, 1e-9);  // it was heard after 0.5 s
 }
 
 TEST_F(TalkativeSession, StoresWhatThePersonDidWithTheAttempt) {
