@@ -63,6 +63,8 @@ std::string text_of(const Saying& saying) {
       return {};
     case Saying::What::feel_surface:
       return "Feel surface " + saying.code + " now.";
+    case Saying::What::lift:
+      return "That is enough of surface " + saying.code + ". Please lift.";
     case Saying::What::put_mask_on:
       return "Please put on the eye mask.";
     case Saying::What::take_mask_off:
@@ -110,8 +112,10 @@ ParticipantScene scene_to_read(const std::string& text) {
   return scene;
 }
 
-ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now) {
-  Saying saying{.what = Saying::What::feel_surface};
+namespace {
+
+ParticipantScene scene_at_surface(const Trial& trial, const std::vector<int>& felt, int now,
+                                  Saying saying) {
   for (const PlannedPresentation& planned : trial.presentations) {
     if (planned.position == now) saying.code = planned.code;
   }
@@ -125,6 +129,16 @@ ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& fe
     scene.choices = choices_of(trial);
   }
   return scene;
+}
+
+}  // namespace
+
+ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now) {
+  return scene_at_surface(trial, felt, now, {.what = Saying::What::feel_surface});
+}
+
+ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& felt, int now) {
+  return scene_at_surface(trial, felt, now, {.what = Saying::What::lift});
 }
 
 ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt) {

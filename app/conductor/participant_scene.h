@@ -18,6 +18,7 @@ struct Saying {
   enum class What {
     nothing,
     feel_surface,   ///< surface `code` can be felt now
+    lift,           ///< surface `code` was felt long enough
     put_mask_on,    ///< and confirm
     take_mask_off,  ///< and confirm
     cannot_tell,    ///< as an option
@@ -141,6 +142,8 @@ ParticipantScene scene_to_read(const std::string& text);
 /// stand beside, unless they are to be seen only after feeling. `show_workspace` is left to the
 /// caller.
 ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now);
+/// The same when feeling is over, by the participant's wish or by itself: the hand is to lift.
+ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& felt, int now);
 ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt);
 ParticipantScene scene_of_form(const Question& question);
 ParticipantScene scene_of_mask(bool on);

@@ -197,9 +197,11 @@ Reply TrialAttempt::ask() {
 void TrialAttempt::feel(std::size_t index) {
   const PlannedPresentation& planned = trial_.presentations.at(index);
   Surface& surface = surfaces_.at(index);
-  ParticipantScene scene = scene_of_surface(trial_, felt_, planned.position);
-  scene.show_workspace = course_.protocol().scene.has_value();
-  course_.show(std::move(scene));
+  const auto show = [this](ParticipantScene scene) {
+    scene.show_workspace = course_.protocol().scene.has_value();
+    course_.show(std::move(scene));
+  };
+  show(scene_of_surface(trial_, felt_, planned.position));
   course_.play(Cue::surface, planned.position);
   course_.update([&](SessionSnapshot& snapshot) {
     snapshot.surface = planned.position;
@@ -214,6 +216,7 @@ void TrialAttempt::feel(std::size_t index) {
   rig.loop().present(std::move(surface.presentation));
   rig.hand().stroke();
   explore(surface);
+  show(scene_of_lifting(trial_, felt_, planned.position));
   course_.play(Cue::next);
   rig.hand().lift();
   for (double passed_s = 0.0; recorder.live().touching && passed_s < kPatience_s;

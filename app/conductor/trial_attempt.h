@@ -32,6 +32,9 @@ struct AttemptOrder {
 /// deadline counts the time in which they could answer: it stands still from the wish to feel again
 /// until the question is there again.
 ///
+/// Feeling ends when the surface was felt as long as asked, or the participant has had enough of it:
+/// either way the cue `next` sounds and the scene says so until the hand has lifted.
+///
 /// Phases: fore → contact (with the first touch) → fore before the next surface → … → response, and
 /// fore and contact again where a surface is felt again.
 ///

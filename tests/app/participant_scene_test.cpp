@@ -64,6 +64,7 @@ TEST_P(Scenes, NameNoTextureModelOrFile) {
     std::vector<ParticipantScene> shown{};
     for (const int position : all_positions(trial)) {
       shown.push_back(scene_of_surface(trial, {}, position));
+      shown.push_back(scene_of_lifting(trial, {}, position));
     }
     shown.push_back(scene_of_question(trial, all_positions(trial)));
     for (const ParticipantScene& scene : shown) {
@@ -126,6 +127,14 @@ TEST(SceneOfSurface, SaysWhichSurfaceIsFeltNow) {
   EXPECT_TRUE(scene.surfaces[0].felt && !scene.surfaces[0].now);
   EXPECT_TRUE(!scene.surfaces[1].felt && scene.surfaces[1].now);
   EXPECT_FALSE(scene.response_open);
+}
+
+TEST(SceneOfSurface, SaysWhenItIsEnough) {
+  const Trial trial = make_plan(library_protocol("chapter_selection"), {1, 0}).trials.front();
+  const ParticipantScene scene = scene_of_lifting(trial, {1}, 2);
+  EXPECT_EQ(scene.kind, ParticipantScene::Kind::feel);
+  EXPECT_EQ(scene.text, "That is enough of surface B. Please lift.");
+  EXPECT_TRUE(scene.surfaces[1].now);
 }
 
 TEST(SceneOfFeedback, TellsTheRightAnswerOnlyToWhoWasWrong) {

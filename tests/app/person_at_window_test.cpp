@@ -375,6 +375,19 @@ TEST_F(PressedTwice, SpaceDoesNotAskForASurfaceAgain) {
   EXPECT_FALSE(ask(trial, 2.0).feel_again);
 }
 
+// Feeling has ended by itself while a finger was on its way to say that it is enough.
+TEST_F(PressedTwice, SpaceThatComesALittleTooLateAsksForNothing) {
+  const Trial trial = selection();
+  feel_all(trial);
+  monitor_.show(scene_of_lifting(trial, {1, 2}, 3));
+  press(0.1, Kind::next);  // the hand lifts
+  press(0.3, Kind::next);  // the question is there
+  pass(0.2);
+  person_.refuse_answers();
+  EXPECT_FALSE(ask(trial, 2.0).feel_again);
+  EXPECT_TRUE(events("refused").empty());
+}
+
 TEST_F(PressedTwice, KeysOfOneQuestionFollowAsFastAsFingersAre) {
   feel_all(selection());
   press(1.0, Kind::option, 2);

@@ -187,6 +187,25 @@ TEST_F(WatchedSession, ShowsTheParticipantsSceneBeforeEachCall) {
                                  Kind::question, Kind::text));
 }
 
+TEST_F(WatchedSession, SaysThatASurfaceWasFeltLongEnoughUntilTheHandHasLifted) {
+  play_sound();
+  begin(one_trial());
+  std::vector<std::string> said{};
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    if (now.scene->kind != ParticipantScene::Kind::feel) return;
+    const bool is_over = !sound_.cues.empty() && sound_.cues.back().first == Cue::next;
+    EXPECT_EQ(now.scene->text_saying.what,
+              is_over ? Saying::What::lift : Saying::What::feel_surface);
+    EXPECT_TRUE(now.scene->surfaces.at(now.surface == 1 ? 0 : 1).now);
+    if (said.empty() || said.back() != now.scene->text) said.push_back(now.scene->text);
+  };
+  run();  // nobody asks for the end of a surface
+  EXPECT_THAT(said,
+              ElementsAre("Feel surface A now.", "That is enough of surface A. Please lift.",
+                          "Feel surface B now.", "That is enough of surface B. Please lift."));
+}
+
 TEST_F(WatchedSession, FollowsTheContactWithTheSurfaceUnderTheHand) {
   begin(one_trial());
   double largest_s = 0.0;

@@ -23,6 +23,8 @@ QString Words::of(const Saying& saying) {
       return {};
     case Saying::What::feel_surface:
       return tr("Feel surface %1 now.").arg(code);
+    case Saying::What::lift:
+      return tr("That is enough of surface %1. Please lift.").arg(code);
     case Saying::What::put_mask_on:
       return tr("Please put on the eye mask.");
     case Saying::What::take_mask_off:
