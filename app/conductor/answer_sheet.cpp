@@ -6,6 +6,7 @@ namespace asperity {
 
 AnswerSheet::AnswerSheet(const Trial& trial)
     : is_assignment_(trial.question.form == TrialQuestion::Form::assignment),
+      may_feel_again_(trial.question.allow_revisit),
       options_(trial.question.options.size()),
       given_(is_assignment_ ? trial.presentations.size() : 1) {}
 
@@ -15,6 +16,7 @@ void AnswerSheet::assign(std::size_t option, std::size_t surface) {
   take_back(option);
   given_.at(surface) = option;
   pointed_.reset();
+  forget_feeling_again();
   turn_ = surface;
   pass_turn();
 }
@@ -28,6 +30,7 @@ void AnswerSheet::take_back(std::size_t option) {
 void AnswerSheet::turn_to(std::size_t surface) {
   turn_ = surface;
   pointed_.reset();
+  forget_feeling_again();
 }
 
 void AnswerSheet::pass_turn() {
@@ -42,8 +45,13 @@ void AnswerSheet::pass_turn() {
   turn_ = next;
 }
 
-std::size_t AnswerSheet::point() {
-  const std::optional<std::size_t> before = is_assignment_ ? pointed_ : given_.front();
+std::optional<std::size_t> AnswerSheet::point() {
+  std::optional<std::size_t>& before = is_assignment_ ? pointed_ : given_.front();
+  points_at_feeling_again_ = may_feel_again_ && before == options_ - 1;
+  if (points_at_feeling_again_) {
+    before.reset();
+    return {};
+  }
   const std::size_t option = before ? (*before + 1) % options_ : 0;
   if (is_assignment_) {
     pointed_ = option;
@@ -75,7 +83,7 @@ std::vector<std::size_t> AnswerSheet::answer() const {
 }
 
 void AnswerSheet::mark(ParticipantScene& scene) const {
-  scene.can_confirm = is_complete();
+  scene.can_confirm = is_complete() || points_at_feeling_again_;
   if (is_assignment_) scene.assigning = turn_;
   for (std::size_t option = 0; option < scene.choices.size(); ++option) {
     ParticipantScene::Choice& choice = scene.choices[option];

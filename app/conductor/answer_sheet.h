@@ -20,7 +20,8 @@ namespace asperity {
 /// so that an assignment can be changed for as long as nobody confirms it.
 ///
 /// Without sight one option after the other is pointed at. In a choice that chooses it; in an
-/// assignment it is given by `take_pointed`.
+/// assignment it is given by `take_pointed`. Where surfaces may be felt again, that wish comes after
+/// the last option, and the first option after it; in a choice nothing is chosen then.
 class AnswerSheet final {
  public:
   explicit AnswerSheet(const Trial& trial);
@@ -36,8 +37,10 @@ class AnswerSheet final {
   void turn_to(std::size_t surface);
   std::size_t turn() const noexcept { return turn_; }
 
-  /// Points at the next option and returns it.
-  std::size_t point();
+  /// Points at the next option and returns it; nothing when it is the wish to feel a surface again.
+  std::optional<std::size_t> point();
+  bool points_at_feeling_again() const noexcept { return points_at_feeling_again_; }
+  void forget_feeling_again() noexcept { points_at_feeling_again_ = false; }
   /// Gives what is pointed at to the surface whose turn it is; false where nothing is.
   bool take_pointed();
 
@@ -54,11 +57,13 @@ class AnswerSheet final {
   void pass_turn();
 
   bool is_assignment_ = false;
+  bool may_feel_again_ = false;
   std::size_t options_ = 0;
   /// Of each surface, or the one answer of a choice.
   std::vector<std::optional<std::size_t>> given_{};
   std::size_t turn_ = 0;
   std::optional<std::size_t> pointed_{};
+  bool points_at_feeling_again_ = false;
 };
 
 }  // namespace asperity

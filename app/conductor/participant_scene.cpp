@@ -84,6 +84,8 @@ std::string text_of(const Saying& saying) {
       return "Please choose first.";
     case Saying::What::assign_first:
       return "Please give surface " + saying.code + " a picture first.";
+    case Saying::What::feel_again:
+      return "Confirm to feel surface " + saying.code + " again.";
     case Saying::What::no_going_back:
       return "The surfaces cannot be felt again.";
     case Saying::What::was_right:

@@ -28,6 +28,7 @@ struct Saying {
     wait,           ///< refused: not before `number` seconds have gone by
     choose_first,   ///< refused: nothing is chosen yet
     assign_first,   ///< refused: surface `code` has no picture yet
+    feel_again,     ///< a confirmation now asks for surface `code` again
     no_going_back,  ///< refused: surfaces cannot be felt again in this trial
     was_right,      ///< feedback
     was_wrong,      ///< feedback; the right answer was `code`, where it is told

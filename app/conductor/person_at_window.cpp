@@ -112,6 +112,8 @@ struct PersonAtWindow::Desk {
   }
   /// The next input that is meant for the present scene.
   std::optional<ParticipantInput> hear();
+  /// Words under the scene.
+  void remind(Saying saying);
   void refuse(const ParticipantInput& input, Saying saying);
   /// There is no question yet: surface `to_feel` has to be felt before it.
   void refuse_answer(const ParticipantInput& input, std::optional<int> to_feel);
@@ -132,6 +134,10 @@ struct PersonAtWindow::Desk {
   std::vector<int> felt_positions() const { return {felt.begin(), felt.end()}; }
   /// Position of a surface other than the present one that nobody has felt yet.
   std::optional<int> other_unfelt() const;
+  /// Position of the surface whose turn it is to be felt again.
+  int next_again(const Trial& trial) const {
+    return last_felt % static_cast<int>(trial.presentations.size()) + 1;
+  }
   const std::string& code_of(int position) const {
     return codes.at(static_cast<std::size_t>(position - 1));
   }
@@ -194,15 +200,19 @@ std::optional<ParticipantInput> PersonAtWindow::Desk::hear() {
   }
 }
 
-void PersonAtWindow::Desk::refuse(const ParticipantInput& input, Saying saying) {
-  events.push_back({input.time_ns, "refused", text_of(saying),
-                    nlohmann::ordered_json{{"input", description_of(input)}}.dump()});
+void PersonAtWindow::Desk::remind(Saying saying) {
   change([&](ParticipantScene& scene) {
     scene.cue = text_of(saying);
     scene.cue_saying = std::move(saying);
     cues = std::max(cues, scene.cue_number) + 1;
     scene.cue_number = cues;
   });
+}
+
+void PersonAtWindow::Desk::refuse(const ParticipantInput& input, Saying saying) {
+  events.push_back({input.time_ns, "refused", text_of(saying),
+                    nlohmann::ordered_json{{"input", description_of(input)}}.dump()});
+  remind(std::move(saying));
   play(Cue::refused);
 }
 
@@ -293,8 +303,14 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
       return hear_confirmation(trial, input);
     case Kind::device_button:
       if (confirms_by_button(input)) return hear_confirmation(trial, input);
-      play(Cue::option, static_cast<int>(sheet->point()) + 1);
-      break;
+      if (const std::optional<std::size_t> pointed = sheet->point()) {
+        play(Cue::option, static_cast<int>(*pointed) + 1);
+        break;
+      }
+      show_sheet();
+      remind({.what = Saying::What::feel_again, .code = code_of(next_again(trial))});
+      play(Cue::surface, next_again(trial));
+      return {};
     case Kind::text:
     case Kind::released:
       return {};
@@ -305,6 +321,7 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
 
 std::optional<Reply> PersonAtWindow::Desk::hear_confirmation(const Trial& trial,
                                                              const ParticipantInput& input) {
+  if (sheet->points_at_feeling_again()) return hear_wish(trial, input);
   if (sheet->take_pointed()) {
     change_meaning(input.time_ns);
     show_sheet();
@@ -336,8 +353,8 @@ std::optional<Reply> PersonAtWindow::Desk::hear_wish(const Trial& trial,
     refuse(input, {.what = Saying::What::no_going_back});
     return {};
   }
-  const int surfaces = static_cast<int>(trial.presentations.size());
-  return Reply{.feel_again = input.kind == Kind::surface ? input.number : last_felt % surfaces + 1,
+  sheet->forget_feeling_again();
+  return Reply{.feel_again = input.kind == Kind::surface ? input.number : next_again(trial),
                .answered_ns = input.time_ns};
 }
 

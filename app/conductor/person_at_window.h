@@ -30,8 +30,11 @@ namespace asperity {
 ///
 /// With device buttons alone: button 1 steps through the options, a tone for each; button 2, or
 /// button 1 held for 0.8 s, confirms. In an assignment that gives the option to the surface whose
-/// turn it is, with the next surface's tone, and once more confirms the whole. While a surface is
-/// felt button 1 goes on to the next; where something is read any button goes on.
+/// turn it is, with the next surface's tone, and once more confirms the whole. Where surfaces may be
+/// felt again, the step after the last option is that wish: the tone of the surface that would be
+/// felt sounds, nothing is chosen, and the same confirmation asks for it. So whatever a confirmation
+/// does was heard before it, and needs one button only. While a surface is felt button 1 goes on to
+/// the next; where something is read any button goes on.
 ///
 /// Tones that answer what a person did (option, refused, mask) come from here; those of the trial
 /// (surface, question, accepted, …) from the conductor.

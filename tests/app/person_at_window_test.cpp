@@ -906,10 +906,62 @@ TEST_F(DeviceButtons, ConfirmWithTheFirstWhenItIsHeld) {
 }
 
 TEST_F(DeviceButtons, BeginAnewAfterTheLastOption) {
-  feel_all(selection());
+  Trial trial = selection();
+  trial.question.allow_revisit = false;
+  feel_all(trial);
   for (int step = 0; step < 5; ++step) hold_button(1.0 + step, 1, 0.1);
   hold_button(7.0, 2, 0.1);
-  EXPECT_EQ(ask(selection()).options, Options{0});
+  EXPECT_EQ(ask(trial).options, Options{0});
+}
+
+TEST_F(DeviceButtons, AskForASurfaceAgainBehindTheLastOption) {
+  const Trial trial = selection();
+  feel_all(trial);
+  for (int step = 0; step < 5; ++step) hold_button(1.0 + step, 1, 0.1);
+  look(5.5, [](const ParticipantScene& scene) {
+    EXPECT_EQ(scene.cue, "Confirm to feel surface A again.");
+    EXPECT_TRUE(scene.can_confirm);
+    for (const auto& choice : scene.choices) EXPECT_FALSE(choice.chosen);
+  });
+  hold_button(7.0, 1, 0.9);
+  const std::int64_t wished_ns = now_ns_ + nanoseconds(7.0);
+  Reply reply = ask(trial);
+  EXPECT_TRUE(reply.options.empty());
+  EXPECT_EQ(reply.feel_again, 1);
+  EXPECT_EQ(reply.answered_ns, wished_ns);
+  EXPECT_EQ(sound_.played, (std::vector<std::pair<Cue, int>>{{Cue::option, 1},
+                                                             {Cue::option, 2},
+                                                             {Cue::option, 3},
+                                                             {Cue::option, 4},
+                                                             {Cue::surface, 1}}));
+  EXPECT_TRUE(events("refused").empty());
+  feel(trial, 1);
+  hold_button(1.0, 2, 0.1);  // the wish is fulfilled, and nothing is chosen
+  for (int step = 0; step < 5; ++step) hold_button(2.0 + step, 1, 0.1);
+  hold_button(8.0, 2, 0.1);
+  reply = ask(trial);
+  EXPECT_EQ(reply.feel_again, 2) << "it goes round the surfaces";
+  EXPECT_EQ(events("refused").size(), 1U);
+  feel(trial, 2);
+  for (int step = 0; step < 6; ++step) hold_button(1.0 + step, 1, 0.1);
+  hold_button(8.0, 2, 0.1);
+  EXPECT_EQ(ask(trial).options, Options{0}) << "one step further is the first option";
+}
+
+TEST_F(DeviceButtons, AskForASurfaceAgainAmongPicturesToo) {
+  Trial trial = matching();
+  trial.question.allow_revisit = true;
+  feel_all(trial);
+  hold_button(1.0, 1, 0.1);
+  hold_button(2.0, 2, 0.1);  // A gets 1
+  for (int step = 0; step < 4; ++step) hold_button(3.0 + step, 1, 0.1);
+  hold_button(8.0, 2, 0.1);
+  EXPECT_EQ(ask(trial).feel_again, 1);
+  feel(trial, 1);
+  look(0.5, [](const ParticipantScene& scene) {
+    EXPECT_EQ(scene.choices.at(0).assigned_to, "A") << "what is given stays";
+  });
+  EXPECT_TRUE(ask(trial, 1.0).options.empty());
 }
 
 TEST_F(DeviceButtons, GivePicturesToOneSurfaceAfterTheOther) {

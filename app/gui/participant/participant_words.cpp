@@ -43,6 +43,8 @@ QString Words::of(const Saying& saying) {
       return tr("Please choose first.");
     case Saying::What::assign_first:
       return tr("Please give surface %1 a picture first.").arg(code);
+    case Saying::What::feel_again:
+      return tr("Confirm to feel surface %1 again.").arg(code);
     case Saying::What::no_going_back:
       return tr("The surfaces cannot be felt again.");
     case Saying::What::was_right:
