@@ -43,9 +43,15 @@ std::string with_capital(std::string text) {
   return text;
 }
 
-std::string fault_between_trials(const std::string& name) {
-  return name == name_of(Fault::emergency_stop) ? "the emergency stop was pressed between trials"
-                                                : "the device failed between trials: " + name;
+/// `where`: "in trial 3", "between trials".
+std::string fault_sentence(const Interruption& interruption, const std::string& where) {
+  return interruption.fault == Fault::emergency_stop
+             ? interruption.reason + ' ' + where
+             : "the device failed " + where + ": " + interruption.reason;
+}
+
+std::string fault_between_trials(const Interruption& interruption) {
+  return fault_sentence(interruption, "between trials");
 }
 
 /// Where a session is again after a fault: an attempt that it ended is over.
@@ -91,7 +97,7 @@ SessionEnd Conductor::run(OpenSession session) {
     run_steps();
   } catch (const Interruption& interruption) {  // outside an attempt
     stop(interruption.outcome == AttemptOutcome::device_fault
-             ? "the device failed between trials: " + interruption.reason +
+             ? fault_between_trials(interruption) +
                    "; every finished trial is stored, go on with --resume"
              : interruption.reason);
   } catch (const RespondentGone& gone) {
@@ -457,12 +463,8 @@ void Conductor::run_trial(const Trial& trial) {
     tell(trial, attempt);
     if (stopped_) return;
     if (attempt.outcome == AttemptOutcome::device_fault) {
-      const bool by_hand = rig_.loop().status().fault == Fault::emergency_stop;
-      const std::string reason =
-          (by_hand ? "the emergency stop was pressed in trial " : "the device failed in trial ") +
-          std::to_string(trial.ordinal) +
-          (by_hand ? "" : ": " + attempt.invalid_reason.value_or("fault"));
-      if (!wait_out_fault(reason)) return;
+      const std::string where = "in trial " + std::to_string(trial.ordinal);
+      if (!wait_out_fault(fault_sentence(interruption.value(), where))) return;
       continue;
     }
     if (interruption && interruption->ask_again) {
@@ -615,7 +617,7 @@ void Conductor::hold(Next next) {
       return;
     }
     if (is_attended && rig_.loop().status().fault != Fault::none &&
-        !wait_out_fault(fault_between_trials(name_of(rig_.loop().status().fault)))) {
+        !wait_out_fault(fault_between_trials(interruption_by(rig_.loop().status().fault)))) {
       return;
     }
     if (is_attended && next == Next::trial && course_.has_lost_noise() && !requests_.is_paused()) {
@@ -657,7 +659,7 @@ bool Conductor::outlives(const Interruption& interruption) {
       !settings_.links.experimenter_is_there) {
     return false;
   }
-  wait_out_fault(fault_between_trials(interruption.reason));
+  wait_out_fault(fault_between_trials(interruption));
   return true;
 }
 
@@ -673,7 +675,9 @@ bool Conductor::wait_out_fault(const std::string& what) {
   course_.show(scene_of(ParticipantScene::Kind::paused));
   course_.play(Cue::paused);
   const auto trouble = [&](const std::string& more) {
-    publish_trouble(with_capital(what) + ". The force is zero until the fault is cleared." + more,
+    const bool by_hand = rig_.loop().status().fault == Fault::emergency_stop;
+    publish_trouble(with_capital(what) + ". The force is zero until the " +
+                        (by_hand ? "stop" : "fault") + " is cleared." + more,
                     SessionTrouble::Remedy::clear_fault);
   };
   trouble("");
@@ -695,8 +699,11 @@ bool Conductor::wait_out_fault(const std::string& what) {
       }
     });
     if (problem.empty() && rig_.loop().status().fault == Fault::none) break;
-    trouble(" The device is not fit yet: " +
-            (problem.empty() ? std::string(name_of(rig_.loop().status().fault)) : problem) + '.');
+    const Fault fault = rig_.loop().status().fault;
+    trouble(fault == Fault::emergency_stop
+                ? " The emergency stop was pressed meanwhile."
+                : " The device is not fit yet: " + (problem.empty() ? name_of(fault) : problem) +
+                      '.');
   }
   while (rig_.loop().collect().renderer != nullptr) {
     // What was felt when the fault came is not felt again.

@@ -16,6 +16,13 @@ bool wants_masking_noise(const Protocol& protocol) {
 
 }  // namespace
 
+Interruption interruption_by(Fault fault) {
+  return {
+      .outcome = AttemptOutcome::device_fault,
+      .reason = fault == Fault::emergency_stop ? "the emergency stop was pressed" : name_of(fault),
+      .fault = fault};
+}
+
 SessionCourse::SessionCourse(Study& study, const Protocol& protocol, Rig& rig,
                              Respondent& respondent, SessionRequests& requests,
                              const SessionLinks& links)
@@ -84,7 +91,7 @@ void SessionCourse::pass(double duration_s) {
 void SessionCourse::look(bool outside_trial) {
   const ServoStatus status = rig_.loop().status();
   if (status.fault != Fault::none) {
-    throw Interruption{AttemptOutcome::device_fault, name_of(status.fault)};
+    throw interruption_by(status.fault);
   }
   if (const auto reason = requests_.take_abort()) {
     throw Interruption{AttemptOutcome::aborted, *reason};

@@ -27,7 +27,12 @@ struct Interruption {
   std::string reason{};
   /// The session does not end with it: whatever was interrupted is asked again.
   bool ask_again = false;
+  Fault fault = Fault::none;  ///< that the loop showed, if it was one
 };
+
+/// By a fault of the loop. The outcome is `device_fault` for all of them; the reason of an emergency
+/// stop says that it was one, because nothing failed.
+Interruption interruption_by(Fault fault);
 
 /// What the walk over the plan and an attempt have in common: they wait, they are in a phase, the
 /// participant sees a scene, something happens that is to be stored.

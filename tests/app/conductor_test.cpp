@@ -226,13 +226,25 @@ TEST_F(ConductorTest, StopsTheForceAtOnceWhenTheEmergencyStopIsPressed) {
     conductor_->requests().emergency_stop();
     return {{}, 1};
   };
-  EXPECT_EQ(run().state, SessionState::stopped);
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::stopped);
+  EXPECT_EQ(end.reason, "the emergency stop was pressed in trial 1");
   const auto rows = attempts();
   ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::device_fault);
+  EXPECT_EQ(rows[0].invalid_reason, "the emergency stop was pressed");
   EXPECT_EQ(rows[0].servo->fault, "emergency_stop");
   const Recording recording = read_recording(folder_.path() / "study" / rows[0].recording->path);
   const std::vector<TickRecord> records = records_of(recording);
   EXPECT_EQ(records.back().sent.force_N, glm::dvec3{0.0});
+}
+
+TEST_F(ConductorTest, SaysThatItWasTheEmergencyStopAlsoBetweenTrials) {
+  begin(small_protocol());
+  rig_->at_pass = [this] { conductor_->requests().emergency_stop(); };
+  const SessionEnd end = run();
+  EXPECT_THAT(end.reason, testing::StartsWith("the emergency stop was pressed between trials"));
+  EXPECT_THAT(end.reason, testing::Not(testing::HasSubstr("device")));
 }
 
 TEST_F(ConductorTest, ReportsTheTextureForceWithoutTheFrictionOfTheTurningHand) {

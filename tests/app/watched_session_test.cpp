@@ -516,7 +516,9 @@ TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
     const SessionSnapshot now = monitor_.snapshot();
     ASSERT_TRUE(now.trouble);
     EXPECT_EQ(now.trouble->remedy, SessionTrouble::Remedy::clear_fault);
-    EXPECT_THAT(now.trouble->what, HasSubstr("The emergency stop was pressed in trial 1"));
+    EXPECT_EQ(now.trouble->what,
+              "The emergency stop was pressed in trial 1. The force is zero until the stop is "
+              "cleared.");
     EXPECT_EQ(now.fault, Fault::emergency_stop);
     EXPECT_EQ(now.scene->kind, ParticipantScene::Kind::paused);
     ASSERT_EQ(attempts().size(), 1U);  // stored before anybody is told
@@ -643,6 +645,29 @@ TEST_F(WatchedSession, StaysInTheFaultWhileTheDeviceIsNotFit) {
   EXPECT_EQ(end.state, SessionState::stopped);
   EXPECT_EQ(end.reason, "it is broken");
   EXPECT_EQ(attempts().size(), 1U);
+}
+
+TEST_F(WatchedSession, SaysThatTheEmergencyStopWasPressedWhileTheDeviceWasChecked) {
+  begin(one_trial());
+  person_.at_question = [&](int, const Trial&) -> Reply {
+    requests_.emergency_stop();
+    return {{}, 1};
+  };
+  enum class Step { stopped, checked, told } step = Step::stopped;
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    if (now.phase != SessionPhase::fault || !now.trouble) return;
+    if (step == Step::stopped) {
+      requests_.clear_fault();
+      step = Step::checked;
+    } else if (step == Step::checked && now.fault == Fault::none) {
+      requests_.emergency_stop();
+      step = Step::told;
+    } else if (now.trouble->what.ends_with(" The emergency stop was pressed meanwhile.")) {
+      requests_.abort("enough");
+    }
+  };
+  EXPECT_EQ(run().reason, "enough");
 }
 
 TEST_F(WatchedSession, EndsFromAFaultWhenAskedToStop) {
