@@ -76,38 +76,6 @@ constexpr std::array kCues = {
 
 bool is_numbered(Cue cue) { return cue == Cue::surface || cue == Cue::option; }
 
-const char* word_of(Cue cue) {
-  switch (cue) {
-    case Cue::surface:
-      return "surface";
-    case Cue::next:
-      return "next";
-    case Cue::question:
-      return "question";
-    case Cue::option:
-      return "option";
-    case Cue::accepted:
-      return "accepted";
-    case Cue::refused:
-      return "refused";
-    case Cue::right:
-      return "right";
-    case Cue::wrong:
-      return "wrong";
-    case Cue::rest:
-      return "rest";
-    case Cue::paused:
-      return "paused";
-    case Cue::mask_on:
-      return "mask_on";
-    case Cue::mask_off:
-      return "mask_off";
-    case Cue::finished:
-      return "finished";
-  }
-  return "";
-}
-
 std::size_t samples_in(double duration_s, double rate_Hz) {
   return static_cast<std::size_t>(std::lround(duration_s * rate_Hz));
 }
@@ -173,7 +141,7 @@ double bent(double x) noexcept {
 }  // namespace
 
 std::string cue_name(Cue cue, int number) {
-  std::string name = word_of(cue);
+  std::string name = text_of(cue);
   if (is_numbered(cue)) name += "_" + std::to_string(number);
   return name;
 }
@@ -215,12 +183,12 @@ MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
   for (const Cue cue : kCues) {
     Clip clip{};
     for (const Tone& tone : pattern_of(cue)) add_tone(tone, rate_Hz_, clip.samples);
-    clips_[word_of(cue)] = std::move(clip);
+    clips_[text_of(cue)] = std::move(clip);
   }
   for (const auto& [name, recording] : settings.speech) {
     if (std::none_of(kCues.begin(), kCues.end(), [&name = name](Cue cue) {
-          return is_numbered(cue) ? name.starts_with(word_of(cue) + std::string("_"))
-                                  : name == word_of(cue);
+          return is_numbered(cue) ? name.starts_with(text_of(cue) + std::string("_"))
+                                  : name == text_of(cue);
         })) {
       throw std::invalid_argument("masking sound: there is no cue called \"" + name + "\"");
     }
@@ -261,7 +229,7 @@ void MaskingSound::play(Cue cue, int number) {
   if (const auto word = clips_.find(cue_name(cue, number)); word != clips_.end()) {
     wanted.clip = &word->second;
   } else {
-    wanted.clip = &clips_.find(word_of(cue))->second;
+    wanted.clip = &clips_.find(text_of(cue))->second;
     if (is_numbered(cue)) wanted.repeats = number;
   }
   waiting_[put % kWaiting] = wanted;

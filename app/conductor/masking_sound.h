@@ -17,7 +17,7 @@
 
 namespace asperity {
 
-/// The name of a cue in a protocol: "surface_3", "option_1", "question", "mask_on".
+/// The name of a cue with its number, in a protocol: "surface_3", "option_1", "question", "mask_on".
 std::string cue_name(Cue cue, int number);
 
 /// A spoken word that stands for a cue, mono.

@@ -23,6 +23,8 @@ enum class Cue {
   mask_off,
   finished,
 };
+/// "surface", "mask_on".
+const char* text_of(Cue cue) noexcept;
 
 struct MaskingNoise {
   enum class Kind { none, white, pink } kind = Kind::none;

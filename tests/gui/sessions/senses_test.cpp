@@ -47,7 +47,7 @@ TEST_F(Blindfold, GoesThroughASessionByTonesAndDeviceButtonsAlone) {
     const std::vector<std::string> tones = sound->tones();
     for (; heard < tones.size(); ++heard) {
       const std::string& tone = tones[heard];
-      if (tone == "mask on" || tone == "mask off") press(2);
+      if (tone == "mask_on" || tone == "mask_off") press(2);
       if (tone == "question") {
         ++questions;
         options = 0;
@@ -65,10 +65,10 @@ TEST_F(Blindfold, GoesThroughASessionByTonesAndDeviceButtonsAlone) {
     return !desk->is_running();
   });
   EXPECT_EQ(sound->tones(),
-            (std::vector<std::string>{"mask on", "surface 1", "next", "surface 2", "next",
+            (std::vector<std::string>{"mask_on", "surface 1", "next", "surface 2", "next",
                                       "question", "option 1", "option 2", "accepted",  // trial 1
                                       "surface 1", "next", "surface 2", "next", "question",
-                                      "option 1", "accepted", "mask off", "finished"}));
+                                      "option 1", "accepted", "mask_off", "finished"}));
   EXPECT_EQ(stored_session().state, SessionState::completed);
   const std::vector<AttemptRow> attempts = stored_attempts();
   ASSERT_EQ(attempts.size(), 2U);

@@ -23,38 +23,6 @@ namespace {
 
 constexpr int kPatience_ms = 30000;  // the machine may be busy with other things
 
-std::string text_of(Cue cue) {
-  switch (cue) {
-    case Cue::surface:
-      return "surface";
-    case Cue::next:
-      return "next";
-    case Cue::question:
-      return "question";
-    case Cue::option:
-      return "option";
-    case Cue::accepted:
-      return "accepted";
-    case Cue::refused:
-      return "refused";
-    case Cue::right:
-      return "right";
-    case Cue::wrong:
-      return "wrong";
-    case Cue::rest:
-      return "rest";
-    case Cue::paused:
-      return "paused";
-    case Cue::mask_on:
-      return "mask on";
-    case Cue::mask_off:
-      return "mask off";
-    case Cue::finished:
-      return "finished";
-  }
-  return {};
-}
-
 class NotedSound final : public Sound {
  public:
   explicit NotedSound(std::shared_ptr<SoundLog> log) : log_(std::move(log)) {}
@@ -140,7 +108,8 @@ std::vector<std::string> SoundLog::tones() {
 
 void SoundLog::add(Cue cue, int number) {
   const std::lock_guard lock(mutex_);
-  tones_.push_back(text_of(cue) + (number > 0 ? " " + std::to_string(number) : ""));
+  tones_.push_back(std::string(asperity::text_of(cue)) +
+                   (number > 0 ? " " + std::to_string(number) : ""));
 }
 
 SessionRoom::SessionRoom() = default;
