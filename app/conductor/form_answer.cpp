@@ -21,7 +21,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-std::optional<Saying> complaint_about_answer(const Question& question, std::string& answer) {
+std::optional<Saying> refusal_of(const Question& question, std::string& answer) {
   if (answer.empty()) {
     if (question.optional) return {};
     return Saying{.what = Saying::What::answer_needed};

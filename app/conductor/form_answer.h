@@ -11,9 +11,9 @@
 
 namespace asperity {
 
-/// Why an answer is not acceptable; nothing when it is. `answer` may be the number of an option; it
-/// is then replaced by the option.
-std::optional<Saying> complaint_about_answer(const Question& question, std::string& answer);
+/// What a person who is being asked is told when their answer is not acceptable; nothing when it is.
+/// `answer` may be the number of an option; it is then replaced by the option.
+std::optional<Saying> refusal_of(const Question& question, std::string& answer);
 
 /// What was typed, without the blanks and line ends around it.
 std::string trimmed(const std::string& text);

@@ -512,8 +512,8 @@ std::string PersonAtWindow::answer(const Question& question, const Wait& wait) {
     } else {
       return false;
     }
-    if (std::optional<Saying> complaint = complaint_about_answer(question, text)) {
-      desk_->refuse(input, std::move(*complaint));
+    if (std::optional<Saying> refusal = refusal_of(question, text)) {
+      desk_->refuse(input, std::move(*refusal));
       return false;
     }
     given = std::move(text);

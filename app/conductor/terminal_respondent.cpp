@@ -153,12 +153,12 @@ std::string TerminalRespondent::answer(const Question& question, const Wait& wai
   for (;;) {
     output_ << "Your answer: " << std::flush;
     std::string typed = line(wait).value_or(std::string());
-    const std::optional<Saying> complaint = complaint_about_answer(question, typed);
-    if (!complaint) return typed;
-    if (complaint->what == Saying::What::option_needed) {
+    const std::optional<Saying> refusal = refusal_of(question, typed);
+    if (!refusal) return typed;
+    if (refusal->what == Saying::What::option_needed) {
       output_ << "A number from 1 to " << question.options.size() << " is needed.\n";
     } else {
-      output_ << text_of(*complaint) << '\n';
+      output_ << text_of(*refusal) << '\n';
     }
   }
 }
