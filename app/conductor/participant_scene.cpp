@@ -42,7 +42,7 @@ std::vector<ParticipantScene::Choice> choices_of(const Trial& trial) {
   return choices;
 }
 
-bool shows_pictures(const Trial& trial) {
+bool is_answered_by_pictures(const Trial& trial) {
   return std::any_of(trial.question.options.begin(), trial.question.options.end(),
                      [](const Option& option) { return option.picture.has_value(); });
 }
@@ -127,7 +127,7 @@ ParticipantScene scene_at_surface(const Trial& trial, const std::vector<int>& fe
     scene.surfaces[i].now = trial.presentations[i].position == now;
   }
   scene.standard_picture = trial.question.standard_picture;
-  if (shows_pictures(trial) && !trial.question.pictures_after_feeling) {
+  if (is_answered_by_pictures(trial) && !trial.question.pictures_after_feeling) {
     scene.choices = choices_of(trial);
   }
   return scene;

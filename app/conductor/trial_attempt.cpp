@@ -180,7 +180,7 @@ Reply TrialAttempt::ask() {
                                                 course_.protocol().rate_Hz}));
   }
   course_.respondent().refuse_answers();  // what was pressed meanwhile
-  if (shows_pictures()) course_.put_mask(false, waiting_);
+  if (has_to_be_seen()) course_.put_mask(false, waiting_);
   course_.enter(SessionPhase::response);
   course_.show(scene_of_question(trial_, felt_));
   course_.play(Cue::question);
@@ -376,7 +376,7 @@ void TrialAttempt::take_surface_away() {
   }
 }
 
-bool TrialAttempt::shows_pictures() const {
+bool TrialAttempt::has_to_be_seen() const {
   return trial_.question.standard_picture.has_value() ||
          std::any_of(trial_.question.options.begin(), trial_.question.options.end(),
                      [](const Option& option) { return option.picture.has_value(); });

@@ -69,7 +69,8 @@ class TrialAttempt final {
   void answer();
   void judge();
   void take_surface_away();
-  bool shows_pictures() const;
+  /// The question needs eyes: it has pictures to choose from or to compare with.
+  bool has_to_be_seen() const;
   double wanted_contact_s() const;
   std::string recording_path() const;
 
