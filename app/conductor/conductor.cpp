@@ -1,7 +1,9 @@
 #include "app/conductor/conductor.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -17,22 +19,6 @@ constexpr int kTechnicalRepeats = 3;
 
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   return static_cast<double>(to_ns - from_ns) * 1e-9;
-}
-
-bool is_right(const AttemptRow& attempt) {
-  return !attempt.responses.empty() &&
-         std::all_of(attempt.responses.begin(), attempt.responses.end(),
-                     [](const ResponseRow& response) { return response.correct.value_or(false); });
-}
-
-/// The attempt failed for a reason that the participant's way of exploring has no part in: the
-/// machine was too slow, or a surface could not be touched at all.
-bool failed_technically(const AttemptRow& attempt) {
-  if (attempt.valid) return false;
-  return attempt.outcome == AttemptOutcome::answered ||
-         attempt.outcome == AttemptOutcome::timed_out ||
-         std::any_of(attempt.presentations.begin(), attempt.presentations.end(),
-                     [](const PresentationRow& surface) { return surface.contact_s <= 0.0; });
 }
 
 /// A sentence begins with a capital.
@@ -112,12 +98,14 @@ SessionEnd Conductor::run(OpenSession session) {
 void Conductor::begin() {
   const std::int64_t began_ns = rig_.clock().now_ns();
   course_.begin(session_.row);
-  set_aside_.clear();
+  progress_.reset();
+  tally_.emplace(protocol_, session_.plan);
+  for (AttemptRow& attempt : std::exchange(session_.attempts, {})) tally_->add(std::move(attempt));
   if (session_.resumed) {
     study_.reopen_session(session_.row.id);
     for (const DecisionRow& decision : study_.decisions(session_.row.id)) {
       if (decision.verdict == Verdict::set_aside) {
-        set_aside_.insert({decision.trial.value_or(0), decision.attempt.value_or(0)});
+        tally_->remember_set_aside(decision.trial.value_or(0), decision.attempt.value_or(0));
       }
     }
   }
@@ -128,7 +116,13 @@ void Conductor::begin() {
   if (settings_.links.sound != nullptr) {
     course_.event("masking_noise", "", settings_.links.sound->description_json());
   }
-  publish_facts(began_ns);
+  course_.set_facts({.protocol = std::make_shared<const Protocol>(protocol_),
+                     .plan = std::make_shared<const Plan>(session_.plan),
+                     .row = session_.row,
+                     .study_folder = study_.folder().string(),
+                     .mirrored = session_.row.mirrored,
+                     .clock_ahead_ns = rig_.clock().ahead_ns()});
+  progress_.emplace(course_, session_.plan, *tally_, began_ns);
   course_.enter(SessionPhase::ready);
 }
 
@@ -193,7 +187,8 @@ void Conductor::run_steps() {
   std::size_t first = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
-    if (step != nullptr && attempts_of(session_.plan.trials[step->trial].ordinal) > 0) first = i;
+    if (step != nullptr && tally_->attempts_at(session_.plan.trials[step->trial].ordinal) > 0)
+      first = i;
   }
   // The checks of the device are: it may be another one now, or the same one after a fault.
   for (std::size_t i = 0; i < first; ++i) {
@@ -209,7 +204,7 @@ void Conductor::run_steps() {
       break;
     }
     // Asked for between two blocks, the block that it means is over.
-    if (block_ == 0 && !session_.attempts.empty() && requests_.take_stop(StopAfter::block)) {
+    if (block_ == 0 && !tally_->attempts().empty() && requests_.take_stop(StopAfter::block)) {
       stop("as asked, after the block");
       break;
     }
@@ -220,7 +215,7 @@ void Conductor::run_steps() {
         if (block_ != 0) finish_block(block_);
         block_ = trial.block_ordinal;
       }
-      if (stopped_ || is_done(trial) || is_over(trial)) continue;
+      if (stopped_ || tally_->is_done(trial) || tally_->is_over(trial)) continue;
       run_trial(trial);
       continue;
     }
@@ -232,7 +227,7 @@ void Conductor::run_steps() {
       if (const TrialStep* next = std::get_if<TrialStep>(&steps[later])) {
         const Trial& trial = session_.plan.trials[next->trial];
         next_block = trial.block_ordinal;
-        more_to_come = !is_over(trial);
+        more_to_come = !tally_->is_over(trial);
       }
     }
     if (block_ != 0 && next_block == block_) {
@@ -258,9 +253,9 @@ void Conductor::resume_repeats(std::size_t first) {
   const TrialStep* next = std::get_if<TrialStep>(&session_.plan.steps.at(first));
   if (next == nullptr) return;
   const int block = session_.plan.trials[next->trial].block_ordinal;
-  for (const auto& [ordinal, attempt] : set_aside_) {
+  for (const auto& [ordinal, attempt] : tally_->those_set_aside()) {
     const Trial& trial = session_.plan.trials.at(static_cast<std::size_t>(ordinal - 1));
-    if (trial.block_ordinal < block && !is_done(trial) && !stopped_) ask_again(trial);
+    if (trial.block_ordinal < block && !tally_->is_done(trial) && !stopped_) ask_again(trial);
   }
 }
 
@@ -272,7 +267,7 @@ void Conductor::run_other(const PlanStep& step) {
     try {
       try_other(step);
       course_.store_respondent_events();
-      publish_progress();
+      progress_->show(step_);
       return;
     } catch (const Interruption& interruption) {
       course_.store_respondent_events();
@@ -375,7 +370,8 @@ void Conductor::finish_block(int block_ordinal) {
     // The last trial is repeated before a wish to stop after the block comes true.
     repeat_as_asked();
     for (const Trial& trial : session_.plan.trials) {
-      if (trial.block_ordinal != block_ordinal || stopped_ || is_done(trial) || is_over(trial)) {
+      if (trial.block_ordinal != block_ordinal || stopped_ || tally_->is_done(trial) ||
+          tally_->is_over(trial)) {
         continue;
       }
       run_trial(trial);
@@ -387,7 +383,7 @@ void Conductor::finish_block(int block_ordinal) {
       session_.plan.trials.begin(), session_.plan.trials.end(),
       [block_ordinal](const Trial& trial) { return trial.block_ordinal == block_ordinal; });
   const Protocol::Block& block = protocol_.blocks.at(of_block->block);
-  if (block.until && criterion_of(*of_block) != BlockState::criterion_met) {
+  if (block.until && tally_->criterion_of(*of_block) != BlockState::criterion_met) {
     course_.event("criterion_not_met", of_block->block);
     if (block.until->on_failure == Protocol::Criterion::OnFailure::end_session) {
       stopped_ =
@@ -397,50 +393,6 @@ void Conductor::finish_block(int block_ordinal) {
     }
   }
   if (!stopped_ && requests_.take_stop(StopAfter::block)) stop("as asked, after the block");
-}
-
-bool Conductor::is_done(const Trial& trial) const {
-  return std::any_of(session_.attempts.begin(), session_.attempts.end(),
-                     [&trial, this](const AttemptRow& attempt) {
-                       return attempt.trial == trial.ordinal &&
-                              (attempt.valid || (attempt.outcome == AttemptOutcome::skipped &&
-                                                 !is_set_aside(attempt)));
-                     });
-}
-
-bool Conductor::is_set_aside(const AttemptRow& attempt) const {
-  return set_aside_.contains({attempt.trial, attempt.attempt});
-}
-
-bool Conductor::is_over(const Trial& trial) const {
-  return criterion_of(trial) != BlockState::go_on;
-}
-
-BlockState Conductor::criterion_of(const Trial& trial) const {
-  const Protocol::Block& block = protocol_.blocks.at(trial.block);
-  if (!block.until) return BlockState::go_on;
-  std::vector<bool> correct{};
-  for (const AttemptRow& attempt : session_.attempts) {
-    if (!attempt.valid) continue;
-    const Trial& tried = session_.plan.trials.at(static_cast<std::size_t>(attempt.trial - 1));
-    if (tried.block_ordinal != trial.block_ordinal) continue;
-    correct.push_back(is_right(attempt));
-  }
-  return state_of(*block.until, correct);
-}
-
-int Conductor::explored_wrongly(int trial) const {
-  return static_cast<int>(std::count_if(
-      session_.attempts.begin(), session_.attempts.end(), [trial](const AttemptRow& attempt) {
-        return attempt.trial == trial && attempt.outcome == AttemptOutcome::not_compliant &&
-               !failed_technically(attempt);
-      }));
-}
-
-int Conductor::attempts_of(int trial) const {
-  return static_cast<int>(
-      std::count_if(session_.attempts.begin(), session_.attempts.end(),
-                    [trial](const AttemptRow& attempt) { return attempt.trial == trial; }));
 }
 
 // --- one trial -----------------------------------------------------------------------------------
@@ -453,7 +405,7 @@ void Conductor::run_trial(const Trial& trial) {
       course_.update([&](SessionSnapshot& snapshot) {
         snapshot.block = trial.block_ordinal;
         snapshot.trial = trial.ordinal;
-        snapshot.attempt = attempts_of(trial.ordinal) + 1;
+        snapshot.attempt = tally_->attempts_at(trial.ordinal) + 1;
       });
       course_.show({});
     } while (between_steps(Next::trial) && !stopped_);
@@ -493,9 +445,9 @@ void Conductor::run_trial(const Trial& trial) {
 
 AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruption>& interruption) {
   const AttemptOrder order{.trial = trial,
-                           .attempt = attempts_of(trial.ordinal) + 1,
+                           .attempt = tally_->attempts_at(trial.ordinal) + 1,
                            .segment = segment_,
-                           .explored_wrongly = explored_wrongly(trial.ordinal),
+                           .explored_wrongly = tally_->explored_wrongly(trial.ordinal),
                            .record = settings_.record};
   course_.update([&order](SessionSnapshot& snapshot) {
     snapshot.trial = order.trial.ordinal;
@@ -505,10 +457,10 @@ AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruptio
   AttemptRow row = attempt.make();
   interruption = attempt.interruption();
   row.id = study_.add_attempt(session_.row.id, row);
-  session_.attempts.push_back(row);
+  tally_->add(row);
   ++attempts_made_;
-  publish(row);
-  publish_progress();
+  progress_->add(row);
+  progress_->show(step_);
   if (settings_.done) {
     settings_.done({session_.row.participant, session_.row.session, trial.ordinal, order.attempt});
   }
@@ -567,34 +519,19 @@ bool Conductor::between_steps(Next next) {
 }
 
 void Conductor::repeat_last(const std::string& reason) {
-  const auto last = std::find_if(
-      session_.attempts.rbegin(), session_.attempts.rend(), [this](const AttemptRow& attempt) {
-        return attempt.valid ||
-               (attempt.outcome == AttemptOutcome::skipped && !is_set_aside(attempt));
-      });
-  if (last == session_.attempts.rend()) {
+  const AttemptRow* last = tally_->last_done();
+  if (last == nullptr) {
     course_.event("repeat_refused", "no trial has been answered or skipped yet");
     return;
   }
   const int trial = last->trial;
   const int attempt = last->attempt;
   study_.set_aside(session_.row.id, trial, attempt, reason);
-  set_aside_.insert({trial, attempt});
-  last->valid = false;
-  last->invalid_reason =
-      (last->invalid_reason ? *last->invalid_reason + "; " : "") + "set aside: " + reason;
+  tally_->set_aside(trial, attempt, reason);
   course_.event("trial_repeated", reason,
                 nlohmann::ordered_json{{"trial", trial}, {"attempt", attempt}}.dump());
-  course_.update([&](SessionSnapshot& snapshot) {
-    auto attempts = std::make_shared<std::vector<AttemptSummary>>(*snapshot.attempts);
-    for (AttemptSummary& summary : *attempts) {
-      if (summary.trial != trial || summary.attempt != attempt) continue;
-      summary.valid = false;
-      summary.reason = *last->invalid_reason;
-    }
-    snapshot.attempts = std::move(attempts);
-  });
-  publish_progress();
+  progress_->set_aside(*last);
+  progress_->show(step_);
   ask_again(session_.plan.trials.at(static_cast<std::size_t>(trial - 1)));
 }
 
@@ -603,7 +540,7 @@ void Conductor::repeat_last(const std::string& reason) {
 void Conductor::ask_again(const Trial& trial) {
   do {
     run_trial(trial);
-  } while (!stopped_ && trial.block_ordinal != block_ && !is_done(trial));
+  } while (!stopped_ && trial.block_ordinal != block_ && !tally_->is_done(trial));
 }
 
 /// Returns when nothing stands in the way of what comes next: no pause, no fault, no lost noise.
@@ -717,93 +654,6 @@ bool Conductor::wait_out_fault(const std::string& what) {
 }
 
 // --- what others are told ------------------------------------------------------------------------
-
-void Conductor::publish_facts(std::int64_t began_ns) {
-  if (!course_.has_monitor()) return;
-  Plan one{.trials = session_.plan.trials, .steps = {}};
-  planned_s_.clear();
-  for (const PlanStep& step : session_.plan.steps) {
-    one.steps.assign(1, step);
-    planned_s_.push_back(cost_of(protocol_, one).total_s);
-  }
-  settings_.links.monitor->set_facts({.protocol = std::make_shared<const Protocol>(protocol_),
-                                      .plan = std::make_shared<const Plan>(session_.plan),
-                                      .row = session_.row,
-                                      .study_folder = study_.folder().string(),
-                                      .mirrored = session_.row.mirrored,
-                                      .clock_ahead_ns = rig_.clock().ahead_ns()});
-  int blocks = 0;
-  for (const Trial& trial : session_.plan.trials) blocks = std::max(blocks, trial.block_ordinal);
-  course_.update([&](SessionSnapshot& snapshot) {
-    snapshot.began_ns = began_ns;
-    snapshot.blocks = blocks;
-    snapshot.trials = static_cast<int>(session_.plan.trials.size());
-    snapshot.trouble.reset();
-  });
-  planned_so_far_s_ = 0.0;
-  spent_so_far_s_ = 0.0;
-  for (const AttemptRow& attempt : session_.attempts) publish(attempt);
-  publish_progress();
-}
-
-void Conductor::publish_progress() {
-  if (!course_.has_monitor()) return;
-  int done = 0;
-  double left_s = 0.0;
-  for (std::size_t i = 0; i < session_.plan.steps.size(); ++i) {
-    if (const auto* step = std::get_if<TrialStep>(&session_.plan.steps[i])) {
-      const Trial& trial = session_.plan.trials[step->trial];
-      if (is_done(trial) || is_over(trial)) {
-        ++done;
-      } else {
-        left_s += planned_s_[i];
-      }
-    } else if (i > step_) {
-      left_s += planned_s_[i];
-    }
-  }
-  // The plan's guess counts as a minute's experience; then this person's pace does.
-  constexpr double kGuess_s = 60.0;
-  const double pace = (kGuess_s + spent_so_far_s_) / (kGuess_s + planned_so_far_s_);
-  course_.update([&](SessionSnapshot& snapshot) {
-    snapshot.trials_done = done;
-    snapshot.expected_left_s = pace * left_s;
-    snapshot.rows_stored = static_cast<std::int64_t>(session_.attempts.size());
-  });
-}
-
-void Conductor::publish(const AttemptRow& attempt) {
-  if (!course_.has_monitor()) return;
-  const auto index = static_cast<std::size_t>(attempt.trial - 1);
-  const Trial& trial = session_.plan.trials.at(index);
-  AttemptSummary summary{};
-  summary.trial = attempt.trial;
-  summary.attempt = attempt.attempt;
-  summary.outcome = attempt.outcome;
-  summary.valid = attempt.valid;
-  summary.flagged = attempt.flagged;
-  summary.reason = attempt.invalid_reason.value_or(attempt.flag_reason.value_or(""));
-  for (const ResponseRow& response : attempt.responses) {
-    const auto option = std::find_if(
-        trial.question.options.begin(), trial.question.options.end(),
-        [&response](const Option& candidate) { return candidate.value == response.answer; });
-    summary.answers.push_back(option == trial.question.options.end() ? "?" : option->label);
-  }
-  if (!attempt.responses.empty()) {
-    if (attempt.responses.front().correct) summary.correct = is_right(attempt);
-    summary.from_cue_s = attempt.responses.front().from_cue_s;
-    summary.from_contact_s = attempt.responses.front().from_contact_s;
-  }
-  summary.duration_s = seconds_between(attempt.onset_ns, attempt.offset_ns);
-  spent_so_far_s_ += summary.duration_s;
-  if (attempt.valid) {
-    for (std::size_t i = 0; i < session_.plan.steps.size(); ++i) {
-      const auto* step = std::get_if<TrialStep>(&session_.plan.steps[i]);
-      if (step != nullptr && step->trial == index) planned_so_far_s_ += planned_s_[i];
-    }
-  }
-  course_.add_attempt(std::move(summary));
-}
 
 void Conductor::publish_trouble(const std::string& what, SessionTrouble::Remedy remedy) {
   course_.update([&](SessionSnapshot& snapshot) {

@@ -7,16 +7,15 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "app/conductor/session_course.h"
 #include "app/conductor/session_links.h"
+#include "app/conductor/session_progress.h"
 #include "app/conductor/session_requests.h"
 #include "app/conductor/session_setup.h"
 #include "app/conductor/stimulus_builder.h"
+#include "app/conductor/trial_tally.h"
 #include "protocols/protocol.h"
 #include "results_schema/study.h"
 
@@ -108,17 +107,6 @@ class Conductor final {
   /// False when the session is to end; it then has its reason.
   bool wait_out_fault(const std::string& what);
 
-  bool is_set_aside(const AttemptRow& attempt) const;
-  bool is_done(const Trial& trial) const;
-  BlockState criterion_of(const Trial& trial) const;
-  /// The block of this trial is practised to a criterion and needs no more trials.
-  bool is_over(const Trial& trial) const;
-  int attempts_of(int trial) const;
-  int explored_wrongly(int trial) const;
-
-  void publish_facts(std::int64_t began_ns);
-  void publish_progress();
-  void publish(const AttemptRow& attempt);
   void publish_trouble(const std::string& what, SessionTrouble::Remedy remedy);
 
   Study& study_;
@@ -130,8 +118,9 @@ class Conductor final {
   SessionRequests own_requests_{};
   SessionRequests& requests_;
   SessionCourse course_;
-  OpenSession session_{};
-  std::set<std::pair<int, int>> set_aside_{};  ///< trial and attempt, of those asked again
+  OpenSession session_{};  ///< its attempts are in the tally
+  std::optional<TrialTally> tally_{};
+  std::optional<SessionProgress> progress_{};
   int segment_ = 0;
   std::optional<SessionEnd> stopped_{};  ///< set once the session is to end early
   int attempts_made_ = 0;
@@ -140,10 +129,7 @@ class Conductor final {
 
   int block_ = 0;  ///< whose trials are asked, by ordinal; 0 between blocks
 
-  std::size_t step_ = 0;             ///< of the plan, under way
-  std::vector<double> planned_s_{};  ///< each step's cost; empty without a monitor
-  double planned_so_far_s_ = 0.0;    ///< of the trials that are done
-  double spent_so_far_s_ = 0.0;      ///< by all attempts
+  std::size_t step_ = 0;  ///< of the plan, under way
 };
 
 }  // namespace asperity

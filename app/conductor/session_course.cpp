@@ -158,6 +158,10 @@ void SessionCourse::show(ParticipantScene scene) {
   links_.monitor->show(std::move(scene));
 }
 
+void SessionCourse::set_facts(SessionFacts facts) {
+  if (links_.monitor != nullptr) links_.monitor->set_facts(std::move(facts));
+}
+
 void SessionCourse::update(const std::function<void(SessionSnapshot&)>& change) {
   if (links_.monitor != nullptr) links_.monitor->update(change);
 }

@@ -88,6 +88,7 @@ class SessionCourse final {
   void publish(SessionPhase phase);
   SessionPhase phase() const noexcept { return phase_; }
   void show(ParticipantScene scene);
+  void set_facts(SessionFacts facts);
   void update(const std::function<void(SessionSnapshot&)>& change);
   void add_attempt(AttemptSummary attempt);
   void play(Cue cue, int number = 0);

@@ -1,0 +1,103 @@
+#include "app/conductor/session_progress.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace asperity {
+
+SessionProgress::SessionProgress(SessionCourse& course, const Plan& plan, const TrialTally& tally,
+                                 std::int64_t began_ns)
+    : course_(course), plan_(plan), tally_(tally) {
+  if (!course_.has_monitor()) return;
+  Plan one{.trials = plan_.trials, .steps = {}};
+  for (const PlanStep& step : plan_.steps) {
+    one.steps.assign(1, step);
+    planned_s_.push_back(cost_of(course_.protocol(), one).total_s);
+  }
+  int blocks = 0;
+  for (const Trial& trial : plan_.trials) blocks = std::max(blocks, trial.block_ordinal);
+  course_.update([&](SessionSnapshot& snapshot) {
+    snapshot.began_ns = began_ns;
+    snapshot.blocks = blocks;
+    snapshot.trials = static_cast<int>(plan_.trials.size());
+    snapshot.trouble.reset();
+  });
+  for (const AttemptRow& attempt : tally_.attempts()) summarise(attempt);
+  show(0);
+}
+
+void SessionProgress::add(const AttemptRow& attempt) {
+  if (course_.has_monitor()) summarise(attempt);
+}
+
+void SessionProgress::set_aside(const AttemptRow& attempt) {
+  course_.update([&](SessionSnapshot& snapshot) {
+    auto attempts = std::make_shared<std::vector<AttemptSummary>>(*snapshot.attempts);
+    for (AttemptSummary& summary : *attempts) {
+      if (summary.trial != attempt.trial || summary.attempt != attempt.attempt) continue;
+      summary.valid = false;
+      summary.reason = attempt.invalid_reason.value_or("");
+    }
+    snapshot.attempts = std::move(attempts);
+  });
+}
+
+void SessionProgress::show(std::size_t step) {
+  if (!course_.has_monitor()) return;
+  int done = 0;
+  double left_s = 0.0;
+  for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
+    if (const auto* of_trial = std::get_if<TrialStep>(&plan_.steps[i])) {
+      const Trial& trial = plan_.trials[of_trial->trial];
+      if (tally_.is_done(trial) || tally_.is_over(trial)) {
+        ++done;
+      } else {
+        left_s += planned_s_[i];
+      }
+    } else if (i > step) {
+      left_s += planned_s_[i];
+    }
+  }
+  constexpr double kGuess_s = 60.0;
+  const double pace = (kGuess_s + spent_so_far_s_) / (kGuess_s + planned_so_far_s_);
+  course_.update([&](SessionSnapshot& snapshot) {
+    snapshot.trials_done = done;
+    snapshot.expected_left_s = pace * left_s;
+    snapshot.rows_stored = static_cast<std::int64_t>(tally_.attempts().size());
+  });
+}
+
+void SessionProgress::summarise(const AttemptRow& attempt) {
+  const auto index = static_cast<std::size_t>(attempt.trial - 1);
+  const Trial& trial = plan_.trials.at(index);
+  AttemptSummary summary{};
+  summary.trial = attempt.trial;
+  summary.attempt = attempt.attempt;
+  summary.outcome = attempt.outcome;
+  summary.valid = attempt.valid;
+  summary.flagged = attempt.flagged;
+  summary.reason = attempt.invalid_reason.value_or(attempt.flag_reason.value_or(""));
+  for (const ResponseRow& response : attempt.responses) {
+    const auto option = std::find_if(
+        trial.question.options.begin(), trial.question.options.end(),
+        [&response](const Option& candidate) { return candidate.value == response.answer; });
+    summary.answers.push_back(option == trial.question.options.end() ? "?" : option->label);
+  }
+  if (!attempt.responses.empty()) {
+    if (attempt.responses.front().correct) summary.correct = is_right(attempt);
+    summary.from_cue_s = attempt.responses.front().from_cue_s;
+    summary.from_contact_s = attempt.responses.front().from_contact_s;
+  }
+  summary.duration_s = static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
+  spent_so_far_s_ += summary.duration_s;
+  if (attempt.valid) {
+    for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
+      const auto* step = std::get_if<TrialStep>(&plan_.steps[i]);
+      if (step != nullptr && step->trial == index) planned_so_far_s_ += planned_s_[i];
+    }
+  }
+  course_.add_attempt(std::move(summary));
+}
+
+}  // namespace asperity

@@ -1,0 +1,60 @@
+// What has been done of a plan so far, trial by trial.
+
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "protocols/plan.h"
+#include "protocols/protocol.h"
+#include "results_schema/rows.h"
+
+namespace asperity {
+
+/// Something was to be right, and all of it was.
+bool is_right(const AttemptRow& attempt);
+/// The attempt failed for a reason that the participant's way of exploring has no part in: the
+/// machine was too slow, or a surface could not be touched at all.
+bool failed_technically(const AttemptRow& attempt);
+
+/// The attempts of a session, those of earlier stretches included, and what follows from them.
+///
+/// A trial is done when an attempt at it is valid, or was skipped and not set aside since. A block
+/// that is practised to a criterion is over once the criterion is met or can no longer be.
+class TrialTally final {
+ public:
+  /// Both must outlive the tally.
+  TrialTally(const Protocol& protocol, const Plan& plan) : protocol_(protocol), plan_(plan) {}
+
+  void add(AttemptRow attempt) { attempts_.push_back(std::move(attempt)); }
+  const std::vector<AttemptRow>& attempts() const noexcept { return attempts_; }
+
+  /// The latest attempt that did its trial; null when there is none.
+  const AttemptRow* last_done() const;
+  /// The attempt does not do its trial any more, and its reason to be invalid says so.
+  void set_aside(int trial, int attempt, const std::string& reason);
+  /// Known from an earlier stretch of the session, and stored so.
+  void remember_set_aside(int trial, int attempt) { set_aside_.insert({trial, attempt}); }
+  /// Trial and attempt.
+  const std::set<std::pair<int, int>>& those_set_aside() const noexcept { return set_aside_; }
+
+  bool is_done(const Trial& trial) const;
+  /// Of the trial's block; `go_on` where it has no criterion.
+  BlockState criterion_of(const Trial& trial) const;
+  /// The trial's block needs no more trials.
+  bool is_over(const Trial& trial) const { return criterion_of(trial) != BlockState::go_on; }
+  int attempts_at(int trial) const;
+  int explored_wrongly(int trial) const;
+
+ private:
+  bool does_its_trial(const AttemptRow& attempt) const;
+
+  const Protocol& protocol_;
+  const Plan& plan_;
+  std::vector<AttemptRow> attempts_{};
+  std::set<std::pair<int, int>> set_aside_{};
+};
+
+}  // namespace asperity
