@@ -1,4 +1,4 @@
-// Runs one session: the walk over its plan.
+// Runs one session: the walk over its plan, and what holds it up.
 
 #pragma once
 
@@ -88,14 +88,13 @@ class Conductor final {
   void try_other(const PlanStep& step);
   void rest(const Protocol::Break& pause);
   void ask(const Protocol::Ask& questions);
-  void check_device();
-  std::string device_problem(const Wait& waiting);
 
   void finish_block(int block_ordinal);
   void run_trial(const Trial& trial);
   AttemptRow make_attempt(const Trial& trial, std::optional<Interruption>& interruption);
   void tell(const Trial& trial, const AttemptRow& attempt);
 
+  // What holds it up (conductor_holds.cpp).
   /// True when a trial was asked again meanwhile: where the session is has then to be said anew.
   bool between_steps(Next next);
   void hold(Next next);
@@ -104,10 +103,12 @@ class Conductor final {
   void repeat_last(const std::string& reason);
   void ask_again(const Trial& trial);
   bool outlives(const Interruption& interruption);
+  void check_device();
+  std::string device_problem(const Wait& waiting);
   /// False when the session is to end; it then has its reason.
   bool wait_out_fault(const std::string& what);
 
-  void publish_trouble(const std::string& what, SessionTrouble::Remedy remedy);
+  void publish_trouble(std::string what, SessionTrouble::Remedy remedy);
 
   Study& study_;
   const Protocol& protocol_;

@@ -23,6 +23,12 @@ Interruption interruption_by(Fault fault) {
       .fault = fault};
 }
 
+std::string fault_sentence(const Interruption& interruption, const std::string& where) {
+  return interruption.fault == Fault::emergency_stop
+             ? interruption.reason + ' ' + where
+             : "the device failed " + where + ": " + interruption.reason;
+}
+
 SessionCourse::SessionCourse(Study& study, const Protocol& protocol, Rig& rig,
                              Respondent& respondent, SessionRequests& requests,
                              const SessionLinks& links)

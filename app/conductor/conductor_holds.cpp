@@ -1,0 +1,219 @@
+// What keeps a session from going on: pauses, repeats, lost noise, faults.
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/conductor/conductor.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kCheck_s = 0.2;  // longer than a surface takes to fade out
+constexpr const char* kBetweenTrials = "between trials";
+
+/// Where a session is again after a fault: an attempt that it ended is over.
+SessionPhase after_fault(SessionPhase before) {
+  const bool in_attempt = before == SessionPhase::fore || before == SessionPhase::contact ||
+                          before == SessionPhase::response;
+  return in_attempt ? SessionPhase::iti : before;
+}
+
+}  // namespace
+
+// --- pauses and repeats --------------------------------------------------------------------------
+
+void Conductor::repeat_as_asked() {
+  while (!stopped_) {
+    const std::optional<std::string> reason = requests_.take_repeat();
+    if (!reason) return;
+    repeat_last(*reason);
+  }
+}
+
+bool Conductor::between_steps(Next next) {
+  for (bool repeated = false;; repeated = true) {
+    course_.store_remarks();
+    hold(next);
+    if (stopped_) return repeated;
+    const std::optional<std::string> reason = requests_.take_repeat();
+    if (!reason) return repeated;
+    repeat_last(*reason);
+  }
+}
+
+void Conductor::repeat_last(const std::string& reason) {
+  const AttemptRow* last = tally_->last_done();
+  if (last == nullptr) {
+    course_.event("repeat_refused", "no trial has been answered or skipped yet");
+    return;
+  }
+  const int trial = last->trial;
+  const int attempt = last->attempt;
+  study_.set_aside(session_.row.id, trial, attempt, reason);
+  tally_->set_aside(trial, attempt, reason);
+  course_.event("trial_repeated", reason,
+                nlohmann::ordered_json{{"trial", trial}, {"attempt", attempt}}.dump());
+  progress_->set_aside(*last);
+  progress_->show(step_);
+  ask_again(session_.plan.trials.at(static_cast<std::size_t>(trial - 1)));
+}
+
+/// A trial that was set aside. Where its block is over nothing at the end of the block asks it once
+/// more when that should be needed.
+void Conductor::ask_again(const Trial& trial) {
+  do {
+    run_trial(trial);
+  } while (!stopped_ && trial.block_ordinal != block_ && !tally_->is_done(trial));
+}
+
+/// Returns when nothing stands in the way of what comes next: no pause, no fault, no lost noise.
+void Conductor::hold(Next next) {
+  const SessionPhase before = course_.phase();
+  const bool is_attended = settings_.links.experimenter_is_there;
+  bool paused = false;
+  while (!stopped_) {
+    if (const auto reason = requests_.take_abort()) {
+      stop(*reason);
+      return;
+    }
+    if (is_attended && rig_.loop().status().fault != Fault::none &&
+        !wait_out_fault(
+            fault_sentence(interruption_by(rig_.loop().status().fault), kBetweenTrials))) {
+      return;
+    }
+    if (is_attended && next == Next::trial && course_.has_lost_noise() && !requests_.is_paused()) {
+      pause_without_noise();
+    }
+    if (!requests_.is_paused()) break;
+    if (!paused) {
+      course_.event("paused", "");
+      course_.enter(SessionPhase::paused);
+      course_.show({.kind = ParticipantScene::Kind::paused});
+      course_.play(Cue::paused);
+    }
+    paused = true;
+    if (requests_.take_stop(StopAfter::trial)) {
+      stop("as asked");
+      return;
+    }
+    course_.pass_slice();
+    course_.store_remarks();
+  }
+  if (!paused || stopped_) return;
+  course_.event("resumed", "");
+  course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
+  course_.enter(before);
+  course_.show({});
+}
+
+void Conductor::pause_without_noise() {
+  requests_.pause();
+  publish_trouble(
+      "The masking noise has stopped, and the session is paused. Mend the sound, then resume.",
+      SessionTrouble::Remedy::resume);
+  course_.event("masking_noise_lost", "");
+}
+
+// --- faults --------------------------------------------------------------------------------------
+
+/// Nothing is rendered: the device has to answer at the servo's rate and be sent zero force.
+void Conductor::check_device() {
+  const std::string problem =
+      device_problem([this](double duration_s) { course_.wait(duration_s); });
+  if (!problem.empty()) {
+    throw Interruption{AttemptOutcome::device_fault, "the device is not ready: " + problem};
+  }
+}
+
+/// What is wrong with the device, as part of a sentence; empty when it is fit.
+std::string Conductor::device_problem(const Wait& waiting) {
+  rig_.loop().withdraw();
+  Recorder& recorder = course_.recorder();
+  recorder.begin(nullptr, protocol_.rate_Hz, rig_.records());
+  waiting(kCheck_s);
+  const std::vector<TickRecord> records = recorder.finish(rig_.records()).records;
+  if (records.empty()) return "it does not tick";
+  if (records.back().has(TickFlag::device_lost)) return "it does not answer";
+  if (records.back().sent.force_N != glm::dvec3{0.0}) {
+    return "it is sent a force although there is no surface";
+  }
+  return {};
+}
+
+/// Whether what was interrupted outside an attempt can be begun again; waits for it.
+bool Conductor::outlives(const Interruption& interruption) {
+  if (interruption.outcome != AttemptOutcome::device_fault ||
+      !settings_.links.experimenter_is_there) {
+    return false;
+  }
+  wait_out_fault(fault_sentence(interruption, kBetweenTrials));
+  return true;
+}
+
+bool Conductor::wait_out_fault(const std::string& what) {
+  if (!settings_.links.experimenter_is_there) {
+    stop(what);
+    return false;
+  }
+  const SessionPhase before = after_fault(course_.phase());
+  requests_.take_clear_fault();  // one from before this fault
+  course_.event("fault", name_of(rig_.loop().status().fault));
+  course_.enter(SessionPhase::fault);
+  course_.show({.kind = ParticipantScene::Kind::paused});
+  course_.play(Cue::paused);
+  const auto trouble = [&](const std::string& more) {
+    const bool by_hand = rig_.loop().status().fault == Fault::emergency_stop;
+    publish_trouble(what + ". The force is zero until the " + (by_hand ? "stop" : "fault") +
+                        " is cleared." + more,
+                    SessionTrouble::Remedy::clear_fault);
+  };
+  trouble("");
+  for (;;) {
+    course_.pass_slice();
+    course_.store_remarks();
+    if (const auto reason = requests_.take_abort()) {
+      stop(*reason);
+      return false;
+    }
+    if (requests_.take_stop(StopAfter::trial) || requests_.take_stop(StopAfter::block)) {
+      stop(what);
+      return false;
+    }
+    if (!requests_.lift_fault()) continue;
+    const std::string problem = device_problem([this](double duration_s) {
+      for (double passed_s = 0.0; passed_s < duration_s; passed_s += SessionCourse::kSlice_s) {
+        course_.pass_slice();
+      }
+    });
+    if (problem.empty() && rig_.loop().status().fault == Fault::none) break;
+    const Fault fault = rig_.loop().status().fault;
+    trouble(fault == Fault::emergency_stop
+                ? " The emergency stop was pressed meanwhile."
+                : " The device is not fit yet: " + (problem.empty() ? name_of(fault) : problem) +
+                      '.');
+  }
+  while (rig_.loop().collect().renderer != nullptr) {
+    // What was felt when the fault came is not felt again.
+  }
+  course_.event("fault_cleared", "");
+  course_.update([](SessionSnapshot& snapshot) { snapshot.trouble.reset(); });
+  course_.enter(before);
+  course_.show({.kind = before == SessionPhase::paused ? ParticipantScene::Kind::paused
+                                                       : ParticipantScene::Kind::blank});
+  return true;
+}
+
+void Conductor::publish_trouble(std::string what, SessionTrouble::Remedy remedy) {
+  // A sentence begins with a capital.
+  if (!what.empty() && what.front() >= 'a' && what.front() <= 'z') {
+    what.front() = static_cast<char>(what.front() - 'a' + 'A');
+  }
+  course_.update([&](SessionSnapshot& snapshot) {
+    snapshot.trouble = SessionTrouble{what, course_.now_ns(), remedy};
+  });
+}
+
+}  // namespace asperity
