@@ -47,6 +47,8 @@ function(asperity_add_tests folder)
   target_include_directories(${program} PRIVATE "${CMAKE_SOURCE_DIR}")
   target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
   target_precompile_headers(${program} PRIVATE <gtest/gtest.h> <string> <vector>)
+  # A test's own code runs for moments: optimising it would take longer than it saves.
+  target_compile_options(${program} PRIVATE $<$<CONFIG:Debug>:-O0>)
   target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   set(timeout_s 300)
   if("long" IN_LIST ARG_LABELS)
