@@ -367,6 +367,8 @@ PersonAtWindow::~PersonAtWindow() = default;
 
 void PersonAtWindow::post(ParticipantInput input) { desk_->put(std::move(input)); }
 
+void PersonAtWindow::set_sound(Sound* sound) { desk_->sound = sound; }
+
 void PersonAtWindow::read(const std::string& text, double minimum_s, const Wait& wait) {
   desk_->face({ParticipantScene::Kind::text, ParticipantScene::Kind::rest}, scene_to_read(text));
   if (minimum_s > 0.0) {

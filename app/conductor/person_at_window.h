@@ -57,6 +57,9 @@ class PersonAtWindow final : public Respondent {
   ~PersonAtWindow() override;
 
   /// From any thread. Inputs are heard in the order of posting; what the present scene has no use
+  /// What they hear from now on; must outlive this.
+  void set_sound(Sound* sound);
+
   /// for does nothing.
   void post(ParticipantInput input);
 

@@ -36,7 +36,8 @@ struct MaskingNoise {
 
 /// Plays masking noise and mixes cues into it.
 ///
-/// Threads: any; calls return at once. A session without sound has none of it (a null pointer).
+/// Threads: any; calls return at once, but for `description_json`, which may wait some seconds for a
+/// sound card. A session without sound has none of it (a null pointer).
 class Sound {
  public:
   virtual ~Sound() = default;

@@ -52,17 +52,7 @@ void SessionRunner::start(const SessionOrder& order) {
   assert(!worker_.joinable());
   order_ = order;
   running_ = true;
-  std::string trouble{};
-  try {
-    sound_ = make_sound_(order);
-  } catch (const std::exception& error) {
-    trouble = error.what();
-  }
-  person_ = std::make_unique<PersonAtWindow>(monitor_, sound_.get());
-  if (!trouble.empty()) {
-    fail(trouble);
-    return;
-  }
+  person_ = std::make_unique<PersonAtWindow>(monitor_, nullptr);
   if (!order.consent_seen_by.empty()) {
     requests_.remark("consent_seen", "agreement seen by " + order.consent_seen_by);
   }
@@ -71,6 +61,9 @@ void SessionRunner::start(const SessionOrder& order) {
 
 void SessionRunner::run(const std::stop_token& stop) {
   try {
+    // Here and not in a window's thread: a sound server takes its time.
+    sound_ = make_sound_(order_);
+    person_->set_sound(sound_.get());
     if (!order_.protocol_sha256.empty()) {
       require_unchanged(order_.inputs.protocol, order_.protocol_sha256);
     }

@@ -39,8 +39,8 @@ struct SessionOrder {
   std::string protocol_sha256{};
 };
 
-/// Makes what a session sounds through; null: nothing sounds. What it throws ends the session before
-/// it begins, with the text as the reason.
+/// Makes what a session sounds through, on the session's thread; null: nothing sounds. What it throws
+/// ends the session before it begins, with the text as the reason.
 using SoundMaker = std::function<std::unique_ptr<Sound>(const SessionOrder&)>;
 /// The computer's sound card for a person; virtual participants hear nothing.
 std::unique_ptr<Sound> usual_sound(const SessionOrder& order);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <QtCore/QSignalBlocker>
+#include <QtCore/QTimer>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QGridLayout>
@@ -25,8 +26,9 @@ namespace asperity {
 namespace {
 
 // The slider counts half decibels relative to full scale.
-constexpr int kLowest = -120;              // −60 dB
-constexpr int kHighest = -25;              // −12.5 dB, just below MaskingSound::kHighestGain
+constexpr int kLowest = -120;  // −60 dB
+constexpr int kHighest = -25;  // −12.5 dB, just below MaskingSound::kHighestGain
+constexpr int kLook_ms = 250;
 constexpr double kLoudest_dBA = 85.0;      // over a working day; no protocol may ask for more
 constexpr double kNotMeasured_dBA = 29.5;  // the spin box's lowest value stands for "not measured"
 
@@ -139,6 +141,9 @@ NoiseCheck::NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget
     show_state();
     emit changed();
   });
+  watch_ = new QTimer(this);
+  watch_->setInterval(kLook_ms);
+  connect(watch_, &QTimer::timeout, this, &NoiseCheck::look_at_card);
   noise_->setEnabled(!output_.is_null);  // the line above says why
   cue->setEnabled(!output_.is_null);
   show_state();
@@ -147,10 +152,27 @@ NoiseCheck::NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget
 NoiseCheck::~NoiseCheck() = default;
 
 QtSound& NoiseCheck::sound() {
-  if (!sound_)
+  if (!sound_) {
     sound_ =
         std::make_unique<QtSound>(value_, std::map<std::string, std::filesystem::path>{}, output_);
+    silent_.start();
+    watch_->start();
+  }
   return *sound_;
+}
+
+/// A card that opens within the time that any card takes is not spoken of.
+void NoiseCheck::look_at_card() {
+  if (!sound_) {
+    watch_->stop();
+    return;
+  }
+  if (sound_->is_running()) silent_.restart();
+  const bool is_silent = static_cast<double>(silent_.elapsed()) > QtSound::kOpens_s * 1e3;
+  if (is_silent == is_silent_) return;
+  is_silent_ = is_silent;
+  show_state();
+  emit changed();
 }
 
 void NoiseCheck::play_noise(bool on) {
@@ -170,6 +192,11 @@ void NoiseCheck::set_gain(int slider) {
 
 QString NoiseCheck::reservation() const {
   if (output_.is_null) return tr("No sound card: noise and cues are not heard.");
+  if (is_silent_) {
+    return tr("%1 does not play. Connect it again, or choose another sound output in the settings "
+              "of the computer.")
+        .arg(output_.name);
+  }
   if (value_.kind == MaskingNoise::Kind::none) return {};
   if (!value_.measured_dBA) return tr("The level of the noise at the ear was not measured.");
   if (*value_.measured_dBA > kLoudest_dBA) {
@@ -201,6 +228,8 @@ void NoiseCheck::show_state() {
 void NoiseCheck::hideEvent(QHideEvent* event) {
   noise_->setChecked(false);
   sound_.reset();
+  watch_->stop();
+  is_silent_ = false;
   QWidget::hideEvent(event);
 }
 

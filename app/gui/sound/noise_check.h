@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include <QtCore/QElapsedTimer>
 #include <QtWidgets/QWidget>
 
 #include "app/conductor/sound.h"
@@ -14,6 +15,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSlider;
+class QTimer;
 
 namespace asperity {
 
@@ -24,6 +26,7 @@ class StateLabel;
 /// down what was measured by whom. A test cue shows that cues are heard through the noise.
 ///
 /// The sound card is opened by the first button that needs it, and let go when the widget is hidden.
+/// One that does not open within some seconds, or is lost, is said to be so.
 /// Turning the gain makes an earlier measurement void: it has to be made again.
 class NoiseCheck final : public QWidget {
   Q_OBJECT
@@ -34,7 +37,7 @@ class NoiseCheck final : public QWidget {
 
   /// As declared, with the gain, the measured level and the name that stand here now.
   MaskingNoise value() const { return value_; }
-  /// A sentence for the checklist: no sound card, noise not measured, too loud, off by more than
+  /// A sentence: no sound card, one that does not play, noise not measured, too loud, off by more than
   /// 3 dB, nobody signed. Empty when all is well.
   QString reservation() const;
 
@@ -48,11 +51,15 @@ class NoiseCheck final : public QWidget {
   QtSound& sound();
   void play_noise(bool on);
   void set_gain(int slider);
+  void look_at_card();
   void show_state();
 
   MaskingNoise value_{};
   SoundOutput output_{};
   std::unique_ptr<QtSound> sound_{};
+  QTimer* watch_ = nullptr;  ///< while there is a sound
+  QElapsedTimer silent_{};   ///< since it was last seen to play, or was asked to
+  bool is_silent_ = false;
   QPushButton* noise_ = nullptr;
   QSlider* gain_ = nullptr;
   QLabel* gain_text_ = nullptr;

@@ -37,14 +37,12 @@ MaskingSoundSettings settings_of(const MaskingNoise& noise,
 }  // namespace
 
 QtSound::QtSound(const MaskingNoise& noise,
-                 const std::map<std::string, std::filesystem::path>& speech, QObject* parent)
-    : QtSound(noise, speech, default_output(), parent) {}
+                 const std::map<std::string, std::filesystem::path>& speech)
+    : QtSound(noise, speech, default_output()) {}
 
 QtSound::QtSound(const MaskingNoise& noise,
-                 const std::map<std::string, std::filesystem::path>& speech, SoundOutput output,
-                 QObject* parent)
-    : QObject(parent),
-      noise_(noise),
+                 const std::map<std::string, std::filesystem::path>& speech, SoundOutput output)
+    : noise_(noise),
       samples_(settings_of(noise, speech, output.form.rate_Hz)),
       stream_(std::move(output), [this](std::span<float> stereo) { samples_.fill(stereo); }) {}
 
@@ -57,6 +55,7 @@ void QtSound::play(Cue cue, int number) { samples_.play(cue, number); }
 void QtSound::set_gain(double gain) { samples_.set_gain(gain); }
 
 std::string QtSound::description_json() const {
+  const bool is_open = stream_.wait_until_open(kOpens_s);
   const double gain = samples_.gain();
   const bool as_measured = gain == noise_.gain;
   const auto level = [](const std::optional<double>& value) {
@@ -71,7 +70,7 @@ std::string QtSound::description_json() const {
       {"verified_by", as_measured ? noise_.verified_by : std::string()},
       {"generator", Random::kName},
       {"output", output.name.toStdString()},
-      {"heard", !output.is_null},
+      {"heard", !output.is_null && is_open},
       {"rate_Hz", output.form.rate_Hz},
       {"buffer_s", output.buffer_s},
   };

@@ -6,7 +6,6 @@
 #include <map>
 #include <string>
 
-#include <QtCore/QObject>
 #include <QtCore/QString>
 
 #include "app/conductor/masking_sound.h"
@@ -19,21 +18,26 @@ namespace asperity {
 /// and nobody hears them: `is_null` says so, and so does what is stored.
 ///
 /// The stream runs from construction to destruction, silent while nothing is to be heard, so that a
-/// cue never waits for a card to open.
+/// cue never waits for a card to open. The card is opened beside everything else: `is_running` says
+/// when. One that does not open, or takes long, makes no session hang: with masking noise the session
+/// pauses before its first trial, as it does when a card is lost, and goes on once the card is there.
 ///
 /// Errors: the constructor throws std::runtime_error or std::invalid_argument, a sentence, for speech
 /// that cannot be read and as MaskingSound.
 ///
-/// Threads: construction and destruction on one thread; everything else from any, at once.
-class QtSound final : public QObject, public Sound {
-  Q_OBJECT
+/// Threads: any. The constructor reads speech and asks the system for its card, and is best not called
+/// by a window that has recorded cues. The rest answers at once, but for `description_json`: what is
+/// stored says whether the card was heard, so it waits until the card is open, `kOpens_s` at most.
+class QtSound final : public Sound {
  public:
+  /// No sound server takes longer that works.
+  static constexpr double kOpens_s = 3.0;
+
   /// `speech` by cue, as a protocol names them ("surface_1", "question").
   explicit QtSound(const MaskingNoise& noise,
-                   const std::map<std::string, std::filesystem::path>& speech = {},
-                   QObject* parent = nullptr);
+                   const std::map<std::string, std::filesystem::path>& speech = {});
   QtSound(const MaskingNoise& noise, const std::map<std::string, std::filesystem::path>& speech,
-          SoundOutput output, QObject* parent = nullptr);
+          SoundOutput output);
   ~QtSound() override;
 
   void set_masking(bool on) override;

@@ -48,7 +48,8 @@ struct SoundOutput {
   bool is_null = true;  ///< nobody hears it
   SampleForm form{};
   double buffer_s = 0.0;  ///< how long a sample waits before it sounds, about
-  /// Null where the output cannot be opened now. Called on the thread that is to consume.
+  /// Null where the output cannot be opened now. Called on the thread that is to consume; takes as
+  /// long as the sound server does.
   std::function<std::unique_ptr<SampleConsumer>(QIODevice& samples)> open{};
 };
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <future>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -25,92 +26,151 @@ std::int64_t steady_ns() {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
+}  // namespace
+
+struct SoundStream::Worker {
+  SoundOutput output{};
+  std::mutex filling{};
+  Fill fill{};  ///< under `filling`; null once the stream is gone
+  std::atomic<std::int64_t> last_ns{0};
+  std::atomic<bool> is_open{false};
+  std::promise<void> opened_once{};
+  std::shared_future<void> opened = opened_once.get_future().share();
+  std::promise<void> closed_at_last{};
+  std::future<void> closed = closed_at_last.get_future();
+
+  std::mutex leaving{};
+  bool leave = false;          ///< under `leaving`
+  QEventLoop* loop = nullptr;  ///< under `leaving`
+
+  void run();
+  void open_if_closed(QIODevice& samples, std::unique_ptr<SampleConsumer>& consumer);
+  bool has_to_leave() {
+    const std::lock_guard lock(leaving);
+    return leave;
+  }
+};
+
+namespace {
+
 /// What a consumer reads from: never empty, filled as it is read.
+template <class Worker>
 class SampleDevice final : public QIODevice {
  public:
-  SampleDevice(const SoundStream::Fill& fill, std::atomic<std::int64_t>& last_ns)
-      : fill_(fill), last_ns_(last_ns) {
+  explicit SampleDevice(Worker& worker) : worker_(worker) {
     open(QIODevice::ReadOnly | QIODevice::Unbuffered);
   }
 
-  void set_form(const SampleForm& form) { form_ = form; }
   bool isSequential() const override { return true; }
   qint64 bytesAvailable() const override { return std::int64_t{1} << 30; }
 
  protected:
   qint64 readData(char* bytes, qint64 most) override {
-    const qint64 frame = form_.bytes_per_frame();
+    const SampleForm& form = worker_.output.form;
+    const qint64 frame = form.bytes_per_frame();
     const qint64 frames = most / frame;
     for (qint64 done = 0; done < frames;) {
       const auto part = std::min<qint64>(frames - done, std::ssize(stereo_) / 2);
       const std::span<float> now(stereo_.data(), static_cast<std::size_t>(2 * part));
-      fill_(now);
-      write_frames(form_, now, bytes + done * frame);
+      {
+        // Nobody else wants it until the stream goes.
+        const std::lock_guard lock(worker_.filling);
+        if (worker_.fill) {
+          worker_.fill(now);
+        } else {
+          std::fill(now.begin(), now.end(), 0.0F);
+        }
+      }
+      write_frames(form, now, bytes + done * frame);
       done += part;
     }
-    last_ns_.store(steady_ns(), std::memory_order_relaxed);
+    worker_.last_ns.store(steady_ns(), std::memory_order_relaxed);
     return frames * frame;
   }
   qint64 writeData(const char*, qint64) override { return -1; }
 
  private:
-  SampleForm form_{};
-  const SoundStream::Fill& fill_;
-  std::atomic<std::int64_t>& last_ns_;
+  Worker& worker_;
   std::array<float, 1024> stereo_{};
 };
 
 }  // namespace
 
-struct SoundStream::Worker {
-  SoundOutput output{};
-  Fill fill{};
-  std::atomic<std::int64_t> last_ns{0};
-  std::promise<QEventLoop*> opened{};
-  QEventLoop* loop = nullptr;
-  std::thread thread{};
-
-  void run() {
-    // First of all: it gives the thread the event dispatcher that timers and sinks need.
-    QEventLoop events{};
-    SampleDevice samples(fill, last_ns);
-    samples.set_form(output.form);
-    std::unique_ptr<SampleConsumer> consumer = output.open(samples);
-    if (!consumer) {
-      output = null_output(output.form.rate_Hz);
-      samples.set_form(output.form);
-      consumer = output.open(samples);
-    }
-    QTimer watch{};
-    QObject::connect(&watch, &QTimer::timeout, &watch, [&] {
-      if (consumer && !consumer->is_working()) consumer.reset();
-      if (!consumer) consumer = output.open(samples);
-    });
-    watch.start(kWatch_ms);
-    last_ns.store(steady_ns(), std::memory_order_relaxed);
-    opened.set_value(&events);
-    events.exec();
+void SoundStream::Worker::open_if_closed(QIODevice& samples,
+                                         std::unique_ptr<SampleConsumer>& consumer) {
+  if (consumer && !consumer->is_working()) {
+    is_open = false;
+    consumer.reset();
   }
-};
+  if (consumer) return;
+  consumer = output.open(samples);
+  if (!consumer) return;
+  last_ns.store(steady_ns(), std::memory_order_relaxed);
+  is_open = true;
+  if (opened.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    opened_once.set_value();
+  }
+}
 
-SoundStream::SoundStream(SoundOutput output, Fill fill) : worker_(std::make_unique<Worker>()) {
+void SoundStream::Worker::run() {
+  {
+    QEventLoop events{};
+    {
+      const std::lock_guard lock(leaving);
+      loop = &events;
+    }
+    SampleDevice<Worker> samples(*this);
+    std::unique_ptr<SampleConsumer> consumer{};
+    open_if_closed(samples, consumer);
+    QTimer watch{};
+    QObject::connect(&watch, &QTimer::timeout, &watch, [&] { open_if_closed(samples, consumer); });
+    watch.start(kWatch_ms);
+    if (!has_to_leave()) events.exec();
+    is_open = false;
+    consumer.reset();
+    const std::lock_guard lock(leaving);
+    loop = nullptr;
+  }
+  closed_at_last.set_value();
+}
+
+SoundStream::SoundStream(SoundOutput output, Fill fill) : worker_(std::make_shared<Worker>()) {
   worker_->output = std::move(output);
   worker_->fill = std::move(fill);
-  worker_->thread = std::thread([worker = worker_.get()] { worker->run(); });
-  worker_->loop = worker_->opened.get_future().get();
+  thread_ = std::thread([worker = worker_] { worker->run(); });
 }
 
 SoundStream::~SoundStream() {
-  // Posted, so that it cannot come before the loop runs.
-  QCoreApplication::postEvent(worker_->loop, new QEvent(QEvent::Quit));
-  worker_->thread.join();
+  {
+    const std::lock_guard lock(worker_->filling);
+    worker_->fill = nullptr;
+  }
+  {
+    const std::lock_guard lock(worker_->leaving);
+    worker_->leave = true;
+    // Posted, so that it cannot come before the loop runs.
+    if (worker_->loop != nullptr) {
+      QCoreApplication::postEvent(worker_->loop, new QEvent(QEvent::Quit));
+    }
+  }
+  const std::chrono::duration<double> closes(kCloses_s);
+  if (worker_->closed.wait_for(closes) == std::future_status::ready) {
+    thread_.join();
+  } else {
+    thread_.detach();
+  }
 }
 
 const SoundOutput& SoundStream::output() const noexcept { return worker_->output; }
 
 bool SoundStream::is_running() const noexcept {
   const auto since_ns = steady_ns() - worker_->last_ns.load(std::memory_order_relaxed);
-  return static_cast<double>(since_ns) < kStandsStill_s * 1e9;
+  return worker_->is_open && static_cast<double>(since_ns) < kStandsStill_s * 1e9;
+}
+
+bool SoundStream::wait_until_open(double longest_s) const {
+  return worker_->opened.wait_for(std::chrono::duration<double>(longest_s)) ==
+         std::future_status::ready;
 }
 
 }  // namespace asperity

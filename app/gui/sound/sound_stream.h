@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <thread>
 
 #include "app/gui/sound/sound_output.h"
 
@@ -12,32 +13,39 @@ namespace asperity {
 
 /// Lets an output take samples from `fill` for as long as the stream lives.
 ///
-/// The thread belongs to the stream, so that a busy window does not make the sound stutter. An output
-/// that cannot be opened is replaced by the null output at the beginning, and never later: when a
-/// card that sounded is lost, the stream stands still (`is_running` is false) until it is back.
+/// The thread belongs to the stream, so that a busy window does not make the sound stutter, and a
+/// sound server that takes its time keeps nobody waiting. While the output is not open the stream
+/// stands still (`is_running` is false): at the beginning, when it cannot be opened, when it does not
+/// answer, and when a card that sounded is lost. It is tried again four times a second and never
+/// replaced by another: whoever needs to be heard has to know that they are not.
 ///
-/// Threads: the constructor waits until the output is open (tens of milliseconds with a sound
-/// server), the destructor until it is closed; the rest answers at once, from any thread. `fill` is
-/// called on the stream's thread and has to be real-time code; it is given stereo frames at the rate
-/// of `output().form`.
+/// Threads: the constructor returns at once, whatever the output does; the destructor waits until
+/// it is closed, `kCloses_s` at most: one that hangs is left to itself, and asks `fill` for nothing any
+/// more. The rest answers at once, from any thread, but for `wait_until_open`. `fill` is called on the
+/// stream's thread and has to be real-time code; it is given stereo frames at the rate of
+/// `output().form`.
 class SoundStream final {
  public:
   using Fill = std::function<void(std::span<float> stereo)>;
   static constexpr double kStandsStill_s = 0.5;
+  static constexpr double kCloses_s = 0.5;
 
   SoundStream(SoundOutput output, Fill fill);
   ~SoundStream();
   SoundStream(const SoundStream&) = delete;
   SoundStream& operator=(const SoundStream&) = delete;
 
-  /// What is really used: the null output where the given one could not be opened.
+  /// As given.
   const SoundOutput& output() const noexcept;
-  /// Samples have been taken within the last half second.
+  /// The output is open, and samples have been taken within the last half second.
   bool is_running() const noexcept;
+  /// Until it has been opened for the first time, but no longer than this; whether it has.
+  bool wait_until_open(double longest_s) const;
 
  private:
   struct Worker;
-  std::unique_ptr<Worker> worker_;
+  std::shared_ptr<Worker> worker_;  ///< with the thread, which may outlive the stream
+  std::thread thread_;
 };
 
 }  // namespace asperity

@@ -85,6 +85,27 @@ TEST_F(Blindfold, GoesThroughASessionByTonesAndDeviceButtonsAlone) {
   EXPECT_EQ(stored_events("mask_off").size(), 1U);
 }
 
+class MaskingNoiseLost : public SessionRoom {};
+
+TEST_F(MaskingNoiseLost, KeepsASessionFromItsFirstTrialUntilTheNoiseIsHeard) {
+  make_study();
+  add_protocol({.trials = 1, .head = R"(, "environment": {"vision": "hand_occluded",
+                           "masking_noise": {"kind": "pink", "level_dBA": 60}})"});
+  open();
+  sound->plugged = false;  // the card does not open
+  start("small");
+  wait_for("the pause", [&] { return is_in(SessionPhase::paused); });
+  EXPECT_FALSE(sound->made_by_a_window);  // it could have waited for the card
+  const std::optional<SessionTrouble> trouble = monitor().snapshot().trouble;
+  ASSERT_TRUE(trouble);
+  EXPECT_NE(trouble->what.find("masking noise"), std::string::npos) << trouble->what;
+  sound->plugged = true;
+  key(Qt::Key_F5);
+  take_part(chooses_a());
+  EXPECT_EQ(stored_session().state, SessionState::completed);
+  EXPECT_EQ(stored_outcomes(), std::vector<std::string>{"1/1 answered"});
+}
+
 class DoubleBlind : public SessionRoom {
  protected:
   /// Every text of a window and of all in it, seen or not, that holds a name.

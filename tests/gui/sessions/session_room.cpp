@@ -4,6 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include <QtCore/QThread>
 #include <QtGui/QGuiApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QLineEdit>
@@ -184,6 +185,7 @@ std::vector<std::string> SessionRoom::stored_outcomes() const {
 void SessionRoom::make_windows() {
   window = std::make_unique<StudyWindow>();
   desk = std::make_unique<SessionDesk>(*window, nullptr, [log = sound](const SessionOrder& order) {
+    log->made_by_a_window = QThread::currentThread() == qApp->thread();
     return order.inputs.is_virtual ? nullptr : std::make_unique<NotedSound>(log);
   });
   window->resize(1366, 768);

@@ -39,6 +39,7 @@ struct ProtocolWish {
 struct SoundLog {
   std::atomic<bool> plugged{true};
   std::atomic<bool> masking{false};
+  std::atomic<bool> made_by_a_window{false};  ///< on the thread of the windows
   std::vector<std::string> tones();  ///< "surface 1", "next", …
   void add(Cue cue, int number);
 

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <thread>
 
 #include <QtCore/QIODevice>
 #include <QtCore/QTimer>
@@ -19,6 +21,7 @@ namespace asperity {
 struct FakeCard {
   std::atomic<bool> stands_still{false};
   std::atomic<bool> lost{false};
+  std::atomic<bool> hangs{false};  ///< while it is opened
   std::atomic<int> opened{0};
   std::atomic<bool> open{false};
   std::atomic<double> peak{0.0};  ///< of the last 10 ms
@@ -57,6 +60,7 @@ inline SoundOutput output_of(FakeCard& card) {
   output.is_null = false;
   output.buffer_s = 0.02;
   output.open = [&card](QIODevice& samples) -> std::unique_ptr<SampleConsumer> {
+    while (card.hangs) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (card.lost) return nullptr;
     return std::make_unique<FakeConsumer>(card, samples);
   };

@@ -108,6 +108,23 @@ TEST(NoiseCheck, WithoutASoundCardItSaysSoAndPlaysNothing) {
   EXPECT_TRUE(control<StateLabel>(check, "noise_state").text().contains("No sound card"));
 }
 
+TEST(NoiseCheck, SaysThatACardDoesNotPlayUntilItDoes) {
+  FakeCard card{};
+  card.hangs = true;
+  MaskingNoise noise = declared_noise();
+  noise.measured_dBA = 65.0;
+  noise.verified_by = "M. Weber";
+  NoiseCheck check(noise, output_of(card));
+  check.show();
+  EXPECT_EQ(check.reservation(), "");
+  QTest::mouseClick(&control<QPushButton>(check, "play_noise"), Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !check.reservation().isEmpty(); }, 20000));
+  EXPECT_TRUE(
+      control<StateLabel>(check, "noise_state").text().contains("Headphones does not play"));
+  card.hangs = false;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return check.reservation().isEmpty(); }, 20000));
+}
+
 TEST(NoiseCheck, AProtocolWithoutNoiseStillHasCues) {
   FakeCard card{};
   NoiseCheck check({}, output_of(card));

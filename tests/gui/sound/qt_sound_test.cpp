@@ -73,13 +73,30 @@ TEST(QtSound, ABusyWindowDoesNotStopTheStream) {
   EXPECT_GT(card.peak, 0.05);
 }
 
-TEST(QtSound, AnOutputThatCannotBeOpenedIsReplacedByTheNullOutput) {
+TEST(QtSound, ACardThatCannotBeOpenedIsTriedUntilItCan) {
   FakeCard card{};
   card.lost = true;
   QtSound sound(pink_noise(), {}, output_of(card));
-  EXPECT_TRUE(sound.is_null());
-  EXPECT_EQ(sound.device_name(), QString());
-  EXPECT_TRUE(sound.is_running());
+  EXPECT_FALSE(sound.is_running());
+  EXPECT_FALSE(sound.is_null()) << "another output would not be heard in these headphones";
+  card.lost = false;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return sound.is_running() && card.opened == 1; }));
+}
+
+// A sound server that is busy or dead, a card pulled out in the very moment.
+TEST(QtSound, NobodyWaitsForACardThatDoesNotAnswerAndWhatIsStoredSaysSo) {
+  FakeCard card{};
+  card.hangs = true;
+  {
+    QtSound sound(pink_noise(), {}, output_of(card));
+    sound.set_masking(true);
+    EXPECT_FALSE(sound.is_running());
+    EXPECT_EQ(nlohmann::json::parse(sound.description_json()).at("heard"), false);
+  }  // the session ends while it still hangs
+  EXPECT_EQ(card.opened, 0);
+  card.hangs = false;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return card.opened == 1 && !card.open; }));
+  EXPECT_EQ(card.peak, 0.0);
 }
 
 TEST(QtSound, TheNullOutputTakesSamplesAtTheirRate) {
