@@ -105,6 +105,8 @@ struct ParticipantScene {
   std::optional<std::int64_t> rest_until_ns{};  ///< on the session's clock
   /// While a surface is felt: show the workspace (object, tool, probe) to who is allowed to see it.
   bool show_workspace = false;
+  /// Counts how often a button of the device asked for the next page of what is read.
+  int pages_turned = 0;
   /// A response of the trial is open: keys of any window belong to it.
   bool response_open = false;
 };

@@ -1,6 +1,7 @@
 #include "app/conductor/person_at_window.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <deque>
 #include <functional>
@@ -99,6 +100,7 @@ struct PersonAtWindow::Desk {
 
   std::map<int, std::int64_t> buttons_down{};
   std::map<int, std::int64_t> buttons_let_go{};
+  std::atomic<bool> more_to_read{false};
 
   /// The conductor has shown the scene, with what only it knows (progress, workspace); where there
   /// is none of these kinds yet it is `plain`.
@@ -128,6 +130,8 @@ struct PersonAtWindow::Desk {
     return shown_ns + std::llround(1e9 * duration_s);
   }
 
+  /// A button that turned the page has done what it was pressed for.
+  bool turned_page(const ParticipantInput& input);
   void wait_for_confirmation(const Wait& wait);
 
   void leave_surface();
@@ -241,9 +245,16 @@ bool PersonAtWindow::Desk::listen(const Wait& wait, std::optional<std::int64_t> 
   }
 }
 
+bool PersonAtWindow::Desk::turned_page(const ParticipantInput& input) {
+  if (input.kind != Kind::device_button || !more_to_read) return false;
+  change([](ParticipantScene& scene) { ++scene.pages_turned; });
+  return true;
+}
+
 void PersonAtWindow::Desk::wait_for_confirmation(const Wait& wait) {
   change([](ParticipantScene& scene) { scene.can_confirm = true; });
-  listen(wait, {}, goes_on);
+  listen(wait, {},
+         [this](const ParticipantInput& input) { return !turned_page(input) && goes_on(input); });
 }
 
 void PersonAtWindow::Desk::leave_surface() {
@@ -369,6 +380,8 @@ void PersonAtWindow::post(ParticipantInput input) { desk_->put(std::move(input))
 
 void PersonAtWindow::set_sound(Sound* sound) { desk_->sound = sound; }
 
+void PersonAtWindow::set_more_to_read(bool more) { desk_->more_to_read = more; }
+
 void PersonAtWindow::read(const std::string& text, double minimum_s, const Wait& wait) {
   desk_->face({ParticipantScene::Kind::text, ParticipantScene::Kind::rest}, scene_to_read(text));
   if (minimum_s > 0.0) {
@@ -376,7 +389,7 @@ void PersonAtWindow::read(const std::string& text, double minimum_s, const Wait&
     const std::int64_t until_ns =
         desk_->monitor.snapshot().scene->rest_until_ns.value_or(desk_->after_shown_ns(minimum_s));
     const bool is_over = desk_->listen(wait, until_ns, [&](const ParticipantInput& input) {
-      if (!goes_on(input)) return false;
+      if (desk_->turned_page(input) || !goes_on(input)) return false;
       if (input.time_ns >= until_ns) return true;
       const double left_s = 1e-9 * static_cast<double>(until_ns - input.time_ns);
       desk_->refuse(input,

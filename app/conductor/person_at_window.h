@@ -34,7 +34,7 @@ namespace asperity {
 /// felt again, the step after the last option is that wish: the tone of the surface that would be
 /// felt sounds, nothing is chosen, and the same confirmation asks for it. So whatever a confirmation
 /// does was heard before it, and needs one button only. While a surface is felt button 1 goes on to
-/// the next; where something is read any button goes on.
+/// the next; where something is read any button turns the page, and goes on from the last one.
 ///
 /// Tones that answer what a person did (option, refused, mask) come from here; those of the trial
 /// (surface, question, accepted, …) from the conductor.
@@ -42,7 +42,7 @@ namespace asperity {
 /// Events: "input" (what, its source, whether it came too late or early to count), "input_released",
 /// "refused" (the cue's words). What is typed into a form is its answer and no event.
 ///
-/// Threads: `post` from any thread; everything else from the conductor's.
+/// Threads: `post` and `set_more_to_read` from any thread; everything else from the conductor's.
 ///
 /// [Woods 2015] Woods et al.: Factors influencing the latency of simple reaction time.
 class PersonAtWindow final : public Respondent {
@@ -56,12 +56,15 @@ class PersonAtWindow final : public Respondent {
   PersonAtWindow(SessionMonitor& monitor, Sound* sound);
   ~PersonAtWindow() override;
 
-  /// From any thread. Inputs are heard in the order of posting; what the present scene has no use
   /// What they hear from now on; must outlive this.
   void set_sound(Sound* sound);
 
+  /// From any thread. Inputs are heard in the order of posting; what the present scene has no use
   /// for does nothing.
   void post(ParticipantInput input);
+  /// What is read has pages after the one that the window shows: a button of the device turns to the
+  /// next (ParticipantScene::pages_turned). Keys and mouse turn it in the window.
+  void set_more_to_read(bool more);
 
   void read(const std::string& text, double minimum_s, const Wait& wait) override;
   void announce(const Trial& trial, const PlannedPresentation& surface) override;

@@ -4,29 +4,63 @@
 
 namespace asperity {
 
+/// As few columns as give all options room in `height`; where none does, as many rows of the last
+/// arrangement as fit.
+ParticipantPage::OptionRows ParticipantPage::option_rows(const Question& question,
+                                                         double height) const {
+  constexpr int kMostColumns = 3;  // more are not read as one list
+  const int count = static_cast<int>(question.options.size());
+  const double gap = px(0.75 * kGap);
+  OptionRows best{};
+  for (int columns = 1; columns <= std::min(count, kMostColumns); ++columns) {
+    const double room = (body_.width() - (columns - 1) * px(2 * kGap)) / columns;
+    double width = 0.0;
+    double longest_word = 0.0;
+    for (const std::string& option : question.options) {
+      width = std::max(width, width_of_answer(text_from(option)));
+      longest_word =
+          std::max(longest_word, width_of_longest_word(text_from(option), letters(kText)));
+    }
+    if (columns > 1 && longest_word + em(kAroundAnswer) > room) break;
+    width = std::min(width, room);
+    OptionRows rows{.columns = columns, .width = width};
+    for (const std::string& option : question.options) {
+      rows.row_height = std::max(rows.row_height, height_of_answer(text_from(option), width));
+    }
+    const int needed = (count + columns - 1) / columns;
+    rows.rows = std::max(1, static_cast<int>((height + gap) / (rows.row_height + gap)));
+    rows.fits = needed * rows.row_height + (needed - 1) * gap <= height;
+    if (rows.fits) {
+      rows.rows = needed;
+      return rows;
+    }
+    if (rows.rows * columns > best.rows * best.columns || columns == 1) best = rows;
+  }
+  return best;
+}
+
 void ParticipantPage::form_choice(const Question& question) {
   const int count = static_cast<int>(question.options.size());
   const double gap = px(0.75 * kGap);
-  const int fit = std::max(1, static_cast<int>((body_.height() + gap) / (px(kOption) + gap)));
-  const int columns = (count + fit - 1) / fit;
-  const int rows = (count + columns - 1) / columns;
-  double width = 0.0;
-  for (const std::string& option : question.options) {
-    width = std::max(width, width_of_answer(text_from(option)));
+  const OptionRows rows = option_rows(question, body_.height());
+  const int on_a_page = rows.columns * rows.rows;
+  answer_page_ = 0;
+  if (inputs_.draft.option && question_pages_ + 1 < pages_) {
+    answer_page_ = question_pages_ + 1 + (*inputs_.draft.option - 1) / on_a_page;
   }
-  width = std::min(width, (body_.width() - (columns - 1) * px(2 * kGap)) / columns);
-  const double total = columns * width + (columns - 1) * px(2 * kGap);
-  const double height = rows * px(kOption) + (rows - 1) * gap;
+  const int first = (page_ - question_pages_ - 1) * on_a_page;
+  const double total = rows.columns * rows.width + (rows.columns - 1) * px(2 * kGap);
+  const double height = rows.rows * rows.row_height + (rows.rows - 1) * gap;
   const double top = body_.center().y() - height / 2.0;
-  for (int i = 0; i < count; ++i) {
-    const int column = i / rows;
-    const int row = i % rows;
+  for (int i = first; i < std::min(first + on_a_page, count); ++i) {
+    const int column = (i - first) / rows.rows;
+    const int row = (i - first) % rows.rows;
     add({.kind = Item::Kind::option,
-         .rect = QRectF(body_.center().x() - total / 2.0 + column * (width + px(2 * kGap)),
-                        top + row * (px(kOption) + gap), width, px(kOption)),
+         .rect = QRectF(body_.center().x() - total / 2.0 + column * (rows.width + px(2 * kGap)),
+                        top + row * (rows.row_height + gap), rows.width, rows.row_height),
          .text = text_from(question.options[static_cast<std::size_t>(i)]),
          .key = key_of_form_option(i + 1),
-         .size_px = letters(kText_px),
+         .size_px = letters(kText),
          .chosen = inputs_.draft.option == i + 1,
          .action = Action{.what = Action::What::choose, .number = i + 1}});
   }
@@ -44,38 +78,53 @@ QString ParticipantPage::range_text(const Question& question) {
 
 void ParticipantPage::form_number(const Question& question) {
   const bool signed_number = !question.minimum || *question.minimum < 0.0;
-  const double key_width = px(104.0);
   const double gap = px(kGap) / 2.0;
-  const double key_height = std::min(
-      px(80.0), std::floor((body_.height() - 3.0 * gap - (is_wide() ? 0.0 : px(136.0))) / 4.0));
+  const double key_width = std::min(em(104.0), std::floor((body_.width() - 2.0 * gap) / 3.0));
+  const QString range = range_text(question);
+  // Beside the pad, or above it.
+  const double beside = body_.width() - (3.0 * key_width + 2.0 * gap) - px(3 * kGap);
+  QSizeF shown(std::min(em(320.0), is_wide() ? beside : body_.width()), tall(kChip));
+  const double range_width = is_wide() ? beside : body_.width();
+  const double range_height =
+      range.isEmpty() ? 0.0 : height_of(range, letters(kText), false, range_width) + em(8.0);
+  const double above = is_wide() ? 0.0 : shown.height() + range_height + gap;
+  const double key_height =
+      std::min(em(80.0), std::floor((body_.height() - 3.0 * gap - above) / 4.0));
   const QSizeF pad(3.0 * key_width + 2.0 * gap, 4.0 * key_height + 3.0 * gap);
-  const QSizeF shown(px(320.0), px(80.0));
   QRectF pad_rect{};
   QRectF number_rect{};
+  QRectF range_rect{};
   if (is_wide()) {
-    const double total = pad.width() + px(3 * kGap) + shown.width();
+    const double number_width =
+        std::max(shown.width(), std::min(beside, width_of(range, letters(kText), false)));
+    const double total = pad.width() + px(3 * kGap) + number_width;
     const double left = body_.center().x() - total / 2.0;
     const double pad_x = inputs_.mirrored ? left : left + total - pad.width();
-    const double number_x = inputs_.mirrored ? left + total - shown.width() : left;
+    const double number_x = inputs_.mirrored ? left + total - number_width : left;
+    const double top =
+        body_.center().y() - std::max(shown.height(), (shown.height() + range_height) / 2.0);
     pad_rect = QRectF(QPointF(pad_x, body_.center().y() - pad.height() / 2.0), pad);
-    number_rect = QRectF(QPointF(number_x, pad_rect.center().y() - shown.height()), shown);
+    number_rect = QRectF(QPointF(number_x + (number_width - shown.width()) / 2.0, top), shown);
+    range_rect = QRectF(number_x, number_rect.bottom(), number_width, range_height);
   } else {
     number_rect = QRectF(QPointF(body_.center().x() - shown.width() / 2.0, body_.top()), shown);
-    pad_rect = QRectF(
-        QPointF(body_.center().x() - pad.width() / 2.0, number_rect.bottom() + px(56.0)), pad);
+    range_rect = QRectF(body_.left(), number_rect.bottom(), body_.width(), range_height);
+    pad_rect =
+        QRectF(QPointF(body_.center().x() - pad.width() / 2.0, range_rect.bottom() + gap), pad);
+  }
+  // As large as all that may be typed fits.
+  const double digits = shown.width() - em(kGap);
+  int size_px = letters(kLarge);
+  while (size_px > letters(kText) && width_of(inputs_.draft.number, size_px, true) > digits) {
+    --size_px;
   }
   add({.kind = Item::Kind::number,
        .rect = number_rect,
        .text = inputs_.draft.number,
-       .size_px = letters(kLarge_px),
+       .size_px = size_px,
        .bold = true});
-  const QString range = range_text(question);
   if (!range.isEmpty()) {
-    add({.rect = QRectF(number_rect.left() - px(kGap), number_rect.bottom(),
-                        number_rect.width() + px(2 * kGap), px(kLine)),
-         .text = range,
-         .size_px = letters(kText_px),
-         .muted = true});
+    add({.rect = range_rect, .text = range, .size_px = letters(kText), .muted = true});
   }
   // As on a keyboard's pad. A sign takes the place of nothing: it stands with the point.
   static const std::array<const char*, 12> kKeys = {"7", "8", "9", "4", "5", "6",
@@ -91,7 +140,7 @@ void ParticipantPage::form_number(const Question& question) {
       add({.kind = Item::Kind::pad,
            .rect = place,
            .text = text,
-           .size_px = letters(kPrompt_px),
+           .size_px = letters(key_height < em(kOneLine) ? kText : kPrompt),
            .bold = true,
            .action = std::move(action)});
     };
@@ -109,19 +158,49 @@ void ParticipantPage::form_number(const Question& question) {
 }
 
 void ParticipantPage::form() {
-  prompt(scene_text(), letters(kPrompt_px));
-  if (!scene_.question) return;
-  switch (scene_.question->form) {
+  if (!scene_.question) {
+    prompt(scene_text(), letters(kPrompt));
+    return;
+  }
+  const Question& question = *scene_.question;
+  const auto is_enough = [&](double height) {
+    const double gap = px(kGap) / 2.0;
+    switch (question.form) {
+      case Question::Form::choice:
+        return option_rows(question, height).fits;
+      case Question::Form::number: {
+        const double pad = 4.0 * em(44.0) + 3.0 * gap;
+        const double above = tall(kChip) + em(2.0 * kLine) + gap;
+        return height >= pad + (is_wide() ? 0.0 : above);
+      }
+      case Question::Form::text:
+        return height >= em(104.0);
+    }
+    return true;
+  };
+  int answer_pages = 1;
+  if (question.form == Question::Form::choice) {
+    const OptionRows rows = option_rows(question, body_.height());
+    const int count = static_cast<int>(question.options.size());
+    const int on_a_page = rows.columns * rows.rows;
+    if (!rows.fits) answer_pages = (count + on_a_page - 1) / on_a_page;
+  }
+  const bool answers = question_over(scene_text(), is_enough);
+  pages_ = std::max(pages_, question_pages_ + answer_pages);
+  if (!answers) return;
+  switch (question.form) {
     case Question::Form::choice:
-      form_choice(*scene_.question);
+      form_choice(question);
       break;
     case Question::Form::number:
-      form_number(*scene_.question);
+      form_number(question);
       break;
     case Question::Form::text: {
       QRectF field = column();
-      field.setHeight(std::min(field.height(), px(280.0)));
-      add({.kind = Item::Kind::field, .rect = field, .size_px = letters(kText_px)});
+      field.setHeight(std::min(field.height(), em(280.0)));
+      add({.kind = Item::Kind::field,
+           .rect = field,
+           .size_px = letters(kText)});
       break;
     }
   }

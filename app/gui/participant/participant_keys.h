@@ -17,8 +17,9 @@ struct ParticipantAction {
     surface,  ///< surface `number` (from 1): to be felt, or the one that a picture is given to
     next,     ///< enough of this surface; feel again
     confirm,
-    write,  ///< `text` into the number
-    erase,  ///< the last digit of it
+    write,    ///< `text` into the number
+    erase,    ///< the last digit of it
+    turn_to,  ///< page `number` (from 1) of the words: of the picture, the session hears nothing
   };
   What what = What::confirm;
   int number = 0;

@@ -61,13 +61,22 @@ struct ParticipantItem {
 
 struct ParticipantLayoutInputs {
   QSizeF size{1366.0, 768.0};
+  double smallest_text_px = 32.0;  ///< 24 points on the screen (type_size.h)
+  /// From 1, of words that do not fit on one page; 0: the page on which the answer stands. Beyond the
+  /// last: the last.
+  int page = 1;
   ParticipantDraft draft{};
   bool mirrored = false;  ///< left-handed
   bool cue_shown = false;
   int rest_left_s = 0;
 };
 
-/// The picture of a scene. Everything fits without scrolling from 640 × 720 px up.
+/// The picture of a scene: one page of it, where its words do not fit on one. No letter is smaller
+/// than `smallest_text_px`; in a window with room all are larger. What has many words is divided,
+/// between sentences where that is possible, and has items that turn the page; the last page has what
+/// answers the scene. Options of a form too are divided where they find no room on one page. Everything
+/// fits without scrolling in a window of 17 × 19 of the smallest letters' heights and more, which is
+/// half of a screen of 1093 × 614 px.
 std::vector<ParticipantItem> lay_out(const ParticipantScene& scene,
                                      const ParticipantLayoutInputs& inputs);
 

@@ -8,35 +8,64 @@ QString minutes_and_seconds(int seconds) {
   return QString("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QChar('0'));
 }
 
+constexpr double kSmallestSpace = 0.5;
+
 }  // namespace
 
+ParticipantPage::ParticipantPage(const ParticipantScene& scene,
+                                 const ParticipantLayoutInputs& inputs)
+    : scene_(scene), inputs_(inputs) {
+  const QSizeF size = inputs.size;
+  type_ = std::max({1.0, std::min(size.width() / 1366.0, size.height() / 768.0),
+                    inputs.smallest_text_px / kText});
+  const double usual_width = is_wide() ? 1366.0 : 683.0;
+  space_ = std::clamp(std::min(size.width() / usual_width, size.height() / 768.0), kSmallestSpace,
+                      type_);
+}
+
 void ParticipantPage::progress() {
+  const double edge = std::min(px(kEdge), inputs_.size.width() / 28.0);
+  body_ = QRectF(QPointF(0.0, 0.0), inputs_.size).adjusted(edge, edge / 2.0, -edge, -edge);
+  progress_top_ = body_.top();
   QRectF line = body_;
-  line.setHeight(px(kLine));
+  line.setHeight(tall(kLine, 40.0));
   body_.setTop(line.bottom());
   if (scene_.block <= 0) return;
   add({.rect = line,
        .text = tr("Block %1 of %2").arg(scene_.block).arg(scene_.blocks),
-       .size_px = letters(kText_px),
+       .size_px = letters(kText),
        .muted = true});
 }
 
+// --- the row of controls ---
+
+// As it is drawn: a control says its key in words, an answer in a circle.
+double ParticipantPage::width_of_control(const Item& item) const {
+  if (item.kind == Item::Kind::option) return width_of_answer(item.text);
+  return width_of(item.text, item.size_px, item.bold) + width_of(item.key, item.size_px, false) +
+         em(is_tight() ? 48.0 : 64.0);
+}
+
 void ParticipantPage::add_control(Item item) {
-  // As it is drawn: a control says its key in words, an answer in a circle.
-  const double width = item.kind == Item::Kind::option
-                           ? width_of_answer(item.text)
-                           : width_of(item.text, item.size_px, item.bold) +
-                                 width_of(item.key, item.size_px, false) +
-                                 px(is_wide() ? 64.0 : 44.0);
-  // Outermost first, at the side of the free hand; what finds no room goes into a row above.
-  if (control_x_ > 0.0 && control_x_ + width > body_.width()) {
-    control_x_ = 0.0;
-    controls_top_ -= px(kControl) + px(kGap) / 2.0;
+  double width = width_of_control(item);
+  double height = tall(kControl);
+  if (width > body_.width()) {
+    // Words and key of such a one stand in two lines or more.
+    const double around = width - width_of(item.text, item.size_px, item.bold);
+    width = body_.width();
+    height =
+        std::max(height, height_of(item.text, item.size_px, item.bold, width - around) + em(12.0));
   }
-  item.rect =
-      QRectF(inputs_.mirrored ? body_.left() + control_x_ : body_.right() - control_x_ - width,
-             controls_top_, width, px(kControl));
-  control_x_ += width + px(is_wide() ? kGap : kGap / 2.0);
+  // Outermost first, at the side of the free hand; what finds no room goes into a row above.
+  if (outer_x_ > 0.0 && outer_x_ + inner_x_ + width > body_.width()) {
+    outer_x_ = 0.0;
+    inner_x_ = 0.0;
+    row_bottom_ = controls_top_ - px(kGap) / 2.0;
+  }
+  item.rect = QRectF(inputs_.mirrored ? body_.left() + outer_x_ : body_.right() - outer_x_ - width,
+                     row_bottom_ - height, width, height);
+  outer_x_ += width + px(is_wide() ? kGap : kGap / 2.0);
+  controls_top_ = std::min(controls_top_, item.rect.top());
   add(std::move(item));
 }
 
@@ -45,10 +74,28 @@ void ParticipantPage::add_control(const QString& text, const QString& key, Actio
   add_control({.kind = Item::Kind::control,
                .text = text,
                .key = key,
-               .size_px = letters(kText_px),
+               .size_px = letters(kText),
                .bold = true,
                .ready = ready,
                .action = std::move(action)});
+}
+
+void ParticipantPage::add_at_inner_end(Item item, double width) {
+  if (outer_x_ + inner_x_ + width > body_.width()) {
+    outer_x_ = 0.0;
+    inner_x_ = 0.0;
+    row_bottom_ = controls_top_ - px(kGap) / 2.0;
+  }
+  width = std::min(width, body_.width());
+  double height = tall(kControl);
+  if (item.kind == Item::Kind::option) {
+    height = std::max(height, height_of_answer(item.text, width));
+  }
+  item.rect = QRectF(inputs_.mirrored ? body_.right() - inner_x_ - width : body_.left() + inner_x_,
+                     row_bottom_ - height, width, height);
+  inner_x_ += width + px(is_wide() ? kGap : kGap / 2.0);
+  controls_top_ = std::min(controls_top_, item.rect.top());
+  add(std::move(item));
 }
 
 QString ParticipantPage::again_text() const {
@@ -62,12 +109,43 @@ QString ParticipantPage::again_text() const {
       .arg(text_from(scene_.surfaces[static_cast<std::size_t>(*picked - 1)].code));
 }
 
+/// As it is printed on the key, where there is no room for its name.
+QString ParticipantPage::key_name(const QString& name, const QString& sign) const {
+  return is_tight() && inputs_.size.width() < em(800.0) ? sign : name;
+}
+
+void ParticipantPage::turning_controls() {
+  if (page_ < pages_) {
+    add_control(tr("Go on"), key_name(tr("Return"), QStringLiteral("⏎")),
+                Action{.what = Action::What::turn_to, .number = page_ + 1}, true);
+  }
+  if (page_ > 1) {
+    // In a field for text the arrow moves among the letters.
+    const bool is_text = scene_.kind == Scene::Kind::form && scene_.question &&
+                         scene_.question->form == Question::Form::text && page_ == pages_;
+    add_control(tr("Back"), is_text ? tr("Page up") : QStringLiteral("←"),
+                Action{.what = Action::What::turn_to, .number = page_ - 1}, false);
+  }
+  if (pages_ > 1) {
+    const QString text = tr("Page %1 of %2").arg(page_).arg(pages_);
+    add_at_inner_end({.text = text, .size_px = letters(kText), .muted = true},
+                     width_of(text, letters(kText), false) + em(kGap));
+  }
+}
+
 void ParticipantPage::controls() {
+  outer_x_ = 0.0;
+  inner_x_ = 0.0;
+  row_bottom_ = inputs_.size.height() - px(kEdge) / 2.0;
+  controls_top_ = row_bottom_ - tall(kControl);
+  if (page_ < pages_) {
+    turning_controls();
+    return;
+  }
   const Action confirm{.what = Action::What::confirm};
   const Action next{.what = Action::What::next};
-  controls_top_ = inputs_.size.height() - px(kEdge) / 2.0 - px(kControl);
-  const QString return_key = tr("Return");
-  const QString space_key = tr("Space");
+  const QString return_key = key_name(tr("Return"), QStringLiteral("⏎"));
+  const QString space_key = key_name(tr("Space"), QStringLiteral("␣"));
   switch (scene_.kind) {
     case Scene::Kind::text:
       add_control(tr("Go on"), return_key, confirm, true);
@@ -106,99 +184,102 @@ void ParticipantPage::controls() {
     case Scene::Kind::ended:
       break;
   }
-  // The same room with and without controls, so that nothing jumps from scene to scene.
-  body_.setBottom(controls_top_ - px(kGap));
+  turning_controls();
 }
 
+// --- cue ---
+
+// The same room with and without controls and cues, so that nothing jumps from scene to scene.
+void ParticipantPage::reserve_cue() {
+  body_.setBottom(controls_top_ - px(kGap));
+  cue_strip_ = body_;
+  if (is_tight()) {
+    // Over the block and the question, which are known by then: answers need the room.
+    cue_strip_.setTop(progress_top_);
+    cue_strip_.setHeight(0.0);
+    return;
+  }
+  // In a narrow window they take two lines.
+  cue_strip_.setTop(cue_strip_.bottom() - (is_wide() ? tall(kLine, 40.0) : em(84.0)));
+  body_.setBottom(cue_strip_.top() - px(kGap) / 2.0);
+}
+
+// Last of all: one that takes more lines covers what is above it.
 void ParticipantPage::cue() {
-  QRectF line = body_;
-  line.setTop(line.bottom() - px(kLine));
-  body_.setBottom(line.top() - px(kGap) / 2.0);
   if (!inputs_.cue_shown || scene_.cue.empty()) return;
   const QString text = words_of(scene_.cue_saying, scene_.cue);
   const double width =
-      std::min(line.width(), width_of(text, letters(kText_px), false) + px(2 * kEdge));
-  line.setLeft(line.center().x() - width / 2.0);
-  line.setWidth(width);
-  add({.kind = Item::Kind::cue, .rect = line, .text = text, .size_px = letters(kText_px)});
-}
-
-void ParticipantPage::prompt(const QString& text, int size_px) {
-  if (text.isEmpty()) return;
-  const QRectF rect = place_of(text, size_px, true, column());
-  add({.rect = rect, .text = text, .size_px = size_px, .bold = true});
-  body_.setTop(rect.bottom() + px(kGap));
-}
-
-void ParticipantPage::words(const QString& text, const QString& below) {
-  const QRectF room = column();
-  const double gap = below.isEmpty() ? 0.0 : px(2 * kGap);
-  // A short sentence is read from afar.
-  const bool short_text =
-      height_of(text, letters(kLarge_px), false, room.width()) < 3.0 * letters(kLarge_px);
-  int size_px = letters(short_text ? kLarge_px : kPrompt_px);
-  const auto heights = [&] {
-    return std::pair(height_of(text, size_px, false, room.width()),
-                     below.isEmpty() ? 0.0 : height_of(below, size_px, true, room.width()));
-  };
-  auto [first, second] = heights();
-  while (first + gap + second > room.height() && size_px > kText_px / 2) {
-    size_px -= 2;
-    std::tie(first, second) = heights();
-  }
-  QRectF left = room;
-  left.setTop(room.center().y() - (first + gap + second) / 2.0);
-  add({.rect = place_of(text, size_px, false, left),
+      std::min(cue_strip_.width(), width_of(text, letters(kText), false) + em(2 * kEdge));
+  const double height =
+      std::max(std::min(cue_strip_.height(), em(kLine)),
+               height_of(text, letters(kText), false, width - em(kGap)) + em(2.0));
+  const double top = is_tight() ? cue_strip_.top() : cue_strip_.bottom() - height;
+  add({.kind = Item::Kind::cue,
+       .rect = QRectF(cue_strip_.center().x() - width / 2.0, top, width, height),
        .text = text,
-       .size_px = size_px,
-       // Lines of a paragraph are found again where they begin at one edge.
-       .left_aligned = first > 3.0 * size_px});
-  if (below.isEmpty()) return;
-  left.setTop(left.top() + first + gap);
-  add({.rect = place_of(below, size_px, true, left),
-       .text = below,
-       .size_px = size_px,
-       .bold = true});
+       .size_px = letters(kText)});
 }
+
+// --- all ---
 
 std::vector<ParticipantItem> ParticipantPage::lay_out() {
   if (scene_.kind == Scene::Kind::blank) return {};
-  progress();
-  controls();
-  cue();
-  switch (scene_.kind) {
-    case Scene::Kind::blank:
-      break;
-    case Scene::Kind::text:
-    case Scene::Kind::mask_on:
-    case Scene::Kind::mask_off:
-    case Scene::Kind::feedback:
-      words(scene_text());
-      break;
-    case Scene::Kind::rest:
-      words(scene_text(),
-            inputs_.rest_left_s > 0
-                ? tr("You can go on in %1").arg(minutes_and_seconds(inputs_.rest_left_s))
-                : tr("You can go on when you are ready."));
-      break;
-    case Scene::Kind::feel:
-      feel();
-      break;
-    case Scene::Kind::question:
-      question();
-      break;
-    case Scene::Kind::form:
-      form();
-      break;
-    case Scene::Kind::paused:
-      words(scene_.text.empty() ? tr("One moment, please. You may let go of the handle.")
-                                : scene_text());
-      break;
-    case Scene::Kind::ended:
-      words(scene_.text.empty() ? tr("Thank you. You may let go of the handle.") : scene_text());
-      break;
+  for (;;) {
+    const int pages = pages_;
+    const int answer_page = answer_page_;
+    // On every page of a text the words have the same room: that which the fullest row of controls
+    // leaves.
+    double top = inputs_.size.height();
+    progress();
+    for (const int page : {1, std::min(2, pages_), pages_}) {
+      page_ = page;
+      controls();
+      top = std::min(top, controls_top_);
+    }
+    items_.clear();
+    const int last = answer_page_ > 0 ? answer_page_ : pages_;
+    page_ = inputs_.page == 0 ? last : std::clamp(inputs_.page, 1, pages_);
+    progress();
+    controls();
+    controls_top_ = top;
+    reserve_cue();
+    switch (scene_.kind) {
+      case Scene::Kind::blank:
+        break;
+      case Scene::Kind::text:
+      case Scene::Kind::mask_on:
+      case Scene::Kind::mask_off:
+      case Scene::Kind::feedback:
+        words(scene_text());
+        break;
+      case Scene::Kind::rest:
+        words(scene_text(),
+              inputs_.rest_left_s > 0
+                  ? tr("You can go on in %1").arg(minutes_and_seconds(inputs_.rest_left_s))
+                  : tr("You can go on when you are ready."));
+        break;
+      case Scene::Kind::feel:
+        feel();
+        break;
+      case Scene::Kind::question:
+        question();
+        break;
+      case Scene::Kind::form:
+        form();
+        break;
+      case Scene::Kind::paused:
+        words(scene_.text.empty() ? tr("One moment, please. You may let go of the handle.")
+                                  : scene_text());
+        break;
+      case Scene::Kind::ended:
+        words(scene_.text.empty() ? tr("Thank you. You may let go of the handle.") : scene_text());
+        break;
+    }
+    cue();
+    // More pages take more room for the controls that turn them, never less: it comes to an end.
+    if (pages_ == pages && answer_page_ == answer_page) return std::move(items_);
+    items_.clear();
   }
-  return std::move(items_);
 }
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,19 +18,12 @@
 
 namespace asperity {
 
-/// Puts items into the picture from its edges inwards; `body_` is what is left. Frame, trials and
-/// forms are in a file each.
+/// Puts items into the picture from its edges inwards; `body_` is what is left. Frame, words, trials
+/// and forms are in a file each.
 class ParticipantPage final {
   Q_DECLARE_TR_FUNCTIONS(ParticipantLayout)
  public:
-  ParticipantPage(const ParticipantScene& scene, const ParticipantLayoutInputs& inputs)
-      : scene_(scene),
-        inputs_(inputs),
-        scale_(std::max(1.0, std::min(inputs.size.width() / 1366.0, inputs.size.height() / 768.0))),
-        body_(QPointF(0.0, 0.0), inputs.size) {
-    const double edge = std::min(px(kEdge), inputs.size.width() / 28.0);
-    body_.adjust(edge, edge / 2.0, -edge, -edge);
-  }
+  ParticipantPage(const ParticipantScene& scene, const ParticipantLayoutInputs& inputs);
 
   std::vector<ParticipantItem> lay_out();
 
@@ -38,28 +32,44 @@ class ParticipantPage final {
   using Action = ParticipantAction;
   using Scene = ParticipantScene;
 
-  // Sizes at 1366 × 768, in pixels; everything grows with a larger window.
+  // Sizes at 1366 × 768 with letters of 32 px.
   static constexpr double kEdge = 32.0;
   static constexpr double kGap = 16.0;
   static constexpr double kLine = 48.0;     // progress, cue
   static constexpr double kControl = 72.0;  // height
   static constexpr double kBadge = 48.0;    // the key under a picture
+  static constexpr double kWideBadge = 64.0;
   static constexpr double kChip = 80.0;     // height
   static constexpr double kOption = 72.0;   // height of an answer in words
   static constexpr double kLetter = 128.0;  // side of an answer that is a letter
   static constexpr double kSmallLetter = 88.0;
+  static constexpr double kOneLine = 52.0;   // the least height of a box around one line
   static constexpr double kColumn = 1040.0;  // longer lines are hard to read
-  static constexpr int kText_px = 32;        // 24 pt at 96 dots per inch: nothing is smaller
-  static constexpr int kPrompt_px = 38;
-  static constexpr int kLarge_px = 54;
+  static constexpr double kText = 32.0;      // 24 pt at 96 dots per inch: nothing is smaller
+  static constexpr double kPrompt = 38.0;
+  static constexpr double kLarge = 54.0;
 
   static QString text_from(const std::string& text) { return QString::fromStdString(text); }
   bool shows_pictures() const;
-  double px(double at_reference) const { return std::round(at_reference * scale_); }
-  int letters(int at_reference_px) const { return static_cast<int>(px(at_reference_px)); }
   QString scene_text() const { return words_of(scene_.text_saying, scene_.text); }
-  double letter_side() const { return px(is_wide() ? kLetter : kSmallLetter); }
   bool is_wide() const { return inputs_.size.width() > 1.1 * inputs_.size.height(); }
+  /// Half a small screen, or large letters on one.
+  bool is_tight() const {
+    return std::min(inputs_.size.width(), inputs_.size.height()) < em(700.0);
+  }
+
+  // Spaces grow and shrink with the window. What holds letters grows with the letters; the height of
+  // a box may fall to `least` where the window is low.
+  double px(double at_reference) const { return std::round(at_reference * space_); }
+  double em(double at_reference) const { return std::round(at_reference * type_); }
+  double tall(double at_reference, double least = kOneLine) const {
+    return std::round(std::clamp(at_reference * inputs_.size.height() / 768.0,
+                                 std::min(least, at_reference) * type_, at_reference * type_));
+  }
+  int letters(double at_reference_px) const {
+    return static_cast<int>(std::ceil(at_reference_px * type_ - 1e-9));
+  }
+  double letter_side() const { return em(is_wide() ? kLetter : kSmallLetter); }
 
   double height_of(const QString& text, int size_px, bool bold, double width) const {
     const QFontMetricsF metrics(participant_font(size_px, bold));
@@ -68,60 +78,96 @@ class ParticipantPage final {
             .boundingRect(QRectF(0.0, 0.0, width, 1e6), Qt::AlignHCenter | Qt::TextWordWrap, text)
             .height());
   }
-  /// The place of words at the top of `room`, centred: as narrow as the same number of lines
-  /// allows, so that no line is left with one word.
-  QRectF place_of(const QString& text, int size_px, bool bold, const QRectF& room) const {
-    const double height = height_of(text, size_px, bold, room.width());
-    double fits = room.width();
-    double too_narrow = 0.0;
-    while (fits - too_narrow > 8.0) {
-      const double width = std::floor((fits + too_narrow) / 2.0);
-      (height_of(text, size_px, bold, width) > height ? too_narrow : fits) = width;
-    }
-    // A line more than was asked for would be an accident of rounding.
-    fits = std::min(room.width(), fits + 8.0);
-    return QRectF(room.center().x() - fits / 2.0, room.top(), fits, height);
-  }
   double width_of(const QString& text, int size_px, bool bold) const {
     return std::ceil(QFontMetricsF(participant_font(size_px, bold)).horizontalAdvance(text));
   }
+  /// The place of words at the top of `room`, centred: as narrow as the same number of lines
+  /// allows, so that no line is left with one word.
+  QRectF place_of(const QString& text, int size_px, bool bold, const QRectF& room) const;
+  double width_of_longest_word(const QString& text, int size_px) const;
 
   /// Of an answer in words, with its key in a circle.
   double width_of_answer(const QString& text) const {
-    return width_of(text, letters(kText_px), false) + px(kOption) + px(1.5 * kGap);
+    return width_of(text, letters(kText), false) + em(kAroundAnswer);
   }
+  double height_of_answer(const QString& text, double width) const {
+    return std::max(tall(kOption),
+                    height_of(text, letters(kText), false, width - em(kAroundAnswer)) + em(16.0));
+  }
+  static constexpr double kAroundAnswer = 96.0;
 
-  void progress();
-  void controls();
-  void cue();
+  // --- words, and pages of them ---
+  struct Divided {
+    std::vector<QString> parts{};
+    QString tail{};  ///< what stands over the answers
+  };
+  /// Parts of a text that fit into `room`, between sentences where that is possible.
+  std::vector<QString> parts_of(const QString& text, int size_px, bool bold, QSizeF room) const;
   /// At the top of what is left.
   void prompt(const QString& text, int size_px);
-  /// In the middle of what is left: the largest letters in which it fits.
+  /// The question over what it is answered by, which says of a height whether that is enough for it.
+  /// Where both find no room together, the question begins on `question_pages_` of its own, and only
+  /// its last sentences, as far as they fit, stand over the answers. False on such a page: it is full.
+  bool question_over(const QString& text, const std::function<bool(double height)>& is_enough);
+  /// In the middle of what is left: the largest letters in which it fits; on pages where it does not
+  /// fit in the smallest.
   void words(const QString& text, const QString& below = {});
-  void chips_in_a_row(double height);
+  void part_of_words(const QString& text, const QString& below, int size_px);
+
+  // --- the frame ---
+  void progress();
+  void controls();
+  void turning_controls();
+  void reserve_cue();
+  void cue();
+  void add_control(Item item);
+  void add_control(const QString& text, const QString& key, Action action, bool ready);
+  /// At the inner end of the row of controls where there is room, so that it is not taken for one.
+  void add_at_inner_end(Item item, double width);
+  double width_of_control(const Item& item) const;
+  QString again_text() const;
+  QString key_name(const QString& name, const QString& sign) const;
+  void answers_in_words_as_controls();
+
+  // --- trials and forms ---
+  void chips_in_rows();
   void chips_beside();
-  void options_without_picture();
+  void answers_in_words();
+  double height_of_answers_in_words() const;
   void pictures(QRectF room);
+  double picture_side(QSizeF room) const;
+  struct Letters {
+    int columns = 1;
+    int rows = 1;
+    double side = 0.0;
+    double height = 0.0;
+  };
+  Letters letter_rows(QSizeF room) const;
   void letter_options(QRectF room);
   void standard_beside();
   void feel();
   void question();
+  bool is_enough_for_question(double height) const;
   void form();
+  struct OptionRows {
+    int columns = 1;
+    int rows = 1;
+    double width = 0.0;
+    double row_height = 0.0;
+    bool fits = false;
+  };
+  OptionRows option_rows(const Question& question, double height) const;
   void form_choice(const Question& question);
   void form_number(const Question& question);
   static QString range_text(const Question& question);
+  Item answer_in_words(std::size_t index) const;
 
   Item& add(Item item) {
     items_.push_back(std::move(item));
     return items_.back();
   }
-  void add_control(Item item);
-  void add_control(const QString& text, const QString& key, Action action, bool ready);
-  QString again_text() const;
-  void answers_in_words_as_controls();
-  Item answer_in_words(std::size_t index) const;
   QRectF column() const {
-    const double width = std::min(body_.width(), px(kColumn));
+    const double width = std::min(body_.width(), em(kColumn));
     return QRectF(body_.center().x() - width / 2.0, body_.top(), width, body_.height());
   }
   /// Takes a strip off one side: left for right-handed people, right for others.
@@ -139,11 +185,25 @@ class ParticipantPage final {
 
   const Scene& scene_;
   const ParticipantLayoutInputs& inputs_;
-  double scale_ = 1.0;
+  double type_ = 1.0;
+  double space_ = 1.0;
   QRectF body_{};
-  double control_x_ = 0.0;  ///< used of the row of controls, from its outer end
-  double controls_top_ = 0.0;
   std::vector<Item> items_{};
+
+  // The row of controls that is being filled.
+  double outer_x_ = 0.0;  ///< used of it, from its outer end
+  double inner_x_ = 0.0;  ///< used of it, from its inner end
+  double row_bottom_ = 0.0;
+  double controls_top_ = 0.0;
+  double progress_top_ = 0.0;
+  QRectF cue_strip_{};
+
+  // How many pages there are is known when all has been laid out, and what stands on one of them
+  // depends on it: the controls that turn pages take room.
+  int page_ = 1;
+  int pages_ = 1;
+  int question_pages_ = 0;
+  int answer_page_ = 0;  ///< 0: the last
 };
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QtGui/QFontMetricsF>
 #include <QtGui/QPainter>
 #include <QtGui/QPainterPath>
 
@@ -38,15 +39,16 @@ class Brush final {
     const double inset = width / 2.0;
     painter_.drawRoundedRect(rect.adjusted(inset, inset, -inset, -inset), radius, radius);
   }
-  /// A key to be pressed: a circle around one sign, filled once it is chosen.
-  void badge(const QRectF& rect, const QString& key, int size_px, bool filled) {
-    const double side = std::min(rect.width(), rect.height());
-    const QRectF circle(rect.center().x() - side / 2.0, rect.center().y() - side / 2.0, side, side);
-    painter_.setPen(QPen(filled ? colors_.press : colors_.muted, side / 20.0));
+  /// A key to be pressed: a circle around one sign, a longer one around two; filled once it is chosen.
+  void badge(QPointF center, const QString& key, int size_px, bool filled) {
+    const double unit = size_px / 32.0;
+    const double height = 48.0 * unit;
+    const double width = key.size() > 1 ? 64.0 * unit : height;
+    const QRectF round(center.x() - width / 2.0, center.y() - height / 2.0, width, height);
+    painter_.setPen(QPen(filled ? colors_.press : colors_.muted, height / 20.0));
     painter_.setBrush(filled ? colors_.press : colors_.panel);
-    painter_.drawEllipse(circle.adjusted(1.5, 1.5, -1.5, -1.5));
-    words(circle, key, key.size() > 1 ? size_px * 3 / 4 : size_px, true,
-          filled ? colors_.on_press : colors_.text, Qt::AlignCenter);
+    painter_.drawRoundedRect(round.adjusted(1.5, 1.5, -1.5, -1.5), height / 2.0, height / 2.0);
+    words(round, key, size_px, true, filled ? colors_.on_press : colors_.text, Qt::AlignCenter);
   }
   void picture(const Item& item, const QRectF& square);
   void draw_picture(const Item& item);
@@ -85,19 +87,17 @@ void Brush::draw_picture(const Item& item) {
     painter_.drawRect(square.adjusted(ring, ring, -ring, -ring));
   }
   if (!item.given_to.isEmpty()) {
-    const double side = std::min(72.0 * unit, 0.45 * square.width());
-    const QRectF letter(square.left() + 8.0 * unit, square.top() + 8.0 * unit, side, side);
+    const double side = std::clamp(0.45 * square.width(), 48.0 * unit, 72.0 * unit);
+    const double inset = std::min(8.0 * unit, (square.width() - side) / 2.0);
+    const QRectF letter(square.left() + inset, square.top() + inset, side, side);
     box(letter, 8.0 * unit, colors_.press, colors_.panel, 3.0 * unit);
-    words(letter, item.given_to, static_cast<int>(0.6 * side), true, colors_.on_press,
-          Qt::AlignCenter);
+    words(letter, item.given_to, std::max(item.size_px, static_cast<int>(0.6 * side)), true,
+          colors_.on_press, Qt::AlignCenter);
   }
-  const double badge_side = 48.0 * unit;
-  QRectF key(0.0, 0.0, badge_side, badge_side);
-  if (beside) {
-    key.moveCenter({item.rect.left() + badge_side / 2.0, square.center().y()});
-  } else {
-    key.moveCenter({square.center().x(), item.rect.bottom() - badge_side / 2.0});
-  }
+  const double half = 24.0 * unit;
+  const QPointF key = beside
+                          ? QPointF((item.rect.left() + square.left()) / 2.0, square.center().y())
+                          : QPointF(square.center().x(), item.rect.bottom() - half);
   badge(key, item.key, item.size_px, item.chosen);
 }
 
@@ -111,13 +111,10 @@ void Brush::draw_option(const Item& item) {
   }
   box(item.rect, 10.0 * unit, colors_.panel, item.chosen ? colors_.press : colors_.line,
       (item.chosen ? 6.0 : 2.0) * unit);
-  const double side = 48.0 * unit;
-  const QRectF key(item.rect.left() + 12.0 * unit, item.rect.center().y() - side / 2.0, side, side);
-  badge(key, item.key, item.size_px, item.chosen);
-  words(QRectF(key.right() + 12.0 * unit, item.rect.top(),
-               item.rect.right() - key.right() - 24.0 * unit, item.rect.height()),
-        item.text, item.size_px, false, colors_.text,
-        Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap);
+  badge({item.rect.left() + 36.0 * unit, item.rect.center().y()}, item.key, item.size_px,
+        item.chosen);
+  words(item.rect.adjusted(72.0 * unit, 0.0, -12.0 * unit, 0.0), item.text, item.size_px, false,
+        colors_.text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap);
 }
 
 void Brush::draw_chip(const Item& item) {
@@ -164,7 +161,10 @@ void Brush::draw_control(const Item& item) {
       item.ready ? colors_.press : colors_.muted, 2.0 * unit);
   const QColor ink = item.ready ? colors_.on_press : colors_.text;
   const QRectF inner = item.rect.adjusted(16.0 * unit, 0.0, -16.0 * unit, 0.0);
-  words(inner, item.text, item.size_px, true, ink, Qt::AlignLeft | Qt::AlignVCenter);
+  const double key =
+      QFontMetricsF(participant_font(item.size_px, false)).horizontalAdvance(item.key);
+  words(inner.adjusted(0.0, 0.0, -key, 0.0), item.text, item.size_px, true, ink,
+        Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap);
   words(inner, item.key, item.size_px, false, item.ready ? colors_.on_press : colors_.muted,
         Qt::AlignRight | Qt::AlignVCenter);
 }
@@ -209,7 +209,7 @@ void Brush::draw(const Item& item) {
       break;
     case Item::Kind::cue:
       box(item.rect, 8.0 * unit, colors_.cue_ground, colors_.cue_line, 2.0 * unit);
-      words(item.rect, item.text, item.size_px, false, colors_.text, Qt::AlignCenter);
+      words(item.rect, item.text, item.size_px, false, colors_.text);
       break;
   }
 }

@@ -11,11 +11,14 @@ struct Grid {
   double side = 0.0;
   QSizeF key{};  ///< what the key adds to the square
 };
-Grid grid_for(int count, QSizeF room, double gap, double key) {
+/// `key`: of the key with the space between it and the square.
+Grid grid_for(int count, QSizeF room, double gap, QSizeF key) {
   Grid best{};
-  for (const QSizeF added : {QSizeF(0.0, key), QSizeF(key, 0.0)}) {
+  for (const QSizeF added : {QSizeF(0.0, key.height()), QSizeF(key.width(), 0.0)}) {
     for (int columns = 1; columns <= count; ++columns) {
       const int rows = (count + columns - 1) / columns;
+      // Keys stand apart, however small the squares over them are.
+      if ((room.width() - (columns - 1) * gap) / columns < key.width()) break;
       const double side =
           std::floor(std::min((room.width() - (columns - 1) * gap) / columns - added.width(),
                               (room.height() - (rows - 1) * gap) / rows - added.height()));
@@ -32,51 +35,73 @@ bool ParticipantPage::shows_pictures() const {
                      [](const Scene::Choice& choice) { return choice.picture.has_value(); });
 }
 
-void ParticipantPage::chips_in_a_row(double height) {
-  const double width = px(112.0);
-  const auto count = static_cast<double>(scene_.surfaces.size());
-  const double total = count * width + (count - 1.0) * px(kGap);
-  double x = body_.center().x() - total / 2.0;
-  for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
-    const std::size_t index = inputs_.mirrored ? scene_.surfaces.size() - 1 - i : i;
-    const Scene::Surface& surface = scene_.surfaces[index];
-    Item& chip = add({.kind = Item::Kind::chip,
-                      .rect = QRectF(x, body_.top(), width, height),
-                      .text = text_from(surface.code),
-                      .size_px = letters(kPrompt_px),
-                      .bold = true,
-                      .felt = surface.felt,
-                      .current = surface.now});
-    if (surface.can_go) {
-      chip.action = Action{.what = Action::What::surface, .number = static_cast<int>(index) + 1};
+void ParticipantPage::chips_in_rows() {
+  const int count = static_cast<int>(scene_.surfaces.size());
+  const double gap = px(kGap);
+  // Room for the letter and the mark of one that was felt.
+  const double least = em(80.0);
+  const int columns = std::clamp(static_cast<int>((body_.width() + gap) / (least + gap)), 1, count);
+  const int rows = (count + columns - 1) / columns;
+  const int in_a_row = (count + rows - 1) / rows;
+  const double width = std::min(em(112.0), (body_.width() - (in_a_row - 1) * gap) / in_a_row);
+  const double height = tall(kChip);
+  for (int row = 0; row < rows; ++row) {
+    const int first = row * in_a_row;
+    const int here = std::min(in_a_row, count - first);
+    double x = body_.center().x() - (here * width + (here - 1) * gap) / 2.0;
+    for (int place = first; place < first + here; ++place) {
+      const int index = inputs_.mirrored ? 2 * first + here - 1 - place : place;
+      const Scene::Surface& surface = scene_.surfaces[static_cast<std::size_t>(index)];
+      Item& chip = add({.kind = Item::Kind::chip,
+                        .rect = QRectF(x, body_.top(), width, height),
+                        .text = text_from(surface.code),
+                        .size_px = letters(width < em(96.0) ? kText : kPrompt),
+                        .bold = true,
+                        .felt = surface.felt,
+                        .current = surface.now});
+      if (surface.can_go) {
+        chip.action = Action{.what = Action::What::surface, .number = index + 1};
+      }
+      x += width + gap;
     }
-    x += width + px(kGap);
+    body_.setTop(body_.top() + height + gap);
   }
-  body_.setTop(body_.top() + height + px(kGap));
 }
 
 void ParticipantPage::chips_beside() {
-  const auto count = static_cast<double>(scene_.surfaces.size());
-  const QRectF strip = take_side(px(136.0));
-  const double height =
-      std::min(px(kChip), (strip.height() - (count - 1.0) * px(kGap)) / std::max(1.0, count));
-  double y = strip.center().y() - (count * height + (count - 1.0) * px(kGap)) / 2.0;
+  const int count = static_cast<int>(scene_.surfaces.size());
+  const double gap = px(kGap) / 2.0;
+  // One under the other, in two columns where they would be too low for a letter.
+  const auto height_in = [&](int columns) {
+    const int rows = (count + columns - 1) / columns;
+    return (body_.height() - (rows - 1) * gap) / rows;
+  };
+  const int columns = height_in(1) < em(44.0) ? 2 : 1;
+  const int rows = (count + columns - 1) / columns;
+  const double width = em(columns == 1 ? 136.0 : 112.0);
+  const QRectF strip = take_side(columns * width + (columns - 1) * gap);
+  const double height = std::min(em(kChip), height_in(columns));
+  const double between =
+      rows < 2 ? 0.0 : std::min(px(kGap), (strip.height() - rows * height) / (rows - 1));
+  const double top = strip.center().y() - (rows * height + (rows - 1) * between) / 2.0;
   const std::optional<int> picked = inputs_.draft.surface;
-  for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
-    const int number = static_cast<int>(i) + 1;
-    Item& chip = add({.kind = Item::Kind::chip,
-                      .rect = QRectF(strip.left(), y, strip.width(), height),
-                      .text = text_from(scene_.surfaces[i].code),
-                      .key = text_from(scene_.surfaces[i].code),
-                      .size_px = letters(kPrompt_px),
-                      .bold = true,
-                      .points_left = inputs_.mirrored,
-                      .current = picked ? *picked == number : scene_.assigning == i,
-                      .action = Action{.what = Action::What::surface, .number = number}});
+  for (int i = 0; i < count; ++i) {
+    const Scene::Surface& surface = scene_.surfaces[static_cast<std::size_t>(i)];
+    const int number = i + 1;
+    Item& chip = add(
+        {.kind = Item::Kind::chip,
+         .rect = QRectF(strip.left() + (i / rows) * (width + gap),
+                        top + (i % rows) * (height + between), width, height),
+         .text = text_from(surface.code),
+         .key = text_from(surface.code),
+         .size_px = letters(height < em(kOneLine) || columns > 1 ? kText : kPrompt),
+         .bold = true,
+         .points_left = inputs_.mirrored,
+         .current = picked ? *picked == number : scene_.assigning == static_cast<std::size_t>(i),
+         .action = Action{.what = Action::What::surface, .number = number}});
     for (const Scene::Choice& choice : scene_.choices) {
-      if (choice.assigned_to == scene_.surfaces[i].code) chip.given = text_from(choice.key);
+      if (choice.assigned_to == surface.code) chip.given = text_from(choice.key);
     }
-    y += height + px(kGap);
   }
 }
 
@@ -85,38 +110,61 @@ ParticipantItem ParticipantPage::answer_in_words(std::size_t index) const {
   return {.kind = Item::Kind::option,
           .text = words_of(choice.saying, choice.text),
           .key = text_from(choice.key),
-          .size_px = letters(kText_px),
+          .size_px = letters(kText),
           .chosen = choice.chosen,
           .action = Action{.what = Action::What::choose, .number = static_cast<int>(index) + 1}};
 }
 
-// At the inner end of the row of controls where there is room, so that it is not taken for one.
 void ParticipantPage::answers_in_words_as_controls() {
   for (std::size_t i = 0; i < scene_.choices.size(); ++i) {
     if (scene_.choices[i].picture) continue;
-    const double row_top = controls_top_;
-    add_control(answer_in_words(i));
-    QRectF& rect = items_.back().rect;
-    if (controls_top_ != row_top) continue;
-    control_x_ -= rect.width() + px(is_wide() ? kGap : kGap / 2.0);
-    if (inputs_.mirrored) {
-      rect.moveRight(body_.right());
-    } else {
-      rect.moveLeft(body_.left());
-    }
+    Item answer = answer_in_words(i);
+    const double width = width_of_answer(answer.text);
+    add_at_inner_end(std::move(answer), width);
   }
 }
 
-void ParticipantPage::options_without_picture() {
+double ParticipantPage::height_of_answers_in_words() const {
+  double height = 0.0;
+  for (const Scene::Choice& choice : scene_.choices) {
+    if (choice.picture || choice.text.empty()) continue;
+    const QString text = words_of(choice.saying, choice.text);
+    height += height_of_answer(text, std::min(body_.width(), width_of_answer(text))) + px(kGap);
+  }
+  return height;
+}
+
+// From below, in their order.
+void ParticipantPage::answers_in_words() {
   for (std::size_t i = scene_.choices.size(); i-- > 0;) {
     if (scene_.choices[i].picture || scene_.choices[i].text.empty()) continue;
     Item answer = answer_in_words(i);
     const double width = std::min(body_.width(), width_of_answer(answer.text));
-    answer.rect =
-        QRectF(body_.center().x() - width / 2.0, body_.bottom() - px(kOption), width, px(kOption));
+    const double height = height_of_answer(answer.text, width);
+    answer.rect = QRectF(body_.center().x() - width / 2.0, body_.bottom() - height, width, height);
     body_.setBottom(answer.rect.top() - px(kGap));
     add(std::move(answer));
   }
+}
+
+namespace {
+
+QSizeF key_size(const std::vector<ParticipantScene::Choice>& choices, double narrow, double wide) {
+  const bool has_two_digits =
+      std::any_of(choices.begin(), choices.end(), [](const ParticipantScene::Choice& choice) {
+        return choice.picture && choice.key.size() > 1;
+      });
+  return {has_two_digits ? wide : narrow, narrow};
+}
+
+}  // namespace
+
+double ParticipantPage::picture_side(QSizeF room) const {
+  const auto count = std::count_if(scene_.choices.begin(), scene_.choices.end(),
+                                   [](const Scene::Choice& choice) { return choice.picture; });
+  const QSizeF key = key_size(scene_.choices, em(kBadge), em(kWideBadge));
+  const QSizeF around(px(kGap) / 2.0, px(kGap) / 2.0);
+  return grid_for(static_cast<int>(count), room, px(1.5 * kGap), key + around).side;
 }
 
 void ParticipantPage::pictures(QRectF room) {
@@ -127,9 +175,13 @@ void ParticipantPage::pictures(QRectF room) {
   const int count = static_cast<int>(those.size());
   if (count == 0) return;
   const double gap = px(1.5 * kGap);
-  const Grid grid = grid_for(count, room.size(), gap, px(kBadge) + px(kGap) / 2.0);
+  const QSizeF key = key_size(scene_.choices, em(kBadge), em(kWideBadge));
+  const QSizeF around(px(kGap) / 2.0, px(kGap) / 2.0);
+  const Grid grid = grid_for(count, room.size(), gap, key + around);
   const QSizeF cell = QSizeF(grid.side, grid.side) + grid.key;
-  double y = room.center().y() - (grid.rows * cell.height() + (grid.rows - 1) * gap) / 2.0;
+  double y = std::max(
+      room.top(),
+      std::floor(room.center().y() - (grid.rows * cell.height() + (grid.rows - 1) * gap) / 2.0));
   // A last row that is not full begins where the others do.
   const double left = std::floor(room.center().x() -
                                  (grid.columns * cell.width() + (grid.columns - 1) * gap) / 2.0);
@@ -140,11 +192,11 @@ void ParticipantPage::pictures(QRectF room) {
       const std::size_t index = those[static_cast<std::size_t>(place)];
       const Scene::Choice& choice = scene_.choices[index];
       add({.kind = Item::Kind::picture,
-           .rect = QRectF(QPointF(x, std::floor(y)), cell),
+           .rect = QRectF(QPointF(x, y), cell),
            .key = text_from(choice.key),
            .picture = text_from(*choice.picture),
            .side = grid.side,
-           .size_px = letters(kText_px),
+           .size_px = letters(kText),
            .chosen = choice.chosen || !choice.assigned_to.empty(),
            .given_to = text_from(choice.assigned_to),
            .action = Action{.what = Action::What::choose, .number = static_cast<int>(index) + 1}});
@@ -154,20 +206,37 @@ void ParticipantPage::pictures(QRectF room) {
   }
 }
 
+/// As few rows as keep the letters large in them.
+ParticipantPage::Letters ParticipantPage::letter_rows(QSizeF room) const {
+  const auto count = static_cast<int>(std::count_if(
+      scene_.choices.begin(), scene_.choices.end(),
+      [](const Scene::Choice& choice) { return !choice.picture && choice.text.empty(); }));
+  if (count == 0) return {.columns = 0, .rows = 0};
+  const double gap = px(kGap) * (count > 6 ? 1.0 : 2.0);
+  Letters best{};
+  for (int rows = 1; rows <= count; ++rows) {
+    const int columns = (count + rows - 1) / rows;
+    const double side =
+        std::floor(std::min({letter_side(), (room.width() - (columns - 1) * gap) / columns,
+                             (room.height() - (rows - 1) * gap) / rows}));
+    if (side > best.side) {
+      best = {
+          .columns = columns, .rows = rows, .side = side, .height = rows * side + (rows - 1) * gap};
+    }
+    if (best.side >= em(kSmallLetter)) break;
+  }
+  return best;
+}
+
 void ParticipantPage::letter_options(QRectF room) {
   std::vector<std::size_t> those{};
   for (std::size_t i = 0; i < scene_.choices.size(); ++i) {
     if (!scene_.choices[i].picture && scene_.choices[i].text.empty()) those.push_back(i);
   }
   const int count = static_cast<int>(those.size());
-  if (count == 0) return;
-  const double gap = px(2 * kGap);
-  Grid grid = grid_for(count, room.size(), gap, 0.0);
-  // One row where the letters stay large in it.
-  const double in_one_row = (room.width() - (count - 1) * gap) / count;
-  if (in_one_row >= px(88.0)) grid = {count, 1, std::min(in_one_row, room.height())};
-  grid.side = std::min(grid.side, letter_side());
-  double y = room.center().y() - (grid.rows * grid.side + (grid.rows - 1) * gap) / 2.0;
+  const Letters grid = letter_rows(room.size());
+  const double gap = px(kGap) * (count > 6 ? 1.0 : 2.0);
+  double y = room.center().y() - grid.height / 2.0;
   for (int row = 0; row < grid.rows; ++row) {
     const int first = row * grid.columns;
     const int in_row = std::min(grid.columns, count - first);
@@ -178,7 +247,7 @@ void ParticipantPage::letter_options(QRectF room) {
       add({.kind = Item::Kind::option,
            .rect = QRectF(x, y, grid.side, grid.side),
            .text = text_from(choice.key),
-           .size_px = letters(kLarge_px),
+           .size_px = letters(grid.side < em(76.0) ? kText : kLarge),
            .bold = true,
            .chosen = choice.chosen,
            .action = Action{.what = Action::What::choose, .number = static_cast<int>(index) + 1}});
@@ -197,8 +266,10 @@ void ParticipantPage::standard_beside() {
     standard.rect =
         QRectF(strip.center().x() - side / 2.0, strip.center().y() - side / 2.0, side, side);
   } else {
-    const double group = letter_side() + px(kGap) + px(kOption) + px(2 * kGap);
-    const double side = std::floor(std::min(body_.height() - group, body_.width()));
+    const double words = height_of_answers_in_words();
+    const double group = words + px(2 * kGap) + letter_rows(body_.size()).height;
+    const double room = std::max(em(64.0), body_.height() - group);
+    const double side = std::floor(std::min(room, body_.width()));
     standard.rect = QRectF(body_.center().x() - side / 2.0, body_.top(), side, side);
     body_.setTop(standard.rect.bottom() + px(kGap));
   }
@@ -211,14 +282,14 @@ void ParticipantPage::feel() {
       !scene_.choices.empty() || scene_.standard_picture || scene_.show_workspace;
   const QString text = scene_text();
   const bool has_chips = scene_.surfaces.size() > 1;
-  const double chips = has_chips ? px(kChip) : 0.0;
   if (!shows_more) {
-    const double height = height_of(text, letters(kLarge_px), true, column().width());
+    const double chips = has_chips ? tall(kChip) : 0.0;
+    const double height = height_of(text, letters(kLarge), true, column().width());
     body_.setTop(body_.center().y() - (height + px(2 * kGap) + chips) / 2.0);
   }
-  prompt(text, letters(shows_more ? kPrompt_px : kLarge_px));
+  prompt(text, letters(shows_more ? kPrompt : kLarge));
   if (!shows_more) body_.setTop(body_.top() + px(kGap));
-  if (has_chips) chips_in_a_row(chips);
+  if (has_chips) chips_in_rows();
   if (!shows_more) return;
   if (scene_.show_workspace) {
     const bool alone = scene_.choices.empty() && !scene_.standard_picture;
@@ -236,8 +307,37 @@ void ParticipantPage::feel() {
   }
 }
 
+/// Pictures of half the size that they would have without a question over them, or large enough;
+/// letters that can be pressed.
+bool ParticipantPage::is_enough_for_question(double height) const {
+  if (shows_pictures()) {
+    const double width = body_.width() - (scene_.is_assignment ? em(136.0) + px(2 * kGap) : 0.0);
+    const double alone = picture_side({width, body_.height()});
+    const double chips =
+        scene_.is_assignment
+            ? static_cast<double>((scene_.surfaces.size() + 1) / 2) * (em(40.0) + px(kGap) / 2.0)
+            : 0.0;
+    return height >= chips && picture_side({width, height}) >= std::min(0.5 * alone, em(128.0));
+  }
+  double width = body_.width();
+  double needed = height_of_answers_in_words();
+  if (scene_.standard_picture) {
+    if (is_wide()) {
+      width = 0.54 * width - px(2 * kGap);
+      if (height < em(200.0)) return false;
+    } else {
+      needed += em(144.0) + px(2 * kGap);
+    }
+  }
+  const Letters rows = letter_rows({width, height - needed});
+  return rows.rows == 0 ? height >= needed : rows.side >= em(64.0);
+}
+
 void ParticipantPage::question() {
-  prompt(scene_text(), letters(kPrompt_px));
+  const bool answers =
+      question_over(scene_text(), [this](double height) { return is_enough_for_question(height); });
+  pages_ = std::max(pages_, question_pages_ + 1);
+  if (!answers) return;
   if (scene_.is_assignment) chips_beside();
   if (shows_pictures()) {
     pictures(body_);
@@ -245,21 +345,15 @@ void ParticipantPage::question() {
   }
   standard_beside();
   // Letters and the answers in words make one group, in the middle of what is left.
-  const QRectF whole = body_;
-  options_without_picture();
-  const double in_words = whole.bottom() - body_.bottom();
-  const bool has_letters =
-      std::any_of(scene_.choices.begin(), scene_.choices.end(),
-                  [](const Scene::Choice& choice) { return choice.text.empty(); });
-  if (!has_letters) return;
-  const double group = letter_side() + px(kGap) + in_words;
-  const double lift = std::max(0.0, (whole.height() - group) / 2.0);
-  for (Item& item : items_) {
-    if (item.kind == Item::Kind::option) item.rect.translate(0.0, -lift);
-  }
-  body_.translate(0.0, -lift);
-  letter_options(QRectF(whole.left(), body_.bottom() - letter_side() - px(kGap), whole.width(),
-                        letter_side()));
+  const double in_words = height_of_answers_in_words();
+  const Letters rows =
+      letter_rows({body_.width(), std::max(em(64.0), body_.height() - in_words - px(kGap))});
+  const double group = rows.height + (rows.rows > 0 ? px(kGap) : 0.0) + in_words;
+  const double lift = std::max(0.0, (body_.height() - group) / 2.0);
+  body_.setBottom(body_.bottom() - lift);
+  answers_in_words();
+  if (rows.rows == 0) return;
+  letter_options(QRectF(body_.left(), body_.bottom() - rows.height, body_.width(), rows.height));
 }
 
 }  // namespace asperity

@@ -12,6 +12,7 @@
 #include <QtWidgets/QPlainTextEdit>
 
 #include "app/gui/participant/participant_painter.h"
+#include "app/gui/participant/type_size.h"
 #include "renderers/servo_thread.h"
 
 namespace asperity {
@@ -36,6 +37,13 @@ bool same_question(const Scene& one, const Scene& other) {
     return scene.question ? scene.question->name : std::string();
   };
   return one.kind == other.kind && one.text == other.text && name(one) == name(other);
+}
+
+bool same_answer(const Scene& one, const Scene& other) {
+  return std::equal(one.choices.begin(), one.choices.end(), other.choices.begin(),
+                    other.choices.end(), [](const Scene::Choice& left, const Scene::Choice& right) {
+                      return left.chosen == right.chosen && left.assigned_to == right.assigned_to;
+                    });
 }
 
 bool same_assignment(const Scene& one, const Scene& other) {
@@ -100,12 +108,15 @@ void ParticipantView::set_workspace(QWidget* workspace) {
 
 void ParticipantView::follow(ParticipantView& original) {
   original_ = &original;
-  connect(&original, &ParticipantView::arranged, this, [this] {
-    if (original_) draft_ = original_->draft_;
+  const auto take_over = [this] {
+    if (original_) {
+      draft_ = original_->draft_;
+      page_ = original_->page_;
+    }
     arrange();
-  });
-  draft_ = original.draft_;
-  arrange();
+  };
+  connect(&original, &ParticipantView::arranged, this, take_over);
+  take_over();
 }
 
 std::int64_t ParticipantView::session_now_ns() const {
@@ -163,13 +174,15 @@ void ParticipantView::look() {
   if (snapshot.scene != scene_) {
     const std::shared_ptr<const Scene> before = std::exchange(scene_, snapshot.scene);
     const bool new_trial = snapshot.trial != trial_ || snapshot.attempt != attempt_;
-    if (new_trial || !same_question(*before, *scene_)) {
+    const bool same = !new_trial && same_question(*before, *scene_);
+    if (!same) {
       if (!original_) draft_ = {};
       press_.reset();
       if (field_ != nullptr) field_->clear();
     } else if (!original_ && !same_assignment(*before, *scene_)) {
       draft_.surface.reset();
     }
+    if (!original_) keep_page(*before, same);
     trial_ = snapshot.trial;
     attempt_ = snapshot.attempt;
     if (scene_->cue_number != cue_seen_) {
@@ -179,7 +192,8 @@ void ParticipantView::look() {
     changed = true;
   }
   const bool cue = std::chrono::steady_clock::now() < cue_until_ && !scene_->cue.empty();
-  changed = changed || cue != cue_shown_ || rest_left_s() != rest_shown_s_;
+  changed = changed || cue != cue_shown_ || rest_left_s() != rest_shown_s_ ||
+            letters_px() != letters_shown_px_;
   if (!changed) return;
   cue_shown_ = cue;
   rest_shown_s_ = rest_left_s();
@@ -187,9 +201,56 @@ void ParticipantView::look() {
   emit scene_changed();
 }
 
+/// Of the scene as it is shown, through marks and cues in it.
+void ParticipantView::keep_page(const Scene& before, bool same) {
+  if (!same || before.shown_ns != scene_->shown_ns) {
+    page_ = 1;
+    return;
+  }
+  if (!same_answer(before, *scene_)) page_ = 0;
+  if (before.pages_turned == scene_->pages_turned) return;
+  // A button of the device was pressed where there is more to read.
+  if (const Item* next = turned_by(Qt::Key_Right)) page_ = next->action->number;
+}
+
 QSizeF ParticipantView::page_size() const {
   if (role_ == Role::participant) return size();
   return original_ ? QSizeF(original_->size()) : kUsualPage;
+}
+
+/// A mirror shows the letters of the screen that it mirrors.
+double ParticipantView::letters_px() const {
+  if (original_) return original_->letters_px();
+  const QScreen* where = role_ == Role::participant ? screen() : nullptr;
+  return where != nullptr ? smallest_text_px(measures_of(*where))
+                          : ParticipantLayoutInputs{}.smallest_text_px;
+}
+
+ParticipantLayoutInputs ParticipantView::layout_inputs() const {
+  return {.size = page_size(),
+          .smallest_text_px = letters_shown_px_,
+          .page = page_,
+          .draft = draft_,
+          .mirrored = facts_ && facts_->mirrored,
+          .cue_shown = cue_shown_,
+          .rest_left_s = rest_shown_s_};
+}
+
+const ParticipantItem* ParticipantView::turned_by(int key) const {
+  const bool on = key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Right ||
+                  key == Qt::Key_PageDown;
+  const bool back = key == Qt::Key_Left || key == Qt::Key_PageUp;
+  if (!on && !back) return nullptr;
+  for (const Item& item : items_) {
+    // The way on is filled, the way back is not.
+    if (item.action && item.action->what == Action::What::turn_to && item.ready == on) return &item;
+  }
+  return nullptr;
+}
+
+void ParticipantView::turn_to(int page) {
+  page_ = page;
+  arrange();
 }
 
 double ParticipantView::page_scale() const {
@@ -211,11 +272,12 @@ int ParticipantView::side_px(double side) const {
 }
 
 void ParticipantView::arrange() {
-  items_ = lay_out(*scene_, {.size = page_size(),
-                             .draft = draft_,
-                             .mirrored = facts_ && facts_->mirrored,
-                             .cue_shown = cue_shown_,
-                             .rest_left_s = rest_shown_s_});
+  letters_shown_px_ = letters_px();
+  items_ = lay_out(*scene_, layout_inputs());
+  if (const bool more = turned_by(Qt::Key_Right) != nullptr; more != told_more_) {
+    told_more_ = more;
+    emit more_to_read(more);
+  }
   const Item* field = nullptr;
   const Item* workspace = nullptr;
   for (const Item& item : items_) {
@@ -251,13 +313,15 @@ void ParticipantView::prepare_pictures() {
   if (!facts_->plan) return;
   std::map<int, std::vector<QString>> by_side{};
   std::set<std::vector<QString>> seen{};
+  letters_shown_px_ = letters_px();
+  ParticipantLayoutInputs of_answer = layout_inputs();
+  of_answer.page = 0;
   for (const Trial& trial : facts_->plan->trials) {
     std::vector<int> felt{};
     for (const PlannedPresentation& surface : trial.presentations) felt.push_back(surface.position);
     std::vector<QString> names{};
     std::vector<std::pair<int, QString>> wanted{};
-    for (const Item& item : lay_out(scene_of_question(trial, felt),
-                                    {.size = page_size(), .mirrored = facts_->mirrored})) {
+    for (const Item& item : lay_out(scene_of_question(trial, felt), of_answer)) {
       if (item.picture.isEmpty()) continue;
       names.push_back(item.picture);
       wanted.emplace_back(side_px(item.side), item.picture);
@@ -394,6 +458,7 @@ QString ParticipantView::sign_of(const QKeyEvent& event) const {
 
 bool ParticipantView::has_use_for(const QKeyEvent& event) const {
   if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  if (turned_by(event.key()) != nullptr) return true;
   if (action_of_key(*scene_, event.key(), sign_of(event))) return true;
   if (!is_text_form()) return false;
   const QString text = event.text();
@@ -403,9 +468,14 @@ bool ParticipantView::has_use_for(const QKeyEvent& event) const {
 
 bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
   if (!has_use_for(event)) return false;
+  if (const Item* turning = turned_by(event.key())) {
+    turn_to(turning->action->number);
+    return true;
+  }
   const QString sign = sign_of(event);
   std::optional<Action> action = action_of_key(*scene_, event.key(), sign);
   if (!action) {
+    if (field_->isHidden()) turn_to(0);
     QApplication::sendEvent(field_, &event);
     return true;
   }
@@ -437,6 +507,10 @@ void ParticipantView::tell(ParticipantInput input, std::int64_t time_ns, const c
 void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
                           const char* source) {
   using Kind = ParticipantInput::Kind;
+  if (action.what == Action::What::turn_to) {
+    turn_to(action.number);
+    return;
+  }
   if (scene_->kind == Scene::Kind::form) {
     act_on_form(action, time_ns, source);
     return;
@@ -475,6 +549,7 @@ void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
       return;
     case Action::What::write:
     case Action::What::erase:
+    case Action::What::turn_to:
       return;
   }
 }
@@ -490,7 +565,7 @@ void ParticipantView::act_on_form(const ParticipantAction& action, std::int64_t 
       } else {
         draft_.option = action.number;
       }
-      arrange();
+      turn_to(0);
       return;
     case Action::What::write:
       // A minus changes the sign, wherever it is pressed.
@@ -500,11 +575,11 @@ void ParticipantView::act_on_form(const ParticipantAction& action, std::int64_t 
                  !(action.text == "." && draft_.number.contains('.'))) {
         draft_.number += action.text;
       }
-      arrange();
+      turn_to(0);
       return;
     case Action::What::erase:
       draft_.number.chop(1);
-      arrange();
+      turn_to(0);
       return;
     case Action::What::confirm: {
       QString text{};
@@ -528,16 +603,19 @@ void ParticipantView::act_on_form(const ParticipantAction& action, std::int64_t 
     }
     case Action::What::surface:
     case Action::What::next:
+    case Action::What::turn_to:
       return;
   }
 }
 
 // The text field writes the scene's answer, so its Return is the scene's; Shift+Return is a new line.
+// Page up goes back to what was read before it.
 bool ParticipantView::eventFilter(QObject* watched, QEvent* event) {
   if (watched == field_ && event->type() == QEvent::KeyPress) {
     auto& key = static_cast<QKeyEvent&>(*event);
     const bool is_return = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
-    if (is_return && !(key.modifiers() & Qt::ShiftModifier)) {
+    const bool turns_back = key.key() == Qt::Key_PageUp && turned_by(Qt::Key_PageUp) != nullptr;
+    if (turns_back || (is_return && !(key.modifiers() & Qt::ShiftModifier))) {
       if (!key.isAutoRepeat()) press(key, time_of_ns(key.timestamp()));
       return true;
     }

@@ -32,6 +32,10 @@ namespace asperity {
 /// is refused by the session, as a cue in the next scene. It only keeps what is not said yet: the
 /// surface picked for the next picture, the option or number of a form before it is confirmed.
 ///
+/// Words that do not fit in letters of 24 points come on pages (participant_layout.h). Return, → and
+/// Page down go to the next one, ← and Page up back; on the last one Return is the scene's. An answer
+/// that is pressed before that is taken, and its page shown.
+///
 /// Pictures of a scene appear together, once all are there, so that none has a start on the others;
 /// those of the whole plan are prepared when the session begins.
 ///
@@ -78,6 +82,10 @@ class ParticipantView final : public QWidget {
   void scene_changed();
   /// Things stand elsewhere or look different now.
   void arranged();
+  /// Whether there are pages to come; told when it changes. Buttons of the device go through the
+  /// session, which has to know whether one of them turns a page or goes on
+  /// (PersonAtWindow::set_more_to_read).
+  void more_to_read(bool more);
   /// For the record beside notes: "picture_unreadable".
   void remarked(const QString& kind, const QString& text);
 
@@ -99,11 +107,17 @@ class ParticipantView final : public QWidget {
   };
 
   void look();
+  void keep_page(const ParticipantScene& before, bool same);
   void arrange();
+  ParticipantLayoutInputs layout_inputs() const;
   void prepare_pictures();
   int side_px(double side) const;
   QString sign_of(const QKeyEvent& event) const;
   QSizeF page_size() const;
+  double letters_px() const;
+  /// The item that turns the page by this key, if there is one.
+  const ParticipantItem* turned_by(int key) const;
+  void turn_to(int page);
   double page_scale() const;
   QPointF page_offset() const;
   std::int64_t session_now_ns() const;
@@ -126,6 +140,9 @@ class ParticipantView final : public QWidget {
   int trial_ = 0;
   int attempt_ = 0;
   ParticipantDraft draft_{};
+  int page_ = 1;  ///< 0: where the answer stands
+  double letters_shown_px_ = 0.0;
+  bool told_more_ = false;
   std::vector<ParticipantItem> items_{};  ///< in page coordinates
   QPointer<ParticipantView> original_{};  ///< of a mirror
   QWidget* workspace_ = nullptr;

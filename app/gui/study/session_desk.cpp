@@ -131,6 +131,8 @@ void SessionDesk::open_participant_window() {
   SessionRunner* runner = runner_.get();
   connect(participant_window_, &ParticipantWindow::acted, runner,
           [runner](const ParticipantInput& input) { runner->person().post(input); });
+  connect(&participant_window_->view(), &ParticipantView::more_to_read, runner,
+          [runner](bool more) { runner->person().set_more_to_read(more); });
   connect(participant_window_, &ParticipantWindow::remarked, runner,
           [runner](const QString& kind, const QString& text) {
             runner->requests().remark(kind.toStdString(), text.toStdString());

@@ -11,6 +11,7 @@
 #include "protocols/library_protocols.h"
 #include "protocols/protocol_reader.h"
 #include "renderers/force_model.h"
+#include "tests/gui/participant/scenes.h"
 
 namespace asperity {
 namespace {
@@ -179,6 +180,37 @@ TEST(Answering, AsksAgainForANumberThatIsOutOfRange) {
   room.key(Qt::Key_0);
   room.key(Qt::Key_Return);
   EXPECT_EQ(answer.get(), "70");
+}
+
+// A hand that holds the device reads with its button.
+TEST(Answering, ReadsALongTextByAButtonOfTheDeviceAlone) {
+  Room room{};
+  QObject::connect(&room.view(), &ParticipantView::more_to_read,
+                   [&](bool more) { room.person.set_more_to_read(more); });
+  auto done = room.on_thread<bool>([&] {
+    room.person.read(scenes::sentences(25), 0.0, Room::wait());
+    return true;
+  });
+  const auto is_on = [&](const QString& page) {
+    return QTest::qWaitFor([&] {
+      room.view().grab();
+      return room.view().drawn_texts().contains(page);
+    });
+  };
+  const auto press = [&] {
+    room.person.post({.kind = ParticipantInput::Kind::device_button,
+                      .number = 1,
+                      .time_ns = room.view().time_of_ns(0),
+                      .source = "device_button"});
+  };
+  ASSERT_TRUE(is_on("Page 1 of 3"));
+  press();
+  ASSERT_TRUE(is_on("Page 2 of 3"));
+  press();
+  ASSERT_TRUE(is_on("Page 3 of 3"));
+  EXPECT_NE(done.wait_for(std::chrono::seconds(0)), std::future_status::ready);
+  press();
+  EXPECT_TRUE(done.get());
 }
 
 }  // namespace

@@ -1,8 +1,13 @@
 #include "app/gui/participant/participant_layout.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include <QtGui/QFontMetricsF>
 #include <gtest/gtest.h>
 
+#include "app/gui/participant/type_size.h"
+#include "app/gui/study/settings.h"
 #include "tests/gui/participant/scenes.h"
 
 namespace asperity {
@@ -10,8 +15,124 @@ namespace {
 
 using Item = ParticipantItem;
 
-const std::vector<QSizeF> kSizes = {
-    {1366.0, 768.0}, {1920.0, 1080.0}, {683.0, 768.0}, {960.0, 1080.0}};
+/// A window on a screen: its size, and what 24 points are there.
+struct Pane {
+  QSizeF size{};
+  double letters_px = 32.0;
+};
+const std::vector<Pane> kPanes = {
+    {{1366.0, 768.0}},       {{1920.0, 1080.0}},       {{683.0, 768.0}},
+    {{960.0, 1080.0}},       {{1366.0, 768.0}, 37.3},   // on 14 inches
+    {{683.0, 768.0}, 37.3},  {{1920.0, 1080.0}, 55.2},  // on 13.3 inches, not scaled by the desktop
+    {{960.0, 1080.0}, 55.2}, {{1093.0, 614.0}},         // 1366 × 768 at 125 %
+    {{546.0, 614.0}},        {{683.0, 592.0}},  // beside the experimenter's window, whose lowest lines it leaves free
+    {{683.0, 560.0}},                           // with the band of a pilot
+    {{960.0, 904.0}},
+};
+ParticipantLayoutInputs inputs_for(const Pane& pane, int page = 1) {
+  return {.size = pane.size, .smallest_text_px = pane.letters_px, .page = page, .cue_shown = true};
+}
+std::string name_of(const Pane& pane) {
+  return std::to_string(static_cast<int>(pane.size.width())) + " wide, letters of " +
+         std::to_string(pane.letters_px);
+}
+
+std::vector<std::pair<std::string, ParticipantScene>> every_scene() {
+  auto scenes = scenes::all();
+  for (auto& more : scenes::demanding()) scenes.push_back(std::move(more));
+  return scenes;
+}
+
+/// All its pages, as they are turned.
+std::vector<std::vector<Item>> pages_of(const ParticipantScene& scene,
+                                        ParticipantLayoutInputs inputs) {
+  std::vector<std::vector<Item>> pages{};
+  for (bool more = true; more && pages.size() < 50;) {
+    pages.push_back(lay_out(scene, inputs));
+    more = false;
+    for (const Item& item : pages.back()) {
+      const bool turns = item.action && item.action->what == ParticipantAction::What::turn_to;
+      if (!turns || item.action->number != inputs.page + 1) continue;
+      ++inputs.page;
+      more = true;
+      break;
+    }
+  }
+  return pages;
+}
+
+void expect_order(const std::vector<Item>& items, const Pane& pane, const std::string& name) {
+  const QRectF page(QPointF(), pane.size);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto where = [&] {
+      return name + " at " + name_of(pane) + ": " + (items[i].text + items[i].key).toStdString();
+    };
+    EXPECT_TRUE(page.contains(items[i].rect)) << where();
+    EXPECT_GT(items[i].rect.width(), 30.0) << where();
+    EXPECT_GT(items[i].rect.height(), 30.0) << where();
+    // A cue comes over what was read before it.
+    if (items[i].kind == Item::Kind::cue) {
+      const auto is_covered = [&](const Item& item) {
+        return item.kind != Item::Kind::words && item.kind != Item::Kind::cue &&
+               item.rect.intersects(items[i].rect);
+      };
+      EXPECT_TRUE(std::none_of(items.begin(), items.end(), is_covered)) << where();
+      continue;
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const QRectF common = items[i].rect.intersected(items[j].rect);
+      EXPECT_LT(std::max(0.0, common.width()) * std::max(0.0, common.height()), 1.0)
+          << where() << " over " << (items[j].text + items[j].key).toStdString();
+    }
+  }
+}
+
+/// As it is drawn.
+void expect_letters(const Item& item, const Pane& pane, const std::string& name) {
+  const auto where = [&] { return name + " at " + name_of(pane) + ": " + item.text.toStdString(); };
+  if (item.text.isEmpty() && item.key.isEmpty()) return;
+  EXPECT_GE(item.size_px, pane.letters_px) << where();
+  EXPECT_GE(item.size_px, 32) << where();
+  const double unit = item.size_px / 32.0;
+  QRectF room = item.rect;
+  bool wraps = false;
+  switch (item.kind) {
+    case Item::Kind::words:
+    case Item::Kind::cue:
+      wraps = true;
+      break;
+    case Item::Kind::option:
+      wraps = !item.key.isEmpty();
+      if (wraps) room.adjust(72.0 * unit, 0.0, -12.0 * unit, 0.0);
+      break;
+    case Item::Kind::control:
+      wraps = true;
+      room.adjust(16.0 * unit, 0.0, -16.0 * unit, 0.0);
+      room.adjust(0.0, 0.0,
+                  -QFontMetricsF(participant_font(item.size_px, false)).horizontalAdvance(item.key),
+                  0.0);
+      break;
+    case Item::Kind::picture:
+      EXPECT_GE(item.side, 30.0) << where() << item.key.toStdString();
+      return;
+    case Item::Kind::chip:
+    case Item::Kind::pad:
+    case Item::Kind::number:
+    case Item::Kind::standard:
+    case Item::Kind::field:
+    case Item::Kind::workspace:
+      break;
+  }
+  const QFontMetricsF metrics(
+      participant_font(item.size_px, item.bold || item.kind == Item::Kind::control));
+  QString text = item.text;
+  if (item.kind == Item::Kind::chip && item.key.isEmpty()) text += QString::fromUtf8(" ✓");
+  if (item.kind == Item::Kind::chip && !item.given.isEmpty()) text += "   " + item.given;
+  const QRectF needed = metrics.boundingRect(QRectF(0.0, 0.0, wraps ? room.width() : 1e6, 1e6),
+                                             wraps ? Qt::TextWordWrap : 0, text);
+  EXPECT_LE(needed.height(), room.height() + 1.0) << where();
+  EXPECT_LE(needed.width(), room.width() + 1.0) << where();
+}
 
 std::vector<Item> picture_items(const std::vector<Item>& items) {
   std::vector<Item> pictures{};
@@ -29,66 +150,167 @@ const Item* find(const std::vector<Item>& items, Item::Kind kind, const QString&
 }
 
 TEST(ParticipantLayout, FitsEverySceneIntoEverySizeWithoutOverlap) {
-  for (const auto& [name, scene] : scenes::all()) {
-    for (const QSizeF size : kSizes) {
+  for (const auto& [name, scene] : every_scene()) {
+    for (const Pane& pane : kPanes) {
+      ParticipantLayoutInputs inputs = inputs_for(pane);
       for (const bool mirrored : {false, true}) {
-        const std::vector<Item> items =
-            lay_out(scene, {.size = size, .mirrored = mirrored, .cue_shown = true});
-        const QRectF page(QPointF(), size);
-        for (std::size_t i = 0; i < items.size(); ++i) {
-          const auto where = [&] {
-            return name + " at " + std::to_string(size.width()) + ": " +
-                   (items[i].text + items[i].key).toStdString();
-          };
-          EXPECT_TRUE(page.contains(items[i].rect)) << where();
-          EXPECT_GT(items[i].rect.width(), 40.0) << where();
-          EXPECT_GT(items[i].rect.height(), 30.0) << where();
-          for (std::size_t j = 0; j < i; ++j) {
-            const QRectF common = items[i].rect.intersected(items[j].rect);
-            EXPECT_LT(common.width() * common.height(), 1.0)
-                << where() << " over " << (items[j].text + items[j].key).toStdString();
-          }
-        }
+        inputs.mirrored = mirrored;
+        for (const auto& items : pages_of(scene, inputs)) expect_order(items, pane, name);
       }
     }
   }
 }
 
-TEST(ParticipantLayout, KeepsLettersAt24PointsAndInsideTheirPlace) {
-  for (const auto& [name, scene] : scenes::all()) {
-    for (const QSizeF size : kSizes) {
-      for (const Item& item : lay_out(scene, {.size = size, .cue_shown = true})) {
-        if (item.text.isEmpty()) continue;
-        EXPECT_GE(item.size_px, 32) << name << ": " << item.text.toStdString();
-        const QFontMetricsF metrics(participant_font(item.size_px, item.bold));
-        if (item.kind == Item::Kind::words) {
-          const QRectF needed = metrics.boundingRect(QRectF(0.0, 0.0, item.rect.width(), 1e6),
-                                                     Qt::TextWordWrap, item.text);
-          EXPECT_LE(needed.height(), item.rect.height() + 1.0)
-              << name << ": " << item.text.toStdString();
-        } else {
-          const bool has_circle = item.kind == Item::Kind::option && !item.key.isEmpty();
-          const double circle = has_circle ? 84.0 * item.size_px / 32.0 : 0.0;
-          EXPECT_LE(metrics.horizontalAdvance(item.text) + circle, item.rect.width())
-              << name << " at " << size.width() << ": " << item.text.toStdString();
-        }
+TEST(ParticipantLayout, KeepsLettersAt24PointsOfTheScreenAndInsideTheirPlace) {
+  for (const auto& [name, scene] : every_scene()) {
+    for (const Pane& pane : kPanes) {
+      for (const auto& items : pages_of(scene, inputs_for(pane))) {
+        for (const Item& item : items) expect_letters(item, pane, name);
       }
     }
   }
+}
+
+TEST(ParticipantLayout, FitsInTheLongestOfItsLanguages) {
+  apply_language("de");
+  for (const auto& [name, scene] : every_scene()) {
+    for (const Pane& pane : kPanes) {
+      for (const auto& items : pages_of(scene, inputs_for(pane))) {
+        expect_order(items, pane, name);
+        for (const Item& item : items) expect_letters(item, pane, name);
+      }
+    }
+  }
+  apply_language("en");
+}
+
+TEST(ParticipantLayout, DividesWordsThatDoNotFitAndLeavesNoneOut) {
+  for (const Pane& pane : kPanes) {
+    ParticipantScene scene = scenes::to_read();
+    scene.text = scenes::sentences(40);
+    const auto pages = pages_of(scene, inputs_for(pane));
+    ASSERT_GT(pages.size(), 2U) << name_of(pane);
+    QStringList read{};
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      const auto& items = pages[i];
+      const QString number = QString("Page %1 of %2").arg(i + 1).arg(pages.size());
+      ASSERT_NE(find(items, Item::Kind::words, number), nullptr) << number.toStdString();
+      for (const Item& item : items) {
+        if (item.kind == Item::Kind::words && item.text.startsWith("Sentence")) read << item.text;
+      }
+      EXPECT_EQ(find(items, Item::Kind::control, "Back") != nullptr, i > 0);
+      const Item* on = find(items, Item::Kind::control, "Go on");
+      ASSERT_NE(on, nullptr);
+      EXPECT_TRUE(on->key == "Return" || on->key == "⏎");
+      EXPECT_EQ(on->action->what == ParticipantAction::What::confirm, i + 1 == pages.size());
+    }
+    EXPECT_EQ(read.join(' ').toStdString() + ' ', scene.text) << name_of(pane);
+    // Between sentences.
+    for (const QString& part : read) EXPECT_TRUE(part.endsWith('.')) << part.toStdString();
+  }
+}
+
+TEST(ParticipantLayout, DividesASentenceThatIsLongerThanAPageBetweenWords) {
+  ParticipantScene scene = scenes::to_read();
+  scene.text.clear();
+  for (int i = 0; i < 300; ++i) scene.text += "word" + std::to_string(i) + ' ';
+  QString read{};
+  for (const auto& items : pages_of(scene, {.size = {683.0, 768.0}})) {
+    for (const Item& item : items) {
+      if (item.text.startsWith("word")) read += item.text + ' ';
+    }
+  }
+  EXPECT_EQ(read.toStdString(), scene.text);
+}
+
+TEST(ParticipantLayout, AsksOnPagesOfItsOwnWhereAQuestionLeavesNoRoomForItsAnswers) {
+  ParticipantScene scene = scenes::recognition(6);
+  scene.text = scenes::sentences(6) + "Which of these did you feel?";
+  const auto pages = pages_of(scene, {.size = {683.0, 768.0}});
+  ASSERT_GT(pages.size(), 1U);
+  for (std::size_t i = 0; i + 1 < pages.size(); ++i) {
+    EXPECT_TRUE(picture_items(pages[i]).empty());
+    EXPECT_EQ(find(pages[i], Item::Kind::control, "Confirm"), nullptr);
+  }
+  EXPECT_EQ(picture_items(pages.back()).size(), 6U);
+  EXPECT_NE(find(pages.back(), Item::Kind::control, "Confirm"), nullptr);
+  // What it comes to stands over the pictures.
+  const auto asks = [](const Item& item) {
+    return item.kind == Item::Kind::words && item.text.endsWith("Which of these did you feel?");
+  };
+  EXPECT_TRUE(std::any_of(pages.back().begin(), pages.back().end(), asks));
+  EXPECT_EQ(picture_items(lay_out(scene, {.size = {683.0, 768.0}, .page = 0})).size(), 6U);
+}
+
+TEST(ParticipantLayout, ShowsEveryOptionOfALongListOnceAndTheChosenOnesPage) {
+  ParticipantScene scene = scenes::form_choice();
+  scene.question->options.clear();
+  for (int i = 1; i <= 20; ++i) {
+    scene.question->options.push_back("a rather long answer, which has the number " +
+                                      std::to_string(i));
+  }
+  ParticipantLayoutInputs inputs{.size = {683.0, 768.0}};
+  std::vector<int> seen{};
+  for (const auto& items : pages_of(scene, inputs)) {
+    for (const Item& item : items) {
+      if (item.kind == Item::Kind::option) seen.push_back(item.action->number);
+    }
+  }
+  std::vector<int> all(20);
+  std::iota(all.begin(), all.end(), 1);
+  EXPECT_EQ(seen, all);
+  for (const int chosen : all) {
+    inputs.page = 0;
+    inputs.draft.option = chosen;
+    const auto items = lay_out(scene, inputs);
+    EXPECT_EQ(std::count_if(
+                  items.begin(), items.end(),
+                  [](const Item& item) { return item.kind == Item::Kind::option && item.chosen; }),
+              1)
+        << chosen;
+  }
+}
+
+TEST(ParticipantLayout, ShowsAllThatMayBeTypedIntoANumber) {
+  for (const Pane& pane : kPanes) {
+    ParticipantLayoutInputs inputs = inputs_for(pane);
+    inputs.draft.number = "-12345678901";
+    for (const Item& item : lay_out(scenes::form_number(), inputs)) {
+      expect_letters(item, pane, "number");
+    }
+  }
+}
+
+// 24/72 inch: the glass of each of these is measured in millimetres.
+TEST(TypeSize, Is24PointsOnTheGlassAndNeverLessThan32Pixels) {
+  const auto px = [](QSizeF size_px, QSizeF size_mm, double logical = 96.0) {
+    return smallest_text_px({.size_px = size_px, .size_mm = size_mm, .logical_per_inch = logical});
+  };
+  EXPECT_DOUBLE_EQ(px({1920, 1080}, {531, 299}), 32.0);  // 24 inches: 92 per inch
+  EXPECT_NEAR(px({1920, 1080}, {294, 165}), 1920 / 294.0 * 25.4 / 3.0, 0.2);  // 13.3 inches: 166
+  EXPECT_NEAR(px({3840, 2160}, {597, 336}), 3840 / 597.0 * 25.4 / 3.0, 0.2);  // 27 inches: 163
+  EXPECT_DOUBLE_EQ(px({1920, 1080}, {531, 299}, 144.0), 48.0);  // as the desktop was asked to
+  EXPECT_DOUBLE_EQ(px({1920, 1080}, {160, 90}), 32.0);          // a television's proportions
+  EXPECT_DOUBLE_EQ(px({1920, 1080}, {0, 0}), 32.0);             // a projector
+  EXPECT_DOUBLE_EQ(px({3840, 2160}, {300, 300}), 32.0);         // cannot be
+  EXPECT_DOUBLE_EQ(px({1920, 1080}, {1600, 900}), 32.0);        // seen from afar
 }
 
 TEST(ParticipantLayout, ShowsPicturesOfOneSizeAndLargeEnough) {
-  for (const int count : {2, 3, 4, 5, 6, 8, 12}) {
-    for (const QSizeF size : kSizes) {
-      const auto pictures = picture_items(lay_out(scenes::recognition(count), {.size = size}));
+  for (const int count : {2, 3, 4, 5, 6, 8, 12, 16}) {
+    for (const Pane& pane : kPanes) {
+      const QSizeF size = pane.size;
+      const auto pictures = picture_items(lay_out(scenes::recognition(count), inputs_for(pane, 0)));
       ASSERT_EQ(static_cast<int>(pictures.size()), count);
       for (const Item& picture : pictures) {
         EXPECT_EQ(picture.side, pictures.front().side);
         EXPECT_EQ(picture.rect.size(), pictures.front().rect.size());
       }
-      // Three tenths of the window's height for up to six, a tenth at the very least.
-      const double part = count <= 6 && size.width() > size.height() ? 0.29 : 0.1;
-      EXPECT_GE(pictures.front().side, part * size.height()) << count << " at " << size.width();
+      // On usual screens three tenths of the window's height for up to six, a tenth at the very least.
+      const bool usual = pane.letters_px * 768.0 / size.height() <= 32.0;
+      if (!usual) continue;
+      const double part = count <= 6 && size.width() > 1.1 * size.height() ? 0.29 : 0.085;
+      EXPECT_GE(pictures.front().side, part * size.height()) << count << " at " << name_of(pane);
     }
   }
 }

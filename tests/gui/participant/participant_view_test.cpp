@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/participant/response_keys.h"
+#include "app/gui/participant/type_size.h"
 #include "renderers/servo_thread.h"
 #include "tests/gui/participant/scenes.h"
 #include "tests/gui/support/screenshot.h"
@@ -425,7 +426,7 @@ TEST(ParticipantView, ShowsPicturesTogetherOnceAllAreThere) {
     const int number = item.key.toInt();
     const QPoint inside(static_cast<int>(item.rect.right() - item.side / 2.0),
                         static_cast<int>(item.rect.top() + item.side / 2.0));
-    EXPECT_EQ(drawn.pixelColor(inside).rgb(), QColor::fromHsv(25 * number, 120, 160).rgb())
+    EXPECT_EQ(drawn.pixelColor(inside).rgb(), QColor::fromHsv(22 * number, 120, 160).rgb())
         << number;
   }
 }
@@ -456,6 +457,124 @@ TEST(ParticipantView, ShowsNoFileNames) {
       EXPECT_FALSE(text.contains("pictures/") || text.contains(".png")) << name;
     }
   }
+}
+
+// Their places are the same for all, so nothing tells a photograph by its shape.
+TEST(ParticipantView, FillsTheSquaresOfVeryWideAndVeryTallPictures) {
+  Seat seat{};
+  seat.show(scenes::recognition(3));
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    seat.view.grab();
+    return seat.view.pictures_are_there();
+  }));
+  const QImage drawn = seat.view.grab().toImage();
+  for (const Item& item : seat.view.items()) {
+    if (item.kind != Item::Kind::picture) continue;
+    const QRectF square(item.rect.right() - item.side, item.rect.top(), item.side, item.side);
+    const QRgb color = QColor::fromHsv(22 * item.key.toInt(), 120, 160).rgb();
+    for (const QPointF corner :
+         {square.topLeft(), square.topRight(), square.bottomLeft(), square.bottomRight()}) {
+      const QPointF inside = corner + 0.02 * (square.center() - corner);
+      EXPECT_EQ(drawn.pixelColor(inside.toPoint()).rgb(), color) << item.key.toStdString();
+    }
+  }
+}
+
+TEST(ParticipantView, TakesItsSmallestLettersFromTheScreenThatItIsOn) {
+  Seat seat{};
+  const double px = smallest_text_px(measures_of(*seat.view.screen()));
+  EXPECT_GT(px, 33.0);  // off screen a screen says that it has 100 pixels per inch
+  seat.show(scenes::recognition(6));
+  for (const Item& item : seat.view.items()) EXPECT_GE(item.size_px, px) << item.text.toStdString();
+}
+
+TEST(ParticipantView, TurnsThePagesOfALongTextAndGoesOnFromTheLast) {
+  Seat seat{};
+  ParticipantScene scene = scenes::to_read();
+  scene.text = scenes::sentences(25);
+  seat.show(scene);
+  const auto page = [&] {
+    seat.view.grab();
+    const QStringList pages = seat.view.drawn_texts().filter(QRegularExpression("^Page . of .$"));
+    return pages.isEmpty() ? QString() : pages.first();
+  };
+  EXPECT_EQ(page(), "Page 1 of 3");
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(page(), "Page 2 of 3");
+  seat.key(Qt::Key_Left);
+  EXPECT_EQ(page(), "Page 1 of 3");
+  seat.key(Qt::Key_PageUp);  // there is none before it
+  EXPECT_EQ(page(), "Page 1 of 3");
+  seat.key(Qt::Key_PageDown);
+  seat.key(Qt::Key_Right);
+  EXPECT_EQ(page(), "Page 3 of 3");
+  seat.key(Qt::Key_Right);
+  seat.key(Qt::Key_PageDown);
+  EXPECT_EQ(page(), "Page 3 of 3");
+  seat.click(Item::Kind::control, "Back");
+  EXPECT_EQ(page(), "Page 2 of 3");
+  seat.click(Item::Kind::control, "Go on");
+  EXPECT_EQ(page(), "Page 3 of 3");
+  EXPECT_TRUE(seat.inputs.empty());
+  seat.key(Qt::Key_Return);
+  ASSERT_EQ(seat.inputs.size(), 1U);
+  EXPECT_EQ(seat.last().kind, Kind::confirm);
+  // Another text begins at its beginning.
+  scene.text = scenes::sentences(24);
+  seat.show(scene);
+  EXPECT_EQ(page(), "Page 1 of 3");
+}
+
+TEST(ParticipantView, TakesAnAnswerThatIsPressedWhileTheQuestionIsStillBeingRead) {
+  Seat seat{};
+  ParticipantScene scene = scenes::recognition(6);
+  scene.text = scenes::sentences(6);
+  seat.show(scene);
+  const auto pictures = [&] {
+    const std::vector<Item> items = seat.view.items();
+    return std::count_if(items.begin(), items.end(),
+                         [](const Item& item) { return item.kind == Item::Kind::picture; });
+  };
+  EXPECT_EQ(pictures(), 0);
+  seat.key(Qt::Key_4);
+  ASSERT_EQ(seat.inputs.size(), 1U);
+  EXPECT_EQ(seat.last().number, 4);
+  scene.choices[3].chosen = true;
+  seat.show(scene);
+  EXPECT_EQ(pictures(), 6);
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().kind, Kind::confirm);
+  // So is what is typed: its place is shown at once.
+  ParticipantScene text = scenes::form_text();
+  text.text = scenes::sentences(16);
+  seat.show(text);
+  auto* field = seat.view.findChild<QPlainTextEdit*>("participant_text");
+  EXPECT_FALSE(field->isVisible());
+  seat.key(Qt::Key_X);
+  EXPECT_TRUE(field->isVisible());
+  EXPECT_EQ(field->toPlainText(), "x");
+  QTest::keyClick(field, Qt::Key_PageUp);
+  EXPECT_FALSE(field->isVisible());
+  seat.key(Qt::Key_Y);
+  EXPECT_EQ(field->toPlainText(), "xy");
+}
+
+TEST(ParticipantView, MirrorsThePageThatIsRead) {
+  Seat seat{};
+  ParticipantView mirror(seat.monitor, seat.pictures.path(), ParticipantView::Role::mirror);
+  mirror.follow(seat.view);
+  mirror.resize(683, 400);
+  mirror.show();
+  ParticipantScene scene = scenes::to_read();
+  scene.text = scenes::sentences(25);
+  seat.show(scene);
+  seat.key(Qt::Key_Return);
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    mirror.grab();
+    return mirror.drawn_texts().contains("Page 2 of 3");
+  }));
+  seat.view.grab();
+  EXPECT_EQ(seat.view.drawn_texts(), mirror.drawn_texts());
 }
 
 TEST(ParticipantView, LooksTheSameInItsMirrorAndTakesNothingThere) {

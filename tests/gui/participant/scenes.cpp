@@ -193,11 +193,75 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   return scenes;
 }
 
+std::string sentences(int count) {
+  std::string text{};
+  for (int i = 1; i <= count; ++i) {
+    text += "Sentence " + std::to_string(i) +
+            " says in some words what the participant has to know before it begins. ";
+  }
+  return text;
+}
+
+std::vector<std::pair<std::string, ParticipantScene>> demanding() {
+  std::vector<std::pair<std::string, ParticipantScene>> scenes{};
+  ParticipantScene text = to_read();
+  text.text = sentences(18);
+  scenes.emplace_back("text-long", text);
+  ParticipantScene pause = rest(0);
+  pause.text = sentences(14);
+  scenes.emplace_back("rest-long", pause);
+  scenes.emplace_back("feel-many", feel(9));
+  for (const int count : {12, 16}) {
+    ParticipantScene recognised = recognition(count);
+    recognised.choices[0].chosen = true;
+    recognised.can_confirm = true;
+    scenes.emplace_back("recognition-" + std::to_string(count), recognised);
+  }
+  ParticipantScene asked_long = recognition(6);
+  asked_long.text = sentences(5) + "Which of these materials did you feel?";
+  scenes.emplace_back("recognition-long", asked_long);
+  ParticipantScene matched = matching(12);
+  matched.choices[11].assigned_to = "A";
+  matched.choices[0].assigned_to = "B";
+  matched.assigning = 2;
+  matched.can_switch = true;
+  matched.choices.push_back({.key = "0", .text = "I cannot tell"});
+  scenes.emplace_back("matching-12", matched);
+  ParticipantScene selected = selection(9);
+  selected.standard_picture.reset();
+  scenes.emplace_back("selection-9", selected);
+  ParticipantScene choice = form_choice();
+  choice.question->options = {"never or hardly ever in all my life",
+                              "less than once in a year",
+                              "some times in a year, on average",
+                              "about once in a month",
+                              "about once in a week",
+                              "on most days, for a short while",
+                              "on most days, for an hour or more",
+                              "every day, and it is my profession"};
+  scenes.emplace_back("form-choice-long", choice);
+  ParticipantScene asked = form_choice();
+  asked.text = sentences(6) + "Do you agree?";
+  asked.question->options = {"yes", "no"};
+  scenes.emplace_back("form-question-long", asked);
+  ParticipantScene number = form_number();
+  number.question->minimum = -1234567.125;
+  number.question->maximum = 1234567.125;
+  scenes.emplace_back("form-number-range", number);
+  ParticipantScene written = form_text();
+  written.text = sentences(7);
+  scenes.emplace_back("form-text-long", written);
+  return scenes;
+}
+
 PictureFolder::PictureFolder() {
   QDir(folder_.path()).mkdir("pictures");
-  for (int i = 1; i <= 12; ++i) {
-    QImage image(120 + 10 * i, 160, QImage::Format_RGB32);
-    image.fill(QColor::fromHsv(25 * i, 120, 160));
+  for (int i = 1; i <= 16; ++i) {
+    QSize size(120 + 10 * i, 160);
+    if (i == 1) size = {1200, 100};
+    if (i == 2) size = {100, 1200};
+    QImage image(size, QImage::Format_RGB32);
+    image.fill(QColor::fromHsv(22 * i, 120, 160));
     image.save(folder_.filePath(QString("pictures/%1.png").arg(i)));
   }
 }

@@ -29,7 +29,13 @@ ParticipantScene mask(bool on);
 /// Each kind once and in its fullest state, by name.
 std::vector<std::pair<std::string, ParticipantScene>> all();
 
-/// A folder with the pictures "pictures/1.png" … of these scenes.
+/// Scenes with more in them than fits easily: long texts, many pictures, letters and options.
+std::vector<std::pair<std::string, ParticipantScene>> demanding();
+/// A text of this many sentences, "Sentence 1 says …".
+std::string sentences(int count);
+
+/// A folder with the pictures "pictures/1.png" … "pictures/16.png" of these scenes, each of one colour;
+/// the first is twelve times as wide as high, the second twelve times as high as wide.
 class PictureFolder final {
  public:
   PictureFolder();

@@ -278,8 +278,11 @@ void SessionRoom::click_row(QWidget& in, const char* table, const QString& with_
 }
 
 QPoint SessionRoom::place_of(ParticipantItem::Kind kind, const QString& key) {
+  // In a narrow window, as it is printed on the key.
+  const QString sign = key == "Return" ? QStringLiteral("⏎") : key;
   for (const ParticipantItem& item : view().items()) {
-    if (item.kind == kind && item.key == key) return item.rect.center().toPoint();
+    const bool has_key = item.key == key || item.key == sign;
+    if (item.kind == kind && has_key) return item.rect.center().toPoint();
   }
   ADD_FAILURE() << "nothing has the key " << key.toStdString();
   return {};
