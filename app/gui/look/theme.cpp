@@ -113,7 +113,8 @@ QString style_sheet_of(const Theme& look) {
     QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus {
       border: 2px solid %press; }
     QLineEdit:disabled, QPlainTextEdit:disabled, QTextEdit:disabled, QComboBox:disabled, QSpinBox:disabled,
-    QDoubleSpinBox:disabled { background: %ground; color: %muted; }
+    QDoubleSpinBox:disabled, QLineEdit[waits="true"], QPlainTextEdit[waits="true"], QTextEdit[waits="true"],
+    QComboBox[waits="true"], QSpinBox[waits="true"], QDoubleSpinBox[waits="true"] { background: %ground; color: %muted; }
     QComboBox::drop-down { border: none; width: 28px; }
     QComboBox::down-arrow { image: url(:/look/down-%mode.svg); width: 12px; height: 12px; }
     QSpinBox::up-button, QSpinBox::down-button, QDoubleSpinBox::up-button, QDoubleSpinBox::down-button {

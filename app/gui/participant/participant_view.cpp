@@ -423,7 +423,14 @@ void ParticipantView::mouseReleaseEvent(QMouseEvent* event) {
     drop(press, item, released_ns);
   } else if (item && items_[*item].action == press.item.action) {
     act(Action(*press.item.action), press.time_ns, "mouse");
+  } else {
+    return;
   }
+  if (scene_->kind == Scene::Kind::form) return;
+  tell({.kind = ParticipantInput::Kind::released,
+        .text = "mouse button",
+        .held_s = static_cast<double>(released_ns - press.time_ns) * 1e-9},
+       press.time_ns, "mouse");
 }
 
 /// A surface's letter let go over a picture is given to it; drawn off its picture, it is taken back.
@@ -493,7 +500,9 @@ bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
   return true;
 }
 
+// What is typed into a form may be private.
 void ParticipantView::release(const QString& key, std::int64_t pressed_ns, double held_s) {
+  if (scene_->kind == Scene::Kind::form) return;
   tell({.kind = ParticipantInput::Kind::released, .text = key.toStdString(), .held_s = held_s},
        pressed_ns, "keyboard");
 }

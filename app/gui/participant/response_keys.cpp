@@ -3,7 +3,14 @@
 #include <QtGui/QInputMethodEvent>
 #include <QtGui/QKeyEvent>
 #include <QtGui/QKeySequence>
+#include <QtWidgets/QAbstractSpinBox>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPlainTextEdit>
+#include <QtWidgets/QStyle>
+#include <QtWidgets/QTextEdit>
+#include <QtWidgets/QToolTip>
 #include <QtWidgets/QWidget>
 
 #include "app/gui/participant/participant_view.h"
@@ -21,21 +28,78 @@ bool is_command(const QKeyEvent& event) {
   return (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
 }
 
+bool is_text_field(const QWidget& widget) {
+  if (const auto* list = qobject_cast<const QComboBox*>(&widget)) return list->isEditable();
+  return qobject_cast<const QLineEdit*>(&widget) != nullptr ||
+         qobject_cast<const QTextEdit*>(&widget) != nullptr ||
+         qobject_cast<const QPlainTextEdit*>(&widget) != nullptr ||
+         qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr;
+}
+
+void set_waits(QWidget& field, bool waits) {
+  field.setProperty("waits", waits);
+  // As the theme draws it: its rules are chosen when a widget is polished.
+  field.style()->unpolish(&field);
+  field.style()->polish(&field);
+  field.update();
+}
+
 }  // namespace
 
-ResponseKeys::ResponseKeys(ParticipantView& view, QObject* parent) : QObject(parent), view_(view) {
+ResponseKeys::ResponseKeys(ParticipantView& view, QObject* parent)
+    : QObject(parent),
+      view_(view),
+      had_desktop_dialogs_(!QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs)) {
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   qApp->installEventFilter(this);
+  connect(&view_, &ParticipantView::scene_changed, this, &ResponseKeys::grey_fields);
   connect(qApp, &QApplication::focusChanged, this,
           [this](QWidget*, QWidget* now) { focus_moved(now); });
 }
 
-ResponseKeys::~ResponseKeys() { qApp->removeEventFilter(this); }
+ResponseKeys::~ResponseKeys() {
+  qApp->removeEventFilter(this);
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs, !had_desktop_dialogs_);
+  for (const QPointer<QWidget>& field : greyed_) {
+    if (field != nullptr) set_waits(*field, false);
+  }
+}
+
+void ResponseKeys::set_own_keyboard(bool own) {
+  own_keyboard_ = own;
+  grey_fields();
+}
+
+void ResponseKeys::grey(QWidget& field) {
+  if (!is_text_field(field) || field.window() == view_.window()) return;
+  set_waits(field, true);
+  greyed_.emplace_back(&field);
+}
+
+void ResponseKeys::grey_fields() {
+  const bool open = view_.scene().response_open && !own_keyboard_;
+  if (open != greyed_.empty()) return;
+  if (!open) {
+    for (const QPointer<QWidget>& field : greyed_) {
+      if (field != nullptr) set_waits(*field, false);
+    }
+    greyed_.clear();
+    return;
+  }
+  for (QWidget* top : QApplication::topLevelWidgets()) {
+    if (!top->isVisible()) continue;
+    for (QWidget* field : top->findChildren<QWidget*>()) {
+      if (field->isVisible()) grey(*field);
+    }
+  }
+}
 
 bool ResponseKeys::belongs_to_participant(const QWidget& receiver) const {
   const QWidget* window = receiver.window();
   if (window == view_.window()) return true;
-  if (own_keyboard_ || QApplication::activeModalWidget() != nullptr) return false;
+  if (own_keyboard_) return false;
   if (view_.scene().response_open) return true;
+  if (QApplication::activeModalWidget() != nullptr) return false;
   // A field that has no use for a key passes it on to its parents: they are not asked, the field is.
   return view_.waits() && !takes_text(&receiver) && !takes_text(window->focusWidget());
 }
@@ -71,9 +135,16 @@ bool ResponseKeys::released(const QKeyEvent& event) {
   return true;
 }
 
+/// Beside the field, for as long as Qt shows such a thing.
+void ResponseKeys::tell_why(QWidget& field) const {
+  if (field.window() == view_.window()) return;
+  QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()), tr("Keys answer the trial now"),
+                     &field);
+}
+
 bool ResponseKeys::eventFilter(QObject* watched, QEvent* event) {
   if (!watched->isWidgetType()) return false;
-  const auto& receiver = static_cast<const QWidget&>(*watched);
+  auto& receiver = static_cast<QWidget&>(*watched);
   switch (event->type()) {
     case QEvent::ShortcutOverride:
     case QEvent::KeyPress: {
@@ -84,9 +155,14 @@ bool ResponseKeys::eventFilter(QObject* watched, QEvent* event) {
       const bool taken = (!typing && view_.has_use_for(key)) || is_kept_from(receiver, key);
       if (!taken) return false;
       if (event->type() == QEvent::KeyPress && view_.has_use_for(key)) pressed(key);
+      if (event->type() == QEvent::KeyPress && is_text_field(receiver)) tell_why(receiver);
       event->accept();
       return true;
     }
+    case QEvent::Show:
+      // One that is opened meanwhile.
+      if (view_.scene().response_open && !own_keyboard_) grey(static_cast<QWidget&>(*watched));
+      return false;
     case QEvent::KeyRelease:
       return released(static_cast<const QKeyEvent&>(*event));
     case QEvent::InputMethod: {

@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <map>
+#include <vector>
 
 #include <QtCore/QObject>
+#include <QtCore/QPointer>
 #include <QtCore/QString>
+#include <QtWidgets/QWidget>
 
 class QKeyEvent;
-class QWidget;
 
 namespace asperity {
 
@@ -19,17 +21,28 @@ class ParticipantView;
 /// letters of the options, Space, Return) is taken from whichever of the application's windows has
 /// the focus, and no text field gets it or any other sign that is typed.
 ///
-/// Whose a key is:
+/// Whose a key is, the first that holds:
 ///   - the participant's window has the focus: the participant's;
+///   - a response is open: the participant's, whatever else is open. A question to the experimenter (a
+///     dialog of any window, a menu) is then answered by mouse or left by Esc, and what it wants to
+///     have typed is typed at the next interval: a trial's clock runs, the experimenter's does not;
 ///   - a question to the experimenter is open (a modal window): the experimenter's;
-///   - a response is open: the participant's;
 ///   - another scene waits for the participant: theirs, unless a text field has the focus;
 ///   - otherwise the experimenter's.
 /// With a keyboard of their own (`set_own_keyboard`) or device buttons only the first holds. Function
-/// keys, Esc, Pause, Tab, arrows and whatever is pressed with Ctrl, Alt or Meta always pass.
+/// keys, Esc, Pause, Tab, arrows and whatever is pressed with Ctrl, Alt or Meta always pass; arrows and
+/// Page up and down turn pages where a scene has some. Mouse buttons that are held, here or there,
+/// change nothing of that.
+///
+/// While a response is open, text fields of all other windows are grey (their property "waits", which
+/// the theme draws), and say why when somebody types into them.
+///
+/// Dialogs of the desktop would get keys past the program: while an object of this class lives, Qt's
+/// own stand in for them.
 ///
 /// One key is one answer: auto-repeat is ignored. A press is stamped and acted on at once; how long it
-/// was held follows as an input of its own (ParticipantInput::Kind::released).
+/// was held follows as an input of its own (ParticipantInput::Kind::released), but for what is typed
+/// into a form.
 class ResponseKeys final : public QObject {
   Q_OBJECT
  public:
@@ -38,7 +51,7 @@ class ResponseKeys final : public QObject {
   ~ResponseKeys() override;
 
   /// The participant answers by other means than the experimenter's keyboard.
-  void set_own_keyboard(bool own) { own_keyboard_ = own; }
+  void set_own_keyboard(bool own);
   bool own_keyboard() const noexcept { return own_keyboard_; }
 
  signals:
@@ -57,14 +70,20 @@ class ResponseKeys final : public QObject {
   bool belongs_to_participant(const QWidget& receiver) const;
   /// What is typed by mistake while a response is open ends nowhere.
   bool is_kept_from(const QWidget& receiver, const QKeyEvent& event) const;
+  void tell_why(QWidget& field) const;
   bool pressed(QKeyEvent& event);
   bool released(const QKeyEvent& event);
   void focus_moved(const QWidget* now);
+  /// Grey while a response is open; `field` alone, or all that are seen.
+  void grey(QWidget& field);
+  void grey_fields();
 
   ParticipantView& view_;
   bool own_keyboard_ = false;
   std::map<int, Held> held_{};
   QString focus_{};
+  bool had_desktop_dialogs_ = true;
+  std::vector<QPointer<QWidget>> greyed_{};
 };
 
 }  // namespace asperity

@@ -355,6 +355,25 @@ TEST(ParticipantView, KeepsWhatWasBegunThroughARefusalAndForgetsItAfter) {
   EXPECT_EQ(seat.last().text, "");
 }
 
+TEST(ParticipantView, TellsHowLongTheMouseWasHeldAndNothingOfWhatIsTypedIntoAForm) {
+  Seat seat{};
+  std::vector<ParticipantInput> releases{};
+  QObject::connect(&seat.view, &ParticipantView::acted, [&](const ParticipantInput& input) {
+    if (input.kind == Kind::released) releases.push_back(input);
+  });
+  seat.show(scenes::recognition(6));
+  seat.click(Item::Kind::picture, "4");
+  ASSERT_EQ(releases.size(), 1U);
+  EXPECT_EQ(releases[0].text, "mouse button");
+  EXPECT_EQ(releases[0].source, "mouse");
+  EXPECT_EQ(releases[0].time_ns, seat.last().time_ns);
+  EXPECT_GE(releases[0].held_s, 0.0);
+  seat.show(scenes::form_number());
+  seat.key(Qt::Key_4);
+  seat.click(Item::Kind::pad, "2");
+  EXPECT_EQ(releases.size(), 1U);
+}
+
 TEST(ParticipantView, IgnoresAutoRepeat) {
   Seat seat{};
   seat.show(scenes::recognition(6));

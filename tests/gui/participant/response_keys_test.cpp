@@ -1,13 +1,17 @@
 #include "app/gui/participant/response_keys.h"
 
+#include <algorithm>
+
 #include <QtGui/QShortcut>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMenu>
 #include <QtWidgets/QPlainTextEdit>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QToolTip>
 #include <gtest/gtest.h>
 
 #include "app/gui/participant/participant_window.h"
@@ -181,16 +185,133 @@ TEST(ResponseKeys, IsNotRobbedByAShortcut) {
   EXPECT_EQ(desk.inputs.size(), 1U);
 }
 
-TEST(ResponseKeys, LeavesAQuestionToTheExperimenterItsKeys) {
+/// A question to the experimenter that is open over their window.
+struct OpenQuestion {
+  QDialog dialog;
+  QLineEdit* field = new QLineEdit(&dialog);
+  QPushButton* give = new QPushButton("Give", &dialog);
+  int given = 0;
+
+  explicit OpenQuestion(Desk& desk) : dialog(&desk.experimenter) {
+    auto* layout = new QVBoxLayout(&dialog);
+    layout->addWidget(field);
+    layout->addWidget(give);
+    give->setDefault(true);
+    QObject::connect(give, &QPushButton::clicked, [this] { ++given; });
+    dialog.open();
+    desk.focus(field);
+  }
+};
+
+// The clock of a trial runs; a question to the experimenter can wait.
+TEST(ResponseKeys, AnswersATrialThroughAModalQuestionThatTheMouseStillAnswers) {
   Desk desk{};
   desk.show(scenes::recognition(6));
-  QDialog reason(&desk.experimenter);
-  QLineEdit field(&reason);
-  reason.open();
-  desk.focus(&field);
-  QTest::keyClicks(&field, "12 min late");
-  EXPECT_EQ(field.text(), "12 min late");
+  OpenQuestion question(desk);
+  ASSERT_EQ(QApplication::activeModalWidget(), &question.dialog);
+  desk.key(Qt::Key_3);
+  desk.key(Qt::Key_X);
+  desk.key(Qt::Key_Space);
+  desk.key(Qt::Key_Return);
+  ASSERT_EQ(desk.inputs.size(), 3U);
+  EXPECT_EQ(desk.inputs[0].number, 3);
+  EXPECT_EQ(desk.inputs[2].kind, Kind::confirm);
+  EXPECT_EQ(question.field->text(), "");
+  EXPECT_EQ(question.given, 0);
+  QTest::mouseClick(question.give, Qt::LeftButton);
+  EXPECT_EQ(question.given, 1);
+  desk.key(Qt::Key_Escape);
+  EXPECT_FALSE(question.dialog.isVisible());
+  EXPECT_EQ(desk.inputs.size(), 3U);
+}
+
+TEST(ResponseKeys, LeavesAQuestionToTheExperimenterItsKeysWhileNoResponseIsOpen) {
+  Desk desk{};
+  desk.show(scenes::to_read());
+  OpenQuestion question(desk);
+  QTest::keyClicks(question.field, "12 min late");
+  EXPECT_EQ(question.field->text(), "12 min late");
+  desk.focus(question.give);
+  desk.key(Qt::Key_Return);
+  EXPECT_EQ(question.given, 1);
   EXPECT_TRUE(desk.inputs.empty());
+}
+
+TEST(ResponseKeys, AnswersATrialThroughAnOpenMenu) {
+  Desk desk{};
+  desk.show(scenes::recognition(6));
+  QMenu menu(&desk.experimenter);
+  int chosen = 0;
+  menu.addAction("&3 of them", [&] { ++chosen; });
+  menu.popup(desk.experimenter.mapToGlobal(QPoint(5, 5)));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activePopupWidget() == &menu; }));
+  QTest::keyClick(&menu, Qt::Key_3);
+  QTest::keyClick(&menu, Qt::Key_Return);
+  EXPECT_EQ(chosen, 0);
+  ASSERT_EQ(desk.inputs.size(), 2U);
+  EXPECT_EQ(desk.inputs[0].number, 3);
+  QTest::keyClick(&menu, Qt::Key_Escape);
+  EXPECT_FALSE(menu.isVisible());
+}
+
+TEST(ResponseKeys, AnswersATrialWhileAMouseButtonIsHeld) {
+  Desk desk{};
+  desk.show(scenes::recognition(6));
+  QTest::mousePress(desk.button, Qt::LeftButton);
+  desk.key(Qt::Key_3);
+  desk.key(Qt::Key_Space);
+  ASSERT_EQ(desk.inputs.size(), 2U);
+  EXPECT_EQ(desk.inputs[0].number, 3);
+  EXPECT_EQ(desk.pressed, 0);
+  QTest::mouseRelease(desk.button, Qt::LeftButton);
+  EXPECT_EQ(desk.pressed, 1);
+  // Nor does one that is held on a picture: two answers, as they were given.
+  const auto items = desk.window.view().items();
+  const auto picture = std::find_if(items.begin(), items.end(), [](const ParticipantItem& item) {
+    return item.kind == ParticipantItem::Kind::picture && item.key == "5";
+  });
+  ASSERT_NE(picture, items.end());
+  const QPoint place = picture->rect.center().toPoint();
+  QTest::mousePress(&desk.window.view(), Qt::LeftButton, {}, place);
+  desk.key(Qt::Key_2);
+  QTest::mouseRelease(&desk.window.view(), Qt::LeftButton, {}, place);
+  ASSERT_EQ(desk.inputs.size(), 4U);
+  EXPECT_EQ(desk.inputs[2].number, 2);
+  EXPECT_EQ(desk.inputs[3].number, 5);
+}
+
+TEST(ResponseKeys, GreysTheTextFieldsOfEveryWindowWhileAResponseIsOpenAndSaysWhy) {
+  Desk desk{};
+  const auto ground = [](QWidget& field) {
+    return field.grab().toImage().pixelColor(field.width() - 6, field.height() / 2).name();
+  };
+  const QString usual = ground(*desk.note);
+  desk.show(scenes::recognition(6));
+  EXPECT_NE(ground(*desk.note), usual);
+  EXPECT_EQ(ground(*desk.note), ground(*desk.long_note));
+  QDialog opened_meanwhile(&desk.experimenter);
+  QLineEdit field(&opened_meanwhile);
+  opened_meanwhile.show();
+  EXPECT_EQ(ground(field), ground(*desk.note));
+  EXPECT_EQ(QToolTip::text(), "");
+  desk.key(Qt::Key_Q);
+  EXPECT_EQ(QToolTip::text(), "Keys answer the trial now");
+  desk.show(ParticipantScene{});
+  EXPECT_EQ(ground(*desk.note), usual);
+  EXPECT_EQ(ground(field), usual);
+  QToolTip::hideText();
+  desk.window.keys().set_own_keyboard(true);
+  desk.show(scenes::recognition(6));
+  EXPECT_EQ(ground(*desk.note), usual);
+}
+
+TEST(ResponseKeys, HasQtsOwnDialogsStandInForThoseOfTheDesktop) {
+  EXPECT_FALSE(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
+  {
+    const Desk desk{};
+    EXPECT_TRUE(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
+  }
+  EXPECT_FALSE(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
 }
 
 TEST(ResponseKeys, TakesOnlyTheParticipantsWindowWithAKeyboardOfTheirOwn) {
