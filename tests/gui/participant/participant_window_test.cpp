@@ -1,5 +1,8 @@
 #include "app/gui/participant/participant_window.h"
 
+#include <QtCore/QFile>
+#include <QtCore/QProcess>
+#include <QtCore/QTemporaryDir>
 #include <QtCore/QTimer>
 #include <QtGui/QGuiApplication>
 #include <QtGui/QScreen>
@@ -60,6 +63,39 @@ TEST(ParticipantWindow, SaysWhenItsScreenIsGoneAndStaysVisible) {
   EXPECT_EQ(lost.first().first().toString(), screen->name());
   EXPECT_TRUE(window.isVisible());
   EXPECT_FALSE(window.is_full_screen());
+}
+
+// A screen more than there is off screen: in a program of its own.
+TEST(ParticipantWindow, CoversTheSecondScreenAndLeavesItWhenItIsUnplugged) {
+  if (QGuiApplication::screens().size() < 2) {
+    QTemporaryDir folder{};
+    QFile screens(folder.filePath("screens.json"));
+    ASSERT_TRUE(screens.open(QIODevice::WriteOnly));
+    screens.write(R"({"screens": [
+        {"name": "left", "x": 0, "y": 0, "width": 1366, "height": 768},
+        {"name": "right", "x": 1366, "y": 0, "width": 1920, "height": 1080}]})");
+    screens.close();
+    QProcess program{};
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("QT_QPA_PLATFORM", "offscreen:configfile=" + screens.fileName());
+    environment.remove("GTEST_OUTPUT");
+    program.setProcessEnvironment(environment);
+    program.setProcessChannelMode(QProcess::MergedChannels);
+    program.start(
+        QCoreApplication::applicationFilePath(),
+        {"--gtest_filter=ParticipantWindow.CoversTheSecondScreenAndLeavesItWhenItIsUnplugged"});
+    ASSERT_TRUE(program.waitForFinished(60000));
+    EXPECT_EQ(program.exitCode(), 0) << program.readAll().toStdString();
+    return;
+  }
+  SessionMonitor monitor{};
+  ParticipantWindow window(monitor, {});
+  window.open_on("right");
+  EXPECT_TRUE(window.is_full_screen());
+  EXPECT_EQ(window.geometry(), QRect(1366, 0, 1920, 1080));
+  emit qGuiApp->screenRemoved(QGuiApplication::screens().last());
+  EXPECT_FALSE(window.is_full_screen());
+  EXPECT_EQ(window.geometry().left(), 683);
 }
 
 TEST(ParticipantWindow, ClosesByItselfAfterTheThanks) {
