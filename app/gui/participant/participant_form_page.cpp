@@ -200,6 +200,7 @@ void ParticipantPage::form() {
       field.setHeight(std::min(field.height(), em(280.0)));
       add({.kind = Item::Kind::field,
            .rect = field,
+           .text = inputs_.draft.text,
            .size_px = letters(kText)});
       break;
     }

@@ -21,6 +21,7 @@ struct ParticipantDraft {
   std::optional<int> surface{};  ///< of an assignment: picked by hand, from 1
   std::optional<int> option{};   ///< of a form
   QString number{};              ///< of a form, as typed
+  QString text{};                ///< of a form, as written
 };
 
 /// One thing in the picture.

@@ -55,6 +55,7 @@ class Brush final {
   void draw_option(const Item& item);
   void draw_chip(const Item& item);
   void draw_control(const Item& item);
+  void draw_written(const Item& item);
 
   QPainter& painter_;
   const ParticipantColors& colors_;
@@ -169,6 +170,18 @@ void Brush::draw_control(const Item& item) {
         Qt::AlignRight | Qt::AlignVCenter);
 }
 
+/// What stands in the field where text is typed. Of a long one the end is seen, as in the field.
+void Brush::draw_written(const Item& item) {
+  const QRectF inner = item.rect.adjusted(20.0, 16.0, -20.0, -16.0);
+  const double height =
+      QFontMetricsF(participant_font(item.size_px, false))
+          .boundingRect(QRectF(0.0, 0.0, inner.width(), 1e6), Qt::TextWordWrap, item.text)
+          .height();
+  words(inner, item.text, item.size_px, false, colors_.text,
+        Qt::AlignLeft | Qt::TextWordWrap |
+            (height > inner.height() ? Qt::AlignBottom : Qt::AlignTop));
+}
+
 void Brush::draw(const Item& item) {
   const double unit = item.size_px / 32.0;
   switch (item.kind) {
@@ -203,6 +216,7 @@ void Brush::draw(const Item& item) {
       break;
     case Item::Kind::field:
       box(item.rect, 8.0, colors_.panel, colors_.press, 3.0);
+      draw_written(item);
       break;
     case Item::Kind::workspace:
       box(item.rect, 4.0, colors_.ground.darker(104), colors_.line, 1.0);

@@ -80,6 +80,11 @@ ParticipantView::ParticipantView(const SessionMonitor& monitor, std::filesystem:
                               .arg(colors.panel.name(), colors.text.name(), colors.press.name(),
                                    colors.on_press.name()));
     field_->installEventFilter(this);
+    // For the mirror: whoever types for a participant without eyes sees there what stands in the field.
+    connect(field_, &QPlainTextEdit::textChanged, this, [this] {
+      draft_.text = field_->toPlainText();
+      arrange();
+    });
     field_->hide();
   } else {
     setFocusPolicy(Qt::NoFocus);

@@ -629,6 +629,12 @@ TEST(ParticipantView, LooksTheSameInItsMirrorAndTakesNothingThere) {
   }));
   seat.view.grab();
   EXPECT_EQ(seat.view.drawn_texts(), mirror.drawn_texts());
+  seat.show(scenes::form_text());
+  QTest::keyClicks(seat.view.findChild<QPlainTextEdit*>("participant_text"), "rough");
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    mirror.grab();
+    return mirror.drawn_texts().contains("rough");
+  }));
   EXPECT_TRUE(mirror.testAttribute(Qt::WA_TransparentForMouseEvents));
   EXPECT_EQ(mirror.focusPolicy(), Qt::NoFocus);
 }

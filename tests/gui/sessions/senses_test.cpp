@@ -85,6 +85,74 @@ TEST_F(Blindfold, GoesThroughASessionByTonesAndDeviceButtonsAlone) {
   EXPECT_EQ(stored_events("mask_off").size(), 1U);
 }
 
+TEST_F(Blindfold, TheExperimenterTypesWhatIsSpokenAndSeesItInTheMirror) {
+  make_study();
+  add_protocol({.trials = 1,
+                .head = R"(, "environment": {"vision": "blindfold"})",
+                .flow = R"({"run": "main"}, {"ask": ["age", "remarks"]})"});
+  open();
+  start("small");
+  auto& mirror = child<ParticipantView>(experimenter(), "participant_mirror");
+  const auto mirrored = [&](const QString& text) {
+    wait_for("the mirror of " + text.toStdString(), [&] {
+      mirror.grab();
+      return mirror.drawn_texts().contains(text);
+    });
+  };
+  /// As somebody does who works at their own window and looks at nothing else.
+  const auto in_my_window = [&] {
+    experimenter().activateWindow();
+    wait_for("the keyboard", [&] { return experimenter().isActiveWindow(); });
+  };
+  const auto asked = [&](Scene::Kind kind, const char* question) {
+    wait_for(question, [&] {
+      const Scene& scene = view().scene();
+      return scene.kind == kind && (!scene.question || scene.question->name == question);
+    });
+  };
+  asked(Scene::Kind::mask_on, "the mask");
+  in_my_window();
+  key(Qt::Key_Return);
+  asked(Scene::Kind::question, "the question");
+  in_my_window();
+  key(Qt::Key_B);  // as it was said
+  wait_for("the choice", [&] { return view().scene().choices.at(1).chosen; });
+  key(Qt::Key_Return);
+  asked(Scene::Kind::mask_off, "the mask again");
+  in_my_window();
+  key(Qt::Key_Return);
+  asked(Scene::Kind::form, "age");
+  in_my_window();
+  key(Qt::Key_4);
+  key(Qt::Key_2);
+  mirrored("42");
+  key(Qt::Key_Return);
+  asked(Scene::Kind::form, "remarks");
+  // The field for it has the keyboard by itself, wherever its window is; a click takes it away, and
+  // still what is typed arrives.
+  key(Qt::Key_I);
+  in_my_window();
+  child<QPushButton>(experimenter(), "pause").setFocus();
+  key(Qt::Key_C);
+  key(Qt::Key_Y);
+  mirrored("icy");
+  key(Qt::Key_Return);
+  wait_for_end();
+  const std::vector<AttemptRow> attempts = stored_attempts();
+  ASSERT_EQ(attempts.size(), 1U);
+  EXPECT_EQ(attempts[0].responses.at(0).answer, attempts[0].presentations.at(1).model);
+  const auto answers =
+      Study::open(folder(), Access::read_only).session_answers(stored_session().id);
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0].answer, "42");
+  EXPECT_EQ(answers[1].answer, "icy");
+  // What is said in confidence stands in no list of keys.
+  for (const EventRow& event : stored_events("input_released")) {
+    EXPECT_NE(event.text, "4");
+    EXPECT_NE(event.text, "c");
+  }
+}
+
 class MaskingNoiseLost : public SessionRoom {};
 
 TEST_F(MaskingNoiseLost, KeepsASessionFromItsFirstTrialUntilTheNoiseIsHeard) {

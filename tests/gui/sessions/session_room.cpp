@@ -92,7 +92,9 @@ std::string text_of(const ProtocolWish& wish) {
   "stimuli": {"rendered": {"model": {"factor": "model"}, "texture": {"factor": "texture"}}},
   "explorations": {"short": {"maximum_contact_s": 4, "minimum_contact_s": )" +
          number_text(wish.minimum_contact_s) + R"(}},
-  "questions": {"comfort": {"prompt": "How is your hand?", "form": "choice", "options": ["well", "tired"]}},
+  "questions": {"comfort": {"prompt": "How is your hand?", "form": "choice", "options": ["well", "tired"]},
+                "age": {"prompt": "How old are you?", "form": "number", "minimum": 18},
+                "remarks": {"prompt": "What was it like?", "form": "text"}},
   "blocks": {"main": {)" +
          block_of(wish) + "}" +
          (wish.blocks > 1 ? R"(, "second": {)" + block_of(wish) + "}" : std::string()) + R"(},

@@ -32,7 +32,7 @@ struct ProtocolWish {
   double minimum_contact_s = 0.3;
   std::string head{};      ///< members of the protocol, each with a comma before it
   std::string question{};  ///< members of the question, likewise
-  std::string flow = R"({"run": "main"})";
+  std::string flow = R"({"run": "main"})";  ///< may ask for "comfort", "age" and "remarks"
 };
 
 /// Notes the tones that a session plays, in order, and can be unplugged.
