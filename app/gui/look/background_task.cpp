@@ -18,6 +18,14 @@ void BackgroundTask::cancel() {
   for (auto& [number, worker] : workers_) worker.request_stop();
 }
 
+void BackgroundTask::abandon() {
+  if (!running_) return;
+  cancel();
+  ++number_;  // nobody waits for the old one
+  running_ = false;
+  emit finished();
+}
+
 void BackgroundTask::begin(std::function<void(const std::stop_token&, const Progress&)> work,
                            std::function<void()> done, std::function<void(QString)> failed) {
   cancel();

@@ -28,7 +28,11 @@ class BackgroundTask final : public QObject {
   ~BackgroundTask() override;
 
   bool is_running() const noexcept { return running_; }
+  /// Asks the work to stop; what it returns is delivered all the same.
   void cancel();
+  /// Cancels, and delivers nothing but `finished`, now: for work that only reads. It may go on
+  /// until it notices.
+  void abandon();
 
   /// Runs `work`, then one of the two on the GUI thread. Work that still runs is cancelled, and what
   /// comes of it is dropped; it may go on beside the new one until it notices, so that nobody waits:
