@@ -69,9 +69,11 @@ void sort_levels(StudyVocabulary::FactorMeaning& factor) {
             });
 }
 
-StudyVocabulary vocabulary_of(const Study& study, const std::vector<SessionRow>& sessions) {
+StudyVocabulary vocabulary_of(const Study& study, const std::vector<SessionRow>& sessions,
+                              const std::stop_token& stop) {
   StudyVocabulary vocabulary{};
   for (const SessionRow& session : sessions) {
+    if (stop.stop_requested()) break;
     for (const PlannedTrialRow& trial : study.plan(session.id)) learn_factors(trial, vocabulary);
     for (const AttemptRow& attempt : study.attempts(session.id)) {
       for (const PresentationRow& presentation : attempt.presentations) {
@@ -254,12 +256,14 @@ class FolderInTheMaking final {
 
 }  // namespace
 
-ExportTables export_tables(const Study& study, ExportAudience audience) {
+ExportTables export_tables(const Study& study, ExportAudience audience, const std::stop_token& stop,
+                           const std::function<void(double)>& progress) {
   const std::vector<SessionRow> sessions = study.sessions();
-  const StudyVocabulary vocabulary = vocabulary_of(study, sessions);
+  const StudyVocabulary vocabulary = vocabulary_of(study, sessions, stop);
   Tables tables(vocabulary, audience);
   std::map<std::string, std::vector<const SessionRow*>> sessions_of{};
   for (const SessionRow& session : sessions) sessions_of[session.participant].push_back(&session);
+  std::size_t done = 0;
   for (const ParticipantRow& participant : study.participants()) {
     ExportPlace at{};
     at.participant = &participant;
@@ -272,6 +276,8 @@ ExportTables export_tables(const Study& study, ExportAudience audience) {
     at.participant_mode = &mode;
     tables.add("participants", at);
     for (const SessionRow* session : own) {
+      if (stop.stop_requested()) return tables.take();
+      if (progress) progress(static_cast<double>(done++) / static_cast<double>(sessions.size()));
       const ProtocolRow protocol = study.protocol(session->protocol_id);
       ExportPlace here = at;
       here.session = session;
@@ -283,10 +289,13 @@ ExportTables export_tables(const Study& study, ExportAudience audience) {
 }
 
 std::vector<ExportedFile> export_study(const Study& study, const fs::path& folder,
-                                       ExportAudience audience, Overwrite overwrite) {
+                                       ExportAudience audience, Overwrite overwrite,
+                                       const std::stop_token& stop,
+                                       const std::function<void(double)>& progress) {
   fs::path target = fs::absolute(folder).lexically_normal();
   if (!target.has_filename()) target = target.parent_path();  // a slash at the end
-  const ExportTables made = export_tables(study, audience);
+  const ExportTables made = export_tables(study, audience, stop, progress);
+  if (stop.stop_requested()) return {};
   std::set<std::string> own_files{kCodebook, kManifest};
   for (const ExportTable& table : made.tables) own_files.insert(table.name + ".tsv");
   std::vector<ExportedFile> written{};
@@ -313,6 +322,7 @@ std::vector<ExportedFile> export_study(const Study& study, const fs::path& folde
     }
     write(kCodebook, made.codebook, {});
     write_file(making.path() / kManifest, tsv_of(manifest), Overwrite::refuse);
+    written.push_back({.name = kManifest, .rows = manifest.rows.size()});
     making.take_place();
   } catch (const fs::filesystem_error& error) {
     throw ResultsError(

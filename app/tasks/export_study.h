@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -31,20 +33,27 @@ struct ExportTables {
 /// Every table of the study and the codebook. Rows are ordered by natural keys and carry no row
 /// ids, so that two simulations that did the same export the same bytes. Nothing is left out for
 /// being invalid, flagged, virtual or of a pilot: columns say so.
-ExportTables export_tables(const Study& study, ExportAudience audience);
+///
+/// When asked to stop, what there is by then. `progress` is told 0 to 1.
+ExportTables export_tables(const Study& study, ExportAudience audience,
+                           const std::stop_token& stop = {},
+                           const std::function<void(double)>& progress = {});
 
 struct ExportedFile {
   std::string name{};
-  std::size_t rows = 0;
+  std::size_t rows = 0;            ///< without the one that names the columns
   std::size_t replaced_cells = 0;  ///< text with tabs or line breaks, which became spaces
 };
 
 /// Writes the tables, codebook.tsv and MANIFEST.tsv (rows and SHA-256 of each) into `folder`, which
-/// appears complete or not at all.
+/// appears complete or not at all. Returns every file in it; when asked to stop, none, and leaves
+/// nothing behind.
 ///
 /// Errors: ResultsError when `folder` exists and is not empty; with Overwrite::allow only when it
 /// holds something that no export wrote, because it would be lost.
 std::vector<ExportedFile> export_study(const Study& study, const std::filesystem::path& folder,
-                                       ExportAudience audience, Overwrite overwrite);
+                                       ExportAudience audience, Overwrite overwrite,
+                                       const std::stop_token& stop = {},
+                                       const std::function<void(double)>& progress = {});
 
 }  // namespace asperity

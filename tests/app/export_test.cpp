@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <stop_token>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -103,6 +104,37 @@ TEST(Export, WritesTheTablesThatAreDocumented) {
                           "participants.tsv", "presentations.tsv", "responses.tsv",
                           "servo_quality.tsv", "sessions.tsv", "trials.tsv"));
   EXPECT_THAT(names_in(made.beside("")), ElementsAre("out", "study"));
+}
+
+TEST(Export, NamesEveryFileThatItWroteWithItsRows) {
+  MadeUpStudy made;
+  fill(made);
+  const std::filesystem::path out = made.beside("out");
+  std::vector<std::string> named{};
+  for (const ExportedFile& file :
+       export_study(made.study(), out, ExportAudience::own, Overwrite::refuse)) {
+    named.push_back(file.name);
+    EXPECT_EQ(file.rows, read_tsv(read_file(out / file.name), file.name).rows.size()) << file.name;
+  }
+  std::sort(named.begin(), named.end());
+  const auto there = names_in(out);
+  EXPECT_EQ(named, std::vector<std::string>(there.begin(), there.end()));
+}
+
+TEST(Export, LeavesNothingBehindWhenItIsStopped) {
+  MadeUpStudy made;
+  fill(made);
+  std::stop_source stop{};
+  const auto progress = [&stop](double fraction) {
+    EXPECT_GE(fraction, 0.0);
+    EXPECT_LT(fraction, 1.0);
+    stop.request_stop();
+  };
+  EXPECT_TRUE(export_study(made.study(), made.beside("out"), ExportAudience::own, Overwrite::refuse,
+                           stop.get_token(), progress)
+                  .empty());
+  EXPECT_TRUE(stop.stop_requested()) << "it tells how far it is";
+  EXPECT_THAT(names_in(made.beside("")), ElementsAre("study"));
 }
 
 TEST(Export, DescribesEveryColumnInTheCodebookAndNoOther) {
