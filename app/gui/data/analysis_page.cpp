@@ -19,6 +19,7 @@
 #include "app/analyses/analyze_study.h"
 #include "app/analyses/reading_table.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/task_line.h"
 #include "app/gui/study/open_study.h"
 #include "app/tasks/export_study.h"
 
@@ -338,6 +339,13 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   layout->addLayout(header);
   banner_ = new Banner(this);
   layout->addWidget(banner_);
+  analysing_ = new TaskLine(analysis_, this);
+  analysing_->setObjectName("analysing");
+  analysing_->set_words(tr("Counting the answers…"));
+  layout->addWidget(analysing_);
+  writing_ = new TaskLine(exporting_, this);
+  writing_->setObjectName("exporting");
+  layout->addWidget(writing_);
   stack_ = new QStackedWidget(this);
   layout->addWidget(stack_, 1);
   stack_->addWidget(
@@ -360,6 +368,15 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   stack_->addWidget(both);
   connect(list_, &QListWidget::currentRowChanged, this, &AnalysisPage::show_outcome);
   connect(export_, &QPushButton::clicked, this, &AnalysisPage::ask_where_to_export);
+  connect(analysing_, &TaskLine::cancelWanted, this, [this] {
+    analysis_.abandon();
+    banner_->show_news(State::look,
+                       tr("The answers were not counted; what is shown is from before."),
+                       tr("Count again"), [this] { refresh(); });
+  });
+  connect(writing_, &TaskLine::cancelWanted, &exporting_, &BackgroundTask::cancel);
+  connect(&exporting_, &BackgroundTask::started, this, &AnalysisPage::show_whether_exportable);
+  connect(&exporting_, &BackgroundTask::finished, this, &AnalysisPage::show_whether_exportable);
   connect(&study_, &OpenStudy::changed, this, [this] {
     outdated_ = true;
     if (isVisible()) refresh();
@@ -414,12 +431,18 @@ void AnalysisPage::show_analysis(Analysis analysis) {
                             answers_text(static_cast<int>(outcome.answers))));
   }
   stack_->setCurrentIndex(outcomes_.empty() ? 0 : 1);
-  export_->setEnabled(!outcomes_.empty());
-  export_->setToolTip(outcomes_.empty() ? tr("There are no sessions to export yet.") : QString());
+  show_whether_exportable();
   list_->setCurrentRow(std::min(shown, list_->count() - 1));
   select_wanted();
   wanted_.clear();
   emit refreshed();
+}
+
+void AnalysisPage::show_whether_exportable() {
+  export_->setEnabled(!outcomes_.empty() && !exporting_.is_running());
+  export_->setToolTip(outcomes_.empty()         ? tr("There are no sessions to export yet.")
+                      : exporting_.is_running() ? tr("The tables are being written.")
+                                                : QString());
 }
 
 void AnalysisPage::show_outcome(int index) {
@@ -447,14 +470,22 @@ void AnalysisPage::ask_where_to_export() {
 }
 
 void AnalysisPage::export_to(const QString& folder) {
+  writing_->set_words(tr("Writing the tables to %1 …").arg(folder));
   exporting_.run<std::size_t>(
       [study = study_.folder(), to = std::filesystem::path(folder.toStdString())](
-          const std::stop_token&, const BackgroundTask::Progress&) {
+          const std::stop_token& stop, const BackgroundTask::Progress& progress) {
         return export_study(Study::open(study, Access::read_only), to, ExportAudience::own,
-                            Overwrite::refuse)
+                            Overwrite::refuse, stop, progress)
             .size();
       },
       [this, folder](std::size_t files) {
+        if (files == 0) {
+          banner_->show_news(State::look,
+                             tr("The tables were not written: you cancelled it. Nothing of them is "
+                                "left in %1.")
+                                 .arg(folder));
+          return;
+        }
         banner_->show_news(State::fine,
                            tr("%n files are in %1; codebook.tsv says what every column means.",
                               nullptr, static_cast<int>(files))

@@ -20,6 +20,7 @@ namespace asperity {
 
 class Banner;
 class OpenStudy;
+class TaskLine;
 
 /// One entry per protocol, version and group of participants; the groups never mix. Read anew
 /// whenever the study changes while the page is seen.
@@ -47,6 +48,7 @@ class AnalysisPage final : public QWidget {
     std::set<std::string> running{};
   };
   void show_analysis(Analysis analysis);
+  void show_whether_exportable();
   void show_outcome(int index);
   void select_wanted();
   void ask_where_to_export();
@@ -62,6 +64,8 @@ class AnalysisPage final : public QWidget {
   QListWidget* list_ = nullptr;
   QScrollArea* area_ = nullptr;
   QPushButton* export_ = nullptr;
+  TaskLine* analysing_ = nullptr;
+  TaskLine* writing_ = nullptr;
   BackgroundTask analysis_{};
   BackgroundTask exporting_{};
 };

@@ -12,6 +12,7 @@
 #include "app/gui/data/attempt_words.h"
 #include "app/gui/data/decision_form.h"
 #include "app/gui/data/recording_view.h"
+#include "app/gui/look/task_line.h"
 #include "app/tasks/recording_curves.h"
 #include "results_schema/atomic_file.h"
 
@@ -69,6 +70,12 @@ AttemptPage::AttemptPage(OpenStudy& study, QWidget* parent)
                        "who goes on with it is no longer blind to them."));
   body().addWidget(names_);
   add_actions();
+  reading_line_ = new TaskLine(reading_, this);
+  reading_line_->set_words(tr("Reading the recording…"));
+  body().addWidget(reading_line_);
+  writing_line_ = new TaskLine(exporting_, this);
+  writing_line_->setObjectName("recording_writing");
+  body().addWidget(writing_line_);
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName("attempt_tabs");
   tabs_->setDocumentMode(true);
@@ -88,6 +95,13 @@ AttemptPage::AttemptPage(OpenStudy& study, QWidget* parent)
     if (detail_ && detail_->next_id) show_attempt(*detail_->next_id);
   });
   connect(recording_, &RecordingView::export_wanted, this, &AttemptPage::ask_where_to_export);
+  connect(reading_line_, &TaskLine::cancelWanted, this, [this] {
+    reading_.abandon();
+    recording_of_.reset();
+    recording_->show_reason(State::look, tr("The recording was not read: you cancelled it. It is "
+                                            "read when the attempt is opened again."));
+  });
+  connect(writing_line_, &TaskLine::cancelWanted, &exporting_, &BackgroundTask::cancel);
 }
 
 void AttemptPage::add_actions() {
@@ -249,19 +263,29 @@ void AttemptPage::ask_where_to_export() {
 }
 
 void AttemptPage::export_to(const QString& file) {
-  exporting_.run<std::size_t>(
+  writing_line_->set_words(tr("Writing %1 …").arg(file));
+  exporting_.run<std::optional<std::size_t>>(
       [folder = study().folder(), row = *detail_->attempt.recording,
-       to = std::filesystem::path(file.toStdString())](const std::stop_token&,
-                                                       const BackgroundTask::Progress&) {
+       to = std::filesystem::path(file.toStdString())](
+          const std::stop_token& stop,
+          const BackgroundTask::Progress& progress) -> std::optional<std::size_t> {
         const Table table = table_of(recording_of(folder, row));
-        write_file(to, tsv_of(table), Overwrite::allow);  // the dialog has asked
+        progress(0.3);
+        const std::string text = tsv_of(table);
+        progress(0.9);
+        if (stop.stop_requested()) return {};
+        write_file(to, text, Overwrite::allow);  // the dialog has asked
         return table.rows.size();
       },
-      [this, file](std::size_t ticks) {
+      [this, file](const std::optional<std::size_t>& ticks) {
+        if (!ticks) {
+          banner().show_news(State::look, tr("%1 was not written: you cancelled it.").arg(file));
+          return;
+        }
         banner().show_news(State::fine,
                            tr("%n tick(s) are in %1; docs/formats/recording.md says what the "
                               "columns mean.",
-                              nullptr, static_cast<int>(ticks))
+                              nullptr, static_cast<int>(*ticks))
                                .arg(file));
       },
       [this](const QString& what) { banner().show_news(State::stop, what); });

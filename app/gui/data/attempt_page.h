@@ -17,6 +17,7 @@ class DecisionForm;
 class HistoryTables;
 class MeasureTables;
 class RecordingView;
+class TaskLine;
 
 /// Shows by name what was a code in the session: the attempt is over. What is decided here is
 /// written beside the data; nothing is ever taken away.
@@ -57,6 +58,8 @@ class AttemptPage final : public StudyPage {
   RecordingView* recording_ = nullptr;
   MeasureTables* measures_ = nullptr;
   HistoryTables* history_ = nullptr;
+  TaskLine* reading_line_ = nullptr;
+  TaskLine* writing_line_ = nullptr;
   BackgroundTask reading_{};
   BackgroundTask exporting_{};
 };

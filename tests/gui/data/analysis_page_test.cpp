@@ -1,5 +1,7 @@
 #include "app/gui/data/analysis_page.h"
 
+#include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include <QtTest/QSignalSpy>
@@ -13,6 +15,7 @@
 #include <qcustomplot.h>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/task_line.h"
 #include "app/gui/study/open_study.h"
 #include "tests/app/made_up_study.h"
 #include "tests/gui/support/screenshot.h"
@@ -113,7 +116,35 @@ TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
   auto* banner = page.findChild<Banner*>();
   ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 10000));
   EXPECT_TRUE(std::filesystem::exists(made.beside("tables") / "responses.tsv"));
+  const auto files = std::distance(std::filesystem::directory_iterator(made.beside("tables")),
+                                   std::filesystem::directory_iterator());
+  EXPECT_TRUE(banner->text().startsWith(QString("%1 files").arg(files)))
+      << banner->text().toStdString();
   EXPECT_TRUE(banner->text().contains("codebook.tsv")) << banner->text().toStdString();
+}
+
+TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
+  MadeUpStudy made;
+  add_choices(made, 10);
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(10000));
+  auto* export_tables = page.findChild<QPushButton*>("export_tables");
+  export_tables->click();
+  emit page.findChild<QFileDialog*>("export_dialog")
+      ->fileSelected(QString::fromStdString(made.beside("tables").string()));
+  EXPECT_FALSE(export_tables->isEnabled()) << "one at a time";
+  auto* line = page.findChild<TaskLine*>("exporting");
+  EXPECT_TRUE(line->findChild<QLabel*>("task_words")->text().contains("tables"));
+  line->findChild<QPushButton*>("task_cancel")->click();
+  auto* banner = page.findChild<Banner*>();
+  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 10000));
+  // A machine that is busy elsewhere may notice too late.
+  const bool in_time = banner->text().contains("you cancelled it");
+  EXPECT_EQ(std::filesystem::exists(made.beside("tables")), !in_time);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return export_tables->isEnabled(); }, 10000));
 }
 
 TEST(AnalysisPage, TellsNothingByNameWhileASessionRuns) {

@@ -18,6 +18,7 @@
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/data/time_plots.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/task_line.h"
 #include "app/gui/study/study_table.h"
 #include "app/gui/study/study_window.h"
 #include "app/gui/study/trials_page.h"
@@ -337,6 +338,21 @@ TEST_F(DataView, ExportsARecordingTickByTick) {
   EXPECT_EQ(table.columns[3], "z_m");
   const auto z_m = number_in(std::get<std::string>(table.rows.at(100).at(3)));
   EXPECT_EQ(static_cast<float>(z_m.value()), recording.columns.at(2).at(100));
+}
+
+TEST_F(DataView, WritesATableWholeOrNotAtAllWhenItIsCancelled) {
+  AttemptPage page(*study_);
+  show_attempt(page, attempt(0));
+  ASSERT_TRUE(eventually([&] { return shows_recording(page); }));
+  click(page, "recording_export");
+  const std::filesystem::path file = temporary_.path() / "recording.tsv";
+  emit child<QFileDialog>(page, "recording_dialog")
+      .fileSelected(QString::fromStdString(file.string()));
+  child<TaskLine>(page, "recording_writing").findChild<QPushButton*>("task_cancel")->click();
+  ASSERT_TRUE(eventually([&] { return page.findChild<Banner*>()->isVisible(); }));
+  // A machine that is busy elsewhere may notice too late.
+  const bool in_time = page.findChild<Banner*>()->text().contains("you cancelled it");
+  EXPECT_EQ(std::filesystem::exists(file), !in_time);
 }
 
 TEST_F(DataView, OpensFromTheTrialsWhichMarkWhatIsExcluded) {
