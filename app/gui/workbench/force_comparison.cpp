@@ -94,6 +94,7 @@ ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) :
   connect(heard_, &QComboBox::currentIndexChanged, this, [this](int index) {
     // What is to be heard has to be rendered.
     if (index > 0) cards_[static_cast<std::size_t>(index - 1)].chosen->setChecked(true);
+    open_or_close_sound();
   });
   auto* choices = new QGridLayout();
   choices->setSpacing(kGrid);
@@ -166,6 +167,7 @@ void ForceComparison::add_card(const ForceModel& model, QWidget* parent) {
 }
 
 void ForceComparison::set_field(std::shared_ptr<const HeightField> field) {
+  if (field == field_) return;  // a stroke over it goes on
   field_ = std::move(field);
   make_renderers();
 }
@@ -273,17 +275,42 @@ void ForceComparison::frame() {
 }
 
 void ForceComparison::set_sound(SoundOutput output) {
-  heard_->setEnabled(!output.is_null);
-  no_sound_->setVisible(output.is_null);
-  no_sound_->setText(tr("There is no sound card to hear a force with."));
   speaker_.reset();
-  if (output.is_null) return;
-  speaker_ = std::make_unique<ForceSpeaker>(std::move(output));
+  output_ = std::move(output);
+  heard_->setEnabled(!output_.is_null);
+  no_sound_->setVisible(output_.is_null);
+  no_sound_->setText(tr("There is no sound card to hear a force with."));
+  open_or_close_sound();
+}
+
+void ForceComparison::open_or_close_sound() {
+  const bool wanted = isVisible() && !output_.is_null && heard_->currentIndex() > 0;
+  if (wanted == (speaker_ != nullptr)) return;
+  speaker_.reset();
+  no_sound_->setVisible(output_.is_null);
+  if (!wanted) return;
+  speaker_ = std::make_unique<ForceSpeaker>(output_);
   speaker_->set_full_scale_N(kLoud_N);
+  if (!speaker_->is_null()) return;
+  no_sound_->setText(tr("%1 could not be opened; another program may hold it.").arg(output_.name));
+  no_sound_->show();
+}
+
+void ForceComparison::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  open_or_close_sound();
+}
+
+void ForceComparison::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  frames_.stop();
+  stroke_.end();
+  across_y_m_.reset();
+  open_or_close_sound();
 }
 
 void ForceComparison::play() {
-  if (speaker_ == nullptr || heard_->currentIndex() == 0) return;
+  if (speaker_ == nullptr) return;
   const std::string& id =
       cards_[static_cast<std::size_t>(heard_->currentIndex() - 1)].model->declaration.id;
   for (std::size_t m = 0; m < stroke_.models().size(); ++m) {

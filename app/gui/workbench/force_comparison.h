@@ -45,7 +45,8 @@ class ForceComparison final : public QWidget {
   /// From left to right at 60 mm/s, as in the comparison of texture forces.
   void stroke_across(double y_m);
 
-  /// Where the chosen force is heard; a null output is said so beside the choice.
+  /// Where the chosen force is heard; a null output is said so beside the choice. It is open while
+  /// a force is to be heard and this is seen, and no longer.
   void set_sound(SoundOutput output);
 
   /// The last two seconds of the stroke, and their spectra.
@@ -55,6 +56,11 @@ class ForceComparison final : public QWidget {
  signals:
   void advanced();  ///< there is more of the stroke, or there are other models
   void across_wanted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  /// Ends the stroke, and what is heard of it.
+  void hideEvent(QHideEvent* event) override;
 
  private:
   struct ModelCard {
@@ -72,6 +78,7 @@ class ForceComparison final : public QWidget {
   void frame();
   std::vector<double> component_of(std::size_t model, std::size_t first) const;
   void play();
+  void open_or_close_sound();
 
   std::vector<ModelCard> cards_{};
   ParameterForm* surface_ = nullptr;
@@ -84,8 +91,9 @@ class ForceComparison final : public QWidget {
   QTimer frames_{};
   std::uint64_t frame_ = 0;
   std::optional<double> across_y_m_{};
-  std::unique_ptr<ForceSpeaker> speaker_{};
-  std::size_t played_ = 0;  // samples of this stroke
+  SoundOutput output_{};
+  std::unique_ptr<ForceSpeaker> speaker_{};  // none while nothing is to be heard
+  std::size_t played_ = 0;                   // samples of this stroke
   NewestWork work_{};
 };
 

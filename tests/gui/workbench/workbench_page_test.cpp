@@ -1,7 +1,6 @@
 #include "app/gui/workbench/workbench_page.h"
 
 #include <fstream>
-
 #include <QtCore/QMimeData>
 #include <QtCore/QTemporaryDir>
 #include <QtCore/QThread>
@@ -22,6 +21,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/study/open_study.h"
+#include "app/gui/study/study_window.h"
 #include "app/gui/workbench/force_comparison.h"
 #include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/relief_view.h"
@@ -63,9 +63,15 @@ class Workbench : public testing::Test {
     return file;
   }
 
-  void drop(const std::filesystem::path& file) {
+  void drop(const std::filesystem::path& file) { drop_all({file}); }
+
+  void drop_all(const std::vector<std::filesystem::path>& files) {
     QMimeData data{};
-    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+    QList<QUrl> urls{};
+    for (const std::filesystem::path& file : files) {
+      urls << QUrl::fromLocalFile(QString::fromStdString(file.string()));
+    }
+    data.setUrls(urls);
     QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(page_.get(), &enter);
     ASSERT_TRUE(enter.isAccepted());
@@ -345,6 +351,14 @@ TEST_F(Workbench, StrokesTheReliefAndShowsTheForceOfEachChosenModel) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return comparison.stroke().path().size() >= samples + 16; },
                                 kLongest_ms));
   }
+  const auto& live = find<SignalPlots>("forces");
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return live.signal_series().size() == 3U && live.signal_series().front().y.size() > 300 &&
+               !live.spectrum_series().front().y.empty();
+      },
+      kLongest_ms))
+      << "while the mouse strokes";
   QTest::mouseRelease(&relief, Qt::LeftButton, {}, at(0.03));
   EXPECT_FALSE(comparison.stroke().is_going_on());
 
@@ -419,6 +433,73 @@ TEST_F(Workbench, PlaysTheForceOfTheModelThatIsToBeHeard) {
   EXPECT_EQ(card_.peak, 0.0);
   click("stroke_across");
   ASSERT_TRUE(QTest::qWaitFor([this] { return card_.peak > 0.0; }, kLongest_ms));
+}
+
+TEST_F(Workbench, IsSilentOnceNobodyLooksAtIt) {
+  drop(photograph("brick", 256));
+  click("mode_comparing");
+  auto& comparison = find<ForceComparison>("comparison");
+  comparison.set_sound(output_of(card_));
+  EXPECT_FALSE(card_.open) << "nothing is to be heard";
+  find<QComboBox>("heard").setCurrentIndex(4);
+  find<QComboBox>("force_component").setCurrentIndex(1);
+  settle();
+  const auto hear = [this] {
+    click("stroke_across");
+    ASSERT_TRUE(QTest::qWaitFor([this] { return card_.peak > 0.0; }, kLongest_ms));
+    EXPECT_TRUE(card_.open);
+  };
+  const auto expect_silence = [&] {
+    EXPECT_FALSE(card_.open);
+    EXPECT_FALSE(comparison.stroke().is_going_on());
+    card_.peak = 0.0;
+  };
+  hear();
+  page_->hide();  // another page is shown, or the window is closed
+  expect_silence();
+  page_->show();
+  hear();
+  click("mode_making");
+  expect_silence();
+  click("mode_comparing");
+  hear();
+  find<QComboBox>("heard").setCurrentIndex(0);
+  EXPECT_FALSE(card_.open);
+}
+
+TEST_F(Workbench, LetsTheSoundCardGoWithItsPageItsWindowAndItsStudy) {
+  for (const char* way : {"page", "window", "study"}) {
+    StudyWindow window;
+    ASSERT_TRUE(window.open_study(study_folder()));
+    window.show();
+    window.show_page("workbench");
+    auto* page = window.findChild<WorkbenchPage*>("workbench");
+    ASSERT_NE(page, nullptr);
+    page->open_file(photograph("brick", 128));
+    ASSERT_TRUE(QTest::qWaitFor([page] { return page->is_settled(); }, kLongest_ms));
+    QTest::mouseClick(page->findChild<QAbstractButton*>("mode_comparing"), Qt::LeftButton);
+    page->findChild<ForceComparison*>("comparison")->set_sound(output_of(card_));
+    page->findChild<QComboBox*>("heard")->setCurrentIndex(1);
+    ASSERT_TRUE(card_.open) << way;
+    if (way == std::string("page")) {
+      window.show_page("protocols");
+    } else if (way == std::string("window")) {
+      ASSERT_TRUE(window.close());
+    } else {
+      window.close_study();
+    }
+    EXPECT_FALSE(card_.open) << way;
+  }
+}
+
+TEST_F(Workbench, SaysThatASoundCardCannotBeOpened) {
+  drop(photograph("brick", 128));
+  click("mode_comparing");
+  card_.lost = true;
+  find<ForceComparison>("comparison").set_sound(output_of(card_));
+  find<QComboBox>("heard").setCurrentIndex(1);
+  EXPECT_TRUE(find<QLabel>("no_sound").isVisible());
+  EXPECT_TRUE(find<QLabel>("no_sound").text().contains("Headphones could not be opened"));
 }
 
 TEST_F(Workbench, SaysThatThereIsNothingToHearAForceWith) {
