@@ -6,6 +6,8 @@
 #include <array>
 #include <fstream>
 
+#include <QtGui/QTextBlock>
+#include <QtGui/QTextLayout>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -15,6 +17,7 @@
 #include <QtWidgets/QStackedWidget>
 
 #include "app/gui/editor/find_bar.h"
+#include "app/gui/editor/json_colors.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/question_bar.h"
 #include "app/gui/study/plan_preview.h"
@@ -122,6 +125,29 @@ TEST_F(ProtocolEditor, UnderlinesWhatIsTypedWrongInItsPlace) {
   ASSERT_TRUE(checked());
   EXPECT_TRUE(underlined().isEmpty());
   EXPECT_EQ(problems.shown_rows(), 0);
+}
+
+TEST_F(ProtocolEditor, ColoursKeysTextsAndNumbersAlsoOfWhatIsTyped) {
+  open();
+  const auto color_at = [this](const QString& words) {
+    const int place = static_cast<int>(edit().text().indexOf(words));
+    const QTextBlock line = edit().document()->findBlock(place);
+    for (const QTextLayout::FormatRange& range : line.layout()->formats()) {
+      const int in_line = place - line.position();
+      if (range.start <= in_line && in_line < range.start + range.length) {
+        return range.format.foreground().color();
+      }
+    }
+    return QColor();
+  };
+  using Kind = JsonToken::Kind;
+  EXPECT_EQ(color_at("\"vision\""), json_color(Kind::key, theme()));
+  EXPECT_EQ(color_at("\"hand_occluded\""), json_color(Kind::string, theme()));
+  go_before("\"vision\"");
+  type("\"typed");
+  edit().insertPlainText("\": 12.5, ");
+  EXPECT_EQ(color_at("12.5"), json_color(Kind::number, theme()));
+  EXPECT_NE(json_color(Kind::number, theme()), json_color(Kind::string, theme()));
 }
 
 TEST_F(ProtocolEditor, UnderlinesTheRightCharactersBehindAMicroSignAndAnEmoji) {
