@@ -83,6 +83,7 @@ class Repair final {
     turn_to_agree();
     pair_at_crowded_edges();
     split_vertices();
+    divide_double_edges();
     fill_holes();
     sort_out_parts();
     return {std::move(mesh_), found_};
@@ -352,6 +353,60 @@ class Repair final {
     mesh_.vertices_m = std::move(vertices_m);
   }
 
+  /// Where bodies touch along an edge and hang together at both its ends, two edges have the same ends
+  /// even now. All but one of such edges get a vertex in their middle.
+  void divide_double_edges() {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> edges(partner_.size());
+    for (std::uint32_t half = 0; half < edges.size(); ++half) {
+      edges[half] = {edge_key(from(half), to(half)), half};
+    }
+    std::sort(edges.begin(), edges.end());
+    std::vector<std::uint32_t> middles(partner_.size(), kNone);
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+      while (end < edges.size() && edges[end].first == edges[begin].first) ++end;
+      const std::uint32_t first = edges[begin].second;
+      for (std::size_t i = begin + 1; i < end; ++i) {
+        const std::uint32_t half = edges[i].second;
+        if (half == partner_[first] || middles[half] != kNone) continue;
+        middles[half] = static_cast<std::uint32_t>(mesh_.vertices_m.size());
+        if (partner_[half] != kNone) middles[partner_[half]] = middles[half];
+        mesh_.vertices_m.push_back(0.5 *
+                                   (mesh_.vertices_m[from(half)] + mesh_.vertices_m[to(half)]));
+        ++found_.edges_divided;
+      }
+    }
+    if (found_.edges_divided == 0) return;
+    std::vector<Triangle> divided{};
+    for (std::size_t face = 0; face < mesh_.triangles.size(); ++face) {
+      divide(mesh_.triangles[face],
+             {middles[3 * face], middles[3 * face + 1], middles[3 * face + 2]}, divided);
+    }
+    mesh_.triangles = std::move(divided);
+    partner_ = opposite_half_edges(mesh_.triangles);
+  }
+
+  /// A triangle with vertices in the middle of some of its sides, in triangles.
+  static void divide(Triangle corners, Triangle middles, std::vector<Triangle>& into) {
+    const auto count = std::count_if(middles.begin(), middles.end(),
+                                     [](std::uint32_t middle) { return middle != kNone; });
+    // One is on the first side then, two are on the first two.
+    while ((count == 1 && middles[0] == kNone) || (count == 2 && middles[2] != kNone)) {
+      std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+      std::rotate(middles.begin(), middles.begin() + 1, middles.end());
+    }
+    const auto [a, b, c] = corners;
+    const auto [ab, bc, ca] = middles;
+    if (count == 0) {
+      into.push_back(corners);
+    } else if (count == 1) {
+      into.insert(into.end(), {{a, ab, c}, {ab, b, c}});
+    } else if (count == 2) {
+      into.insert(into.end(), {{ab, b, bc}, {a, ab, bc}, {a, bc, c}});
+    } else {
+      into.insert(into.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
+    }
+  }
+
   void fill_holes() {
     // Every vertex has one fan, so at most one border edge leaves it.
     std::vector<std::uint32_t> leaving(mesh_.vertices_m.size(), kNone);
@@ -545,6 +600,7 @@ std::vector<std::string> sentences_of(const MeshFindings& found) {
   say("Faces turned because they ran against their neighbours", found.faces_turned);
   say("Edges of more than two faces, taken apart", found.non_manifold_edges);
   say("Vertices added where surfaces met only in a point or at such an edge", found.vertices_split);
+  say("Edges divided because others had the same two ends", found.edges_divided);
   say("Holes closed, up to " + millimetres(found.widest_hole_m) + " wide", found.holes_filled);
   say("Parts left out as debris, each far smaller than the whole", found.debris_parts);
   say("Parts left out because they are flat and enclose nothing", found.flat_parts);

@@ -28,6 +28,7 @@ struct MeshFindings {
   std::size_t duplicate_faces = 0;     ///< left out: the corners of an earlier one
   std::size_t non_manifold_edges = 0;  ///< of more than two faces, taken apart
   std::size_t vertices_split = 0;  ///< where surfaces met in nothing but a point or such an edge
+  std::size_t edges_divided = 0;   ///< had the ends of another one, and got a middle
   std::size_t faces_turned = 0;    ///< ran against their neighbours
   std::size_t holes_filled = 0;
   double widest_hole_m = 0.0;

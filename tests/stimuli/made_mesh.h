@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -94,6 +95,39 @@ inline TriangleMesh ring(std::uint32_t around, std::uint32_t across, double reli
       const std::uint32_t d = i * across + next_j;
       mesh.triangles.push_back({a, b, c});
       mesh.triangles.push_back({a, c, d});
+    }
+  }
+  return mesh;
+}
+
+/// Cubes of 10 mm with a corner at the given places of a grid; only faces without a neighbour.
+inline TriangleMesh cubes(const std::set<std::array<int, 3>>& cells) {
+  TriangleMesh mesh{};
+  std::map<std::array<int, 3>, std::uint32_t> vertices{};
+  const auto vertex = [&](const std::array<int, 3>& place) {
+    const auto [found, is_new] =
+        vertices.try_emplace(place, static_cast<std::uint32_t>(mesh.vertices_m.size()));
+    if (is_new) mesh.vertices_m.push_back(0.01 * glm::dvec3{place[0], place[1], place[2]});
+    return found->second;
+  };
+  for (const std::array<int, 3>& cell : cells) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, 1}) {
+        std::array<int, 3> beyond = cell;
+        beyond[axis] += side == 1 ? 1 : -1;
+        if (cells.contains(beyond)) continue;
+        std::array<std::uint32_t, 4> corners{};
+        for (std::size_t i = 0; i < 4; ++i) {
+          constexpr int kAround[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+          std::array<int, 3> place = cell;
+          place[axis] += side;
+          place[(axis + 1) % 3] += kAround[i][side == 1 ? 0 : 1];
+          place[(axis + 2) % 3] += kAround[i][side == 1 ? 1 : 0];
+          corners[i] = vertex(place);
+        }
+        mesh.triangles.push_back({corners[0], corners[1], corners[2]});
+        mesh.triangles.push_back({corners[0], corners[2], corners[3]});
+      }
     }
   }
   return mesh;

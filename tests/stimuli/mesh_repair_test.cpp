@@ -117,6 +117,26 @@ TEST(MeshRepair, TakesBodiesApartThatShareAnEdge) {
   EXPECT_NEAR(volume_m3(result.mesh), 2.0 * 8e-6, 1e-12);
 }
 
+// Two cubes that touch along an edge, between two plates that hold both: around each end of that edge
+// everything hangs together, so that no vertex can be split.
+TEST(MeshRepair, DividesEdgesThatHaveTheSameEnds) {
+  const RepairedMesh result = repaired(cubes({{0, 0, 0},
+                                              {1, 0, 0},
+                                              {0, 1, 0},
+                                              {1, 1, 0},
+                                              {0, 0, 1},
+                                              {1, 1, 1},
+                                              {0, 0, 2},
+                                              {1, 0, 2},
+                                              {0, 1, 2},
+                                              {1, 1, 2}}));
+  EXPECT_EQ(result.found.non_manifold_edges, 1U);
+  EXPECT_EQ(result.found.vertices_split, 0U);
+  EXPECT_EQ(result.found.edges_divided, 1U);
+  EXPECT_EQ(result.found.parts, 1U);
+  EXPECT_NEAR(volume_m3(result.mesh), 10e-6, 1e-15);
+}
+
 TEST(MeshRepair, TakesBodiesApartThatShareACorner) {
   const RepairedMesh result =
       repaired(together(box({0.01, 0.01, 0.01}), box({0.01, 0.01, 0.01}, {0.02, 0.02, 0.02})));
