@@ -44,6 +44,7 @@ class GrowingMesh final {
  public:
   GrowingMesh(const MeshReading& reading, std::string name);
 
+  /// Room for so many; refuses at once more triangles than may be.
   void reserve(std::size_t vertices, std::size_t triangles);
   void add_vertex(const glm::dvec3& in_units);
   std::size_t vertices() const noexcept { return read_.mesh.vertices_m.size(); }
@@ -55,6 +56,7 @@ class GrowingMesh final {
   ReadMesh finish(MeshFormat format);
 
  private:
+  [[noreturn]] void refuse_too_many() const;
   void add_triangle(std::int64_t a, std::int64_t b, std::int64_t c);
 
   ReadMesh read_{};

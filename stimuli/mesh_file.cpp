@@ -199,8 +199,14 @@ GrowingMesh::GrowingMesh(const MeshReading& reading, std::string name)
     : unit_m_(reading.unit_m), most_triangles_(reading.most_triangles), name_(std::move(name)) {}
 
 void GrowingMesh::reserve(std::size_t vertices, std::size_t triangles) {
+  if (triangles > most_triangles_) refuse_too_many();
   read_.mesh.vertices_m.reserve(vertices);
-  read_.mesh.triangles.reserve(std::min(triangles, most_triangles_));
+  read_.mesh.triangles.reserve(triangles);
+}
+
+void GrowingMesh::refuse_too_many() const {
+  throw std::invalid_argument(name_ + " has more than " + std::to_string(most_triangles_) +
+                              " triangles, the most that are read; simplify it elsewhere first.");
 }
 
 void GrowingMesh::add_vertex(const glm::dvec3& in_units) {
@@ -221,10 +227,7 @@ void GrowingMesh::add_triangle(std::int64_t a, std::int64_t b, std::int64_t c) {
     }
     triangle[i] = static_cast<std::uint32_t>(corners[i]);
   }
-  if (read_.mesh.triangles.size() == most_triangles_) {
-    throw std::invalid_argument(name_ + " has more than " + std::to_string(most_triangles_) +
-                                " triangles, the most that are read; simplify it elsewhere first.");
-  }
+  if (read_.mesh.triangles.size() == most_triangles_) refuse_too_many();
   read_.mesh.triangles.push_back(triangle);
 }
 

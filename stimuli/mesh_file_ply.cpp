@@ -209,6 +209,7 @@ class Body final {
                                   " without a list vertex_indices.");
     }
     if (is_vertex) mesh_.reserve(element.count, 0);
+    if (is_face) mesh_.reserve(0, element.count);
     std::vector<double> values(element.properties.size());
     for (std::size_t item = 0; item < element.count; ++item) {
       for (std::size_t i = 0; i < element.properties.size(); ++i) {

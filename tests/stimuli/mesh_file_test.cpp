@@ -231,7 +231,8 @@ TEST(MeshFile, ThatIsWrongIsRefusedInASentence) {
 
 TEST(MeshFile, IsRefusedWithMoreTrianglesThanItMayHave) {
   const MeshReading reading{.unit_m = 1.0, .most_triangles = 11};
-  for (const std::string& content : {obj_of(precise()), stl_of(precise()), ply_of(precise())}) {
+  for (const std::string& content : {obj_of(precise()), stl_of(precise()), ply_of(precise()),
+                                     off_of(precise()), binary_stl_of(precise())}) {
     EXPECT_THAT(refusal(content, reading), HasSubstr("more than 11 triangles"));
   }
 }

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/random.h"
+#include "stimuli/mesh_decimation.h"
 #include "tests/stimuli/made_mesh.h"
 
 namespace asperity::test {
@@ -198,6 +200,37 @@ TEST(MeshRepair, RefusesWhatHasNoInside) {
   }
   strip.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}, {4, 1, 5}, {5, 1, 0}};
   EXPECT_THAT(refusal(strip), HasSubstr("one side only"));
+}
+
+// Triangles between random corners meet in every way there is. What comes out can be simplified.
+TEST(MeshRepair, MakesOfAnyTrianglesAClosedMeshOrSaysWhyNot) {
+  std::size_t mended = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    Random random(seed);
+    TriangleMesh mesh = box({0.01, 0.02, 0.03});
+    for (int i = 0; i < 6; ++i) {
+      mesh.vertices_m.emplace_back(0.03 * random.uniform(), 0.03 * random.uniform(),
+                                   0.03 * random.uniform());
+    }
+    const std::size_t more = 1 + seed % 24;
+    for (std::size_t i = 0; i < more; ++i) {
+      const auto corner = [&] { return static_cast<std::uint32_t>(14.0 * random.uniform()); };
+      mesh.triangles.push_back({corner(), corner(), corner()});
+    }
+    if (seed % 3 == 0) mesh.triangles.erase(mesh.triangles.begin() + 5);
+    try {
+      const RepairedMesh result = repair_mesh(mesh, {.widest_hole_m = 1.0}, "thing");
+      ASSERT_TRUE(is_closed(result.mesh)) << seed;
+      ++mended;
+      decimate_mesh(result.mesh, std::max<std::size_t>(4, result.mesh.triangles.size() * 3 / 4),
+                    "thing");
+    } catch (const std::invalid_argument& refused) {
+      EXPECT_THAT(refused.what(), testing::AnyOf(HasSubstr("one side only"), HasSubstr("flat"),
+                                                 HasSubstr("cannot be simplified")))
+          << seed;
+    }
+  }
+  EXPECT_GT(mended, 100U);
 }
 
 TEST(MeshRepair, RefusesCoordinatesThatAreNoNumbersAndSizesNobodyFeels) {
