@@ -36,6 +36,10 @@ struct Lanes {
     const Mask short_of_it = _mm256_cmp_ps(_mm256_cvtepi32_ps(cut), a, _CMP_LT_OQ);
     return _mm256_sub_epi32(cut, _mm256_castps_si256(short_of_it));
   }
+  // a·2ⁿ, by the exponent's bits: neither a nor the result may be 0 or out of range.
+  static Floats times_power_of_two(Floats a, Ints n) {
+    return _mm256_castsi256_ps(_mm256_add_epi32(_mm256_castps_si256(a), _mm256_slli_epi32(n, 23)));
+  }
   static Mask less(Floats a, Floats b) { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
   static Mask both(Mask a, Mask b) { return _mm256_and_ps(a, b); }
   static Mask within(Ints at, std::int32_t first, std::int32_t end) {
@@ -89,9 +93,10 @@ struct Lanes {
 }  // namespace asperity
 
 #include "renderers/pd_gradient/sample_loops_of_lanes.h"
+#include "renderers/pd_gradient/smooth_loop_of_lanes.h"
 #include "renderers/pd_gradient/triangle_loops_of_lanes.h"
 
 namespace asperity {
-const SampleLoops kAvx2Loops{sample_surface_by_lanes, compare_by_lanes};
+const SampleLoops kAvx2Loops{sample_surface_by_lanes, compare_by_lanes, weigh_by_lanes};
 const TriangleLoops kAvx2TriangleLoops{find_pairs_by_lanes};
 }  // namespace asperity

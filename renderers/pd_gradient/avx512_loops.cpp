@@ -34,6 +34,10 @@ struct Lanes {
     const Ints cut = _mm512_cvttps_epi32(a);
     return _mm512_mask_add_epi32(cut, less(_mm512_cvtepi32_ps(cut), a), cut, _mm512_set1_epi32(1));
   }
+  // a·2ⁿ, by the exponent's bits: neither a nor the result may be 0 or out of range.
+  static Floats times_power_of_two(Floats a, Ints n) {
+    return _mm512_castsi512_ps(_mm512_add_epi32(_mm512_castps_si512(a), _mm512_slli_epi32(n, 23)));
+  }
   static Mask less(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
   static Mask both(Mask a, Mask b) { return static_cast<Mask>(a & b); }
   static Mask within(Ints at, std::int32_t first, std::int32_t end) {
@@ -88,9 +92,10 @@ struct Lanes {
 }  // namespace asperity
 
 #include "renderers/pd_gradient/sample_loops_of_lanes.h"
+#include "renderers/pd_gradient/smooth_loop_of_lanes.h"
 #include "renderers/pd_gradient/triangle_loops_of_lanes.h"
 
 namespace asperity {
-const SampleLoops kAvx512Loops{sample_surface_by_lanes, compare_by_lanes};
+const SampleLoops kAvx512Loops{sample_surface_by_lanes, compare_by_lanes, weigh_by_lanes};
 const TriangleLoops kAvx512TriangleLoops{find_pairs_by_lanes};
 }  // namespace asperity

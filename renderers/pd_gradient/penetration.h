@@ -31,6 +31,9 @@ struct SmoothMaximum {
 
 using MaximumLaw = std::variant<HardMaximum, SmoothMaximum>;
 
+/// Throws std::invalid_argument, naming the field, for a step, τ or S that is not positive.
+void require_sound(const MaximumLaw& law);
+
 /// How far A is moved either way for the central differences, from the declared step. Turning about
 /// n moves the middle of the window's border by the step; tilting lifts it by a quarter of the step,
 /// since textures are lower than they are long.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kColumnsPerStep = 2 * kMostLanes;  // a turn's table has one entry for so many lanes
 constexpr int kMostStepCells = 8;
+constexpr double kWholeCell = 1e-6;  // a step that is this close to whole cells is
 constexpr int kRoomQuantities = 4;
 // What lies so far from the window is not part of it, and a float still counts cells there.
 constexpr double kFarAway_cells = 1e6;
@@ -160,22 +162,21 @@ std::optional<SampledTriangle> sampled_triangle(const PackedSurface::Triangle& t
 }  // namespace
 
 PenetrationSampler::PenetrationSampler(const SamplerSettings& settings)
-    : grid_(settings.grid), step_cells_(settings.step_cells) {
+    : grid_(settings.grid), law_(settings.law), loops_(&loops_of(settings.instructions)) {
   require_sound(grid_);
-  if (step_cells_ < 1 || step_cells_ > kMostStepCells) {
-    throw std::invalid_argument("PenetrationSampler: a step of " + std::to_string(step_cells_) +
-                                " cells; it has to be 1 to " + std::to_string(kMostStepCells) +
-                                ".");
+  require_sound(law_);
+  int apron = kSlopeApron;
+  if (const auto* hard = std::get_if<HardMaximum>(&law_)) {
+    prepare_steps(*hard);
+    apron = step_cells_;
   }
-  if (grid_.samples % (kColumnsPerStep * step_cells_) != 0) {
-    throw std::invalid_argument("PenetrationSampler: " + std::to_string(grid_.samples) +
-                                " samples with a step of " + std::to_string(step_cells_) +
-                                " cells; a multiple of " +
-                                std::to_string(kColumnsPerStep * step_cells_) + " is needed.");
+  const int samples_in = step_cells_ > 0 ? kColumnsPerStep * step_cells_ : kMostLanes;
+  if (grid_.samples % samples_in != 0) {
+    throw std::invalid_argument("PenetrationSampler: a window of " + std::to_string(grid_.samples) +
+                                " samples; with this law it has to be a multiple of " +
+                                std::to_string(samples_in) + ".");
   }
-  steps_ = difference_steps(grid_, step_cells_ * grid_.spacing_m());
-  loops_ = &loops_of(settings.instructions);
-  a_ = field_with_apron(step_cells_);
+  a_ = field_with_apron(apron);
   b_ = field_with_apron(0);
   triangles_.resize(settings.most_triangles);
   const auto band = static_cast<std::size_t>(kBandRows * a_.samples.stride + kMostLanes);
@@ -183,7 +184,19 @@ PenetrationSampler::PenetrationSampler(const SamplerSettings& settings)
   const auto side = static_cast<std::size_t>(grid_.samples);
   row_most_m_.assign(side * kMostLanes, 0.0F);
   column_most_m_.assign(side, 0.0F);
-  prepare_turn();
+  if (step_cells_ > 0) prepare_turn();
+}
+
+void PenetrationSampler::prepare_steps(const HardMaximum& law) {
+  const double cells = law.step_m / grid_.spacing_m();
+  if (!(std::abs(cells - std::round(cells)) < kWholeCell && cells > 0.5 &&
+        cells < kMostStepCells + 0.5)) {
+    throw std::invalid_argument("PenetrationSampler: a step of " + std::to_string(cells) +
+                                " cells; it has to be 1 to " + std::to_string(kMostStepCells) +
+                                ", a whole number.");
+  }
+  step_cells_ = static_cast<int>(std::lround(cells));
+  steps_ = difference_steps(grid_, law.step_m);
 }
 
 PenetrationSampler::Field PenetrationSampler::field_with_apron(int apron) const {
@@ -234,12 +247,10 @@ int PenetrationSampler::sample(const PackedPatch& patch, const ContactFrame& fra
     if (triangle) triangles_[count++] = *triangle;
   }
   const auto band = room_.size() / kRoomQuantities;
-  HeightSamples samples = field.samples;
-  samples.height_m = field.height_m.data();
   return loops_->sample_surface({.triangles = triangles_.data(),
                                  .count = static_cast<std::int32_t>(count),
                                  .texels = patch.surface.texels(),
-                                 .field = samples,
+                                 .field = samples_of(field),
                                  .room = {.place_x = room_.data(),
                                           .place_y = room_.data() + band,
                                           .height_m = room_.data() + 2 * band,
@@ -265,23 +276,40 @@ bool PenetrationSampler::at_border(int row, int column) const noexcept {
 std::optional<Penetration> PenetrationSampler::evaluate(const PackedPatch& a, const PackedPatch& b,
                                                         const ContactFrame& frame) noexcept {
   const int folded = sample(a, frame, -1.0, a_) + sample(b, frame, 1.0, b_);
+  const auto* smooth = std::get_if<SmoothMaximum>(&law_);
+  std::optional<Penetration> found = smooth != nullptr ? smooth_maximum(*smooth) : hard_maximum();
+  if (found) found->folded = folded;
+  return found;
+}
+
+HeightSamples PenetrationSampler::samples_of(Field& field) noexcept {
+  HeightSamples samples = field.samples;
+  samples.height_m = field.height_m.data();
+  return samples;
+}
+
+Penetration PenetrationSampler::deepest_at(int row, int column) const noexcept {
+  return {
+      .deepest_m = {grid_.place_m(column), grid_.place_m(row), -double{height_m(a_, row, column)}},
+      .at_border = at_border(row, column)};
+}
+
+std::optional<Penetration> PenetrationSampler::hard_maximum() noexcept {
   const auto side = static_cast<std::size_t>(grid_.samples);
   const std::size_t blocks = side / kMostLanes;
-  ComparisonTask task{.a = a_.samples,
-                      .b = b_.samples,
-                      .step_cells = step_cells_,
-                      .tilt_rise_m = static_cast<float>(steps_.tilt_rad * grid_.spacing_m()),
-                      .turn = {.turn_rad = static_cast<float>(steps_.turn_rad),
-                               .forth_cells = turn_cells_.data(),
-                               .forth_weight = turn_weights_.data(),
-                               .back_cells = turn_cells_.data() + blocks,
-                               .back_weight = turn_weights_.data() + side},
-                      .row_most_m = row_most_m_.data(),
-                      .column_most_m = column_most_m_.data()};
-  task.a.height_m = a_.height_m.data();
-  task.b.height_m = b_.height_m.data();
   ElevenMaxima found;
-  loops_->compare(task, found);
+  loops_->compare({.a = samples_of(a_),
+                   .b = samples_of(b_),
+                   .step_cells = step_cells_,
+                   .tilt_rise_m = static_cast<float>(steps_.tilt_rad * grid_.spacing_m()),
+                   .turn = {.turn_rad = static_cast<float>(steps_.turn_rad),
+                            .forth_cells = turn_cells_.data(),
+                            .forth_weight = turn_weights_.data(),
+                            .back_cells = turn_cells_.data() + blocks,
+                            .back_weight = turn_weights_.data() + side},
+                   .row_most_m = row_most_m_.data(),
+                   .column_most_m = column_most_m_.data()},
+                  found);
   if (!(found.here_m > kNothing_m)) return std::nullopt;
 
   const auto difference = [&found](const float(&moved_m)[2], double step) {
@@ -293,18 +321,37 @@ std::optional<Penetration> PenetrationSampler::evaluate(const PackedPatch& a, co
     if (back) return (here_m - moved_m[1]) / step;
     return 0.0;
   };
-  const double z_m = -double{height_m(a_, found.row, found.column)};
-  const glm::dvec2 slope{difference(found.u_m, steps_.along_m),
-                         difference(found.v_m, steps_.along_m)};
-  return Penetration{.depth_m = found.here_m,
-                     .slope = slope,
-                     .lever_m = {difference(found.tilt_u_m, steps_.tilt_rad) - z_m * slope.y,
-                                 difference(found.tilt_v_m, steps_.tilt_rad) + z_m * slope.x,
-                                 difference(found.turn_m, steps_.turn_rad)},
-                     .deepest_m = {grid_.place_m(found.column), grid_.place_m(found.row), z_m},
-                     .covered = found.covered,
-                     .folded = folded,
-                     .at_border = at_border(found.row, found.column)};
+  Penetration result = deepest_at(found.row, found.column);
+  const double z_m = result.deepest_m.z;
+  result.depth_m = found.here_m;
+  result.covered = found.covered;
+  result.slope = {difference(found.u_m, steps_.along_m), difference(found.v_m, steps_.along_m)};
+  result.lever_m = {difference(found.tilt_u_m, steps_.tilt_rad) - z_m * result.slope.y,
+                    difference(found.tilt_v_m, steps_.tilt_rad) + z_m * result.slope.x,
+                    difference(found.turn_m, steps_.turn_rad)};
+  return result;
+}
+
+// The derivatives of the reference, with sums for means: see reference_penetration.cpp.
+std::optional<Penetration> PenetrationSampler::smooth_maximum(const SmoothMaximum& law) noexcept {
+  WeightedSums sums;
+  loops_->weigh({.a = samples_of(a_),
+                 .b = samples_of(b_),
+                 .per_tau_per_m = static_cast<float>(1.0 / law.tau_m),
+                 .row_most_m = row_most_m_.data()},
+                sums);
+  if (!(sums.here_m > kNothing_m)) return std::nullopt;
+  const double cell_m = grid_.spacing_m();
+  const double per_weight = 1.0 / sums.weight;
+  const double per_slope = per_weight / kSlope_cells;  // of what is in cells both up and along
+  Penetration result = deepest_at(sums.row, sums.column);
+  result.depth_m = sums.here_m + law.tau_m * std::log(sums.weight * cell_m * cell_m / law.area_m2);
+  result.covered = sums.covered;
+  result.slope = glm::dvec2{sums.slope_x_m, sums.slope_y_m} * (per_slope / cell_m);
+  result.lever_m = {-sums.y * per_weight * cell_m - sums.z_slope_y_m2 * (per_slope / cell_m),
+                    sums.x * per_weight * cell_m + sums.z_slope_x_m2 * (per_slope / cell_m),
+                    sums.turn_m * per_slope};
+  return result;
 }
 
 }  // namespace asperity

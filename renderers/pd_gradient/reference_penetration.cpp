@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <variant>
 
@@ -331,13 +329,6 @@ std::optional<Penetration> smooth_maximum(const ContactPatch& a, const ContactPa
   return result;
 }
 
-void require_positive(double value, const char* name) {
-  if (!(value > 0.0) || !std::isfinite(value)) {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                                "; it has to be positive.");
-  }
-}
-
 }  // namespace
 
 SampledSurface sample_surface(const ContactPatch& patch, const ContactFrame& frame,
@@ -353,14 +344,11 @@ SampledSurface sample_surface_and_rates(const ContactPatch& patch, const Contact
 std::optional<Penetration> reference_penetration(const ContactPatch& a, const ContactPatch& b,
                                                  const ContactFrame& frame,
                                                  const SamplingGrid& grid, const MaximumLaw& law) {
+  require_sound(law);
   if (const auto* hard = std::get_if<HardMaximum>(&law)) {
-    require_positive(hard->step_m, "HardMaximum: step_m");
     return hard_maximum(a, b, frame, grid, *hard);
   }
-  const auto& smooth = std::get<SmoothMaximum>(law);
-  require_positive(smooth.tau_m, "SmoothMaximum: tau_m");
-  require_positive(smooth.area_m2, "SmoothMaximum: area_m2");
-  return smooth_maximum(a, b, frame, grid, smooth);
+  return smooth_maximum(a, b, frame, grid, std::get<SmoothMaximum>(law));
 }
 
 }  // namespace asperity

@@ -118,11 +118,40 @@ struct ElevenMaxima {
   std::int32_t covered = 0;
 };
 
-/// The two loops for one instruction set. Real-time: no allocation, no lock, no exception.
+struct WeighingTask {
+  HeightSamples a{};  ///< apron: kSlopeApron
+  HeightSamples b{};  ///< apron: 0
+  float per_tau_per_m = 0.0F;
+  float* row_most_m = nullptr;  ///< kMostLanes for each row
+};
+
+/// Slopes of A's samples are 8·(h₁ − h₋₁) − (h₂ − h₋₂), twelve cells' worth.
+inline constexpr int kSlopeApron = 2;
+inline constexpr float kSlope_cells = 12.0F;
+
+/// Sums over the window of the weight w = exp((h_B − h_A − here)/τ), times what stands at a sample:
+/// its place in cells from the middle (x, y), A's height along n (z) and slopes in kSlope_cells.
+struct WeightedSums {
+  float here_m = 0.0F;  ///< of the deepest sample, whose weight is 1
+  std::int32_t row = 0;
+  std::int32_t column = 0;
+  std::int32_t covered = 0;
+  double weight = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  double slope_x_m = 0.0;
+  double slope_y_m = 0.0;
+  double z_slope_x_m2 = 0.0;
+  double z_slope_y_m2 = 0.0;
+  double turn_m = 0.0;  ///< x·slope_y − y·slope_x
+};
+
+/// The loops for one instruction set. Real-time: no allocation, no lock, no exception.
 struct SampleLoops {
   /// Answers at how many samples, apron included, a sheet met another one.
   std::int32_t (*sample_surface)(const SurfaceTask& task) = nullptr;
   void (*compare)(const ComparisonTask& task, ElevenMaxima& maxima) = nullptr;
+  void (*weigh)(const WeighingTask& task, WeightedSums& sums) = nullptr;
 };
 
 extern const SampleLoops kSse2Loops;

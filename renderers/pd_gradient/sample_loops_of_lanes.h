@@ -236,21 +236,19 @@ inline void find_tilts(const ComparisonTask& task, ElevenMaxima& maxima) {
   }
 }
 
-inline void find_deepest(const ComparisonTask& task, ElevenMaxima& maxima) {
-  const Floats depth = Lanes::all(maxima.here_m);
-  const auto reached = [&](Floats a) {
-    return Lanes::bits(Lanes::less(a, depth)) != (1U << Lanes::kWidth) - 1U;
+// The first sample, row by row, at which both surfaces together reach that height.
+inline void find_deepest(const HeightSamples& a, const HeightSamples& b, const float* row_most_m,
+                         float here_m, std::int32_t& row, std::int32_t& column) {
+  const Floats depth = Lanes::all(here_m);
+  const auto reached = [depth](const float* most) {
+    return Lanes::bits(Lanes::less(Lanes::load(most), depth)) != (1U << Lanes::kWidth) - 1U;
   };
-  std::int32_t row = 0;
-  while (row + 1 < task.b.samples && !reached(Lanes::load(task.row_most_m + row * kMostLanes))) {
-    ++row;
-  }
-  const float* const a = task.a.height_m + (row + task.a.apron) * task.a.stride + task.a.apron;
-  const float* const b = task.b.height_m + row * task.b.stride;
-  std::int32_t column = 0;
-  while (column + 1 < task.b.samples && a[column] + b[column] < maxima.here_m) ++column;
-  maxima.row = row;
-  maxima.column = column;
+  row = 0;
+  while (row + 1 < b.samples && !reached(row_most_m + row * kMostLanes)) ++row;
+  const float* const a_row = a.height_m + (row + a.apron) * a.stride + a.apron;
+  const float* const b_row = b.height_m + row * b.stride;
+  column = 0;
+  while (column + 1 < b.samples && a_row[column] + b_row[column] < here_m) ++column;
 }
 
 void compare_by_lanes(const ComparisonTask& task, ElevenMaxima& maxima) {
@@ -271,7 +269,7 @@ void compare_by_lanes(const ComparisonTask& task, ElevenMaxima& maxima) {
   maxima.covered = 0;
   for (const float lane : covered) maxima.covered += static_cast<std::int32_t>(lane);
   find_tilts(task, maxima);
-  find_deepest(task, maxima);
+  find_deepest(task.a, task.b, task.row_most_m, maxima.here_m, maxima.row, maxima.column);
 }
 
 }  // namespace

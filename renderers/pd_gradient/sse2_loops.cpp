@@ -35,6 +35,10 @@ struct Lanes {
     const Ints cut = _mm_cvttps_epi32(a);
     return _mm_sub_epi32(cut, _mm_castps_si128(_mm_cmplt_ps(_mm_cvtepi32_ps(cut), a)));
   }
+  // a·2ⁿ, by the exponent's bits: neither a nor the result may be 0 or out of range.
+  static Floats times_power_of_two(Floats a, Ints n) {
+    return _mm_castsi128_ps(_mm_add_epi32(_mm_castps_si128(a), _mm_slli_epi32(n, 23)));
+  }
   static Mask less(Floats a, Floats b) { return _mm_cmplt_ps(a, b); }
   static Mask both(Mask a, Mask b) { return _mm_and_ps(a, b); }
   static Mask within(Ints at, std::int32_t first, std::int32_t end) {
@@ -82,9 +86,10 @@ struct Lanes {
 }  // namespace asperity
 
 #include "renderers/pd_gradient/sample_loops_of_lanes.h"
+#include "renderers/pd_gradient/smooth_loop_of_lanes.h"
 #include "renderers/pd_gradient/triangle_loops_of_lanes.h"
 
 namespace asperity {
-const SampleLoops kSse2Loops{sample_surface_by_lanes, compare_by_lanes};
+const SampleLoops kSse2Loops{sample_surface_by_lanes, compare_by_lanes, weigh_by_lanes};
 const TriangleLoops kSse2TriangleLoops{find_pairs_by_lanes};
 }  // namespace asperity

@@ -20,9 +20,11 @@ namespace {
 constexpr double kWindow_m = ContactsByChance::kWindow_m;
 constexpr double kDepth_m = 0.1e-3;
 
-SamplerSettings settings_for(int samples, int step_cells, InstructionSet instructions) {
+HardMaximum step_of(int samples, int cells) { return {.step_m = cells * kWindow_m / samples}; }
+
+SamplerSettings settings_for(int samples, const MaximumLaw& law, InstructionSet instructions) {
   return {.grid = {.width_m = kWindow_m, .samples = samples},
-          .step_cells = step_cells,
+          .law = law,
           .most_triangles = 100,
           .instructions = instructions};
 }
@@ -57,7 +59,8 @@ struct RelativeError {
 TEST(PenetrationSampler, AgreesWithThePlainEvaluation) {
   ContactsByChance chance(11);
   for (const int step_cells : {1, 2}) {
-    PenetrationSampler sampler(settings_for(64, step_cells, instruction_sets_here().back()));
+    PenetrationSampler sampler(
+        settings_for(64, step_of(64, step_cells), instruction_sets_here().back()));
     RelativeError tilts;
     RelativeError turn;
     for (const ContactKind kind : kContactKinds) {
@@ -65,7 +68,7 @@ TEST(PenetrationSampler, AgreesWithThePlainEvaluation) {
       ChanceContact contact = chance.draw(kind);
       press_in(contact, sampler.grid());
       const auto expected = reference_penetration(contact.a(), contact.b(), {}, sampler.grid(),
-                                                  HardMaximum{.step_m = sampler.step_m()});
+                                                  step_of(64, step_cells));
       const auto found = answer(sampler, contact);
       ASSERT_TRUE(expected && found);
       EXPECT_NEAR(found->depth_m, expected->depth_m, 10e-9);
@@ -91,13 +94,13 @@ TEST(PenetrationSampler, AgreesWithThePlainEvaluation) {
 // Half of the window has only one surface; nothing may come of what lies beside it.
 TEST(PenetrationSampler, FindsNothingDeeperWhereASurfaceEnds) {
   ContactsByChance chance(12);
-  PenetrationSampler sampler(settings_for(64, 1, instruction_sets_here().back()));
+  PenetrationSampler sampler(settings_for(64, step_of(64, 1), instruction_sets_here().back()));
   for (int i = 0; i < 4; ++i) {
     ChanceContact contact = chance.draw(ContactKind::overlapping);
     contact.pose_a.position_m += glm::dvec3{0.7 * kWindow_m, 0.0, 0.0};
     press_in(contact, sampler.grid());
-    const auto expected = reference_penetration(contact.a(), contact.b(), {}, sampler.grid(),
-                                                HardMaximum{.step_m = sampler.step_m()});
+    const auto expected =
+        reference_penetration(contact.a(), contact.b(), {}, sampler.grid(), step_of(64, 1));
     const auto found = answer(sampler, contact);
     ASSERT_TRUE(expected && found);
     ASSERT_LT(expected->covered, 64 * 64);
@@ -114,7 +117,7 @@ TEST(PenetrationSampler, FindsNothingDeeperWhereASurfaceEnds) {
 TEST(PenetrationSampler, TakesTheOutermostSheetAndCountsTheFold) {
   ContactsByChance chance(17);
   const ChanceContact once = chance.draw(ContactKind::flat);
-  PenetrationSampler sampler(settings_for(32, 1, instruction_sets_here().back()));
+  PenetrationSampler sampler(settings_for(32, step_of(32, 1), instruction_sets_here().back()));
   const auto single = answer(sampler, once);
   for (const bool lower_first : {true, false}) {
     ChanceContact twice = once;
@@ -137,31 +140,73 @@ TEST(PenetrationSampler, TakesTheOutermostSheetAndCountsTheFold) {
     EXPECT_EQ(found->lever_m, single->lever_m);
     EXPECT_EQ(single->folded, 0);
     EXPECT_EQ(found->folded, 32 * 32);
-    const auto plain = reference_penetration(twice.a(), twice.b(), {}, sampler.grid(),
-                                             HardMaximum{.step_m = sampler.step_m()});
+    const auto plain =
+        reference_penetration(twice.a(), twice.b(), {}, sampler.grid(), step_of(32, 1));
     EXPECT_EQ(plain->folded, 32 * 32);
   }
 }
 
-TEST(PenetrationSampler, GivesTheSameBitsWithEveryInstructionSet) {
-  ContactsByChance chance(13);
-  std::vector<PenetrationSampler> samplers;
-  for (const InstructionSet set : instruction_sets_here()) {
-    samplers.emplace_back(settings_for(64, 2, set));
-  }
+TEST(PenetrationSampler, AgreesWithThePlainSmoothMaximum) {
+  ContactsByChance chance(18);
+  RelativeError slopes;
+  RelativeError tilts;
+  RelativeError turn;
+  const SmoothMaximum law{.tau_m = 20e-6};
+  PenetrationSampler sampler(settings_for(128, law, instruction_sets_here().back()));
   for (const ContactKind kind : kContactKinds) {
     ChanceContact contact = chance.draw(kind);
-    const auto first = answer(samplers.front(), contact);
-    ASSERT_TRUE(first);
-    for (PenetrationSampler& sampler : samplers) {
-      const auto found = answer(sampler, contact);
-      ASSERT_TRUE(found);
-      const auto bits = [](const Penetration& p) {
-        return std::array{p.depth_m,     p.slope.x,         p.slope.y,          p.lever_m.x,
-                          p.lever_m.y,   p.lever_m.z,       p.deepest_m.x,      p.deepest_m.y,
-                          p.deepest_m.z, double(p.covered), double(p.at_border)};
-      };
-      EXPECT_EQ(bits(*found), bits(*first));
+    press_in(contact, sampler.grid());
+    const auto expected = reference_penetration(contact.a(), contact.b(), {}, sampler.grid(), law);
+    const auto found = answer(sampler, contact);
+    ASSERT_TRUE(expected && found);
+    EXPECT_NEAR(found->depth_m, expected->depth_m, 20e-9);
+    EXPECT_NEAR(found->deepest_m.x, expected->deepest_m.x, 1e-9);
+    EXPECT_NEAR(found->covered, expected->covered, 4);
+    slopes.add(found->slope.x, expected->slope.x);
+    slopes.add(found->slope.y, expected->slope.y);
+    tilts.add(found->lever_m.x, expected->lever_m.x);
+    tilts.add(found->lever_m.y, expected->lever_m.y);
+    turn.add(found->lever_m.z, expected->lever_m.z);
+  }
+  RecordProperty("smooth_slopes", std::to_string(slopes.rms()));
+  RecordProperty("smooth_tilts", std::to_string(tilts.rms()));
+  RecordProperty("smooth_turn", std::to_string(turn.rms()));
+  EXPECT_LT(slopes.rms(), 0.03);
+  EXPECT_LT(tilts.rms(), 0.01);
+  EXPECT_LT(turn.rms(), 0.05);
+}
+
+TEST(PenetrationSampler, GivesTheSameBitsWithEveryInstructionSet) {
+  ContactsByChance chance(13);
+  for (const MaximumLaw& law :
+       {MaximumLaw(step_of(64, 2)), MaximumLaw(SmoothMaximum{.tau_m = 20e-6})}) {
+    std::vector<PenetrationSampler> samplers;
+    for (const InstructionSet set : instruction_sets_here()) {
+      samplers.emplace_back(settings_for(64, law, set));
+    }
+    for (const ContactKind kind : kContactKinds) {
+      const ChanceContact contact = chance.draw(kind);
+      const auto first = answer(samplers.front(), contact);
+      ASSERT_TRUE(first);
+      for (PenetrationSampler& sampler : samplers) {
+        const auto found = answer(sampler, contact);
+        ASSERT_TRUE(found);
+        const auto bits = [](const Penetration& p) {
+          return std::array{p.depth_m,
+                            p.slope.x,
+                            p.slope.y,
+                            p.lever_m.x,
+                            p.lever_m.y,
+                            p.lever_m.z,
+                            p.deepest_m.x,
+                            p.deepest_m.y,
+                            p.deepest_m.z,
+                            static_cast<double>(p.covered),
+                            static_cast<double>(p.folded),
+                            static_cast<double>(p.at_border)};
+        };
+        EXPECT_EQ(bits(*found), bits(*first));
+      }
     }
   }
 }
@@ -169,7 +214,7 @@ TEST(PenetrationSampler, GivesTheSameBitsWithEveryInstructionSet) {
 TEST(PenetrationSampler, TurnsWithTheFrameUpToSinglePrecision) {
   ContactsByChance chance(14);
   ChanceContact contact = chance.draw(ContactKind::convex_on_flat);
-  PenetrationSampler sampler(settings_for(32, 1, instruction_sets_here().back()));
+  PenetrationSampler sampler(settings_for(32, step_of(32, 1), instruction_sets_here().back()));
   const auto before = answer(sampler, contact);
   const glm::dmat3 turn = turn_about({0.3, -0.8, 0.5}, 2.1);
   const glm::dvec3 shift_m{0.1, -0.2, 0.05};
@@ -186,7 +231,7 @@ TEST(PenetrationSampler, TurnsWithTheFrameUpToSinglePrecision) {
 
 TEST(PenetrationSampler, FindsNothingWhereNothingIs) {
   ContactsByChance chance(15);
-  PenetrationSampler sampler(settings_for(32, 1, instruction_sets_here().back()));
+  PenetrationSampler sampler(settings_for(32, step_of(32, 1), instruction_sets_here().back()));
   const ChanceContact whole = chance.draw(ContactKind::flat);
   ASSERT_TRUE(answer(sampler, whole));
   const auto finds_nothing = [&](auto change) {
@@ -212,7 +257,7 @@ TEST(PenetrationSampler, DoesNotTouchTheHeap) {
   const ChanceContact contact = chance.draw(ContactKind::convex_on_convex);
   const PackedSurface a(contact.mesh_a);
   const PackedSurface b(contact.mesh_b);
-  PenetrationSampler sampler(settings_for(32, 1, instruction_sets_here().back()));
+  PenetrationSampler sampler(settings_for(32, step_of(32, 1), instruction_sets_here().back()));
   const AllocationGuard guard;
   const auto found = sampler.evaluate(
       {.surface = a, .triangles = contact.triangles_a, .pose = contact.pose_a},
@@ -223,17 +268,26 @@ TEST(PenetrationSampler, DoesNotTouchTheHeap) {
 
 TEST(PenetrationSampler, RefusesAGridThatItsStepDoesNotFit) {
   const auto refuses = [](auto change) {
-    SamplerSettings settings = settings_for(64, 1, InstructionSet::sse2);
+    SamplerSettings settings = settings_for(64, step_of(64, 1), InstructionSet::sse2);
     change(settings);
     EXPECT_THROW(PenetrationSampler{settings}, std::invalid_argument);
   };
-  refuses([](SamplerSettings& settings) { settings.grid.samples = 48; });
-  refuses([](SamplerSettings& settings) { settings.step_cells = 3; });
-  refuses([](SamplerSettings& settings) { settings.step_cells = 0; });
+  refuses([](SamplerSettings& settings) {
+    settings.grid.samples = 48;
+    settings.law = step_of(48, 1);
+  });
+  refuses([](SamplerSettings& settings) { settings.law = step_of(64, 3); });
+  refuses([](SamplerSettings& settings) { settings.law = step_of(64, 0); });
+  refuses([](SamplerSettings& settings) { settings.law = HardMaximum{.step_m = 0.1e-3}; });
   refuses([](SamplerSettings& settings) { settings.grid.width_m = 0.0; });
   refuses([](SamplerSettings& settings) {
     settings.grid.samples = 32 * 9;
-    settings.step_cells = 9;
+    settings.law = step_of(32 * 9, 9);
+  });
+  refuses([](SamplerSettings& settings) { settings.law = SmoothMaximum{.tau_m = 0.0}; });
+  refuses([](SamplerSettings& settings) {
+    settings.grid.samples = 24;
+    settings.law = SmoothMaximum{.tau_m = 1e-5};
   });
 }
 
