@@ -10,7 +10,7 @@
 #include <QtCore/QObject>
 #include <QtCore/QTimer>
 
-#include "app/gui/workbench/newest_work.h"
+#include "app/gui/look/newest_work.h"
 #include "app/tasks/protocol_files.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 
 #include <QtWidgets/QWidget>
 
-#include "app/gui/workbench/newest_work.h"
+#include "app/gui/look/newest_work.h"
 #include "protocols/plan.h"
 
 class QHBoxLayout;

@@ -12,9 +12,9 @@
 #include <QtCore/QTimer>
 #include <QtWidgets/QWidget>
 
+#include "app/gui/look/newest_work.h"
 #include "app/gui/sound/force_speaker.h"
 #include "app/gui/workbench/force_stroke.h"
-#include "app/gui/workbench/newest_work.h"
 #include "app/gui/workbench/signal_plots.h"
 #include "renderers/force_model.h"
 

@@ -11,7 +11,7 @@
 #include <QtWidgets/QWidget>
 #include <glm/vec2.hpp>
 
-#include "app/gui/workbench/newest_work.h"
+#include "app/gui/look/newest_work.h"
 #include "app/gui/workbench/relief_picture.h"
 
 namespace asperity {

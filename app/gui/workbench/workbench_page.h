@@ -11,7 +11,7 @@
 #include <QtWidgets/QWidget>
 
 #include "app/gui/look/background_task.h"
-#include "app/gui/workbench/newest_work.h"
+#include "app/gui/look/newest_work.h"
 #include "app/gui/workbench/step_strip.h"
 #include "app/gui/workbench/texture_preview.h"
 #include "app/height_field_files.h"

@@ -1,4 +1,4 @@
-#include "app/gui/workbench/newest_work.h"
+#include "app/gui/look/newest_work.h"
 
 #include <atomic>
 #include <mutex>
