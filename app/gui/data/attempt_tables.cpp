@@ -5,6 +5,7 @@
 #include "analysis/number_text.h"
 #include "app/gui/data/attempt_words.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/outcome_words.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
 
@@ -104,7 +105,7 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
        count(servo.slew_limited_ticks), none(servo.slew_limited_ticks)},
       {MeasureTables::tr("ticks without a finite force"), count(servo.not_finite_ticks),
        none(servo.not_finite_ticks)},
-      {MeasureTables::tr("fault"), text(servo.fault),
+      {MeasureTables::tr("fault"), OutcomeWords::of_reason(servo.fault),
        servo.fault == "none" ? State::fine : State::stop},
   };
 }

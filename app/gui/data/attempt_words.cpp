@@ -1,6 +1,7 @@
 #include "app/gui/data/attempt_words.h"
 
 #include "analysis/number_text.h"
+#include "app/gui/look/outcome_words.h"
 #include "app/gui/study/shown_text.h"
 
 namespace asperity {
@@ -10,24 +11,6 @@ namespace {
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 }  // namespace
-
-QString AttemptWords::of_outcome(AttemptOutcome outcome) {
-  switch (outcome) {
-    case AttemptOutcome::answered:
-      return tr("answered");
-    case AttemptOutcome::timed_out:
-      return tr("no answer in time");
-    case AttemptOutcome::not_compliant:
-      return tr("not explored as asked");
-    case AttemptOutcome::aborted:
-      return tr("aborted");
-    case AttemptOutcome::device_fault:
-      return tr("device fault");
-    case AttemptOutcome::skipped:
-      break;
-  }
-  return tr("skipped");
-}
 
 QString AttemptWords::of_verdict(Verdict verdict) {
   switch (verdict) {
@@ -58,12 +41,11 @@ QString AttemptWords::summary(const AttemptDetail& detail) {
                     ? QString("%1 %2").arg(response.item).arg(text(response.answer))
                     : text(response.answer));
   }
+  const QString outcome = OutcomeWords::of(attempt.outcome, attempt.invalid_reason.value_or(""));
   QStringList parts{tr("Session %1").arg(detail.session.session),
                     tr("%1 %2").arg(text(detail.protocol_name), text(detail.protocol_version)),
                     tr("block %1").arg(text(detail.planned.block)),
-                    answers.isEmpty()
-                        ? of_outcome(attempt.outcome)
-                        : tr("%1: %2").arg(of_outcome(attempt.outcome), answers.join(", "))};
+                    answers.isEmpty() ? outcome : tr("%1: %2").arg(outcome, answers.join(", "))};
   if (!attempt.responses.empty()) {
     parts << tr("%1 from first contact").arg(of_seconds(attempt.responses.back().from_contact_s));
   }
@@ -76,7 +58,7 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
   const AttemptRow& attempt = detail.attempt;
   QStringList said{};
   if (!attempt.valid) {
-    said << tr("Does not count: %1").arg(text(attempt.invalid_reason.value_or("–")));
+    said << tr("Does not count: %1").arg(OutcomeWords::of_reason(attempt.invalid_reason.value_or("–")));
   }
   if (detail.session.excluded) {
     said << tr("Excluded with its whole session: %1").arg(text(*detail.session.excluded));

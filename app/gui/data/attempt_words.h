@@ -13,7 +13,6 @@ namespace asperity {
 class AttemptWords final {
   Q_DECLARE_TR_FUNCTIONS(AttemptWords)
  public:
-  static QString of_outcome(AttemptOutcome outcome);
   static QString of_verdict(Verdict verdict);
   /// "Trial 3, attempt 1 · P001"
   static QString title(const AttemptDetail& detail);

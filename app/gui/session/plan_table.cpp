@@ -13,6 +13,7 @@
 #include <QtWidgets/QTableView>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/outcome_words.h"
 
 namespace asperity {
 
@@ -179,7 +180,7 @@ void PlanModel::write_outcomes() {
     // The last one first: it is what counts, and what is cut off is the past.
     row.outcome = row.outcome.isEmpty() ? text : tr("%1, before: %2").arg(text, row.outcome);
     row.state = SessionText::state_of(attempt);
-    const QString reason = QString::fromStdString(attempt.reason);
+    const QString reason = OutcomeWords::of_reason(attempt.reason);
     row.reason = blind_ ? veil_.veiled(reason) : reason;
   }
 }

@@ -5,6 +5,8 @@
 
 #include <QtCore/QStringList>
 
+#include "app/gui/look/outcome_words.h"
+
 namespace asperity {
 
 NameVeil::NameVeil(const Protocol& protocol, const Plan& plan) {
@@ -125,28 +127,15 @@ QString SessionText::of_answers(const AttemptSummary& attempt) {
 }
 
 QString SessionText::of_attempt(const AttemptSummary& attempt, bool tells_right) {
-  switch (attempt.outcome) {
-    case AttemptOutcome::answered: {
-      const QString answers = of_answers(attempt);
-      QString text = answers.isEmpty() ? tr("answered") : tr("answered %1").arg(answers);
-      if (tells_right && attempt.correct) {
-        text = *attempt.correct ? tr("%1, right").arg(text) : tr("%1, wrong").arg(text);
-      }
-      if (!attempt.valid) return tr("%1, does not count").arg(text);
-      return attempt.flagged ? tr("%1, flagged").arg(text) : text;
-    }
-    case AttemptOutcome::timed_out:
-      return tr("no answer in time");
-    case AttemptOutcome::not_compliant:
-      return tr("not explored as asked");
-    case AttemptOutcome::aborted:
-      return tr("aborted");
-    case AttemptOutcome::device_fault:
-      return tr("stopped by a fault");
-    case AttemptOutcome::skipped:
-      return tr("skipped");
+  const QString outcome = OutcomeWords::of(attempt.outcome, attempt.reason);
+  if (attempt.outcome != AttemptOutcome::answered) return outcome;
+  const QString answers = of_answers(attempt);
+  QString text = answers.isEmpty() ? outcome : tr("%1 %2").arg(outcome, answers);
+  if (tells_right && attempt.correct) {
+    text = *attempt.correct ? tr("%1, right").arg(text) : tr("%1, wrong").arg(text);
   }
-  return {};
+  if (!attempt.valid) return tr("%1, does not count").arg(text);
+  return attempt.flagged ? tr("%1, flagged").arg(text) : text;
 }
 
 State SessionText::state_of(const AttemptSummary& attempt) {

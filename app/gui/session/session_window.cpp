@@ -16,6 +16,7 @@
 #include <QtWidgets/QStackedWidget>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/outcome_words.h"
 #include "app/gui/session/answers_panel.h"
 #include "app/gui/session/end_summary.h"
 #include "app/gui/session/fault_panel.h"
@@ -618,7 +619,7 @@ QString SessionWindow::fault_text() const {
         .arg(clock_text(s.trouble->time_ns), veiled(s.trouble->what));
   }
   return tr("Stopped at %1, the force is held at zero: %2.")
-      .arg(clock_text(s.phase_began_ns), QString(name_of(s.fault)));
+      .arg(clock_text(s.phase_began_ns), OutcomeWords::of_fault(s.fault));
 }
 
 void SessionWindow::write_trouble() {

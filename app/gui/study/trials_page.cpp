@@ -7,8 +7,8 @@
 #include <QtWidgets/QTabBar>
 #include <QtWidgets/QTabWidget>
 
-#include "app/gui/data/attempt_words.h"
 #include "app/gui/data/decision_form.h"
+#include "app/gui/look/outcome_words.h"
 #include "app/gui/study/sessions_page.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
@@ -37,14 +37,16 @@ QStandardItem* seconds_cell(const std::optional<double>& time_s) {
 
 QString text_of_outcome(const TrialOverview& trial) {
   if (!trial.attempt) return TrialsPage::tr("to come");
-  return AttemptWords::of_outcome(trial.attempt->outcome);
+  return OutcomeWords::of(trial.attempt->outcome,
+                          trial.attempt->invalid_reason.value_or(""));
 }
 
 /// What is to be said of the attempt beside its outcome.
 QString text_of_remarks(const AttemptRow& attempt) {
   QStringList remarks{};
   if (!attempt.valid) {
-    remarks.append(TrialsPage::tr("not valid: %1").arg(text(attempt.invalid_reason.value_or("–"))));
+    remarks.append(TrialsPage::tr("not valid: %1").arg(
+        OutcomeWords::of_reason(attempt.invalid_reason.value_or("–"))));
   }
   if (attempt.flagged) {
     remarks.append(TrialsPage::tr("flagged: %1").arg(text(attempt.flag_reason.value_or("–"))));

@@ -245,6 +245,21 @@ TEST(SessionWindow, MarksTheTrialUnderWayAndSaysEveryAttempt) {
   EXPECT_TRUE(text(13, 2).contains("flagged"));
 }
 
+TEST(SessionWindow, CallsAnEmergencyStopByItsNameInThePlan) {
+  FilledMonitor session{};
+  session.answer_up_to(1);
+  AttemptSummary attempt{};
+  attempt.trial = 5;
+  attempt.attempt = 1;
+  attempt.outcome = AttemptOutcome::device_fault;
+  attempt.valid = false;
+  attempt.reason = "emergency_stop";
+  session.monitor.add_attempt(attempt);
+  const auto window = session.window();
+  const auto& model = window->findChild<PlanTable*>()->model();
+  EXPECT_EQ(model.index(model.row_of(5), 2).data().toString(), "▲ emergency stop");
+}
+
 TEST(SessionWindow, KeepsTheTrialUnderWayInSightUntilThePersonScrolls) {
   FilledMonitor session{};
   session.answer_up_to(1);

@@ -9,6 +9,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/session/fault_panel.h"
+#include "app/gui/study/study_table.h"
 #include "renderers/tick_record.h"
 #include "results_schema/recording.h"
 #include "tests/gui/sessions/session_room.h"
@@ -78,6 +79,12 @@ TEST_F(SessionInTrouble, TheEmergencyKeyZeroesTheForceAndTheSameTrialIsAskedAgai
   EXPECT_TRUE(attempts[0].responses.empty());
   EXPECT_EQ(stored_events("fault").at(0).text, "emergency_stop");
   EXPECT_EQ(stored_events("fault_cleared").size(), 1U);
+  window->show_page("sessions");
+  click_row(*window, "sessions_table", "small");
+  click(*window, "sessions_open");
+  auto& trials = child<StudyTable>(*window, "trials_table");
+  wait_for("the trials", [&] { return trials.shown_rows() == 3; });
+  EXPECT_EQ(trials.text_at(0, 3), "emergency stop");
 
   ASSERT_TRUE(attempts[0].recording);
   const Recording recording = read_recording(folder() / attempts[0].recording->path);

@@ -1,0 +1,27 @@
+// How an attempt came out and what stopped it, in words: the same in a session and afterwards.
+
+#pragma once
+
+#include <string>
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QString>
+
+#include "renderers/servo_loop.h"
+#include "results_schema/rows.h"
+
+namespace asperity {
+
+class OutcomeWords final {
+  Q_DECLARE_TR_FUNCTIONS(OutcomeWords)
+ public:
+  /// "no answer in time". `reason`: why the attempt does not count, as stored; it tells an emergency
+  /// stop, which is stored as a fault of the device, from what the device did itself.
+  static QString of(AttemptOutcome outcome, const std::string& reason);
+  /// Why something does not count, as stored: the name of a fault in words, other reasons as they
+  /// are.
+  static QString of_reason(const std::string& reason);
+  static QString of_fault(Fault fault);
+};
+
+}  // namespace asperity

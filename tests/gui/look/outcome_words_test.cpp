@@ -1,0 +1,46 @@
+// One table of words for outcomes, wherever they are shown.
+
+#include "app/gui/look/outcome_words.h"
+
+#include <array>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+constexpr std::array kOutcomes{AttemptOutcome::answered,      AttemptOutcome::timed_out,
+                               AttemptOutcome::not_compliant, AttemptOutcome::aborted,
+                               AttemptOutcome::device_fault,  AttemptOutcome::skipped};
+constexpr std::array kFaults{Fault::emergency_stop, Fault::device_lost, Fault::not_finite,
+                             Fault::workspace_left, Fault::repeated_misses};
+
+TEST(OutcomeWords, CallAnEmergencyStopByItsName) {
+  EXPECT_EQ(OutcomeWords::of(AttemptOutcome::device_fault, "emergency_stop"), "emergency stop");
+  EXPECT_EQ(OutcomeWords::of(AttemptOutcome::device_fault, "device_lost"), "device fault");
+  EXPECT_EQ(OutcomeWords::of(AttemptOutcome::device_fault, ""), "device fault");
+}
+
+TEST(OutcomeWords, TellEveryOutcomeFromTheOthers) {
+  std::set<std::string> words{};
+  for (const AttemptOutcome outcome : kOutcomes) {
+    words.insert(OutcomeWords::of(outcome, "").toStdString());
+  }
+  EXPECT_EQ(words.size(), kOutcomes.size());
+}
+
+TEST(OutcomeWords, SayFaultsInWordsAndLeaveOtherReasonsAlone) {
+  for (const Fault fault : kFaults) {
+    const QString words = OutcomeWords::of_reason(name_of(fault));
+    EXPECT_NE(words, name_of(fault));
+    EXPECT_FALSE(words.contains('_')) << words.toStdString();
+    EXPECT_EQ(words, OutcomeWords::of_fault(fault));
+  }
+  EXPECT_EQ(OutcomeWords::of_reason("3 missed deadlines, at most 0 are allowed"),
+            "3 missed deadlines, at most 0 are allowed");
+}
+
+}  // namespace
+}  // namespace asperity
