@@ -1,32 +1,30 @@
 #include "app/gui/session/session_window.h"
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 
-#include <QtCore/QDateTime>
+#include <QtCore/QTime>
 #include <QtCore/QTimer>
 #include <QtGui/QCloseEvent>
 #include <QtGui/QGuiApplication>
 #include <QtGui/QScreen>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
-#include <QtWidgets/QProgressBar>
-#include <QtWidgets/QPushButton>
 #include <QtWidgets/QStackedWidget>
 
 #include "app/gui/look/controls.h"
-#include "app/gui/look/outcome_words.h"
 #include "app/gui/session/answers_panel.h"
 #include "app/gui/session/end_summary.h"
-#include "app/gui/session/fault_panel.h"
 #include "app/gui/session/health_line.h"
 #include "app/gui/session/live_plots.h"
 #include "app/gui/session/notes_panel.h"
 #include "app/gui/session/plan_table.h"
 #include "app/gui/session/reason_form.h"
+#include "app/gui/session/session_clock.h"
 #include "app/gui/session/session_controls.h"
-#include "app/gui/session/session_dialogs.h"
+#include "app/gui/session/session_header.h"
+#include "app/gui/session/session_questions.h"
+#include "app/gui/session/session_text.h"
+#include "app/gui/session/session_troubles.h"
 
 namespace asperity {
 
@@ -34,15 +32,9 @@ namespace {
 
 constexpr int kFrame_ms = 16;  // a little faster than 60 Hz, so that no bin waits for two frames
 constexpr int kReadable_ms = 250;  // numbers that change faster cannot be read
-// A fault that is still there after this was not cleared.
-constexpr int kClearing_ms = 3000;
 
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(to_ns - from_ns);
-}
-
-void set_if_new(QLabel& label, const QString& text) {
-  if (label.text() != text) label.setText(text);
 }
 
 QLabel* make_small_heading(const QString& text, QWidget* parent) {
@@ -72,18 +64,12 @@ SessionWindow::SessionWindow(SessionMonitor& monitor, SessionRequests& requests,
   rows->setContentsMargins(kMargin, kGrid, kMargin, kGrid);
   rows->setSpacing(kGrid);
   outer->addLayout(rows, 1);
-  rows->addLayout(make_header());
-  rows->addLayout(make_now_line());
-  fault_ = new FaultPanel(this);
-  trouble_ = new Banner(this);
-  trouble_->setObjectName("trouble");
-  news_ = new Banner(this);
-  news_->setObjectName("news");
+  header_ = new SessionHeader(this);
+  rows->addWidget(header_);
+  troubles_ = new SessionTroubles(requests_, *rows, this);
   reason_ = new ReasonForm(this);
-  for (QWidget* below : {static_cast<QWidget*>(fault_), static_cast<QWidget*>(trouble_),
-                         static_cast<QWidget*>(news_), static_cast<QWidget*>(reason_)}) {
-    rows->addWidget(below);
-  }
+  rows->addWidget(reason_);
+  questions_ = new SessionQuestions(requests_, *reason_, *this);
   pages_ = new QStackedWidget(this);
   pages_->addWidget(make_middle());
   summary_ = new EndSummary(study_, pages_);
@@ -93,28 +79,8 @@ SessionWindow::SessionWindow(SessionMonitor& monitor, SessionRequests& requests,
   rows->addWidget(health_);
   controls_ = new SessionControls(this);
   rows->addWidget(controls_);
-
   keys_ = new SessionKeys(this);
-  connect(keys_, &SessionKeys::emergency, this, &SessionWindow::do_emergency_stop);
-  connect(keys_, &SessionKeys::wanted, this, &SessionWindow::do_verb);
-  connect(controls_, &SessionControls::emergency, this, &SessionWindow::do_emergency_stop);
-  connect(controls_, &SessionControls::wanted, this, &SessionWindow::do_verb);
-  connect(controls_, &SessionControls::skip_wanted, this, &SessionWindow::ask_skip);
-  connect(notes_, &NotesPanel::noted, this,
-          [this](const QString& text) { requests_.note(text.toStdString()); });
-  connect(fault_, &FaultPanel::clear_wanted, this, [this] {
-    requests_.clear_fault();
-    stopped_at_.clear();
-    clearing_ = true;
-    cleared_trouble_ns_ = shown_.trouble ? shown_.trouble->time_ns : 0;
-    since_clearing_.start();
-    fault_->hide();
-  });
-  connect(fault_, &FaultPanel::end_wanted, this, &SessionWindow::ask_abort);
-  connect(summary_, &EndSummary::trials_wanted, this, &SessionWindow::trials_wanted);
-  connect(summary_, &EndSummary::results_wanted, this, &SessionWindow::results_wanted);
-  connect(summary_, &EndSummary::close_wanted, this, &QWidget::close);
-  connect(qGuiApp, &QGuiApplication::screenRemoved, this, &SessionWindow::screen_left);
+  connect_parts();
 
   // Not to the first button: the participant's Space would press it.
   setFocus();
@@ -131,67 +97,23 @@ SessionWindow::~SessionWindow() = default;
 
 // --- what it is made of --------------------------------------------------------------------------
 
-QLayout* SessionWindow::make_header() {
-  auto* row = new QHBoxLayout();
-  row->setSpacing(kMargin);
-  title_ = make_heading(tr("Session"), this);
-  title_->setObjectName("session_title");
-  title_->setWordWrap(false);
-  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  title_->installEventFilter(this);
-  blindness_ = new QLabel(this);
-  blindness_->setObjectName("blindness");
-  unblind_ = make_button({}, ButtonRole::plain, this);
-  unblind_->setObjectName("unblind");
-  unblind_->setFocusPolicy(Qt::TabFocus);
-  connect(unblind_, &QPushButton::clicked, this, [this] {
-    if (!blind_) {
-      blind_again();
-    } else {
-      ask_unblind();
-    }
-  });
-  row->addWidget(title_, 1);
-  row->addWidget(blindness_);
-  row->addWidget(unblind_);
-  return row;
-}
-
-QLayout* SessionWindow::make_now_line() {
-  auto* rows = new QVBoxLayout();
-  rows->setSpacing(kGrid / 2);
-  auto* counts = new QHBoxLayout();
-  counts->setSpacing(kGroupGap);
-  block_ = new QLabel(this);
-  block_->setObjectName("block");
-  progress_ = new QProgressBar(this);
-  progress_->setTextVisible(false);
-  progress_->setObjectName("progress");
-  trial_ = new QLabel(this);
-  trial_->setObjectName("trial");
-  elapsed_ = new QLabel(this);
-  elapsed_->setObjectName("elapsed");
-  left_ = new QLabel(this);
-  left_->setObjectName("left");
-  counts->addWidget(block_);
-  counts->addWidget(progress_, 1);
-  for (QLabel* label : {trial_, elapsed_, left_}) counts->addWidget(label);
-  rows->addLayout(counts);
-  auto* now = new QHBoxLayout();
-  now->setSpacing(kGroupGap);
-  now_ = new QLabel(this);
-  now_->setObjectName("now");
-  now_->setFont(text_font(TextSize::heading, true));
-  now_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  pending_ = new StateLabel(this);
-  pending_->setObjectName("pending");
-  pending_->setFont(text_font(TextSize::heading, true));
-  pending_->setWordWrap(false);
-  pending_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  now->addWidget(now_, 1);
-  now->addWidget(pending_);
-  rows->addLayout(now);
-  return rows;
+void SessionWindow::connect_parts() {
+  connect(keys_, &SessionKeys::emergency, this, &SessionWindow::do_emergency_stop);
+  connect(keys_, &SessionKeys::wanted, this, &SessionWindow::do_verb);
+  connect(controls_, &SessionControls::emergency, this, &SessionWindow::do_emergency_stop);
+  connect(controls_, &SessionControls::wanted, this, &SessionWindow::do_verb);
+  connect(controls_, &SessionControls::skip_wanted, this,
+          [this] { questions_->ask_to_skip(shown_.trial); });
+  connect(header_, &SessionHeader::unblind_pressed, this, &SessionWindow::change_blindness);
+  connect(notes_, &NotesPanel::noted, this,
+          [this](const QString& text) { requests_.note(text.toStdString()); });
+  connect(troubles_, &SessionTroubles::end_wanted, this,
+          [this] { do_verb(SessionVerb::abort); });
+  connect(questions_, &SessionQuestions::leaving, this, [this] { close_when_ended_ = true; });
+  connect(summary_, &EndSummary::trials_wanted, this, &SessionWindow::trials_wanted);
+  connect(summary_, &EndSummary::results_wanted, this, &SessionWindow::results_wanted);
+  connect(summary_, &EndSummary::close_wanted, this, &QWidget::close);
+  connect(qGuiApp, &QGuiApplication::screenRemoved, this, &SessionWindow::screen_left);
 }
 
 QWidget* SessionWindow::make_middle() {
@@ -239,6 +161,7 @@ void SessionWindow::set_mirror(QWidget* mirror) {
 
 void SessionWindow::set_own_keyboard(bool own) {
   own_keyboard_ = own;
+  lock_fields();
   refresh();
 }
 
@@ -247,12 +170,9 @@ void SessionWindow::set_own_keyboard(bool own) {
 void SessionWindow::do_emergency_stop() {
   requests_.emergency_stop();
   if (ended_) return;
-  stopped_at_ = QTime::currentTime().toString("HH:mm:ss");
-  clearing_ = false;
   // What was being asked is of no matter now, and would stand in the way of what is.
-  if (dialog_ != nullptr) dialog_->reject();
-  reason_->cancel();
-  write_trouble();
+  questions_->take_all_back();
+  troubles_->show_emergency();
 }
 
 void SessionWindow::do_verb(SessionVerb verb) {
@@ -271,14 +191,7 @@ void SessionWindow::do_verb(SessionVerb verb) {
       requests_.confirm();
       break;
     case SessionVerb::leave_or_pause:
-      if (dialog_ != nullptr && dialog_->isVisible()) {
-        dialog_->reject();
-        break;
-      }
-      if (reason_->isVisible()) {
-        reason_->cancel();
-        break;
-      }
+      if (questions_->take_back_one()) break;
       requests_.pause();
       break;
     case SessionVerb::pause:
@@ -291,7 +204,9 @@ void SessionWindow::do_verb(SessionVerb verb) {
       toggle_stop(StopAfter::block);
       break;
     case SessionVerb::repeat_last:
-      ask_repeat();
+      if (shown_.attempts->empty() || pending.repeat_last) break;
+      if (field_lock().isEmpty()) take_keyboard();
+      questions_->ask_to_repeat();
       break;
     case SessionVerb::note:
       if (notes_->is_locked()) break;
@@ -299,22 +214,10 @@ void SessionWindow::do_verb(SessionVerb verb) {
       notes_->focus_field();
       break;
     case SessionVerb::abort:
-      ask_abort();
+      questions_->ask_to_abort();
       break;
   }
   refresh();
-}
-
-void SessionWindow::ask_repeat() {
-  if (shown_.attempts->empty() || requests_.pending().repeat_last) return;
-  if (field_lock().isEmpty()) take_keyboard();
-  reason_->lock(field_lock());
-  reason_->ask(tr("Why is the last trial repeated? What was answered stays stored and no longer "
-                  "counts."),
-               {tr("The participant was distracted"), tr("Wrong key pressed"),
-                tr("The participant asks for it"), tr("Technical problem")},
-               tr("Repeat last trial"),
-               [this](const QString& reason) { requests_.repeat_last(reason.toStdString()); });
 }
 
 /// What is typed next is meant for this window, whichever had the focus when the key was pressed: in
@@ -324,124 +227,49 @@ void SessionWindow::take_keyboard() {
   activateWindow();
 }
 
-void SessionWindow::ask_skip() {
-  reason_->lock(field_lock());
-  reason_->ask(
-      tr("Why is trial %1 skipped? It is kept as skipped and not asked again.").arg(shown_.trial),
-      {tr("The participant cannot answer"), tr("The participant does not want to go on"),
-       tr("Technical problem")},
-      tr("Skip this trial"),
-      [this](const QString& reason) { requests_.skip(reason.toStdString()); });
-}
+// --- who may know what ---------------------------------------------------------------------------
 
-void SessionWindow::ask_abort() {
-  if (!is_running()) return;
-  if (dialog_ != nullptr && dialog_->isVisible()) return dialog_->raise();
-  auto* dialog = new AbortDialog(
-      this, [this](const QString& reason) { requests_.abort(reason.toStdString()); });
-  dialog->lock(field_lock());
-  dialog_ = dialog;
-  dialog_->show();
-}
-
-void SessionWindow::ask_close() {
-  if (dialog_ != nullptr && dialog_->isVisible()) return dialog_->raise();
-  dialog_ = new CloseDialog(this, [this](Leaving how) {
-    close_when_ended_ = true;
-    if (how == Leaving::abort_now) {
-      requests_.abort("the session window was closed");
-    } else {
-      requests_.stop_after(StopAfter::trial);
-      // A pause would keep it from ever coming to that.
-      requests_.resume();
-    }
-  });
-  dialog_->show();
-}
-
-void SessionWindow::ask_unblind() {
+void SessionWindow::change_blindness() {
   if (facts_ == nullptr) return;
-  if (facts_->row.mode != SessionMode::run) {
+  const bool is_run = facts_->row.mode == SessionMode::run;
+  if (!blind_) {
+    blind_ = true;
+    if (is_run) requests_.remark("blinded_again", "");
+    return write_blindness();
+  }
+  if (!is_run) {
+    blind_ = false;
+    return write_blindness();
+  }
+  questions_->ask_to_unblind([this](const QString& reason) {
+    requests_.remark("unblinded", reason.toStdString());
+    if (unblinded_at_.isEmpty()) unblinded_at_ = QTime::currentTime().toString("HH:mm");
     blind_ = false;
     write_blindness();
-    return;
-  }
-  reason_->lock(field_lock());
-  reason_->ask(tr("Why do you need to know the conditions? The reason is stored with the session, "
-                  "and the window stays marked."),
-               {tr("Safety of the participant"), tr("Suspected fault of a stimulus"),
-                tr("Not the experimenter of this study")},
-               tr("Unblind"), [this](const QString& reason) {
-                 requests_.remark("unblinded", reason.toStdString());
-                 if (unblinded_at_.isEmpty()) {
-                   unblinded_at_ = QTime::currentTime().toString("HH:mm");
-                 }
-                 blind_ = false;
-                 write_blindness();
-               });
-}
-
-void SessionWindow::blind_again() {
-  blind_ = true;
-  if (facts_ != nullptr && facts_->row.mode == SessionMode::run) {
-    requests_.remark("blinded_again", "");
-  }
-  write_blindness();
+  });
 }
 
 void SessionWindow::write_blindness() {
-  const bool is_run = facts_ == nullptr || facts_->row.mode == SessionMode::run;
-  QString words{};
-  bool marked = false;
-  if (!unblinded_at_.isEmpty()) {
-    marked = true;
-    words = blind_ ? tr("▲ Blind again; UNBLINDED at %1").arg(unblinded_at_)
-                   : tr("▲ UNBLINDED at %1").arg(unblinded_at_);
-  } else {
-    words = blind_ ? tr("Blind: codes stand for conditions") : tr("Names are shown");
-  }
-  blindness_->setText(words);
-  blindness_->setFont(text_font(TextSize::body, marked));
-  blindness_->setStyleSheet(
-      QString("color: %1").arg((marked ? theme().look : theme().muted).name()));
-  if (blind_) {
-    unblind_->setText(is_run ? tr("Unblind…") : tr("Show names"));
-  } else {
-    unblind_->setText(is_run ? tr("Blind again") : tr("Hide names"));
-  }
-  unblind_->setEnabled(facts_ != nullptr);
+  header_->show_blindness({.is_blind = blind_,
+                           .is_run = facts_ == nullptr || facts_->row.mode == SessionMode::run,
+                           .can_change = facts_ != nullptr,
+                           .unblinded_at = unblinded_at_});
   plan_->set_blind(blind_);
   plots_->set_blind(blind_);
-  trouble_shown_.reset();
+  troubles_->set_blind(blind_);
   write_answers();
-  write_trouble();
-}
-
-/// Whole in the tool tip; where it does not fit, the protocol's title is what is cut.
-void SessionWindow::write_title() {
-  if (facts_ == nullptr || facts_->protocol == nullptr) return;
-  const SessionRow& row = facts_->row;
-  const auto with = [&row](const QString& title) {
-    return tr("Session %1 · %2 · %3 · %4")
-        .arg(row.session)
-        .arg(QString::fromStdString(row.participant), title, SessionText::of_mode(row.mode));
-  };
-  const QString title = QString::fromStdString(facts_->protocol->title);
-  const QFontMetrics letters(title_->font());
-  const int room = title_->width() - letters.horizontalAdvance(with({}));
-  set_if_new(*title_, with(letters.elidedText(title, Qt::ElideRight, std::max(room, 0))));
-  title_->setToolTip(with(title));
-}
-
-bool SessionWindow::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == title_ && event->type() == QEvent::Resize) write_title();
-  return QWidget::eventFilter(watched, event);
 }
 
 QString SessionWindow::field_lock() const {
   if (ended_) return tr("The session has ended");
   if (!own_keyboard_ && shown_.scene->response_open) return tr("Keys answer the trial now");
   return {};
+}
+
+void SessionWindow::lock_fields() {
+  const QString why = field_lock();
+  notes_->lock(why);
+  questions_->lock(why);
 }
 
 // --- what the monitor says -----------------------------------------------------------------------
@@ -453,19 +281,6 @@ const Trial* SessionWindow::trial_now() const {
   const auto& trials = facts_->plan->trials;
   const auto number = static_cast<std::size_t>(shown_.trial);
   return number <= trials.size() ? &trials[number - 1] : nullptr;
-}
-
-std::int64_t SessionWindow::now_ns() const {
-  // Only a session in real time goes on between two words of the conductor.
-  if (facts_ == nullptr || facts_->row.pacing != "real_time" || ended_) return shown_.now_ns;
-  const std::int64_t machine_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(
-                                      std::chrono::steady_clock::now().time_since_epoch())
-                                      .count();
-  return std::max(shown_.now_ns, machine_ns + facts_->clock_ahead_ns);
-}
-
-QString SessionWindow::clock_text(std::int64_t time_ns) const {
-  return QDateTime::currentDateTime().addMSecs((time_ns - now_ns()) / 1'000'000).toString("HH:mm");
 }
 
 void SessionWindow::refresh() {
@@ -480,26 +295,22 @@ void SessionWindow::refresh() {
   write_moving_texts();
   write_pending();
   write_controls();
-  if (!has_shown_ || !since_health_.isValid() || since_health_.elapsed() > kReadable_ms) {
+  if (!since_health_.isValid() || since_health_.elapsed() > kReadable_ms) {
     since_health_.start();
     write_health();
   }
   plots_->take_bins(monitor_);
-  if (clearing_ && since_clearing_.elapsed() > kClearing_ms) {
-    clearing_ = false;
-    write_trouble();
-  }
+  troubles_->look_again();
   if (shown_.phase == SessionPhase::ended && !ended_) end();
 }
 
 void SessionWindow::take_facts(std::shared_ptr<const SessionFacts> facts) {
   facts_ = std::move(facts);
   if (facts_ == nullptr || facts_->plan == nullptr || facts_->protocol == nullptr) return;
-  const SessionRow& row = facts_->row;
-  veil_ = NameVeil(*facts_->protocol, *facts_->plan);
-  write_title();
-  setWindowTitle(tr("%1 – Asperity").arg(title_->toolTip()));
-  band_->set_mode(row.mode);
+  header_->set_facts(facts_);
+  setWindowTitle(tr("%1 – Asperity").arg(header_->title()));
+  band_->set_mode(facts_->row.mode);
+  troubles_->set_facts(facts_);
   plan_->set_facts(facts_);
   plots_->set_patch(facts_->protocol->patch);
   explored_trial_ = -1;
@@ -507,49 +318,40 @@ void SessionWindow::take_facts(std::shared_ptr<const SessionFacts> facts) {
 }
 
 void SessionWindow::take_snapshot() {
-  const SessionSnapshot& s = shown_;
-  set_if_new(*block_, s.block > 0 ? tr("Block %1 of %2").arg(s.block).arg(s.blocks)
-                                  : tr("Blocks: %1").arg(s.blocks));
-  progress_->setMaximum(std::max(1, s.trials));
-  progress_->setValue(s.trials_done);
-  set_if_new(*trial_, s.trial > 0 ? tr("trial %1 of %2").arg(s.trial).arg(s.trials)
-                                  : tr("trials: %1").arg(s.trials));
-  set_if_new(*left_,
-             s.phase == SessionPhase::ended ? QString() : SessionText::of_left(s.expected_left_s));
-  plan_->model().set_attempts(s.attempts);
+  header_->show_progress(shown_);
+  plan_->model().set_attempts(shown_.attempts);
   write_answers();
-  if (s.trial != explored_trial_) {
-    explored_trial_ = s.trial;
-    std::optional<Exploration> exploration{};
-    if (const Trial* trial = trial_now()) {
-      const auto block = facts_->protocol->blocks.find(trial->block);
-      if (block != facts_->protocol->blocks.end() && !block->second.exploration.empty()) {
-        exploration = facts_->protocol->explorations.at(block->second.exploration);
-      }
+  show_exploration();
+  lock_fields();
+  troubles_->show_snapshot(shown_);
+}
+
+void SessionWindow::show_exploration() {
+  if (shown_.trial == explored_trial_) return;
+  explored_trial_ = shown_.trial;
+  std::optional<Exploration> exploration{};
+  if (const Trial* trial = trial_now()) {
+    const auto block = facts_->protocol->blocks.find(trial->block);
+    if (block != facts_->protocol->blocks.end() && !block->second.exploration.empty()) {
+      exploration = facts_->protocol->explorations.at(block->second.exploration);
     }
-    plots_->set_exploration(exploration);
   }
-  const QString lock = field_lock();
-  notes_->lock(lock);
-  reason_->lock(lock);
-  if (auto* abort = qobject_cast<AbortDialog*>(dialog_.data())) abort->lock(lock);
-  const bool is_cleared = s.phase != SessionPhase::fault && s.fault == Fault::none;
-  const bool has_failed = s.trouble && s.trouble->time_ns != cleared_trouble_ns_;
-  if (clearing_ && (is_cleared || has_failed)) clearing_ = false;
-  write_trouble();
+  plots_->set_exploration(exploration);
 }
 
 void SessionWindow::write_moving_texts() {
-  const double in_phase_s = seconds_between(shown_.phase_began_ns, now_ns());
-  set_if_new(*now_, facts_ == nullptr && shown_.phase == SessionPhase::idle
-                        ? tr("Preparing the session")
-                        : SessionText::of_now(
-                              shown_, trial_now(),
-                              plan_->model().condition(shown_.trial, shown_.surface), in_phase_s));
+  const std::int64_t time_ns = now_ns(shown_, facts_.get());
+  const double in_phase_s = seconds_between(shown_.phase_began_ns, time_ns);
+  const bool is_preparing = facts_ == nullptr && shown_.phase == SessionPhase::idle;
+  header_->show_now(
+      is_preparing
+          ? tr("Preparing the session")
+          : SessionText::of_now(shown_, trial_now(),
+                                plan_->model().condition(shown_.trial, shown_.surface),
+                                in_phase_s));
   plan_->set_now(shown_.phase == SessionPhase::ended ? 0 : shown_.trial,
                  SessionText::of_phase(shown_, in_phase_s));
-  const double elapsed_s = facts_ == nullptr ? 0.0 : seconds_between(shown_.began_ns, now_ns());
-  set_if_new(*elapsed_, tr("%1 elapsed").arg(SessionText::of_duration(elapsed_s)));
+  header_->show_elapsed(facts_ == nullptr ? 0.0 : seconds_between(shown_.began_ns, time_ns));
 }
 
 void SessionWindow::write_pending() {
@@ -558,7 +360,8 @@ void SessionWindow::write_pending() {
   if (is_running()) {
     if (shown_.phase == SessionPhase::paused) {
       words += pending.pause
-                   ? tr("Paused since %1, Resume F5").arg(clock_text(shown_.phase_began_ns))
+                   ? tr("Paused since %1, Resume F5")
+                         .arg(text_of_clock(shown_.phase_began_ns, shown_, facts_.get()))
                    : tr("Going on");
     } else if (pending.pause) {
       words += tr("Pausing after this trial");
@@ -566,16 +369,9 @@ void SessionWindow::write_pending() {
     if (pending.stop == StopAfter::trial) words += tr("Stopping after this trial");
     if (pending.stop == StopAfter::block) words += tr("Stopping after this block");
     if (pending.repeat_last) words += tr("Repeating the last trial next");
-    if (clearing_) words += tr("Clearing the fault");
+    if (troubles_->is_clearing()) words += tr("Clearing the fault");
   }
-  const QString text = words.join(" · ");
-  if (text == pending_->property("words").toString()) return;
-  pending_->setProperty("words", text);
-  if (text.isEmpty()) {
-    pending_->clear();
-  } else {
-    pending_->set_state(State::look, text);
-  }
+  header_->show_pending(words.join(" · "));
 }
 
 void SessionWindow::write_controls() {
@@ -598,80 +394,18 @@ void SessionWindow::write_answers() { answers_->show_answers(*shown_.attempts, p
 
 void SessionWindow::write_health() { health_->show_health(shown_, facts_.get()); }
 
-QString SessionWindow::veiled(const std::string& text) const {
-  const QString words = QString::fromStdString(text);
-  return blind_ ? veil_.veiled(words) : words;
-}
-
-QString SessionWindow::fault_text() const {
-  const SessionSnapshot& s = shown_;
-  if (!stopped_at_.isEmpty() || s.fault == Fault::emergency_stop) {
-    const QString when = stopped_at_.isEmpty() ? clock_text(s.phase_began_ns) : stopped_at_;
-    if (!stop_is_confirmed_) {
-      return tr("EMERGENCY STOP at %1. Zero force was asked of the device; its answer is awaited.")
-          .arg(when);
-    }
-    if (s.trouble) return tr("EMERGENCY STOP at %1. %2").arg(when, veiled(s.trouble->what));
-    return tr("EMERGENCY STOP at %1. The force is zero and is held there.").arg(when);
-  }
-  if (s.trouble) {
-    return tr("Stopped at %1, the force is held at zero. %2")
-        .arg(clock_text(s.trouble->time_ns), veiled(s.trouble->what));
-  }
-  return tr("Stopped at %1, the force is held at zero: %2.")
-      .arg(clock_text(s.phase_began_ns), OutcomeWords::of_fault(s.fault));
-}
-
-void SessionWindow::write_trouble() {
-  const SessionSnapshot& s = shown_;
-  // To clear something is always asked in the same way, with the question whether it is safe.
-  const bool to_clear = s.trouble && s.trouble->remedy == SessionTrouble::Remedy::clear_fault;
-  const bool in_fault = s.phase == SessionPhase::fault || s.fault != Fault::none || to_clear;
-  if (stop_is_confirmed_ && !in_fault) stopped_at_.clear();  // it is over
-  stop_is_confirmed_ = in_fault;
-  if ((in_fault || !stopped_at_.isEmpty()) && !ended_ && !clearing_) {
-    const bool can_clear = !s.trouble || to_clear || s.fault == Fault::emergency_stop;
-    fault_->show_fault(fault_text(), can_clear);
-    trouble_->hide();
-    trouble_shown_.reset();
-    return;
-  }
-  if (ended_ || clearing_ || !in_fault) fault_->hide();
-  const bool same = s.trouble.has_value() == trouble_shown_.has_value() &&
-                    (!s.trouble || (s.trouble->what == trouble_shown_->what &&
-                                    s.trouble->time_ns == trouble_shown_->time_ns));
-  if (same && !(ended_ && trouble_->isVisible())) return;
-  trouble_shown_ = s.trouble;
-  if (!s.trouble || ended_ || clearing_) return trouble_->hide();
-  const QString what = tr("%1  %2").arg(clock_text(s.trouble->time_ns), veiled(s.trouble->what));
-  switch (s.trouble->remedy) {
-    case SessionTrouble::Remedy::none:
-    case SessionTrouble::Remedy::try_again:
-    case SessionTrouble::Remedy::clear_fault:
-      trouble_->show_news(State::look, what);
-      break;
-    case SessionTrouble::Remedy::confirm:
-      trouble_->show_news(State::look, what, tr("Done (F5)"), [this] { requests_.confirm(); });
-      break;
-    case SessionTrouble::Remedy::resume:
-      trouble_->show_news(State::look, what, tr("Resume"), [this] { requests_.resume(); });
-      break;
-  }
-}
-
 // --- the end -------------------------------------------------------------------------------------
 
 void SessionWindow::end() {
   ended_ = true;
   keys_->switch_off();
-  stopped_at_.clear();
-  reason_->hide();
-  if (dialog_ != nullptr) dialog_->close();
-  notes_->lock(field_lock());
+  questions_->end();
+  lock_fields();
   write_controls();
   write_pending();
   write_health();
-  write_trouble();
+  header_->show_progress(shown_);
+  troubles_->end();
   const bool complete =
       end_ ? end_->state == SessionState::completed
            : shown_.trials > 0 && shown_.trials_done >= shown_.trials && !shown_.trouble;
@@ -681,14 +415,10 @@ void SessionWindow::end() {
   } else if (shown_.trouble) {
     why = QString::fromStdString(shown_.trouble->what);
   }
-  if (!why.isEmpty()) {
-    if (blind_) why = veil_.veiled(why);
-    why = tr("What ended it: %1").arg(why);
-  }
+  if (!why.isEmpty()) why = tr("What ended it: %1").arg(troubles_->veiled(why));
   summary_->show_end(shown_, facts_ == nullptr ? SessionRow{} : facts_->row, complete, why);
   pages_->setCurrentWidget(summary_);
   controls_->hide();
-  left_->hide();
   if (close_when_ended_) close();
 }
 
@@ -701,15 +431,14 @@ void SessionWindow::show_end(const SessionEnd& how) {
 void SessionWindow::show_failure(const QString& what) {
   failed_ = true;
   keys_->switch_off();
-  if (dialog_ != nullptr) dialog_->close();
-  news_->show_news(State::stop, blind_ ? veil_.veiled(what) : what, tr("Close"),
-                   [this] { close(); });
+  questions_->end();
+  troubles_->show_failure(what, [this] { close(); });
   write_controls();
 }
 
 bool SessionWindow::may_close() {
   if (!is_running()) return true;
-  ask_close();
+  questions_->ask_to_leave();
   return false;
 }
 
@@ -726,10 +455,8 @@ void SessionWindow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   // Texts that carry a colour are written again in those of the new look.
   if (event->type() == QEvent::PaletteChange && plots_ != nullptr && has_shown_) {
-    pending_->setProperty("words", {});
     if (facts_ != nullptr) band_->set_mode(facts_->row.mode);
     write_blindness();
-    write_pending();
     write_health();
   }
 }
@@ -745,19 +472,12 @@ bool SessionWindow::focusNextPrevChild(bool next) {
 }
 
 void SessionWindow::tell_screen_lost(const QString& name) {
-  news_->show_news(State::look,
-                   tr("The participant's screen “%1” is gone. The session pauses after "
-                      "this trial; their window stands on the screen that is left.")
-                       .arg(name));
+  troubles_->show_participant_screen_lost(name);
 }
 
 void SessionWindow::screen_left(QScreen* screen) {
-  const QString name = screen == nullptr ? QString() : screen->name();
-  news_->show_news(State::look,
-                   tr("The screen “%1” was unplugged. What was on it is now on another one. Pause, "
-                      "and plug it in again, if it was the participant's.")
-                       .arg(name),
-                   tr("Pause"), [this] { do_verb(SessionVerb::pause); });
+  troubles_->show_screen_removed(screen == nullptr ? QString() : screen->name(),
+                                 [this] { do_verb(SessionVerb::pause); });
   // After Qt has dealt with it: it may have put the window where no screen is.
   QTimer::singleShot(0, this, [this] {
     const QPoint middle = frameGeometry().center();

@@ -2,26 +2,19 @@
 
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include <QtCore/QElapsedTimer>
-#include <QtCore/QPointer>
-#include <QtWidgets/QDialog>
 #include <QtWidgets/QWidget>
 
 #include "app/conductor/conductor.h"
 #include "app/conductor/session_monitor.h"
 #include "app/conductor/session_requests.h"
 #include "app/gui/session/session_keys.h"
-#include "app/gui/session/session_text.h"
 
 class QLabel;
-class QLayout;
-class QProgressBar;
-class QPushButton;
 class QScreen;
 class QStackedWidget;
 class QVBoxLayout;
@@ -29,9 +22,7 @@ class QVBoxLayout;
 namespace asperity {
 
 class AnswersPanel;
-class Banner;
 class EndSummary;
-class FaultPanel;
 class HealthLine;
 class LivePlots;
 class ModeBand;
@@ -39,7 +30,9 @@ class NotesPanel;
 class PlanTable;
 class ReasonForm;
 class SessionControls;
-class StateLabel;
+class SessionHeader;
+class SessionQuestions;
+class SessionTroubles;
 
 /// Shows what the monitor says, sixty times a second, and passes on what the experimenter asks for.
 ///
@@ -88,41 +81,30 @@ class SessionWindow final : public QWidget {
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
   bool focusNextPrevChild(bool next) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QLayout* make_header();
-  QLayout* make_now_line();
   QWidget* make_middle();
+  void connect_parts();
   void do_verb(SessionVerb verb);
   void do_emergency_stop();
   void take_keyboard();
-  void ask_repeat();
-  void ask_skip();
-  void ask_abort();
-  void ask_unblind();
-  void ask_close();
-  void blind_again();
+  void change_blindness();
   void write_blindness();
-  void write_title();
   QString field_lock() const;
+  void lock_fields();
 
   void take_facts(std::shared_ptr<const SessionFacts> facts);
   void take_snapshot();
+  void show_exploration();
   void write_moving_texts();
   void write_pending();
   void write_controls();
   void write_answers();
   void write_health();
-  void write_trouble();
-  QString fault_text() const;
-  QString veiled(const std::string& text) const;
   void end();
   void screen_left(QScreen* screen);
   bool is_running() const;
   const Trial* trial_now() const;
-  std::int64_t now_ns() const;
-  QString clock_text(std::int64_t time_ns) const;
 
   SessionMonitor& monitor_;
   SessionRequests& requests_;
@@ -131,7 +113,6 @@ class SessionWindow final : public QWidget {
   SessionSnapshot shown_{};
   bool has_shown_ = false;
   std::shared_ptr<const SessionFacts> facts_{};
-  NameVeil veil_{};
   bool blind_ = true;
   QString unblinded_at_{};  ///< when names were first shown in a run
   bool own_keyboard_ = false;
@@ -140,30 +121,14 @@ class SessionWindow final : public QWidget {
   bool close_when_ended_ = false;
   bool closed_ = false;
   std::optional<SessionEnd> end_{};
-  QString stopped_at_{};            ///< when the emergency stop was pressed, until it is cleared
-  bool stop_is_confirmed_ = false;  ///< the monitor has shown a fault since
-  bool clearing_ = false;           ///< going on was asked for and has not happened yet
-  std::int64_t cleared_trouble_ns_ = 0;  ///< a later one is another
-  QElapsedTimer since_clearing_{};
   QElapsedTimer since_health_{};
-  std::optional<SessionTrouble> trouble_shown_{};
   int explored_trial_ = -1;
 
   ModeBand* band_ = nullptr;
-  QLabel* title_ = nullptr;
-  QLabel* blindness_ = nullptr;
-  QPushButton* unblind_ = nullptr;
-  QLabel* block_ = nullptr;
-  QProgressBar* progress_ = nullptr;
-  QLabel* trial_ = nullptr;
-  QLabel* elapsed_ = nullptr;
-  QLabel* left_ = nullptr;
-  QLabel* now_ = nullptr;
-  StateLabel* pending_ = nullptr;
-  FaultPanel* fault_ = nullptr;
-  Banner* trouble_ = nullptr;
-  Banner* news_ = nullptr;
+  SessionHeader* header_ = nullptr;
+  SessionTroubles* troubles_ = nullptr;
   ReasonForm* reason_ = nullptr;
+  SessionQuestions* questions_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   PlanTable* plan_ = nullptr;
   LivePlots* plots_ = nullptr;
@@ -175,7 +140,6 @@ class SessionWindow final : public QWidget {
   HealthLine* health_ = nullptr;
   SessionControls* controls_ = nullptr;
   SessionKeys* keys_ = nullptr;
-  QPointer<QDialog> dialog_{};
 };
 
 }  // namespace asperity

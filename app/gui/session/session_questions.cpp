@@ -1,0 +1,88 @@
+#include "app/gui/session/session_questions.h"
+
+#include <utility>
+
+#include "app/gui/session/reason_form.h"
+#include "app/gui/session/session_dialogs.h"
+
+namespace asperity {
+
+SessionQuestions::SessionQuestions(SessionRequests& requests, ReasonForm& form, QWidget& window)
+    : QObject(&window), requests_(requests), form_(form), window_(window) {}
+
+void SessionQuestions::lock(const QString& why) {
+  why_locked_ = why;
+  form_.lock(why);
+  if (auto* abort = qobject_cast<AbortDialog*>(dialog_.data())) abort->lock(why);
+}
+
+void SessionQuestions::ask_to_repeat() {
+  form_.ask(tr("Why is the last trial repeated? What was answered stays stored and no longer "
+               "counts."),
+            {tr("The participant was distracted"), tr("Wrong key pressed"),
+             tr("The participant asks for it"), tr("Technical problem")},
+            tr("Repeat last trial"),
+            [this](const QString& reason) { requests_.repeat_last(reason.toStdString()); });
+}
+
+void SessionQuestions::ask_to_skip(int trial) {
+  form_.ask(tr("Why is trial %1 skipped? It is kept as skipped and not asked again.").arg(trial),
+            {tr("The participant cannot answer"), tr("The participant does not want to go on"),
+             tr("Technical problem")},
+            tr("Skip this trial"),
+            [this](const QString& reason) { requests_.skip(reason.toStdString()); });
+}
+
+void SessionQuestions::ask_to_unblind(std::function<void(QString)> on_reason) {
+  form_.ask(tr("Why do you need to know the conditions? The reason is stored with the session, and "
+               "the window stays marked."),
+            {tr("Safety of the participant"), tr("Suspected fault of a stimulus"),
+             tr("Not the experimenter of this study")},
+            tr("Unblind"), std::move(on_reason));
+}
+
+void SessionQuestions::ask_to_abort() {
+  if (dialog_ != nullptr && dialog_->isVisible()) return dialog_->raise();
+  auto* dialog = new AbortDialog(
+      &window_, [this](const QString& reason) { requests_.abort(reason.toStdString()); });
+  dialog->lock(why_locked_);
+  dialog_ = dialog;
+  dialog_->show();
+}
+
+void SessionQuestions::ask_to_leave() {
+  if (dialog_ != nullptr && dialog_->isVisible()) return dialog_->raise();
+  dialog_ = new CloseDialog(&window_, [this](Leaving how) {
+    if (how == Leaving::abort_now) {
+      requests_.abort("the session window was closed");
+    } else {
+      requests_.stop_after(StopAfter::trial);
+      // A pause would keep it from ever coming to that.
+      requests_.resume();
+    }
+    emit leaving();
+  });
+  dialog_->show();
+}
+
+bool SessionQuestions::take_back_one() {
+  if (dialog_ != nullptr && dialog_->isVisible()) {
+    dialog_->reject();
+    return true;
+  }
+  if (!form_.isVisible()) return false;
+  form_.cancel();
+  return true;
+}
+
+void SessionQuestions::take_all_back() {
+  if (dialog_ != nullptr) dialog_->reject();
+  form_.cancel();
+}
+
+void SessionQuestions::end() {
+  form_.hide();
+  if (dialog_ != nullptr) dialog_->close();
+}
+
+}  // namespace asperity

@@ -1,0 +1,80 @@
+// What went wrong in a session, and the button that helps.
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QtCore/QElapsedTimer>
+#include <QtCore/QObject>
+#include <QtCore/QString>
+
+#include "app/conductor/session_monitor.h"
+#include "app/conductor/session_requests.h"
+#include "app/gui/session/session_text.h"
+
+class QVBoxLayout;
+class QWidget;
+
+namespace asperity {
+
+class Banner;
+class FaultPanel;
+
+/// Three places, each hidden while it has nothing to say: a fault that holds the force at zero, what
+/// the session reports otherwise, and news of the windows.
+///
+/// What comes from elsewhere is shown with names taken out while the experimenter is blind.
+class SessionTroubles final : public QObject {
+  Q_OBJECT
+ public:
+  /// Adds the places to `rows`; they belong to `parent`, as this does.
+  SessionTroubles(SessionRequests& requests, QVBoxLayout& rows, QWidget* parent);
+
+  void set_facts(std::shared_ptr<const SessionFacts> facts);
+  void set_blind(bool blind);
+  QString veiled(const QString& text) const;
+
+  void show_snapshot(const SessionSnapshot& snapshot);
+  /// A moment passes: a fault that is not gone by now was not cleared.
+  void look_again();
+  /// At the press: the device's answer is awaited.
+  void show_emergency();
+  bool is_clearing() const noexcept { return clearing_; }
+  /// The session is over: its end says the rest.
+  void end();
+
+  void show_failure(const QString& what, std::function<void()> on_close);
+  void show_screen_removed(const QString& name, std::function<void()> on_pause);
+  void show_participant_screen_lost(const QString& name);
+
+ signals:
+  /// Somebody wants to end the session for it.
+  void end_wanted();
+
+ private:
+  void clear_fault();
+  void write();
+  QString fault_text() const;
+  QString clock_text(std::int64_t time_ns) const;
+
+  SessionRequests& requests_;
+  std::shared_ptr<const SessionFacts> facts_{};
+  SessionSnapshot shown_{};
+  NameVeil veil_{};
+  bool blind_ = true;
+  bool ended_ = false;
+  QString stopped_at_{};            ///< when the emergency stop was pressed, until it is cleared
+  bool stop_is_confirmed_ = false;  ///< the monitor has shown a fault since
+  bool clearing_ = false;           ///< going on was asked for and has not happened yet
+  std::int64_t cleared_trouble_ns_ = 0;  ///< a later one is another
+  QElapsedTimer since_clearing_{};
+  std::optional<SessionTrouble> trouble_shown_{};
+  FaultPanel* fault_ = nullptr;
+  Banner* trouble_ = nullptr;
+  Banner* news_ = nullptr;
+};
+
+}  // namespace asperity
