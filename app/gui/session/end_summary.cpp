@@ -6,10 +6,23 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QStyle>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/session/session_text.h"
 
 namespace asperity {
+
+namespace {
+
+/// The one filled button of the page, or not.
+void fill(QPushButton& button, bool is_filled) {
+  button.setProperty("role", is_filled ? "primary" : "plain");
+  button.style()->unpolish(&button);
+  button.style()->polish(&button);
+}
+
+}  // namespace
 
 EndSummary::EndSummary(std::filesystem::path study, QWidget* parent)
     : QWidget(parent), study_(std::move(study)) {
@@ -33,15 +46,22 @@ EndSummary::EndSummary(std::filesystem::path study, QWidget* parent)
   rows->addWidget(place_);
   auto* buttons = new QHBoxLayout();
   buttons->setSpacing(kGrid);
-  const auto add = [&](const QString& verb, ButtonRole role, const char* name, auto signal) {
-    QPushButton* button = make_button(verb, role, card);
+  const auto add = [&](const QString& verb, const char* name, auto&& on_click) {
+    QPushButton* button = make_button(verb, ButtonRole::plain, card);
     button->setObjectName(name);
-    connect(button, &QPushButton::clicked, this, signal);
+    connect(button, &QPushButton::clicked, this, on_click);
     buttons->addWidget(button);
+    return button;
   };
-  add(tr("See the table"), ButtonRole::primary, "see_table", &EndSummary::results_wanted);
-  add(tr("See the trials"), ButtonRole::plain, "see_trials", &EndSummary::trials_wanted);
-  add(tr("Close"), ButtonRole::plain, "close", &EndSummary::close_wanted);
+  const auto add_way_on = [&](AfterFailure way, const char* name) {
+    return add(SessionText::of_way_on(way), name, [this, way] { emit way_on_wanted(way); });
+  };
+  go_on_ = add_way_on(AfterFailure::go_on, "go_on");
+  start_again_ = add_way_on(AfterFailure::start_again, "start_again");
+  check_again_ = add_way_on(AfterFailure::check_again, "check_everything_again");
+  see_table_ = add(tr("See the table"), "see_table", &EndSummary::results_wanted);
+  see_trials_ = add(tr("See the trials"), "see_trials", &EndSummary::trials_wanted);
+  add(tr("Close"), "close", &EndSummary::close_wanted);
   buttons->addStretch(1);
   rows->addLayout(buttons);
   auto* middle = new QVBoxLayout();
@@ -52,16 +72,21 @@ EndSummary::EndSummary(std::filesystem::path study, QWidget* parent)
   outer->addStretch(1);
 }
 
-void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row, bool complete,
-                          const QString& why) {
+void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row,
+                          const SessionOutcome& outcome) {
   const bool began = row.session > 0;
-  title_->setText(!began     ? tr("✕ The session did not begin")
-                  : complete ? tr("✓ The session is complete")
-                             : tr("▲ The session was stopped"));
+  title_->setText(!began                ? tr("✕ The session did not begin")
+                  : outcome.is_complete ? tr("✓ The session is complete")
+                                        : tr("▲ The session was stopped"));
   place_->setVisible(began);
-  for (const char* name : {"see_table", "see_trials"}) {
-    findChild<QPushButton*>(name)->setVisible(began);
-  }
+  see_table_->setVisible(began);
+  see_trials_->setVisible(began);
+  go_on_->setVisible(outcome.can_go_on);
+  start_again_->setVisible(!began);
+  check_again_->setVisible(!began);
+  fill(*go_on_, outcome.can_go_on);
+  fill(*start_again_, !began);
+  fill(*see_table_, began && !outcome.can_go_on);
   const auto& attempts = *snapshot.attempts;
   const auto flagged = std::count_if(attempts.begin(), attempts.end(),
                                      [](const AttemptSummary& each) { return each.flagged; });
@@ -81,9 +106,9 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
                      .arg(invalid)
                      .arg(skipped);
   if (snapshot.trials == 0) text = began ? tr("No trial was begun.") : tr("Nothing was stored.");
-  if (!why.isEmpty()) text = tr("%1\n\n%2").arg(why, text);
-  if (!complete && snapshot.trials > 0) {
-    text = tr("%1\n\nThe session can be gone on with: start it again with the same participant.")
+  if (!outcome.why.isEmpty()) text = tr("%1\n\n%2").arg(outcome.why, text);
+  if (outcome.can_go_on) {
+    text = tr("%1\n\nThe session can be gone on with: now, or later from the page Sessions.")
                .arg(text);
   }
   text_->setText(text);

@@ -8,6 +8,7 @@
 
 #include "app/gui/sound/qt_sound.h"
 #include "app/tasks/session_checks.h"
+#include "protocols/diagnostic.h"
 
 namespace asperity {
 
@@ -34,6 +35,7 @@ SessionRunner::SessionRunner(QObject* parent, SoundMaker make_sound)
     : QObject(parent), make_sound_(std::move(make_sound)) {
   qRegisterMetaType<asperity::SessionOrder>();
   qRegisterMetaType<asperity::SessionEnd>();
+  qRegisterMetaType<asperity::AfterFailure>();
 }
 
 SessionRunner::~SessionRunner() {
@@ -82,8 +84,12 @@ void SessionRunner::run(const std::stop_token& stop) {
           emit ended(end);
         },
         Qt::QueuedConnection);
+  } catch (const ProtocolChangedSinceCheck& error) {
+    fail(error.what(), AfterFailure::check_again);
+  } catch (const ProtocolError& error) {
+    fail(error.what(), AfterFailure::check_again);
   } catch (const std::exception& error) {
-    fail(error.what());
+    fail(error.what(), AfterFailure::start_again);
   }
 }
 
@@ -99,7 +105,7 @@ void SessionRunner::announce_attempt() {
       Qt::QueuedConnection);
 }
 
-void SessionRunner::fail(const std::string& what) {
+void SessionRunner::fail(const std::string& what, AfterFailure unbegun) {
   // Every attempt that was reported is on disk: the conductor tells of none before its commit.
   const bool had_begun = attempts_ > 0 || monitor_.facts() != nullptr;
   QString text = as_sentence(what) + ' ';
@@ -124,9 +130,9 @@ void SessionRunner::fail(const std::string& what) {
   });
   QMetaObject::invokeMethod(
       this,
-      [this, text] {
+      [this, text, next = had_begun ? AfterFailure::go_on : unbegun] {
         running_ = false;
-        emit failed(text);
+        emit failed(text, next);
       },
       Qt::QueuedConnection);
 }

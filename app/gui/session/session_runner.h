@@ -18,6 +18,7 @@
 #include "app/conductor/session_monitor.h"
 #include "app/conductor/session_requests.h"
 #include "app/conductor/sound.h"
+#include "app/gui/session/bad_moments.h"
 #include "app/tasks/run_session.h"
 #include "renderers/force_model.h"
 
@@ -77,12 +78,13 @@ class SessionRunner final : public QObject {
   /// At least one more attempt is on disk; several that come quickly are announced together.
   void attempt_done();
   void ended(const asperity::SessionEnd& end);
-  void failed(const QString& text);
+  void failed(const QString& text, asperity::AfterFailure next);
 
  private:
   void run(const std::stop_token& stop);
   void announce_attempt();
-  void fail(const std::string& what);
+  /// `unbegun`: what helps where nothing has begun.
+  void fail(const std::string& what, AfterFailure unbegun);
 
   SoundMaker make_sound_{};
   SessionOrder order_{};

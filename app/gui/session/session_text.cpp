@@ -156,6 +156,18 @@ QString SessionText::of_mode(SessionMode mode) {
   return {};
 }
 
+QString SessionText::of_way_on(AfterFailure way) {
+  switch (way) {
+    case AfterFailure::start_again:
+      return tr("Try again");
+    case AfterFailure::check_again:
+      return tr("Check again");
+    case AfterFailure::go_on:
+      break;
+  }
+  return tr("Go on with this session…");
+}
+
 QString SessionText::of_left(double left_s) {
   if (left_s < 60.0) return tr("less than a minute left");
   return tr("about %1 min left").arg(static_cast<int>(left_s / 60.0 + 0.5));

@@ -8,6 +8,7 @@
 
 #include "app/conductor/session_monitor.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/session/bad_moments.h"
 
 namespace asperity {
 
@@ -37,6 +38,8 @@ class SessionText final {
   static QString of_attempt(const AttemptSummary& attempt, bool tells_right);
   static State state_of(const AttemptSummary& attempt);
   static QString of_mode(SessionMode mode);
+  /// What a button says that leads on after a failure.
+  static QString of_way_on(AfterFailure way);
   /// "about 23 min left".
   static QString of_left(double left_s);
   /// "18:42", "1:02:05".

@@ -154,23 +154,42 @@ void SessionTroubles::write() {
 
 // --- news of the windows -------------------------------------------------------------------------
 
-void SessionTroubles::show_failure(const QString& what, std::function<void()> on_close) {
-  news_->show_news(State::stop, veiled(what), tr("Close"), std::move(on_close));
+void SessionTroubles::show_failure(const QString& what, AfterFailure next) {
+  news_->show_news(State::stop, veiled(what), SessionText::of_way_on(next),
+                   [this, next] { emit way_on_wanted(next); });
 }
 
-void SessionTroubles::show_screen_removed(const QString& name, std::function<void()> on_pause) {
+void SessionTroubles::show_screen_removed(const QString& name) {
   news_->show_news(State::look,
                    tr("The screen “%1” was unplugged. What was on it is now on another one. Pause, "
                       "and plug it in again, if it was the participant's.")
                        .arg(name),
-                   tr("Pause"), std::move(on_pause));
+                   tr("Pause"), [this] { emit pause_wanted(); });
 }
 
-void SessionTroubles::show_participant_screen_lost(const QString& name) {
-  news_->show_news(State::look,
-                   tr("The participant's screen “%1” is gone. The session pauses after "
-                      "this trial; their window stands on the screen that is left.")
-                       .arg(name));
+void SessionTroubles::show_participant_screen_lost(const QString& name, ScreenLoss loss) {
+  QString text{};
+  switch (loss) {
+    case ScreenLoss::force_stopped:
+      text = tr("The participant's screen “%1” is gone. The emergency stop was pressed for them: the "
+                "force is zero, and the trial is asked again. Plug the screen in, put their window "
+                "back, then clear the stop.")
+                 .arg(name);
+      break;
+    case ScreenLoss::pausing:
+      text = tr("The participant's screen “%1” is gone. There is no force, and the session pauses "
+                "before the next trial. Plug the screen in, put their window back, then resume with "
+                "F5.")
+                 .arg(name);
+      break;
+    case ScreenLoss::still_gone:
+      text = tr("The screen “%1” is still not there. Until it is, the participant's window stands on "
+                "the screen that is left.")
+                 .arg(name);
+      break;
+  }
+  news_->show_news(State::look, text, tr("Put their window back"),
+                   [this, name] { emit participant_screen_back(name); });
 }
 
 }  // namespace asperity

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -13,6 +12,7 @@
 
 #include "app/conductor/session_monitor.h"
 #include "app/conductor/session_requests.h"
+#include "app/gui/session/bad_moments.h"
 #include "app/gui/session/session_text.h"
 
 class QVBoxLayout;
@@ -46,13 +46,19 @@ class SessionTroubles final : public QObject {
   /// The session is over: its end says the rest.
   void end();
 
-  void show_failure(const QString& what, std::function<void()> on_close);
-  void show_screen_removed(const QString& name, std::function<void()> on_pause);
-  void show_participant_screen_lost(const QString& name);
+  void show_failure(const QString& what, AfterFailure next);
+  /// Any screen, before it is known whose it was.
+  void show_screen_removed(const QString& name);
+  void show_participant_screen_lost(const QString& name, ScreenLoss loss);
 
  signals:
   /// Somebody wants to end the session for it.
   void end_wanted();
+  void pause_wanted();
+  /// Of a session that failed.
+  void way_on_wanted(asperity::AfterFailure way);
+  /// Somebody says that it is plugged in again.
+  void participant_screen_back(const QString& name);
 
  private:
   void clear_fault();

@@ -109,9 +109,15 @@ void SessionWindow::connect_parts() {
           [this](const QString& text) { requests_.note(text.toStdString()); });
   connect(troubles_, &SessionTroubles::end_wanted, this,
           [this] { do_verb(SessionVerb::abort); });
+  connect(troubles_, &SessionTroubles::pause_wanted, this,
+          [this] { do_verb(SessionVerb::pause); });
+  connect(troubles_, &SessionTroubles::way_on_wanted, this, &SessionWindow::way_on_wanted);
+  connect(troubles_, &SessionTroubles::participant_screen_back, this,
+          &SessionWindow::participant_screen_back);
   connect(questions_, &SessionQuestions::leaving, this, [this] { close_when_ended_ = true; });
   connect(summary_, &EndSummary::trials_wanted, this, &SessionWindow::trials_wanted);
   connect(summary_, &EndSummary::results_wanted, this, &SessionWindow::results_wanted);
+  connect(summary_, &EndSummary::way_on_wanted, this, &SessionWindow::way_on_wanted);
   connect(summary_, &EndSummary::close_wanted, this, &QWidget::close);
   connect(qGuiApp, &QGuiApplication::screenRemoved, this, &SessionWindow::screen_left);
 }
@@ -406,20 +412,27 @@ void SessionWindow::end() {
   write_health();
   header_->show_progress(shown_);
   troubles_->end();
-  const bool complete =
-      end_ ? end_->state == SessionState::completed
-           : shown_.trials > 0 && shown_.trials_done >= shown_.trials && !shown_.trouble;
-  QString why{};
-  if (end_ && !end_->reason.empty()) {
-    why = QString::fromStdString(end_->reason);
-  } else if (shown_.trouble) {
-    why = QString::fromStdString(shown_.trouble->what);
-  }
-  if (!why.isEmpty()) why = tr("What ended it: %1").arg(troubles_->veiled(why));
-  summary_->show_end(shown_, facts_ == nullptr ? SessionRow{} : facts_->row, complete, why);
+  write_end();
   pages_->setCurrentWidget(summary_);
   controls_->hide();
   if (close_when_ended_) close();
+}
+
+void SessionWindow::write_end() {
+  SessionOutcome outcome{};
+  outcome.is_complete =
+      end_ ? end_->state == SessionState::completed
+           : shown_.trials > 0 && shown_.trials_done >= shown_.trials && !shown_.trouble;
+  outcome.can_go_on =
+      facts_ != nullptr && !outcome.is_complete && !(end_ && end_->as_the_protocol_says);
+  QString why{};
+  if (end_ && !end_->reason.empty()) {
+    why = QString::fromStdString(end_->reason);
+  } else if (shown_.trouble && !failed_) {  // a failure is said by its banner
+    why = QString::fromStdString(shown_.trouble->what);
+  }
+  if (!why.isEmpty()) outcome.why = tr("What ended it: %1").arg(troubles_->veiled(why));
+  summary_->show_end(shown_, facts_ == nullptr ? SessionRow{} : facts_->row, outcome);
 }
 
 void SessionWindow::show_end(const SessionEnd& how) {
@@ -428,12 +441,13 @@ void SessionWindow::show_end(const SessionEnd& how) {
   end();
 }
 
-void SessionWindow::show_failure(const QString& what) {
+void SessionWindow::show_failure(const QString& what, AfterFailure next) {
   failed_ = true;
   keys_->switch_off();
   questions_->end();
-  troubles_->show_failure(what, [this] { close(); });
+  troubles_->show_failure(what, next);
   write_controls();
+  if (ended_) write_end();
 }
 
 bool SessionWindow::may_close() {
@@ -471,13 +485,12 @@ bool SessionWindow::focusNextPrevChild(bool next) {
   return true;
 }
 
-void SessionWindow::tell_screen_lost(const QString& name) {
-  troubles_->show_participant_screen_lost(name);
+void SessionWindow::tell_screen_lost(const QString& name, ScreenLoss loss) {
+  troubles_->show_participant_screen_lost(name, loss);
 }
 
 void SessionWindow::screen_left(QScreen* screen) {
-  troubles_->show_screen_removed(screen == nullptr ? QString() : screen->name(),
-                                 [this] { do_verb(SessionVerb::pause); });
+  troubles_->show_screen_removed(screen == nullptr ? QString() : screen->name());
   // After Qt has dealt with it: it may have put the window where no screen is.
   QTimer::singleShot(0, this, [this] {
     const QPoint middle = frameGeometry().center();

@@ -12,6 +12,7 @@
 #include "app/conductor/conductor.h"
 #include "app/conductor/session_monitor.h"
 #include "app/conductor/session_requests.h"
+#include "app/gui/session/bad_moments.h"
 #include "app/gui/session/session_keys.h"
 
 class QLabel;
@@ -67,15 +68,20 @@ class SessionWindow final : public QWidget {
   void refresh();
   /// How it ended, where that is known; otherwise the counts of the monitor decide what is said.
   void show_end(const asperity::SessionEnd& end);
-  /// Where the participant's screen was unplugged, and the session was asked to pause.
-  void tell_screen_lost(const QString& name);
-  /// The session could not begin, or broke off: says so, and lets the window close.
-  void show_failure(const QString& what);
+  /// Of the participant; the session has been stopped or asked to pause for it.
+  void tell_screen_lost(const QString& name, asperity::ScreenLoss loss);
+  /// The session could not begin, or broke off: says so, offers what helps, and lets the window
+  /// close.
+  void show_failure(const QString& what, asperity::AfterFailure next);
 
  signals:
   void closed();
   void results_wanted();
   void trials_wanted();
+  /// The session has ended, and somebody wants it to be tried or gone on with in this way.
+  void way_on_wanted(asperity::AfterFailure way);
+  /// The participant's screen is plugged in again: their window is to go back there.
+  void participant_screen_back(const QString& name);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -102,6 +108,7 @@ class SessionWindow final : public QWidget {
   void write_answers();
   void write_health();
   void end();
+  void write_end();
   void screen_left(QScreen* screen);
   bool is_running() const;
   const Trial* trial_now() const;

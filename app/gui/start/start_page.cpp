@@ -241,11 +241,7 @@ void StartPage::connect_parts() {
   connect(consent_, &ConsentCard::changed, this, &StartPage::show_start);
   connect(setup_, &SetupCard::changed, this, &StartPage::show_start);
   connect(setup_, &SetupCard::screens_changed, this, &StartPage::check_soon);
-  connect(check_list_, &CheckList::again_wanted, this, [this] {
-    // Whatever the file says now is what is checked, and shown.
-    load(file_);
-    check();
-  });
+  connect(check_list_, &CheckList::again_wanted, this, &StartPage::check_again);
   connect(start_, &QPushButton::clicked, this, &StartPage::press_start);
   connect(check_timer_, &QTimer::timeout, this, &StartPage::check);
   connect(cancel_, &QPushButton::clicked, this, [this] {

@@ -60,6 +60,8 @@ class StartPage final : public QWidget {
   void choose(const std::filesystem::path& protocol, const std::optional<std::string>& participant,
               std::optional<std::int64_t> session);
   void set_mode(SessionMode mode);
+  /// Reads the protocol as it is now and looks at everything anew; what is filled in stays.
+  void check_again();
   /// The next person is somebody else: nothing of the last one's answers or consent stays.
   void forget_person();
   SessionMode mode() const noexcept { return mode_; }

@@ -60,6 +60,12 @@ void StartPage::set_mode(SessionMode mode) {
   show_mode();
 }
 
+void StartPage::check_again() {
+  // Whatever the file says now is what is checked, and shown.
+  load(file_);
+  check();
+}
+
 void StartPage::list_protocols() {
   const QSignalBlocker silent(protocols_);
   protocols_->clear();

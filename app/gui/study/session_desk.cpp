@@ -1,8 +1,10 @@
 #include "app/gui/study/session_desk.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QtCore/QTimer>
+#include <QtGui/QGuiApplication>
 #include <QtGui/QScreen>
 
 #include "app/gui/data/analysis_page.h"
@@ -116,9 +118,9 @@ void SessionDesk::begin(const SessionOrder& order) {
   connect(runner_.get(), &SessionRunner::failed, session_window_, &SessionWindow::show_failure);
   connect(runner_.get(), &SessionRunner::failed, study_, &OpenStudy::announce_change);
   connect(runner_.get(), &SessionRunner::ended, study_, &OpenStudy::announce_change);
-  next_page_.reset();
+  finish_later_ = nullptr;
   const auto finish_if_closed = [this] {
-    if (next_page_) finish(*std::exchange(next_page_, std::nullopt));
+    if (const auto finish_now = std::exchange(finish_later_, nullptr)) finish_now();
   };
   connect(runner_.get(), &SessionRunner::ended, this, finish_if_closed);
   connect(runner_.get(), &SessionRunner::failed, this, finish_if_closed);
@@ -137,16 +139,42 @@ void SessionDesk::open_participant_window() {
           [runner](const QString& kind, const QString& text) {
             runner->requests().remark(kind.toStdString(), text.toStdString());
           });
-  connect(participant_window_, &ParticipantWindow::screen_lost, runner,
-          [this, runner](const QString& name) {
-            runner->requests().remark("screen_lost", name.toStdString());
-            runner->requests().pause();
-            // Once the experimenter's window is there, and has said what it says of any screen.
-            QTimer::singleShot(0, this, [this, name] {
-              if (session_window_ != nullptr) session_window_->tell_screen_lost(name);
-            });
-          });
+  connect(participant_window_, &ParticipantWindow::screen_lost, this,
+          &SessionDesk::stop_for_lost_screen);
   participant_window_->open_on(runner_->order().participant_screen);
+}
+
+/// Nobody feels what they cannot see any more: the force goes to zero first.
+void SessionDesk::stop_for_lost_screen(const QString& screen) {
+  SessionRequests& requests = runner_->requests();
+  requests.remark("screen_lost", screen.toStdString());
+  const SessionSnapshot now = runner_->monitor().snapshot();
+  const bool is_felt = now.phase == SessionPhase::fore || now.phase == SessionPhase::contact ||
+                       now.surface > 0;
+  if (is_felt) {
+    requests.emergency_stop();
+  } else {
+    requests.pause();
+  }
+  // Once the experimenter's window is there, and has said what it says of any screen.
+  QTimer::singleShot(0, this, [this, screen, is_felt] {
+    if (session_window_ == nullptr) return;
+    session_window_->tell_screen_lost(screen,
+                                      is_felt ? ScreenLoss::force_stopped : ScreenLoss::pausing);
+  });
+}
+
+void SessionDesk::put_participant_back(const QString& screen) {
+  if (participant_window_ == nullptr) return;
+  const QList<QScreen*> screens = QGuiApplication::screens();
+  const bool is_there = std::any_of(screens.begin(), screens.end(), [&screen](const QScreen* each) {
+    return each->name() == screen;
+  });
+  if (is_there) {
+    participant_window_->open_on(screen);
+  } else {
+    session_window_->tell_screen_lost(screen, ScreenLoss::still_gone);
+  }
 }
 
 void SessionDesk::open_session_window() {
@@ -161,6 +189,9 @@ void SessionDesk::open_session_window() {
   connect(session_window_, &SessionWindow::closed, this, [this] { finish({}); });
   connect(session_window_, &SessionWindow::results_wanted, this, [this] { finish("analysis"); });
   connect(session_window_, &SessionWindow::trials_wanted, this, [this] { finish("trials"); });
+  connect(session_window_, &SessionWindow::way_on_wanted, this, &SessionDesk::go_on);
+  connect(session_window_, &SessionWindow::participant_screen_back, this,
+          &SessionDesk::put_participant_back);
   const QRect room = window_.screen()->availableGeometry();
   const bool beside = participant_window_ != nullptr && !participant_window_->is_full_screen();
   if (beside) {
@@ -179,11 +210,28 @@ void SessionDesk::open_session_window() {
   }
 }
 
-void SessionDesk::finish(const QString& next_page) {
+void SessionDesk::go_on(AfterFailure way) {
+  if (runner_ == nullptr) return;
+  const SessionOrder order = runner_->order();
+  const auto facts = runner_->monitor().facts();
+  switch (way) {
+    case AfterFailure::start_again:
+      return finish({}, [this, order] { begin(order); });
+    case AfterFailure::check_again:
+      return finish(kStartPage, [this] { start_page_->check_again(); });
+    case AfterFailure::go_on:
+      if (facts == nullptr) return;
+      return finish({}, [this, wish = SessionWish{.protocol = order.inputs.protocol,
+                                                  .participant = facts->row.participant,
+                                                  .session = facts->row.id}] { choose(wish); });
+  }
+}
+
+void SessionDesk::finish(const QString& page, std::function<void()> next) {
   if (runner_ == nullptr) return;
   if (is_running()) {
     // The window knows of the end from the monitor, a moment before the session's thread is done.
-    next_page_ = next_page;
+    finish_later_ = [this, page, next = std::move(next)] { finish(page, next); };
     return;
   }
   const bool was_beside = participant_window_ != nullptr && !participant_window_->is_full_screen();
@@ -210,15 +258,17 @@ void SessionDesk::finish(const QString& next_page) {
     delete participant_window_;
   }
   if (auto* trials = qobject_cast<TrialsPage*>(window_.page("trials"));
-      trials != nullptr && facts != nullptr && next_page == "trials") {
+      trials != nullptr && facts != nullptr && page == "trials") {
     trials->show_session(facts->row.id);
   }
-  if (!next_page.isEmpty()) window_.show_page(next_page);
+  if (!page.isEmpty()) window_.show_page(page);
   if (auto* analysis = qobject_cast<AnalysisPage*>(window_.page("analysis"))) {
     analysis->choose(protocol);
   }
   study_->announce_change();
   window_.raise();
+  window_.activateWindow();
+  if (next) next();
 }
 
 }  // namespace asperity

@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <optional>
 
 #include <QtCore/QObject>
 #include <QtCore/QPointer>
@@ -45,12 +45,16 @@ class SessionDesk final : public QObject {
   void choose(const SessionWish& wish);
   void open_participant_window();
   void open_session_window();
-  void finish(const QString& next_page);
+  void stop_for_lost_screen(const QString& screen);
+  void put_participant_back(const QString& screen);
+  void go_on(AfterFailure way);
+  /// Shows the page, where one is named, once the session's thread is done, and then does `next`.
+  void finish(const QString& page, std::function<void()> next = {});
 
   StudyWindow& window_;
   SoundMaker make_sound_{};
   OpenStudy* study_ = nullptr;
-  std::optional<QString> next_page_{};  ///< the session's window is left, its thread not done yet
+  std::function<void()> finish_later_{};  ///< the session's window is left, its thread not done yet
   QPointer<StartPage> start_page_{};
   std::unique_ptr<SessionRunner> runner_{};
   QPointer<SessionWindow> session_window_{};

@@ -85,6 +85,53 @@ TEST(SessionPictures, TheEmergencyStopIsPressed) {
   take_both(*window, "session-emergency");
 }
 
+TEST(SessionPictures, TheParticipantsScreenIsLost) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::fault);
+  session.monitor.update([](SessionSnapshot& s) {
+    s.fault = Fault::emergency_stop;
+    s.trouble = SessionTrouble{
+        .what =
+            "The emergency stop was pressed in trial 17. The force is zero until the fault is "
+            "cleared.",
+        .time_ns = s.now_ns,
+        .remedy = SessionTrouble::Remedy::clear_fault};
+  });
+  session.stroke(25.0);
+  const auto window = session.window();
+  window->tell_screen_lost("HDMI-1", ScreenLoss::force_stopped);
+  EXPECT_LE(window->minimumSizeHint().height(), 768);
+  take_both(*window, "session-screen-lost");
+}
+
+TEST(SessionPictures, TheDiskIsFull) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::ended);
+  const auto window = session.window();
+  window->show_failure(
+      "The study could not be written: database or disk is full. The force is at zero and the "
+      "session has stopped. Every finished trial is stored (16 of them in this stretch). When the "
+      "cause is mended, go on with this session from the page Sessions.",
+      AfterFailure::go_on);
+  take_both(*window, "session-disk-full");
+}
+
+TEST(SessionPictures, ASessionDoesNotBegin) {
+  SessionMonitor monitor{};
+  SessionRequests requests{};
+  SessionWindow window(monitor, requests, "/data/rough-surfaces");
+  window.show();
+  monitor.update([](SessionSnapshot& s) { s.phase = SessionPhase::ended; });
+  window.refresh();
+  window.show_failure(
+      "The lock session-P013 is in use by process 4711 on host lab1, started 09:12. The session did "
+      "not begin and no trial was run. When the cause is mended, start it again.",
+      AfterFailure::start_again);
+  take_both(window, "session-not-begun");
+}
+
 TEST(SessionPictures, AReasonIsAskedWhileTheParticipantAnswers) {
   FilledMonitor session{};
   session.answer_up_to(16);

@@ -19,6 +19,7 @@
 #include <QtWidgets/QTableView>
 #include <gtest/gtest.h>
 
+#include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/session/live_plots.h"
 #include "app/gui/session/plan_table.h"
@@ -495,9 +496,108 @@ TEST(SessionWindow, ClosesAfterAFailureWithoutAQuestion) {
   FilledMonitor session{};
   session.answer_up_to(2);
   const auto window = session.window();
-  window->show_failure("The disk is full: study.sqlite could not be written.");
+  window->show_failure("The disk is full: study.sqlite could not be written.",
+                       AfterFailure::go_on);
   EXPECT_TRUE(find<QWidget>(*window, "news").isVisible());
   EXPECT_TRUE(window->may_close());
+}
+
+TEST(SessionWindow, OffersWhatHelpsAfterAFailure) {
+  struct Case {
+    AfterFailure way;
+    const char* verb;
+  };
+  for (const Case& each :
+       {Case{AfterFailure::start_again, "Try again"}, Case{AfterFailure::check_again, "Check again"},
+        Case{AfterFailure::go_on, "Go on with this session…"}}) {
+    FilledMonitor session{};
+    session.answer_up_to(2);
+    session.set_phase(SessionPhase::ended);
+    const auto window = session.window();
+    QSignalSpy wanted(window.get(), &SessionWindow::way_on_wanted);
+    window->show_failure("It broke off.", each.way);
+    EXPECT_EQ(find<Banner>(*window, "news").text(), "It broke off.");
+    const auto buttons = find<QWidget>(*window, "news").findChildren<QPushButton*>();
+    const auto helps = std::find_if(buttons.begin(), buttons.end(), [&](const QPushButton* button) {
+      return button->text() == each.verb;
+    });
+    ASSERT_NE(helps, buttons.end()) << each.verb;
+    QTest::mouseClick(*helps, Qt::LeftButton);
+    ASSERT_EQ(wanted.count(), 1);
+    EXPECT_EQ(wanted.first().first().value<AfterFailure>(), each.way);
+  }
+}
+
+TEST(SessionWindow, OffersToTryAndToCheckAgainWhereNothingHasBegun) {
+  SessionMonitor monitor{};
+  SessionRequests requests{};
+  SessionWindow window(monitor, requests, "/data/rough-surfaces");
+  window.show();
+  monitor.update([](SessionSnapshot& s) { s.phase = SessionPhase::ended; });
+  window.refresh();
+  window.show_failure("The study is in use by process 7.", AfterFailure::start_again);
+  EXPECT_TRUE(find<QLabel>(window, "end_title").text().contains("did not begin"));
+  EXPECT_FALSE(find<QPushButton>(window, "go_on").isVisible());
+  EXPECT_FALSE(find<QPushButton>(window, "see_table").isVisible());
+  QSignalSpy wanted(&window, &SessionWindow::way_on_wanted);
+  QTest::mouseClick(&find<QPushButton>(window, "start_again"), Qt::LeftButton);
+  QTest::mouseClick(&find<QPushButton>(window, "check_everything_again"), Qt::LeftButton);
+  ASSERT_EQ(wanted.count(), 2);
+  EXPECT_EQ(wanted.at(0).first().value<AfterFailure>(), AfterFailure::start_again);
+  EXPECT_EQ(wanted.at(1).first().value<AfterFailure>(), AfterFailure::check_again);
+}
+
+TEST(SessionWindow, OffersToGoOnWithWhatWasStoppedButNotWithWhatIsOver) {
+  struct Case {
+    SessionEnd end;
+    bool goes_on;
+  };
+  for (const Case& each :
+       {Case{{.state = SessionState::stopped, .reason = "as asked"}, true},
+        Case{{.state = SessionState::completed}, false},
+        Case{{.state = SessionState::stopped, .reason = "the criterion was not met",
+              .as_the_protocol_says = true},
+             false}}) {
+    FilledMonitor session{};
+    session.answer_up_to(9);
+    session.set_phase(SessionPhase::ended);
+    const auto window = session.window();
+    window->show_end(each.end);
+    auto& go_on = find<QPushButton>(*window, "go_on");
+    EXPECT_EQ(go_on.isVisible(), each.goes_on) << each.end.reason;
+    EXPECT_EQ(find<QLabel>(*window, "end_text").text().contains("can be gone on with"),
+              each.goes_on);
+    // One filled button on the page.
+    EXPECT_EQ(go_on.property("role").toString(), each.goes_on ? "primary" : "plain");
+    EXPECT_EQ(find<QPushButton>(*window, "see_table").property("role").toString(),
+              each.goes_on ? "plain" : "primary");
+    if (!each.goes_on) continue;
+    QSignalSpy wanted(window.get(), &SessionWindow::way_on_wanted);
+    QTest::mouseClick(&go_on, Qt::LeftButton);
+    ASSERT_EQ(wanted.count(), 1);
+    EXPECT_EQ(wanted.first().first().value<AfterFailure>(), AfterFailure::go_on);
+  }
+}
+
+TEST(SessionWindow, SaysWhatWasDoneForALostScreenAndTakesTheWindowBack) {
+  FilledMonitor session{};
+  session.answer_up_to(2);
+  const auto window = session.window();
+  auto& news = find<Banner>(*window, "news");
+  window->tell_screen_lost("HDMI-1", ScreenLoss::force_stopped);
+  EXPECT_TRUE(news.text().contains("“HDMI-1” is gone")) << news.text().toStdString();
+  EXPECT_TRUE(news.text().contains("the force is zero"));
+  window->tell_screen_lost("HDMI-1", ScreenLoss::pausing);
+  EXPECT_TRUE(news.text().contains("the session pauses"));
+  const auto buttons = news.findChildren<QPushButton*>();
+  const auto back = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+    return button->text() == "Put their window back";
+  });
+  ASSERT_NE(back, buttons.end());
+  QSignalSpy wanted(window.get(), &SessionWindow::participant_screen_back);
+  QTest::mouseClick(*back, Qt::LeftButton);
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_EQ(wanted.first().first().toString(), "HDMI-1");
 }
 
 TEST(SessionWindow, SaysThatAScreenWasUnpluggedAndOffersAPause) {

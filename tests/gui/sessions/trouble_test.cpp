@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QtGui/QGuiApplication>
+#include <QtGui/QScreen>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/look/controls.h"
 #include "app/gui/session/fault_panel.h"
+#include "app/gui/start/start_page.h"
 #include "app/gui/study/study_table.h"
 #include "renderers/tick_record.h"
 #include "results_schema/recording.h"
@@ -137,6 +140,102 @@ TEST_F(SessionInTrouble, LostMaskingNoisePausesWithABannerThatResumes) {
   EXPECT_EQ(stored_events("masking_noise_lost").size(), 1U);
   EXPECT_EQ(stored_session().state, SessionState::completed);
   EXPECT_FALSE(sound->masking);
+}
+
+TEST_F(SessionInTrouble, ALostDeviceZeroesTheForceAndTheSessionGoesOnOnceItAnswersAgain) {
+  make_study();
+  add_protocol({.minimum_contact_s = 0.6});
+  open();
+  window->show_page("protocols");
+  click_row(*window, "protocols_table", "small");
+  click(*window, "protocol_start");
+  click(*window, "mode_run");
+  agree();
+  SessionOrder order = qobject_cast<StartPage*>(window->page("start"))->order();
+  order.inputs.faults = {
+      {.kind = ScriptedFault::Kind::lost, .at_s = 0.8, .duration_s = 0.5}};
+  desk->begin(order);
+  auto& panel = child<FaultPanel>(experimenter(), "fault_panel");
+  wait_for("the panel", [&] { return panel.isVisible(); });
+  EXPECT_TRUE(panel.text().contains("the force is held at zero")) << panel.text().toStdString();
+  wait_for("no force", [&] {
+    std::vector<LiveBin> bins{};
+    monitor().bins_from(0, bins);
+    return !bins.empty() && bins.back().force_maximum_N == 0.0F;
+  });
+  auto& safe = child<QCheckBox>(panel, "fault_safe");
+  auto& clear = child<QPushButton>(panel, "fault_clear");
+  // As long as it does not answer it is not fit, and the panel comes back.
+  wait_for("a device that answers", [&] {
+    if (!is_in(SessionPhase::fault)) return true;
+    if (!safe.isChecked() && safe.isVisible()) click(safe);
+    if (clear.isVisible() && clear.isEnabled()) click(clear);
+    return false;
+  });
+  take_part(chooses_a());
+  EXPECT_EQ(stored_session().state, SessionState::completed);
+  EXPECT_EQ(stored_events("fault").at(0).text, "device_lost");
+  EXPECT_EQ(stored_events("fault_cleared").size(), 1U);
+}
+
+TEST_F(SessionInTrouble, AnUnpluggedScreenZeroesTheForceAndTheTrialIsAskedAgain) {
+  make_study();
+  add_protocol({.minimum_contact_s = 0.6});
+  open();
+  start("small");
+  wait_for("a force", [&] { return is_pushed(1); });
+  emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
+  wait_for("the fault", [&] { return is_in(SessionPhase::fault); });
+  auto& news = child<Banner>(experimenter(), "news");
+  wait_for("the news", [&] { return news.isVisible() && news.text().contains("is gone"); });
+  EXPECT_TRUE(news.text().contains("the force is zero")) << news.text().toStdString();
+  EXPECT_TRUE(desk->participant_window()->isVisible());
+  for (QPushButton* button : news.findChildren<QPushButton*>()) {
+    if (button->text() == "Put their window back") click(*button);
+  }
+  EXPECT_FALSE(news.isVisible()) << "it is back";
+  auto& panel = child<FaultPanel>(experimenter(), "fault_panel");
+  click(panel, "fault_safe");
+  click(panel, "fault_clear");
+  take_part(chooses_a());
+  EXPECT_EQ(stored_outcomes(),
+            (Outcomes{"1/1 device_fault, not valid", "1/2 answered", "2/1 answered"}));
+  EXPECT_EQ(stored_events("screen_lost").size(), 1U);
+  EXPECT_EQ(stored_session().state, SessionState::completed);
+}
+
+TEST_F(SessionInTrouble, AScreenThatIsUnpluggedInABreakPausesAlone) {
+  make_study();
+  add_protocol({.flow = R"({"screen": "Read this."}, {"run": "main"})"});
+  open();
+  start("small");
+  wait_for("the text", [&] { return view().scene().kind == Scene::Kind::text; });
+  emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
+  auto& news = child<Banner>(experimenter(), "news");
+  wait_for("the news", [&] { return news.isVisible() && news.text().contains("is gone"); });
+  EXPECT_TRUE(news.text().contains("the session pauses")) << news.text().toStdString();
+  EXPECT_TRUE(runner().requests().pending().pause);
+  EXPECT_EQ(monitor().snapshot().fault, Fault::none);
+}
+
+TEST_F(SessionInTrouble, AbortedByItsClosedWindowItLeavesNoForce) {
+  make_study();
+  add_protocol({.minimum_contact_s = 0.6});
+  open();
+  start("small");
+  wait_for("a force", [&] { return is_pushed(1); });
+  experimenter().close();
+  auto& question = child<QDialog>(experimenter(), "close_dialog");
+  wait_for("the question", [&] { return question.isVisible(); });
+  click(question, "close_abort");
+  wait_for("the end", [&] { return desk->runner() == nullptr; });
+  EXPECT_EQ(stored_outcomes(), (Outcomes{"1/1 aborted, not valid"}));
+  const AttemptRow attempt = stored_attempts().at(0);
+  ASSERT_TRUE(attempt.recording);
+  const Recording recording = read_recording(folder() / attempt.recording->path);
+  for (const char* name : {"sent_fx_N", "sent_fy_N", "sent_fz_N"}) {
+    EXPECT_EQ(column(recording, name).back(), 0.0F) << name;
+  }
 }
 
 TEST_F(SessionInTrouble, ClosedAndKilledInMidSessionItGoesOnInTheSameOrder) {

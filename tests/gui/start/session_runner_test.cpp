@@ -3,17 +3,16 @@
 #include "app/gui/session/session_runner.h"
 
 #include <filesystem>
-#include <sys/resource.h>
 
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <gtest/gtest.h>
-#include <signal.h>
 
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
+#include "tests/gui/support/full_disk.h"
 
 namespace asperity {
 namespace {
@@ -72,6 +71,7 @@ struct Listener {
     return QTest::qWaitFor([this] { return !ended.isEmpty() || !failed.isEmpty(); }, kPatience_ms);
   }
   SessionEnd end() const { return ended.first().first().value<SessionEnd>(); }
+  AfterFailure way_on() const { return failed.first().at(1).value<AfterFailure>(); }
   std::string failure() const { return failed.first().first().toString().toStdString(); }
   QSignalSpy done;
   QSignalSpy ended;
@@ -117,12 +117,24 @@ TEST_F(RunningSession, RefusesAProtocolThatChangedSinceTheCheck) {
   ASSERT_EQ(listener.failed.size(), 1);
   EXPECT_NE(listener.failure().find("has changed since it was checked"), std::string::npos);
   EXPECT_NE(listener.failure().find("The session did not begin"), std::string::npos);
+  EXPECT_EQ(listener.way_on(), AfterFailure::check_again);
   EXPECT_TRUE(Study::open(study, Access::read_only).sessions().empty());
   const SessionSnapshot seen = runner.monitor().snapshot();
   EXPECT_EQ(seen.phase, SessionPhase::ended);
   ASSERT_TRUE(seen.trouble);
   EXPECT_EQ(seen.trouble->what, listener.failure());
   EXPECT_EQ(seen.trouble->remedy, SessionTrouble::Remedy::try_again);
+}
+
+TEST_F(RunningSession, AsksToCheckAgainWhereAStimulusIsRefused) {
+  std::filesystem::remove(study / "stimuli" / "grain.png");
+  SessionRunner runner;
+  Listener listener(runner);
+  runner.start(order);
+  ASSERT_TRUE(listener.wait());
+  ASSERT_EQ(listener.failed.size(), 1);
+  EXPECT_NE(listener.failure().find("grain.png"), std::string::npos) << listener.failure();
+  EXPECT_EQ(listener.way_on(), AfterFailure::check_again);
 }
 
 TEST_F(RunningSession, IsRefusedWhileTheSameParticipantSitsElsewhere) {
@@ -134,26 +146,9 @@ TEST_F(RunningSession, IsRefusedWhileTheSameParticipantSitsElsewhere) {
   ASSERT_EQ(listener.failed.size(), 1);
   EXPECT_NE(listener.failure().find("is in use by process "), std::string::npos)
       << listener.failure();
+  EXPECT_EQ(listener.way_on(), AfterFailure::start_again);
   EXPECT_TRUE(Study::open(study, Access::read_only).sessions().empty());
 }
-
-/// No file of this process grows beyond `bytes` while this lives: what a full disk does.
-class FullDisk final {
- public:
-  explicit FullDisk(rlim_t bytes) {
-    ::signal(SIGXFSZ, SIG_IGN);
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  rlimit before_{};
-};
 
 TEST_F(RunningSession, SaysWhatIsSafeWhenTheDiskIsFullAndLosesNothing) {
   write_short_protocol(60);  // long enough to fill the disk after the first trial
@@ -169,6 +164,7 @@ TEST_F(RunningSession, SaysWhatIsSafeWhenTheDiskIsFullAndLosesNothing) {
     ASSERT_EQ(listener.failed.size(), 1);
     said = listener.failure();
     announced = listener.done.size();
+    EXPECT_EQ(listener.way_on(), AfterFailure::go_on);
     EXPECT_EQ(runner.monitor().snapshot().phase, SessionPhase::ended);
   }
   EXPECT_NE(said.find("Every finished trial is stored"), std::string::npos) << said;

@@ -13,7 +13,10 @@
 #include "app/gui/start/start_page.h"
 #include "app/gui/study/study_table.h"
 #include "app/gui/study/study_window.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/sha256.h"
 #include "tests/gui/study/quiet_home.h"
+#include "tests/gui/support/full_disk.h"
 
 namespace asperity {
 namespace {
@@ -102,6 +105,82 @@ TEST_F(TheSessionDesk, LeavesThePageBeforeASessionWhileOneRuns) {
   ASSERT_EQ(ended.count(), 1);
   EXPECT_FALSE(start_page().isVisible());
   ASSERT_TRUE(eventually([this] { return !desk_.is_running(); }));
+}
+
+/// What the page before a session would start, without its looking at everything first.
+class TroubledDesk : public TheSessionDesk {
+ protected:
+  void order_a_simulation() {
+    open_demo();
+    click("protocol_simulate");
+    order_ = start_page().order();
+  }
+  Banner& news() { return child<Banner>(*desk_.session_window(), "news"); }
+  bool fails() {
+    return eventually([this] { return news().isVisible(); });
+  }
+  void help(const QString& verb) {
+    for (QPushButton* button : news().findChildren<QPushButton*>()) {
+      if (button->text() == verb) return QTest::mouseClick(button, Qt::LeftButton);
+    }
+    ADD_FAILURE() << "no button says " << verb.toStdString();
+  }
+  std::filesystem::path protocol() {
+    return window_.study()->folder() / "protocols" / "chapter_recognition.json";
+  }
+
+  SessionOrder order_{};
+};
+
+TEST_F(TroubledDesk, TriesAgainOnceAnotherProgramHasLetGoOfTheParticipant) {
+  order_a_simulation();
+  {
+    const StudyLock elsewhere(window_.study()->folder(),
+                              Study::session_lock_name(order_.inputs.participant));
+    desk_.begin(order_);
+    ASSERT_TRUE(fails());
+    EXPECT_TRUE(news().text().contains("is in use by process")) << news().text().toStdString();
+  }
+  const QPointer<SessionWindow> before = desk_.session_window();
+  help("Try again");
+  ASSERT_TRUE(eventually([&] { return before.isNull(); }));
+  ASSERT_NE(desk_.runner(), nullptr);
+  EXPECT_EQ(desk_.runner()->order().inputs.seed, order_.inputs.seed);
+  EXPECT_TRUE(eventually([this] { return desk_.runner()->monitor().facts() != nullptr; }));
+}
+
+TEST_F(TroubledDesk, ChecksAgainWhenTheProtocolHasChangedSinceTheCheck) {
+  order_a_simulation();
+  const std::string text = read_file(protocol()) + "\n";
+  write_file(protocol(), text, Overwrite::allow);
+  desk_.begin(order_);
+  ASSERT_TRUE(fails());
+  EXPECT_TRUE(news().text().contains("has changed since it was checked"));
+  help("Check again");
+  EXPECT_EQ(desk_.runner(), nullptr);
+  EXPECT_EQ(window_.shown_page(), "start");
+  EXPECT_EQ(start_page().order().protocol_sha256, sha256_of(text));
+  EXPECT_EQ(start_page().order().inputs.mode, SessionMode::simulate);
+}
+
+TEST_F(TroubledDesk, GoesOnWithTheSessionThatFilledTheDisk) {
+  order_a_simulation();
+  desk_.begin(order_);
+  QSignalSpy done(desk_.runner(), &SessionRunner::attempt_done);
+  ASSERT_TRUE(eventually([&] { return !done.isEmpty(); }));
+  {
+    const FullDisk full(4096);
+    ASSERT_TRUE(fails());
+  }
+  EXPECT_TRUE(news().text().contains("The force is at zero")) << news().text().toStdString();
+  const std::int64_t session = desk_.runner()->monitor().facts()->row.id;
+  help("Go on with this session…");
+  EXPECT_EQ(desk_.runner(), nullptr);
+  EXPECT_EQ(window_.shown_page(), "start");
+  const RunInputs inputs = start_page().order().inputs;
+  EXPECT_TRUE(inputs.resume);
+  EXPECT_EQ(inputs.resumed_session, session);
+  EXPECT_EQ(inputs.participant, order_.inputs.participant);
 }
 
 }  // namespace
