@@ -150,9 +150,11 @@ void SessionHeader::show_progress(const SessionSnapshot& snapshot) {
   progress_->setValue(s.trials_done);
   set_if_new(*trial_, s.trial > 0 ? tr("trial %1 of %2").arg(s.trial).arg(s.trials)
                                   : tr("trials: %1").arg(s.trials));
-  const bool is_over = s.phase == SessionPhase::ended;
-  set_if_new(*left_, is_over ? QString() : SessionText::of_left(s.expected_left_s));
-  left_->setHidden(is_over);
+}
+
+void SessionHeader::show_left(const QString& text) {
+  set_if_new(*left_, text);
+  left_->setHidden(text.isEmpty());
 }
 
 void SessionHeader::show_now(const QString& text) { set_if_new(*now_, text); }

@@ -37,6 +37,8 @@ class SessionHeader final : public QWidget {
   void show_progress(const SessionSnapshot& snapshot);
   void show_now(const QString& text);
   void show_elapsed(double elapsed_s);
+  /// How long it still takes; empty: it is over.
+  void show_left(const QString& text);
   /// What was asked for and has not happened yet; empty: nothing.
   void show_pending(const QString& text);
 

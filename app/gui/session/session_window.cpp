@@ -1,5 +1,6 @@
 #include "app/gui/session/session_window.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QtCore/QTime>
@@ -304,6 +305,7 @@ void SessionWindow::refresh() {
   if (!since_health_.isValid() || since_health_.elapsed() > kReadable_ms) {
     since_health_.start();
     write_health();
+    write_left();
   }
   plots_->take_bins(monitor_);
   troubles_->look_again();
@@ -329,6 +331,11 @@ void SessionWindow::take_snapshot() {
   write_answers();
   show_exploration();
   lock_fields();
+  if (shown_.expected_left_s != left_s_) {
+    left_s_ = shown_.expected_left_s;
+    left_since_ns_ = shown_.now_ns;
+  }
+  write_left();
   troubles_->show_snapshot(shown_);
 }
 
@@ -358,6 +365,22 @@ void SessionWindow::write_moving_texts() {
   plan_->set_now(shown_.phase == SessionPhase::ended ? 0 : shown_.trial,
                  SessionText::of_phase(shown_, in_phase_s));
   header_->show_elapsed(facts_ == nullptr ? 0.0 : seconds_between(shown_.began_ns, time_ns));
+}
+
+/// A simulated clock runs at its own pace: there, no time of day can be said.
+void SessionWindow::write_left() {
+  if (shown_.phase == SessionPhase::ended) return header_->show_left({});
+  if (facts_ == nullptr || facts_->row.pacing != "real_time") {
+    return header_->show_left(SessionText::of_left(left_s_, {}));
+  }
+  const std::int64_t time_ns = now_ns(shown_, facts_.get());
+  const bool stands_still =
+      shown_.phase == SessionPhase::paused || shown_.phase == SessionPhase::fault;
+  if (stands_still) left_since_ns_ = time_ns;
+  const std::int64_t end_ns =
+      std::max(time_ns, left_since_ns_ + static_cast<std::int64_t>(1e9 * left_s_));
+  header_->show_left(SessionText::of_left(seconds_between(time_ns, end_ns),
+                                          text_of_clock(end_ns, shown_, facts_.get())));
 }
 
 void SessionWindow::write_pending() {
@@ -411,6 +434,7 @@ void SessionWindow::end() {
   write_pending();
   write_health();
   header_->show_progress(shown_);
+  write_left();
   troubles_->end();
   write_end();
   pages_->setCurrentWidget(summary_);

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -103,6 +104,7 @@ class SessionWindow final : public QWidget {
   void take_snapshot();
   void show_exploration();
   void write_moving_texts();
+  void write_left();
   void write_pending();
   void write_controls();
   void write_answers();
@@ -129,6 +131,8 @@ class SessionWindow final : public QWidget {
   bool closed_ = false;
   std::optional<SessionEnd> end_{};
   QElapsedTimer since_health_{};
+  double left_s_ = 0.0;             ///< as last expected
+  std::int64_t left_since_ns_ = 0;  ///< and when
   int explored_trial_ = -1;
 
   ModeBand* band_ = nullptr;

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include <QtCore/QRegularExpression>
+#include <QtCore/QTime>
 #include <QtGui/QFontMetrics>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
@@ -110,6 +111,27 @@ TEST(SessionWindow, SaysWhichSessionItIsAndHowFarItIs) {
   EXPECT_EQ(find<QLabel>(*window, "now").text(), "Trial 17: feeling S2, 6.2 s");
   EXPECT_TRUE(find<QLabel>(*window, "health").text().contains("1000 Hz · p99 31 µs late"));
   EXPECT_TRUE(find<QLabel>(*window, "stored").text().contains("attempts stored: 18"));
+}
+
+TEST(SessionWindow, SaysAtWhatTimeOfDayTheSessionIsExpectedToEnd) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  const std::int64_t machine_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(
+                                      std::chrono::steady_clock::now().time_since_epoch())
+                                      .count();
+  SessionFacts facts = *session.monitor.facts();
+  facts.row.pacing = "real_time";
+  facts.clock_ahead_ns = session.monitor.snapshot().now_ns - machine_ns;
+  session.monitor.set_facts(facts);
+  session.monitor.update([](SessionSnapshot& s) { s.expected_left_s = 725.0; });
+  const QTime before = QTime::currentTime();
+  const auto window = session.window();
+  const QString left = find<QLabel>(*window, "left").text();
+  const QTime after = QTime::currentTime();
+  const QString words = "about 12 min, until %1";
+  EXPECT_TRUE(left == words.arg(before.addSecs(725).toString("HH:mm")) ||
+              left == words.arg(after.addSecs(725).toString("HH:mm")))
+      << left.toStdString();
 }
 
 TEST(SessionWindow, ShowsTheWholeNumberOfTheTrialUnderWay) {

@@ -204,7 +204,7 @@ TEST_F(SessionInTrouble, AnUnpluggedScreenZeroesTheForceAndTheTrialIsAskedAgain)
   EXPECT_EQ(stored_session().state, SessionState::completed);
 }
 
-TEST_F(SessionInTrouble, AScreenThatIsUnpluggedInABreakPausesAlone) {
+TEST_F(SessionInTrouble, AScreenThatIsUnpluggedWhileSomethingIsReadOnlyPauses) {
   make_study();
   add_protocol({.flow = R"({"screen": "Read this."}, {"run": "main"})"});
   open();
