@@ -1,16 +1,88 @@
 #include "app/gui/session/notes_panel.h"
 
+#include <algorithm>
+#include <utility>
+
+#include <QtCore/QList>
+#include <QtCore/QStringList>
 #include <QtCore/QTime>
+#include <QtGui/QAction>
+#include <QtGui/QFontMetrics>
 #include <QtWidgets/QBoxLayout>
-#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/study/settings.h"
 
 namespace asperity {
+
+namespace {
+
+/// What a hand at a haptic device, and whoever it belongs to, is noted for most often.
+QStringList usual_phrases() {
+  return {NotesPanel::tr("Pressed hard"), NotesPanel::tr("Lifted early"),
+          NotesPanel::tr("Grip changed"),     NotesPanel::tr("Hand slipped"),
+          NotesPanel::tr("Hand is tired"),    NotesPanel::tr("Felt a jolt"),
+          NotesPanel::tr("Distracted"),       NotesPanel::tr("Had a question"),
+          NotesPanel::tr("Noise outside")};
+}
+
+}  // namespace
+
+/// Buttons in rows of three, of which as many are shown as there is room for.
+class NotesPanel::PhraseGrid final : public QWidget {
+ public:
+  static constexpr int kFewest = 2;  ///< rows that are always shown
+
+  using QWidget::QWidget;
+
+  /// In place of those before; they are children of this.
+  void set_buttons(const QList<QPushButton*>& buttons) {
+    for (QPushButton* before : std::as_const(buttons_)) {
+      before->hide();
+      before->deleteLater();  // a click on one of them may be what asks anew
+    }
+    buttons_ = buttons;
+    place();
+  }
+  /// The last rows are left out where `height` is short of them.
+  void fit(int height) {
+    shown_ = std::max(kFewest, (height + kGap) / (kRowHeight + kGap));
+    place();
+  }
+  int fewest_height() const { return height_of(std::min(rows(), kFewest)); }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    place();
+  }
+
+ private:
+  static constexpr int kColumns = 3;
+  static constexpr int kGap = kGrid / 2;
+  static constexpr int kRowHeight = 28;
+
+  int rows() const { return (static_cast<int>(buttons_.size()) + kColumns - 1) / kColumns; }
+  static int height_of(int rows) { return rows * (kRowHeight + kGap) - kGap; }
+  void place() {
+    const int shown = std::min(rows(), shown_);
+    setFixedHeight(height_of(shown));
+    const int column_width = (width() - (kColumns - 1) * kGap) / kColumns;
+    for (int i = 0; i < buttons_.size(); ++i) {
+      const int row = i / kColumns;
+      buttons_[i]->setGeometry(i % kColumns * (column_width + kGap), row * (kRowHeight + kGap),
+                               column_width, kRowHeight);
+      buttons_[i]->setVisible(row < shown);
+    }
+  }
+
+  QList<QPushButton*> buttons_{};
+  int shown_ = kFewest;
+};
 
 NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent) {
   auto* rows = new QVBoxLayout(this);
@@ -32,10 +104,18 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent) {
   field_ = new QLineEdit(this);
   field_->setObjectName("note");
   field_->setPlaceholderText(tr("Note, F2; Return stores it"));
-  rows->addWidget(field_);
-  phrases_ = new QGridLayout();
-  phrases_->setSpacing(kGrid / 2);
-  rows->addLayout(phrases_);
+  keep_ = make_button(tr("Keep as phrase"), ButtonRole::link, this);
+  keep_->setObjectName("keep_phrase");
+  keep_->setFont(text_font(TextSize::small));
+  keep_->setToolTip(tr("A button of its own notes it from now on, in later sessions too"));
+  keep_->hide();
+  auto* write = new QHBoxLayout();
+  write->setSpacing(kGrid / 2);
+  write->addWidget(field_, 1);
+  write->addWidget(keep_);
+  rows->addLayout(write);
+  phrases_ = new PhraseGrid(this);
+  rows->addWidget(phrases_);
   list_ = new QListWidget(this);
   list_->setObjectName("notes");
   list_->setFont(text_font(TextSize::small));
@@ -50,32 +130,73 @@ NotesPanel::NotesPanel(QWidget* parent) : QWidget(parent) {
     note(field_->text().trimmed());
     field_->clear();
   });
-  set_phrases(usual_phrases());
+  connect(field_, &QLineEdit::textChanged, this,
+          [this](const QString& text) { keep_->setHidden(text.trimmed().isEmpty()); });
+  connect(keep_, &QPushButton::clicked, this, &NotesPanel::keep_phrase);
+  show_phrases();
 }
 
-QStringList NotesPanel::usual_phrases() {
-  return {tr("Lifted early"),  tr("Distracted"),   tr("Asked a question"),
-          tr("Noise outside"), tr("Grip changed"), tr("Seems tired")};
+void NotesPanel::show_phrases() {
+  QList<QPushButton*> buttons{};
+  // One's own first: where there is little room, the last ones are left out.
+  for (const QString& phrase : note_phrases()) {
+    QPushButton* button = make_phrase(phrase);
+    // It may be longer than there is room for: the tool tip says the rest.
+    constexpr int kRoom = 104;
+    const QFontMetrics letters(button->font());
+    button->setText(letters.elidedText(phrase, Qt::ElideRight, kRoom).replace('&', "&&"));
+    button->setToolTip(tr("Notes “%1”. The right mouse button forgets it.").arg(phrase));
+    auto* forget = new QAction(tr("Forget this phrase"), button);
+    connect(forget, &QAction::triggered, this, [this, phrase] { forget_phrase(phrase); });
+    button->addAction(forget);
+    button->setContextMenuPolicy(Qt::ActionsContextMenu);
+    buttons += button;
+  }
+  for (const QString& phrase : usual_phrases()) buttons += make_phrase(phrase);
+  phrases_->set_buttons(buttons);
 }
 
-void NotesPanel::set_phrases(const QStringList& phrases) {
-  while (QLayoutItem* item = phrases_->takeAt(0)) {
-    delete item->widget();
-    delete item;
-  }
-  constexpr int kColumns = 3;
-  int place = 0;
-  for (const QString& phrase : phrases) {
-    QPushButton* button = make_button(phrase, ButtonRole::plain, this);
-    button->setObjectName("phrase");
-    button->setFont(text_font(TextSize::small));
-    button->setStyleSheet("min-height: 24px; padding: 0 4px;");
-    button->setFocusPolicy(Qt::NoFocus);
-    button->setToolTip(tr("Notes “%1”").arg(phrase));
-    connect(button, &QPushButton::clicked, this, [this, phrase] { note(phrase); });
-    phrases_->addWidget(button, place / kColumns, place % kColumns);
-    ++place;
-  }
+QPushButton* NotesPanel::make_phrase(const QString& phrase) {
+  QPushButton* button = make_button(phrase, ButtonRole::plain, phrases_);
+  button->setObjectName("phrase");
+  button->setProperty("phrase", phrase);
+  button->setFont(text_font(TextSize::small));
+  button->setStyleSheet("min-height: 24px; padding: 0 4px;");
+  button->setFocusPolicy(Qt::NoFocus);
+  button->setToolTip(tr("Notes “%1”").arg(phrase));
+  connect(button, &QPushButton::clicked, this, [this, phrase] { note(phrase); });
+  return button;
+}
+
+void NotesPanel::keep_phrase() {
+  const QString phrase = field_->text().trimmed();
+  QStringList phrases = note_phrases();
+  phrases.removeAll(phrase);
+  if (!usual_phrases().contains(phrase)) phrases.append(phrase);
+  while (phrases.size() > kOwn) phrases.removeFirst();
+  remember_note_phrases(phrases);
+  show_phrases();
+  field_->setFocus();  // it is not noted yet
+}
+
+void NotesPanel::forget_phrase(const QString& phrase) {
+  QStringList phrases = note_phrases();
+  phrases.removeAll(phrase);
+  remember_note_phrases(phrases);
+  show_phrases();
+}
+
+int NotesPanel::height_beside_phrases() const {
+  return layout()->minimumSize().height() - phrases_->minimumHeight();
+}
+
+QSize NotesPanel::minimumSizeHint() const {
+  return {layout()->minimumSize().width(), height_beside_phrases() + phrases_->fewest_height()};
+}
+
+void NotesPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  phrases_->fit(height() - height_beside_phrases());
 }
 
 void NotesPanel::lock(const QString& why) {
@@ -85,6 +206,7 @@ void NotesPanel::lock(const QString& why) {
   // the field get it back afterwards.
   if (!why.isEmpty() && field_->hasFocus()) field_->clearFocus();
   field_->setEnabled(why.isEmpty());
+  keep_->setEnabled(why.isEmpty());
 }
 
 bool NotesPanel::is_locked() const { return !field_->isEnabled(); }

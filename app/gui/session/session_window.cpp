@@ -148,7 +148,7 @@ QWidget* SessionWindow::make_middle() {
   rows->addWidget(answers_);
   rows->addSpacing(kGrid);
   notes_ = new NotesPanel(right);
-  rows->addWidget(notes_, 4);
+  rows->addWidget(notes_, 5);
   columns->addWidget(plan_, 40);
   columns->addWidget(plots_, 52);
   columns->addWidget(right, 38);

@@ -108,6 +108,12 @@ void apply_language(const QString& choice) {
   });
 }
 
+QStringList note_phrases() { return QSettings{}.value("note_phrases").toStringList(); }
+
+void remember_note_phrases(const QStringList& phrases) {
+  QSettings{}.setValue("note_phrases", phrases);
+}
+
 bool restore_geometry(QWidget& window, const QString& name) {
   return window.restoreGeometry(QSettings{}.value("geometry/" + name).toByteArray());
 }

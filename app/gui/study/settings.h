@@ -7,6 +7,7 @@
 
 #include <QtCore/QDateTime>
 #include <QtCore/QString>
+#include <QtCore/QStringList>
 
 #include "app/gui/look/theme.h"
 
@@ -38,6 +39,10 @@ QStringList available_languages();
 /// Its texts from now on in that language, or in English where there are none; windows that are open
 /// have to be filled anew. Qt's own texts, of its dialogs and menus, follow where they are installed.
 void apply_language(const QString& choice);
+
+/// Notes of the experimenter's own that a click writes, the latest last.
+QStringList note_phrases();
+void remember_note_phrases(const QStringList& phrases);
 
 /// Where a window was, by its name; false when it has never been anywhere.
 bool restore_geometry(QWidget& window, const QString& name);

@@ -7,6 +7,7 @@
 
 #include <QtCore/QRegularExpression>
 #include <QtCore/QTime>
+#include <QtGui/QAction>
 #include <QtGui/QFontMetrics>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
@@ -24,6 +25,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/session/live_plots.h"
 #include "app/gui/session/plan_table.h"
+#include "app/gui/study/settings.h"
 #include "tests/gui/session/filled_monitor.h"
 
 namespace asperity {
@@ -341,6 +343,75 @@ TEST(SessionWindow, LeavesTheNoteOpenToWhoHasAKeyboardOfTheirOwn) {
   session.open_response(true);
   window->refresh();
   EXPECT_TRUE(find<QLineEdit>(*window, "note").isEnabled());
+}
+
+TEST(SessionWindow, KeepsPhrasesOfOnesOwnForLaterSessions) {
+  remember_note_phrases({});
+  const auto phrases_of = [](const SessionWindow& window) {
+    QStringList phrases{};
+    for (const QPushButton* button : window.findChildren<QPushButton*>("phrase")) {
+      phrases += button->property("phrase").toString();
+    }
+    return phrases;
+  };
+  FilledMonitor session{};
+  session.answer_up_to(2);
+  {
+    const auto window = session.window();
+    EXPECT_FALSE(phrases_of(*window).contains("Glove worn"));
+    auto& keep = find<QPushButton>(*window, "keep_phrase");
+    EXPECT_FALSE(keep.isVisible());
+    find<QLineEdit>(*window, "note").setText("Glove worn");
+    QTest::mouseClick(&keep, Qt::LeftButton);
+    EXPECT_TRUE(kinds(session.requests.take_remarks()).empty()) << "kept, not noted";
+  }
+  const auto window = session.window();
+  session.open_response(true);  // by mouse alone
+  window->refresh();
+  QPushButton* own = nullptr;
+  for (QPushButton* button : window->findChildren<QPushButton*>("phrase")) {
+    if (button->property("phrase") == "Glove worn") own = button;
+  }
+  ASSERT_NE(own, nullptr);
+  QTest::mouseClick(own, Qt::LeftButton);
+  const auto remarks = session.requests.take_remarks();
+  ASSERT_EQ(kinds(remarks), std::vector<std::string>{"note"});
+  EXPECT_EQ(remarks.front().text, "Glove worn");
+
+  ASSERT_EQ(own->actions().size(), 1);
+  own->actions().front()->trigger();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  EXPECT_FALSE(phrases_of(*window).contains("Glove worn"));
+  EXPECT_TRUE(note_phrases().empty());
+}
+
+TEST(SessionWindow, ShowsItsPhrasesWholeAndLeavesSomeOutWhereThereIsNoRoom) {
+  remember_note_phrases({"one", "two", "a phrase that is longer than any button"});
+  FilledMonitor session{};
+  session.answer_up_to(2);
+  const auto window = session.window();
+  const auto buttons = window->findChildren<QPushButton*>("phrase");
+  ASSERT_EQ(buttons.size(), 12);
+  for (const QPushButton* button : buttons) {
+    EXPECT_LE(button->fontMetrics().horizontalAdvance(button->text()), button->width() - 10)
+        << button->text().toStdString();
+    EXPECT_TRUE(button->isVisible()) << button->text().toStdString();
+  }
+  window->resize(1366, window->minimumSizeHint().height());
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(buttons.front()->isVisible()) << "one's own stay";
+  EXPECT_FALSE(buttons.back()->isVisible());
+  remember_note_phrases({});
+}
+
+TEST(SessionWindow, LetsTheOldestPhraseOfOnesOwnGo) {
+  remember_note_phrases({"one", "two", "three"});
+  FilledMonitor session{};
+  const auto window = session.window();
+  find<QLineEdit>(*window, "note").setText("four");
+  find<QPushButton>(*window, "keep_phrase").click();
+  EXPECT_EQ(note_phrases(), (QStringList{"two", "three", "four"}));
+  remember_note_phrases({});
 }
 
 TEST(SessionWindow, AsksWhyATrialIsSkippedAndTakesAReasonByMouse) {
