@@ -20,6 +20,11 @@ namespace asperity {
 
 namespace {
 
+struct Reading {
+  AttemptDetail detail{};
+  bool is_blind = false;  ///< the session is a run, and under way
+};
+
 /// The bands that the attempt was judged by; they are those of its trial, whatever the surface.
 AskedBands bands_of(const AttemptRow& attempt) {
   AskedBands bands{};
@@ -130,16 +135,47 @@ void AttemptPage::add_actions() {
 void AttemptPage::show_attempt(qlonglong attempt_id) {
   form_->cancel();
   forget_readings();
-  read_with<AttemptDetail>(
+  read_with<Reading>(
       Need::always,
       [attempt_id](const Study& own, const std::stop_token&) {
-        return attempt_detail(own, attempt_id);
+        Reading reading{};
+        reading.detail = attempt_detail(own, attempt_id);
+        const SessionRow& session = reading.detail.session;
+        reading.is_blind =
+            session.mode == SessionMode::run && session.state == SessionState::open &&
+            StudyLock::holder(own.folder(), Study::session_lock_name(session.participant));
+        return reading;
       },
-      [this](const AttemptDetail& detail) { show_detail(detail); });
+      [this](const Reading& reading) {
+        if (reading.is_blind) {
+          show_blind(reading.detail);
+        } else {
+          show_detail(reading.detail);
+        }
+      });
+}
+
+void AttemptPage::show_blind(const AttemptDetail& detail) {
+  detail_.reset();
+  recording_of_.reset();
+  form_->cancel();
+  title().setText(AttemptWords::title(detail));
+  place_->clear();
+  band_->set_mode(detail.session.mode);
+  summary_->clear();
+  names_->hide();
+  tabs_->hide();
+  standing_->set_state(State::look,
+                       tr("The session is running, and who runs it is blind: what was felt and "
+                          "answered is shown here once it has ended."));
+  why_not_->clear();
+  for (QPushButton* button : {previous_, next_, flag_, exclude_}) button->setEnabled(false);
 }
 
 void AttemptPage::show_detail(const AttemptDetail& detail) {
   detail_ = detail;
+  tabs_->show();
+  flag_->setEnabled(true);
   title().setText(AttemptWords::title(detail));
   place_->setText(tr("%1 of %2").arg(detail.ordinal).arg(detail.count));
   previous_->setEnabled(detail.previous_id.has_value());

@@ -19,8 +19,9 @@ class MeasureTables;
 class RecordingView;
 class TaskLine;
 
-/// Shows by name what was a code in the session: the attempt is over. What is decided here is
-/// written beside the data; nothing is ever taken away.
+/// Shows by name what was a code in the session, but for a run that is under way: whoever runs it is
+/// blind, and the page waits for its end. What is decided here is written beside the data; nothing
+/// is ever taken away.
 class AttemptPage final : public StudyPage {
   Q_OBJECT
  public:
@@ -34,6 +35,7 @@ class AttemptPage final : public StudyPage {
  private:
   void add_actions();
   void show_detail(const AttemptDetail& detail);
+  void show_blind(const AttemptDetail& detail);
   void show_actions();
   void read_recording_of(const AttemptRow& attempt);
   void ask_to_flag();

@@ -141,6 +141,12 @@ void SessionDesk::open_participant_window() {
           });
   connect(participant_window_, &ParticipantWindow::screen_lost, this,
           &SessionDesk::stop_for_lost_screen);
+  connect(participant_window_, &ParticipantWindow::closed, this, [this] {
+    // After the thanks: nobody else takes the keyboard up where it lies on one screen.
+    if (session_window_ == nullptr || !session_window_->isVisible()) return;
+    session_window_->raise();
+    session_window_->activateWindow();
+  });
   participant_window_->open_on(runner_->order().participant_screen);
 }
 

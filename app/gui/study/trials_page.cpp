@@ -57,6 +57,29 @@ QString text_of_remarks(const AttemptRow& attempt) {
   return remarks.join("; ");
 }
 
+constexpr const char* kHidden = "▒▒▒";
+
+/// Whoever runs it may not know yet what was felt and whether it was right.
+bool is_blind(const SessionOverview& session) {
+  return session.is_running && session.row.mode == SessionMode::run;
+}
+
+/// What is known before the session has ended: how far it is.
+StudyTable::Row blind_row_of(const SessionDetail& detail, const TrialOverview& trial) {
+  const auto& attempt = trial.attempt;
+  const auto hidden_if = [](bool there) { return text_cell(there ? QString(kHidden) : QString()); };
+  QStandardItem* outcome = text_cell(text_of_outcome(trial));
+  if (!attempt) outcome->setForeground(theme().muted);
+  return {attempt ? QString::number(attempt->id) : QString{},
+          {number_cell(trial.planned.trial),
+           attempt ? number_cell(attempt->attempt) : empty_number_cell(),
+           text_cell(TrialsPage::tr("block %1").arg(trial.planned.block_ordinal)), outcome,
+           hidden_if(attempt && !attempt->responses.empty()), text_cell(QString("–")),
+           empty_number_cell(), empty_number_cell(),
+           attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell(),
+           hidden_if(attempt && (!attempt->valid || attempt->flagged))}};
+}
+
 StudyTable::Row row_of(const SessionDetail& detail, const TrialOverview& trial) {
   const auto& attempt = trial.attempt;
   const std::optional<bool> correct = trial.correct();
@@ -153,7 +176,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   connect(filter_, &QLineEdit::textChanged, trials_, &StudyTable::set_filter);
   connect(filter_, &QLineEdit::textChanged, events_, &StudyTable::set_filter);
   connect(trials_, &StudyTable::row_opened, this, [this](const QString& key) {
-    if (!key.isEmpty()) emit attempt_opened(key.toLongLong());
+    if (!key.isEmpty() && open_->isEnabled()) emit attempt_opened(key.toLongLong());
   });
   connect(open_, &QPushButton::clicked, this,
           [this] { emit attempt_opened(trials_->selected_key().toLongLong()); });
@@ -177,7 +200,11 @@ void TrialsPage::show_selected() {
   const auto found = std::find_if(
       detail_.trials.begin(), detail_.trials.end(),
       [id](const TrialOverview& trial) { return trial.attempt && trial.attempt->id == id; });
-  open_->setEnabled(found != detail_.trials.end());
+  open_->setEnabled(found != detail_.trials.end() && !is_blind(detail_.overview));
+  if (is_blind(detail_.overview)) {
+    selected_->setText(tr("What was felt and answered is shown once the session has ended."));
+    return;
+  }
   if (found == detail_.trials.end()) {
     selected_->setText(tr("Select a trial that was begun to read it in full."));
     return;
@@ -228,22 +255,30 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
                         .arg(text_of_duration(session.duration_s),
                              text_of_time(session.row.started_utc), text(session.row.device),
                              text(session.row.program_version)));
+  const bool blind = is_blind(session);
   const auto& excluded = session.row.excluded;
-  standing_->setVisible(excluded.has_value());
-  if (excluded) {
+  standing_->setVisible(blind || excluded);
+  if (blind) {
+    standing_->set_state(State::look,
+                         tr("It is running, and who runs it is blind: until it ends, its own window "
+                            "shows what may be known."));
+  } else if (excluded) {
     standing_->set_state(State::stop,
                          tr("Analyses leave the whole session out: %1").arg(text(*excluded)));
   }
   exclude_->setText(excluded ? tr("Include session again…") : tr("Exclude session…"));
   std::vector<StudyTable::Row> rows{};
-  for (const TrialOverview& trial : detail.trials) rows.push_back(row_of(detail, trial));
+  for (const TrialOverview& trial : detail.trials) {
+    rows.push_back(blind ? blind_row_of(detail, trial) : row_of(detail, trial));
+  }
   trials_->fill(rows);
   rows.clear();
   for (std::size_t i = 0; i < detail.events.size(); ++i) {
     const EventRow& event = detail.events[i];
+    const bool is_hidden = blind && event.kind != "note" && !event.text.empty();
     rows.push_back({QString::number(i),
                     {clock_cell(since_start_s(detail, event.time_ns)), text_cell(text(event.kind)),
-                     text_cell(text(event.text))}});
+                     text_cell(is_hidden ? QString(kHidden) : text(event.text))}});
   }
   events_->fill(rows);
   tabs_->setTabText(1, tr("Notes and events (%1)").arg(detail.events.size()));

@@ -16,6 +16,7 @@ namespace asperity {
 class DecisionForm;
 class StudyTable;
 
+/// While a run is under way it shows how far it is, and no answer: whoever runs it is blind.
 class TrialsPage final : public StudyPage {
   Q_OBJECT
  public:

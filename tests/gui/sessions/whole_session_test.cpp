@@ -1,7 +1,10 @@
 // Sessions of each kind from the first page to the exported table: what was pressed is what stands
 // there.
 
+#include <QtCore/QTimer>
+#include <QtGui/QGuiApplication>
 #include <QtWidgets/QFileDialog>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 
@@ -94,6 +97,40 @@ TEST_F(WholeSession, SelectsFromTheWelcomePageToTheExportedTable) {
       if (surface.at("trial") != trial) continue;
       if (surface.at("position") != std::to_string(pressed[i] + 1)) continue;
       EXPECT_EQ(answers[i].at("answer"), surface.at("model")) << "trial " << trial;
+    }
+  }
+}
+
+TEST_F(WholeSession, LeavesNothingOfTheParticipantsWindowAndGivesTheFocusBack) {
+  make_study();
+  add_protocol({.trials = 1});
+  open();
+  start("small");
+  take_part(chooses_a());
+  auto* thanks = desk->participant_window()->findChild<QTimer*>("thanks");
+  wait_for("the thanks", [&] { return thanks->isActive(); });
+  EXPECT_TRUE(desk->participant_window()->isVisible());
+  desk->participant_window()->activateWindow();
+  wait_for("the focus", [&] {
+    return QGuiApplication::focusWindow() == desk->participant_window()->windowHandle();
+  });
+  thanks->start(1);
+  wait_for("its end", [&] { return !desk->participant_window()->isVisible(); });
+  wait_for("the experimenter's focus",
+           [&] { return QGuiApplication::focusWindow() == experimenter().windowHandle(); });
+  for (const Qt::Key late : {Qt::Key_Space, Qt::Key_Return, Qt::Key_A, Qt::Key_F12}) key(late);
+  EXPECT_TRUE(child<QLabel>(experimenter(), "end_title").isVisible()) << "no key means anything";
+  click(experimenter(), "close");
+  EXPECT_EQ(desk->runner(), nullptr);
+  EXPECT_EQ(desk->participant_window(), nullptr);
+  wait_for("the study's focus",
+           [&] { return QGuiApplication::focusWindow() == window->windowHandle(); });
+  EXPECT_EQ(stored_session().state, SessionState::completed);
+  // What is written beside the store tells no more than the codes do.
+  for (const AttemptRow& attempt : stored_attempts()) {
+    ASSERT_TRUE(attempt.recording);
+    for (const char* const name : {"slate", "cork", "linen", "height_map", "stochastic"}) {
+      EXPECT_EQ(attempt.recording->path.find(name), std::string::npos) << attempt.recording->path;
     }
   }
 }

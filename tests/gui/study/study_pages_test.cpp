@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <QtCore/QPointer>
+#include <QtCore/QRegularExpression>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -11,7 +12,9 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QTabWidget>
 
+#include "app/gui/data/attempt_page.h"
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/look/controls.h"
@@ -307,6 +310,62 @@ TEST_F(StudyPages, OpenTheTrialsOfASessionWithItsNotes) {
   take_screenshot(window_, "study-trials");
   click("trials_back");
   EXPECT_EQ(window_.shown_page(), "sessions");
+}
+
+TEST_F(StudyPages, HideWhatWasFeltAndAnsweredWhileARunIsUnderWay) {
+  open_lively();
+  const std::filesystem::path folder = window_.study()->folder();
+  std::int64_t session = 0;
+  std::int64_t first = 0;
+  {
+    Study own = Study::open(folder, Access::read_write);
+    for (const SessionRow& row : own.sessions()) {
+      if (row.participant == "P012") session = row.id;
+    }
+    own.reopen_session(session);
+    first = own.attempts(session).at(0).id;
+  }
+  auto& trials = *qobject_cast<TrialsPage*>(window_.page("trials"));
+  auto& attempt = *qobject_cast<AttemptPage*>(window_.page("attempt"));
+  const auto told = [&trials] {
+    QStringList texts{child<QLabel>(trials, "trials_selected").text()};
+    for (const char* const name : {"trials_table", "trials_events"}) {
+      const QAbstractItemModel& model = *child<StudyTable>(trials, name).model();
+      for (int row = 0; row < model.rowCount(); ++row) {
+        for (int column = 0; column < model.columnCount(); ++column) {
+          for (const int role : {0, 3, 256}) {  // text, tool tip, what it is sorted by
+            texts << model.index(row, column).data(role).toString();
+          }
+        }
+      }
+    }
+    return texts.filter(QRegularExpression("\\b(metal|stone|wood|brick|yes|no)\\b"));
+  };
+  {
+    const StudyLock run(folder, Study::session_lock_name("P012"));
+    window_.show_page("trials");
+    trials.show_session(session);
+    auto& table = child<StudyTable>(trials, "trials_table");
+    ASSERT_TRUE(eventually([&] { return table.shown_rows() == 12; }));
+    table.selectRow(0);
+    EXPECT_EQ(told().join("; ").toStdString(), "");
+    EXPECT_EQ(table.text_at(0, 3), "answered") << "how far it is may be known";
+    EXPECT_FALSE(child<QPushButton>(trials, "trials_open").isEnabled());
+    EXPECT_TRUE(child<QLabel>(trials, "trials_standing").isVisible());
+    QSignalSpy opened(&trials, &TrialsPage::attempt_opened);
+    QTest::keyClick(&table, Qt::Key_Return);
+    EXPECT_EQ(opened.count(), 0);
+    window_.show_page("attempt");
+    attempt.show_attempt(first);
+    ASSERT_TRUE(eventually([&] {
+      return child<QLabel>(attempt, "attempt_standing").text().contains("blind");
+    }));
+    EXPECT_FALSE(child<QTabWidget>(attempt, "attempt_tabs").isVisible());
+    EXPECT_EQ(child<QLabel>(attempt, "attempt_summary").text(), "");
+  }
+  window_.study()->announce_change();
+  EXPECT_TRUE(eventually([&] { return !told().isEmpty(); })) << "it is over";
+  EXPECT_TRUE(eventually([&] { return child<QTabWidget>(attempt, "attempt_tabs").isVisible(); }));
 }
 
 TEST_F(StudyPages, ShowStimuliWithWhatUsesThem) {
