@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QtCore/QRegularExpression>
+#include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QTabBar>
 #include <QtWidgets/QTabWidget>
@@ -16,6 +17,11 @@
 namespace asperity {
 
 namespace {
+
+constexpr int kAnswerWidth = 200;
+constexpr int kFromContactColumn = 6;
+constexpr int kBeganColumn = 8;
+constexpr int kRoomForAll = 1320;  // of the table
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
@@ -142,7 +148,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
                             {tr("Attempt"), 96, Align::number},
                             {tr("Block"), 112, Align::text},
                             {tr("Outcome"), 160, Align::text},
-                            {tr("Answer"), 0, Align::text},
+                            {tr("Answer"), kAnswerWidth, Align::text},
                             {tr("Right"), 64, Align::text},
                             {tr("From contact, s"), 152, Align::number},
                             {tr("From cue, s"), 120, Align::number},
@@ -150,6 +156,13 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
                             {tr("Remarks"), 0, Align::text}},
                            tabs_);
   trials_->setObjectName("trials_table");
+  // A matching has an answer per surface: they go on in the next line, and where there is little room
+  // what the page of the attempt says as well makes way for them.
+  trials_->setWordWrap(true);
+  trials_->verticalHeader()->setMinimumSectionSize(kControlHeight);
+  trials_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  trials_->hide_when_narrower(kFromContactColumn, kRoomForAll);
+  trials_->hide_when_narrower(kBeganColumn, kRoomForAll);
   tabs_->addTab(trials_, tr("Trials"));
   events_ = new StudyTable({{tr("Time"), 88, Align::number},
                             {tr("What"), 200, Align::text},

@@ -425,6 +425,45 @@ TEST_F(DataView, ExcludesAWholeSessionAndIncludesItAgain) {
   EXPECT_FALSE(study_->study().session(session_id_).excluded);
 }
 
+class TrialsOfAMatching : public QuietHome {};
+
+TEST_F(TrialsOfAMatching, ShowEveryAnswerOnASmallScreen) {
+  MadeUpStudy made;
+  made.add_person("P001", "F");
+  MadeUpTrial trial{};
+  for (const std::string name : {"metal", "stone", "wood", "brick", "sandpaper", "pebbles"}) {
+    trial.surfaces.push_back(surface_of("item", "height_map", name));
+    trial.answers.push_back(name);
+    trial.options.push_back(name);
+  }
+  trial.right = trial.answers;
+  std::swap(trial.right[1], trial.right[2]);
+  const std::int64_t session =
+      made.add_session("P001", made.add_protocol("made_up", "matching"), {trial, trial, trial});
+  StudyWindow window;
+  window.resize(1366, 768);
+  window.show();
+  ASSERT_TRUE(window.open_study(made.folder()));
+  child<TrialsPage>(window, "trials_page").show_session(session);
+  window.show_page("trials");
+  auto& trials = child<StudyTable>(window, "trials_table");
+  ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 3; }));
+  QCoreApplication::processEvents();
+  const QString answers = "1 metal, 2 stone, 3 wood, 4 brick, 5 sandpaper, 6 pebbles";
+  ASSERT_EQ(trials.text_at(0, 4), answers);
+  const QRect cell = trials.visualRect(trials.model()->index(0, 4));
+  constexpr int kPadding = 24;  // of a cell: that of the style sheet, and of the text in it
+  const QRect room(0, 0, cell.width() - kPadding, 1000);
+  const QRect needed =
+      QFontMetrics(trials.font()).boundingRect(room, Qt::TextWordWrap, answers);
+  EXPECT_LE(needed.height() + 8, cell.height()) << cell.width() << " × " << cell.height();
+  EXPECT_LE(needed.width(), room.width());
+  const QRect remarks = trials.visualRect(trials.model()->index(0, 9));
+  EXPECT_GE(remarks.width(), 160);
+  EXPECT_LE(remarks.right(), trials.viewport()->width());
+  take_screenshot(window, "data-trials-matching", {1366, 768});
+}
+
 TEST_F(DataView, LooksAsItShould) {
   if (qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) GTEST_SKIP() << "nobody looks";
   Study writer = Study::open(folder(), Access::read_write);
