@@ -69,7 +69,7 @@ void add_run(CLI::App& program, Job& job) {
                                  "\"; this program has: simulated");
       }
       if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
-        throw std::runtime_error(*complaint);
+        throw PhrasedError(*complaint);
       }
       inputs.seed = options->seed ? *options->seed : seed_of_this_machine();
       inputs.pacing =

@@ -71,30 +71,33 @@ std::string next_virtual_label(const std::vector<ParticipantRow>& participants) 
   return text_of(next);
 }
 
-std::optional<std::string> complaint_about_answer(const Question& question,
-                                                  const std::string& answer) {
+std::optional<Phrase> complaint_about_answer(const Question& question, const std::string& answer) {
   if (answer.empty()) {
     if (question.optional) return {};
-    return "\"" + question.prompt + "\" is not answered.";
+    return phrase("ParticipantAnswers", "\"%1\" is not answered.").with(question.prompt);
   }
   switch (question.form) {
     case Question::Form::text:
       return {};
     case Question::Form::choice:
       if (std::count(question.options.begin(), question.options.end(), answer) > 0) return {};
-      return "\"" + answer + "\" is none of the answers to \"" + question.prompt + "\".";
+      return phrase("ParticipantAnswers", "\"%1\" is none of the answers to \"%2\".")
+          .with(answer, question.prompt);
     case Question::Form::number:
       break;
   }
   const std::optional<double> number = number_in(answer);
-  if (!number) return "The answer to \"" + question.prompt + "\" has to be a number.";
+  if (!number) {
+    return phrase("ParticipantAnswers", "The answer to \"%1\" has to be a number.")
+        .with(question.prompt);
+  }
   if (question.minimum && *number < *question.minimum) {
-    return "The answer to \"" + question.prompt + "\" has to be " +
-           text_of_number(*question.minimum) + " or more.";
+    return phrase("ParticipantAnswers", "The answer to \"%1\" has to be %2 or more.")
+        .with(question.prompt, text_of_number(*question.minimum));
   }
   if (question.maximum && *number > *question.maximum) {
-    return "The answer to \"" + question.prompt + "\" has to be " +
-           text_of_number(*question.maximum) + " or less.";
+    return phrase("ParticipantAnswers", "The answer to \"%1\" has to be %2 or less.")
+        .with(question.prompt, text_of_number(*question.maximum));
   }
   return {};
 }

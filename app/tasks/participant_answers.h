@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/phrase.h"
 #include "protocols/protocol.h"
 #include "results_schema/rows.h"
 
@@ -21,8 +22,7 @@ std::string next_virtual_label(const std::vector<ParticipantRow>& participants);
 
 /// What is wrong with an answer, as a sentence; nothing when it is acceptable. An empty answer is
 /// one that was left out.
-std::optional<std::string> complaint_about_answer(const Question& question,
-                                                  const std::string& answer);
+std::optional<Phrase> complaint_about_answer(const Question& question, const std::string& answer);
 
 /// Answers by the name of their question.
 using ParticipantAnswers = std::map<std::string, std::string, std::less<>>;

@@ -160,9 +160,9 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   } else if (device) {
     VirtualHand hand(HandHabits{}, Random(0));
     const SimulatedDevice simulated(hand, SimulatedDeviceSettings{});
-    for (const std::string& complaint :
+    for (const Phrase& complaint :
          complaints_about_device(*check.protocol, simulated.capability())) {
-      whole_file(complaint);
+      whole_file(complaint.english());
     }
   }
   check.cost = cost_of(*check.protocol, make_plan(*check.protocol, {1, 0}));
@@ -192,35 +192,41 @@ std::optional<VersionUse> other_text_of_version(const Study& study, const std::s
   return use;
 }
 
-std::vector<std::string> complaints_about_device(const Protocol& protocol,
-                                                 const DeviceCapability& device) {
-  std::vector<std::string> complaints{};
+std::vector<Phrase> complaints_about_device(const Protocol& protocol,
+                                            const DeviceCapability& device) {
+  std::vector<Phrase> complaints{};
   if (protocol.force_limit_N > device.peak_force_N) {
-    complaints.push_back("the protocol's force_limit_N of " +
-                         text_of_number(protocol.force_limit_N) + " N is more than the device \"" +
-                         device.name + "\" can give, " + text_of_number(device.peak_force_N) +
-                         " N");
+    complaints.push_back(
+        phrase("ProtocolFiles",
+               "the protocol's force_limit_N of %1 N is more than the device \"%2\" can give, %3 N")
+            .with(text_of_number(protocol.force_limit_N), device.name,
+                  text_of_number(device.peak_force_N)));
   }
   if (protocol.rate_Hz > device.maximum_rate_Hz) {
-    complaints.push_back("the protocol's rate_Hz of " + text_of_number(protocol.rate_Hz) +
-                         " Hz is more than the device \"" + device.name + "\" can do, " +
-                         text_of_number(device.maximum_rate_Hz) + " Hz");
+    complaints.push_back(
+        phrase("ProtocolFiles",
+               "the protocol's rate_Hz of %1 Hz is more than the device \"%2\" can do, %3 Hz")
+            .with(text_of_number(protocol.rate_Hz), device.name,
+                  text_of_number(device.maximum_rate_Hz)));
   }
   return complaints;
 }
 
-std::optional<std::string> complaint_about_label(const std::string& label, bool is_virtual) {
+std::optional<Phrase> complaint_about_label(const std::string& label, bool is_virtual) {
   const bool characters = std::all_of(label.begin(), label.end(), [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
   });
   if (characters && !label.empty() && label.size() <= 32) {
     if (is_virtual || !label.starts_with("virtual")) return {};
-    return "the participant label \"" + label +
-           "\" is not acceptable for a person: labels that begin with \"virtual\" are those of "
-           "virtual participants";
+    return phrase("ProtocolFiles",
+                  "the participant label \"%1\" is not acceptable for a person: labels that begin "
+                  "with \"virtual\" are those of virtual participants")
+        .with(label);
   }
-  return "the participant label \"" + label +
-         "\" is not acceptable: it has to be 1 to 32 letters and digits (0-9, A-Z, a-z)";
+  return phrase("ProtocolFiles",
+                "the participant label \"%1\" is not acceptable: it has to be 1 to 32 letters and "
+                "digits (0-9, A-Z, a-z)")
+      .with(label);
 }
 
 }  // namespace asperity

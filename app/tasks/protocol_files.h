@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/conductor/stimulus_builder.h"
+#include "app/phrase.h"
 #include "device/device_capability.h"
 #include "protocols/plan.h"
 #include "protocols/protocol_reader.h"
@@ -63,11 +64,11 @@ struct VersionUse {
 std::optional<VersionUse> other_text_of_version(const Study& study, const std::string& text);
 
 /// What a protocol asks for that a device cannot do, a sentence each.
-std::vector<std::string> complaints_about_device(const Protocol& protocol,
-                                                 const DeviceCapability& device);
+std::vector<Phrase> complaints_about_device(const Protocol& protocol,
+                                            const DeviceCapability& device);
 
 /// What is wrong with a label that is to become part of file names; nothing when it is acceptable.
 /// Labels that begin with "virtual" are kept for virtual participants.
-std::optional<std::string> complaint_about_label(const std::string& label, bool is_virtual);
+std::optional<Phrase> complaint_about_label(const std::string& label, bool is_virtual);
 
 }  // namespace asperity

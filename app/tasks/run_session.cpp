@@ -149,7 +149,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
                        const std::function<void(const AttemptDone&)>& done,
                        const SessionLinks& links) {
   if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
-    throw std::runtime_error(*complaint);
+    throw PhrasedError(*complaint);
   }
   StimulusBuilder builder(models, inputs.study);
   const Protocol protocol = load_protocol_to_run(inputs.protocol, inputs.study, builder);

@@ -40,74 +40,83 @@ std::string time_text(double duration_s) {
   return fixed(duration_s * 1e6, 0) + " µs";
 }
 
-/// What an exception says, with a capital letter and a full stop.
-std::string as_sentence(std::string text) {
-  if (text.empty()) return text;
-  if (text.front() >= 'a' && text.front() <= 'z')
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  if (text.back() != '.') text += '.';
-  return text;
-}
-
-SessionCheck fine(const std::string& id, const std::string& title, const std::string& text) {
-  return {.id = id, .title = title, .state = State::fine, .text = text};
-}
+SessionCheck fine(const Phrase& text) { return {.state = State::fine, .text = text}; }
 
 // --- one check each ------------------------------------------------------------------------------
 
 SessionCheck protocol_check(const CheckInputs& inputs, const Protocol& protocol) {
-  SessionCheck check{.id = "protocol", .title = "Protocol"};
+  SessionCheck check{};
   const std::string sha256 = sha256_of(protocol.source);
   if (!inputs.protocol_sha256.empty() && sha256 != inputs.protocol_sha256) {
     check.state = State::stop;
-    check.text = "The file has changed since it was chosen: it was " +
-                 short_hash(inputs.protocol_sha256) + " and is " + short_hash(sha256) + " now.";
-    check.remedy = "Choose the protocol again to read the new version, or put the old file back.";
+    check.text = phrase("SessionChecks",
+                        "The file has changed since it was chosen: it was %1 and is %2 now.")
+                     .with(short_hash(inputs.protocol_sha256), short_hash(sha256));
+    check.remedy =
+        phrase("SessionChecks",
+               "Choose the protocol again to read the new version, or put the old file back.");
     return check;
   }
-  check.text = "Valid, version " + protocol.version + ", SHA-256 " + short_hash(sha256) + ".";
+  check.text = phrase("SessionChecks", "Valid, version %1, SHA-256 %2.")
+                   .with(protocol.version, short_hash(sha256));
   return check;
+}
+
+/// Who holds a lock, as StudyLock tells it.
+Phrase holder_in_words(const std::string& holder) {
+  const Phrase process = phrase("SessionChecks", "process %1 on host %2, started %3");
+  if (const auto places = process.places_in(holder)) {
+    return process.filled({places->begin(), places->end()});
+  }
+  return holder;
 }
 
 /// A label that names nobody yet, somebody who may begin, or somebody whose session goes on.
 SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protocol) {
-  SessionCheck check{.id = "participant", .title = "Participant", .state = State::stop};
+  SessionCheck check{.state = State::stop};
   const bool is_virtual = inputs.mode == SessionMode::simulate;
   if (inputs.participant.empty()) {
-    check.text = "Nobody is chosen yet.";
-    check.remedy = "Choose a participant, or enter a new label.";
+    check.text = phrase("SessionChecks", "Nobody is chosen yet.");
+    check.remedy = phrase("SessionChecks", "Choose a participant, or enter a new label.");
     return check;
   }
   if (const auto complaint = complaint_about_label(inputs.participant, is_virtual)) {
-    check.text = as_sentence(*complaint);
-    check.remedy = "Enter another label.";
+    check.text = complaint->as_sentence();
+    check.remedy = phrase("SessionChecks", "Enter another label.");
     return check;
   }
   if (const auto holder =
           StudyLock::holder(inputs.study, Study::session_lock_name(inputs.participant))) {
-    check.text = "A session of " + inputs.participant + " runs in " + *holder + ".";
-    check.remedy = "Wait until it has ended, or stop it there.";
+    check.text = phrase("SessionChecks", "A session of %1 runs in %2.")
+                     .with(inputs.participant, holder_in_words(*holder));
+    check.remedy = phrase("SessionChecks", "Wait until it has ended, or stop it there.");
     return check;
   }
   const Study study = Study::open(inputs.study, Access::read_only);
   const std::optional<ParticipantRow> known = study.participant(inputs.participant);
   if (known && known->is_virtual != is_virtual) {
-    check.text =
-        inputs.participant + (known->is_virtual ? " is a virtual participant." : " is a person.");
-    check.remedy = known->is_virtual ? "Choose a person, or switch to Simulate."
-                                     : "Leave the label to the program, or switch to Run or Pilot.";
+    check.text = (known->is_virtual ? phrase("SessionChecks", "%1 is a virtual participant.")
+                                    : phrase("SessionChecks", "%1 is a person."))
+                     .with(inputs.participant);
+    check.remedy =
+        known->is_virtual
+            ? phrase("SessionChecks", "Choose a person, or switch to Simulate.")
+            : phrase("SessionChecks", "Leave the label to the program, or switch to Run or Pilot.");
     return check;
   }
   if (inputs.resume) {
     const std::optional<SessionRow> going_on =
         unfinished_row(study, protocol, inputs.participant, inputs.resumed_session);
     if (!going_on) {
-      check.text = inputs.participant + " has no unfinished session of this protocol as it is now.";
-      check.remedy = "Start a new session instead.";
+      check.text =
+          phrase("SessionChecks", "%1 has no unfinished session of this protocol as it is now.")
+              .with(inputs.participant);
+      check.remedy = phrase("SessionChecks", "Start a new session instead.");
       return check;
     }
     check.state = State::fine;
-    check.text = "Session " + std::to_string(going_on->session) + " is free and can go on.";
+    check.text = phrase("SessionChecks", "Session %1 is free and can go on.")
+                     .with(std::to_string(going_on->session));
     return check;
   }
   int completed = 0;
@@ -124,21 +133,24 @@ SessionCheck participant_check(const CheckInputs& inputs, const Protocol& protoc
     }
   }
   if (!is_virtual && unfinished) {
-    check.text =
-        "Session " + std::to_string(unfinished->session) + " of this protocol is unfinished.";
-    check.remedy = "Go on with it; a new one can begin when it is complete.";
+    check.text = phrase("SessionChecks", "Session %1 of this protocol is unfinished.")
+                     .with(std::to_string(unfinished->session));
+    check.remedy =
+        phrase("SessionChecks", "Go on with it; a new one can begin when it is complete.");
     return check;
   }
   if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
-    check.text = inputs.participant + " has done " + std::to_string(completed) + " of " +
-                 std::to_string(protocol.sessions) + " planned sessions.";
-    check.remedy = "Choose somebody else.";
+    check.text =
+        phrase("SessionChecks", "%1 has done %2 of %3 planned sessions.")
+            .with(inputs.participant, std::to_string(completed), std::to_string(protocol.sessions));
+    check.remedy = phrase("SessionChecks", "Choose somebody else.");
     return check;
   }
   check.state = State::fine;
-  check.text =
-      (known ? inputs.participant + " is known to the study" : inputs.participant + " is new") +
-      "; no session of theirs runs elsewhere.";
+  check.text = (known ? phrase("SessionChecks",
+                               "%1 is known to the study; no session of theirs runs elsewhere.")
+                      : phrase("SessionChecks", "%1 is new; no session of theirs runs elsewhere."))
+                   .with(inputs.participant);
   return check;
 }
 
@@ -146,27 +158,41 @@ SessionCheck study_check(const CheckInputs& inputs) {
   try {
     // Takes what a session takes: a lock that can be trusted, in a folder that can be written.
     const StudyLock lock(inputs.study, kStudyCheckLock);
-    return fine("study", "Study folder", "On a local disk, and can be written.");
+    return fine(phrase("SessionChecks", "On a local disk, and can be written."));
   } catch (const ResultsError& error) {
-    return {.id = "study",
-            .title = "Study folder",
-            .state = State::stop,
-            .text = as_sentence(error.what()),
-            .remedy = "Move the study to a folder on a local disk that you may write to."};
+    return {.state = State::stop,
+            .text = phrase_of(error).as_sentence(),
+            .remedy = phrase("SessionChecks",
+                             "Move the study to a folder on a local disk that you may write to.")};
   }
+}
+
+Phrase files_in_words(std::size_t files, bool resume) {
+  if (files == 0) return phrase("SessionChecks", "The protocol names no files.");
+  if (files == 1) {
+    return resume
+               ? phrase("SessionChecks", "1 file, the same as when the session began.")
+               : phrase("SessionChecks", "1 file, all there and unchanged since they were made.");
+  }
+  return (resume
+              ? phrase("SessionChecks", "%1 files, the same as when the session began.")
+              : phrase("SessionChecks", "%1 files, all there and unchanged since they were made."))
+      .with(std::to_string(files));
 }
 
 SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
                            const ModelRegistry& models) {
-  SessionCheck check{.id = "stimuli", .title = "Stimuli", .state = State::stop};
+  SessionCheck check{.state = State::stop};
   try {
     StimulusBuilder builder(models, inputs.study);
     load_protocol_to_run(inputs.protocol, inputs.study, builder);
   } catch (const ProtocolError& error) {
     for (const Diagnostic& problem : error.diagnostics()) {
-      check.text += (check.text.empty() ? "" : " ") + as_sentence(problem.message);
+      const Phrase sentence = Phrase(problem.message).as_sentence();
+      check.text = check.text.empty() ? sentence : Phrase("%1 %2").with(check.text, sentence);
     }
-    check.remedy = "Put the files into the study as they were made, or make them again.";
+    check.remedy = phrase("SessionChecks",
+                          "Put the files into the study as they were made, or make them again.");
     return check;
   }
   const std::vector<StimulusFileRow> files = hash_files(protocol, inputs.study);
@@ -179,40 +205,42 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
         return file.path == before.path && file.sha256 == before.sha256;
       });
       if (same) continue;
-      check.text = "The file " + before.path + " has changed since session " +
-                   std::to_string(row.session) + " began.";
-      check.remedy = "Put the old file back; this session cannot go on with another one.";
+      check.text = phrase("SessionChecks", "The file %1 has changed since session %2 began.")
+                       .with(before.path, std::to_string(row.session));
+      check.remedy = phrase("SessionChecks",
+                            "Put the old file back; this session cannot go on with another one.");
       return check;
     }
   }
   check.state = State::fine;
-  check.text = files.empty()
-                   ? "The protocol names no files."
-                   : std::to_string(files.size()) + (files.size() == 1 ? " file" : " files") +
-                         (inputs.resume ? ", the same as when the session began."
-                                        : ", all there and unchanged since they were made.");
+  check.text = files_in_words(files.size(), inputs.resume);
   return check;
 }
 
 SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
-  SessionCheck check{.id = "device", .title = "Device"};
+  SessionCheck check{};
   const SteppedRig rig(rig_settings_for(protocol, {}), 0);
   const DeviceCapability& device = rig.capability();
-  const std::vector<std::string> complaints = complaints_about_device(protocol, device);
+  const std::vector<Phrase> complaints = complaints_about_device(protocol, device);
   if (!complaints.empty()) {
     check.state = State::stop;
-    check.text = as_sentence(complaints.front());
-    check.remedy = "Choose another device, or ask for less in the protocol.";
+    check.text = complaints.front().as_sentence();
+    check.remedy =
+        phrase("SessionChecks", "Choose another device, or ask for less in the protocol.");
     return check;
   }
-  check.text = "\"" + device.name + "\" gives " + fixed(device.peak_force_N, 1) + " N at up to " +
-               fixed(device.maximum_rate_Hz, 0) + " Hz; the protocol asks for " +
-               fixed(protocol.force_limit_N, 1) + " N at " + fixed(protocol.rate_Hz, 0) + " Hz.";
+  check.text =
+      phrase("SessionChecks",
+             "\"%1\" gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.")
+          .with(device.name, fixed(device.peak_force_N, 1), fixed(device.maximum_rate_Hz, 0),
+                fixed(protocol.force_limit_N, 1), fixed(protocol.rate_Hz, 0));
   if (inputs.mode == SessionMode::run && device.name == "simulated") {
     check.state = State::look;
-    check.text += " It is simulated: nobody's hand feels anything.";
+    check.text = phrase("SessionChecks", "%1 It is simulated: nobody's hand feels anything.")
+                     .with(check.text);
     check.remedy =
-        "For real data choose a device; to try the session out choose Pilot or Simulate.";
+        phrase("SessionChecks",
+               "For real data choose a device; to try the session out choose Pilot or Simulate.");
   }
   return check;
 }
@@ -246,94 +274,106 @@ struct LoopChecks {
 };
 LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol) {
   if (inputs.pacing == RunPacing::stepped) {
-    return {fine("force_zero", "Force zero", "Not needed: nothing is held in a fast simulation."),
-            fine("rate", "Rate", "Not needed: a fast simulation has a clock of its own.")};
+    return {fine(phrase("SessionChecks", "Not needed: nothing is held in a fast simulation.")),
+            fine(phrase("SessionChecks", "Not needed: a fast simulation has a clock of its own."))};
   }
   const LoopTrial trial = try_loop(protocol);
   const ServoQualityRow& quality = trial.quality;
-  SessionCheck zero{.id = "force_zero", .title = "Force zero"};
+  SessionCheck zero{};
   if (trial.fault != Fault::none) {
     zero.state = State::stop;
-    zero.text = std::string("The device reported a fault: ") + name_of(trial.fault) + ".";
-    zero.remedy = "See to the device, then check again.";
+    zero.text =
+        phrase("SessionChecks", "The device reported a fault: %1.").with(name_of(trial.fault));
+    zero.remedy = phrase("SessionChecks", "See to the device, then check again.");
   } else if (trial.strongest_N > 0.0) {
     zero.state = State::stop;
-    zero.text = "A force of " + fixed(trial.strongest_N, 3) + " N was sent with nothing to feel.";
-    zero.remedy = "Let go of the handle, switch the device off and on, then check again.";
+    zero.text = phrase("SessionChecks", "A force of %1 N was sent with nothing to feel.")
+                    .with(fixed(trial.strongest_N, 3));
+    zero.remedy = phrase("SessionChecks",
+                         "Let go of the handle, switch the device off and on, then check again.");
   } else {
-    zero.text = "Exactly 0 N in " + std::to_string(quality.ticks) + " ticks.";
+    zero.text =
+        phrase("SessionChecks", "Exactly 0 N in %1 ticks.").with(std::to_string(quality.ticks));
   }
-  SessionCheck rate{.id = "rate", .title = "Rate"};
+  SessionCheck rate{};
   const double measured_Hz = quality.period_mean_s > 0.0 ? 1.0 / quality.period_mean_s : 0.0;
-  rate.text = fixed(measured_Hz, 0) + " of " + fixed(protocol.rate_Hz, 0) + " Hz; period p99 " +
-              time_text(quality.period_p99_s) + ", lateness p99 " +
-              time_text(quality.lateness_p99_s) + ", " + std::to_string(quality.missed_deadlines) +
-              " missed.";
+  rate.text =
+      phrase("SessionChecks", "%1 of %2 Hz; period p99 %3, lateness p99 %4, %5 missed.")
+          .with(fixed(measured_Hz, 0), fixed(protocol.rate_Hz, 0), time_text(quality.period_p99_s),
+                time_text(quality.lateness_p99_s), std::to_string(quality.missed_deadlines));
   if (measured_Hz < kSlowestRate * protocol.rate_Hz) {
     rate.state = State::stop;
-    rate.remedy = "This machine is too slow or too busy: close other programs, then check again.";
+    rate.remedy =
+        phrase("SessionChecks",
+               "This machine is too slow or too busy: close other programs, then check again.");
   } else if (quality.missed_deadlines > 0 || quality.lateness_p99_s > 0.5 / protocol.rate_Hz) {
     rate.state = State::look;
-    rate.remedy = "Close other programs; a trial with more than " +
-                  std::to_string(protocol.maximum_missed_deadlines) +
-                  " missed deadlines does not count.";
+    rate.remedy =
+        phrase("SessionChecks",
+               "Close other programs; a trial with more than %1 missed deadlines does not count.")
+            .with(std::to_string(protocol.maximum_missed_deadlines));
   }
   return {zero, rate};
 }
 
 SessionCheck screens_check(const CheckInputs& inputs) {
   if (inputs.mode == SessionMode::simulate) {
-    return fine("screens", "Screens", "Not needed: nobody looks at the participant's window.");
+    return fine(phrase("SessionChecks", "Not needed: nobody looks at the participant's window."));
   }
   if (inputs.screens >= 2) {
-    return fine("screens", "Screens",
-                std::to_string(inputs.screens) + " screens: one for each window.");
+    return fine(phrase("SessionChecks", "%1 screens: one for each window.")
+                    .with(std::to_string(inputs.screens)));
   }
-  return {
-      .id = "screens",
-      .title = "Screens",
-      .state = State::look,
-      .text = "One screen: the two windows stand side by side, and the participant can see both.",
-      .remedy = "Connect a second screen for the participant."};
+  return {.state = State::look,
+          .text = phrase("SessionChecks",
+                         "One screen: the two windows stand side by side, and the participant can "
+                         "see both."),
+          .remedy = phrase("SessionChecks", "Connect a second screen for the participant.")};
 }
 
 SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
-  const std::string id = "masking_noise";
-  const std::string title = "Masking noise";
   const MaskingNoise declared = declared_noise(protocol);
   if (declared.kind == MaskingNoise::Kind::none) {
-    return fine(id, title, "The protocol asks for none.");
+    return fine(phrase("SessionChecks", "The protocol asks for none."));
   }
   if (inputs.mode == SessionMode::simulate) {
-    return fine(id, title, "Not needed: nobody listens.");
+    return fine(phrase("SessionChecks", "Not needed: nobody listens."));
   }
-  SessionCheck check{.id = id, .title = title};
+  SessionCheck check{};
   if (!inputs.sound_card) {
     check.state = State::look;
-    check.text = "There is no sound output: the noise that the protocol asks for is not heard.";
-    check.remedy = "Connect headphones, or play the noise from elsewhere and note its level.";
+    check.text =
+        phrase("SessionChecks",
+               "There is no sound output: the noise that the protocol asks for is not heard.");
+    check.remedy =
+        phrase("SessionChecks",
+               "Connect headphones, or play the noise from elsewhere and note its level.");
     return check;
   }
   // A pilot may find out what the level has to be; study data needs it as declared.
   const State when_wrong = inputs.mode == SessionMode::run ? State::stop : State::look;
   if (!inputs.noise.measured_dBA || inputs.noise.verified_by.empty()) {
     check.state = when_wrong;
-    check.text = inputs.noise.measured_dBA ? "It is not said who measured the level at the ear."
-                                           : "The level at the ear was not measured.";
-    check.remedy = "Play the noise, measure it at the ear, and enter the level and your name.";
+    check.text = inputs.noise.measured_dBA
+                     ? phrase("SessionChecks", "It is not said who measured the level at the ear.")
+                     : phrase("SessionChecks", "The level at the ear was not measured.");
+    check.remedy =
+        phrase("SessionChecks",
+               "Play the noise, measure it at the ear, and enter the level and your name.");
     return check;
   }
-  const std::string measured = fixed(*inputs.noise.measured_dBA, 1) + " dBA";
+  const std::string measured_dBA = fixed(*inputs.noise.measured_dBA, 1);
   if (declared.declared_dBA &&
       std::abs(*inputs.noise.measured_dBA - *declared.declared_dBA) > kNoiseTolerance_dBA) {
     check.state = when_wrong;
-    check.text = measured + " at the ear; the protocol asks for " +
-                 fixed(*declared.declared_dBA, 1) + " dBA within " + fixed(kNoiseTolerance_dBA, 0) +
-                 " dBA.";
-    check.remedy = "Change the gain and measure again.";
+    check.text =
+        phrase("SessionChecks", "%1 dBA at the ear; the protocol asks for %2 dBA within %3 dBA.")
+            .with(measured_dBA, fixed(*declared.declared_dBA, 1), fixed(kNoiseTolerance_dBA, 0));
+    check.remedy = phrase("SessionChecks", "Change the gain and measure again.");
     return check;
   }
-  check.text = measured + " at the ear, verified by " + inputs.noise.verified_by + ".";
+  check.text = phrase("SessionChecks", "%1 dBA at the ear, verified by %2.")
+                   .with(measured_dBA, inputs.noise.verified_by);
   return check;
 }
 
@@ -341,11 +381,10 @@ SessionCheck disk_check_of(const CheckInputs& inputs, const Protocol& protocol) 
   std::error_code error{};
   const std::filesystem::space_info space = std::filesystem::space(inputs.study, error);
   if (error) {
-    return {.id = "disk",
-            .title = "Disk space",
-            .state = State::look,
-            .text = "The free space cannot be told: " + error.message() + ".",
-            .remedy = "Make sure that the disk has room for the recordings."};
+    return {
+        .state = State::look,
+        .text = phrase("SessionChecks", "The free space cannot be told: %1.").with(error.message()),
+        .remedy = phrase("SessionChecks", "Make sure that the disk has room for the recordings.")};
   }
   return disk_check({.wanted_bytes = recording_bytes(protocol) + kStoreBytes,
                      .free_bytes = static_cast<double>(space.available)});
@@ -353,16 +392,18 @@ SessionCheck disk_check_of(const CheckInputs& inputs, const Protocol& protocol) 
 
 /// What goes wrong in looking is what was found.
 template <class Look>
-SessionCheck looked_at(const std::string& id, const std::string& title, Look look) {
+SessionCheck looked_at(const std::string& id, const Phrase& title, Look look) {
+  SessionCheck check{};
   try {
-    return look();
+    check = look();
   } catch (const std::exception& error) {
-    return {.id = id,
-            .title = title,
-            .state = State::stop,
-            .text = as_sentence(error.what()),
-            .remedy = "Mend it, then check again."};
+    check = {.state = State::stop,
+             .text = phrase_of(error).as_sentence(),
+             .remedy = phrase("SessionChecks", "Mend it, then check again.")};
   }
+  check.id = id;
+  check.title = title;
+  return check;
 }
 
 }  // namespace
@@ -371,31 +412,34 @@ std::vector<SessionCheck> check_session(const CheckInputs& inputs, const ModelRe
                                         const std::stop_token& stop) {
   std::vector<SessionCheck> checks{};
   std::optional<Protocol> protocol{};
-  checks.push_back(looked_at("protocol", "Protocol", [&] {
+  checks.push_back(looked_at("protocol", phrase("SessionChecks", "Protocol"), [&] {
     protocol = load_protocol(inputs.protocol, models, inputs.study);
     return protocol_check(inputs, *protocol);
   }));
   if (!protocol) return checks;
-  const auto add = [&](const std::string& id, const std::string& title, auto look) {
+  const auto add = [&](const std::string& id, const Phrase& title, auto look) {
     if (!stop.stop_requested()) checks.push_back(looked_at(id, title, look));
   };
-  add("participant", "Participant", [&] { return participant_check(inputs, *protocol); });
-  add("study", "Study folder", [&] { return study_check(inputs); });
-  add("disk", "Disk space", [&] { return disk_check_of(inputs, *protocol); });
-  add("stimuli", "Stimuli", [&] { return stimuli_check(inputs, *protocol, models); });
-  add("device", "Device", [&] { return device_check(inputs, *protocol); });
-  add("calibration", "Calibration", [] {
-    return fine("calibration", "Calibration", "Not needed: the simulated device has none.");
-  });
+  add("participant", phrase("SessionChecks", "Participant"),
+      [&] { return participant_check(inputs, *protocol); });
+  add("study", phrase("SessionChecks", "Study folder"), [&] { return study_check(inputs); });
+  add("disk", phrase("SessionChecks", "Disk space"),
+      [&] { return disk_check_of(inputs, *protocol); });
+  add("stimuli", phrase("SessionChecks", "Stimuli"),
+      [&] { return stimuli_check(inputs, *protocol, models); });
+  add("device", phrase("SessionChecks", "Device"), [&] { return device_check(inputs, *protocol); });
+  add("calibration", phrase("SessionChecks", "Calibration"),
+      [] { return fine(phrase("SessionChecks", "Not needed: the simulated device has none.")); });
   std::optional<SessionCheck> rate{};  // found in the same few hundred ticks
-  add("force_zero", "Force zero", [&] {
+  add("force_zero", phrase("SessionChecks", "Force zero"), [&] {
     auto [zero, its_rate] = loop_checks(inputs, *protocol);
     rate = its_rate;
     return zero;
   });
-  if (rate) checks.push_back(*rate);
-  add("screens", "Screens", [&] { return screens_check(inputs); });
-  add("masking_noise", "Masking noise", [&] { return noise_check(inputs, *protocol); });
+  if (rate) add("rate", phrase("SessionChecks", "Rate"), [&] { return *rate; });
+  add("screens", phrase("SessionChecks", "Screens"), [&] { return screens_check(inputs); });
+  add("masking_noise", phrase("SessionChecks", "Masking noise"),
+      [&] { return noise_check(inputs, *protocol); });
   return checks;
 }
 
@@ -425,15 +469,17 @@ double recording_bytes(const Protocol& protocol) {
 }
 
 SessionCheck disk_check(const DiskSpace& space) {
-  SessionCheck check{.id = "disk", .title = "Disk space"};
-  check.text = bytes_text(space.free_bytes) + " free; this session takes at most " +
-               bytes_text(space.wanted_bytes) + ".";
+  SessionCheck check{};
+  check.text = phrase("SessionChecks", "%1 free; this session takes at most %2.")
+                   .with(bytes_text(space.free_bytes), bytes_text(space.wanted_bytes));
   if (space.free_bytes < space.wanted_bytes) {
     check.state = State::stop;
-    check.remedy = "Free some space on the disk of the study.";
+    check.remedy = phrase("SessionChecks", "Free some space on the disk of the study.");
   } else if (space.free_bytes < kWantedSessions * space.wanted_bytes) {
     check.state = State::look;
-    check.remedy = "Enough for this session, but hardly for another one: free some space soon.";
+    check.remedy =
+        phrase("SessionChecks",
+               "Enough for this session, but hardly for another one: free some space soon.");
   }
   return check;
 }
@@ -441,10 +487,11 @@ SessionCheck disk_check(const DiskSpace& space) {
 void require_unchanged(const std::filesystem::path& protocol, const std::string& sha256) {
   const std::string now = sha256_of_file(protocol);
   if (now == sha256) return;
-  throw ProtocolChangedSinceCheck("the protocol " + protocol.string() +
-                                  " has changed since it was checked: it was " +
-                                  short_hash(sha256) + " and is " + short_hash(now) +
-                                  " now; choose it again to read and check the new version");
+  throw ProtocolChangedSinceCheck(
+      phrase("SessionChecks",
+             "the protocol %1 has changed since it was checked: it was %2 and is %3 now; choose it "
+             "again to read and check the new version")
+          .with(protocol.string(), short_hash(sha256), short_hash(now)));
 }
 
 std::string short_hash(const std::string& sha256) { return sha256.substr(0, 8); }

@@ -4,12 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "app/conductor/sound.h"
+#include "app/phrase.h"
 #include "app/tasks/run_session.h"
 #include "protocols/protocol.h"
 #include "renderers/force_model.h"
@@ -24,10 +24,10 @@ struct SessionCheck {
     stop,  ///< it cannot
   };
   std::string id{};  ///< "disk", for programs
-  std::string title{};
+  Phrase title{};
   State state = State::fine;
-  std::string text{};    ///< what was found
-  std::string remedy{};  ///< what to do about it; empty when fine
+  Phrase text{};    ///< what was found
+  Phrase remedy{};  ///< what to do about it; empty when fine
 };
 
 /// What a check is told by whoever has looked already.
@@ -68,11 +68,12 @@ struct DiskSpace {
   double wanted_bytes = 0.0;  ///< for one session
   double free_bytes = 0.0;
 };
+/// Without its id and title.
 SessionCheck disk_check(const DiskSpace& space);
 
 /// The protocol file is no longer the one that was checked.
-class ProtocolChangedSinceCheck final : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+class ProtocolChangedSinceCheck final : public PhrasedError {
+  using PhrasedError::PhrasedError;
 };
 
 /// Compares the file with the SHA-256 of its content when it was checked.

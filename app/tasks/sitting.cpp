@@ -70,8 +70,8 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                const ProgramIdentity& program, const Sitting& sitting, Rig& rig, Respondent* person,
                const std::stop_token& stop, const std::function<void(const AttemptDone&)>& done,
                const SessionLinks& links) {
-  const std::vector<std::string> complaints = complaints_about_device(protocol, rig.capability());
-  if (!complaints.empty()) throw std::runtime_error(complaints.front());
+  const std::vector<Phrase> complaints = complaints_about_device(protocol, rig.capability());
+  if (!complaints.empty()) throw PhrasedError(complaints.front());
   OpenSession session{};
   if (sitting.unfinished) {
     session = reopen(study, protocol, *sitting.unfinished);

@@ -78,7 +78,7 @@ TEST_F(SessionChecks, SayInOrderThatASmallStudyIsReady) {
     ids.push_back(line.id);
     EXPECT_FALSE(line.text.empty()) << line.id;
     if (line.id == "rate") continue;  // a busy machine may be late
-    EXPECT_EQ(line.state, State::fine) << line.id << ": " << line.text;
+    EXPECT_EQ(line.state, State::fine) << line.id << ": " << line.text.english();
     EXPECT_TRUE(line.remedy.empty()) << line.id;
   }
   EXPECT_EQ(ids, (std::vector<std::string>{"protocol", "participant", "study", "disk", "stimuli",
@@ -90,12 +90,12 @@ TEST_F(SessionChecks, RunTheLoopInRealTimeAndFindNoForce) {
   inputs.pacing = RunPacing::real_time;
   const SessionCheck zero = check("force_zero");
   EXPECT_EQ(zero.state, State::fine);
-  EXPECT_EQ(zero.text.find("Exactly 0 N in "), 0U) << zero.text;
-  EXPECT_NE(check("rate").text.find("of 1000 Hz; period p99 "), std::string::npos);
+  EXPECT_EQ(zero.text.english().find("Exactly 0 N in "), 0U) << zero.text.english();
+  EXPECT_NE(check("rate").text.english().find("of 1000 Hz; period p99 "), std::string::npos);
 }
 
 TEST_F(SessionChecks, NeedNoLoopInAFastSimulation) {
-  EXPECT_NE(check("rate").text.find("Not needed"), std::string::npos);
+  EXPECT_NE(check("rate").text.english().find("Not needed"), std::string::npos);
   EXPECT_EQ(check("rate").state, State::fine);
 }
 
@@ -105,8 +105,9 @@ TEST_F(SessionChecks, RefuseAProtocolThatChangedSinceItWasChosen) {
   write_protocol(small_protocol() + "\n");
   const SessionCheck changed = check("protocol");
   EXPECT_EQ(changed.state, State::stop);
-  EXPECT_NE(changed.text.find(short_hash(inputs.protocol_sha256)), std::string::npos);
-  EXPECT_NE(changed.text.find(short_hash(sha256_of(small_protocol() + "\n"))), std::string::npos);
+  EXPECT_NE(changed.text.english().find(short_hash(inputs.protocol_sha256)), std::string::npos);
+  EXPECT_NE(changed.text.english().find(short_hash(sha256_of(small_protocol() + "\n"))),
+            std::string::npos);
   EXPECT_THROW(require_unchanged(inputs.protocol, inputs.protocol_sha256),
                ProtocolChangedSinceCheck);
 }
@@ -123,8 +124,9 @@ TEST_F(SessionChecks, NameTheHolderOfAParticipantWhoseSessionRuns) {
   const StudyLock elsewhere(study, Study::session_lock_name("P001"));
   const SessionCheck held = check("participant");
   EXPECT_EQ(held.state, State::stop);
-  EXPECT_NE(held.text.find("A session of P001 runs in process "), std::string::npos) << held.text;
-  EXPECT_NE(held.text.find(" on host "), std::string::npos);
+  EXPECT_NE(held.text.english().find("A session of P001 runs in process "), std::string::npos)
+      << held.text.english();
+  EXPECT_NE(held.text.english().find(" on host "), std::string::npos);
 }
 
 TEST_F(SessionChecks, RefuseLabelsThatCannotBe) {
@@ -151,9 +153,9 @@ TEST_F(SessionChecks, FindTheUnfinishedSessionThatCanGoOn) {
   std::ofstream(study / "stimuli" / "grain_photo.png", std::ios::app) << ' ';
   const SessionCheck changed = check("stimuli");
   EXPECT_EQ(changed.state, State::stop);
-  EXPECT_NE(changed.text.find("grain_photo.png has changed since session 1 began"),
+  EXPECT_NE(changed.text.english().find("grain_photo.png has changed since session 1 began"),
             std::string::npos)
-      << changed.text;
+      << changed.text.english();
 }
 
 TEST_F(SessionChecks, KnowThatASessionWhichTheProtocolEndedIsOver) {
@@ -174,10 +176,10 @@ TEST_F(SessionChecks, KnowThatASessionWhichTheProtocolEndedIsOver) {
     store.end_session(id, SessionState::stopped, "2026-01-01T01:00:00.000Z");
     EXPECT_FALSE(unfinished_session(store, protocol, "P001", {}));
   }
-  EXPECT_NE(check("participant").text.find("has done 1 of 1"), std::string::npos)
-      << check("participant").text;
+  EXPECT_NE(check("participant").text.english().find("has done 1 of 1"), std::string::npos)
+      << check("participant").text.english();
   inputs.resume = true;
-  EXPECT_NE(check("participant").text.find("no unfinished session"), std::string::npos);
+  EXPECT_NE(check("participant").text.english().find("no unfinished session"), std::string::npos);
 }
 
 TEST_F(SessionChecks, TellOneUnfinishedSessionFromAnother) {
@@ -204,8 +206,8 @@ TEST_F(SessionChecks, TellOneUnfinishedSessionFromAnother) {
   inputs.resume = true;
   inputs.mode = SessionMode::pilot;
   inputs.resumed_session = ids[0];
-  EXPECT_NE(check("participant").text.find("Session 1 is free"), std::string::npos)
-      << check("participant").text;
+  EXPECT_NE(check("participant").text.english().find("Session 1 is free"), std::string::npos)
+      << check("participant").text.english();
 }
 
 TEST_F(SessionChecks, HoldStimuliToTheirSidecars) {
@@ -213,7 +215,7 @@ TEST_F(SessionChecks, HoldStimuliToTheirSidecars) {
   std::ofstream(study / "stimuli" / "grain.png", std::ios::app) << ' ';
   const SessionCheck changed = check("stimuli");
   EXPECT_EQ(changed.state, State::stop);
-  EXPECT_NE(changed.text.find("grain.png"), std::string::npos) << changed.text;
+  EXPECT_NE(changed.text.english().find("grain.png"), std::string::npos) << changed.text.english();
   std::filesystem::remove(study / "stimuli" / "grain.png");
   EXPECT_EQ(check("stimuli").state, State::stop);
 }
@@ -224,7 +226,7 @@ TEST_F(SessionChecks, RefuseWhatTheDeviceCannotDo) {
   write_protocol(text);
   const SessionCheck weak = check("device");
   EXPECT_EQ(weak.state, State::stop);
-  EXPECT_NE(weak.text.find("force_limit_N"), std::string::npos) << weak.text;
+  EXPECT_NE(weak.text.english().find("force_limit_N"), std::string::npos) << weak.text.english();
 }
 
 TEST_F(SessionChecks, WarnThatASimulatedDeviceGivesNoStudyData) {
@@ -238,7 +240,7 @@ TEST_F(SessionChecks, WantRoomForTwoSessions) {
   EXPECT_EQ(disk_check({.wanted_bytes = 1e9, .free_bytes = 1.9e9}).state, State::look);
   const SessionCheck full = disk_check({.wanted_bytes = 1e9, .free_bytes = 3e8});
   EXPECT_EQ(full.state, State::stop);
-  EXPECT_EQ(full.text, "300 MB free; this session takes at most 1.0 GB.");
+  EXPECT_EQ(full.text.english(), "300 MB free; this session takes at most 1.0 GB.");
 }
 
 TEST_F(SessionChecks, ExpectTheBytesThatAWholeSessionWouldRecord) {
@@ -284,7 +286,8 @@ TEST_F(SessionChecks, RefuseAStudyThatCannotBeWritten) {
   std::ofstream(study / "locks") << "not a folder";
   const SessionCheck check_line = check("study");
   EXPECT_EQ(check_line.state, State::stop);
-  EXPECT_NE(check_line.text.find("locks"), std::string::npos) << check_line.text;
+  EXPECT_NE(check_line.text.english().find("locks"), std::string::npos)
+      << check_line.text.english();
 }
 
 }  // namespace

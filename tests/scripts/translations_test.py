@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Every text that the windows pass through tr() has its finished translation, with the same places for values."""
+"""Every text of the windows has its finished translation, with the same places for values.
+
+Texts are what app/gui passes through tr() and what app/ makes with phrase() for windows and terminal."""
 import os
 import re
 import subprocess
@@ -11,6 +13,8 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 FOLDER = os.path.join(ROOT, "app", "gui", "translations")
 LANGUAGES = ("de", "en")
 REFRESH = "run scripts/translations and fill what is new"
+# phrase("Context", "Words" "that may go on")
+PHRASE = r'\bphrase\(\s*"(\w+)",\s*(?:"(?:[^"\\]|\\.)*"\s*)+\)'
 complaints = []
 
 
@@ -39,15 +43,31 @@ def complain(language, key, what):
     complaints.append(f'asperity_{language}.ts, {key[0]}, "{key[1]}": {what}')
 
 
-def names_without_namespace():
-    """What the sources declare for tr() and translate() apart from classes of the namespace."""
-    declared = set()
-    for folder, _, files in os.walk(os.path.join(ROOT, "app", "gui")):
+def sources():
+    """(path, text)"""
+    for folder, _, files in os.walk(os.path.join(ROOT, "app")):
         for name in files:
             if name.endswith((".h", ".cpp")):
-                with open(os.path.join(folder, name), encoding="utf-8") as source:
-                    declared |= set(re.findall(r"Q_DECLARE_TR_FUNCTIONS\((\w+)\)", source.read()))
+                path = os.path.join(folder, name)
+                with open(path, encoding="utf-8") as source:
+                    yield os.path.relpath(path, ROOT), source.read()
+
+
+def names_without_namespace():
+    """What the sources declare for tr() and give to phrase() apart from classes of the namespace."""
+    declared = set()
+    for _, text in sources():
+        declared |= set(re.findall(r"Q_DECLARE_TR_FUNCTIONS\((\w+)\)", text))
+        declared |= set(re.findall(PHRASE, text))
     return declared
+
+
+def check_phrases():
+    """lupdate passes over a phrase() whose words are no literals, without a word."""
+    for path, text in sources():
+        begun = len(re.findall(r"\bphrase\(\s*(?!const )[^)\s]", text))
+        if begun != len(re.findall(PHRASE, text)):
+            complaints.append(f"{path}: a phrase() is not made of two literals, and cannot be translated")
 
 
 def check_translation(language, key, is_plural, forms):
@@ -90,7 +110,10 @@ with tempfile.TemporaryDirectory() as fresh:
         for key in kept.keys() - wanted.keys():
             complain(language, key, f"is no text of the windows any more; {REFRESH}")
         if language == "de" and len(wanted) < 100:
-            complaints.append(f"only {len(wanted)} texts were found in app/gui")
+            complaints.append(f"only {len(wanted)} texts were found in app")
+        if language == "de" and not any(key[0] == "SessionChecks" for key in wanted):
+            complaints.append("no phrase() was found in app")
+    check_phrases()
 
 if complaints:
     sys.exit("\n".join(complaints))

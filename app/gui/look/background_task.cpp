@@ -4,6 +4,8 @@
 
 #include <QtCore/QMetaObject>
 
+#include "app/gui/look/words.h"
+
 namespace asperity {
 
 BackgroundTask::BackgroundTask(QObject* parent) : QObject(parent) {}
@@ -46,7 +48,7 @@ void BackgroundTask::begin(std::function<void(const std::stop_token&, const Prog
     try {
       work(stop, progress);
     } catch (const std::exception& error) {
-      deliver = [failed, what = QString::fromUtf8(error.what())] { failed(what); };
+      deliver = [failed, what = words_of(phrase_of(error))] { failed(what); };
     }
     QMetaObject::invokeMethod(
         this,

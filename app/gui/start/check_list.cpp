@@ -8,6 +8,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
+#include "app/gui/look/words.h"
 
 namespace asperity {
 
@@ -27,33 +28,18 @@ State state_of(SessionCheck::State state) {
 
 /// The title, what was found, and what to do.
 QString line_text(const SessionCheck& check) {
-  QString text = QString("<b>%1</b>&ensp;%2")
-                     .arg(CheckList::title_of(check).toHtmlEscaped(),
-                          QString::fromStdString(check.text).toHtmlEscaped());
+  QString text =
+      QString("<b>%1</b>&ensp;%2")
+          .arg(words_of(check.title).toHtmlEscaped(), words_of(check.text).toHtmlEscaped());
   if (!check.remedy.empty()) {
-    text += QString("<br><span style='color:%1'>%2</span>")
-                .arg(color_of(state_of(check.state)).name(),
-                     QString::fromStdString(check.remedy).toHtmlEscaped());
+    text +=
+        QString("<br><span style='color:%1'>%2</span>")
+            .arg(color_of(state_of(check.state)).name(), words_of(check.remedy).toHtmlEscaped());
   }
   return text;
 }
 
 }  // namespace
-
-QString CheckList::title_of(const SessionCheck& check) {
-  if (check.id == "protocol") return tr("Protocol");
-  if (check.id == "participant") return tr("Participant");
-  if (check.id == "study") return tr("Study folder");
-  if (check.id == "disk") return tr("Disk space");
-  if (check.id == "stimuli") return tr("Stimuli");
-  if (check.id == "device") return tr("Device");
-  if (check.id == "calibration") return tr("Calibration");
-  if (check.id == "force_zero") return tr("Force zero");
-  if (check.id == "rate") return tr("Rate");
-  if (check.id == "screens") return tr("Screens");
-  if (check.id == "masking_noise") return tr("Masking noise");
-  return QString::fromStdString(check.title);
-}
 
 CheckList::CheckList(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);

@@ -21,9 +21,6 @@ class CheckList final : public QWidget {
  public:
   explicit CheckList(QWidget* parent = nullptr);
 
-  /// In the language of the windows; what was found is said in English.
-  static QString title_of(const SessionCheck& check);
-
   void set_checks(const std::vector<SessionCheck>& checks);
   void set_running(bool running);
 

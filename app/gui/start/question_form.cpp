@@ -10,6 +10,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
+#include "app/gui/look/words.h"
 
 namespace asperity {
 
@@ -118,10 +119,7 @@ std::vector<QString> QuestionForm::complaints() const {
   for (const Question& question : questions_) {
     const std::string& answer = given.at(question.name);
     if (const auto complaint = complaint_about_answer(question, answer)) {
-      complaints.push_back(
-          answer.empty()
-              ? tr("\"%1\" is not answered.").arg(QString::fromStdString(question.prompt))
-              : QString::fromStdString(*complaint));
+      complaints.push_back(words_of(*complaint));
     }
   }
   return complaints;

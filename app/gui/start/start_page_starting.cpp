@@ -10,6 +10,7 @@
 #include <QtWidgets/QProgressBar>
 #include <QtWidgets/QSpinBox>
 
+#include "app/gui/look/words.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/sound/noise_check.h"
 #include "app/gui/sound/sound_output.h"
@@ -51,8 +52,7 @@ std::vector<QString> StartPage::reasons() const {
     if (check.state != SessionCheck::State::stop) continue;
     // Said above already, in the words of the form.
     if (check.id == "participant" && !participant_->complaints().empty()) continue;
-    reasons.push_back(
-        tr("%1: %2").arg(CheckList::title_of(check), QString::fromStdString(check.text)));
+    reasons.push_back(tr("%1: %2").arg(words_of(check.title), words_of(check.text)));
   }
   return reasons;
 }

@@ -1,0 +1,76 @@
+// Words of the program's own, made where there is no Qt, that windows can say in another language.
+
+#pragma once
+
+#include <concepts>
+#include <exception>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity {
+
+/// English words with places %1 … %9 for what varies.
+///
+/// The terminal and the store are given `english()`; a window looks up the words before the places
+/// are filled (app/gui/look/words.h), and those of every argument likewise. The words stand in the
+/// source once, in `phrase("Context", "Words")`, from where scripts/translations takes them: both
+/// have to be literals there, with nothing after the second.
+class Phrase final {
+ public:
+  Phrase() = default;
+  /// What is the same in every language: a label, a number, the message of a library. Implicit, so
+  /// that it can be said wherever a phrase can.
+  Phrase(std::string words) : words_(std::move(words)) {}
+  Phrase(const char* words) : words_(words) {}
+  /// See `phrase`.
+  Phrase(const char* context, const char* words) : context_(context), words_(words) {}
+
+  /// The same with the first argument in place of %1, the second in place of %2, …
+  template <std::convertible_to<Phrase>... Arguments>
+  Phrase with(const Arguments&... arguments) const {
+    return filled({Phrase(arguments)...});
+  }
+  Phrase filled(std::vector<Phrase> arguments) const;
+  /// Standing by itself: with a capital letter, and a full stop if it has none.
+  Phrase as_sentence() const;
+
+  bool empty() const noexcept { return words_.empty(); }
+  /// Whether there are words to look up; arguments may have some too.
+  bool can_be_translated() const noexcept { return context_ != nullptr; }
+  /// What stands in the places where `text` was made with these words, in English; nothing where it
+  /// was not. A place takes as little as it can.
+  std::optional<std::vector<std::string>> places_in(const std::string& text) const;
+
+  std::string english() const;
+  bool operator==(const Phrase& other) const { return english() == other.english(); }
+  /// Gives the words that stand for `words` of `context`, UTF-8, or `words`.
+  using LookUp = std::function<std::string(const char* context, const char* words)>;
+  std::string translated(const LookUp& look_up) const;
+
+ private:
+  const char* context_ = nullptr;  // a literal; null: not to be looked up
+  std::string words_{};
+  std::vector<Phrase> arguments_{};
+  bool is_sentence_ = false;
+};
+
+/// Words that are translated. `context` groups them for whoever translates.
+inline Phrase phrase(const char* context, const char* words) { return {context, words}; }
+
+/// An error that can be told in another language; `what()` is the English.
+class PhrasedError : public std::runtime_error {
+ public:
+  explicit PhrasedError(const Phrase& said) : std::runtime_error(said.english()), said_(said) {}
+  const Phrase& said() const noexcept { return said_; }
+
+ private:
+  Phrase said_;
+};
+/// Of a PhrasedError its phrase; of any other error what it says.
+Phrase phrase_of(const std::exception& error);
+
+}  // namespace asperity

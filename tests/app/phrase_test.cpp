@@ -1,0 +1,82 @@
+// Words that can be said in another language.
+
+#include "app/phrase.h"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+/// German, of what a test says.
+std::string german(const char* context, const char* words) {
+  const std::string of = std::string(context) + ": " + words;
+  if (of == "Test: %1 of %2 were felt") return "gefühlt: %2, davon %1";
+  if (of == "Test: the surface") return "die Oberfläche";
+  if (of == "Test: everybody") return "übrigens alle";
+  return words;
+}
+
+using Places = std::vector<std::string>;
+
+TEST(Phrase, IsFilledInItsPlaces) {
+  EXPECT_EQ(phrase("Test", "%1 of %2 were felt").with("3", std::string("7")).english(),
+            "3 of 7 were felt");
+  EXPECT_EQ(phrase("Test", "nothing varies").english(), "nothing varies");
+  EXPECT_TRUE(Phrase().english().empty());
+}
+
+TEST(Phrase, IsLookedUpBeforeItIsFilled) {
+  const Phrase felt = phrase("Test", "%1 of %2 were felt").with("3", "7");
+  EXPECT_EQ(felt.translated(german), "gefühlt: 7, davon 3");
+  const Phrase inside =
+      phrase("Test", "%1 of %2 were felt").with(phrase("Test", "the surface"), "7");
+  EXPECT_EQ(inside.translated(german), "gefühlt: 7, davon die Oberfläche");
+  EXPECT_EQ(inside.english(), "the surface of 7 were felt");
+}
+
+TEST(Phrase, LeavesWordsThatAreTheSameInEveryLanguage) {
+  const Phrase label = std::string("the surface");
+  EXPECT_FALSE(label.can_be_translated());
+  EXPECT_EQ(label.translated(german), "the surface");
+  EXPECT_TRUE(phrase("Test", "the surface").can_be_translated());
+}
+
+TEST(Phrase, DoesNotFillWhatAPlaceWasFilledWith) {
+  EXPECT_EQ(phrase("Test", "%1 of %2 were felt").with("%2", "100 %").english(),
+            "%2 of 100 % were felt");
+  EXPECT_EQ(Phrase("41 %1").english(), "41 %1");
+}
+
+TEST(Phrase, CanStandByItselfInAnyLanguage) {
+  const Phrase everybody = phrase("Test", "everybody").as_sentence();
+  EXPECT_EQ(everybody.english(), "Everybody.");
+  EXPECT_EQ(everybody.translated(german), "Übrigens alle.");
+  EXPECT_EQ(Phrase("Done.").as_sentence().english(), "Done.");
+  EXPECT_TRUE(Phrase().as_sentence().english().empty());
+}
+
+TEST(Phrase, IsReadBackFromWhatItWasMadeInto) {
+  const Phrase felt = phrase("Test", "%1 of %2 were felt");
+  EXPECT_EQ(felt.places_in("3 of 7 were felt"), (Places{"3", "7"}));
+  EXPECT_EQ(felt.places_in(" of  were felt"), (Places{"", ""}));
+  EXPECT_EQ(felt.places_in("a of b of c were felt"), (Places{"a", "b of c"}));
+  EXPECT_FALSE(felt.places_in("3 of 7 were felt."));
+  EXPECT_FALSE(felt.places_in("3 of 7"));
+  EXPECT_FALSE(felt.places_in(""));
+  EXPECT_EQ(phrase("Test", "set aside: %1").places_in("set aside: it rang"), Places{"it rang"});
+  EXPECT_EQ(phrase("Test", "as asked").places_in("as asked"), Places{});
+  EXPECT_FALSE(phrase("Test", "as asked").places_in("as asked, after the trial"));
+  EXPECT_FALSE(phrase("Test", "aXb%1bXa").places_in("aXbXa"));  // shorter than its own words
+}
+
+TEST(Phrase, OfAnErrorIsWhatTheErrorSays) {
+  const PhrasedError phrased(phrase("Test", "%1 of %2 were felt").with("3", "7"));
+  EXPECT_STREQ(phrased.what(), "3 of 7 were felt");
+  EXPECT_EQ(phrase_of(phrased).translated(german), "gefühlt: 7, davon 3");
+  EXPECT_EQ(phrase_of(std::runtime_error("the surface")).translated(german), "the surface");
+}
+
+}  // namespace
+}  // namespace asperity
