@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/conductor/reason.h"
 #include "app/conductor/trial_attempt.h"
 
 namespace asperity {
@@ -49,8 +50,8 @@ SessionEnd Conductor::run(OpenSession session) {
     run_steps();
   } catch (const Interruption& interruption) {  // outside an attempt
     stop(interruption.outcome == AttemptOutcome::device_fault
-             ? fault_sentence(interruption, "between trials") +
-                   "; every finished trial is stored, go on with --resume"
+             ? fault_sentence(interruption, {}) + "; " +
+                   phrase_of(Reason::every_trial_stored).english()
              : interruption.reason);
   } catch (const RespondentGone& gone) {
     stop(gone.what());
@@ -108,7 +109,8 @@ SessionEnd Conductor::finish(std::int64_t began_ns) {
                      end.state == SessionState::completed ? "completed" : "stopped");
   study_.end_session(session_.row.id, end.state, rig_.clock().utc());
   if (end.state != SessionState::completed && !end.as_the_protocol_says) {
-    publish_trouble(end.reason + ". Every finished trial is stored.",
+    publish_trouble(phrase("Troubles", "%1 Every finished trial is stored.")
+                        .with(read_reason(end.reason).as_sentence()),
                     SessionTrouble::Remedy::try_again);
   }
   course_.play(Cue::finished);
@@ -125,9 +127,10 @@ void Conductor::end_after(const std::exception& error) noexcept {
   rig_.loop().withdraw();
   try {
     course_.set_masking(false);
-    publish_trouble(
-        std::string(error.what()) + "; the force is zero, and every finished trial is stored",
-        SessionTrouble::Remedy::try_again);
+    publish_trouble(phrase("Troubles", "%1; the force is zero, and every finished trial is stored")
+                        .with(phrase_of(error))
+                        .as_sentence(),
+                    SessionTrouble::Remedy::try_again);
     course_.show({.kind = ParticipantScene::Kind::ended});
     course_.publish(SessionPhase::ended);
     course_.take_attempt_events();  // of an attempt that has no row to hang on
@@ -166,12 +169,12 @@ void Conductor::run_steps() {
     step_ = i;
     // A stop that was asked for while something was read or answered: there is no trial to wait for.
     if (requests_.take_stop(StopAfter::trial)) {
-      stop("as asked");
+      stop(phrase_of(Reason::as_asked).english());
       break;
     }
     // Asked for between two blocks, the block that it means is over.
     if (block_ == 0 && !tally_->attempts().empty() && requests_.take_stop(StopAfter::block)) {
-      stop("as asked, after the block");
+      stop(phrase_of(Reason::as_asked_after_block).english());
       break;
     }
     const TrialStep* step = std::get_if<TrialStep>(&steps[i]);
@@ -330,11 +333,13 @@ void Conductor::finish_block(int block_ordinal) {
     if (block.until->on_failure == Protocol::Criterion::OnFailure::end_session) {
       stopped_ =
           SessionEnd{.state = SessionState::stopped,
-                     .reason = "the criterion of the block \"" + of_block->block + "\" was not met",
+                     .reason = phrase_of(Reason::criterion_not_met).with(of_block->block).english(),
                      .as_the_protocol_says = true};
     }
   }
-  if (!stopped_ && requests_.take_stop(StopAfter::block)) stop("as asked, after the block");
+  if (!stopped_ && requests_.take_stop(StopAfter::block)) {
+    stop(phrase_of(Reason::as_asked_after_block).english());
+  }
 }
 
 // --- one trial -----------------------------------------------------------------------------------
@@ -357,8 +362,7 @@ void Conductor::run_trial(const Trial& trial) {
     tell(trial, attempt);
     if (stopped_) return;
     if (attempt.outcome == AttemptOutcome::device_fault) {
-      const std::string where = "in trial " + std::to_string(trial.ordinal);
-      if (!wait_out_fault(fault_sentence(interruption.value(), where))) return;
+      if (!wait_out_fault(fault_sentence(interruption.value(), trial.ordinal))) return;
       continue;
     }
     if (interruption && interruption->ask_again) {
@@ -366,14 +370,16 @@ void Conductor::run_trial(const Trial& trial) {
       continue;
     }
     if (attempt.outcome == AttemptOutcome::aborted) {
-      stop(attempt.invalid_reason.value_or("aborted"));
+      stop(attempt.invalid_reason.value_or(phrase_of(Reason::aborted).english()));
       return;
     }
     if (attempt.valid || attempt.outcome == AttemptOutcome::skipped) break;
     if (failed_technically(attempt)) {
       if (++failures < kTechnicalRepeats) continue;
-      stop("trial " + std::to_string(trial.ordinal) + " failed " + std::to_string(failures) +
-           " times in a row (" + attempt.invalid_reason.value_or("") + ")");
+      stop(phrase_of(Reason::failed_repeatedly)
+               .with(std::to_string(trial.ordinal), std::to_string(failures),
+                     attempt.invalid_reason.value_or(""))
+               .english());
       return;
     }
     if (attempt.outcome == AttemptOutcome::not_compliant &&
@@ -382,7 +388,9 @@ void Conductor::run_trial(const Trial& trial) {
       break;  // finish_block asks again
     }
   }
-  if (requests_.take_stop(StopAfter::trial)) stop("as asked, after the trial");
+  if (requests_.take_stop(StopAfter::trial)) {
+    stop(phrase_of(Reason::as_asked_after_trial).english());
+  }
 }
 
 AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruption>& interruption) {

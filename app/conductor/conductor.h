@@ -104,11 +104,11 @@ class Conductor final {
   void ask_again(const Trial& trial);
   bool outlives(const Interruption& interruption);
   void check_device();
-  std::string device_problem(const Wait& waiting);
+  Phrase device_problem(const Wait& waiting);
   /// False when the session is to end; it then has its reason.
   bool wait_out_fault(const std::string& what);
 
-  void publish_trouble(std::string what, SessionTrouble::Remedy remedy);
+  void publish_trouble(const Phrase& what, SessionTrouble::Remedy remedy);
 
   Study& study_;
   const Protocol& protocol_;

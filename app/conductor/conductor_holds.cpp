@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/conductor/conductor.h"
+#include "app/conductor/reason.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr double kCheck_s = 0.2;  // longer than a surface takes to fade out
-constexpr const char* kBetweenTrials = "between trials";
 
 /// Where a session is again after a fault: an attempt that it ended is over.
 SessionPhase after_fault(SessionPhase before) {
@@ -80,8 +80,7 @@ void Conductor::hold(Next next) {
       return;
     }
     if (is_attended && rig_.loop().status().fault != Fault::none &&
-        !wait_out_fault(
-            fault_sentence(interruption_by(rig_.loop().status().fault), kBetweenTrials))) {
+        !wait_out_fault(fault_sentence(interruption_by(rig_.loop().status().fault), {}))) {
       return;
     }
     if (is_attended && next == Next::trial && course_.has_lost_noise() && !requests_.is_paused()) {
@@ -96,7 +95,7 @@ void Conductor::hold(Next next) {
     }
     paused = true;
     if (requests_.take_stop(StopAfter::trial)) {
-      stop("as asked");
+      stop(phrase_of(Reason::as_asked).english());
       return;
     }
     course_.pass_slice();
@@ -112,7 +111,9 @@ void Conductor::hold(Next next) {
 void Conductor::pause_without_noise() {
   requests_.pause();
   publish_trouble(
-      "The masking noise has stopped, and the session is paused. Mend the sound, then resume.",
+      phrase("Troubles",
+             "The masking noise has stopped, and the session is paused. Mend the sound, then "
+             "resume."),
       SessionTrouble::Remedy::resume);
   course_.event("masking_noise_lost", "");
 }
@@ -121,25 +122,23 @@ void Conductor::pause_without_noise() {
 
 /// Nothing is rendered: the device has to answer at the servo's rate and be sent zero force.
 void Conductor::check_device() {
-  const std::string problem =
-      device_problem([this](double duration_s) { course_.wait(duration_s); });
+  const Phrase problem = device_problem([this](double duration_s) { course_.wait(duration_s); });
   if (!problem.empty()) {
-    throw Interruption{AttemptOutcome::device_fault, "the device is not ready: " + problem};
+    throw Interruption{AttemptOutcome::device_fault,
+                       phrase_of(Reason::not_ready).with(problem).english()};
   }
 }
 
 /// What is wrong with the device, as part of a sentence; empty when it is fit.
-std::string Conductor::device_problem(const Wait& waiting) {
+Phrase Conductor::device_problem(const Wait& waiting) {
   rig_.loop().withdraw();
   Recorder& recorder = course_.recorder();
   recorder.begin(nullptr, protocol_.rate_Hz, rig_.records());
   waiting(kCheck_s);
   const std::vector<TickRecord> records = recorder.finish(rig_.records()).records;
-  if (records.empty()) return "it does not tick";
-  if (records.back().has(TickFlag::device_lost)) return "it does not answer";
-  if (records.back().sent.force_N != glm::dvec3{0.0}) {
-    return "it is sent a force although there is no surface";
-  }
+  if (records.empty()) return phrase_of(Reason::does_not_tick);
+  if (records.back().has(TickFlag::device_lost)) return phrase_of(Reason::does_not_answer);
+  if (records.back().sent.force_N != glm::dvec3{0.0}) return phrase_of(Reason::sends_force);
   return {};
 }
 
@@ -149,7 +148,7 @@ bool Conductor::outlives(const Interruption& interruption) {
       !settings_.links.experimenter_is_there) {
     return false;
   }
-  wait_out_fault(fault_sentence(interruption, kBetweenTrials));
+  wait_out_fault(fault_sentence(interruption, {}));
   return true;
 }
 
@@ -164,13 +163,13 @@ bool Conductor::wait_out_fault(const std::string& what) {
   course_.enter(SessionPhase::fault);
   course_.show({.kind = ParticipantScene::Kind::paused});
   course_.play(Cue::paused);
-  const auto trouble = [&](const std::string& more) {
+  const auto stopped = [&] {
     const bool by_hand = rig_.loop().status().fault == Fault::emergency_stop;
-    publish_trouble(what + ". The force is zero until the " + (by_hand ? "stop" : "fault") +
-                        " is cleared." + more,
-                    SessionTrouble::Remedy::clear_fault);
+    return (by_hand ? phrase("Troubles", "%1 The force is zero until the stop is cleared.")
+                    : phrase("Troubles", "%1 The force is zero until the fault is cleared."))
+        .with(read_reason(what).as_sentence());
   };
-  trouble("");
+  publish_trouble(stopped(), SessionTrouble::Remedy::clear_fault);
   for (;;) {
     course_.pass_slice();
     course_.store_remarks();
@@ -183,17 +182,19 @@ bool Conductor::wait_out_fault(const std::string& what) {
       return false;
     }
     if (!requests_.lift_fault()) continue;
-    const std::string problem = device_problem([this](double duration_s) {
+    const Phrase problem = device_problem([this](double duration_s) {
       for (double passed_s = 0.0; passed_s < duration_s; passed_s += SessionCourse::kSlice_s) {
         course_.pass_slice();
       }
     });
     if (problem.empty() && rig_.loop().status().fault == Fault::none) break;
     const Fault fault = rig_.loop().status().fault;
-    trouble(fault == Fault::emergency_stop
-                ? " The emergency stop was pressed meanwhile."
-                : " The device is not fit yet: " + (problem.empty() ? name_of(fault) : problem) +
-                      '.');
+    publish_trouble(
+        fault == Fault::emergency_stop
+            ? phrase("Troubles", "%1 The emergency stop was pressed meanwhile.").with(stopped())
+            : phrase("Troubles", "%1 The device is not fit yet: %2.")
+                  .with(stopped(), problem.empty() ? phrase_of(fault) : problem),
+        SessionTrouble::Remedy::clear_fault);
   }
   while (rig_.loop().collect().renderer != nullptr) {
     // What was felt when the fault came is not felt again.
@@ -206,11 +207,7 @@ bool Conductor::wait_out_fault(const std::string& what) {
   return true;
 }
 
-void Conductor::publish_trouble(std::string what, SessionTrouble::Remedy remedy) {
-  // A sentence begins with a capital.
-  if (!what.empty() && what.front() >= 'a' && what.front() <= 'z') {
-    what.front() = static_cast<char>(what.front() - 'a' + 'A');
-  }
+void Conductor::publish_trouble(const Phrase& what, SessionTrouble::Remedy remedy) {
   course_.update([&](SessionSnapshot& snapshot) {
     snapshot.trouble = SessionTrouble{what, course_.now_ns(), remedy};
   });

@@ -7,11 +7,11 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "analysis/force_features.h"
+#include "app/phrase.h"
 #include "protocols/plan.h"
 #include "protocols/protocol.h"
 #include "results_schema/rows.h"
@@ -41,8 +41,8 @@ struct ButtonChange {
 };
 
 /// The person left: closed the terminal, asked to stop.
-class RespondentGone final : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+class RespondentGone final : public PhrasedError {
+  using PhrasedError::PhrasedError;
 };
 
 /// The side of the participant. Every call may take its time through `wait`.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/conductor/reason.h"
+
 namespace asperity {
 
 namespace {
@@ -17,16 +19,24 @@ bool wants_masking_noise(const Protocol& protocol) {
 }  // namespace
 
 Interruption interruption_by(Fault fault) {
-  return {
-      .outcome = AttemptOutcome::device_fault,
-      .reason = fault == Fault::emergency_stop ? "the emergency stop was pressed" : name_of(fault),
-      .fault = fault};
+  return {.outcome = AttemptOutcome::device_fault,
+          .reason = fault == Fault::emergency_stop ? phrase_of(Reason::emergency_stop).english()
+                                                   : name_of(fault),
+          .fault = fault};
 }
 
-std::string fault_sentence(const Interruption& interruption, const std::string& where) {
-  return interruption.fault == Fault::emergency_stop
-             ? interruption.reason + ' ' + where
-             : "the device failed " + where + ": " + interruption.reason;
+std::string fault_sentence(const Interruption& interruption, std::optional<int> trial) {
+  const bool by_hand = interruption.fault == Fault::emergency_stop;
+  Phrase sentence{};
+  if (trial) {
+    const std::string number = std::to_string(*trial);
+    sentence = by_hand ? phrase_of(Reason::stopped_in_trial).with(number)
+                       : phrase_of(Reason::failed_in_trial).with(number, interruption.reason);
+  } else {
+    sentence = by_hand ? phrase_of(Reason::stopped_between_trials)
+                       : phrase_of(Reason::failed_between_trials).with(interruption.reason);
+  }
+  return sentence.english();
 }
 
 SessionCourse::SessionCourse(Study& study, const Protocol& protocol, Rig& rig,
@@ -108,10 +118,10 @@ void SessionCourse::look(bool outside_trial) {
     }
   }
   if (outside_trial && requests_.take_stop(StopAfter::trial)) {
-    throw Interruption{AttemptOutcome::aborted, "as asked"};
+    throw Interruption{AttemptOutcome::aborted, phrase_of(Reason::as_asked).english()};
   }
   if (in_attempt_ && has_lost_noise()) {
-    throw Interruption{AttemptOutcome::aborted, "the masking noise stopped",
+    throw Interruption{AttemptOutcome::aborted, phrase_of(Reason::noise_stopped).english(),
                        links_.experimenter_is_there};
   }
 }

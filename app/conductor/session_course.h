@@ -33,8 +33,9 @@ struct Interruption {
 /// By a fault of the loop. The outcome is `device_fault` for all of them; the reason of an emergency
 /// stop says that it was one, because nothing failed.
 Interruption interruption_by(Fault fault);
-/// "the device failed in trial 3: device_lost", "the emergency stop was pressed between trials".
-std::string fault_sentence(const Interruption& interruption, const std::string& where);
+/// "the device failed in trial 3: device_lost"; without a trial "the emergency stop was pressed between
+/// trials".
+std::string fault_sentence(const Interruption& interruption, std::optional<int> trial);
 
 /// What the walk over the plan and an attempt have in common: they wait, they are in a phase, the
 /// participant sees a scene, something happens that is to be stored.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/conductor/participant_scene.h"
+#include "app/phrase.h"
 #include "protocols/plan.h"
 #include "renderers/servo_loop.h"
 #include "results_schema/rows.h"
@@ -60,7 +61,7 @@ struct SessionTrouble {
     confirm,      ///< nothing is wrong: `what` is to be done before the trial, and confirmed
     try_again,    ///< the session ended; everything stored, go on with it from the start page
   };
-  std::string what{};  ///< a sentence: what happened and what was done about it
+  Phrase what{};  ///< a sentence: what happened and what was done about it
   std::int64_t time_ns = 0;
   Remedy remedy = Remedy::none;
 };

@@ -10,6 +10,7 @@
 #include <termios.h>
 
 #include "app/conductor/form_answer.h"
+#include "app/conductor/reason.h"
 #include "app/height_field_files.h"
 #include "stimuli/preview.h"
 
@@ -48,7 +49,7 @@ std::optional<std::string> TerminalRespondent::line(const Wait& wait,
       std::array<char, 512> bytes{};
       const ssize_t count = ::read(input_, bytes.data(), bytes.size());
       if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) {
-        throw RespondentGone("the terminal was closed");
+        throw RespondentGone(phrase_of(Reason::terminal_closed));
       }
       if (count > 0) buffer_.append(bytes.data(), static_cast<std::size_t>(count));
       continue;

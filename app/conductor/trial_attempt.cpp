@@ -10,6 +10,7 @@
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/layout.h"
 #include "app/conductor/masking_sound.h"
+#include "app/conductor/reason.h"
 #include "app/conductor/recording_columns.h"
 #include "app/parameter_json.h"
 #include "renderers/offline/recorded_force.h"
@@ -229,8 +230,9 @@ void TrialAttempt::feel(std::size_t index) {
     surface.presentation = rig.loop().collect();
   }
   if (recorder.live().contact_s <= 0.0) {
-    throw Interruption{AttemptOutcome::not_compliant,
-                       "surface " + std::to_string(planned.position) + " was not touched"};
+    throw Interruption{
+        AttemptOutcome::not_compliant,
+        phrase_of(Reason::not_touched).with(std::to_string(planned.position)).english()};
   }
   surface.felt_s += recorder.live().contact_s;
   if (std::find(felt_.begin(), felt_.end(), planned.position) == felt_.end()) {
@@ -324,29 +326,33 @@ void TrialAttempt::judge() {
   const ServoQualityRow& servo = *row_.servo;
   if (servo.missed_deadlines > protocol.maximum_missed_deadlines) {
     row_.valid = false;
-    row_.invalid_reason = std::to_string(servo.missed_deadlines) + " missed deadlines, at most " +
-                          std::to_string(protocol.maximum_missed_deadlines) + " allowed";
+    row_.invalid_reason = phrase_of(Reason::missed_deadlines)
+                              .with(std::to_string(servo.missed_deadlines),
+                                    std::to_string(protocol.maximum_missed_deadlines))
+                              .english();
     return;
   }
   if (servo.lost_records > protocol.maximum_lost_records) {
     row_.valid = false;
-    row_.invalid_reason = std::to_string(servo.lost_records) + " lost records, at most " +
-                          std::to_string(protocol.maximum_lost_records) + " allowed";
+    row_.invalid_reason =
+        phrase_of(Reason::lost_records)
+            .with(std::to_string(servo.lost_records), std::to_string(protocol.maximum_lost_records))
+            .english();
     return;
   }
   std::string flags{};
-  const auto flag = [&flags](const std::string& text) {
+  const auto flag = [&flags](const Phrase& reason) {
     if (!flags.empty()) flags += "; ";
-    flags += text;
+    flags += reason.english();
   };
   if (servo.saturated_ticks > 0) {
-    flag("force limited in " + std::to_string(servo.saturated_ticks) + " ticks");
+    flag(phrase_of(Reason::force_limited).with(std::to_string(servo.saturated_ticks)));
   }
   std::string failures{};
   for (const ComplianceRow& compliance : row_.compliance) {
     if (compliance.passed.value_or(true)) continue;
     if (!failures.empty()) failures += ", ";
-    failures += compliance.quantity + " of surface " + std::to_string(compliance.position);
+    failures += failed_measure(compliance.quantity, compliance.position).english();
   }
   if (!failures.empty()) {
     const bool ask_again = exploration_.on_failure != Exploration::OnFailure::flag &&
@@ -354,10 +360,10 @@ void TrialAttempt::judge() {
     if (ask_again) {
       row_.outcome = AttemptOutcome::not_compliant;
       row_.valid = false;
-      row_.invalid_reason = "not explored as asked: " + failures;
+      row_.invalid_reason = phrase_of(Reason::not_explored_as_asked).with(failures).english();
       return;
     }
-    flag("not explored as asked: " + failures);
+    flag(phrase_of(Reason::not_explored_as_asked).with(failures));
   }
   if (!flags.empty()) {
     row_.flagged = true;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/conductor/reason.h"
+
 namespace asperity {
 
 bool is_right(const AttemptRow& attempt) {
@@ -35,8 +37,8 @@ void TrialTally::set_aside(int trial, int attempt, const std::string& reason) {
   for (AttemptRow& row : attempts_) {
     if (row.trial != trial || row.attempt != attempt) continue;
     row.valid = false;
-    row.invalid_reason =
-        (row.invalid_reason ? *row.invalid_reason + "; " : "") + "set aside: " + reason;
+    row.invalid_reason = (row.invalid_reason ? *row.invalid_reason + "; " : "") +
+                         phrase_of(Reason::set_aside).with(reason).english();
   }
 }
 

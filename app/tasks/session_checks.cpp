@@ -7,6 +7,7 @@
 
 #include "analysis/number_text.h"
 #include "app/conductor/attempt_measures.h"
+#include "app/conductor/reason.h"
 #include "app/conductor/recorder.h"
 #include "app/conductor/recording_columns.h"
 #include "app/conductor/rig.h"
@@ -283,7 +284,7 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol) {
   if (trial.fault != Fault::none) {
     zero.state = State::stop;
     zero.text =
-        phrase("SessionChecks", "The device reported a fault: %1.").with(name_of(trial.fault));
+        phrase("SessionChecks", "The device reported a fault: %1.").with(phrase_of(trial.fault));
     zero.remedy = phrase("SessionChecks", "See to the device, then check again.");
   } else if (trial.strongest_N > 0.0) {
     zero.state = State::stop;

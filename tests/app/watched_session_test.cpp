@@ -516,7 +516,8 @@ TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
     const SessionSnapshot now = monitor_.snapshot();
     ASSERT_TRUE(now.trouble);
     EXPECT_EQ(now.trouble->remedy, SessionTrouble::Remedy::clear_fault);
-    EXPECT_EQ(now.trouble->what,
+    EXPECT_TRUE(now.trouble->what.can_be_translated());
+    EXPECT_EQ(now.trouble->what.english(),
               "The emergency stop was pressed in trial 1. The force is zero until the stop is "
               "cleared.");
     EXPECT_EQ(now.fault, Fault::emergency_stop);
@@ -635,7 +636,7 @@ TEST_F(WatchedSession, StaysInTheFaultWhileTheDeviceIsNotFit) {
     if (!cleared) {
       cleared = true;
       requests_.clear_fault();
-    } else if (!told && now.trouble->what.find("not fit") != std::string::npos) {
+    } else if (!told && now.trouble->what.english().find("not fit") != std::string::npos) {
       told = true;
       requests_.abort("it is broken");
     }
@@ -663,7 +664,8 @@ TEST_F(WatchedSession, SaysThatTheEmergencyStopWasPressedWhileTheDeviceWasChecke
     } else if (step == Step::checked && now.fault == Fault::none) {
       requests_.emergency_stop();
       step = Step::told;
-    } else if (now.trouble->what.ends_with(" The emergency stop was pressed meanwhile.")) {
+    } else if (now.trouble->what.english().ends_with(
+                   " The emergency stop was pressed meanwhile.")) {
       requests_.abort("enough");
     }
   };
@@ -790,7 +792,8 @@ TEST_F(WatchedSession, PausesWhenTheNoiseStopsAndAsksTheTrialAgain) {
     }
     if (now.phase == SessionPhase::paused && now.trouble) {
       EXPECT_EQ(now.trouble->remedy, SessionTrouble::Remedy::resume);
-      EXPECT_THAT(now.trouble->what, HasSubstr("masking noise"));
+      EXPECT_THAT(now.trouble->what.english(), HasSubstr("masking noise"));
+      EXPECT_TRUE(now.trouble->what.can_be_translated());
       EXPECT_EQ(rig_->loop().status().presentation, 0U);  // nothing is under the hand
       sound_.running = true;
       requests_.resume();
@@ -1036,7 +1039,7 @@ TEST_F(TalkativeSession, HasTheExperimenterConfirmWhatOnlyTheyAreToDo) {
   rig_->at_pass = [&] {
     const SessionSnapshot now = monitor_.snapshot();
     if (!now.trouble || now.trouble->remedy != SessionTrouble::Remedy::confirm) return;
-    asked = now.trouble->what;
+    asked = now.trouble->what.english();
     seen = *now.scene;
     EXPECT_EQ(rig_->loop().status().presentation, 0U);  // nothing is rendered
     if (++looks == 10) requests_.confirm();

@@ -58,7 +58,8 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
   const AttemptRow& attempt = detail.attempt;
   QStringList said{};
   if (!attempt.valid) {
-    said << tr("Does not count: %1").arg(OutcomeWords::of_reason(attempt.invalid_reason.value_or("–")));
+    said << tr("Does not count: %1")
+                .arg(OutcomeWords::of_reason(attempt.invalid_reason.value_or("–")));
   }
   if (detail.session.excluded) {
     said << tr("Excluded with its whole session: %1").arg(text(*detail.session.excluded));
@@ -68,7 +69,7 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
   if (said.isEmpty() && !attempt.flagged) said << tr("Counts in the analyses");
   if (attempt.flagged) {
     said << (said.isEmpty() ? tr("Counts, but is flagged: %1") : tr("flagged: %1"))
-                .arg(text(attempt.flag_reason.value_or("–")));
+                .arg(OutcomeWords::of_reason(attempt.flag_reason.value_or("–")));
   }
   return said.join(tr("; "));
 }

@@ -18,8 +18,8 @@ class OutcomeWords final {
   /// "no answer in time". `reason`: why the attempt does not count, as stored; it tells an emergency
   /// stop, which is stored as a fault of the device, from what the device did itself.
   static QString of(AttemptOutcome outcome, const std::string& reason);
-  /// Why something does not count, as stored: the name of a fault in words, other reasons as they
-  /// are.
+  /// Why something does not count, is flagged or ended, as stored: the program's own reasons in the
+  /// language of the windows, what somebody typed as it is.
   static QString of_reason(const std::string& reason);
   static QString of_fault(Fault fault);
 };

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/conductor/reason.h"
 #include "app/gui/session/reason_form.h"
 #include "app/gui/session/session_dialogs.h"
 
@@ -54,7 +55,7 @@ void SessionQuestions::ask_to_leave() {
   if (dialog_ != nullptr && dialog_->isVisible()) return dialog_->raise();
   dialog_ = new CloseDialog(&window_, [this](Leaving how) {
     if (how == Leaving::abort_now) {
-      requests_.abort("the session window was closed");
+      requests_.abort(phrase_of(Reason::session_window_closed).english());
     } else {
       requests_.stop_after(StopAfter::trial);
       // A pause would keep it from ever coming to that.

@@ -6,25 +6,13 @@
 
 #include <QtCore/QMetaObject>
 
+#include "app/conductor/reason.h"
+#include "app/gui/look/words.h"
 #include "app/gui/sound/qt_sound.h"
 #include "app/tasks/session_checks.h"
 #include "protocols/diagnostic.h"
 
 namespace asperity {
-
-namespace {
-
-/// What an exception says, as a sentence of its own.
-QString as_sentence(const std::string& what) {
-  QString text = QString::fromStdString(what).trimmed();
-  if (text.isEmpty()) return text;
-  text[0] = text[0].toUpper();
-  const QChar last = text.back();
-  if (last != '.' && last != '!' && last != '?') text += '.';
-  return text;
-}
-
-}  // namespace
 
 std::unique_ptr<Sound> usual_sound(const SessionOrder& order) {
   if (order.inputs.is_virtual) return nullptr;
@@ -40,7 +28,7 @@ SessionRunner::SessionRunner(QObject* parent, SoundMaker make_sound)
 
 SessionRunner::~SessionRunner() {
   if (!worker_.joinable()) return;
-  requests_.abort("the window was closed");
+  requests_.abort(phrase_of(Reason::window_closed).english());
   worker_.request_stop();
   worker_.join();
 }
@@ -85,11 +73,11 @@ void SessionRunner::run(const std::stop_token& stop) {
         },
         Qt::QueuedConnection);
   } catch (const ProtocolChangedSinceCheck& error) {
-    fail(error.what(), AfterFailure::check_again);
+    fail(phrase_of(error), AfterFailure::check_again);
   } catch (const ProtocolError& error) {
-    fail(error.what(), AfterFailure::check_again);
+    fail(phrase_of(error), AfterFailure::check_again);
   } catch (const std::exception& error) {
-    fail(error.what(), AfterFailure::start_again);
+    fail(phrase_of(error), AfterFailure::start_again);
   }
 }
 
@@ -105,10 +93,10 @@ void SessionRunner::announce_attempt() {
       Qt::QueuedConnection);
 }
 
-void SessionRunner::fail(const std::string& what, AfterFailure unbegun) {
+void SessionRunner::fail(const Phrase& what, AfterFailure unbegun) {
   // Every attempt that was reported is on disk: the conductor tells of none before its commit.
   const bool had_begun = attempts_ > 0 || monitor_.facts() != nullptr;
-  QString text = as_sentence(what) + ' ';
+  QString text = words_of(what.as_sentence()) + ' ';
   if (had_begun) {
     text +=
         tr("The force is at zero and the session has stopped. Every finished trial is stored "

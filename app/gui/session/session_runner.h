@@ -84,7 +84,7 @@ class SessionRunner final : public QObject {
   void run(const std::stop_token& stop);
   void announce_attempt();
   /// `unbegun`: what helps where nothing has begun.
-  void fail(const std::string& what, AfterFailure unbegun);
+  void fail(const Phrase& what, AfterFailure unbegun);
 
   SoundMaker make_sound_{};
   SessionOrder order_{};

@@ -7,6 +7,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/outcome_words.h"
+#include "app/gui/look/words.h"
 #include "app/gui/session/fault_panel.h"
 #include "app/gui/session/session_clock.h"
 
@@ -80,7 +81,7 @@ void SessionTroubles::look_again() {
 
 QString SessionTroubles::fault_text() const {
   const SessionSnapshot& s = shown_;
-  const QString what = s.trouble ? veiled(QString::fromStdString(s.trouble->what)) : QString();
+  const QString what = s.trouble ? veiled(words_of(s.trouble->what)) : QString();
   if (!stopped_at_.isEmpty() || s.fault == Fault::emergency_stop) {
     const QString when = stopped_at_.isEmpty() ? clock_text(s.phase_began_ns) : stopped_at_;
     if (!stop_is_confirmed_) {
@@ -135,8 +136,8 @@ void SessionTroubles::write() {
   if (same && !(ended_ && trouble_->isVisible())) return;
   trouble_shown_ = s.trouble;
   if (!s.trouble || ended_ || clearing_) return trouble_->hide();
-  const QString what = tr("%1  %2").arg(clock_text(s.trouble->time_ns),
-                                        veiled(QString::fromStdString(s.trouble->what)));
+  const QString what =
+      tr("%1  %2").arg(clock_text(s.trouble->time_ns), veiled(words_of(s.trouble->what)));
   switch (s.trouble->remedy) {
     case SessionTrouble::Remedy::none:
     case SessionTrouble::Remedy::try_again:

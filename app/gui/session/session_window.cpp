@@ -13,6 +13,8 @@
 #include <QtWidgets/QStackedWidget>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/outcome_words.h"
+#include "app/gui/look/words.h"
 #include "app/gui/session/answers_panel.h"
 #include "app/gui/session/end_summary.h"
 #include "app/gui/session/health_line.h"
@@ -451,9 +453,9 @@ void SessionWindow::write_end() {
       facts_ != nullptr && !outcome.is_complete && !(end_ && end_->as_the_protocol_says);
   QString why{};
   if (end_ && !end_->reason.empty()) {
-    why = QString::fromStdString(end_->reason);
+    why = OutcomeWords::of_reason(end_->reason);
   } else if (shown_.trouble && !failed_) {  // a failure is said by its banner
-    why = QString::fromStdString(shown_.trouble->what);
+    why = words_of(shown_.trouble->what);
   }
   if (!why.isEmpty()) outcome.why = tr("What ended it: %1").arg(troubles_->veiled(why));
   summary_->show_end(shown_, facts_ == nullptr ? SessionRow{} : facts_->row, outcome);

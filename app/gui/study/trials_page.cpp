@@ -43,19 +43,19 @@ QStandardItem* seconds_cell(const std::optional<double>& time_s) {
 
 QString text_of_outcome(const TrialOverview& trial) {
   if (!trial.attempt) return TrialsPage::tr("to come");
-  return OutcomeWords::of(trial.attempt->outcome,
-                          trial.attempt->invalid_reason.value_or(""));
+  return OutcomeWords::of(trial.attempt->outcome, trial.attempt->invalid_reason.value_or(""));
 }
 
 /// What is to be said of the attempt beside its outcome.
 QString text_of_remarks(const AttemptRow& attempt) {
   QStringList remarks{};
   if (!attempt.valid) {
-    remarks.append(TrialsPage::tr("not valid: %1").arg(
-        OutcomeWords::of_reason(attempt.invalid_reason.value_or("–"))));
+    remarks.append(TrialsPage::tr("not valid: %1")
+                       .arg(OutcomeWords::of_reason(attempt.invalid_reason.value_or("–"))));
   }
   if (attempt.flagged) {
-    remarks.append(TrialsPage::tr("flagged: %1").arg(text(attempt.flag_reason.value_or("–"))));
+    remarks.append(TrialsPage::tr("flagged: %1")
+                       .arg(OutcomeWords::of_reason(attempt.flag_reason.value_or("–"))));
   }
   if (attempt.excluded) {
     remarks.append(TrialsPage::tr("excluded: %1").arg(text(*attempt.excluded)));

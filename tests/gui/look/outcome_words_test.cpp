@@ -19,6 +19,8 @@ constexpr std::array kFaults{Fault::emergency_stop, Fault::device_lost, Fault::n
 
 TEST(OutcomeWords, CallAnEmergencyStopByItsName) {
   EXPECT_EQ(OutcomeWords::of(AttemptOutcome::device_fault, "emergency_stop"), "emergency stop");
+  EXPECT_EQ(OutcomeWords::of(AttemptOutcome::device_fault, "the emergency stop was pressed"),
+            "emergency stop");
   EXPECT_EQ(OutcomeWords::of(AttemptOutcome::device_fault, "device_lost"), "device fault");
   EXPECT_EQ(OutcomeWords::of(AttemptOutcome::device_fault, ""), "device fault");
 }

@@ -333,7 +333,8 @@ void SessionRoom::press_start() {
   require(has_begun(), child<QWidget>(page, "start_reason").toolTip().toStdString());
   wait_for("the session", [&] { return monitor().facts() != nullptr || !desk->is_running(); });
   const std::optional<SessionTrouble> trouble = monitor().snapshot().trouble;
-  require(monitor().facts() != nullptr, trouble ? trouble->what : "the session did not begin");
+  require(monitor().facts() != nullptr,
+          trouble ? trouble->what.english() : "the session did not begin");
 }
 
 void SessionRoom::choose(Qt::Key option) {

@@ -1,0 +1,60 @@
+// Why an attempt does not count or is flagged, and why a session ended: as stored, and as said.
+
+#pragma once
+
+#include <string>
+
+#include "app/phrase.h"
+#include "renderers/servo_loop.h"
+
+namespace asperity {
+
+/// The program's own reasons. In the store they stand in English, several of them with "; " between;
+/// `read_reason` finds them there again.
+enum class Reason {
+  // of the end of a session
+  as_asked,
+  as_asked_after_trial,
+  as_asked_after_block,
+  stopped_as_asked,
+  terminal_closed,
+  window_closed,
+  session_window_closed,
+  stopped_in_trial,        ///< the emergency stop was pressed; which trial
+  stopped_between_trials,  ///< the emergency stop was pressed
+  failed_in_trial,         ///< the device; which trial, why
+  failed_between_trials,   ///< the device; why
+  every_trial_stored,
+  failed_repeatedly,  ///< a trial; which, how many times, why
+  criterion_not_met,  ///< of which block
+  // of either
+  aborted,
+  emergency_stop,
+  noise_stopped,
+  // of an attempt
+  missed_deadlines,       ///< how many, how many are allowed
+  lost_records,           ///< how many, how many are allowed
+  force_limited,          ///< in how many ticks
+  not_explored_as_asked,  ///< what failed: measures of surfaces with ", " between
+  not_touched,            ///< which surface
+  set_aside,              ///< why
+  // of a device: what is wrong with it
+  not_ready,  ///< what it does or does not
+  does_not_tick,
+  does_not_answer,
+  sends_force,
+};
+Phrase phrase_of(Reason reason);
+/// "the device does not answer", for people; stored is its name.
+Phrase phrase_of(Fault fault);
+
+/// "normal_force_N of surface 2", for what was not explored as asked; quantities as ComplianceRow
+/// names them.
+Phrase failed_measure(const std::string& quantity, int surface);
+
+/// What stands in the store, or is to stand there, as it can be said in other languages; names of
+/// faults and quantities in words. What is no reason of the program's (somebody typed it) stays as
+/// it is.
+Phrase read_reason(const std::string& stored);
+
+}  // namespace asperity
