@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <set>
-#include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
 #include "analysis/random.h"
+#include "app/phrase.h"
 #include "protocols/protocol_reader.h"
 #include "results_schema/sha256.h"
 
@@ -84,20 +84,22 @@ std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
     if (file.kind == NamedFile::Kind::height_field) paths.insert(file.path + ".json");
   }
   std::vector<StimulusFileRow> rows{};
-  std::string missing{};
+  Phrase missing{};
   for (const std::string& path : paths) {
     const std::filesystem::path full = study_folder / path;
     std::error_code error{};
     const auto bytes = std::filesystem::file_size(full, error);
     if (error) {
-      missing += (missing.empty() ? "" : "\n") + std::string("the protocol \"") + protocol.name +
-                 "\" names the file " + path + ", which is not in the study " +
-                 study_folder.string();
+      const Phrase one =
+          phrase("SessionSetup",
+                 "the protocol \"%1\" names the file %2, which is not in the study %3")
+              .with(protocol.name, path, study_folder.string());
+      missing = missing.empty() ? one : Phrase("%1\n%2").with(missing, one);
       continue;
     }
     rows.push_back({path, sha256_of_file(full), static_cast<std::int64_t>(bytes)});
   }
-  if (!missing.empty()) throw std::runtime_error(missing);
+  if (!missing.empty()) throw PhrasedError(missing);
   return rows;
 }
 
@@ -157,21 +159,24 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
   for (std::size_t i = 0; same && i < stored.size(); ++i) {
     same = stored[i].plan_json == made[i].plan_json && stored[i].block == made[i].block;
   }
-  const std::string which =
-      "session " + std::to_string(row.session) + " of participant " + row.participant;
+  const std::string number = std::to_string(row.session);
   if (!same) {
-    throw std::runtime_error(which +
-                             " cannot go on: this program makes another plan of its protocol than "
-                             "the one it began with (it was begun by asperity " +
-                             row.program_version + ", commit " + row.program_commit + ")");
+    throw PhrasedError(
+        phrase("SessionSetup",
+               "session %1 of participant %2 cannot go on: this program makes another plan of its "
+               "protocol than the one it began with (it was begun by asperity %3, commit %4)")
+            .with(number, row.participant, row.program_version, row.program_commit));
   }
   const std::vector<StimulusFileRow> files = hash_files(protocol, study.folder());
   for (const StimulusFileRow& before : row.files) {
     const auto now = std::find_if(files.begin(), files.end(),
                                   [&before](const auto& file) { return file.path == before.path; });
     if (now == files.end() || now->sha256 != before.sha256) {
-      throw std::runtime_error(which + " cannot go on: the file " + before.path +
-                               " has changed since it began; put the old one back");
+      throw PhrasedError(
+          phrase("SessionSetup",
+                 "session %1 of participant %2 cannot go on: the file %3 has changed since it "
+                 "began; put the old one back")
+              .with(number, row.participant, before.path));
     }
   }
   session.attempts = study.attempts(row.id);
@@ -206,9 +211,11 @@ SessionRow find_unfinished(const Study& study, const Protocol& protocol,
                            const std::string& participant, std::optional<std::int64_t> id) {
   const std::optional<SessionRow> found = unfinished_row(study, protocol, participant, id);
   if (!found) {
-    throw std::runtime_error("participant " + participant +
-                             " has no unfinished session of the protocol \"" + protocol.name +
-                             "\" as it is in this file; leave out --resume to begin one");
+    throw PhrasedError(
+        phrase("SessionSetup",
+               "participant %1 has no unfinished session of the protocol \"%2\" as it is in this "
+               "file; leave out --resume to begin one")
+            .with(participant, protocol.name));
   }
   return *found;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/parameter_json.h"
+#include "app/phrase.h"
 #include "renderers/offline/force_matching.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
@@ -98,8 +99,10 @@ PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentatio
   PreparedStimulus prepared{};
   prepared.model = models_.find(description.model);
   if (prepared.model == nullptr) {
-    throw std::runtime_error("the stimulus \"" + description.name + "\" wants the force model \"" +
-                             description.model + "\", which this program does not have");
+    throw PhrasedError(
+        phrase("SessionSetup",
+               "the stimulus \"%1\" wants the force model \"%2\", which this program does not have")
+            .with(description.name, description.model));
   }
   RendererInputs& inputs = prepared.inputs;
   inputs.material = description.material;
@@ -122,8 +125,10 @@ void StimulusBuilder::match(PreparedStimulus& prepared, const EqualForce& reques
   if (!request.rms_N) {
     reference = models_.find(request.to_model);
     if (reference == nullptr) {
-      throw std::runtime_error("equal force is asked for with the model \"" + request.to_model +
-                               "\", which this program does not have");
+      throw PhrasedError(phrase("SessionSetup",
+                                "equal force is asked for with the model \"%1\", which this "
+                                "program does not have")
+                             .with(request.to_model));
     }
     reference_inputs.parameters = parameters_for(*reference, prepared, {});
   }

@@ -6,10 +6,10 @@
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <thread>
 #include <utility>
 
+#include "app/conductor/reason.h"
 #include "app/conductor/virtual_participant.h"
 #include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
@@ -31,9 +31,11 @@ Wait sleep_until_stopped(const std::stop_token& stop, const SessionLinks& links)
       std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, kSlice_s)));
       left_s -= kSlice_s;
       if (links.requests != nullptr) {
-        if (const auto reason = links.requests->take_abort()) throw RespondentGone(*reason);
+        if (const auto reason = links.requests->take_abort()) {
+          throw RespondentGone(read_reason(*reason));
+        }
       }
-      if (stop.stop_requested()) throw RespondentGone("stopped as asked");
+      if (stop.stop_requested()) throw RespondentGone(phrase_of(Reason::stopped_as_asked));
     } while (left_s > 0.0);
   };
 }
@@ -47,7 +49,8 @@ void ask_consent(const Protocol& protocol, Respondent& respondent, SessionMonito
                           .options = {"yes", "no"}};
   if (monitor != nullptr) monitor->show(scene_of_form(question));
   if (respondent.answer(question, wait) != "yes") {
-    throw std::runtime_error("the participant did not agree to take part; nothing was stored");
+    throw PhrasedError(
+        phrase("RunSession", "the participant did not agree to take part; nothing was stored"));
   }
 }
 
@@ -74,8 +77,9 @@ ParticipantRow new_person(const RunInputs& inputs, const Protocol& protocol, Res
   }
   ParticipantRow person = *inputs.new_person;
   if (person.label != inputs.participant || person.is_virtual) {
-    throw std::runtime_error("the new person \"" + person.label +
-                             "\" is not the participant of the session, " + inputs.participant);
+    throw PhrasedError(
+        phrase("RunSession", "the new person \"%1\" is not the participant of the session, %2")
+            .with(person.label, inputs.participant));
   }
   if (person.created_utc.empty()) person.created_utc = clock.utc();
   return person;
@@ -111,10 +115,15 @@ SessionRow unfinished_session(const Study& study, const RunInputs& inputs,
       find_unfinished(study, protocol, inputs.participant, inputs.resumed_session);
   const bool was_stepped = row.pacing == "stepped";
   if (was_stepped != (inputs.pacing == RunPacing::stepped)) {
-    throw std::runtime_error("session " + std::to_string(row.session) + " of participant " +
-                             inputs.participant +
-                             (was_stepped ? " runs on a simulated clock; go on without --realtime"
-                                          : " was begun in real time; go on with --realtime"));
+    throw PhrasedError(
+        (was_stepped
+             ? phrase("RunSession",
+                      "session %1 of participant %2 runs on a simulated clock; go on without "
+                      "--realtime")
+             : phrase("RunSession",
+                      "session %1 of participant %2 was begun in real time; go on with "
+                      "--realtime"))
+            .with(std::to_string(row.session), inputs.participant));
   }
   return row;
 }
@@ -128,17 +137,20 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
       continue;
     }
     if (row.state != SessionState::completed && !has_ended_by_rule(study, protocol, row)) {
-      throw std::runtime_error("participant " + inputs.participant + " has an unfinished session " +
-                               std::to_string(row.session) +
-                               " of this protocol; go on with it by --resume");
+      throw PhrasedError(
+          phrase("RunSession",
+                 "participant %1 has an unfinished session %2 of this protocol; go on with it by "
+                 "--resume")
+              .with(inputs.participant, std::to_string(row.session)));
     }
     ++completed;
   }
   if (inputs.mode == SessionMode::run && completed >= protocol.sessions) {
-    throw std::runtime_error("participant " + inputs.participant +
-                             " has done all sessions of this "
-                             "protocol, which plans " +
-                             std::to_string(protocol.sessions) + " per participant");
+    throw PhrasedError(
+        phrase("RunSession",
+               "participant %1 has done all sessions of this protocol, which plans %2 per "
+               "participant")
+            .with(inputs.participant, std::to_string(protocol.sessions)));
   }
 }
 
@@ -158,9 +170,12 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   const StudyLock lock(inputs.study, Study::session_lock_name(inputs.participant));
   const std::optional<ParticipantRow> known = study.participant(inputs.participant);
   if (known && known->is_virtual != inputs.is_virtual) {
-    throw std::runtime_error("participant " + inputs.participant + " is a " +
-                             (known->is_virtual ? "virtual participant; use --virtual"
-                                                : "person; --virtual is for virtual participants"));
+    throw PhrasedError(
+        (known->is_virtual
+             ? phrase("RunSession", "participant %1 is a virtual participant; use --virtual")
+             : phrase("RunSession",
+                      "participant %1 is a person; --virtual is for virtual participants"))
+            .with(inputs.participant));
   }
   Sitting sitting{};
   sitting.mode = inputs.is_virtual ? SessionMode::simulate : inputs.mode;

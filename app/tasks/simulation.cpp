@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/conductor/virtual_participant.h"
+#include "app/phrase.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
 
@@ -205,9 +206,10 @@ SimulationResult Simulation::run() {
   }
   if (failure_) std::rethrow_exception(failure_);
   if (stop_.stop_requested()) {
-    throw std::runtime_error(
+    throw PhrasedError(phrase(
+        "Simulation",
         "stopped as asked; every finished trial is stored, go on with the same arguments and "
-        "--resume");
+        "--resume"));
   }
   result_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return result_;
@@ -274,9 +276,10 @@ void Simulation::hold(Study& study, const ParticipantRow& person, const Protocol
       sit(study, protocol, builder_, program_, sitting, rig, nullptr, stop_, done_);
   if (end.state != SessionState::completed && !end.as_the_protocol_says &&
       !stop_.stop_requested()) {
-    throw std::runtime_error("the session of " + person.label + " with \"" + protocol.name +
-                             "\" stopped: " + end.reason +
-                             "; every finished trial is stored, go on with --resume");
+    throw PhrasedError(phrase("Simulation",
+                              "the session of %1 with \"%2\" stopped: %3; every finished trial is "
+                              "stored, go on with --resume")
+                           .with(person.label, protocol.name, end.reason));
   }
   const std::lock_guard result_lock(mutex_);
   ++result_.sessions;
