@@ -188,6 +188,29 @@
     </message>
 </context>
 <context>
+    <name>ParticipantAnswers</name>
+    <message>
+        <source>&quot;%1&quot; is not answered.</source>
+        <translation>„%1“ ist nicht beantwortet.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of the answers to &quot;%2&quot;.</source>
+        <translation>„%1“ ist keine der Antworten auf „%2“.</translation>
+    </message>
+    <message>
+        <source>The answer to &quot;%1&quot; has to be a number.</source>
+        <translation>Die Antwort auf „%1“ muss eine Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The answer to &quot;%1&quot; has to be %2 or more.</source>
+        <translation>Die Antwort auf „%1“ muss %2 oder mehr sein.</translation>
+    </message>
+    <message>
+        <source>The answer to &quot;%1&quot; has to be %2 or less.</source>
+        <translation>Die Antwort auf „%1“ muss %2 oder weniger sein.</translation>
+    </message>
+</context>
+<context>
     <name>ParticipantLayout</name>
     <message>
         <source>From %1 to %2</source>
@@ -338,6 +361,565 @@
     <message>
         <source>Please choose one of the answers.</source>
         <translation>Bitte wählen Sie eine der Antworten.</translation>
+    </message>
+</context>
+<context>
+    <name>ProtocolFiles</name>
+    <message>
+        <source>the protocol&apos;s force_limit_N of %1 N is more than the device &quot;%2&quot; can give, %3 N</source>
+        <translation>die force_limit_N des Protokolls von %1 N ist mehr, als das Gerät „%2“ leisten kann, %3 N</translation>
+    </message>
+    <message>
+        <source>the protocol&apos;s rate_Hz of %1 Hz is more than the device &quot;%2&quot; can do, %3 Hz</source>
+        <translation>die rate_Hz des Protokolls von %1 Hz ist mehr, als das Gerät „%2“ schafft, %3 Hz</translation>
+    </message>
+    <message>
+        <source>the participant label &quot;%1&quot; is not acceptable for a person: labels that begin with &quot;virtual&quot; are those of virtual participants</source>
+        <translation>das Kürzel „%1“ ist für einen Menschen nicht zulässig: Mit „virtual“ beginnen die Kürzel virtueller Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>the participant label &quot;%1&quot; is not acceptable: it has to be 1 to 32 letters and digits (0-9, A-Z, a-z)</source>
+        <translation>das Kürzel „%1“ ist nicht zulässig: Erlaubt sind 1 bis 32 Buchstaben und Ziffern (0-9, A-Z, a-z)</translation>
+    </message>
+</context>
+<context>
+    <name>Reasons</name>
+    <message>
+        <source>as asked</source>
+        <translation>wie gewünscht</translation>
+    </message>
+    <message>
+        <source>as asked, after the trial</source>
+        <translation>wie gewünscht, nach dem Durchgang</translation>
+    </message>
+    <message>
+        <source>as asked, after the block</source>
+        <translation>wie gewünscht, nach dem Block</translation>
+    </message>
+    <message>
+        <source>stopped as asked</source>
+        <translation>wie gewünscht gestoppt</translation>
+    </message>
+    <message>
+        <source>the terminal was closed</source>
+        <translation>das Terminal wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>the window was closed</source>
+        <translation>das Fenster wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>the session window was closed</source>
+        <translation>das Sitzungsfenster wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>the emergency stop was pressed in trial %1</source>
+        <translation>der NOT-HALT wurde in Durchgang %1 gedrückt</translation>
+    </message>
+    <message>
+        <source>the emergency stop was pressed between trials</source>
+        <translation>der NOT-HALT wurde zwischen zwei Durchgängen gedrückt</translation>
+    </message>
+    <message>
+        <source>the device failed in trial %1: %2</source>
+        <translation>das Gerät ist in Durchgang %1 ausgefallen: %2</translation>
+    </message>
+    <message>
+        <source>the device failed between trials: %1</source>
+        <translation>das Gerät ist zwischen zwei Durchgängen ausgefallen: %1</translation>
+    </message>
+    <message>
+        <source>every finished trial is stored, go on with --resume</source>
+        <translation>jeder abgeschlossene Durchgang ist gespeichert, die Sitzung kann fortgesetzt werden</translation>
+    </message>
+    <message>
+        <source>trial %1 failed %2 times in a row (%3)</source>
+        <translation>Durchgang %1 ist %2-mal hintereinander misslungen (%3)</translation>
+    </message>
+    <message>
+        <source>the criterion of the block &quot;%1&quot; was not met</source>
+        <translation>das Kriterium des Blocks „%1“ wurde nicht erreicht</translation>
+    </message>
+    <message>
+        <source>aborted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>the masking noise stopped</source>
+        <translation>das Maskierrauschen ist verstummt</translation>
+    </message>
+    <message>
+        <source>%1 missed deadlines, at most %2 allowed</source>
+        <translation>verpasste Fristen: %1, erlaubt höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1 lost records, at most %2 allowed</source>
+        <translation>verlorene Datensätze: %1, erlaubt höchstens %2</translation>
+    </message>
+    <message>
+        <source>force limited in %1 ticks</source>
+        <translation>Kraft begrenzt, Takte: %1</translation>
+    </message>
+    <message>
+        <source>not explored as asked: %1</source>
+        <translation>nicht wie verlangt erkundet: %1</translation>
+    </message>
+    <message>
+        <source>surface %1 was not touched</source>
+        <translation>Oberfläche %1 wurde nicht berührt</translation>
+    </message>
+    <message>
+        <source>set aside: %1</source>
+        <translation>zurückgestellt: %1</translation>
+    </message>
+    <message>
+        <source>the device is not ready: %1</source>
+        <translation>das Gerät ist nicht bereit: %1</translation>
+    </message>
+    <message>
+        <source>it does not tick</source>
+        <translation>es taktet nicht</translation>
+    </message>
+    <message>
+        <source>it does not answer</source>
+        <translation>es antwortet nicht</translation>
+    </message>
+    <message>
+        <source>it is sent a force although there is no surface</source>
+        <translation>es wird eine Kraft gestellt, obwohl keine Oberfläche da ist</translation>
+    </message>
+    <message>
+        <source>%1 of surface %2</source>
+        <translation>%1 bei Oberfläche %2</translation>
+    </message>
+    <message>
+        <source>normal force</source>
+        <translation>Normalkraft</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>time in contact</source>
+        <translation>Kontaktdauer</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>Anzahl der Striche</translation>
+    </message>
+    <message>
+        <source>stroke length</source>
+        <translation>Strichlänge</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>NOT-HALT</translation>
+    </message>
+    <message>
+        <source>the device does not answer</source>
+        <translation>das Gerät antwortet nicht</translation>
+    </message>
+    <message>
+        <source>a force or position that is not a finite number</source>
+        <translation>eine Kraft oder Position, die keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>the probe left the workspace</source>
+        <translation>der Taster hat den Arbeitsraum verlassen</translation>
+    </message>
+    <message>
+        <source>too many missed deadlines</source>
+        <translation>zu viele verpasste Fristen</translation>
+    </message>
+    <message>
+        <source>the emergency stop was pressed</source>
+        <translation>der NOT-HALT wurde gedrückt</translation>
+    </message>
+</context>
+<context>
+    <name>RunSession</name>
+    <message>
+        <source>the participant did not agree to take part; nothing was stored</source>
+        <translation>die Versuchsperson hat der Teilnahme nicht zugestimmt; nichts wurde gespeichert</translation>
+    </message>
+    <message>
+        <source>the new person &quot;%1&quot; is not the participant of the session, %2</source>
+        <translation>die neue Person „%1“ ist nicht die Versuchsperson der Sitzung, %2</translation>
+    </message>
+    <message>
+        <source>session %1 of participant %2 runs on a simulated clock; go on without --realtime</source>
+        <translation>Sitzung %1 der Versuchsperson %2 läuft auf einer simulierten Uhr; sie geht nur als schnelle Simulation weiter</translation>
+    </message>
+    <message>
+        <source>session %1 of participant %2 was begun in real time; go on with --realtime</source>
+        <translation>Sitzung %1 der Versuchsperson %2 wurde in Echtzeit begonnen; sie geht nur in Echtzeit weiter</translation>
+    </message>
+    <message>
+        <source>participant %1 has an unfinished session %2 of this protocol; go on with it by --resume</source>
+        <translation>die Versuchsperson %1 hat von diesem Protokoll die unvollständige Sitzung %2; zuerst diese fortsetzen</translation>
+    </message>
+    <message>
+        <source>participant %1 has done all sessions of this protocol, which plans %2 per participant</source>
+        <translation>die Versuchsperson %1 hat alle Sitzungen dieses Protokolls absolviert, das %2 je Versuchsperson vorsieht</translation>
+    </message>
+    <message>
+        <source>participant %1 is a virtual participant; use --virtual</source>
+        <translation>%1 ist eine virtuelle Versuchsperson; nur eine Simulation ist möglich</translation>
+    </message>
+    <message>
+        <source>participant %1 is a person; --virtual is for virtual participants</source>
+        <translation>%1 ist ein Mensch; Simulationen sind virtuellen Versuchspersonen vorbehalten</translation>
+    </message>
+</context>
+<context>
+    <name>SessionChecks</name>
+    <message>
+        <source>The file has changed since it was chosen: it was %1 and is %2 now.</source>
+        <translation>Die Datei hat sich seit der Auswahl geändert: Sie war %1 und ist jetzt %2.</translation>
+    </message>
+    <message>
+        <source>Choose the protocol again to read the new version, or put the old file back.</source>
+        <translation>Das Protokoll erneut wählen, um die neue Fassung zu lesen, oder die alte Datei zurücklegen.</translation>
+    </message>
+    <message>
+        <source>Valid, version %1, SHA-256 %2.</source>
+        <translation>Gültig, Version %1, SHA-256 %2.</translation>
+    </message>
+    <message>
+        <source>process %1 on host %2, started %3</source>
+        <translation>Prozess %1 auf dem Rechner %2, gestartet %3</translation>
+    </message>
+    <message>
+        <source>Nobody is chosen yet.</source>
+        <translation>Noch niemand gewählt.</translation>
+    </message>
+    <message>
+        <source>Choose a participant, or enter a new label.</source>
+        <translation>Eine Versuchsperson wählen oder ein neues Kürzel eingeben.</translation>
+    </message>
+    <message>
+        <source>Enter another label.</source>
+        <translation>Ein anderes Kürzel eingeben.</translation>
+    </message>
+    <message>
+        <source>A session of %1 runs in %2.</source>
+        <translation>Eine Sitzung von %1 läuft bereits: %2.</translation>
+    </message>
+    <message>
+        <source>Wait until it has ended, or stop it there.</source>
+        <translation>Warten, bis sie beendet ist, oder sie dort stoppen.</translation>
+    </message>
+    <message>
+        <source>%1 is a virtual participant.</source>
+        <translation>%1 ist eine virtuelle Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>%1 is a person.</source>
+        <translation>%1 ist ein Mensch.</translation>
+    </message>
+    <message>
+        <source>Choose a person, or switch to Simulate.</source>
+        <translation>Einen Menschen wählen oder zur Simulation wechseln.</translation>
+    </message>
+    <message>
+        <source>Leave the label to the program, or switch to Run or Pilot.</source>
+        <translation>Das Kürzel dem Programm überlassen oder zu Erhebung oder Pilot wechseln.</translation>
+    </message>
+    <message>
+        <source>%1 has no unfinished session of this protocol as it is now.</source>
+        <translation>%1 hat keine unvollständige Sitzung dieses Protokolls in seiner jetzigen Fassung.</translation>
+    </message>
+    <message>
+        <source>Start a new session instead.</source>
+        <translation>Stattdessen eine neue Sitzung beginnen.</translation>
+    </message>
+    <message>
+        <source>Session %1 is free and can go on.</source>
+        <translation>Sitzung %1 ist frei und kann weitergehen.</translation>
+    </message>
+    <message>
+        <source>Session %1 of this protocol is unfinished.</source>
+        <translation>Sitzung %1 dieses Protokolls ist unvollständig.</translation>
+    </message>
+    <message>
+        <source>Go on with it; a new one can begin when it is complete.</source>
+        <translation>Diese fortsetzen; eine neue kann beginnen, sobald sie vollständig ist.</translation>
+    </message>
+    <message>
+        <source>%1 has done %2 of %3 planned sessions.</source>
+        <translation>%1 hat %2 von %3 geplanten Sitzungen absolviert.</translation>
+    </message>
+    <message>
+        <source>Choose somebody else.</source>
+        <translation>Jemand anderen wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is known to the study; no session of theirs runs elsewhere.</source>
+        <translation>%1 ist der Studie bekannt; keine Sitzung läuft anderswo.</translation>
+    </message>
+    <message>
+        <source>%1 is new; no session of theirs runs elsewhere.</source>
+        <translation>%1 ist neu; keine Sitzung läuft anderswo.</translation>
+    </message>
+    <message>
+        <source>On a local disk, and can be written.</source>
+        <translation>Auf einem lokalen Datenträger und beschreibbar.</translation>
+    </message>
+    <message>
+        <source>Move the study to a folder on a local disk that you may write to.</source>
+        <translation>Die Studie in einen beschreibbaren Ordner auf einem lokalen Datenträger verschieben.</translation>
+    </message>
+    <message>
+        <source>The protocol names no files.</source>
+        <translation>Das Protokoll nennt keine Dateien.</translation>
+    </message>
+    <message>
+        <source>1 file, the same as when the session began.</source>
+        <translation>1 Datei, dieselbe wie zu Beginn der Sitzung.</translation>
+    </message>
+    <message>
+        <source>1 file, all there and unchanged since they were made.</source>
+        <translation>1 Datei, vorhanden und unverändert.</translation>
+    </message>
+    <message>
+        <source>%1 files, the same as when the session began.</source>
+        <translation>%1 Dateien, dieselben wie zu Beginn der Sitzung.</translation>
+    </message>
+    <message>
+        <source>%1 files, all there and unchanged since they were made.</source>
+        <translation>%1 Dateien, alle vorhanden und unverändert.</translation>
+    </message>
+    <message>
+        <source>Put the files into the study as they were made, or make them again.</source>
+        <translation>Die Dateien unverändert in die Studie legen oder neu erzeugen.</translation>
+    </message>
+    <message>
+        <source>The file %1 has changed since session %2 began.</source>
+        <translation>Die Datei %1 hat sich seit Beginn der Sitzung %2 geändert.</translation>
+    </message>
+    <message>
+        <source>Put the old file back; this session cannot go on with another one.</source>
+        <translation>Die alte Datei zurücklegen; mit einer anderen kann diese Sitzung nicht weitergehen.</translation>
+    </message>
+    <message>
+        <source>Choose another device, or ask for less in the protocol.</source>
+        <translation>Ein anderes Gerät wählen oder im Protokoll weniger verlangen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.</source>
+        <translation>„%1“ leistet %2 N bei bis zu %3 Hz; das Protokoll verlangt %4 N bei %5 Hz.</translation>
+    </message>
+    <message>
+        <source>%1 It is simulated: nobody&apos;s hand feels anything.</source>
+        <translation>%1 Es ist simuliert: Keine Hand fühlt etwas.</translation>
+    </message>
+    <message>
+        <source>For real data choose a device; to try the session out choose Pilot or Simulate.</source>
+        <translation>Für echte Daten ein Gerät wählen; zum Ausprobieren Pilot oder Simulation wählen.</translation>
+    </message>
+    <message>
+        <source>Not needed: nothing is held in a fast simulation.</source>
+        <translation>Nicht nötig: In einer schnellen Simulation wird nichts gehalten.</translation>
+    </message>
+    <message>
+        <source>Not needed: a fast simulation has a clock of its own.</source>
+        <translation>Nicht nötig: Eine schnelle Simulation hat ihre eigene Uhr.</translation>
+    </message>
+    <message>
+        <source>The device reported a fault: %1.</source>
+        <translation>Das Gerät meldet eine Störung: %1.</translation>
+    </message>
+    <message>
+        <source>See to the device, then check again.</source>
+        <translation>Nach dem Gerät sehen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>A force of %1 N was sent with nothing to feel.</source>
+        <translation>Eine Kraft von %1 N wurde gestellt, obwohl nichts zu fühlen war.</translation>
+    </message>
+    <message>
+        <source>Let go of the handle, switch the device off and on, then check again.</source>
+        <translation>Den Griff loslassen, das Gerät aus- und einschalten, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Exactly 0 N in %1 ticks.</source>
+        <translation>Genau 0 N in %1 Takten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 Hz; period p99 %3, lateness p99 %4, %5 missed.</source>
+        <translation>%1 von %2 Hz; Periode p99 %3, Verspätung p99 %4, verpasste Fristen: %5.</translation>
+    </message>
+    <message>
+        <source>This machine is too slow or too busy: close other programs, then check again.</source>
+        <translation>Dieser Rechner ist zu langsam oder zu beschäftigt: andere Programme schließen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Close other programs; a trial with more than %1 missed deadlines does not count.</source>
+        <translation>Andere Programme schließen; ein Durchgang mit mehr als %1 verpassten Fristen zählt nicht.</translation>
+    </message>
+    <message>
+        <source>Not needed: nobody looks at the participant&apos;s window.</source>
+        <translation>Nicht nötig: Niemand sieht das Fenster der Versuchsperson.</translation>
+    </message>
+    <message>
+        <source>%1 screens: one for each window.</source>
+        <translation>%1 Bildschirme: einer für jedes Fenster.</translation>
+    </message>
+    <message>
+        <source>One screen: the two windows stand side by side, and the participant can see both.</source>
+        <translation>Ein Bildschirm: Beide Fenster stehen nebeneinander, und die Versuchsperson kann beide sehen.</translation>
+    </message>
+    <message>
+        <source>Connect a second screen for the participant.</source>
+        <translation>Einen zweiten Bildschirm für die Versuchsperson anschließen.</translation>
+    </message>
+    <message>
+        <source>The protocol asks for none.</source>
+        <translation>Das Protokoll verlangt keines.</translation>
+    </message>
+    <message>
+        <source>Not needed: nobody listens.</source>
+        <translation>Nicht nötig: Niemand hört zu.</translation>
+    </message>
+    <message>
+        <source>There is no sound output: the noise that the protocol asks for is not heard.</source>
+        <translation>Es gibt keine Tonausgabe: Das vom Protokoll verlangte Rauschen ist nicht zu hören.</translation>
+    </message>
+    <message>
+        <source>Connect headphones, or play the noise from elsewhere and note its level.</source>
+        <translation>Kopfhörer anschließen oder das Rauschen anders abspielen und seinen Pegel notieren.</translation>
+    </message>
+    <message>
+        <source>It is not said who measured the level at the ear.</source>
+        <translation>Es fehlt, wer den Pegel am Ohr gemessen hat.</translation>
+    </message>
+    <message>
+        <source>The level at the ear was not measured.</source>
+        <translation>Der Pegel am Ohr wurde nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Play the noise, measure it at the ear, and enter the level and your name.</source>
+        <translation>Das Rauschen abspielen, am Ohr messen und Pegel und Namen eintragen.</translation>
+    </message>
+    <message>
+        <source>%1 dBA at the ear; the protocol asks for %2 dBA within %3 dBA.</source>
+        <translation>%1 dBA am Ohr; das Protokoll verlangt %2 dBA auf %3 dBA genau.</translation>
+    </message>
+    <message>
+        <source>Change the gain and measure again.</source>
+        <translation>Die Verstärkung ändern und erneut messen.</translation>
+    </message>
+    <message>
+        <source>%1 dBA at the ear, verified by %2.</source>
+        <translation>%1 dBA am Ohr, geprüft von %2.</translation>
+    </message>
+    <message>
+        <source>The free space cannot be told: %1.</source>
+        <translation>Der freie Platz ist nicht festzustellen: %1.</translation>
+    </message>
+    <message>
+        <source>Make sure that the disk has room for the recordings.</source>
+        <translation>Sicherstellen, dass Platz für die Aufzeichnungen ist.</translation>
+    </message>
+    <message>
+        <source>Mend it, then check again.</source>
+        <translation>Beheben, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Study folder</source>
+        <translation>Studienordner</translation>
+    </message>
+    <message>
+        <source>Disk space</source>
+        <translation>Speicherplatz</translation>
+    </message>
+    <message>
+        <source>Stimuli</source>
+        <translation>Reize</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Not needed: the simulated device has none.</source>
+        <translation>Nicht nötig: Das simulierte Gerät hat keine.</translation>
+    </message>
+    <message>
+        <source>Force zero</source>
+        <translation>Kraft null</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Taktrate</translation>
+    </message>
+    <message>
+        <source>Screens</source>
+        <translation>Bildschirme</translation>
+    </message>
+    <message>
+        <source>Masking noise</source>
+        <translation>Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>%1 free; this session takes at most %2.</source>
+        <translation>%1 frei; diese Sitzung braucht höchstens %2.</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk of the study.</source>
+        <translation>Platz auf dem Datenträger der Studie schaffen.</translation>
+    </message>
+    <message>
+        <source>Enough for this session, but hardly for another one: free some space soon.</source>
+        <translation>Reicht für diese Sitzung, aber kaum für eine weitere: bald Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>the protocol %1 has changed since it was checked: it was %2 and is %3 now; choose it again to read and check the new version</source>
+        <translation>das Protokoll %1 hat sich seit der Prüfung geändert: Es war %2 und ist jetzt %3; erneut wählen, um die neue Fassung zu lesen und zu prüfen</translation>
+    </message>
+</context>
+<context>
+    <name>SessionSetup</name>
+    <message>
+        <source>the protocol &quot;%1&quot; names the file %2, which is not in the study %3</source>
+        <translation>das Protokoll „%1“ nennt die Datei %2, die nicht in der Studie %3 liegt</translation>
+    </message>
+    <message>
+        <source>session %1 of participant %2 cannot go on: this program makes another plan of its protocol than the one it began with (it was begun by asperity %3, commit %4)</source>
+        <translation>Sitzung %1 der Versuchsperson %2 kann nicht weitergehen: Dieses Programm macht aus ihrem Protokoll einen anderen Plan als den, mit dem sie begann (begonnen mit asperity %3, Commit %4)</translation>
+    </message>
+    <message>
+        <source>session %1 of participant %2 cannot go on: the file %3 has changed since it began; put the old one back</source>
+        <translation>Sitzung %1 der Versuchsperson %2 kann nicht weitergehen: Die Datei %3 hat sich seit ihrem Beginn geändert; die alte zurücklegen</translation>
+    </message>
+    <message>
+        <source>participant %1 has no unfinished session of the protocol &quot;%2&quot; as it is in this file; leave out --resume to begin one</source>
+        <translation>die Versuchsperson %1 hat keine unvollständige Sitzung des Protokolls „%2“ in der Fassung dieser Datei; eine neue beginnen</translation>
+    </message>
+    <message>
+        <source>the stimulus &quot;%1&quot; wants the force model &quot;%2&quot;, which this program does not have</source>
+        <translation>der Reiz „%1“ verlangt das Kraftmodell „%2“, das dieses Programm nicht hat</translation>
+    </message>
+    <message>
+        <source>equal force is asked for with the model &quot;%1&quot;, which this program does not have</source>
+        <translation>gleiche Kraft ist mit dem Modell „%1“ verlangt, das dieses Programm nicht hat</translation>
     </message>
 </context>
 <context>
@@ -500,6 +1082,17 @@
     </message>
 </context>
 <context>
+    <name>Simulation</name>
+    <message>
+        <source>stopped as asked; every finished trial is stored, go on with the same arguments and --resume</source>
+        <translation>wie gewünscht gestoppt; jeder abgeschlossene Durchgang ist gespeichert, die Simulation kann fortgesetzt werden</translation>
+    </message>
+    <message>
+        <source>the session of %1 with &quot;%2&quot; stopped: %3; every finished trial is stored, go on with --resume</source>
+        <translation>die Sitzung von %1 mit „%2“ ist abgebrochen: %3; jeder abgeschlossene Durchgang ist gespeichert, sie kann fortgesetzt werden</translation>
+    </message>
+</context>
+<context>
     <name>StepWords</name>
     <message>
         <source>Photograph</source>
@@ -548,6 +1141,37 @@
     <message>
         <source>The heights as a surface in light.</source>
         <translation>Die Höhen als Oberfläche im Licht.</translation>
+    </message>
+</context>
+<context>
+    <name>Troubles</name>
+    <message>
+        <source>%1 Every finished trial is stored.</source>
+        <translation>%1 Jeder abgeschlossene Durchgang ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1; the force is zero, and every finished trial is stored</source>
+        <translation>%1; die Kraft ist null, und jeder abgeschlossene Durchgang ist gespeichert</translation>
+    </message>
+    <message>
+        <source>The masking noise has stopped, and the session is paused. Mend the sound, then resume.</source>
+        <translation>Das Maskierrauschen ist verstummt, und die Sitzung ist angehalten. Den Ton in Ordnung bringen, dann fortsetzen.</translation>
+    </message>
+    <message>
+        <source>%1 The force is zero until the fault is cleared.</source>
+        <translation>%1 Die Kraft ist null, bis die Störung behoben ist.</translation>
+    </message>
+    <message>
+        <source>%1 The device is not fit yet: %2.</source>
+        <translation>%1 Das Gerät ist noch nicht in Ordnung: %2.</translation>
+    </message>
+    <message>
+        <source>%1 The force is zero until the stop is cleared.</source>
+        <translation>%1 Die Kraft ist null, bis der Halt aufgehoben ist.</translation>
+    </message>
+    <message>
+        <source>%1 The emergency stop was pressed meanwhile.</source>
+        <translation>%1 Der NOT-HALT wurde inzwischen gedrückt.</translation>
     </message>
 </context>
 <context>
@@ -981,50 +1605,6 @@
     <message>
         <source>Looking at everything: a second or so.</source>
         <translation>Alles wird geprüft: etwa eine Sekunde.</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>Participant</source>
-        <translation>Versuchsperson</translation>
-    </message>
-    <message>
-        <source>Study folder</source>
-        <translation>Studienordner</translation>
-    </message>
-    <message>
-        <source>Disk space</source>
-        <translation>Speicherplatz</translation>
-    </message>
-    <message>
-        <source>Stimuli</source>
-        <translation>Reize</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Force zero</source>
-        <translation>Kraft null</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Taktrate</translation>
-    </message>
-    <message>
-        <source>Screens</source>
-        <translation>Bildschirme</translation>
-    </message>
-    <message>
-        <source>Masking noise</source>
-        <translation>Maskierrauschen</translation>
     </message>
 </context>
 <context>
@@ -2659,10 +3239,6 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Choose</source>
         <translation>Auswählen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not answered.</source>
-        <translation>„%1“ ist nicht beantwortet.</translation>
     </message>
 </context>
 <context>
