@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/gui/study/settings.h"
+
 namespace asperity {
 namespace {
 
@@ -42,6 +44,25 @@ TEST(OutcomeWords, SayFaultsInWordsAndLeaveOtherReasonsAlone) {
   }
   EXPECT_EQ(OutcomeWords::of_reason("3 missed deadlines, at most 0 are allowed"),
             "3 missed deadlines, at most 0 are allowed");
+}
+
+TEST(OutcomeWords, SayReasonsInTheLanguageOfTheWindows) {
+  apply_language("de");
+  for (const char* stored :
+       {"as asked, after the block", "surface 2 was not touched",
+        "3 missed deadlines, at most 0 allowed",
+        "force limited in 12 ticks; not explored as asked: speed_m_per_s of surface 1",
+        "trial 4 failed 3 times in a row (surface 1 was not touched)",
+        "the device failed in trial 4: device_lost"}) {
+    const QString words = OutcomeWords::of_reason(stored);
+    for (const char* english : {"asked", "surface", "missed", "force", "trial", "device"}) {
+      EXPECT_FALSE(words.contains(english)) << words.toStdString();
+    }
+  }
+  EXPECT_EQ(OutcomeWords::of_reason("not explored as asked: contact_s of surface 3"),
+            "nicht wie verlangt erkundet: Kontaktdauer bei Oberfläche 3");
+  EXPECT_EQ(OutcomeWords::of_reason("the fire alarm rang"), "the fire alarm rang");
+  apply_language("en");
 }
 
 }  // namespace

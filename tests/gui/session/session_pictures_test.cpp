@@ -5,7 +5,9 @@
 #include <QtWidgets/QPushButton>
 #include <gtest/gtest.h>
 
+#include "app/conductor/reason.h"
 #include "app/gui/look/theme.h"
+#include "app/gui/session/fault_panel.h"
 #include "app/gui/study/settings.h"
 #include "tests/gui/session/filled_monitor.h"
 #include "tests/gui/support/screenshot.h"
@@ -130,6 +132,32 @@ TEST(SessionPictures, ASessionDoesNotBegin) {
       "not begin and no trial was run. When the cause is mended, start it again.",
       AfterFailure::start_again);
   take_both(window, "session-not-begun");
+}
+
+TEST(SessionPictures, TheEmergencyStopIsPressedInGerman) {
+  apply_language("de");
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.stroke(25.0);
+  const auto window = session.window();
+  window->findChild<QPushButton*>("emergency_stop")->pressed();
+  session.set_phase(SessionPhase::fault);
+  session.monitor.update([](SessionSnapshot& s) {
+    s.fault = Fault::emergency_stop;
+    s.trouble = SessionTrouble{
+        .what = phrase("Troubles", "%1 The force is zero until the stop is cleared.")
+                    .with(phrase_of(Reason::stopped_in_trial).with("17").as_sentence()),
+        .time_ns = s.now_ns,
+        .remedy = SessionTrouble::Remedy::clear_fault};
+  });
+  EXPECT_LE(window->minimumSizeHint().width(), 1366);
+  EXPECT_LE(window->minimumSizeHint().height(), 768);
+  take_both(*window, "german-session-emergency");
+  EXPECT_TRUE(window->findChild<FaultPanel*>()->text().endsWith(
+      "Der NOT-HALT wurde in Durchgang 17 gedrückt. Die Kraft ist null, bis der Halt aufgehoben "
+      "ist."))
+      << window->findChild<FaultPanel*>()->text().toStdString();
+  apply_language("en");
 }
 
 TEST(SessionPictures, AReasonIsAskedWhileTheParticipantAnswers) {
