@@ -10,8 +10,8 @@
 #include <QtWidgets/QProgressBar>
 #include <QtWidgets/QSpinBox>
 
-#include "app/gui/look/words.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/sound/noise_check.h"
 #include "app/gui/sound/sound_output.h"
 #include "app/gui/start/check_list.h"
