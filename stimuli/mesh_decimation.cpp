@@ -96,13 +96,23 @@ class NormalControl final : public Module {
 
   void set_strictness(Strictness strictness) { strictness_ = strictness; }
 
+  /// Of the mesh that it begins with; vertices keep theirs to the end.
+  void set_normals(OpenMesh::VPropHandleT<Vec3d> normals) { normals_ = normals; }
+
   float collapse_priority(const CollapseInfo& collapse) override {
     for (const auto half : mesh().voh_range(collapse.v0)) {
       const auto face = mesh().face_handle(half);
       if (!face.is_valid() || face == collapse.fl || face == collapse.fr) continue;
-      const Vec3d one = mesh().point(mesh().to_vertex_handle(half));
-      const Vec3d other = mesh().point(mesh().to_vertex_handle(mesh().next_halfedge_handle(half)));
-      if (!allowed({collapse.p0, one, other}, {collapse.p1, one, other})) return ILLEGAL_COLLAPSE;
+      const auto one = mesh().to_vertex_handle(half);
+      const auto other = mesh().to_vertex_handle(mesh().next_halfedge_handle(half));
+      const Corners after{collapse.p1, mesh().point(one), mesh().point(other)};
+      if (!allowed({collapse.p0, after[1], after[2]}, after)) return ILLEGAL_COLLAPSE;
+      if (strictness_ == Strictness::flip_only) continue;
+      // Turns add up, collapse by collapse; what a vertex once looked like does not change.
+      const Vec3d front = doubled_area(after);
+      for (const auto vertex : {HalfEdgeMesh::VertexHandle(collapse.v1), one, other}) {
+        if ((front | mesh().property(normals_, vertex)) <= 0.0) return ILLEGAL_COLLAPSE;
+      }
     }
     return LEGAL_COLLAPSE;
   }
@@ -137,6 +147,7 @@ class NormalControl final : public Module {
   }
 
   Strictness strictness_ = Strictness::turn_and_shape;
+  OpenMesh::VPropHandleT<Vec3d> normals_{};
 };
 
 class Watch final : public OpenMesh::Decimater::Observer {
@@ -204,6 +215,18 @@ TriangleMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles, cons
                                   std::to_string(triangle[0]) + "; its repair has not seen it.");
     }
   }
+  OpenMesh::VPropHandleT<Vec3d> normals{};
+  half_edges.add_property(normals);
+  for (const auto vertex : half_edges.vertices()) half_edges.property(normals, vertex) = Vec3d(0.0);
+  for (const auto face : half_edges.faces()) {
+    std::array<Vec3d, 3> corners{};
+    std::size_t next = 0;
+    for (const auto vertex : half_edges.fv_range(face)) corners[next++] = half_edges.point(vertex);
+    const Vec3d doubled_area = (corners[1] - corners[0]) % (corners[2] - corners[0]);
+    for (const auto vertex : half_edges.fv_range(face)) {
+      half_edges.property(normals, vertex) += doubled_area;
+    }
+  }
   Watch watch((mesh.triangles.size() - triangles) / 2, progress);
   for (const Strictness strictness : {Strictness::turn_and_shape, Strictness::flip_only}) {
     if (half_edges.n_faces() <= triangles) break;
@@ -213,6 +236,7 @@ TriangleMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles, cons
     decimater.add(error);
     decimater.add(control);
     decimater.module(control).set_strictness(strictness);
+    decimater.module(control).set_normals(normals);
     decimater.set_observer(&watch);
     decimater.initialize();
     decimater.decimate_to_faces(0, triangles);

@@ -97,6 +97,22 @@ TEST(Decimation, LeavesNothingOfAFinelyDividedBoxButItsCorners) {
   EXPECT_NEAR(volume_m3(simplified), 8.0 * 0.01 * 0.02 * 0.03, 1e-12);
 }
 
+// Seen from the middle of a ball with bumps, every face shows its back, however few are left.
+TEST(Decimation, TurnsNoFaceOver) {
+  const TriangleMesh mesh = bumpy_ball(5, 0.02, 0.0015, 14.0);
+  for (const std::size_t triangles : {2000U, 500U, 100U}) {
+    const TriangleMesh simplified = decimate_mesh(mesh, triangles, "thing");
+    std::size_t turned = 0;
+    for (const auto& [a, b, c] : simplified.triangles) {
+      const glm::dvec3& corner_m = simplified.vertices_m[a];
+      const glm::dvec3 front = glm::cross(simplified.vertices_m[b] - corner_m,
+                                          simplified.vertices_m[c] - corner_m);
+      if (glm::dot(front, corner_m) <= 0.0) ++turned;
+    }
+    EXPECT_EQ(turned, 0U) << "of " << triangles;
+  }
+}
+
 TEST(Decimation, UsesVerticesOfTheOriginal) {
   const TriangleMesh mesh = bumpy_ball(3, 0.02, 0.001, 5.0);
   for (const glm::dvec3& vertex : decimate_mesh(mesh, 100, "thing").vertices_m) {

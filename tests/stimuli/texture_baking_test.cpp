@@ -62,6 +62,7 @@ TEST(Baking, MeasuresItsErrorOnTheTextureItself) {
   const SurfaceSearch search(flat);
   const GeometricError as_told = textured_error(samples_m, result.mesh, search, {});
   EXPECT_DOUBLE_EQ(as_told.rms_m, result.report.textured.rms_m);
+  EXPECT_LT(as_told.rms_m, 0.1 * result.report.plain.rms_m);
   result.mesh.atlas.step_m *= 1.5;  // everything half as far again
   EXPECT_GT(textured_error(samples_m, result.mesh, search, {}).rms_m,
             0.3 * result.report.plain.rms_m);
