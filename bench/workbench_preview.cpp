@@ -1,6 +1,7 @@
 // What one changed parameter costs the workbench: heights from a photograph and pictures of them.
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -8,10 +9,12 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "app/gui/workbench/texture_preview.h"
 #include "stimuli/preview.h"
 #include "stimuli/synthetic_photograph.h"
 #include "stimuli/synthetic_surface.h"
@@ -22,8 +25,6 @@ namespace {
 
 constexpr int kWarmUp = 5;
 constexpr int kCounted = 100;
-constexpr std::size_t kSide = 1024;
-constexpr std::size_t kDraggedSide = 384;  // what is computed while a control is dragged
 constexpr std::size_t kThumbnailSide = 160;
 
 struct Costs {
@@ -60,6 +61,54 @@ double thumbnails(const PhotographTexture& texture) {
          static_cast<double>(stretched(scaled_to_fit(heights, kThumbnailSide)).values.front());
 }
 
+/// What the window shows: a recipe from nothing, and one that differs from the last in one field.
+void measure_window(const GreyImage& photograph, const GreyImage& coarse, std::vector<Costs>& all,
+                    double& used) {
+  const auto shown = [](const TexturePreview& preview) {
+    return preview.field->rms_m() + preview.fine->exaggeration;
+  };
+  all.push_back(measure(
+      "window/1024/from nothing",
+      [&] { return shown(PhotographPreviews(photograph, "photograph").under({})); }, used));
+  struct Change {
+    const char* name = nullptr;
+    double TextureRecipe::*field = nullptr;
+  };
+  constexpr std::array<Change, 5> kChanges{
+      {{"rms_m", &TextureRecipe::rms_m},
+       {"gaussian_wavelength_m", &TextureRecipe::gaussian_wavelength_m},
+       {"gamma_high", &TextureRecipe::gamma_high},
+       {"homomorphic_wavelength_m", &TextureRecipe::homomorphic_wavelength_m},
+       {"width_m", &TextureRecipe::width_m}}};
+  for (const auto& [side, picture] : {std::pair{"1024", &photograph}, std::pair{"384", &coarse}}) {
+    for (const Change& change : kChanges) {
+      PhotographPreviews previews(*picture, "photograph");
+      TextureRecipe recipe{};
+      used += shown(previews.under(recipe));
+      all.push_back(measure(
+          std::string("window/") + side + "/" + change.name,
+          [&] {
+            recipe.*change.field *= 1.001;  // another one every time
+            return shown(previews.under(recipe));
+          },
+          used));
+    }
+  }
+}
+
+/// What follows a preview on the screen: the relief as it moves, and as it rests.
+void measure_drawing(const GreyImage& photograph, std::vector<Costs>& all, double& used) {
+  const TexturePreview preview = PhotographPreviews(photograph, "photograph").under({});
+  constexpr QSize kView{800, 500};
+  const auto drawn = [](const ReliefMesh& mesh, const QSize& size) {
+    return static_cast<double>(draw_relief(mesh, {}, size).pixel(size.width() / 2, 0));
+  };
+  all.push_back(measure(
+      "relief/moving", [&] { return drawn(*preview.coarse, kView); }, used));
+  all.push_back(measure(
+      "relief/resting", [&] { return drawn(*preview.fine, 2 * kView); }, used));
+}
+
 std::string machine() {
   std::ifstream cpus("/proc/cpuinfo");
   for (std::string line; std::getline(cpus, line);) {
@@ -84,16 +133,16 @@ void print_json(const std::vector<Costs>& all) {
 }
 
 void print_table(const std::vector<Costs>& all) {
-  std::printf("%-28s %8s %8s %6s\n", "case (ms)", "p50", "p99", "count");
+  std::printf("%-36s %8s %8s %6s\n", "case (ms)", "p50", "p99", "count");
   for (const Costs& costs : all) {
-    std::printf("%-28s %8.1f %8.1f %6zu\n", costs.name.c_str(), quantile_ms(costs, 0.5),
+    std::printf("%-36s %8.1f %8.1f %6zu\n", costs.name.c_str(), quantile_ms(costs, 0.5),
                 quantile_ms(costs, 0.99), costs.sorted_ms.size());
   }
 }
 
 int run(bool as_json) {
   const HeightField surface =
-      make_surface("brick", {}, {.width_m = 0.10, .pixels = kSide, .seed = 1});
+      make_surface("brick", {}, {.width_m = 0.10, .pixels = kPreviewSide, .seed = 1});
   const GreyImage photograph = synthetic_photograph(surface, PhotographSettings{});
   const GreyImage coarse = scaled_to_fit(photograph, kDraggedSide);
   const TextureRecipe recipe{};
@@ -115,6 +164,8 @@ int run(bool as_json) {
   all.push_back(measure(
       "preview/1024",
       [&] { return thumbnails(texture_from_photograph(photograph, recipe, "photograph")); }, used));
+  measure_window(photograph, coarse, all, used);
+  measure_drawing(photograph, all, used);
   as_json ? print_json(all) : print_table(all);
   return std::isfinite(used) ? 0 : 1;
 }

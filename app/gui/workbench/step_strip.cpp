@@ -100,6 +100,7 @@ StepStrip::StepStrip(QWidget* parent) : QWidget(parent) {
 }
 
 void StepStrip::set_picture(Step step, const QImage& picture) {
+  if (pictures_[at(step)].cacheKey() == picture.cacheKey()) return;  // scaling costs time
   pictures_[at(step)] = picture;
   buttons_[at(step)]->setEnabled(!picture.isNull());
   if (picture.isNull()) {

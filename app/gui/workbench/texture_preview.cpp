@@ -1,8 +1,11 @@
 #include "app/gui/workbench/texture_preview.h"
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
 #include <utility>
 
+#include "stimuli/bands.h"
 #include "stimuli/preview.h"
 
 namespace asperity {
@@ -10,36 +13,70 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kShownSide = 512;  // of a step that is enlarged
+constexpr QSize kSmallRelief{160, 120};
 
 QImage step_picture(const GreyImage& step) {
   return picture_of(stretched(scaled_to_fit(step, kShownSide)));
 }
 
-void add_relief(TexturePreview& preview) {
-  const HeightField::Grid& grid = preview.field->grid();
-  preview.steps.push_back(
-      step_picture(GreyImage{grid.rows, grid.columns, preview.field->heights_m()}));
-  preview.coarse = std::make_shared<const ReliefMesh>(relief_mesh(*preview.field, kCoarseMeshSide));
-  preview.fine = std::make_shared<const ReliefMesh>(relief_mesh(*preview.field, kFineMeshSide));
+/// Does what is to be done, the longest first, on as many threads as the machine has.
+void do_at_once(const std::vector<std::function<void()>>& work) {
+  std::atomic<std::size_t> next{0};
+  in_bands(work.size(), usual_threads(), [&](std::size_t, std::size_t) {
+    for (std::size_t i = next++; i < work.size(); i = next++) work[i]();
+  });
+}
+
+/// Adds what draws the parts of a preview that follow from its heights.
+void want_relief(TexturePreview& preview, std::vector<std::function<void()>>& work) {
+  work.emplace_back([&preview] {
+    preview.fine = std::make_shared<const ReliefMesh>(relief_mesh(*preview.field, kFineMeshSide));
+  });
+  work.emplace_back([&preview] {
+    preview.coarse =
+        std::make_shared<const ReliefMesh>(relief_mesh(*preview.field, kCoarseMeshSide));
+    preview.relief = draw_relief(*preview.coarse, ReliefLook{}, kSmallRelief);
+  });
+  work.emplace_back([&preview] {
+    const HeightField::Grid& grid = preview.field->grid();
+    preview.steps.back() =
+        step_picture(GreyImage{grid.rows, grid.columns, preview.field->heights_m()});
+  });
 }
 
 }  // namespace
 
-TexturePreview preview_of(const GreyImage& photograph, const TextureRecipe& recipe,
-                          const std::string& name) {
-  PhotographTexture texture = texture_from_photograph(photograph, recipe, name);
+PhotographPreviews::PhotographPreviews(GreyImage photograph, const std::string& name)
+    : textures_(std::move(photograph), name) {}
+
+TexturePreview PhotographPreviews::under(const TextureRecipe& recipe) {
+  const PhotographTextures::Steps steps = textures_.texture(recipe);
   TexturePreview preview{};
-  preview.steps = {picture_of(scaled_to_fit(texture.grey, kShownSide)),
-                   step_picture(texture.evened), step_picture(texture.low_pass)};
-  preview.field = std::make_shared<const HeightField>(std::move(texture.field));
-  add_relief(preview);
+  preview.field = steps.field;
+  preview.steps.resize(drawn_.size() + 1);
+  std::vector<std::function<void()>> work{};
+  want_relief(preview, work);
+  const std::array computed{steps.grey, steps.evened, steps.low_pass};
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    if (drawn_[i].step == computed[i]) continue;
+    work.emplace_back([this, i, step = computed[i]] {
+      // Grey is brightness and stays as dark as it is; the others have no white of their own.
+      drawn_[i] = {step,
+                   i == 0 ? picture_of(scaled_to_fit(*step, kShownSide)) : step_picture(*step)};
+    });
+  }
+  do_at_once(work);
+  for (std::size_t i = 0; i < drawn_.size(); ++i) preview.steps[i] = drawn_[i].picture;
   return preview;
 }
 
 TexturePreview preview_of(std::shared_ptr<const HeightField> field) {
   TexturePreview preview{};
   preview.field = std::move(field);
-  add_relief(preview);
+  preview.steps.resize(1);
+  std::vector<std::function<void()>> work{};
+  want_relief(preview, work);
+  do_at_once(work);
   return preview;
 }
 

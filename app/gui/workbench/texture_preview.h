@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,7 +12,7 @@
 #include "app/gui/workbench/relief_picture.h"
 #include "stimuli/grey_image.h"
 #include "stimuli/height_field.h"
-#include "stimuli/texture_from_photograph.h"
+#include "stimuli/photograph_textures.h"
 
 namespace asperity {
 
@@ -26,14 +27,34 @@ struct TexturePreview {
   std::shared_ptr<const HeightField> field{};
   /// Grey, evened, low-pass, heights; of a height field that came from a file the last alone.
   std::vector<QImage> steps{};
+  QImage relief{};  ///< small, always seen from the same side
   std::shared_ptr<const ReliefMesh> fine{};
   std::shared_ptr<const ReliefMesh> coarse{};
 };
 
-/// Errors: as texture_from_photograph. Any thread.
-TexturePreview preview_of(const GreyImage& photograph, const TextureRecipe& recipe,
-                          const std::string& name);
 TexturePreview preview_of(std::shared_ptr<const HeightField> field);
+
+/// Previews of one photograph under one recipe after another: what a recipe leaves as it was is
+/// neither computed nor drawn again.
+///
+/// Threads: any, one at a time.
+class PhotographPreviews final {
+ public:
+  PhotographPreviews(GreyImage photograph, const std::string& name);
+
+  const GreyImage& photograph() const noexcept { return textures_.photograph(); }
+  /// Errors: as texture_from_photograph.
+  TexturePreview under(const TextureRecipe& recipe);
+
+ private:
+  struct Drawn {
+    std::shared_ptr<const GreyImage> step{};
+    QImage picture{};
+  };
+
+  PhotographTextures textures_;
+  std::array<Drawn, 3> drawn_{};  ///< grey, evened, low-pass
+};
 
 /// 8-bit; 0 is black, 1 white.
 QImage picture_of(const GreyImage& image);

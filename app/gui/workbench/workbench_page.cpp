@@ -2,108 +2,38 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
-#include <QtCore/QBuffer>
 #include <QtCore/QEvent>
 #include <QtCore/QMimeData>
 #include <QtGui/QDragEnterEvent>
 #include <QtGui/QDropEvent>
 #include <QtGui/QFontMetrics>
-#include <QtGui/QImageReader>
 #include <QtWidgets/QAbstractButton>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QButtonGroup>
-#include <QtWidgets/QComboBox>
 #include <QtWidgets/QFileDialog>
-#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QStackedWidget>
 
-#include "analysis/spectrum.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/look/task_line.h"
 #include "app/gui/study/open_study.h"
 #include "app/gui/workbench/force_comparison.h"
-#include "app/gui/workbench/parameter_form.h"
+#include "app/gui/workbench/line_profile.h"
+#include "app/gui/workbench/recipe_panel.h"
 #include "app/gui/workbench/relief_view.h"
+#include "app/gui/workbench/save_panel.h"
 #include "app/gui/workbench/signal_plots.h"
-#include "stimuli/preview.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr int kPanelWidth = 392;
-constexpr int kThumbnailSide = 1024;  // of the photograph in colour
-
-enum Kind { bright_high, dark_high, side_light, paint };
 
 QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
-
-bool is_height_field(const std::filesystem::path& file) {
-  return file.extension() == ".png" && std::filesystem::exists(sidecar_of(file));
-}
-
-/// In colour where Qt reads the format; its rows are those of the file, as in decode_photograph.
-QImage colour_picture(const std::filesystem::path& file, const GreyImage& grey) {
-  QImageReader reader(text_of(file));
-  reader.setAutoTransform(false);
-  const QSize size = reader.size();
-  if (size.isValid() && std::max(size.width(), size.height()) > kThumbnailSide) {
-    reader.setScaledSize(size.scaled(kThumbnailSide, kThumbnailSide, Qt::KeepAspectRatio));
-  }
-  const QImage picture = reader.read();
-  return picture.isNull() ? picture_of(grey) : picture;
-}
-
-/// Letters, digits, _ and −: a name that every system and every protocol can write.
-QString study_name(const std::filesystem::path& file) {
-  QString name{};
-  for (const char letter : file.stem().string()) {
-    const bool plain = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
-    const bool capital = letter >= 'A' && letter <= 'Z';
-    name += plain ? letter : capital ? static_cast<char>(letter - 'A' + 'a') : '_';
-  }
-  return name.left(40);
-}
-
-bool is_plain(const QString& name) {
-  return std::all_of(name.begin(), name.end(), [](QChar letter) {
-    return letter.unicode() < 128 && (letter.isLetterOrNumber() || letter == '_' || letter == '-');
-  });
-}
-
-std::vector<Parameter> declared(std::initializer_list<const char*> names) {
-  std::vector<Parameter> chosen{};
-  for (const Parameter& parameter : texture_recipe_parameters()) {
-    if (std::find(names.begin(), names.end(), parameter.name) != names.end()) {
-      chosen.push_back(parameter);
-    }
-  }
-  return chosen;
-}
-
-/// What of the advice has to be seen before the sign is chosen.
-QString hint_of(PhotographResemblance resemblance) {
-  switch (resemblance) {
-    case PhotographResemblance::directed:
-      return WorkbenchPage::tr(
-          "It changes mostly in one direction: a grain, or light from one "
-          "side? More at the end of this list.");
-    case PhotographResemblance::bright_spots:
-      return WorkbenchPage::tr(
-          "It has narrow bright parts. If they lie low, as light mortar "
-          "does, dark parts stand out.");
-    case PhotographResemblance::dark_grooves:
-    case PhotographResemblance::nothing_clear:
-      break;
-  }
-  return {};
-}
-
-QString in_micrometres(double length_m) { return QString::number(length_m * 1e6, 'f', 0); }
 
 QScrollArea* scrolled(QWidget* inside, QWidget* parent) {
   auto* area = new QScrollArea(parent);
@@ -126,23 +56,21 @@ WorkbenchPage::WorkbenchPage(OpenStudy& study, QWidget* parent) : QWidget(parent
   banner_ = new Banner(this);
   banner_->setObjectName("banner");
   layout->addWidget(banner_);
+  reading_ = new TaskLine(opening_, this);
+  reading_->setObjectName("reading");
+  layout->addWidget(reading_);
   pages_ = new QStackedWidget(this);
-  auto* empty = new EmptyState(
-      tr("Drop a photograph of a surface here"),
-      tr("It becomes a relief that can be felt: its light is evened out, long waves are taken "
-         "away, and what is left of its brightness is read as height. PNG, JPEG, TIFF, BMP and "
-         "WebP are read. Best is a picture in even light, taken from straight above."),
-      pages_);
-  empty->setObjectName("drop_area");
-  empty->setAttribute(Qt::WA_StyledBackground);
-  empty->setStyleSheet("#drop_area { border: 2px dashed palette(mid); border-radius: 8px; }");
-  setFocusProxy(
-      empty->add_action(tr("Open a photograph…"), ButtonRole::primary, [this] { choose_file(); }));
-  pages_->addWidget(empty);
+  pages_->addWidget(make_empty());
   pages_->addWidget(make_workspace());
   layout->addWidget(pages_, 1);
 
   connect(strip_, &StepStrip::stepChosen, this, &WorkbenchPage::choose_step);
+  connect(reading_, &TaskLine::cancelWanted, this, [this] {
+    opening_.abandon();
+    banner_->show_news(State::look, tr("The file was not read: you cancelled it."));
+  });
+  connect(recipe_, &RecipePanel::edited, this, &WorkbenchPage::recompute);
+  connect(save_, &SavePanel::saved, this, [this] { keep_unsaved(false); });
   connect(relief_, &ReliefView::pointed, this, [this](double, double y_m) {
     if (mode_->checkedId() == static_cast<int>(Mode::making)) show_line(y_m);
   });
@@ -156,6 +84,21 @@ WorkbenchPage::WorkbenchPage(OpenStudy& study, QWidget* parent) : QWidget(parent
 }
 
 WorkbenchPage::~WorkbenchPage() = default;
+
+QWidget* WorkbenchPage::make_empty() {
+  auto* empty = new EmptyState(
+      tr("Drop a photograph of a surface here"),
+      tr("It becomes a relief that can be felt: its light is evened out, long waves are taken "
+         "away, and what is left of its brightness is read as height. PNG, JPEG, TIFF, BMP and "
+         "WebP are read. Best is a picture in even light, taken from straight above."),
+      pages_);
+  empty->setObjectName("drop_area");
+  empty->setAttribute(Qt::WA_StyledBackground);
+  empty->setStyleSheet("#drop_area { border: 2px dashed palette(mid); border-radius: 8px; }");
+  setFocusProxy(
+      empty->add_action(tr("Open a photograph…"), ButtonRole::primary, [this] { choose_file(); }));
+  return empty;
+}
 
 QWidget* WorkbenchPage::make_head() {
   auto* head = new QWidget(this);
@@ -244,124 +187,21 @@ QWidget* WorkbenchPage::make_workspace() {
 
   side_ = new QStackedWidget(work);
   side_->setFixedWidth(kPanelWidth);
-  side_->addWidget(make_recipe_panel());
+  auto* making = new QWidget(side_);
+  auto* column = new QVBoxLayout(making);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGrid);
+  recipe_ = new RecipePanel(making);
+  save_ = new SavePanel(
+      study_, *banner_, [this] { return recipe(); }, making);
+  column->addWidget(recipe_, 1);
+  column->addWidget(save_);
+  side_->addWidget(making);
   comparison_ = new ForceComparison(study_.models(), side_);
   comparison_->setObjectName("comparison");
   side_->addWidget(scrolled(comparison_, side_));
   layout->addWidget(side_);
   return work;
-}
-
-QWidget* WorkbenchPage::make_recipe_panel() {
-  auto* panel = new QWidget(side_);
-  auto* layout = new QVBoxLayout(panel);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(kGrid);
-  recipe_banner_ = new Banner(panel);
-  recipe_banner_->setObjectName("recipe_banner");
-  layout->addWidget(recipe_banner_);
-  finished_ = make_text(tr("This relief is finished: it comes from a file of the study. Open a "
-                           "photograph to make another one, or compare how the force models "
-                           "render this one."),
-                        panel, true);
-  finished_->setObjectName("finished");
-  layout->addWidget(finished_);
-
-  recipe_panel_ = new QWidget(panel);
-  auto* inside = new QVBoxLayout(recipe_panel_);
-  inside->setContentsMargins(0, 0, kGrid, 0);
-  inside->setSpacing(kGrid);
-  QVBoxLayout* shows = nullptr;
-  QFrame* card = make_card(recipe_panel_, shows);
-  shows->addWidget(make_text(tr("<b>What does the photograph show?</b>"), card));
-  kind_ = new QComboBox(card);
-  kind_->setObjectName("kind");
-  kind_->addItems({tr("Relief: bright parts stand out"), tr("Relief: dark parts stand out"),
-                   tr("A surface lit from one side"), tr("Paint, print or stains")});
-  connect(kind_, &QComboBox::currentIndexChanged, this, [this](int kind) {
-    say_what_it_shows(kind);
-    recompute();
-  });
-  shows->addWidget(kind_);
-  expectation_ = make_text({}, card);
-  expectation_->setObjectName("expectation");
-  expectation_->setFont(text_font(TextSize::small));
-  shows->addWidget(expectation_);
-  hint_ = new StateLabel(card);
-  hint_->setObjectName("hint");
-  hint_->setFont(text_font(TextSize::small));
-  hint_->hide();
-  shows->addWidget(hint_);
-  inside->addWidget(card);
-  add_recipe_groups(inside, recipe_panel_);
-  QVBoxLayout* tells = nullptr;
-  QFrame* evidence = make_card(recipe_panel_, tells);
-  tells->addWidget(make_text(tr("<b>What the picture tells about itself</b>"), evidence));
-  advice_ = make_text({}, evidence, true);
-  advice_->setObjectName("advice");
-  advice_->setFont(text_font(TextSize::small));
-  tells->addWidget(advice_);
-  inside->addWidget(evidence);
-  inside->addStretch(1);
-  say_what_it_shows(bright_high);
-
-  layout->addWidget(scrolled(recipe_panel_, panel), 1);
-  layout->addWidget(make_save_panel());
-  return panel;
-}
-
-void WorkbenchPage::add_recipe_groups(QLayout* layout, QWidget* parent) {
-  struct Group {
-    QString title{};
-    std::vector<Parameter> parameters{};
-  };
-  const std::array<Group, 4> groups{
-      Group{tr("Heights"), declared({"rms_m"})},
-      Group{tr("Photograph"), declared({"width_m", "histogram"})},
-      Group{tr("Even the light"),
-            declared({"homomorphic_wavelength_m", "gamma_low", "gamma_high"})},
-      Group{tr("Take long waves away"), declared({"gaussian_wavelength_m"})}};
-  for (const Group& group : groups) {
-    QVBoxLayout* inside = nullptr;
-    QFrame* card = make_card(parent, inside);
-    QLabel* title = make_text(group.title, card);
-    title->setFont(text_font(TextSize::body, true));
-    inside->addWidget(title);
-    auto* form = new ParameterForm(group.parameters, FormStyle::sliders, card);
-    connect(form, &ParameterForm::edited, this, &WorkbenchPage::recompute);
-    connect(form, &ParameterForm::released, this, &WorkbenchPage::recompute);
-    inside->addWidget(form);
-    forms_.push_back(form);
-    layout->addWidget(card);
-  }
-}
-
-QWidget* WorkbenchPage::make_save_panel() {
-  QVBoxLayout* layout = nullptr;
-  QFrame* card = make_card(side_, layout);
-  facts_ = make_text({}, card, true);
-  facts_->setObjectName("facts");
-  facts_->setFont(text_font(TextSize::small));
-  layout->addWidget(facts_);
-  auto* line = new QHBoxLayout();
-  line->setSpacing(kGrid);
-  name_ = new QLineEdit(card);
-  name_->setObjectName("name");
-  name_->setPlaceholderText(tr("Name in the study"));
-  name_->setAccessibleName(tr("Name in the study"));
-  save_ = make_button(tr("Save to study"), ButtonRole::primary, card);
-  save_->setObjectName("save");
-  line->addWidget(name_, 1);
-  line->addWidget(save_);
-  layout->addLayout(line);
-  name_problem_ = make_text({}, card, true);
-  name_problem_->setObjectName("name_problem");
-  name_problem_->setFont(text_font(TextSize::small));
-  layout->addWidget(name_problem_);
-  connect(name_, &QLineEdit::textChanged, this, &WorkbenchPage::check_name);
-  connect(name_, &QLineEdit::returnPressed, save_, &QPushButton::click);
-  connect(save_, &QPushButton::clicked, this, [this] { save(Overwrite::refuse); });
-  return card;
 }
 
 void WorkbenchPage::set_mode(Mode mode) {
@@ -420,89 +260,54 @@ void WorkbenchPage::dropEvent(QDropEvent* event) {
 }
 
 void WorkbenchPage::open_file(const std::filesystem::path& file) {
-  banner_->show_news(State::unknown, tr("Reading %1 …").arg(text_of(file.filename())));
-  opening_.run<std::shared_ptr<const Opened>>(
-      [file, recipe = recipe()](const std::stop_token&, const BackgroundTask::Progress&) {
-        auto opened = std::make_shared<Opened>();
-        opened->file = file;
-        opened->recipe = recipe;
-        if (is_height_field(file)) {
-          opened->preview = preview_of(load_height_field(file).field);
-          return std::shared_ptr<const Opened>(opened);
-        }
-        opened->loaded = load_photograph(file);
-        const GreyImage& grey = opened->loaded.photograph.grey;
-        const std::string name = file.filename().string();
-        opened->reduced = scaled_to_fit(grey, kPreviewSide);
-        opened->coarse = scaled_to_fit(grey, kDraggedSide);
-        opened->preview = preview_of(opened->reduced, recipe, name);
-        const PhotographEvidence evidence = examine_photograph(opened->reduced, recipe, name);
-        opened->advice = advice(evidence);
-        opened->resemblance = resemblance(evidence);
-        opened->original = colour_picture(file, opened->reduced);
-        return std::shared_ptr<const Opened>(opened);
+  banner_->hide();
+  reading_->set_words(tr("Reading %1 …").arg(text_of(file.filename())));
+  opening_.run<std::shared_ptr<const OpenedPicture>>(
+      [file, recipe = recipe()](const std::stop_token& stop,
+                                const BackgroundTask::Progress& progress) {
+        return open_picture(file, recipe, stop, progress);
       },
-      [this](std::shared_ptr<const Opened> opened) { take(std::move(opened)); },
+      [this](std::shared_ptr<const OpenedPicture> opened) { take(std::move(opened)); },
       [this](const QString& what) {
         banner_->show_news(State::stop, tr("The file could not be opened: %1").arg(what));
       });
 }
 
-void WorkbenchPage::take(std::shared_ptr<const Opened> opened) {
-  banner_->hide();
-  recipe_banner_->hide();
+void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened) {
   opened_ = std::move(opened);
   pages_->setCurrentIndex(1);
   for (QAbstractButton* button : mode_->buttons()) button->show();
   setFocusProxy(relief_);
   relief_->setFocus(Qt::OtherFocusReason);
-  const bool has_recipe = !opened_->reduced.values.empty();
-  finished_->setVisible(!has_recipe);
-  recipe_panel_->setVisible(has_recipe);
   strip_->set_picture(Step::photograph, opened_->original);
   line_y_m_ = 0.0;
-  if (has_recipe) {
-    advice_->setText(QString::fromStdString(opened_->advice));
-    const QSignalBlocker quiet(kind_);
-    kind_->setCurrentIndex(bright_high);
-    say_what_it_shows(bright_high);
-    const QString hint = hint_of(opened_->resemblance);
-    hint_->set_state(State::look, hint);
-    hint_->setVisible(!hint.isEmpty());
-  }
-  name_->setText(study_name(opened_->file));
-  keep_unsaved(has_recipe);
+  recipe_->show_opened(*opened_);
+  save_->show_opened(opened_);
+  keep_unsaved(opened_->is_photograph());
   show_preview(opened_->preview);
   strip_->choose(Step::relief);
   choose_step(Step::relief);
-  check_name();
   // The recipe may have been changed while the file was read.
   if (parameter_values(recipe()) != parameter_values(opened_->recipe)) recompute();
 }
 
-TextureRecipe WorkbenchPage::recipe() const {
-  ParameterValues values{};
-  for (const ParameterForm* form : forms_) values.merge(form->values());
-  values["sign"] = kind_->currentIndex() == dark_high ? -1.0 : 1.0;
-  return texture_recipe(values);
-}
+TextureRecipe WorkbenchPage::recipe() const { return recipe_->recipe(); }
 
 void WorkbenchPage::recompute() {
-  if (opened_ == nullptr || opened_->reduced.values.empty()) return;
+  if (opened_ == nullptr || !opened_->is_photograph()) return;
   keep_unsaved(true);
-  const bool dragging = std::any_of(forms_.begin(), forms_.end(),
-                                    [](const ParameterForm* form) { return form->is_dragging(); });
   work_.ask(
-      [this, opened = opened_, recipe = recipe(), dragging]() -> NewestWork::Delivery {
-        auto preview = std::make_shared<TexturePreview>(preview_of(
-            dragging ? opened->coarse : opened->reduced, recipe, opened->file.filename().string()));
+      [this, opened = opened_, recipe = recipe(),
+       dragging = recipe_->is_dragging()]() -> NewestWork::Delivery {
+        auto preview = std::make_shared<TexturePreview>(
+            (dragging ? opened->dragged : opened->resting)->under(recipe));
         return [this, opened, preview] {
           if (opened != opened_) return;  // another file has been opened meanwhile
-          recipe_banner_->hide();
+          recipe_->show_refusal({});
           show_preview(std::move(*preview));
         };
       },
-      [this](const QString& what) { recipe_banner_->show_news(State::look, what); });
+      [this](const QString& what) { recipe_->show_refusal(what); });
 }
 
 void WorkbenchPage::show_preview(TexturePreview preview) {
@@ -512,47 +317,14 @@ void WorkbenchPage::show_preview(TexturePreview preview) {
     strip_->set_picture(static_cast<Step>(i),
                         i < first ? QImage() : preview_.steps[static_cast<std::size_t>(i - first)]);
   }
-  // The strip's own small relief, always seen from the same side.
-  strip_->set_picture(Step::relief, draw_relief(*preview_.coarse, ReliefLook{}, {160, 120}));
+  strip_->set_picture(Step::relief, preview_.relief);
   relief_->show_relief(preview_.fine, preview_.coarse);
   if (mode_->checkedId() == static_cast<int>(Mode::comparing)) {
     comparison_->set_field(preview_.field);
   }
-  const HeightField& field = *preview_.field;
-  facts_->setText(tr("%1 × %2 mm, %3 µm from the lowest to the highest point, RMS %4 µm")
-                      .arg(field.width_m() * 1e3, 0, 'f', 0)
-                      .arg(field.length_m() * 1e3, 0, 'f', 0)
-                      .arg(in_micrometres(field.maximum_m() - field.minimum_m()),
-                           in_micrometres(field.rms_m())));
+  save_->show_facts(*preview_.field);
   show_line(line_y_m_);
   choose_step(strip_->chosen());
-}
-
-void WorkbenchPage::say_what_it_shows(int kind) {
-  switch (kind) {
-    case dark_high:
-      expectation_->setText(
-          tr("Dark is high: for light mortar between bricks or light sand "
-             "between pebbles. The shape comes back well in even light."));
-      break;
-    case side_light:
-      expectation_->setText(
-          tr("▲ What comes back is the slope towards the light, not the height: edges across the "
-             "light become ridges and grooves, edges along it vanish. It looks like a relief and "
-             "feels like one, of another surface. Take the picture again in even light if you "
-             "can."));
-      break;
-    case paint:
-      expectation_->setText(
-          tr("▲ The paint becomes relief: what is felt has nothing to do with "
-             "the surface under it. Use it only if that is what you want."));
-      break;
-    default:
-      expectation_->setText(
-          tr("Bright is high: for a surface in even light, where grooves and "
-             "gaps are dark. The shape comes back well; how deep it is you "
-             "have to say."));
-  }
 }
 
 void WorkbenchPage::choose_step(Step step) {
@@ -588,32 +360,11 @@ bool WorkbenchPage::eventFilter(QObject* watched, QEvent* event) {
 void WorkbenchPage::show_line(double y_m) {
   if (preview_.field == nullptr) return;
   line_y_m_ = y_m;
-  const HeightField& field = *preview_.field;
-  const HeightField::Grid& grid = field.grid();
   relief_->set_line(mode_->checkedId() == static_cast<int>(Mode::making) ? std::optional(y_m)
                                                                          : std::nullopt);
-  const double row_at = 0.5 * static_cast<double>(grid.rows - 1) - y_m / grid.pitch_m;
-  const auto row = static_cast<std::size_t>(
-      std::clamp(std::round(row_at), 0.0, static_cast<double>(grid.rows - 1)));
-  const float* heights_m = field.heights_m().data() + row * grid.columns;
-  PlotSeries profile{.color = series_color(5)};
-  std::vector<double> heights_um{};
-  for (std::size_t j = 0; j < grid.columns; ++j) {
-    heights_um.push_back(1e6 * static_cast<double>(heights_m[j]));
-    profile.x.push_back(1e3 * grid.pitch_m * static_cast<double>(j));
-    profile.y.push_back(heights_um.back());
-  }
-  profile_->show_signal({profile});
-  // Half the line in a window: three of them, and waves down to half its length.
-  const PowerSpectrum spectrum = welch_spectrum(
-      heights_um,
-      {.rate_Hz = 1e-3 / grid.pitch_m, .length = std::max<std::size_t>(2, grid.columns / 2)});
-  PlotSeries lines{.color = series_color(5)};
-  for (std::size_t k = 1; k < spectrum.density.size(); ++k) {
-    lines.x.push_back(static_cast<double>(k) * spectrum.spacing_Hz);
-    lines.y.push_back(spectrum.density[k]);
-  }
-  profile_->show_spectrum({lines});
+  const LineProfile line = profile_along(*preview_.field, y_m);
+  profile_->show_signal({line.heights});
+  profile_->show_spectrum({line.spectrum});
 }
 
 void WorkbenchPage::show_forces() {
@@ -637,74 +388,8 @@ void WorkbenchPage::keep_unsaved(bool unsaved) {
                           : QString());
 }
 
-void WorkbenchPage::check_name() {
-  QString problem{};
-  const QString name = name_->text();
-  if (opened_ == nullptr || opened_->reduced.values.empty()) {
-    problem = tr("A relief that comes from a file is saved already.");
-  } else if (name.isEmpty()) {
-    problem = tr("The relief needs a name.");
-  } else if (!is_plain(name)) {
-    problem = tr("Letters without accents, digits, _ and - only.");
-  } else if (name.endsWith("_photo")) {
-    problem = tr("Names that end in _photo are those of photographs.");
-  } else if (saving_.is_running()) {
-    problem = tr("Saving …");
-  }
-  save_->setEnabled(problem.isEmpty());
-  name_problem_->setText(
-      problem.isEmpty() ? tr("Goes to stimuli/ with its sidecar and its photograph.") : problem);
-}
-
-void WorkbenchPage::save(Overwrite overwrite) {
-  if (!save_->isEnabled()) return;
-  const std::string name = name_->text().toStdString();
-  const std::filesystem::path folder = study_.folder() / "stimuli";
-  const std::filesystem::path png = folder / (name + ".png");
-  const std::filesystem::path photo = folder / (name + "_photo.png");
-  const auto there = [](const std::filesystem::path& file) {
-    return std::filesystem::exists(file);
-  };
-  if (overwrite == Overwrite::refuse && (there(png) || there(sidecar_of(png)) || there(photo))) {
-    banner_->show_news(State::look,
-                       tr("The study has a stimulus “%1” already. Protocols that use it would "
-                          "present the new one; sessions that were run keep the mark of the old.")
-                           .arg(name_->text()),
-                       tr("Replace “%1”").arg(name_->text()), [this] { save(Overwrite::allow); });
-    return;
-  }
-  saving_.run<int>(
-      [opened = opened_, recipe = recipe(), folder, png, photo, overwrite](
-          const std::stop_token&, const BackgroundTask::Progress&) {
-        std::filesystem::create_directories(folder);
-        refuse_existing({png, sidecar_of(png), photo}, overwrite);
-        const GreyImage& grey = opened->loaded.photograph.grey;
-        const std::string source = opened->file.filename().string();
-        const PhotographTexture texture = texture_from_photograph(grey, recipe, source);
-        save_height_field(
-            png, texture.field,
-            {"photograph", parameter_values(recipe), {}, source, opened->loaded.sha256, ""},
-            overwrite);
-        save_picture(photo, grey, overwrite);
-        return 0;
-      },
-      [this, shown = name_->text()](int) {
-        keep_unsaved(false);
-        banner_->show_news(
-            State::fine,
-            tr("Saved as stimuli/%1.png, with its sidecar and stimuli/%1_photo.png.").arg(shown));
-        check_name();
-        study_.announce_change();
-      },
-      [this](const QString& what) {
-        banner_->show_news(State::stop, tr("The relief was not saved: %1").arg(what));
-        check_name();
-      });
-  check_name();
-}
-
 bool WorkbenchPage::is_settled() const {
-  return !opening_.is_running() && !saving_.is_running() && !work_.is_busy() &&
+  return !opening_.is_running() && !save_->is_saving() && !work_.is_busy() &&
          relief_->is_settled() && comparison_->is_settled();
 }
 

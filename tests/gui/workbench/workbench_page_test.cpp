@@ -1,6 +1,7 @@
 #include "app/gui/workbench/workbench_page.h"
 
 #include <fstream>
+
 #include <QtCore/QMimeData>
 #include <QtCore/QTemporaryDir>
 #include <QtCore/QThread>
@@ -20,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/task_line.h"
 #include "app/gui/study/open_study.h"
 #include "app/gui/study/study_window.h"
 #include "app/gui/workbench/force_comparison.h"
@@ -143,6 +145,20 @@ TEST_F(Workbench, ComputesTheHeightsThatTheRecipeSays) {
             texture_from_photograph(grey, recipe, "brick").field.heights_m());
 }
 
+TEST_F(Workbench, HasAControlForEveryParameterOfTheRecipe) {
+  drop(photograph("brick", 128));
+  for (const Parameter& parameter : texture_recipe_parameters()) {
+    auto* control = page_->findChild<QWidget*>(QString::fromStdString(parameter.name));
+    ASSERT_NE(control, nullptr) << parameter.name;
+    EXPECT_TRUE(control->isEnabled()) << parameter.name;
+    if (parameter.kind != ParameterKind::number) continue;
+    const ParameterValue before = parameter_values(page_->recipe()).at(parameter.name);
+    QTest::keyClick(control, Qt::Key_Up);
+    EXPECT_NE(parameter_values(page_->recipe()).at(parameter.name), before) << parameter.name;
+  }
+  settle();
+}
+
 TEST_F(Workbench, IsCoarserWhileASliderIsHeldAndFineAgainAfterwards) {
   drop(photograph("brick", 512));
   auto& slider = find<QSlider>("slider_rms_m");
@@ -239,6 +255,47 @@ TEST_F(Workbench, SaysWhyANameCannotBeSaved) {
   }
   name.setText("wall-2");
   EXPECT_TRUE(find<QPushButton>("save").isEnabled());
+}
+
+TEST_F(Workbench, IsUnsavedWhenTheRecipeIsChangedWhileItIsBeingSaved) {
+  drop(photograph("brick", 256));
+  EXPECT_FALSE(page_->property("keep").toString().isEmpty());
+  click("save");
+  type("rms_m", "250");
+  settle();
+  EXPECT_TRUE(find<Banner>("banner").text().startsWith("Saved"));
+  EXPECT_FALSE(page_->property("keep").toString().isEmpty());
+  find<QLineEdit>("name").setText("rougher");
+  click("save");
+  settle();
+  EXPECT_TRUE(page_->property("keep").toString().isEmpty());
+}
+
+TEST_F(Workbench, SavesAllOrNothingWhenSavingIsCancelled) {
+  drop(photograph("brick", 256));
+  click("save");
+  find<TaskLine>("saving").findChild<QPushButton*>("task_cancel")->click();
+  settle();
+  const std::filesystem::path stimuli = study_folder() / "stimuli";
+  // A machine that is busy elsewhere may notice too late.
+  const bool in_time = find<Banner>("banner").text().contains("you cancelled it");
+  for (const char* name : {"brick.png", "brick.png.json", "brick_photo.png"}) {
+    EXPECT_EQ(std::filesystem::exists(stimuli / name), !in_time) << name;
+  }
+  EXPECT_TRUE(find<QPushButton>("save").isEnabled());
+}
+
+TEST_F(Workbench, ForgetsAFileWhoseReadingIsCancelled) {
+  const std::filesystem::path stone = photograph("stone", 256);
+  const std::filesystem::path brick = photograph("brick", 128);
+  page_->open_file(stone);
+  find<TaskLine>("reading").findChild<QPushButton*>("task_cancel")->click();
+  EXPECT_TRUE(page_->is_settled());
+  EXPECT_TRUE(find<Banner>("banner").text().contains("you cancelled it"));
+  drop(brick);  // by then the other has been read to its end, for nobody
+  EXPECT_EQ(page_->field()->grid().columns, 128U);
+  EXPECT_EQ(find<QLineEdit>("name").text(), "brick");
+  EXPECT_FALSE(find<Banner>("banner").isVisible());
 }
 
 TEST_F(Workbench, KeepsWhatItHasWhenAFileCannotBeUsed) {

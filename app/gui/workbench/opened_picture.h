@@ -1,0 +1,45 @@
+// What is open in the workbench: a photograph with its previews, or a relief that is finished.
+
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <stop_token>
+#include <string>
+
+#include <QtGui/QImage>
+
+#include "app/gui/workbench/texture_preview.h"
+#include "app/height_field_files.h"
+#include "stimuli/photograph_advice.h"
+
+namespace asperity {
+
+struct OpenedPicture {
+  std::filesystem::path file{};
+  TextureRecipe recipe{};  ///< when it was opened
+  TexturePreview preview{};
+
+  // Of a photograph; empty for a relief.
+  LoadedPhotograph loaded{};
+  std::shared_ptr<PhotographPreviews> resting{};  ///< in turn on every thread that has this
+  std::shared_ptr<PhotographPreviews> dragged{};
+  QImage original{};
+  std::string advice{};
+  PhotographResemblance resemblance = PhotographResemblance::nothing_clear;
+
+  bool is_photograph() const noexcept { return resting != nullptr; }
+};
+
+/// A PNG that has a sidecar beside it.
+bool is_height_field(const std::filesystem::path& file);
+
+/// Reads the file and computes its first preview. Null when asked to stop.
+///
+/// Errors: as load_photograph, load_height_field and texture_from_photograph. Any thread.
+std::shared_ptr<const OpenedPicture> open_picture(const std::filesystem::path& file,
+                                                  const TextureRecipe& recipe,
+                                                  const std::stop_token& stop,
+                                                  const std::function<void(double)>& progress);
+
+}  // namespace asperity

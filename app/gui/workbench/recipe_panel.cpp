@@ -1,0 +1,200 @@
+#include "app/gui/workbench/recipe_panel.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QScrollArea>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/workbench/opened_picture.h"
+#include "app/gui/workbench/parameter_form.h"
+
+namespace asperity {
+
+namespace {
+
+enum Kind { bright_high, dark_high, side_light, paint };
+
+std::vector<Parameter> declared(std::initializer_list<const char*> names) {
+  std::vector<Parameter> chosen{};
+  for (const Parameter& parameter : texture_recipe_parameters()) {
+    if (std::find(names.begin(), names.end(), parameter.name) != names.end()) {
+      chosen.push_back(parameter);
+    }
+  }
+  return chosen;
+}
+
+/// What of the advice has to be seen before the sign is chosen.
+QString hint_of(PhotographResemblance resemblance) {
+  switch (resemblance) {
+    case PhotographResemblance::directed:
+      return RecipePanel::tr(
+          "It changes mostly in one direction: a grain, or light from one "
+          "side? More at the end of this list.");
+    case PhotographResemblance::bright_spots:
+      return RecipePanel::tr(
+          "It has narrow bright parts. If they lie low, as light mortar "
+          "does, dark parts stand out.");
+    case PhotographResemblance::dark_grooves:
+    case PhotographResemblance::nothing_clear:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+RecipePanel::RecipePanel(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGrid);
+  banner_ = new Banner(this);
+  banner_->setObjectName("recipe_banner");
+  layout->addWidget(banner_);
+  finished_ = make_text(tr("This relief is finished: it comes from a file of the study. Open a "
+                           "photograph to make another one, or compare how the force models "
+                           "render this one."),
+                        this, true);
+  finished_->setObjectName("finished");
+  layout->addWidget(finished_);
+
+  controls_ = new QWidget(this);
+  auto* inside = new QVBoxLayout(controls_);
+  inside->setContentsMargins(0, 0, kGrid, 0);
+  inside->setSpacing(kGrid);
+  inside->addWidget(make_kind_card());
+  add_groups(inside);
+  inside->addWidget(make_evidence_card());
+  inside->addStretch(1);
+  say_what_it_shows(bright_high);
+  auto* area = new QScrollArea(this);
+  area->setWidget(controls_);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setFrameShape(QFrame::NoFrame);
+  layout->addWidget(area, 1);
+}
+
+QWidget* RecipePanel::make_kind_card() {
+  QVBoxLayout* inside = nullptr;
+  QFrame* card = make_card(controls_, inside);
+  inside->addWidget(make_text(tr("<b>What does the photograph show?</b>"), card));
+  kind_ = new QComboBox(card);
+  kind_->setObjectName("kind");
+  kind_->addItems({tr("Relief: bright parts stand out"), tr("Relief: dark parts stand out"),
+                   tr("A surface lit from one side"), tr("Paint, print or stains")});
+  connect(kind_, &QComboBox::currentIndexChanged, this, [this](int kind) {
+    say_what_it_shows(kind);
+    emit edited();
+  });
+  inside->addWidget(kind_);
+  expectation_ = make_text({}, card);
+  expectation_->setObjectName("expectation");
+  expectation_->setFont(text_font(TextSize::small));
+  inside->addWidget(expectation_);
+  hint_ = new StateLabel(card);
+  hint_->setObjectName("hint");
+  hint_->setFont(text_font(TextSize::small));
+  hint_->hide();
+  inside->addWidget(hint_);
+  return card;
+}
+
+QWidget* RecipePanel::make_evidence_card() {
+  QVBoxLayout* inside = nullptr;
+  QFrame* card = make_card(controls_, inside);
+  inside->addWidget(make_text(tr("<b>What the picture tells about itself</b>"), card));
+  advice_ = make_text({}, card, true);
+  advice_->setObjectName("advice");
+  advice_->setFont(text_font(TextSize::small));
+  inside->addWidget(advice_);
+  return card;
+}
+
+void RecipePanel::add_groups(QLayout* layout) {
+  struct Group {
+    QString title{};
+    std::vector<Parameter> parameters{};
+  };
+  const std::array<Group, 4> groups{
+      Group{tr("Heights"), declared({"rms_m"})},
+      Group{tr("Photograph"), declared({"width_m", "histogram"})},
+      Group{tr("Even the light"),
+            declared({"homomorphic_wavelength_m", "gamma_low", "gamma_high"})},
+      Group{tr("Take long waves away"), declared({"gaussian_wavelength_m"})}};
+  for (const Group& group : groups) {
+    QVBoxLayout* inside = nullptr;
+    QFrame* card = make_card(controls_, inside);
+    QLabel* title = make_text(group.title, card);
+    title->setFont(text_font(TextSize::body, true));
+    inside->addWidget(title);
+    auto* form = new ParameterForm(group.parameters, FormStyle::sliders, card);
+    connect(form, &ParameterForm::edited, this, &RecipePanel::edited);
+    connect(form, &ParameterForm::released, this, &RecipePanel::edited);
+    inside->addWidget(form);
+    forms_.push_back(form);
+    layout->addWidget(card);
+  }
+}
+
+void RecipePanel::show_opened(const OpenedPicture& opened) {
+  banner_->hide();
+  finished_->setVisible(!opened.is_photograph());
+  controls_->setVisible(opened.is_photograph());
+  if (!opened.is_photograph()) return;
+  advice_->setText(QString::fromStdString(opened.advice));
+  const QSignalBlocker quiet(kind_);
+  kind_->setCurrentIndex(bright_high);
+  say_what_it_shows(bright_high);
+  const QString hint = hint_of(opened.resemblance);
+  hint_->set_state(State::look, hint);
+  hint_->setVisible(!hint.isEmpty());
+}
+
+TextureRecipe RecipePanel::recipe() const {
+  ParameterValues values{};
+  for (const ParameterForm* form : forms_) values.merge(form->values());
+  values["sign"] = kind_->currentIndex() == dark_high ? -1.0 : 1.0;
+  return texture_recipe(values);
+}
+
+bool RecipePanel::is_dragging() const {
+  return std::any_of(forms_.begin(), forms_.end(),
+                     [](const ParameterForm* form) { return form->is_dragging(); });
+}
+
+void RecipePanel::show_refusal(const QString& why) {
+  why.isEmpty() ? banner_->hide() : banner_->show_news(State::look, why);
+}
+
+void RecipePanel::say_what_it_shows(int kind) {
+  switch (kind) {
+    case dark_high:
+      expectation_->setText(
+          tr("Dark is high: for light mortar between bricks or light sand "
+             "between pebbles. The shape comes back well in even light."));
+      break;
+    case side_light:
+      expectation_->setText(
+          tr("▲ What comes back is the slope towards the light, not the height: edges across the "
+             "light become ridges and grooves, edges along it vanish. It looks like a relief and "
+             "feels like one, of another surface. Take the picture again in even light if you "
+             "can."));
+      break;
+    case paint:
+      expectation_->setText(
+          tr("▲ The paint becomes relief: what is felt has nothing to do with "
+             "the surface under it. Use it only if that is what you want."));
+      break;
+    default:
+      expectation_->setText(
+          tr("Bright is high: for a surface in even light, where grooves and "
+             "gaps are dark. The shape comes back well; how deep it is you "
+             "have to say."));
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,57 @@
+// The recipe beside the relief: what the photograph shows, and a control for every parameter.
+
+#pragma once
+
+#include <vector>
+
+#include <QtWidgets/QWidget>
+
+#include "stimuli/photograph_advice.h"
+#include "stimuli/texture_from_photograph.h"
+
+class QComboBox;
+class QLabel;
+class QLayout;
+
+namespace asperity {
+
+class Banner;
+class ParameterForm;
+class StateLabel;
+struct OpenedPicture;
+
+class RecipePanel final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RecipePanel(QWidget* parent = nullptr);
+
+  /// What the picture tells about itself. What was said of its light goes, its sign with it; the
+  /// other parameters stay. A relief has no recipe, and it is said why.
+  void show_opened(const OpenedPicture& opened);
+
+  TextureRecipe recipe() const;
+  /// A slider is held.
+  bool is_dragging() const;
+  /// Why the recipe cannot be; empty: it can.
+  void show_refusal(const QString& why);
+
+ signals:
+  void edited();
+
+ private:
+  QWidget* make_kind_card();
+  QWidget* make_evidence_card();
+  void add_groups(QLayout* layout);
+  void say_what_it_shows(int kind);
+
+  Banner* banner_ = nullptr;
+  QLabel* finished_ = nullptr;
+  QWidget* controls_ = nullptr;
+  QComboBox* kind_ = nullptr;
+  QLabel* expectation_ = nullptr;
+  StateLabel* hint_ = nullptr;
+  QLabel* advice_ = nullptr;
+  std::vector<ParameterForm*> forms_{};
+};
+
+}  // namespace asperity

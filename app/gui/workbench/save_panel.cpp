@@ -1,0 +1,193 @@
+#include "app/gui/workbench/save_panel.h"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include <QtWidgets/QLineEdit>
+
+#include "app/gui/look/controls.h"
+#include "app/gui/look/task_line.h"
+#include "app/gui/study/open_study.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kLongestName = 40;
+constexpr const char* kPhotoEnding = "_photo";
+
+/// Letters, digits, _ and −: a name that every system and every protocol can write.
+bool is_plain(QChar letter) {
+  return letter.unicode() < 128 && (letter.isLetterOrNumber() || letter == '_' || letter == '-');
+}
+
+struct StimulusFiles {
+  StimulusFiles(const std::filesystem::path& folder, const std::string& name)
+      : png(folder / (name + ".png")), photo(folder / (name + kPhotoEnding + ".png")) {}
+
+  std::vector<std::filesystem::path> all() const { return {png, sidecar_of(png), photo}; }
+  bool any_exists() const {
+    const auto files = all();
+    return std::any_of(files.begin(), files.end(), [](const std::filesystem::path& file) {
+      std::error_code error{};
+      return std::filesystem::exists(file, error);
+    });
+  }
+
+  std::filesystem::path png{};
+  std::filesystem::path photo{};
+};
+
+/// Errors: as texture_from_photograph, and a sentence for people where the memory does not suffice.
+PhotographTexture whole_texture(const GreyImage& grey, const TextureRecipe& recipe,
+                                const std::string& name) {
+  try {
+    return texture_from_photograph(grey, recipe, name);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(
+        SavePanel::tr("The photograph does not fit into the memory of this computer as a whole; "
+                      "scale it down and open it again")
+            .toStdString());
+  }
+}
+
+QString in_micrometres(double length_m) { return QString::number(length_m * 1e6, 'f', 0); }
+
+}  // namespace
+
+QString proposed_name(const std::filesystem::path& file) {
+  QString name{};
+  for (const char letter : file.stem().string()) {
+    const bool plain = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
+    const bool capital = letter >= 'A' && letter <= 'Z';
+    name += plain ? letter : capital ? static_cast<char>(letter - 'A' + 'a') : '_';
+  }
+  return name.left(kLongestName);
+}
+
+SavePanel::SavePanel(OpenStudy& study, Banner& banner, std::function<TextureRecipe()> recipe,
+                     QWidget* parent)
+    : QFrame(parent), study_(study), banner_(banner), recipe_(std::move(recipe)) {
+  setProperty("role", "card");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  layout->setSpacing(kGrid);
+  facts_ = make_text({}, this, true);
+  facts_->setObjectName("facts");
+  facts_->setFont(text_font(TextSize::small));
+  layout->addWidget(facts_);
+  auto* row = new QHBoxLayout();
+  row->setSpacing(kGrid);
+  name_ = new QLineEdit(this);
+  name_->setObjectName("name");
+  name_->setPlaceholderText(tr("Name in the study"));
+  name_->setAccessibleName(tr("Name in the study"));
+  save_ = make_button(tr("Save to study"), ButtonRole::primary, this);
+  save_->setObjectName("save");
+  row->addWidget(name_, 1);
+  row->addWidget(save_);
+  layout->addLayout(row);
+  name_problem_ = make_text({}, this, true);
+  name_problem_->setObjectName("name_problem");
+  name_problem_->setFont(text_font(TextSize::small));
+  layout->addWidget(name_problem_);
+  line_ = new TaskLine(saving_, this);
+  line_->setObjectName("saving");
+  line_->set_words(tr("Saving…"));
+  layout->addWidget(line_);
+  connect(name_, &QLineEdit::textChanged, this, &SavePanel::check_name);
+  connect(name_, &QLineEdit::returnPressed, save_, &QPushButton::click);
+  connect(save_, &QPushButton::clicked, this, [this] { save(Overwrite::refuse); });
+  connect(line_, &TaskLine::cancelWanted, &saving_, &BackgroundTask::cancel);
+  connect(&saving_, &BackgroundTask::finished, this, &SavePanel::check_name);
+}
+
+void SavePanel::show_opened(std::shared_ptr<const OpenedPicture> opened) {
+  opened_ = std::move(opened);
+  name_->setText(opened_->is_photograph() ? proposed_name(opened_->file)
+                                          : QString::fromStdString(opened_->file.stem().string()));
+  check_name();
+}
+
+void SavePanel::show_facts(const HeightField& field) {
+  facts_->setText(tr("%1 × %2 mm, %3 µm from the lowest to the highest point, RMS %4 µm")
+                      .arg(field.width_m() * 1e3, 0, 'f', 0)
+                      .arg(field.length_m() * 1e3, 0, 'f', 0)
+                      .arg(in_micrometres(field.maximum_m() - field.minimum_m()),
+                           in_micrometres(field.rms_m())));
+}
+
+void SavePanel::check_name() {
+  QString problem{};
+  const QString advice = tr("Goes to stimuli/ with its sidecar and its photograph.");
+  const QString name = name_->text();
+  if (opened_ == nullptr || !opened_->is_photograph()) {
+    problem = tr("A relief that comes from a file is saved already.");
+  } else if (name.isEmpty()) {
+    problem = tr("The relief needs a name.");
+  } else if (!std::all_of(name.begin(), name.end(), is_plain)) {
+    problem = tr("Letters without accents, digits, _ and - only.");
+  } else if (name.endsWith(kPhotoEnding)) {
+    problem =
+        tr("A name must not end in _photo: so end the names of the photographs that are kept "
+           "beside the reliefs.");
+  } else if (saving_.is_running()) {
+    problem = tr("Saving …");
+  }
+  save_->setEnabled(problem.isEmpty());
+  name_problem_->setText(problem.isEmpty() ? advice : problem);
+}
+
+void SavePanel::save(Overwrite overwrite) {
+  if (!save_->isEnabled()) return;
+  const QString shown = name_->text();
+  const std::filesystem::path folder = study_.folder() / "stimuli";
+  const StimulusFiles files(folder, shown.toStdString());
+  if (overwrite == Overwrite::refuse && files.any_exists()) {
+    banner_.show_news(State::look,
+                      tr("The study has a stimulus “%1” already. Protocols that use it would "
+                         "present the new one; sessions that were run keep the mark of the old.")
+                          .arg(shown),
+                      tr("Replace “%1”").arg(shown), [this] { save(Overwrite::allow); });
+    return;
+  }
+  saving_.run<bool>(
+      [opened = opened_, recipe = recipe_(), folder, files, overwrite](
+          const std::stop_token& stop, const BackgroundTask::Progress& progress) {
+        std::filesystem::create_directories(folder);
+        refuse_existing(files.all(), overwrite);
+        const GreyImage& grey = opened->loaded.photograph.grey;
+        const std::string source = opened->file.filename().string();
+        const PhotographTexture texture = whole_texture(grey, recipe, source);
+        progress(0.6);
+        if (stop.stop_requested()) return false;  // from here on it is written whole
+        save_height_field(
+            files.png, texture.field,
+            {"photograph", parameter_values(recipe), {}, source, opened->loaded.sha256, ""},
+            overwrite);
+        progress(0.8);
+        save_picture(files.photo, grey, overwrite);
+        return true;
+      },
+      [this, shown, opened = opened_, recipe = recipe_()](bool written) {
+        if (!written) {
+          banner_.show_news(State::look, tr("“%1” was not saved: you cancelled it.").arg(shown));
+          return;
+        }
+        banner_.show_news(
+            State::fine,
+            tr("Saved as stimuli/%1.png, with its sidecar and stimuli/%1_photo.png.").arg(shown));
+        if (opened == opened_ && parameter_values(recipe) == parameter_values(recipe_())) {
+          emit saved();
+        }
+        study_.announce_change();
+      },
+      [this](const QString& what) {
+        banner_.show_news(State::stop, tr("The relief was not saved: %1").arg(what));
+      });
+  check_name();
+}
+
+}  // namespace asperity

@@ -1,0 +1,62 @@
+// Under the recipe: what the relief measures, its name in the study, and saving it there.
+
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include <QtWidgets/QFrame>
+
+#include "app/gui/look/background_task.h"
+#include "app/gui/workbench/opened_picture.h"
+#include "results_schema/atomic_file.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace asperity {
+
+class Banner;
+class OpenStudy;
+class TaskLine;
+
+/// Saves as stimuli/NAME.png, its sidecar and NAME_photo.png, from the whole photograph and the
+/// recipe of that moment. Why a name is refused stands under it.
+class SavePanel final : public QFrame {
+  Q_OBJECT
+ public:
+  /// News of saving goes to `banner`, which outlives the panel as `study` does.
+  SavePanel(OpenStudy& study, Banner& banner, std::function<TextureRecipe()> recipe,
+            QWidget* parent = nullptr);
+
+  /// Proposes a name.
+  void show_opened(std::shared_ptr<const OpenedPicture> opened);
+  void show_facts(const HeightField& field);
+  bool is_saving() const noexcept { return saving_.is_running(); }
+
+ signals:
+  /// What is shown is what was saved.
+  void saved();
+
+ private:
+  void check_name();
+  void save(Overwrite overwrite);
+
+  OpenStudy& study_;
+  Banner& banner_;
+  std::function<TextureRecipe()> recipe_{};
+  std::shared_ptr<const OpenedPicture> opened_{};
+  QLabel* facts_ = nullptr;
+  QLineEdit* name_ = nullptr;
+  QPushButton* save_ = nullptr;
+  QLabel* name_problem_ = nullptr;
+  TaskLine* line_ = nullptr;
+  BackgroundTask saving_{};
+};
+
+/// A name for the relief of this file: what is plain of the file's own name.
+QString proposed_name(const std::filesystem::path& file);
+
+}  // namespace asperity
