@@ -57,14 +57,28 @@ QString in_micrometres(double length_m) { return QString::number(length_m * 1e6,
 
 }  // namespace
 
-QString proposed_name(const std::filesystem::path& file) {
+QString proposed_name(const std::filesystem::path& file, const std::filesystem::path& stimuli) {
+  // Letters with accents become letters and accents, of which the letters stay.
+  const QString own = QString::fromStdString(file.stem().string())
+                          .normalized(QString::NormalizationForm_KD)
+                          .toLower();
   QString name{};
-  for (const char letter : file.stem().string()) {
-    const bool plain = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
-    const bool capital = letter >= 'A' && letter <= 'Z';
-    name += plain ? letter : capital ? static_cast<char>(letter - 'A' + 'a') : '_';
+  for (const QChar letter : own) {
+    if (letter.isMark()) continue;
+    if (is_plain(letter) && letter != '_') {
+      name += letter;
+    } else if (!name.isEmpty() && !name.endsWith('_')) {
+      name += '_';
+    }
   }
-  return name.left(kLongestName);
+  name.truncate(kLongestName);
+  while (name.endsWith('_') || name.endsWith(kPhotoEnding)) name.truncate(name.lastIndexOf('_'));
+  if (name.isEmpty()) name = "relief";
+  QString free = name;
+  for (int k = 2; StimulusFiles(stimuli, free.toStdString()).any_exists(); ++k) {
+    free = QString("%1_%2").arg(name).arg(k);
+  }
+  return free;
 }
 
 SavePanel::SavePanel(OpenStudy& study, Banner& banner, std::function<TextureRecipe()> recipe,
@@ -106,8 +120,9 @@ SavePanel::SavePanel(OpenStudy& study, Banner& banner, std::function<TextureReci
 
 void SavePanel::show_opened(std::shared_ptr<const OpenedPicture> opened) {
   opened_ = std::move(opened);
-  name_->setText(opened_->is_photograph() ? proposed_name(opened_->file)
-                                          : QString::fromStdString(opened_->file.stem().string()));
+  name_->setText(opened_->is_photograph()
+                     ? proposed_name(opened_->file, study_.folder() / "stimuli")
+                     : QString::fromStdString(opened_->file.stem().string()));
   check_name();
 }
 
@@ -121,7 +136,7 @@ void SavePanel::show_facts(const HeightField& field) {
 
 void SavePanel::check_name() {
   QString problem{};
-  const QString advice = tr("Goes to stimuli/ with its sidecar and its photograph.");
+  QString advice = tr("Goes to stimuli/ with its sidecar and its photograph.");
   const QString name = name_->text();
   if (opened_ == nullptr || !opened_->is_photograph()) {
     problem = tr("A relief that comes from a file is saved already.");
@@ -135,6 +150,8 @@ void SavePanel::check_name() {
            "beside the reliefs.");
   } else if (saving_.is_running()) {
     problem = tr("Saving …");
+  } else if (StimulusFiles(study_.folder() / "stimuli", name.toStdString()).any_exists()) {
+    advice = tr("The study has a stimulus of this name; you will be asked before it is replaced.");
   }
   save_->setEnabled(problem.isEmpty());
   name_problem_->setText(problem.isEmpty() ? advice : problem);

@@ -56,7 +56,8 @@ class SavePanel final : public QFrame {
   BackgroundTask saving_{};
 };
 
-/// A name for the relief of this file: what is plain of the file's own name.
-QString proposed_name(const std::filesystem::path& file);
+/// A name for the relief of this file that can be saved in the folder `stimuli` and replaces
+/// nothing there: what is plain of the file's own name, without the ending of photographs.
+QString proposed_name(const std::filesystem::path& file, const std::filesystem::path& stimuli);
 
 }  // namespace asperity

@@ -257,6 +257,21 @@ TEST_F(Workbench, SaysWhyANameCannotBeSaved) {
   EXPECT_TRUE(find<QPushButton>("save").isEnabled());
 }
 
+TEST_F(Workbench, ProposesANameThatCanBeSavedForThePhotographOfAStimulus) {
+  drop(photograph("brick", 128));
+  click("save");
+  settle();
+  EXPECT_TRUE(find<QLabel>("name_problem").text().contains("asked before it is replaced"));
+  drop(study_folder() / "stimuli/brick_photo.png");
+  EXPECT_EQ(find<QLineEdit>("name").text(), "brick_2");
+  click("save");
+  settle();
+  EXPECT_TRUE(std::filesystem::exists(study_folder() / "stimuli/brick_2.png"));
+  find<QLineEdit>("name").setText("brick_photo");
+  EXPECT_FALSE(find<QPushButton>("save").isEnabled());
+  EXPECT_TRUE(find<QLabel>("name_problem").text().contains("must not end in _photo"));
+}
+
 TEST_F(Workbench, IsUnsavedWhenTheRecipeIsChangedWhileItIsBeingSaved) {
   drop(photograph("brick", 256));
   EXPECT_FALSE(page_->property("keep").toString().isEmpty());
