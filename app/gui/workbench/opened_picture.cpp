@@ -1,7 +1,11 @@
 #include "app/gui/workbench/opened_picture.h"
 
 #include <algorithm>
+#include <new>
+#include <stdexcept>
 
+#include <QtCore/QCoreApplication>
+#include <QtCore/QFile>
 #include <QtGui/QImageReader>
 
 #include "stimuli/preview.h"
@@ -11,8 +15,42 @@ namespace asperity {
 namespace {
 
 constexpr int kThumbnailSide = 1024;  // of the photograph in colour
+// The largest picture that is read, 16384 pixels a side in 16-bit colour, and room for its header.
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{2} << 30U;
+
+struct OpeningWords {
+  Q_DECLARE_TR_FUNCTIONS(OpeningWords)
+};
 
 QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+
+[[noreturn]] void refuse(const QString& sentence) {
+  throw std::runtime_error(sentence.toStdString());
+}
+
+/// What would block for ever, or fill the memory before anybody looks at it.
+void refuse_what_is_no_file(const std::filesystem::path& file) {
+  const QString name = text_of(file.filename());
+  std::error_code error{};
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (std::filesystem::is_directory(status)) {
+    refuse(OpeningWords::tr("%1 is a folder; open one of the pictures in it.").arg(name));
+  }
+  if (!std::filesystem::exists(status)) {
+    refuse(OpeningWords::tr("%1 is not there any more; was it moved, or its medium taken out?")
+               .arg(name));
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    refuse(OpeningWords::tr("%1 is no file that holds a picture.").arg(name));
+  }
+  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  if (!error && bytes > kLargestFile) {
+    refuse(OpeningWords::tr("%1 has %2 GiB; pictures of up to 2 GiB are read. Scale it down or cut "
+                            "a piece out.")
+               .arg(name)
+               .arg(static_cast<double>(bytes) / (1U << 30U), 0, 'f', 1));
+  }
+}
 
 /// In colour where Qt reads the format; its rows are those of the file, as in decode_photograph.
 QImage colour_picture(const std::filesystem::path& file, const GreyImage& grey) {
@@ -22,8 +60,26 @@ QImage colour_picture(const std::filesystem::path& file, const GreyImage& grey) 
   if (size.isValid() && std::max(size.width(), size.height()) > kThumbnailSide) {
     reader.setScaledSize(size.scaled(kThumbnailSide, kThumbnailSide, Qt::KeepAspectRatio));
   }
-  const QImage picture = reader.read();
+  // A pixel counts with its colour, however transparent: so it is shown.
+  const QImage picture = reader.read().convertToFormat(QImage::Format_RGB32);
   return picture.isNull() ? picture_of(grey) : picture;
+}
+
+QStringList remarks_on(const std::filesystem::path& file, const PictureFacts& facts) {
+  QStringList remarks{};
+  if (facts.channels == 2 || facts.channels == 4) {
+    remarks << OpeningWords::tr(
+        "The picture has an alpha channel, which is left out: a pixel counts with its colour, "
+        "however transparent.");
+  }
+  if (facts.format == PictureFormat::jpeg || facts.format == PictureFormat::tiff) {
+    if (QImageReader(text_of(file)).transformation() != QImageIOHandler::TransformationNone) {
+      remarks << OpeningWords::tr(
+          "The camera noted that the picture is to be turned when it is shown; here it lies as it "
+          "is stored. Turn and save it with another program if that matters.");
+    }
+  }
+  return remarks;
 }
 
 }  // namespace
@@ -37,28 +93,36 @@ std::shared_ptr<const OpenedPicture> open_picture(const std::filesystem::path& f
                                                   const TextureRecipe& recipe,
                                                   const std::stop_token& stop,
                                                   const std::function<void(double)>& progress) {
+  refuse_what_is_no_file(file);
   auto opened = std::make_shared<OpenedPicture>();
   opened->file = file;
   opened->recipe = recipe;
-  if (is_height_field(file)) {
-    opened->preview = preview_of(load_height_field(file).field);
-    return opened;
+  try {
+    if (is_height_field(file)) {
+      opened->preview = preview_of(load_height_field(file).field);
+      return opened;
+    }
+    opened->loaded = load_photograph(file);
+    progress(0.5);
+    if (stop.stop_requested()) return nullptr;
+    const GreyImage& grey = opened->loaded.photograph.grey;
+    const std::string name = file.filename().string();
+    opened->resting = std::make_shared<PhotographPreviews>(scaled_to_fit(grey, kPreviewSide), name);
+    opened->dragged = std::make_shared<PhotographPreviews>(scaled_to_fit(grey, kDraggedSide), name);
+    opened->preview = opened->resting->under(recipe);
+    progress(0.8);
+    if (stop.stop_requested()) return nullptr;
+    const GreyImage& shown = opened->resting->photograph();
+    const PhotographEvidence evidence = examine_photograph(shown, recipe, name);
+    opened->advice = advice(evidence);
+    opened->resemblance = resemblance(evidence);
+    opened->original = colour_picture(file, shown);
+    opened->remarks = remarks_on(file, opened->loaded.photograph.facts);
+  } catch (const std::bad_alloc&) {
+    refuse(OpeningWords::tr("%1 does not fit into the memory of this computer. Scale it down or "
+                            "cut a piece out.")
+               .arg(text_of(file.filename())));
   }
-  opened->loaded = load_photograph(file);
-  progress(0.5);
-  if (stop.stop_requested()) return nullptr;
-  const GreyImage& grey = opened->loaded.photograph.grey;
-  const std::string name = file.filename().string();
-  opened->resting = std::make_shared<PhotographPreviews>(scaled_to_fit(grey, kPreviewSide), name);
-  opened->dragged = std::make_shared<PhotographPreviews>(scaled_to_fit(grey, kDraggedSide), name);
-  opened->preview = opened->resting->under(recipe);
-  progress(0.8);
-  if (stop.stop_requested()) return nullptr;
-  const GreyImage& shown = opened->resting->photograph();
-  const PhotographEvidence evidence = examine_photograph(shown, recipe, name);
-  opened->advice = advice(evidence);
-  opened->resemblance = resemblance(evidence);
-  opened->original = colour_picture(file, shown);
   return opened;
 }
 

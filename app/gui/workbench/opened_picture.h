@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <string>
 
+#include <QtCore/QStringList>
 #include <QtGui/QImage>
 
 #include "app/gui/workbench/texture_preview.h"
@@ -27,6 +28,7 @@ struct OpenedPicture {
   QImage original{};
   std::string advice{};
   PhotographResemblance resemblance = PhotographResemblance::nothing_clear;
+  QStringList remarks{};  ///< sentences: what of the file counts in another way than one may think
 
   bool is_photograph() const noexcept { return resting != nullptr; }
 };
@@ -36,7 +38,8 @@ bool is_height_field(const std::filesystem::path& file);
 
 /// Reads the file and computes its first preview. Null when asked to stop.
 ///
-/// Errors: as load_photograph, load_height_field and texture_from_photograph. Any thread.
+/// Errors: a sentence, as a std::exception: what is no picture, cannot be read or is a folder; and
+/// as texture_from_photograph. Any thread.
 std::shared_ptr<const OpenedPicture> open_picture(const std::filesystem::path& file,
                                                   const TextureRecipe& recipe,
                                                   const std::stop_token& stop,

@@ -256,10 +256,20 @@ void WorkbenchPage::dragEnterEvent(QDragEnterEvent* event) {
 
 void WorkbenchPage::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  open_file(event->mimeData()->urls().first().toLocalFile().toStdString());
+  const QList<QUrl> urls = event->mimeData()->urls();
+  const std::filesystem::path first = urls.first().toLocalFile().toStdString();
+  QStringList remarks{};
+  if (urls.size() > 1) {
+    remarks << tr("%1 files were dropped; the workbench shows one at a time, the first: %2.")
+                   .arg(urls.size())
+                   .arg(text_of(first.filename()));
+  }
+  read(first, remarks);
 }
 
-void WorkbenchPage::open_file(const std::filesystem::path& file) {
+void WorkbenchPage::open_file(const std::filesystem::path& file) { read(file, {}); }
+
+void WorkbenchPage::read(const std::filesystem::path& file, const QStringList& remarks) {
   banner_->hide();
   reading_->set_words(tr("Reading %1 …").arg(text_of(file.filename())));
   opening_.run<std::shared_ptr<const OpenedPicture>>(
@@ -267,14 +277,20 @@ void WorkbenchPage::open_file(const std::filesystem::path& file) {
                                 const BackgroundTask::Progress& progress) {
         return open_picture(file, recipe, stop, progress);
       },
-      [this](std::shared_ptr<const OpenedPicture> opened) { take(std::move(opened)); },
-      [this](const QString& what) {
-        banner_->show_news(State::stop, tr("The file could not be opened: %1").arg(what));
+      [this, remarks](std::shared_ptr<const OpenedPicture> opened) {
+        take(std::move(opened), remarks);
+      },
+      [this, remarks](const QString& what) {
+        QStringList sentences = remarks;
+        sentences << tr("The file could not be opened: %1").arg(what);
+        banner_->show_news(State::stop, sentences.join(' '));
       });
 }
 
-void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened) {
+void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened, const QStringList& remarks) {
   opened_ = std::move(opened);
+  const QStringList all = remarks + opened_->remarks;
+  all.isEmpty() ? banner_->hide() : banner_->show_news(State::look, all.join(' '));
   pages_->setCurrentIndex(1);
   for (QAbstractButton* button : mode_->buttons()) button->show();
   setFocusProxy(relief_);

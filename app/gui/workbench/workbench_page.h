@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include <QtCore/QStringList>
 #include <QtWidgets/QWidget>
 
 #include "app/gui/look/background_task.h"
@@ -63,7 +64,8 @@ class WorkbenchPage final : public QWidget {
   void set_mode(Mode mode);
   void fill_study_menu(QMenu& menu);
   void choose_file();
-  void take(std::shared_ptr<const OpenedPicture> opened);
+  void read(const std::filesystem::path& file, const QStringList& remarks);
+  void take(std::shared_ptr<const OpenedPicture> opened, const QStringList& remarks);
   void show_preview(TexturePreview preview);
   void recompute();
   void choose_step(Step step);

@@ -1,6 +1,9 @@
 #include "app/gui/workbench/workbench_page.h"
 
+#include <algorithm>
+#include <array>
 #include <fstream>
+#include <sys/stat.h>
 
 #include <QtCore/QMimeData>
 #include <QtCore/QTemporaryDir>
@@ -39,6 +42,49 @@ namespace asperity {
 namespace {
 
 constexpr int kLongest_ms = 10000;
+
+void put(std::string& bytes, std::uint32_t number, int size) {
+  for (int k = 0; k < size; ++k) bytes += static_cast<char>(number >> (8 * k) & 0xFFU);
+}
+
+/// A square grey TIFF of 16 bits in one strip.
+void write_tiff(const std::filesystem::path& file, std::uint32_t side,
+                const std::vector<std::uint16_t>& levels) {
+  const std::uint32_t bytes_of_pixels = side * side * 2;
+  std::string bytes = "II*";
+  put(bytes, 0, 1);
+  put(bytes, 8 + bytes_of_pixels, 4);  // where the directory is
+  for (const std::uint16_t level : levels) put(bytes, level, 2);
+  const std::vector<std::array<std::uint32_t, 2>> entries{
+      {256, side}, {257, side},           {258, 16}, {259, 1}, {262, 1}, {273, 8}, {277, 1},
+      {278, side}, {279, bytes_of_pixels}};
+  put(bytes, static_cast<std::uint32_t>(entries.size()), 2);
+  for (const auto& [tag, value] : entries) {
+    put(bytes, tag, 2);
+    put(bytes, 4, 2);  // 32-bit numbers, one of each
+    put(bytes, 1, 4);
+    put(bytes, value, 4);
+  }
+  put(bytes, 0, 4);
+  write_file(file, bytes, Overwrite::refuse);
+}
+
+/// The JPEG with a camera's note (EXIF) that it is to be turned by a quarter.
+void write_turned(const std::filesystem::path& file, const std::string& jpeg) {
+  std::string exif("Exif\0\0II*\0", 10);
+  put(exif, 8, 4);
+  put(exif, 1, 2);       // one entry:
+  put(exif, 0x0112, 2);  // the orientation,
+  put(exif, 3, 2);       // a 16-bit number,
+  put(exif, 1, 4);
+  put(exif, 6, 4);  // turned to the right
+  put(exif, 0, 4);
+  std::string segment("\xFF\xE1", 2);
+  const std::size_t length = exif.size() + 2;
+  segment += static_cast<char>(length >> 8U);
+  segment += static_cast<char>(length & 0xFFU);
+  write_file(file, jpeg.substr(0, 2) + segment + exif + jpeg.substr(2), Overwrite::refuse);
+}
 
 class Workbench : public testing::Test {
  protected:
@@ -310,6 +356,104 @@ TEST_F(Workbench, ForgetsAFileWhoseReadingIsCancelled) {
   drop(brick);  // by then the other has been read to its end, for nobody
   EXPECT_EQ(page_->field()->grid().columns, 128U);
   EXPECT_EQ(find<QLineEdit>("name").text(), "brick");
+  EXPECT_FALSE(find<Banner>("banner").isVisible());
+}
+
+TEST_F(Workbench, SaysOfEverythingThatIsNoPictureWhatItIs) {
+  drop(photograph("brick", 128));
+  const auto before = page_->field();
+  const std::filesystem::path wide = folder() / "wide.png";
+  ASSERT_TRUE(QImage(30000, 16, QImage::Format_Grayscale8).save(wide.c_str()));
+  const std::filesystem::path words = folder() / "words.png";
+  std::ofstream(words) << "a shopping list";
+  const std::filesystem::path nothing = folder() / "nothing.jpg";
+  std::ofstream(nothing).flush();
+  std::filesystem::create_directory(folder() / "pictures.png");
+  const std::filesystem::path half = folder() / "half.png";
+  std::filesystem::copy_file(folder() / "brick.png", half);
+  std::filesystem::resize_file(half, std::filesystem::file_size(half) / 2);
+  // Reading it would wait for somebody to write.
+  ASSERT_EQ(mkfifo((folder() / "pipe.png").c_str(), 0600), 0);
+  const std::filesystem::path huge = folder() / "huge.tif";
+  std::ofstream(huge).flush();
+  std::filesystem::resize_file(huge, std::uintmax_t{3} << 30U);  // a hole; nobody may read it
+  const std::vector<std::pair<std::filesystem::path, const char*>> drops{
+      {wide, "30000 by 16 pixels; at most 16384"},
+      {words, "is not a picture that is read here"},
+      {nothing, "is empty"},
+      {folder() / "pictures.png", "is a folder"},
+      {half, "is cut off or damaged"},
+      {folder() / "pipe.png", "no file that holds a picture"},
+      {huge, "3.0 GiB; pictures of up to 2 GiB"},
+      {folder() / "gone.png", "is not there any more"}};
+  for (const auto& [file, words_for_it] : drops) {
+    drop(file);
+    const auto& banner = find<Banner>("banner");
+    EXPECT_TRUE(banner.isVisible()) << file;
+    EXPECT_TRUE(banner.text().contains(words_for_it)) << banner.text().toStdString();
+    EXPECT_TRUE(banner.text().contains(QString::fromStdString(file.filename().string())));
+    EXPECT_EQ(page_->field(), before) << file;
+  }
+}
+
+TEST_F(Workbench, TakesTheFirstOfSeveralFilesAndSaysSo) {
+  const std::filesystem::path brick = photograph("brick", 128);
+  std::vector<std::filesystem::path> files{brick};
+  for (int k = 1; k < 10; ++k) files.push_back(folder() / ("other" + std::to_string(k) + ".png"));
+  drop_all(files);
+  ASSERT_NE(page_->field(), nullptr);
+  EXPECT_TRUE(find<Banner>("banner").text().startsWith("10 files were dropped"));
+  EXPECT_TRUE(find<Banner>("banner").text().contains("brick.png"));
+  std::rotate(files.begin(), files.begin() + 1, files.end());
+  drop_all(files);  // the first is not there
+  EXPECT_TRUE(find<Banner>("banner").text().contains("10 files were dropped"));
+  EXPECT_TRUE(find<Banner>("banner").text().contains("other1.png is not there any more"));
+}
+
+TEST_F(Workbench, ReadsSixteenBitsOfATiff) {
+  const GreyImage brick = load_photograph(photograph("brick", 128)).photograph.grey;
+  GreyImage deep{brick.rows, brick.columns, {}};
+  std::vector<std::uint16_t> levels{};
+  for (std::size_t i = 0; i < brick.values.size(); ++i) {
+    // In steps that eight bits do not have.
+    levels.push_back(static_cast<std::uint16_t>(30000.0F + 5000.0F * brick.values[i]));
+    deep.values.push_back(static_cast<float>(levels.back()) / 65535.0F);
+  }
+  write_tiff(folder() / "deep.tif", 128, levels);
+  drop(folder() / "deep.tif");
+  ASSERT_NE(page_->field(), nullptr) << find<Banner>("banner").text().toStdString();
+  EXPECT_EQ(page_->field()->heights_m(),
+            texture_from_photograph(deep, {}, "deep").field.heights_m());
+}
+
+TEST_F(Workbench, SaysThatTransparencyIsLeftOut) {
+  const QImage brick(QString::fromStdString(photograph("brick", 128).string()));
+  QImage clear = brick.convertToFormat(QImage::Format_ARGB32);
+  for (int x = 0; x < 64; ++x) clear.setPixel(x, 5, clear.pixel(x, 5) & 0x00FFFFFFU);
+  const std::filesystem::path file = folder() / "clear.png";
+  ASSERT_TRUE(clear.save(file.c_str()));
+  drop(file);
+  ASSERT_NE(page_->field(), nullptr);
+  EXPECT_TRUE(find<Banner>("banner").text().contains("alpha channel, which is left out"));
+  const QImage shown = find<StepStrip>("steps").picture(Step::photograph);
+  EXPECT_EQ(shown.pixel(9, 5), brick.pixel(9, 5)) << "as it counts";
+  drop(folder() / "brick.png");
+  EXPECT_FALSE(find<Banner>("banner").isVisible());
+}
+
+TEST_F(Workbench, SaysThatAPictureLiesAsItIsStored) {
+  const QImage brick(QString::fromStdString(photograph("brick", 128).string()));
+  const QImage upright = brick.copy(0, 0, 128, 64);
+  const std::filesystem::path plain = folder() / "plain.jpg";
+  ASSERT_TRUE(upright.save(plain.c_str(), "JPG", 95));
+  const std::filesystem::path turned = folder() / "turned.jpg";
+  write_turned(turned, read_file(plain));
+  drop(turned);
+  ASSERT_NE(page_->field(), nullptr) << find<Banner>("banner").text().toStdString();
+  EXPECT_TRUE(find<Banner>("banner").text().contains("lies as it is stored"));
+  EXPECT_EQ(page_->field()->grid().columns, 128U);
+  EXPECT_EQ(find<StepStrip>("steps").picture(Step::photograph).width(), 128);
+  drop(plain);
   EXPECT_FALSE(find<Banner>("banner").isVisible());
 }
 
@@ -605,6 +749,13 @@ TEST_F(Workbench, LooksFinished) {
     shoot("workbench-stone" + look);
     drop(brick);
     shoot("workbench-brick" + look);
+    drop_all({folder() / "gone.png", brick});
+    auto& reading = find<TaskLine>("reading");
+    reading.set_words("Reading brick.png …");
+    reading.show();  // as while a large picture is read
+    shoot("workbench-refused" + look);
+    reading.hide();
+    find<Banner>("banner").hide();
     click("step_2");
     shoot("workbench-step" + look);
     click("mode_comparing");
