@@ -397,12 +397,17 @@ TEST_F(PressedTwice, KeysOfOneQuestionFollowAsFastAsFingersAre) {
 
 TEST_F(PressedTwice, TheSecondButtonDoesNotConfirmTheWholeWithItsLastSurface) {
   feel_all(matching());
-  for (int surface = 0; surface < 3; ++surface) {
-    hold_button(1.0 + 2 * surface, 1, 0.1);
-    hold_button(2.0 + 2 * surface, 2, 0.05);
+  double at_s = 0.0;
+  for (int surface = 1; surface <= 3; ++surface) {
+    for (int step = 1; step <= surface; ++step) hold_button(at_s += 1.0, 1, 0.1);
+    hold_button(at_s += 1.0, 2, 0.05);
   }
-  hold_button(6.15, 2, 0.05);
-  EXPECT_TRUE(ask(matching(), 7.0).options.empty());
+  hold_button(at_s + 0.15, 2, 0.05);
+  hold_button(at_s + 0.4, 2, 0.05);
+  const std::int64_t answered_ns = now_ns_ + nanoseconds(at_s + 0.4);
+  const Reply reply = ask(matching());
+  EXPECT_EQ(reply.options, (Options{0, 1, 2}));
+  EXPECT_EQ(reply.answered_ns, answered_ns);
 }
 
 TEST_F(PressedTwice, AButtonThatBouncesWhenItIsLetGoIsNotPressedAgain) {
