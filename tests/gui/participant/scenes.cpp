@@ -143,6 +143,9 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   scenes.emplace_back("blank", ParticipantScene{});
   scenes.emplace_back("text", to_read());
   scenes.emplace_back("feel", feel(4));
+  ParticipantScene lifting = feel(4);
+  lifting.text = "That is enough of surface B. Please lift.";
+  scenes.emplace_back("feel-enough", lifting);
   ParticipantScene with_pictures = feel(1);
   with_pictures.choices = recognition(6).choices;
   scenes.emplace_back("feel-pictures", with_pictures);
@@ -172,6 +175,11 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   selected.choices[1].chosen = true;
   selected.can_confirm = true;
   scenes.emplace_back("selection", selected);
+  ParticipantScene again = selection(3);
+  again.cue = "Confirm to feel surface A again.";
+  again.cue_number = 1;
+  again.can_confirm = true;
+  scenes.emplace_back("selection-again", again);
   ParticipantScene from_memory = selection(6);
   from_memory.standard_picture.reset();
   scenes.emplace_back("selection-memory", from_memory);
