@@ -38,6 +38,18 @@ TEST_F(StudyWindowTest, OpensTheDemoStudyFromTheWelcomePageByOneClick) {
   EXPECT_TRUE(holds_demo_study(window.study()->folder()));
 }
 
+TEST_F(StudyWindowTest, OpensAsLargeAsItWasLeftHoweverOften) {
+  constexpr QSize kLeft{1111, 733};
+  for (int time = 0; time < 4; ++time) {
+    StudyWindow window{};
+    if (time == 0) window.resize(kLeft);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    EXPECT_EQ(window.size(), kLeft) << "opened " << time << " times before";
+    EXPECT_TRUE(window.close());
+  }
+}
+
 TEST_F(StudyWindowTest, OpensTheDemoStudyThatIsThereAndLeavesOtherFoldersAlone) {
   std::filesystem::create_directories(home() / "Asperity" / "demo" / "of something else");
   {
