@@ -6,17 +6,31 @@
 
 namespace asperity {
 
-std::optional<UnfinishedSession> unfinished_session(const Study& study, const Protocol& protocol,
-                                                    const std::string& participant,
-                                                    std::optional<std::int64_t> id) {
-  const std::optional<SessionRow> row = unfinished_row(study, protocol, participant, id);
-  if (!row) return {};
-  return UnfinishedSession{
-      .row = *row,
-      .trials_done =
-          static_cast<int>(trials_done(study.attempts(row->id), study.decisions(row->id)).size()),
-      .trials = static_cast<int>(study.plan(row->id).size()),
-  };
+std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Protocol& protocol) {
+  std::set<std::int64_t> ids{};  // of this text
+  for (const ProtocolRow& row : study.protocols()) {
+    if (row.source == protocol.source) ids.insert(row.id);
+  }
+  std::vector<UnfinishedSession> sessions{};
+  for (const SessionRow& row : study.sessions()) {
+    if (row.state == SessionState::completed || !ids.contains(row.protocol_id)) continue;
+    if (has_ended_by_rule(study, protocol, row)) continue;
+    const std::set<int> done = trials_done(study.attempts(row.id), study.decisions(row.id));
+    sessions.push_back({.row = row,
+                        .trials_done = static_cast<int>(done.size()),
+                        .trials = static_cast<int>(study.plan(row.id).size())});
+  }
+  return sessions;
+}
+
+std::optional<UnfinishedSession> unfinished_of(const std::vector<UnfinishedSession>& sessions,
+                                               const std::string& participant,
+                                               std::optional<std::int64_t> id) {
+  std::optional<UnfinishedSession> found{};
+  for (const UnfinishedSession& session : sessions) {
+    if (session.row.participant == participant && (!id || session.row.id == *id)) found = session;
+  }
+  return found;
 }
 
 std::set<int> trials_done(const std::vector<AttemptRow>& attempts,

@@ -1,4 +1,4 @@
-// The session that a participant could go on with.
+// The sessions of a protocol that could go on.
 
 #pragma once
 
@@ -19,11 +19,14 @@ struct UnfinishedSession {
   int trials = 0;
 };
 
-/// The session of this participant and this very protocol that `RunInputs::resume` goes on with: see
-/// `unfinished_row`.
-std::optional<UnfinishedSession> unfinished_session(const Study& study, const Protocol& protocol,
-                                                    const std::string& participant,
-                                                    std::optional<std::int64_t> id);
+/// Those of this very protocol, by participant, session.
+std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Protocol& protocol);
+
+/// The one of this participant that `RunInputs::resume` goes on with: the one with this id, or
+/// without an id the latest. As `unfinished_row` finds it.
+std::optional<UnfinishedSession> unfinished_of(const std::vector<UnfinishedSession>& sessions,
+                                               const std::string& participant,
+                                               std::optional<std::int64_t> id);
 
 /// The trials of a session that are not asked any more: with a valid attempt, or skipped and not set
 /// aside.

@@ -1,13 +1,12 @@
 // The checklist before a session, against real studies.
 
-#include "app/tasks/session_checks.h"
-
 #include <algorithm>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/session_checks.h"
 #include "app/tasks/unfinished_session.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
@@ -171,10 +170,10 @@ TEST_F(SessionChecks, KnowThatASessionWhichTheProtocolEndedIsOver) {
                                        .started_utc = "2026-01-01T00:00:00.000Z"};
     const std::int64_t id =
         begin_session(store, protocol, "P001", conditions, this_program()).row.id;
-    EXPECT_TRUE(unfinished_session(store, protocol, "P001", {}));
+    EXPECT_TRUE(unfinished_of(unfinished_sessions(store, protocol), "P001", {}));
     store.add_event(id, {0, "criterion_not_met", "practice", "null"});
     store.end_session(id, SessionState::stopped, "2026-01-01T01:00:00.000Z");
-    EXPECT_FALSE(unfinished_session(store, protocol, "P001", {}));
+    EXPECT_FALSE(unfinished_of(unfinished_sessions(store, protocol), "P001", {}));
   }
   EXPECT_NE(check("participant").text.english().find("has done 1 of 1"), std::string::npos)
       << check("participant").text.english();
@@ -198,10 +197,12 @@ TEST_F(SessionChecks, TellOneUnfinishedSessionFromAnother) {
       ids.push_back(begin_session(store, protocol, "P001", conditions, this_program()).row.id);
       store.end_session(ids.back(), SessionState::stopped, "2026-01-01T01:00:00.000Z");
     }
-    EXPECT_EQ(unfinished_session(store, protocol, "P001", ids[0])->row.mode, SessionMode::pilot);
-    EXPECT_EQ(unfinished_session(store, protocol, "P001", ids[1])->row.mode, SessionMode::run);
-    EXPECT_EQ(unfinished_session(store, protocol, "P001", {})->row.id, ids[1]);
-    EXPECT_FALSE(unfinished_session(store, protocol, "P002", ids[0]));
+    EXPECT_EQ(unfinished_of(unfinished_sessions(store, protocol), "P001", ids[0])->row.mode,
+              SessionMode::pilot);
+    EXPECT_EQ(unfinished_of(unfinished_sessions(store, protocol), "P001", ids[1])->row.mode,
+              SessionMode::run);
+    EXPECT_EQ(unfinished_of(unfinished_sessions(store, protocol), "P001", {})->row.id, ids[1]);
+    EXPECT_FALSE(unfinished_of(unfinished_sessions(store, protocol), "P002", ids[0]));
   }
   inputs.resume = true;
   inputs.mode = SessionMode::pilot;

@@ -396,8 +396,7 @@ TEST_F(WatchedSession, AsksARepeatedTrialAgainAfterAResumeWhenItWasInterrupted) 
     return {{}, 1};
   };
   EXPECT_EQ(run().state, SessionState::stopped);
-  EXPECT_EQ(unfinished_session(*study_, protocol_, "p1", {})->trials_done,
-            0);  // skipped, set aside
+  EXPECT_EQ(unfinished_sessions(*study_, protocol_).at(0).trials_done, 0);  // skipped, set aside
   EXPECT_EQ(session_detail(*study_, session_.row.id).overview.done_trials, 0);
   make_rig({});
   rig_->move_clock_to(1'000'000'000'000);

@@ -1,7 +1,5 @@
 #include "app/gui/start/start_page.h"
 
-#include <utility>
-
 #include <QtCore/QTimer>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QButtonGroup>
@@ -59,25 +57,25 @@ StartPage::StartPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setFocusPolicy(Qt::NoFocus);
   area->viewport()->setAutoFillBackground(false);
-  auto* form = new QWidget(area);
-  form->setAutoFillBackground(false);
-  auto* column = new QVBoxLayout(form);
+  form_ = new QWidget(area);
+  form_->setAutoFillBackground(false);
+  auto* column = new QVBoxLayout(form_);
   column->setContentsMargins(0, 0, kGrid, kMargin);
   column->setSpacing(kMargin);
   make_protocol_card(*column);
-  participant_ = new ParticipantCard(form);
+  participant_ = new ParticipantCard(form_);
   column->addWidget(participant_);
   make_mode_card(*column);
   make_simulation_card(*column);
-  consent_ = new ConsentCard(form);
+  consent_ = new ConsentCard(form_);
   column->addWidget(consent_);
-  setup_ = new SetupCard(form);
+  setup_ = new SetupCard(form_);
   column->addWidget(setup_);
-  noise_card_ = make_card(form, noise_layout_);
-  noise_layout_->addWidget(make_heading(tr("Masking noise"), form));
+  noise_card_ = make_card(form_, noise_layout_);
+  noise_layout_->addWidget(make_heading(tr("Masking noise"), form_));
   column->addWidget(noise_card_);
   column->addStretch(1);
-  area->setWidget(form);
+  area->setWidget(form_);
   left->addWidget(area, 1);
   body->addWidget(left_side, 3);
 
@@ -97,8 +95,6 @@ StartPage::StartPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study
   check_timer_->setSingleShot(true);
   check_timer_->setInterval(kCheckDelay_ms);
   connect_parts();
-  list_protocols();
-  read_study();
   show_mode();
 }
 
@@ -120,6 +116,7 @@ void StartPage::make_protocol_card(QVBoxLayout& column) {
   layout->addLayout(row);
   protocol_text_ = make_text({}, this);
   protocol_text_->setObjectName("protocol_text");
+  protocol_text_->hide();
   layout->addWidget(protocol_text_);
   protocol_state_ = new StateLabel(this);
   protocol_state_->setObjectName("protocol_state");
@@ -223,7 +220,7 @@ QWidget* StartPage::make_footer() {
 
 void StartPage::connect_parts() {
   connect(protocols_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    if (index >= 0) load(protocols_->itemData(index).toString().toStdString());
+    if (index >= 0) pick(protocols_->itemData(index).toString().toStdString());
   });
   connect(participant_, &ParticipantCard::person_changed, this, [this] {
     consent_->forget();
@@ -232,8 +229,8 @@ void StartPage::connect_parts() {
     show_mode();
   });
   connect(participant_, &ParticipantCard::changed, this, [this] {
-    if (protocol_ && participant_->is_new() && !is_virtual()) {
-      setup_->suggest_left_hand(uses_left_hand(participant_->new_person(*protocol_)));
+    if (chosen() != nullptr && participant_->is_new() && !is_virtual()) {
+      setup_->suggest_left_hand(uses_left_hand(participant_->new_person(*chosen())));
     }
     show_start();
   });
@@ -261,7 +258,7 @@ void StartPage::connect_parts() {
   });
   connect(&study_, &OpenStudy::changed, this, [this] {
     stale_ = !isVisible();
-    if (!stale_) read_again();
+    if (!stale_) read();
   });
 }
 
@@ -270,8 +267,8 @@ void StartPage::showEvent(QShowEvent* event) {
   setProperty("keep",
               tr("Theme and language are changed from another page: what is filled in for a "
                  "session would be lost."));
-  if (std::exchange(stale_, false)) {
-    read_again();
+  if (stale_) {
+    read();
   } else {
     check_soon();
   }

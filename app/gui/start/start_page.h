@@ -3,8 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,11 +12,10 @@
 
 #include "app/gui/look/background_task.h"
 #include "app/gui/session/session_runner.h"
+#include "app/gui/start/start_facts.h"
 #include "app/gui/study/open_study.h"
 #include "app/tasks/session_checks.h"
 #include "app/tasks/simulation.h"
-#include "app/tasks/unfinished_session.h"
-#include "protocols/protocol.h"
 
 class QBoxLayout;
 class QComboBox;
@@ -47,8 +44,9 @@ class StateLabel;
 /// One virtual participant in a simulation makes a SessionOrder like anybody else; several are
 /// simulated here in the background, with progress, and reported.
 ///
-/// Only reads the study; whoever starts the session writes it. Looks at nothing while it is hidden:
-/// the checklist runs the servo loop, which nobody may do beside a session.
+/// Only reads the study, away from the GUI thread; whoever starts the session writes it. While it
+/// reads nothing can be started: what is pressed acts on what is shown. Looks at nothing while it is
+/// hidden: the checklist runs the servo loop, which nobody may do beside a session.
 class StartPage final : public QWidget {
   Q_OBJECT
  public:
@@ -65,6 +63,8 @@ class StartPage final : public QWidget {
   /// The next person is somebody else: nothing of the last one's answers or consent stays.
   void forget_person();
   SessionMode mode() const noexcept { return mode_; }
+  /// False while the study or the protocol is being read: what is shown is not up to date.
+  bool is_read() const noexcept { return is_read_; }
 
   /// What keeps the session from starting, a sentence each; empty when it can start.
   std::vector<QString> reasons() const;
@@ -89,18 +89,28 @@ class StartPage final : public QWidget {
   QWidget* make_footer();
   void connect_parts();
 
+  /// Who is to take part, as soon as the study has been read.
+  struct Wish {
+    std::optional<std::string> participant{};
+    std::optional<std::int64_t> session{};
+  };
+  /// Reads the protocol file, and the study beside it.
+  void pick(const std::filesystem::path& protocol);
+  void read();
+  void take(StartFacts facts);
+  void grant(const Wish& wish);
   void list_protocols();
-  void load(const std::filesystem::path& protocol);
   void show_protocol();
   void show_noise();
   void show_mode();
-  void read_study();
-  void read_again();
   void show_person();
   void show_start();
   void go_on(bool wanted);
   QString session_text() const;
 
+  /// Null while there is none, or it is not valid.
+  const Protocol* chosen() const noexcept { return facts_.chosen.protocol.get(); }
+  bool read_has_failed() const { return !is_read_ && !read_task_.is_running(); }
   bool is_virtual() const noexcept { return mode_ == SessionMode::simulate; }
   bool needs_consent() const;
   std::optional<std::int64_t> resumed_session() const;
@@ -112,32 +122,21 @@ class StartPage final : public QWidget {
   void simulate_several();
 
   OpenStudy& study_;
-  std::filesystem::path file_{};
-  std::shared_ptr<const Protocol> protocol_{};  ///< null while `file_` is not valid
-  QString protocol_problem_{};
-  std::string protocol_sha256_{};
+  StartFacts facts_{};    ///< as last read; `chosen` is ahead of the rest while a file is read
+  bool is_read_ = false;  ///< `facts_` is up to date
+  std::optional<Wish> wish_{};
   SessionMode mode_ = SessionMode::run;
   std::optional<UnfinishedSession> unfinished_{};
   bool resume_ = false;
   std::optional<std::int64_t> going_on_{};  ///< the session that the page was opened to go on with
-  bool stale_ = false;                      ///< the study has changed while the page was hidden
+  bool stale_ = true;                       ///< to be read when the page is shown
   std::optional<std::vector<SessionCheck>> checks_{};  ///< absent: not up to date
   bool check_outdated_ = false;  ///< what is looked at now is to be looked at once more
-  // What the study holds, as last read.
-  struct SessionBefore {
-    std::string participant{};
-    SessionMode mode = SessionMode::run;
-    SessionState state = SessionState::open;
-    bool of_this_protocol = false;
-  };
-  std::vector<ParticipantRow> people_{};
-  std::vector<SessionBefore> sessions_{};
-  /// How often each counterbalancing row of the protocol was used, by mode.
-  std::map<SessionMode, std::vector<int>> rows_used_{};
 
   ModeBand* band_ = nullptr;
   Banner* banner_ = nullptr;
   QLabel* title_ = nullptr;
+  QWidget* form_ = nullptr;
   QComboBox* protocols_ = nullptr;
   QLabel* protocol_text_ = nullptr;
   StateLabel* protocol_state_ = nullptr;
@@ -162,6 +161,7 @@ class StartPage final : public QWidget {
   QPushButton* cancel_ = nullptr;
   QPushButton* start_ = nullptr;
   QTimer* check_timer_ = nullptr;
+  BackgroundTask read_task_{};
   BackgroundTask check_task_{};
   BackgroundTask simulate_task_{};
 };

@@ -16,7 +16,6 @@
 #include "app/gui/start/start_page.h"
 #include "app/gui/study/shown_text.h"
 #include "app/tasks/participant_answers.h"
-#include "protocols/plan.h"
 
 namespace asperity {
 
@@ -35,44 +34,66 @@ QString text_of_reasons(const std::vector<QString>& reasons) {
   return shown.join(' ');
 }
 
+/// What is wrong with a file that was read.
+QString text_of_problem(const ChosenProtocol& chosen) {
+  if (chosen.problems.empty()) return QString::fromStdString(chosen.failure);
+  const Diagnostic& first = chosen.problems.front();
+  const auto more = static_cast<int>(chosen.problems.size()) - 1;
+  QString text = StartPage::tr("This protocol is not valid, line %1: %2.")
+                     .arg(first.line)
+                     .arg(QString::fromStdString(first.message));
+  if (more > 0) text += ' ' + StartPage::tr("And %n more.", nullptr, more);
+  return text;
+}
+
 }  // namespace
 
 void StartPage::show_protocol() {
-  protocol_state_->setVisible(!protocol_);
-  protocol_text_->setVisible(protocol_ != nullptr);
-  if (!protocol_) {
-    if (protocols_->count() == 0) {
-      protocol_state_->set_state(State::stop, tr("The study has no protocol yet: make one on the "
-                                                 "Protocols page."));
-    } else if (protocol_problem_.isEmpty()) {
-      protocol_state_->set_state(State::unknown, tr("Choose what is to be run."));
-    } else {
-      protocol_state_->set_state(State::stop, protocol_problem_);
+  const ChosenProtocol& now = facts_.chosen;
+  // What stands there of the one before is grey for a moment rather than gone and back.
+  protocol_text_->setEnabled(now.is_read());
+  if (!is_read_ && !now.is_read()) {
+    if (protocol_text_->text().isEmpty()) {
+      protocol_state_->set_state(State::unknown, tr("The study is being read."));
     }
     return;
   }
-  const PlanCost cost = cost_of(*protocol_, make_plan(*protocol_, {1, 0}));
+  const Protocol* protocol = chosen();
+  protocol_state_->setVisible(protocol == nullptr);
+  protocol_text_->setVisible(protocol != nullptr);
+  if (protocol == nullptr) {
+    if (protocols_->count() == 0) {
+      protocol_state_->set_state(State::stop, tr("The study has no protocol yet: make one on the "
+                                                 "Protocols page."));
+    } else if (now.is_read()) {
+      protocol_state_->set_state(State::stop, text_of_problem(now));
+    } else {
+      protocol_state_->set_state(State::unknown, tr("Choose what is to be run."));
+    }
+    return;
+  }
+  const PlanCost& cost = now.cost;
   const QString title =
-      QString::fromStdString(protocol_->title.empty() ? protocol_->name : protocol_->title);
+      QString::fromStdString(protocol->title.empty() ? protocol->name : protocol->title);
   const QString head =
       tr("%1 · version %2 · SHA-256 %3")
-          .arg(text_of_kind(protocol_->kind), QString::fromStdString(protocol_->version),
-               QString::fromStdString(short_hash(protocol_sha256_)));
+          .arg(text_of_kind(protocol->kind), QString::fromStdString(protocol->version),
+               QString::fromStdString(short_hash(now.sha256)));
   const QString trials = cost.trials == 1 ? tr("1 trial") : tr("%n trials", nullptr, cost.trials);
   const QString tail =
       tr("%1, about %2 · %3 · %4")
-          .arg(trials, text_of_duration(cost.total_s), text_of_vision(protocol_->vision),
-               text_of_noise(protocol_->masking_noise));
+          .arg(trials, text_of_duration(cost.total_s), text_of_vision(protocol->vision),
+               text_of_noise(protocol->masking_noise));
   protocol_text_->setTextFormat(Qt::RichText);
   protocol_text_->setText(
       QString("<b>%1</b><br>%2<br>%3")
           .arg(title.toHtmlEscaped(), head.toHtmlEscaped(), tail.toHtmlEscaped()));
-  participant_->set_questions(protocol_->participant_questions);
-  consent_->set_statement(*protocol_);
+  participant_->set_questions(protocol->participant_questions);
+  consent_->set_statement(*protocol);
 }
 
 void StartPage::show_noise() {
-  const MaskingNoise declared = protocol_ ? declared_noise(*protocol_) : MaskingNoise{};
+  const MaskingNoise declared = chosen() != nullptr ? declared_noise(*chosen()) : MaskingNoise{};
   if (noise_ != nullptr) {
     const MaskingNoise now = noise_->value();
     if (now.kind == declared.kind && now.declared_dBA == declared.declared_dBA) return;
@@ -129,7 +150,7 @@ void StartPage::show_mode() {
 
 void StartPage::show_person() {
   const int several = virtual_people_->value();
-  const std::string first = next_virtual_label(people_);
+  const std::string first = next_virtual_label(facts_.people);
   participant_->set_virtual(
       is_virtual(), several == 1
                         ? tr("The program names virtual participants; the next one is %1.")
@@ -137,12 +158,10 @@ void StartPage::show_person() {
                         : tr("The program names virtual participants; the next %n begin with %1.",
                              nullptr, several)
                               .arg(QString::fromStdString(first)));
-  participant_->set_people(people_);
+  participant_->set_people(facts_.people);
   const std::optional<ParticipantRow> known = participant_->known();
   unfinished_.reset();
-  if (known && protocol_) {
-    unfinished_ = unfinished_session(study_.study(), *protocol_, known->label, going_on_);
-  }
+  if (known) unfinished_ = unfinished_of(facts_.unfinished, known->label, going_on_);
   if (!unfinished_) resume_ = false;
   // Somebody came here to go on with it: no reading of the study in between makes it a new session.
   if (unfinished_ && !resume_ && going_on_) return go_on(true);
@@ -160,11 +179,12 @@ void StartPage::show_person() {
 }
 
 QString StartPage::session_text() const {
-  if (!protocol_ || is_batch() || resume_) return {};
+  const Protocol* protocol = chosen();
+  if (protocol == nullptr || is_batch() || resume_) return {};
   int sessions = 0;
   int of_this = 0;
   const std::string label = participant_->label();
-  for (const SessionBefore& session : sessions_) {
+  for (const StartFacts::SessionBefore& session : facts_.sessions) {
     if (participant_->is_new() || session.participant != label) continue;
     ++sessions;
     if (session.of_this_protocol && session.mode == mode_ &&
@@ -176,8 +196,8 @@ QString StartPage::session_text() const {
                             "protocol are done.")
                              .arg(sessions + 1)
                              .arg(of_this)
-                             .arg(protocol_->sessions);
-  const std::vector<int>& used = rows_used_.at(mode_);
+                             .arg(protocol->sessions);
+  const std::vector<int>& used = facts_.rows_used.at(mode_);
   const auto rows = static_cast<int>(used.size());
   if (rows <= 1) return tr("%1 No counterbalancing.").arg(number);
   const auto least = std::min_element(used.begin(), used.end()) - used.begin();
@@ -207,7 +227,7 @@ void StartPage::show_start() {
   if (why_not.empty()) {
     reason_->set_state(State::fine, tr("Ready."));
   } else {
-    const bool only_waiting = !checks_ && why_not.size() == 1;
+    const bool only_waiting = !checks_ && why_not.size() == 1 && !read_has_failed();
     reason_->set_state(only_waiting ? State::unknown : State::look, text_of_reasons(why_not));
   }
   QStringList all{};

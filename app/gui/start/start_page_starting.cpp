@@ -36,9 +36,11 @@ MaskingNoise StartPage::noise() const {
 }
 
 std::vector<QString> StartPage::reasons() const {
-  if (!protocol_) {
-    return {protocol_problem_.isEmpty() ? tr("No protocol is chosen.")
-                                        : tr("The protocol is not valid.")};
+  if (read_task_.is_running()) return {tr("The study is being read.")};
+  if (!is_read_) return {tr("The study has not been read.")};
+  if (chosen() == nullptr) {
+    return {facts_.chosen.is_read() ? tr("The protocol is not valid.")
+                                    : tr("No protocol is chosen.")};
   }
   std::vector<QString> reasons = participant_->complaints();
   if (needs_consent()) {
@@ -60,13 +62,13 @@ std::vector<QString> StartPage::reasons() const {
 void StartPage::check_soon() {
   checks_.reset();
   show_start();
-  if (isVisible()) check_timer_->start();
+  if (isVisible() && is_read_) check_timer_->start();
 }
 
 void StartPage::check() {
   check_timer_->stop();
   checks_.reset();
-  if (file_.empty() || !isVisible()) return;
+  if (facts_.chosen.file.empty() || !is_read_ || !isVisible()) return;
   if (check_task_.is_running()) {
     // The loop that it tries runs for a while yet: nobody waits for it here.
     check_task_.cancel();
@@ -75,8 +77,8 @@ void StartPage::check() {
   }
   const CheckInputs inputs{
       .study = study_.folder(),
-      .protocol = file_,
-      .protocol_sha256 = protocol_sha256_,
+      .protocol = facts_.chosen.file,
+      .protocol_sha256 = facts_.chosen.sha256,
       .participant = participant_->label(),
       .mode = mode_,
       .resume = resume_,
@@ -93,7 +95,8 @@ void StartPage::check() {
         return check_session(inputs, models, stop);
       },
       [this](std::vector<SessionCheck> checks) {
-        if (check_outdated_ || check_timer_->isActive() || !isVisible()) return;
+        // Something else is chosen by now, or being read: then it is looked at once more.
+        if (check_outdated_ || check_timer_->isActive() || !is_read_ || !isVisible()) return;
         check_list_->set_running(false);
         check_list_->set_checks(checks);
         checks_ = std::move(checks);
@@ -109,7 +112,7 @@ void StartPage::check() {
 SessionOrder StartPage::order() const {
   SessionOrder order{};
   RunInputs& inputs = order.inputs;
-  inputs.protocol = file_;
+  inputs.protocol = facts_.chosen.file;
   inputs.study = study_.folder();
   inputs.participant = participant_->label();
   inputs.seed = new_seed();
@@ -119,8 +122,9 @@ SessionOrder StartPage::order() const {
   inputs.is_virtual = is_virtual();
   inputs.pacing = is_virtual() && fast_->isChecked() ? RunPacing::stepped : RunPacing::real_time;
   inputs.mirrored = setup_->is_mirrored();
-  if (protocol_ && !is_virtual() && participant_->is_new()) {
-    inputs.new_person = participant_->new_person(*protocol_);
+  const Protocol* protocol = chosen();
+  if (protocol != nullptr && !is_virtual() && participant_->is_new()) {
+    inputs.new_person = participant_->new_person(*protocol);
   }
   if (needs_consent()) {
     inputs.has_consented = consent_->is_given();
@@ -129,10 +133,10 @@ SessionOrder StartPage::order() const {
   order.noise = noise();
   order.own_keyboard = setup_->own_keyboard();
   order.participant_screen = setup_->participant_screen();
-  if (protocol_) {
-    for (const auto& [cue, path] : protocol_->speech) order.speech[cue] = study_.folder() / path;
+  if (protocol != nullptr) {
+    for (const auto& [cue, path] : protocol->speech) order.speech[cue] = study_.folder() / path;
   }
-  order.protocol_sha256 = protocol_sha256_;
+  order.protocol_sha256 = facts_.chosen.sha256;
   return order;
 }
 
@@ -151,7 +155,7 @@ void StartPage::press_start() {
 
 void StartPage::simulate_several() {
   SimulationInputs inputs{};
-  inputs.protocols = {file_};
+  inputs.protocols = {facts_.chosen.file};
   inputs.study = study_.folder();
   inputs.participants = virtual_people_->value();
   inputs.seed = new_seed();

@@ -96,9 +96,23 @@ class TheStartPage : public testing::Test {
   }
   std::string shown_reason() const { return find<QLabel>("start_reason").text().toStdString(); }
   bool can_start() const { return find<QPushButton>("start").isEnabled(); }
-  /// Until the checklist is up to date.
+  /// Until the study has been read.
+  bool wait_for_study() const {
+    return QTest::qWaitFor([this] { return page->is_read(); }, kPatience_ms);
+  }
+  /// Until the checklist is up to date as well.
   bool wait_for_checks() const {
-    return QTest::qWaitFor([this] { return !has_reason("The checklist"); }, kPatience_ms);
+    return QTest::qWaitFor([this] { return page->is_read() && !has_reason("The checklist"); },
+                           kPatience_ms);
+  }
+  void choose(const std::filesystem::path& file, const std::optional<std::string>& participant = {},
+              std::optional<std::int64_t> session = {}) const {
+    page->choose(file, participant, session);
+    if (!wait_for_study()) throw std::runtime_error("the study is not read");
+  }
+  void announce_change() const {
+    study->announce_change();
+    if (page->isVisible() && !wait_for_study()) throw std::runtime_error("the study is not read");
   }
 
   /// Everything that a person in a run has to give.
@@ -134,7 +148,7 @@ class TheStartPage : public testing::Test {
 
 TEST_F(TheStartPage, StartsAFilledInRunWithEverythingThatWasSaid) {
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   fill_in();
   ASSERT_TRUE(wait_for_checks());
   EXPECT_EQ(page->reasons(), std::vector<QString>{});
@@ -161,7 +175,7 @@ TEST_F(TheStartPage, StartsAFilledInRunWithEverythingThatWasSaid) {
 
 TEST_F(TheStartPage, RefusesToStartWithoutConsentAndSaysSo) {
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   fill_in();
   find<QCheckBox>("consent_given").setChecked(false);
   ASSERT_TRUE(wait_for_checks());
@@ -175,7 +189,7 @@ TEST_F(TheStartPage, RefusesToStartWithoutConsentAndSaysSo) {
 }
 
 TEST_F(TheStartPage, AsksAnewForConsentWhenSomebodyElseTakesPart) {
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   fill_in();
   EXPECT_TRUE(find<QCheckBox>("consent_given").isChecked());
   type("participant_label", "P007");
@@ -184,7 +198,7 @@ TEST_F(TheStartPage, AsksAnewForConsentWhenSomebodyElseTakesPart) {
 
 TEST_F(TheStartPage, NamesEveryRequiredAnswerThatIsMissingOrNotPossible) {
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   EXPECT_TRUE(has_reason("\"How old are you?\" is not answered."));
   EXPECT_TRUE(has_reason("\"Which hand?\" is not answered."));
   EXPECT_FALSE(has_reason("What do you like?"));
@@ -200,8 +214,8 @@ TEST_F(TheStartPage, NamesEveryRequiredAnswerThatIsMissingOrNotPossible) {
 
 TEST_F(TheStartPage, RefusesLabelsThatAreEmptyImpossibleOrTaken) {
   Study::open(folder, Access::read_write).add_participant({.label = "P001"});
-  study->announce_change();
-  page->choose(protocol, std::nullopt, {});
+  announce_change();
+  choose(protocol);
   EXPECT_EQ(find<QLineEdit>("participant_label").text(), "P002");  // the study's own pattern
   EXPECT_FALSE(has_reason("label"));
   type("participant_label", "");
@@ -215,7 +229,7 @@ TEST_F(TheStartPage, RefusesLabelsThatAreEmptyImpossibleOrTaken) {
 TEST_F(TheStartPage, WaitsForTheChecklistAndTellsWhatItFound) {
   const StudyLock elsewhere(folder, Study::session_lock_name("sub001"));
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   fill_in();
   EXPECT_TRUE(has_reason("The checklist is being gone through."));
   EXPECT_FALSE(can_start());
@@ -227,9 +241,10 @@ TEST_F(TheStartPage, WaitsForTheChecklistAndTellsWhatItFound) {
 
 TEST_F(TheStartPage, SaysThatAProtocolIsNotChosenOrNotValid) {
   write_file(folder / "protocols" / "broken.json", "{}", Overwrite::refuse);
-  const StartPage other(*study);
-  EXPECT_EQ(other.reasons(), std::vector<QString>{"No protocol is chosen."});
-  page->choose(folder / "protocols" / "broken.json", std::nullopt, {});
+  page->show();  // of two protocols none is the one that is meant
+  ASSERT_TRUE(wait_for_study());
+  EXPECT_EQ(page->reasons(), std::vector<QString>{"No protocol is chosen."});
+  choose(folder / "protocols" / "broken.json");
   EXPECT_EQ(page->reasons(), std::vector<QString>{"The protocol is not valid."});
   EXPECT_TRUE(find<QLabel>("protocol_state").text().contains("not valid"));
   EXPECT_FALSE(can_start());
@@ -238,11 +253,11 @@ TEST_F(TheStartPage, SaysThatAProtocolIsNotChosenOrNotValid) {
 TEST_F(TheStartPage, RefusesAProtocolThatChangedAndReadsItAnewWhenAsked) {
   page->show();
   page->set_mode(SessionMode::simulate);
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   ASSERT_TRUE(wait_for_checks());
   EXPECT_TRUE(can_start()) << shown_reason();
   write_protocol(protocol_with_questions() + "\n");
-  study->announce_change();  // looks again, at what was chosen
+  announce_change();  // looks again, at what was chosen
   EXPECT_FALSE(can_start());
   ASSERT_TRUE(wait_for_checks());
   EXPECT_FALSE(can_start());
@@ -253,9 +268,65 @@ TEST_F(TheStartPage, RefusesAProtocolThatChangedAndReadsItAnewWhenAsked) {
   EXPECT_EQ(page->order().protocol_sha256, sha256_of(protocol_with_questions() + "\n"));
 }
 
-TEST_F(TheStartPage, NeedsNeitherConsentNorAnswersForASimulation) {
+// A large study takes a while to read: nobody waits for it, and nothing is started meanwhile.
+TEST_F(TheStartPage, ReadsTheStudyBesideTheWindowAndStartsNothingMeanwhile) {
   page->show();
   page->choose(protocol, std::nullopt, {});
+  EXPECT_EQ(page->reasons(), std::vector<QString>{"The study is being read."});
+  EXPECT_FALSE(find<QLineEdit>("participant_label").isEnabled());
+  ASSERT_TRUE(wait_for_study());
+  EXPECT_TRUE(find<QLineEdit>("participant_label").isEnabled());
+  click("mode_simulate");
+  ASSERT_TRUE(wait_for_checks());
+  ASSERT_TRUE(can_start()) << shown_reason();
+
+  QSignalSpy wanted(page.get(), &StartPage::start_wanted);
+  study->announce_change();
+  EXPECT_NE(shown_reason().find("The study is being read."), std::string::npos);
+  click("start");
+  EXPECT_EQ(wanted.size(), 0);
+  ASSERT_TRUE(wait_for_checks());
+  click("start");
+  EXPECT_EQ(wanted.size(), 1);
+}
+
+TEST_F(TheStartPage, ShowsTheLastOfSeveralChoicesThatAreMadeAtOnce) {
+  const std::filesystem::path other = folder / "protocols" / "other.json";
+  std::string text = protocol_with_questions();
+  text.replace(text.find("\"small\""), 7, "\"other\"");
+  write_file(other, text, Overwrite::refuse);
+  page->show();
+  page->choose(other, std::nullopt, {});
+  page->choose(protocol, "P044", {});
+  page->choose(other, "P045", {});
+  ASSERT_TRUE(wait_for_study());
+  EXPECT_EQ(find<QComboBox>("protocols").currentText(), "other");
+  EXPECT_EQ(find<QLineEdit>("participant_label").text(), "P045");
+  EXPECT_EQ(page->order().inputs.protocol, other);
+  EXPECT_EQ(page->order().protocol_sha256, sha256_of(text));
+}
+
+TEST_F(TheStartPage, SaysThatAStudyCannotBeReadAndReadsItWhenAskedAgain) {
+  page->show();
+  const std::filesystem::path store = folder / "study.sqlite";
+  const std::string bytes = read_file(store);
+  write_file(store, "no study", Overwrite::allow);
+  page->choose(protocol, std::nullopt, {});
+  auto* banner = page->findChild<Banner*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->isVisible(); }, kPatience_ms));
+  EXPECT_TRUE(banner->text().startsWith("The study could not be read: "));
+  EXPECT_EQ(page->reasons(), std::vector<QString>{"The study has not been read."});
+  write_file(store, bytes, Overwrite::allow);
+  for (auto* button : banner->findChildren<QPushButton*>()) {
+    if (button->text() == "Try again") QTest::mouseClick(button, Qt::LeftButton);
+  }
+  ASSERT_TRUE(wait_for_study());
+  EXPECT_EQ(find<QLineEdit>("participant_label").text(), "sub001");
+}
+
+TEST_F(TheStartPage, NeedsNeitherConsentNorAnswersForASimulation) {
+  page->show();
+  choose(protocol);
   click("mode_simulate");
   EXPECT_FALSE(is_shown("consent_statement"));
   EXPECT_FALSE(is_shown("question_age"));
@@ -276,7 +347,7 @@ TEST_F(TheStartPage, NeedsNeitherConsentNorAnswersForASimulation) {
 
 TEST_F(TheStartPage, ShowsTheBandOfTheModeAtOnce) {
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   auto* band = page->findChild<ModeBand*>();
   ASSERT_NE(band, nullptr);
   EXPECT_FALSE(band->isVisible());
@@ -290,7 +361,7 @@ TEST_F(TheStartPage, ShowsTheBandOfTheModeAtOnce) {
 }
 
 TEST_F(TheStartPage, MirrorsTheLayoutForALeftHandUnlessItIsChosenOtherwise) {
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   EXPECT_FALSE(page->order().inputs.mirrored);
   pick("question_hand_used", "left");
   EXPECT_TRUE(page->order().inputs.mirrored);
@@ -300,15 +371,15 @@ TEST_F(TheStartPage, MirrorsTheLayoutForALeftHandUnlessItIsChosenOtherwise) {
   EXPECT_FALSE(page->order().inputs.mirrored);
 
   Study::open(folder, Access::read_write).add_participant({.label = "P009", .handedness = "left"});
-  study->announce_change();
-  page->choose(protocol, "P009", {});
+  announce_change();
+  choose(protocol, "P009");
   EXPECT_TRUE(page->order().inputs.mirrored);
 }
 
 TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
   run_unfinished("virtual0001");
   page->show();
-  page->choose(protocol, "virtual0001", {});
+  choose(protocol, "virtual0001");
   EXPECT_EQ(find<QPushButton>("go_on").text(), "Go on with session 1 (1 of 3 trials done)");
   EXPECT_FALSE(page->order().inputs.resume);
   click("go_on");
@@ -330,12 +401,12 @@ TEST_F(TheStartPage, OffersToGoOnWithAnUnfinishedSession) {
 
 TEST_F(TheStartPage, KeepsTheHandThatSomebodyChose) {
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   click("left_hand");
   click("mode_pilot");
   type("question_age", "31");
   pick("question_hand_used", "right");
-  study->announce_change();
+  announce_change();
   EXPECT_TRUE(page->order().inputs.mirrored) << "it was chosen after all that is suggested";
   type("participant_label", "P777");
   EXPECT_FALSE(page->order().inputs.mirrored) << "somebody else is suggested their own";
@@ -349,7 +420,7 @@ TEST_F(TheStartPage, LooksAtNothingWhileItIsHidden) {
     return std::any_of(timers.begin(), timers.end(), [](QTimer* one) { return one->isActive(); });
   };
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   ASSERT_TRUE(wait_for_checks());
   page->hide();
   const QString suggested = find<QLineEdit>("participant_label").text();
@@ -360,26 +431,26 @@ TEST_F(TheStartPage, LooksAtNothingWhileItIsHidden) {
     person.created_utc = "2026-03-02T08:00:00Z";
     other.add_participant(person);
   }
-  study->announce_change();
+  announce_change();
   EXPECT_FALSE(looks_soon());
   EXPECT_EQ(find<QLineEdit>("participant_label").text(), suggested);
   page->show();
-  EXPECT_TRUE(looks_soon());
+  ASSERT_TRUE(wait_for_checks());
   EXPECT_NE(find<QLineEdit>("participant_label").text(), suggested);
 }
 
 TEST_F(TheStartPage, GoesOnAtOnceWhenItIsToldTo) {
   run_unfinished("virtual0001");
-  page->choose(protocol, "virtual0001", std::int64_t{1});
+  choose(protocol, "virtual0001", std::int64_t{1});
   EXPECT_TRUE(page->order().inputs.resume);
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   EXPECT_FALSE(page->order().inputs.resume);
   EXPECT_TRUE(find<QPushButton>("mode_run").isEnabled());
 }
 
 TEST_F(TheStartPage, RunsOneVirtualParticipantFromEndToEnd) {
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   click("mode_simulate");
   ASSERT_TRUE(wait_for_checks());
   SessionRunner runner;
@@ -390,13 +461,13 @@ TEST_F(TheStartPage, RunsOneVirtualParticipantFromEndToEnd) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !runner.is_running(); }, kPatience_ms));
   ASSERT_EQ(ended.size(), 1);
   EXPECT_EQ(ended.first().first().value<SessionEnd>().state, SessionState::completed);
-  study->announce_change();
+  announce_change();
   EXPECT_EQ(page->order().inputs.participant, "virtual0002");
 }
 
 TEST_F(TheStartPage, SimulatesSeveralInTheBackgroundAndReportsThem) {
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   click("mode_simulate");
   find<QSpinBox>("virtual_participants").setValue(3);
   ASSERT_TRUE(wait_for_checks());
@@ -419,7 +490,7 @@ TEST_F(TheStartPage, SimulatesSeveralInTheBackgroundAndReportsThem) {
 
 TEST_F(TheStartPage, StopsASimulationThatIsCancelledAndKeepsWhatIsDone) {
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   click("mode_simulate");
   find<QSpinBox>("virtual_participants").setValue(200);
   ASSERT_TRUE(wait_for_checks());
@@ -436,7 +507,7 @@ TEST_F(TheStartPage, StopsASimulationThatIsCancelledAndKeepsWhatIsDone) {
 
 TEST_F(TheStartPage, ComesInTheOrderInWhichASessionIsPrepared) {
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   QTest::qWait(10);
   const std::vector<const char*> order{"protocols",    "participant_label", "question_age",
                                        "session_text", "mode_run",          "consent_given",
@@ -456,7 +527,8 @@ TEST_F(TheStartPage, IsFilledInByTheKeyboardAlone) {
   page->show();
   page->activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(page.get()));
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return find<QWidget>("question_age").isVisible(); }));
   find<QComboBox>("protocols").setFocus();
   // Every control comes by Tab, from the protocol to the last one, and round again.
   QStringList reached{};
@@ -491,7 +563,7 @@ TEST_F(TheStartPage, IsFilledInByTheKeyboardAlone) {
 
 TEST_F(TheStartPage, KeepsStartInSightAndNeverScrollsSideways) {
   page->show();
-  page->choose(protocol, std::nullopt, {});
+  choose(protocol);
   page->resize(1048, 620);
   QTest::qWait(10);
   for (auto* area : page->findChildren<QScrollArea*>()) {
@@ -528,14 +600,15 @@ TEST(StartPagePictures, ShowEveryMode) {
     const QString suffix = theme_choice == ThemeChoice::dark ? "-dark" : "";
     StartPage page(study);
     page.show();
-    page.choose(folder / "protocols" / "chapter_recognition.json", std::nullopt, false);
+    page.choose(folder / "protocols" / "chapter_recognition.json", std::nullopt, {});
     const auto settle = [&page] {
       EXPECT_TRUE(QTest::qWaitFor(
           [&page] {
             const auto reasons = page.reasons();
-            return std::none_of(reasons.begin(), reasons.end(), [](const QString& reason) {
-              return reason.contains("The checklist");
-            });
+            return page.is_read() &&
+                   std::none_of(reasons.begin(), reasons.end(), [](const QString& reason) {
+                     return reason.contains("The checklist");
+                   });
           },
           kPatience_ms));
     };

@@ -1,0 +1,73 @@
+#include "app/gui/start/start_facts.h"
+
+#include <algorithm>
+#include <exception>
+#include <system_error>
+
+#include "app/tasks/protocol_files.h"
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+namespace {
+
+std::vector<std::filesystem::path> protocol_files(const std::filesystem::path& study) {
+  std::vector<std::filesystem::path> files{};
+  std::error_code ignored{};
+  for (const auto& entry : std::filesystem::directory_iterator(study / "protocols", ignored)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+ChosenProtocol read_chosen(const std::filesystem::path& file, const std::filesystem::path& study,
+                           const ModelRegistry& models) {
+  ChosenProtocol chosen{.file = file};
+  try {
+    chosen.protocol = std::make_shared<const Protocol>(load_protocol(file, models, study));
+    chosen.sha256 = sha256_of(chosen.protocol->source);
+    chosen.cost = cost_of(*chosen.protocol, make_plan(*chosen.protocol, {1, 0}));
+  } catch (const ProtocolError& error) {
+    chosen.problems = error.diagnostics();
+  } catch (const std::exception& error) {
+    chosen.failure = error.what();
+  }
+  return chosen;
+}
+
+void read_sessions(StartFacts& facts, const Study& study) {
+  const Protocol& protocol = *facts.chosen.protocol;
+  std::map<std::int64_t, bool> is_this{};
+  for (const ProtocolRow& row : study.protocols()) {
+    is_this[row.id] = row.source_sha256 == facts.chosen.sha256;
+  }
+  for (const SessionRow& row : study.sessions()) {
+    facts.sessions.push_back({row.participant, row.mode, row.state, is_this[row.protocol_id]});
+  }
+  facts.unfinished = unfinished_sessions(study, protocol);
+  const int rows = counterbalance_rows(protocol);
+  for (const SessionMode mode : {SessionMode::run, SessionMode::pilot, SessionMode::simulate}) {
+    facts.rows_used[mode] = study.counterbalance_counts(protocol.name, rows, mode);
+  }
+}
+
+}  // namespace
+
+StartFacts read_start_facts(const std::filesystem::path& study, const ChosenProtocol& chosen,
+                            const ModelRegistry& models) {
+  StartFacts facts{};
+  facts.files = protocol_files(study);
+  facts.chosen = chosen;
+  if (chosen.file.empty() && facts.files.size() == 1) facts.chosen.file = facts.files.front();
+  if (!facts.chosen.file.empty() && !facts.chosen.is_read()) {
+    facts.chosen = read_chosen(facts.chosen.file, study, models);
+  }
+  const Study own = Study::open(study, Access::read_only);
+  facts.people = own.participants();
+  if (facts.chosen.protocol != nullptr) read_sessions(facts, own);
+  return facts;
+}
+
+}  // namespace asperity
