@@ -66,6 +66,11 @@ void ConsentCard::set_statement(const Protocol& protocol) {
 
 void ConsentCard::forget() { given_->setChecked(false); }
 
+void ConsentCard::fill_in(bool has_consented, const std::string& seen_by) {
+  given_->setChecked(has_consented);
+  seen_by_->setText(QString::fromStdString(seen_by));
+}
+
 bool ConsentCard::is_given() const { return given_->isChecked(); }
 
 std::string ConsentCard::seen_by() const { return seen_by_->text().trimmed().toStdString(); }

@@ -25,6 +25,7 @@ class ConsentCard final : public QWidget {
   void set_statement(const Protocol& protocol);
   /// Somebody else is to agree.
   void forget();
+  void fill_in(bool has_consented, const std::string& seen_by);
   bool is_given() const;
   std::string seen_by() const;
   /// What is missing, a sentence each.

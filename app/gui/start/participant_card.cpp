@@ -1,6 +1,7 @@
 #include "app/gui/start/participant_card.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QtCore/QSignalBlocker>
 #include <QtWidgets/QBoxLayout>
@@ -132,14 +133,19 @@ ParticipantCard::ParticipantCard(QWidget* parent) : QWidget(parent) {
 
 void ParticipantCard::set_questions(const std::vector<Question>& questions) {
   form_->set_questions(questions);
+  // Fields that are made later come last otherwise, wherever they stand.
+  QWidget* before = label_;
+  for (QWidget* field : form_->fields()) {
+    setTabOrder(before, field);
+    before = field;
+  }
 }
 
 void ParticipantCard::set_people(const std::vector<ParticipantRow>& people) {
   const QString suggested_before = QString::fromStdString(suggested_label(people_));
-  const bool first = label_->text().isEmpty() && people_.empty();
   people_ = people;
-  // A label that was only suggested follows the study; one that somebody typed stays.
-  if (first || label_->text() == suggested_before) {
+  // A label that was only suggested follows the study; one that somebody typed, or cleared, stays.
+  if (!std::exchange(has_suggested_, true) || label_->text() == suggested_before) {
     const QSignalBlocker silent(label_);
     label_->setText(QString::fromStdString(suggested_label(people)));
   }
@@ -213,6 +219,32 @@ void ParticipantCard::choose_next() {
   new_->setChecked(true);
   form_->clear_answers();
   label_->setText(QString::fromStdString(suggested_label(people_)));
+  show_kind();
+  emit person_changed();
+  emit changed();
+}
+
+StartDraft::Person ParticipantCard::draft() const {
+  const std::string typed = label_->text().toStdString();
+  const bool is_suggested = typed == suggested_label(people_);
+  return {.is_new = is_new(),
+          .label = !is_new()      ? label()
+                   : is_suggested ? ""
+                                  : typed,
+          .answers = form_->answers()};
+}
+
+void ParticipantCard::fill_in(const StartDraft::Person& draft) {
+  form_->set_answers(draft.answers);
+  const QString label = QString::fromStdString(draft.label);
+  const int index = list_->findText(label);
+  if (!draft.is_new && index >= 0) {
+    known_->setChecked(true);
+    list_->setCurrentIndex(index);
+  } else {
+    new_->setChecked(true);
+    if (!label.isEmpty()) label_->setText(label);
+  }
   show_kind();
   emit person_changed();
   emit changed();

@@ -9,6 +9,7 @@
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
+#include "app/gui/start/start_draft.h"
 #include "app/tasks/unfinished_session.h"
 #include "protocols/protocol.h"
 #include "results_schema/rows.h"
@@ -44,6 +45,8 @@ class ParticipantCard final : public QWidget {
   void choose(const std::string& label);
   /// Ready for the next person: a new label, empty answers.
   void choose_next();
+  StartDraft::Person draft() const;
+  void fill_in(const StartDraft::Person& draft);
   std::string label() const;
   bool is_new() const;
   /// Somebody known who is chosen.
@@ -63,6 +66,7 @@ class ParticipantCard final : public QWidget {
 
   std::vector<ParticipantRow> people_{};
   bool is_virtual_ = false;
+  bool has_suggested_ = false;  ///< a label for somebody new
   QPushButton* new_ = nullptr;
   QPushButton* known_ = nullptr;
   QWidget* switches_ = nullptr;

@@ -113,6 +113,18 @@ ParticipantAnswers QuestionForm::answers() const {
   return answers;
 }
 
+void QuestionForm::set_answers(const ParticipantAnswers& answers) {
+  for (const auto& [question, answer] : answers) {
+    const QString name = "question_" + QString::fromStdString(question);
+    const QString text = QString::fromStdString(answer);
+    if (auto* box = findChild<QComboBox*>(name)) {
+      box->setCurrentIndex(box->findText(text));
+    } else if (auto* line = findChild<QLineEdit*>(name)) {
+      line->setText(text);
+    }
+  }
+}
+
 std::vector<QString> QuestionForm::complaints() const {
   const ParticipantAnswers given = answers();
   std::vector<QString> complaints{};
@@ -123,6 +135,14 @@ std::vector<QString> QuestionForm::complaints() const {
     }
   }
   return complaints;
+}
+
+std::vector<QWidget*> QuestionForm::fields() const {
+  std::vector<QWidget*> fields{};
+  for (const Question& question : questions_) {
+    fields.push_back(findChild<QWidget*>(field_name(question)));
+  }
+  return fields;
 }
 
 void QuestionForm::clear_answers() {

@@ -24,9 +24,13 @@ class QuestionForm final : public QWidget {
   /// The fields are empty afterwards, unless the questions are those that were asked already.
   void set_questions(const std::vector<Question>& questions);
   ParticipantAnswers answers() const;
+  /// Those of questions that are not asked are left out.
+  void set_answers(const ParticipantAnswers& answers);
   /// A sentence for each answer that is missing or not acceptable, in the order of the questions.
   std::vector<QString> complaints() const;
   void clear_answers();
+  /// In the order of the questions.
+  std::vector<QWidget*> fields() const;
 
  signals:
   void answered();

@@ -111,6 +111,15 @@ SetupCard::SetupCard(QWidget* parent) : QWidget(parent) {
 
 bool SetupCard::is_mirrored() const { return left_->isChecked(); }
 
+std::optional<bool> SetupCard::chosen_left() const {
+  return hand_chosen_ ? std::optional(is_mirrored()) : std::nullopt;
+}
+
+void SetupCard::choose_left(bool left) {
+  hand_chosen_ = true;
+  set_left(left);
+}
+
 void SetupCard::suggest_left_hand(bool left) {
   if (!hand_chosen_) set_left(left);
 }

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <optional>
+
 #include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
@@ -18,6 +20,9 @@ class SetupCard final : public QWidget {
   explicit SetupCard(QWidget* parent = nullptr);
 
   bool is_mirrored() const;
+  /// What somebody chose themselves.
+  std::optional<bool> chosen_left() const;
+  void choose_left(bool left);
   /// As the participant's hand suggests, until somebody chooses otherwise.
   void suggest_left_hand(bool left);
   /// As the session began; it cannot be chosen any more.

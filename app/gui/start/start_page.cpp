@@ -1,5 +1,7 @@
 #include "app/gui/start/start_page.h"
 
+#include <any>
+
 #include <QtCore/QTimer>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QButtonGroup>
@@ -23,6 +25,7 @@ namespace {
 
 // Somebody who types a label is let finish before everything is looked at.
 constexpr int kCheckDelay_ms = 300;
+constexpr const char* kPage = "start";
 constexpr int kNarrowestForm = 640;
 constexpr int kFormWidth = 960;       // longer lines are hard to follow
 constexpr int kCheckListWidth = 352;  // at least
@@ -95,10 +98,22 @@ StartPage::StartPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study
   check_timer_->setSingleShot(true);
   check_timer_->setInterval(kCheckDelay_ms);
   connect_parts();
+  const std::any before = study_.take_left(kPage);
+  if (const auto* done = std::any_cast<Left>(&before)) {
+    facts_.chosen.file = done->protocol;
+    mode_ = done->mode;
+    wish_ = done->wish;
+    form_->setEnabled(false);
+  }
   show_mode();
 }
 
-StartPage::~StartPage() = default;
+StartPage::~StartPage() {
+  if (facts_.chosen.file.empty()) return;
+  study_.leave(kPage, Left{.protocol = facts_.chosen.file,
+                           .mode = mode_,
+                           .wish = wish_ ? *wish_ : Wish{.draft = draft()}});
+}
 
 void StartPage::make_protocol_card(QVBoxLayout& column) {
   QVBoxLayout* layout = nullptr;
@@ -264,9 +279,6 @@ void StartPage::connect_parts() {
 
 void StartPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  setProperty("keep",
-              tr("Theme and language are changed from another page: what is filled in for a "
-                 "session would be lost."));
   if (stale_) {
     read();
   } else {
@@ -277,7 +289,6 @@ void StartPage::showEvent(QShowEvent* event) {
 void StartPage::hideEvent(QHideEvent* event) {
   check_timer_->stop();
   check_task_.cancel();
-  setProperty("keep", {});
   QWidget::hideEvent(event);
 }
 

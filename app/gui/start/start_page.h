@@ -12,6 +12,7 @@
 
 #include "app/gui/look/background_task.h"
 #include "app/gui/session/session_runner.h"
+#include "app/gui/start/start_draft.h"
 #include "app/gui/start/start_facts.h"
 #include "app/gui/study/open_study.h"
 #include "app/tasks/session_checks.h"
@@ -47,6 +48,9 @@ class StateLabel;
 /// Only reads the study, away from the GUI thread; whoever starts the session writes it. While it
 /// reads nothing can be started: what is pressed acts on what is shown. Looks at nothing while it is
 /// hidden: the checklist runs the servo loop, which nobody may do beside a session.
+///
+/// What is filled in stays when the page is made anew for another theme or language: it is left with
+/// the study, where the next page finds it.
 class StartPage final : public QWidget {
   Q_OBJECT
  public:
@@ -89,19 +93,30 @@ class StartPage final : public QWidget {
   QWidget* make_footer();
   void connect_parts();
 
-  /// Who is to take part, as soon as the study has been read.
+  /// Who is to take part, as soon as the study has been read; or all that was filled in on the page
+  /// that this one stands for.
   struct Wish {
     std::optional<std::string> participant{};
     std::optional<std::int64_t> session{};
+    std::optional<StartDraft> draft{};
+  };
+  /// What a page that goes leaves with the study.
+  struct Left {
+    std::filesystem::path protocol{};
+    SessionMode mode = SessionMode::run;
+    Wish wish{};
   };
   /// Reads the protocol file, and the study beside it.
   void pick(const std::filesystem::path& protocol);
   void read();
   void take(StartFacts facts);
   void grant(const Wish& wish);
+  StartDraft draft() const;
+  void fill_in(const StartDraft& draft);
   void list_protocols();
   void show_protocol();
   void show_noise();
+  void make_noise_check(const MaskingNoise& noise);
   void show_mode();
   void show_person();
   void show_start();

@@ -11,7 +11,10 @@
 #include <QtWidgets/QSpinBox>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/sound/noise_check.h"
+#include "app/gui/start/consent_card.h"
 #include "app/gui/start/participant_card.h"
+#include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
 
 namespace asperity {
@@ -74,6 +77,7 @@ void StartPage::take(StartFacts facts) {
 }
 
 void StartPage::grant(const Wish& wish) {
+  if (wish.draft) return fill_in(*wish.draft);
   if (wish.participant) {
     const auto person = std::find_if(
         facts_.people.begin(), facts_.people.end(),
@@ -101,6 +105,31 @@ void StartPage::grant(const Wish& wish) {
                         "follows here is a new session.")
                          .arg(QString::fromStdString(wish.participant.value_or(""))));
   }
+}
+
+StartDraft StartPage::draft() const {
+  StartDraft draft{};
+  draft.person = participant_->draft();
+  draft.session = resumed_session();
+  draft.virtual_people = virtual_people_->value();
+  draft.as_fast_as_possible = fast_->isChecked();
+  draft.has_consented = consent_->is_given();
+  draft.consent_seen_by = consent_->seen_by();
+  draft.left_hand = setup_->chosen_left();
+  if (noise_ != nullptr) draft.noise = noise_->value();
+  return draft;
+}
+
+void StartPage::fill_in(const StartDraft& draft) {
+  (draft.as_fast_as_possible ? fast_ : real_time_)->setChecked(true);
+  show_mode();
+  virtual_people_->setValue(draft.virtual_people);
+  participant_->fill_in(draft.person);
+  consent_->fill_in(draft.has_consented, draft.consent_seen_by);
+  if (draft.left_hand) setup_->choose_left(*draft.left_hand);
+  if (draft.noise && noise_ != nullptr) make_noise_check(*draft.noise);
+  going_on_ = draft.session;
+  show_person();  // goes on with the session, if it still can
 }
 
 void StartPage::forget_person() {

@@ -100,8 +100,12 @@ void StartPage::show_noise() {
     delete noise_;
     noise_ = nullptr;
   }
-  if (declared.kind == MaskingNoise::Kind::none) return;
-  noise_ = new NoiseCheck(declared, noise_card_);
+  if (declared.kind != MaskingNoise::Kind::none) make_noise_check(declared);
+}
+
+void StartPage::make_noise_check(const MaskingNoise& noise) {
+  delete noise_;
+  noise_ = new NoiseCheck(noise, noise_card_);
   noise_layout_->addWidget(noise_);
   connect(noise_, &NoiseCheck::changed, this, &StartPage::check_soon);
 }

@@ -2,7 +2,11 @@
 
 #pragma once
 
+#include <any>
 #include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
 
 #include <QtCore/QObject>
 
@@ -26,6 +30,10 @@ class OpenStudy final : public QObject {
   void announce_change() { emit changed(); }
 
  signals:
+  /// What a page leaves to the one that is made in its place for another theme or language; empty
+  /// when none has left anything. Taken once.
+  void leave(const std::string& page, std::any what) { left_[page] = std::move(what); }
+  std::any take_left(const std::string& page) { return std::exchange(left_[page], {}); }
   void changed();
 
  private:
@@ -34,3 +42,4 @@ class OpenStudy final : public QObject {
 };
 
 }  // namespace asperity
+  std::map<std::string, std::any> left_{};

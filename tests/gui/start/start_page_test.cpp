@@ -226,6 +226,18 @@ TEST_F(TheStartPage, RefusesLabelsThatAreEmptyImpossibleOrTaken) {
   EXPECT_TRUE(has_reason("P001 is in the study already"));
 }
 
+TEST_F(TheStartPage, LeavesALabelAloneThatSomebodyClearsToTypeAnother) {
+  page->show();
+  choose(protocol);
+  auto& label = find<QLineEdit>("participant_label");
+  EXPECT_EQ(label.text(), "sub001");
+  label.clear();
+  EXPECT_EQ(label.text(), "");
+  QTest::keyClicks(&label, "P044");
+  announce_change();
+  EXPECT_EQ(label.text(), "P044");
+}
+
 TEST_F(TheStartPage, WaitsForTheChecklistAndTellsWhatItFound) {
   const StudyLock elsewhere(folder, Study::session_lock_name("sub001"));
   page->show();
@@ -237,6 +249,19 @@ TEST_F(TheStartPage, WaitsForTheChecklistAndTellsWhatItFound) {
   EXPECT_FALSE(can_start());
   EXPECT_TRUE(has_reason("A session of sub001 runs in process"));
   EXPECT_NE(find<QLabel>("check_participant").text().indexOf("Wait until it has ended"), -1);
+}
+
+TEST_F(TheStartPage, HasALineForEverythingThatIsLookedAt) {
+  page->show();
+  choose(protocol);
+  fill_in();
+  ASSERT_TRUE(wait_for_checks());
+  for (const char* line : {"check_protocol", "check_participant", "check_study", "check_disk",
+                           "check_stimuli", "check_device", "check_calibration", "check_force_zero",
+                           "check_rate", "check_screens", "check_masking_noise"}) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return is_shown(line); })) << line;
+  }
+  EXPECT_TRUE(find<QLabel>("check_force_zero").text().contains("Exactly 0 N"));
 }
 
 TEST_F(TheStartPage, SaysThatAProtocolIsNotChosenOrNotValid) {
@@ -448,6 +473,47 @@ TEST_F(TheStartPage, GoesOnAtOnceWhenItIsToldTo) {
   EXPECT_TRUE(find<QPushButton>("mode_run").isEnabled());
 }
 
+// Pages are made anew with the theme and the language.
+TEST_F(TheStartPage, GoesOnWithWhatWasFilledInWhenItIsMadeAnew) {
+  page->show();
+  choose(protocol);
+  click("mode_pilot");
+  type("participant_label", "P044");
+  fill_in();
+  click("left_hand");
+  const auto make_anew = [this] {
+    page.reset();
+    page = std::make_unique<StartPage>(*study);
+    page->show();
+  };
+  make_anew();
+  make_anew();  // at once: nothing has been read in between
+  ASSERT_TRUE(wait_for_checks());
+  EXPECT_TRUE(can_start()) << shown_reason();
+  const SessionOrder order = page->order();
+  EXPECT_EQ(order.inputs.protocol, protocol);
+  EXPECT_EQ(order.inputs.participant, "P044");
+  EXPECT_EQ(order.inputs.mode, SessionMode::pilot);
+  EXPECT_TRUE(order.inputs.mirrored);
+  EXPECT_TRUE(order.inputs.has_consented);
+  EXPECT_EQ(order.consent_seen_by, "MW");
+  ASSERT_TRUE(order.inputs.new_person);
+  EXPECT_EQ(order.inputs.new_person->age_years, 31.0);
+  EXPECT_EQ(order.inputs.new_person->answers_json, R"({"hand_used":"right"})");
+}
+
+TEST_F(TheStartPage, GoesOnWithTheSameSessionWhenItIsMadeAnew) {
+  run_unfinished("virtual0001");
+  choose(protocol, "virtual0001", std::int64_t{1});
+  page.reset();
+  page = std::make_unique<StartPage>(*study);
+  page->show();
+  ASSERT_TRUE(wait_for_study());
+  EXPECT_EQ(page->order().inputs.resumed_session, 1);
+  EXPECT_EQ(page->order().inputs.participant, "virtual0001");
+  EXPECT_EQ(find<QPushButton>("start").text(), "Go on with session 1");
+}
+
 TEST_F(TheStartPage, RunsOneVirtualParticipantFromEndToEnd) {
   page->show();
   choose(protocol);
@@ -553,6 +619,9 @@ TEST_F(TheStartPage, IsFilledInByTheKeyboardAlone) {
                            "participant_screen", "own_keyboard", "check_again"}) {
     EXPECT_TRUE(reached.contains(name)) << name << " is not reached by Tab";
   }
+  const auto label = reached.indexOf("participant_label");
+  EXPECT_EQ(reached.value(label + 1), "question_age") << "not in the order in which they stand";
+  EXPECT_EQ(reached.value(label + 2), "question_hand_used");
   ASSERT_TRUE(wait_for_checks());
   ASSERT_TRUE(can_start()) << shown_reason();
   QSignalSpy wanted(page.get(), &StartPage::start_wanted);

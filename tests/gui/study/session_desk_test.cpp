@@ -6,6 +6,7 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QSpinBox>
 
@@ -69,18 +70,34 @@ TEST_F(TheSessionDesk, OpensThePageBeforeASessionInTheModeThatWasAskedFor) {
   EXPECT_EQ(start_page().order().inputs.mode, SessionMode::run);
 }
 
-TEST_F(TheSessionDesk, KeepsWhatIsFilledInFromAChangeOfTheme) {
+TEST_F(TheSessionDesk, KeepsWhatIsFilledInThroughAChangeOfTheme) {
   open_demo();
   click("protocol_start");
-  const QPointer<StartPage> page = &start_page();
-  choose_theme("Dark");
-  EXPECT_FALSE(page.isNull());
-  EXPECT_FALSE(theme().dark);
-  EXPECT_TRUE(window_.banner().text().contains("would be lost"))
-      << window_.banner().text().toStdString();
-  window_.show_page("protocols");
+  const auto label = [this] { return child<QLineEdit>(window_, "participant_label").text(); };
+  const auto is_read = [this] {
+    return child<QLineEdit>(window_, "participant_label").isEnabled();
+  };
+  ASSERT_TRUE(eventually(is_read));
+  child<QLineEdit>(window_, "participant_label").setText("P044");
+  click("mode_pilot");
+  QPointer<StartPage> page = &start_page();
   choose_theme("Dark");
   EXPECT_TRUE(theme().dark);
+  EXPECT_TRUE(page.isNull());
+  EXPECT_EQ(window_.shown_page(), "start");
+  ASSERT_TRUE(eventually(is_read));
+  EXPECT_EQ(label(), "P044");
+  EXPECT_EQ(start_page().mode(), SessionMode::pilot);
+
+  window_.show_page("protocols");
+  page = &start_page();
+  choose_theme("Light");
+  EXPECT_FALSE(theme().dark);
+  EXPECT_TRUE(page.isNull());
+  window_.show_page("start");
+  ASSERT_TRUE(eventually(is_read));
+  EXPECT_EQ(label(), "P044");
+  EXPECT_EQ(start_page().mode(), SessionMode::pilot);
 }
 
 TEST_F(TheSessionDesk, SimulatesSeveralWithTheWindowKeptOpen) {

@@ -1,0 +1,33 @@
+// What somebody has filled in on the page before a session.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "app/conductor/sound.h"
+#include "app/tasks/participant_answers.h"
+
+namespace asperity {
+
+/// Pages are made anew with the theme and the language; the new one goes on with this. What the
+/// settings remember is not among it.
+struct StartDraft {
+  struct Person {
+    bool is_new = true;
+    std::string label{};           ///< empty: as suggested
+    ParticipantAnswers answers{};  ///< of somebody new
+  };
+
+  Person person{};
+  std::optional<std::int64_t> session{};  ///< that goes on
+  int virtual_people = 1;
+  bool as_fast_as_possible = true;
+  bool has_consented = false;
+  std::string consent_seen_by{};
+  std::optional<bool> left_hand{};      ///< where somebody has chosen it
+  std::optional<MaskingNoise> noise{};  ///< where the protocol asks for one
+};
+
+}  // namespace asperity
