@@ -101,6 +101,13 @@ SessionOverview overview_of(const Study& study, const SessionRow& row, const Pro
   return overview;
 }
 
+/// A made-up date says nothing about when.
+bool began_before(const SessionRow& a, const SessionRow& b) {
+  const bool made_up = has_made_up_dates(a);
+  if (made_up != has_made_up_dates(b)) return made_up;
+  return a.started_utc < b.started_utc;
+}
+
 /// How many sessions of a protocol each participant has completed.
 using Completed = std::map<std::string, int>;
 
@@ -111,7 +118,7 @@ void count_progress(ProtocolOverview& overview, const std::vector<SessionRow>& s
   Completed virtual_ones{};
   for (const SessionRow& session : sessions) {
     if (names.at(session.protocol_id) != overview.name()) continue;
-    if (!overview.last_session || overview.last_session->started_utc <= session.started_utc) {
+    if (!overview.last_session || !began_before(session, *overview.last_session)) {
       overview.last_session = session;
     }
     if (session.state != SessionState::completed) continue;
@@ -209,6 +216,8 @@ std::vector<SessionOverview> session_overviews(const Study& study, const std::st
   return overviews;
 }
 
+bool has_made_up_dates(const SessionRow& session) { return session.pacing == "stepped"; }
+
 std::string ProtocolOverview::name() const {
   return check.protocol ? check.protocol->name : std::filesystem::path(check.file).stem().string();
 }
@@ -253,8 +262,8 @@ std::vector<ParticipantOverview> participant_overviews(const Study& study) {
     } else if (session.mode != SessionMode::pilot) {
       ++overview.completed;
     }
-    if (!overview.last_utc || *overview.last_utc < session.started_utc) {
-      overview.last_utc = session.started_utc;
+    if (!overview.last_session || began_before(*overview.last_session, session)) {
+      overview.last_session = session;
     }
   }
   return overviews;

@@ -20,6 +20,9 @@ namespace asperity {
 // All of these read and write nothing. What takes long ends early, with what it has, when it is
 // asked to stop. Errors: ResultsError as Study's; what is wrong with a single file is a value.
 
+/// It ran on a simulated clock: its dates are no dates of the calendar.
+bool has_made_up_dates(const SessionRow& session);
+
 /// A session in one line.
 struct SessionOverview {
   SessionRow row{};
@@ -53,7 +56,8 @@ struct ProtocolOverview {
   /// Who has completed as many sessions as the protocol asks for; people in mode `run`.
   int people_done = 0;
   int virtual_done = 0;
-  std::optional<SessionRow> last_session{};  ///< the one that was started last, of any mode
+  /// The one that was started last, of any mode; one with a made-up date only if all have one.
+  std::optional<SessionRow> last_session{};
 
   bool is_valid() const noexcept { return check.protocol && check.diagnostics.empty(); }
   /// The protocol's name, or the file's where the protocol cannot be read.
@@ -67,7 +71,7 @@ struct ParticipantOverview {
   ParticipantRow row{};
   int completed = 0;   ///< sessions that count as data: not pilots; of virtual ones all
   int unfinished = 0;  ///< of any mode
-  std::optional<std::string> last_utc{};  ///< when the last session was started
+  std::optional<SessionRow> last_session{};  ///< as ProtocolOverview's
 };
 /// By label.
 std::vector<ParticipantOverview> participant_overviews(const Study& study);

@@ -100,7 +100,8 @@ TEST(ParticipantOverviews, CountNoPilotsAsData) {
   ASSERT_EQ(people.size(), 1U);
   EXPECT_EQ(people[0].completed, 1);
   EXPECT_EQ(people[0].unfinished, 0);
-  EXPECT_EQ(people[0].last_utc, "2001-02-03T04:05:06Z");
+  ASSERT_TRUE(people[0].last_session);
+  EXPECT_EQ(people[0].last_session->started_utc, "2001-02-03T04:05:06Z");
 }
 
 TEST(ProtocolOverviews, KeepVirtualParticipantsAndPilotsApart) {

@@ -50,7 +50,7 @@ QString AttemptWords::summary(const AttemptDetail& detail) {
     parts << tr("%1 from first contact").arg(of_seconds(attempt.responses.back().from_contact_s));
   }
   const double took_s = static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
-  parts << tr("took %1").arg(of_seconds(took_s)) << text_of_time(detail.session.started_utc);
+  parts << tr("took %1").arg(of_seconds(took_s)) << text_of_start(detail.session);
   return parts.join(" · ");
 }
 

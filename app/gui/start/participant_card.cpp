@@ -17,6 +17,7 @@
 #include "app/gui/study/shown_text.h"
 #include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/study_overview.h"
 
 namespace asperity {
 
@@ -175,19 +176,25 @@ void ParticipantCard::set_unfinished(const std::optional<UnfinishedSession>& ses
   unfinished_->setVisible(session.has_value());
   if (!session) return;
   const SessionRow& row = session->row;
+  const bool made_up = has_made_up_dates(row);
   const QString begun = text_of_time(row.started_utc);
+  QString text{};
   if (goes_on) {
-    unfinished_text_->set_state(
-        State::fine, tr("Session %1, begun %2, goes on: %3 of its %4 trials are done and stored.")
+    text = made_up ? tr("Session %1, on a simulated clock, goes on: %2 of its %3 trials are done "
+                        "and stored.")
                          .arg(row.session)
-                         .arg(begun)
-                         .arg(session->trials_done)
-                         .arg(session->trials));
+                   : tr("Session %1, begun %2, goes on: %3 of its %4 trials are done and stored.")
+                         .arg(row.session)
+                         .arg(begun);
+    text = text.arg(session->trials_done).arg(session->trials);
   } else {
-    unfinished_text_->set_state(
-        State::look,
-        tr("Session %1 of this protocol, begun %2, is unfinished.").arg(row.session).arg(begun));
+    text = made_up ? tr("Session %1 of this protocol, on a simulated clock, is unfinished.")
+                         .arg(row.session)
+                   : tr("Session %1 of this protocol, begun %2, is unfinished.")
+                         .arg(row.session)
+                         .arg(begun);
   }
+  unfinished_text_->set_state(goes_on ? State::fine : State::look, text);
   go_on_->setVisible(!goes_on);
   go_on_->setText(tr("Go on with session %1 (%2 of %3 trials done)")
                       .arg(row.session)

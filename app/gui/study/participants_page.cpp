@@ -141,8 +141,9 @@ void ParticipantsPage::fill() {
                     {text_cell(label), age, text_cell(or_dash(one.row.sex)),
                      text_cell(or_dash(one.row.handedness)), number_cell(one.completed),
                      number_cell(one.unfinished),
-                     text_cell(one.last_utc ? text_of_time(*one.last_utc) : QString("–"),
-                               or_dash(one.last_utc))}});
+                     one.last_session ? text_cell(text_of_start(*one.last_session),
+                                                  order_of_start(*one.last_session))
+                                      : text_cell("–")}});
   }
   table_->fill(rows);
 }

@@ -51,9 +51,13 @@ QString last_run_of(const ProtocolOverview& overview) {
   SessionOverview session{};
   session.row = *overview.last_session;
   return ProtocolsPage::tr("Last run %1, %2, %3.")
-      .arg(text_of_time(session.row.started_utc), text(session.row.participant),
-           session.row.state == SessionState::open ? ProtocolsPage::tr("not ended")
-                                                   : text_of_session_state(session));
+  const QString state = session.row.state == SessionState::open ? ProtocolsPage::tr("not ended")
+                                                                : text_of_session_state(session);
+  if (has_made_up_dates(session.row)) {
+    return ProtocolsPage::tr("Last run on a simulated clock, %1, %2.")
+        .arg(text(session.row.participant), state);
+  }
+      .arg(text_of_time(session.row.started_utc), text(session.row.participant), state);
 }
 
 QStandardItem* state_cell(const ProtocolOverview& overview) {
@@ -154,6 +158,7 @@ QWidget* ProtocolsPage::make_detail() {
   start_->setObjectName("protocol_start");
   edit_ = make_button(tr("Edit"), ButtonRole::plain, card);
   edit_->setObjectName("protocol_edit");
+  last_run_->setObjectName("protocol_last_run");
   preview_ = make_button(tr("Preview plan"), ButtonRole::plain, card);
   preview_->setObjectName("protocol_preview");
   simulate_ = make_button(tr("Simulate…"), ButtonRole::plain, card);

@@ -164,8 +164,7 @@ void SessionsPage::show_sessions(const std::vector<SessionOverview>& sessions) {
           number_cell(session.row.session),
           text_cell(QString::fromStdString(session.protocol_name + ' ' + session.protocol_version)),
           mode_cell(session.row.mode), state_cell(session),
-          text_cell(text_of_time(session.row.started_utc),
-                    QString::fromStdString(session.row.started_utc)),
+          text_cell(text_of_start(session.row), order_of_start(session.row)),
           number_cell(text_of_duration(session.duration_s), session.duration_s),
           number_cell(trials, session.done_trials), number_cell(session.notes)}});
   }

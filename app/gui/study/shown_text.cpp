@@ -7,6 +7,8 @@
 #include <QtCore/QDir>
 #include <QtCore/QLocale>
 
+#include "app/tasks/study_overview.h"
+
 namespace asperity {
 
 QString text_of_path(const std::filesystem::path& path) {
@@ -34,6 +36,18 @@ QString text_of_time(const std::string& utc) {
   }
   return QCoreApplication::translate("asperity::ShownText", "%1, %2")
       .arg(time.date().toString(Qt::ISODate), clock);
+}
+
+QString text_of_start(const SessionRow& session) {
+  return has_made_up_dates(session)
+             ? QCoreApplication::translate("asperity::ShownText", "simulated clock")
+             : text_of_time(session.started_utc);
+}
+
+QString order_of_start(const SessionRow& session) {
+  constexpr int kDigits = 12;
+  return has_made_up_dates(session) ? QString("%1").arg(session.id, kDigits, 10, QChar('0'))
+                                    : QString::fromStdString(session.started_utc);
 }
 
 QString text_of_duration(double duration_s) {

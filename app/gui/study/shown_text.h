@@ -19,6 +19,11 @@ std::filesystem::path path_of_text(const QString& text);
 
 /// "today 16:10", "yesterday 16:10", or the date and the time; as written when it is no time.
 QString text_of_time(const std::string& utc);
+/// When a session began, as `text_of_time`. The dates of a simulated clock are made up:
+/// "simulated clock" stands in their place.
+QString text_of_start(const SessionRow& session);
+/// Sorts by it: what a simulated clock says comes before every date, by order of storing.
+QString order_of_start(const SessionRow& session);
 /// "42 min", "1 h 05 min", "18 s"
 QString text_of_duration(double duration_s);
 

@@ -260,14 +260,16 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
   title().setText(
       tr("Session %1 of %2").arg(session.row.session).arg(text(session.row.participant)));
   band_->set_mode(session.row.mode);
-  summary_->setText(tr("%1 %2 · %3 · %4 of %5 trials in %6 · started %7 · device %8 · asperity %9")
+  const QString started = has_made_up_dates(session.row)
+                              ? tr("on a simulated clock")
+                              : tr("started %1").arg(text_of_time(session.row.started_utc));
+  summary_->setText(tr("%1 %2 · %3 · %4 of %5 trials in %6 · %7 · device %8 · asperity %9")
                         .arg(text(session.protocol_name), text(session.protocol_version),
                              text_of_session_state(session))
                         .arg(session.done_trials)
                         .arg(session.planned_trials)
-                        .arg(text_of_duration(session.duration_s),
-                             text_of_time(session.row.started_utc), text(session.row.device),
-                             text(session.row.program_version)));
+                        .arg(text_of_duration(session.duration_s), started,
+                             text(session.row.device), text(session.row.program_version)));
   const bool blind = is_blind(session);
   const auto& excluded = session.row.excluded;
   standing_->setVisible(blind || excluded);

@@ -88,7 +88,7 @@ void add_session(Study& study, const MadeUpSession& made) {
   session.os = "none";
   session.device = "simulated";
   session.device_json = "{}";
-  session.pacing = "real_time";
+  session.pacing = made.mode == SessionMode::simulate ? "stepped" : "real_time";
   session.scheduling = "other";
   session.rate_Hz = 1000.0;
   session.started_utc = made.started_utc;

@@ -71,6 +71,10 @@ TEST_F(StudyPages, ListTheProtocolsOfTheDemoStudyAsValid) {
   open_demo();
   const StudyTable& table = table_of("protocols", "protocols_table", 3);
   for (int row = 0; row < 3; ++row) EXPECT_EQ(table.text_at(row, 5), "● valid");
+  const int recognition = static_cast<int>(column(table, 1).indexOf("chapter_recognition"));
+  ASSERT_GE(recognition, 0);
+  EXPECT_EQ(table.text_at(recognition, 2), "recognition");
+  EXPECT_EQ(table.text_at(recognition, 3), "1.0.0");
   EXPECT_TRUE(child<QPushButton>(window_, "protocol_start").isEnabled());
   EXPECT_TRUE(child<QLabel>(window_, "protocol_facts").text().contains("trial"));
 }
@@ -121,6 +125,32 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   EXPECT_TRUE(table.selected_key().endsWith("chapter_selection_2.json"));
   EXPECT_EQ(column(table, 5).filter("valid").size(), 4);
   EXPECT_TRUE(column(table, 1).contains("chapter_selection_2"));
+}
+
+// A simulated clock begins in 2026 whatever the calendar says.
+TEST_F(StudyPages, ShowNoDateOfASimulatedClock) {
+  open_lively();
+  StudyTable& sessions = table_of("sessions", "sessions_table", 15);
+  EXPECT_EQ(column(sessions, 5).filter("simulated clock").size(), 2);
+  EXPECT_TRUE(column(sessions, 5).filter("2026-03-03").isEmpty());
+  EXPECT_EQ(sessions.text_at(14, 5), "simulated clock") << "sorted as the latest of all";
+  child<QLineEdit>(window_, "sessions_filter").setText("virtual0001");
+  ASSERT_TRUE(eventually([&] { return sessions.shown_rows() == 1; }));
+  sessions.selectRow(0);
+  click("sessions_open");
+  const auto& summary = child<QLabel>(window_, "trials_summary");
+  ASSERT_TRUE(eventually([&] { return summary.text().contains("on a simulated clock"); }));
+  EXPECT_FALSE(summary.text().contains("2026-03-03"));
+
+  window_.show_page("participants");
+  click("participants_virtual");
+  const StudyTable& people = table_of("participants", "participants_table", 2);
+  EXPECT_EQ(people.text_at(0, 6), "simulated clock");
+  StudyTable& protocols = table_of("protocols", "protocols_table", 4);
+  protocols.select(QString::fromStdString(
+      (window_.study()->folder() / "protocols" / "chapter_selection.json").string()));
+  EXPECT_TRUE(child<QLabel>(window_, "protocol_last_run").text().contains("P002"))
+      << "a made-up date counts as later than the pilot's";
 }
 
 TEST_F(StudyPages, SayWhichProtocolAPersonWantsToRun) {
@@ -274,6 +304,7 @@ TEST_F(StudyPages, GoOnWithAnUnfinishedSessionOnly) {
   StudyTable& table = table_of("sessions", "sessions_table", 15);
   auto& resume = child<QPushButton>(window_, "sessions_resume");
   QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
+  child<QLineEdit>(window_, "sessions_filter").setText("P011");  // complete
   table.selectRow(0);
   EXPECT_FALSE(resume.isEnabled());
   child<QLineEdit>(window_, "sessions_filter").setText("P004");
