@@ -10,6 +10,7 @@
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/study/broken_off_news.h"
 #include "app/gui/study/plan_preview.h"
 #include "app/gui/study/progress_cell.h"
 #include "app/gui/study/sessions_page.h"
@@ -106,6 +107,9 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
 
   auto* splitter = new QSplitter(Qt::Vertical, this);
   splitter->setChildrenCollapsible(false);
+  broken_off_ = new Banner(this);
+  broken_off_->setObjectName("protocols_broken_off");
+  body().addWidget(broken_off_);
   splitter->setHandleWidth(kMargin);
   splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
   using Align = StudyTable::Align;
@@ -139,6 +143,10 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
       [this](const std::vector<ProtocolOverview>& protocols) { show_protocols(protocols); });
 }
 
+  read_with<std::vector<BrokenOffSession>>(
+      Need::when_shown,
+      [](const Study& own, const std::stop_token& stop) { return broken_off_sessions(own, stop); },
+      [this](const std::vector<BrokenOffSession>& sessions) { show_broken_off(sessions); });
 QWidget* ProtocolsPage::make_detail() {
   QVBoxLayout* layout = nullptr;
   QFrame* card = make_card(this, layout);
@@ -244,6 +252,17 @@ void ProtocolsPage::add_from_template(const std::string& name) {
 
 void ProtocolsPage::show_protocols(const std::vector<ProtocolOverview>& protocols) {
   protocols_ = protocols;
+void ProtocolsPage::show_broken_off(const std::vector<BrokenOffSession>& sessions) {
+  const std::optional<std::int64_t> first =
+      sessions.empty() ? std::nullopt : std::optional(sessions.front().row.id);
+  // What somebody has dismissed does not come back with every change of the study.
+  if (first == told_of_) return;
+  told_of_ = first;
+  tell_broken_off(
+      *broken_off_, sessions, {}, [this](const SessionWish& wish) { emit session_wanted(wish); },
+      [this] { emit sessions_wanted(); });
+}
+
   watch_files();
   std::vector<StudyTable::Row> rows{};
   for (const ProtocolOverview& overview : protocols_) rows.push_back(row_of(overview));

@@ -7,6 +7,7 @@
 
 #include "app/gui/study/session_wish.h"
 #include "app/gui/study/study_page.h"
+#include "app/tasks/broken_off.h"
 #include "app/tasks/study_overview.h"
 
 class QFileSystemWatcher;
@@ -25,6 +26,7 @@ class ProtocolsPage final : public StudyPage {
  signals:
   void session_wanted(const asperity::SessionWish& wish);
   void edit_wanted(const QString& file);
+  void sessions_wanted();
 
  private:
   enum Below { what_it_asks, problems, plan };
@@ -33,6 +35,7 @@ class ProtocolsPage final : public StudyPage {
   void add_templates(QPushButton* button);
   void add_from_template(const std::string& name);
   void show_protocols(const std::vector<ProtocolOverview>& protocols);
+  void show_broken_off(const std::vector<BrokenOffSession>& sessions);
   void show_selected();
   void show_below(Below below);
   const ProtocolOverview* selected() const;
@@ -41,7 +44,9 @@ class ProtocolsPage final : public StudyPage {
   std::vector<ProtocolOverview> protocols_{};
   QFileSystemWatcher* watcher_ = nullptr;
   BackgroundTask write_task_{};
-  QString select_next_{};  ///< a file that was made just now
+  QString select_next_{};                  ///< a file that was made just now
+  std::optional<std::int64_t> told_of_{};  ///< a session that was broken off
+  Banner* broken_off_ = nullptr;
   StudyTable* table_ = nullptr;
   QWidget* detail_ = nullptr;
   QLabel* name_ = nullptr;

@@ -47,6 +47,7 @@ void StudyWindow::add_pages() {
   };
   connect(participants, &ParticipantsPage::sessions_wanted, this, show_sessions);
   connect(protocols, &ProtocolsPage::session_wanted, this, &StudyWindow::session_wanted);
+  connect(protocols, &ProtocolsPage::sessions_wanted, this, [this] { show_page("sessions"); });
   connect(protocols, &ProtocolsPage::edit_wanted, this, [this, editor](const QString& file) {
     show_page("editor");
     editor->open(file.toStdString());

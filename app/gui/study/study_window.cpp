@@ -87,6 +87,14 @@ void StudyWindow::refill() {
   welcome_ = new WelcomePage(pages_);
   pages_->addWidget(welcome_);
   connect(welcome_, &WelcomePage::study_wanted, this, &StudyWindow::open_study);
+  connect(welcome_, &WelcomePage::session_wanted, this,
+          [this](const std::filesystem::path& folder, const SessionWish& wish) {
+            if (open_study(folder)) emit session_wanted(wish);
+          });
+  connect(welcome_, &WelcomePage::sessions_wanted, this,
+          [this](const std::filesystem::path& folder) {
+            if (open_study(folder)) show_page("sessions");
+          });
   connect(welcome_, &WelcomePage::new_study_wanted, this, &StudyWindow::ask_for_new_study);
   connect(welcome_, &WelcomePage::open_wanted, this, &StudyWindow::ask_for_study);
   setCentralWidget(centre);  // deletes the one before

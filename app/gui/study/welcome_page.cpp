@@ -1,5 +1,6 @@
 #include "app/gui/study/welcome_page.h"
 
+#include <exception>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <QtWidgets/QTableWidget>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/study/broken_off_news.h"
 #include "app/gui/study/shown_text.h"
 #include "app/tasks/new_study.h"
 #include "results_schema/study.h"
@@ -68,6 +70,9 @@ WelcomePage::WelcomePage(QWidget* parent)
   outer->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   banner_ = new Banner(this);
   outer->addWidget(banner_);
+  broken_off_ = new Banner(this);
+  broken_off_->setObjectName("welcome_broken_off");
+  outer->addWidget(broken_off_);
   auto* middle = new QHBoxLayout();
   outer->addLayout(middle, 1);
 
@@ -265,7 +270,39 @@ void WelcomePage::show_recent() {
         }
         return present;
       },
-      [this, studies](const std::vector<bool>& present) { fill_recent(studies, present); },
+      [this, studies](const std::vector<bool>& present) {
+        fill_recent(studies, present);
+        look_for_broken_off(studies);
+      },
+      [](const QString&) {});
+}
+
+void WelcomePage::look_for_broken_off(const std::vector<RecentStudy>& studies) {
+  struct Found {
+    RecentStudy study{};
+    std::vector<BrokenOffSession> sessions{};
+  };
+  broken_off_task_.run<Found>(
+      [studies](const std::stop_token& stop, const BackgroundTask::Progress&) {
+        for (const RecentStudy& study : studies) {
+          if (stop.stop_requested()) break;
+          try {
+            const Study own = Study::open(study.folder, Access::read_only);
+            Found found{study, broken_off_sessions(own, stop)};
+            if (!found.sessions.empty()) return found;
+          } catch (const std::exception&) {
+            // What is wrong with a study is said when somebody opens it.
+          }
+        }
+        return Found{};
+      },
+      [this](const Found& found) {
+        const std::filesystem::path& folder = found.study.folder;
+        tell_broken_off(
+            *broken_off_, found.sessions, found.study.name,
+            [this, folder](const SessionWish& wish) { emit session_wanted(folder, wish); },
+            [this, folder] { emit sessions_wanted(folder); });
+      },
       [](const QString&) {});
 }
 

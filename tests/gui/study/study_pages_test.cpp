@@ -18,6 +18,7 @@
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/study/open_study.h"
 #include "app/gui/study/participants_page.h"
 #include "app/gui/study/protocols_page.h"
 #include "app/gui/study/sessions_page.h"
@@ -57,6 +58,12 @@ class StudyPages : public QuietHome {
   }
   void click(const char* button) {
     QTest::mouseClick(&child<QPushButton>(window_, button), Qt::LeftButton);
+  }
+  static void press(QWidget& in, const QString& text) {
+    for (auto* button : in.findChildren<QPushButton*>()) {
+      if (button->text() == text) return QTest::mouseClick(button, Qt::LeftButton);
+    }
+    ADD_FAILURE() << "no button " << text.toStdString();
   }
   static QStringList column(const StudyTable& table, int column) {
     QStringList texts{};
@@ -125,6 +132,57 @@ TEST_F(StudyPages, PutATemplateIntoTheStudyUnderAFreeName) {
   EXPECT_TRUE(table.selected_key().endsWith("chapter_selection_2.json"));
   EXPECT_EQ(column(table, 5).filter("valid").size(), 4);
   EXPECT_TRUE(column(table, 1).contains("chapter_selection_2"));
+}
+
+TEST_F(StudyPages, TellOfASessionThatWasBrokenOffAndOfferToGoOnWithIt) {
+  open_lively();
+  auto& banner = child<Banner>(window_, "protocols_broken_off");
+  ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
+  EXPECT_EQ(banner.text(),
+            "Session 1 of P012 was broken off: 3 of its 12 trials are done and stored.");
+  QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
+  press(banner, "Go on with session 1 of P012");
+  ASSERT_EQ(wanted.count(), 1);
+  const auto wish = wanted[0][0].value<SessionWish>();
+  EXPECT_EQ(wish.participant, "P012");
+  EXPECT_EQ(wish.protocol.filename(), "chapter_recognition.json");
+  EXPECT_EQ(Study::open(window_.study()->folder(), Access::read_only).session(*wish.session).state,
+            SessionState::crashed);
+  EXPECT_FALSE(banner.isVisible());
+  window_.study()->announce_change();
+  table_of("sessions", "sessions_table", 15);
+  table_of("protocols", "protocols_table", 4);
+  EXPECT_FALSE(banner.isVisible()) << "it was said once";
+}
+
+TEST_F(StudyPages, TellOnTheWelcomePageOfASessionThatWasBrokenOff) {
+  open_lively();
+  const std::filesystem::path folder = window_.study()->folder();
+  window_.close_study();
+  auto& banner = child<Banner>(window_, "welcome_broken_off");
+  ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
+  EXPECT_TRUE(banner.text().startsWith("Session 1 of P012 in the study \"demo\" was broken off:"))
+      << banner.text().toStdString();
+  take_screenshot(window_, "study-welcome-broken-off");
+  QSignalSpy wanted(&window_, &StudyWindow::session_wanted);
+  press(banner, "Go on with session 1 of P012");
+  ASSERT_NE(window_.study(), nullptr);
+  EXPECT_EQ(window_.study()->folder(), folder);
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_EQ(wanted[0][0].value<SessionWish>().participant, "P012");
+}
+
+TEST_F(StudyPages, ShowABrokenOffSessionThatCannotGoOn) {
+  const std::filesystem::path folder = small_demo_study();
+  fill_with_people(folder);
+  std::ofstream(folder / "protocols" / "chapter_recognition.json", std::ios::app) << "\n";
+  ASSERT_TRUE(window_.open_study(folder));
+  auto& banner = child<Banner>(window_, "protocols_broken_off");
+  ASSERT_TRUE(eventually([&] { return banner.isVisible(); }));
+  EXPECT_TRUE(banner.text().contains("put chapter_recognition version 1.0.0 back"))
+      << banner.text().toStdString();
+  press(banner, "Show the sessions");
+  EXPECT_EQ(window_.shown_page(), "sessions");
 }
 
 // A simulated clock begins in 2026 whatever the calendar says.

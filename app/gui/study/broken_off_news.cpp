@@ -1,0 +1,69 @@
+#include "app/gui/study/broken_off_news.h"
+
+#include <utility>
+
+#include <QtCore/QCoreApplication>
+
+#include "app/gui/look/controls.h"
+
+namespace asperity {
+
+namespace {
+
+QString text_of(const BrokenOffSession& session, const QString& study) {
+  const QString participant = QString::fromStdString(session.row.participant);
+  const QString text =
+      study.isEmpty()
+          ? QCoreApplication::translate("asperity::BrokenOffNews",
+                                        "Session %1 of %2 was broken off: %3 of its %4 trials are "
+                                        "done and stored.")
+          : QCoreApplication::translate(
+                "asperity::BrokenOffNews",
+                "Session %1 of %2 in the study \"%5\" was broken off: %3 of "
+                "its %4 trials are done and stored.");
+  const QString filled =
+      text.arg(session.row.session).arg(participant).arg(session.trials_done).arg(session.trials);
+  return study.isEmpty() ? filled : filled.arg(study);
+}
+
+}  // namespace
+
+void tell_broken_off(Banner& banner, const std::vector<BrokenOffSession>& sessions,
+                     const QString& study, std::function<void(const SessionWish&)> go_on,
+                     std::function<void()> show_sessions) {
+  if (sessions.empty()) {
+    banner.hide();
+    return;
+  }
+  const BrokenOffSession& session = sessions.front();
+  QStringList said{text_of(session, study)};
+  if (!session.protocol_file) {
+    said << QCoreApplication::translate(
+                "asperity::BrokenOffNews",
+                "None of the study's protocols is the text that it began with any more: put "
+                "%1 version %2 back as it was to go on.")
+                .arg(QString::fromStdString(session.protocol_name),
+                     QString::fromStdString(session.protocol_version));
+  }
+  if (sessions.size() > 1) {
+    said << QCoreApplication::translate(
+        "asperity::BrokenOffNews", "Others were broken off as well: the page Sessions lists them.");
+  }
+  if (!session.protocol_file) {
+    banner.show_news(State::look, said.join(' '),
+                     QCoreApplication::translate("asperity::BrokenOffNews", "Show the sessions"),
+                     std::move(show_sessions));
+    return;
+  }
+  const SessionWish wish{.protocol = *session.protocol_file,
+                         .participant = session.row.participant,
+                         .session = session.row.id};
+  banner.show_news(
+      State::look, said.join(' '),
+      QCoreApplication::translate("asperity::BrokenOffNews", "Go on with session %1 of %2")
+          .arg(session.row.session)
+          .arg(QString::fromStdString(session.row.participant)),
+      [go_on = std::move(go_on), wish] { go_on(wish); });
+}
+
+}  // namespace asperity

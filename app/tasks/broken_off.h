@@ -1,0 +1,33 @@
+// Sessions whose program died: what somebody who comes back is told first.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "results_schema/study.h"
+
+namespace asperity {
+
+struct BrokenOffSession {
+  SessionRow row{};
+  std::string protocol_name{};
+  std::string protocol_version{};
+  /// The file of the study's `protocols/` with the very text that the session began with; without
+  /// one it cannot go on.
+  std::optional<std::filesystem::path> protocol_file{};
+  int trials_done = 0;
+  int trials = 0;
+};
+
+/// Sessions that crashed, or are open and nobody holds them; people's before virtual participants',
+/// each the latest first. Left out is what somebody has excluded: they have seen it.
+///
+/// Reads, and writes nothing. Ends early, with what it has, when it is asked to stop. Errors:
+/// ResultsError as Study's.
+std::vector<BrokenOffSession> broken_off_sessions(const Study& study, const std::stop_token& stop);
+
+}  // namespace asperity
