@@ -335,24 +335,39 @@ SessionCheck screens_check(const CheckInputs& inputs) {
 SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
   const MaskingNoise declared = declared_noise(protocol);
   if (declared.kind == MaskingNoise::Kind::none) {
-    return fine(phrase("SessionChecks", "The protocol asks for none."));
+    const bool led_by_cues =
+        protocol.vision == Vision::blindfold && inputs.mode != SessionMode::simulate;
+    if (inputs.sound_card || !led_by_cues) {
+      return fine(phrase("SessionChecks", "The protocol asks for none."));
+    }
+    SessionCheck check{};
+    check.state = State::look;
+    check.text = phrase(
+        "SessionChecks",
+        "There is no sound output: a participant who wears an eye mask hears no cues.");
+    check.remedy = phrase("SessionChecks",
+                          "Connect headphones, then check again; or lead them by your voice.");
+    return check;
   }
   if (inputs.mode == SessionMode::simulate) {
     return fine(phrase("SessionChecks", "Not needed: nobody listens."));
   }
   SessionCheck check{};
-  if (!inputs.sound_card) {
-    check.state = State::look;
-    check.text =
-        phrase("SessionChecks",
-               "There is no sound output: the noise that the protocol asks for is not heard.");
-    check.remedy =
-        phrase("SessionChecks",
-               "Connect headphones, or play the noise from elsewhere and note its level.");
-    return check;
-  }
   // A pilot may find out what the level has to be; study data needs it as declared.
   const State when_wrong = inputs.mode == SessionMode::run ? State::stop : State::look;
+  // Without a sound output somebody has to have measured, and to answer for, what is heard instead.
+  const bool is_vouched_for = inputs.noise.measured_dBA && !inputs.noise.verified_by.empty();
+  if (!inputs.sound_card && !is_vouched_for) {
+    check.state = when_wrong;
+    check.text =
+        phrase("SessionChecks",
+               "There is no sound output: nobody hears the noise that the protocol asks for.");
+    check.remedy = phrase(
+        "SessionChecks",
+        "Connect headphones, then check again; or play the noise from elsewhere, measure it at the "
+        "ear, and enter the level and your name.");
+    return check;
+  }
   if (!inputs.noise.measured_dBA || inputs.noise.verified_by.empty()) {
     check.state = when_wrong;
     check.text = inputs.noise.measured_dBA
@@ -371,6 +386,14 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
         phrase("SessionChecks", "%1 dBA at the ear; the protocol asks for %2 dBA within %3 dBA.")
             .with(measured_dBA, fixed(*declared.declared_dBA, 1), fixed(kNoiseTolerance_dBA, 0));
     check.remedy = phrase("SessionChecks", "Change the gain and measure again.");
+    return check;
+  }
+  if (!inputs.sound_card) {
+    check.state = State::look;
+    check.text = phrase("SessionChecks",
+                        "There is no sound output here; the noise comes from elsewhere, %1 dBA at "
+                        "the ear, verified by %2.")
+                     .with(measured_dBA, inputs.noise.verified_by);
     return check;
   }
   check.text = phrase("SessionChecks", "%1 dBA at the ear, verified by %2.")

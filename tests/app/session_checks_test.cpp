@@ -1,12 +1,13 @@
 // The checklist before a session, against real studies.
 
+#include "app/tasks/session_checks.h"
+
 #include <algorithm>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "app/tasks/protocol_files.h"
-#include "app/tasks/session_checks.h"
 #include "app/tasks/unfinished_session.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
@@ -260,7 +261,24 @@ TEST_F(SessionChecks, SayThatOneScreenShowsBothWindows) {
 
 TEST_F(SessionChecks, HoldTheNoiseToTheDeclaredLevelInARun) {
   ask_for_noise();
-  EXPECT_EQ(check("masking_noise").state, State::look);  // no sound output
+  // Nobody hears it: a run has to get it from elsewhere, and somebody to answer for that.
+  EXPECT_EQ(check("masking_noise").state, State::stop);
+  EXPECT_NE(check("masking_noise").text.find("no sound output"), std::string::npos);
+  EXPECT_NE(check("masking_noise").remedy.find("from elsewhere"), std::string::npos);
+  inputs.noise.measured_dBA = 65.0;
+  EXPECT_EQ(check("masking_noise").state, State::stop);
+  inputs.noise.verified_by = "MW";
+  EXPECT_EQ(check("masking_noise").state, State::look);
+  EXPECT_EQ(check("masking_noise").text,
+            "There is no sound output here; the noise comes from elsewhere, 65.0 dBA at the ear, "
+            "verified by MW.");
+  inputs.noise.measured_dBA = 70.0;
+  EXPECT_EQ(check("masking_noise").state, State::stop);
+  inputs.noise = {};
+  inputs.mode = SessionMode::pilot;
+  EXPECT_EQ(check("masking_noise").state, State::look);
+  inputs.mode = SessionMode::run;
+
   inputs.sound_card = true;
   EXPECT_EQ(check("masking_noise").state, State::stop);  // not measured
   inputs.noise.measured_dBA = 66.9;
@@ -271,6 +289,19 @@ TEST_F(SessionChecks, HoldTheNoiseToTheDeclaredLevelInARun) {
   EXPECT_EQ(check("masking_noise").state, State::stop);
   inputs.mode = SessionMode::pilot;
   EXPECT_EQ(check("masking_noise").state, State::look);
+}
+
+TEST_F(SessionChecks, SayThatNobodyHearsTheCuesOfABlindfoldSession) {
+  std::string text = small_protocol();
+  text.insert(text.find("\"textures\""), R"("environment": {"vision": "blindfold"}, )");
+  write_file(study / "protocols" / "small.json", text, Overwrite::allow);
+  EXPECT_EQ(check("masking_noise").state, State::look) << check("masking_noise").text;
+  EXPECT_NE(check("masking_noise").text.find("hears no cues"), std::string::npos);
+  inputs.mode = SessionMode::simulate;
+  EXPECT_EQ(check("masking_noise").state, State::fine);
+  inputs.mode = SessionMode::run;
+  inputs.sound_card = true;
+  EXPECT_EQ(check("masking_noise").state, State::fine);
 }
 
 TEST_F(SessionChecks, ReadTheNoiseThatAProtocolDeclares) {
