@@ -79,8 +79,12 @@ Database::Database(std::filesystem::path folder, const std::filesystem::path& fi
       flags |= SQLITE_OPEN_READONLY;
       parameters = "?mode=ro&immutable=1";
       break;
+    case Mode::in_memory:
+      flags |= SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+      break;
   }
-  const int code = sqlite3_open_v2(uri_of(file, parameters).c_str(), &handle_, flags, nullptr);
+  const std::string name = mode == Mode::in_memory ? ":memory:" : uri_of(file, parameters);
+  const int code = sqlite3_open_v2(name.c_str(), &handle_, flags, nullptr);
   try {
     if (code != SQLITE_OK) fail(code, "cannot be opened");
     if (mode == Mode::read_write && sqlite3_db_readonly(handle_, "main") == 1) {

@@ -19,8 +19,15 @@ class Database final {
  public:
   /// `read_only` needs a readable log and index (-wal, -shm) and writes to neither; `immutable`
   /// looks at the one file only; `rebuilding_index` is for a log whose index was lost, and writes a
-  /// new one.
-  enum class Mode { create, read_write, read_only, read_only_rebuilding_index, immutable };
+  /// new one; `in_memory` is a new one that is no file and ends with the connection.
+  enum class Mode {
+    create,
+    read_write,
+    read_only,
+    read_only_rebuilding_index,
+    immutable,
+    in_memory
+  };
 
   /// `folder` is what errors name; `file` is the database.
   Database(std::filesystem::path folder, const std::filesystem::path& file, Mode mode);

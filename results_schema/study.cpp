@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
@@ -115,12 +116,44 @@ void Study::Store::connect() {
   }
   database = std::make_unique<Database>(folder, database_in(folder), Database::Mode::read_write);
   check_identity();
+  if (schema_version < kSchemaVersion) bring_up_to_date();
+}
+
+void Study::Store::bring_up_to_date() {
+  Transaction transaction(*database);
   // Of two programs that bring an old study up to date at once the second finds it done.
-  if (number_of(*database, "PRAGMA user_version") < kSchemaVersion) {
-    Transaction transaction(*database);
-    migrate(*database, number_of(*database, "PRAGMA user_version"));
-    transaction.commit();
+  const int version = number_of(*database, "PRAGMA user_version");
+  if (version < kSchemaVersion) {
+    const std::filesystem::path kept =
+        log_of(database_in(folder), (".version-" + std::to_string(version)).c_str());
+    if (!std::filesystem::exists(kept)) {
+      // Under another name until it is whole; the transaction keeps others from doing the same.
+      const std::filesystem::path part = log_of(kept, ".part");
+      std::error_code ignored;
+      std::filesystem::remove(part, ignored);
+      {
+        // The connection that writes cannot be copied from; nothing is written yet.
+        Database before(folder, database_in(folder), Database::Mode::read_only_rebuilding_index);
+        Database copy(folder, part, Database::Mode::create);
+        copy_pages(before, copy);
+      }
+      rename_to_free_name(part, kept);
+      sync_folder(folder);
+    }
+    migrate(*database, version);
   }
+  transaction.commit();
+  schema_version = kSchemaVersion;
+}
+
+void Study::Store::read_up_to_date_in_memory(const Stamp& before) {
+  auto copy = std::make_unique<Database>(folder, "", Database::Mode::in_memory);
+  copy_pages(*database, *copy);
+  Transaction transaction(*copy);
+  migrate(*copy, schema_version);
+  transaction.commit();
+  database = std::move(copy);
+  immutable_since = before;
 }
 
 void Study::Store::connect_for_reading() {
@@ -131,9 +164,10 @@ void Study::Store::connect_for_reading() {
     const bool has_index = std::filesystem::exists(log_of(file, "-shm"));
     const bool log_is_used = size_of(log_of(file, "-wal")) > 0;
     immutable_since.reset();
+    const Stamp before = stamp();
     Database::Mode mode = Database::Mode::read_only;
     if (!log_is_used && !(has_index && std::filesystem::exists(log_of(file, "-wal")))) {
-      immutable_since = stamp();
+      immutable_since = before;
       mode = Database::Mode::immutable;
     } else if (!has_index || (reads_beside_writers && ::access(folder.c_str(), W_OK) == 0)) {
       mode = Database::Mode::read_only_rebuilding_index;
@@ -141,6 +175,7 @@ void Study::Store::connect_for_reading() {
     try {
       database = std::make_unique<Database>(folder, file, mode);
       check_identity();
+      if (schema_version < kSchemaVersion) read_up_to_date_in_memory(before);
       if (!is_outdated()) return;
     } catch (const ResultsError& error) {
       // The writer's files may come or go between our look and our opening them.
@@ -167,13 +202,7 @@ void Study::Store::check_identity() {
                            std::to_string(kSchemaVersion) + ". Use the newer program",
                        folder);
   }
-  if (version < kSchemaVersion && access == Access::read_only) {
-    throw ResultsError("the study " + folder.string() +
-                           " was made by an older Asperity: open it once for writing, which brings "
-                           "its schema from version " +
-                           std::to_string(version) + " to " + std::to_string(kSchemaVersion),
-                       folder, kOlderSchema);
-  }
+  schema_version = version;
   if (number_of(*database, "SELECT count(*) FROM study") != 1) {
     throw ResultsError("the study " + folder.string() +
                            " is broken: its table study must have one row; restore it from a copy",
@@ -183,13 +212,20 @@ void Study::Store::check_identity() {
 
 Study::Store::Stamp Study::Store::stamp() const {
   const std::filesystem::path file = database_in(folder);
+  const auto modified_ns = [](const struct stat& status) {
+    return static_cast<std::int64_t>(status.st_mtim.tv_sec) * 1'000'000'000 +
+           status.st_mtim.tv_nsec;
+  };
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) fail_on_file(file, "examined", errno);
-  return {.modified_ns = static_cast<std::int64_t>(status.st_mtim.tv_sec) * 1'000'000'000 +
-                         status.st_mtim.tv_nsec,
-          .bytes = status.st_size,
-          .file_number = status.st_ino,
-          .log_exists = std::filesystem::exists(log_of(file, "-wal"))};
+  Stamp stamp{
+      .modified_ns = modified_ns(status), .bytes = status.st_size, .file_number = status.st_ino};
+  struct stat log {};
+  if (::stat(log_of(file, "-wal").c_str(), &log) == 0) {
+    stamp.log_modified_ns = modified_ns(log);
+    stamp.log_bytes = log.st_size;
+  }
+  return stamp;
 }
 
 bool Study::Store::is_outdated() const { return immutable_since && stamp() != *immutable_since; }
@@ -248,23 +284,27 @@ Study Study::open(const std::filesystem::path& folder, Access access) {
 
 void Study::read_beside_writers() noexcept { reads_beside_writers = true; }
 
-Study Study::open_up_to_date(const std::filesystem::path& folder) {
-  try {
-    return open(folder, Access::read_only);
-  } catch (const ResultsError& error) {
-    if (error.code() != kOlderSchema) throw;
-  }
-  open(folder, Access::read_write);
-  return open(folder, Access::read_only);
-}
-
 bool Study::exists(const std::filesystem::path& folder) {
   std::error_code error;
   return std::filesystem::is_regular_file(database_in(folder), error);
 }
 
+bool Study::can_be_written(const std::filesystem::path& folder) noexcept {
+  // As the one whose rights count, who need not be the one who started the program.
+  const auto may_write = [](const std::filesystem::path& path) {
+    return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
+  };
+  if (!may_write(folder) || !may_write(folder / "study.sqlite")) return false;
+  for (const char* const part : {"recordings", "locks"}) {
+    if (!may_write(folder / part) && errno != ENOENT) return false;
+  }
+  return true;
+}
+
 const std::filesystem::path& Study::folder() const noexcept { return store_->folder; }
 Access Study::access() const noexcept { return store_->access; }
+
+int Study::schema_version() const noexcept { return store_->schema_version; }
 
 std::string Study::name() const {
   return store_->read([](Database& database) {

@@ -28,9 +28,6 @@ class ResultsError final : public std::runtime_error {
   int code_ = 0;
 };
 
-/// ResultsError::code of a study that an older program made and nobody has brought up to date.
-inline constexpr int kOlderSchema = -2;
-
 enum class Access { read_only, read_write };
 
 /// A study on disk: `study.sqlite`, `protocols/`, `stimuli/`, `recordings/`.
@@ -43,6 +40,9 @@ enum class Access { read_only, read_write };
 ///   there as well: whoever goes on reads first what is there.)
 /// - A study opened `read_only` is never written to, not even by SQLite's own bookkeeping, so that it
 ///   may lie on a medium that cannot be written. While somebody else writes, the reader follows.
+/// - A study of an older program reads as it would when brought up to date, from a copy in memory.
+///   Whoever opens it for writing brings it up to date, and keeps what it was beside it as
+///   `study.sqlite.version-1`; the older program can no longer open it then.
 /// - Whatever is returned in order is ordered by natural keys, never by the order of writing.
 ///
 /// Errors: ResultsError with a sentence: no study there, a study of a newer program, a read-only
@@ -57,15 +57,14 @@ class Study final {
   /// Makes a new, empty study. Refuses a folder that already holds something.
   static Study create(const std::filesystem::path& folder, const std::string& name);
   static Study open(const std::filesystem::path& folder, Access access);
-  /// For reading, as `open` does; but a study of an older program is brought up to date first, which
-  /// writes to it.
-  static Study open_up_to_date(const std::filesystem::path& folder);
   /// For a program that reads and writes studies at the same time, such as the windows: from now on
   /// its readers take part in SQLite's bookkeeping (where the folder can be written to). Within one
   /// process all connections share one index of the log; a reader that may not touch it would have
   /// SQLite refuse the writers. To be called before the first study is opened.
   static void read_beside_writers() noexcept;
   static bool exists(const std::filesystem::path& folder);
+  /// Whether whoever runs this program may write to it, where it lies. It can still be read.
+  static bool can_be_written(const std::filesystem::path& folder) noexcept;
 
   Study(Study&&) noexcept;
   Study& operator=(Study&&) noexcept;
@@ -74,6 +73,8 @@ class Study final {
   const std::filesystem::path& folder() const noexcept;
   Access access() const noexcept;
   std::string name() const;
+  /// That of the file: below kSchemaVersion in one that nobody has brought up to date.
+  int schema_version() const noexcept;
 
   /// `created_utc` may be empty: the time of the call.
   void add_participant(const ParticipantRow& participant);

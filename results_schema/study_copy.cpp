@@ -64,17 +64,6 @@ bool is_loose_file(const std::filesystem::path& relative) {
   return relative.extension() != ".tmp" && relative.extension() != ".part";
 }
 
-/// Page by page, in one go, so that no writer can come between two of them.
-void copy_database(Database& database, const std::filesystem::path& folder) {
-  Database copy(folder, database_in(folder), Database::Mode::create);
-  sqlite3_backup* const backup =
-      sqlite3_backup_init(copy.handle(), "main", database.handle(), "main");
-  if (backup == nullptr) copy.fail(sqlite3_errcode(copy.handle()), "cannot be written");
-  sqlite3_backup_step(backup, -1);
-  const int code = sqlite3_backup_finish(backup);
-  if (code != SQLITE_OK) copy.fail(code, "cannot be written");
-}
-
 void copy_files(const std::filesystem::path& from, const std::filesystem::path& to) {
   std::map<std::string, std::set<std::string>> vouched;
   {
@@ -104,6 +93,14 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
 
 }  // namespace
 
+void copy_pages(Database& from, Database& to) {
+  sqlite3_backup* const backup = sqlite3_backup_init(to.handle(), "main", from.handle(), "main");
+  if (backup == nullptr) to.fail(sqlite3_errcode(to.handle()), "cannot be written");
+  sqlite3_backup_step(backup, -1);  // in one go: no writer can come between two pages
+  const int code = sqlite3_backup_finish(backup);
+  if (code != SQLITE_OK) to.fail(code, "cannot be written");
+}
+
 void Study::copy_to(const std::filesystem::path& folder) const {
   const std::filesystem::path from = std::filesystem::canonical(store_->folder);
   const std::filesystem::path to =
@@ -126,7 +123,8 @@ void Study::copy_to(const std::filesystem::path& folder) const {
   }
   try {
     store_->read([&part](Database& database) {
-      copy_database(database, part);
+      Database copy(part, database_in(part), Database::Mode::create);
+      copy_pages(database, copy);
       return true;
     });
     copy_files(from, part);

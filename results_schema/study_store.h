@@ -19,7 +19,8 @@ struct Study::Store {
     std::int64_t modified_ns = 0;
     std::int64_t bytes = 0;
     std::uint64_t file_number = 0;
-    bool log_exists = false;
+    std::optional<std::int64_t> log_modified_ns{};  ///< absent: there is no log
+    std::int64_t log_bytes = 0;
     bool operator==(const Stamp&) const = default;
   };
 
@@ -52,7 +53,9 @@ struct Study::Store {
   std::filesystem::path folder;
   Access access = Access::read_only;
   std::unique_ptr<Database> database{};
-  std::optional<Stamp> immutable_since{};  ///< set while the file is read without locks
+  /// Set while the file, or a copy of it in memory, is read without locks.
+  std::optional<Stamp> immutable_since{};
+  int schema_version = 0;  ///< of the file
   bool inside_read = false;
 
  private:
@@ -76,6 +79,8 @@ struct Study::Store {
 
   void connect();
   void connect_for_reading();
+  void bring_up_to_date();
+  void read_up_to_date_in_memory(const Stamp& before);
   void check_identity();
   void follow_writers();
   bool is_outdated() const;
@@ -84,6 +89,9 @@ struct Study::Store {
 
 /// Brings the schema from version `from` to the newest, inside the caller's transaction.
 void migrate(Database& database, int from);
+
+/// The whole content of one database, as it is now, in place of that of another.
+void copy_pages(Database& from, Database& to);
 
 /// The part of a study that is one file.
 std::filesystem::path database_in(const std::filesystem::path& folder);

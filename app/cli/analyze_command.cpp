@@ -28,7 +28,7 @@ void add_analyze(CLI::App& program, Job& job) {
   command->add_flag("--json", options->json, "Print one JSON document");
   command->callback([options, &job] {
     job = [options] {
-      const Study study = Study::open_up_to_date(options->study);
+      const Study study = Study::open(options->study, Access::read_only);
       const std::vector<AnalysisOutcome> outcomes = analyze_study(study, options->protocol);
       if (options->json) {
         std::cout << analysis_json(study.name(), outcomes);

@@ -24,7 +24,7 @@ void add_copy(CLI::App& program, Job& job) {
       ->required();
   command->callback([options, &job] {
     job = [options] {
-      Study::open_up_to_date(options->study).copy_to(options->folder);
+      Study::open(options->study, Access::read_only).copy_to(options->folder);
       say("copied " + options->study + " to " + options->folder);
       return 0;
     };

@@ -27,7 +27,7 @@ void add_export(CLI::App& program, Job& job) {
   command->add_flag("--force", options->force, "Replace an earlier export");
   command->callback([options, &job] {
     job = [options] {
-      const Study study = Study::open_up_to_date(options->study);
+      const Study study = Study::open(options->study, Access::read_only);
       const std::vector<ExportedFile> files = export_study(
           study, options->out, options->published ? ExportAudience::published : ExportAudience::own,
           options->force ? Overwrite::allow : Overwrite::refuse);

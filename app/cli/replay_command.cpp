@@ -45,7 +45,7 @@ void add_replay(CLI::App& program, Job& job) {
     job = [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       refuse_existing({options->out}, overwrite);
-      const Study study = Study::open_up_to_date(options->study);
+      const Study study = Study::open(options->study, Access::read_only);
       const ModelRegistry models = built_in_models();
       const AttemptRow attempt = find_attempt(study, options->attempt);
       const SessionRow session = study.session(study.session_of(attempt.id));

@@ -26,7 +26,7 @@ void add_verify(CLI::App& program, Job& job) {
   command->callback([options, &job] {
     job = [options] {
       const InterruptWatch interrupt;
-      Study study = Study::open_up_to_date(options->study);
+      Study study = Study::open(options->study, Access::read_only);
       const ModelRegistry models = built_in_models();
       VerifyResult result{};
       {

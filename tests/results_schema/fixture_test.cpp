@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ class StudyOfSchemaVersion : public testing::TestWithParam<int> {};
 
 TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
   const Fixture fixture(GetParam());
-  const Study study = Study::open_up_to_date(fixture.path());
+  const Study study = Study::open(fixture.path(), Access::read_only);
   EXPECT_EQ(study.name(), "fixture");
   ASSERT_EQ(study.participants().size(), 2U);
   EXPECT_TRUE(study.participants()[0].is_virtual);
@@ -65,13 +66,13 @@ TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
 
 TEST_P(StudyOfSchemaVersion, Verifies) {
   const Fixture fixture(GetParam());
-  EXPECT_THAT(Study::open_up_to_date(fixture.path()).verify({}), testing::IsEmpty());
+  EXPECT_THAT(Study::open(fixture.path(), Access::read_only).verify({}), testing::IsEmpty());
 }
 
 TEST_P(StudyOfSchemaVersion, GoesOnInACopy) {
   const Fixture fixture(GetParam());
   const TemporaryFolder folder;
-  Study::open_up_to_date(fixture.path()).copy_to(folder / "copy");
+  Study::open(fixture.path(), Access::read_only).copy_to(folder / "copy");
   Study study = Study::open(folder / "copy", Access::read_write);
   study.add_participant({.label = "P03"});
   EXPECT_EQ(study.participants().size(), 3U);
@@ -80,11 +81,52 @@ TEST_P(StudyOfSchemaVersion, GoesOnInACopy) {
 INSTANTIATE_TEST_SUITE_P(All, StudyOfSchemaVersion, testing::Range(1, Study::kSchemaVersion + 1),
                          testing::PrintToStringParamName());
 
+std::map<std::string, std::string> contents_of(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) contents[entry.path().string()] = read_file(entry.path());
+  }
+  return contents;
+}
+
 TEST(OlderStudy, IsNotWrittenToByWhoeverOnlyReads) {
   const Fixture fixture(1);
-  const std::string before = read_file(fixture.path() / "study.sqlite");
-  EXPECT_THROW(Study::open(fixture.path(), Access::read_only), ResultsError);
-  EXPECT_EQ(read_file(fixture.path() / "study.sqlite"), before);
+  const auto before = contents_of(fixture.path());
+  {
+    const Study study = Study::open(fixture.path(), Access::read_only);
+    EXPECT_EQ(study.schema_version(), 1);
+    EXPECT_TRUE(study.decisions(study.sessions().at(0).id).empty());  // a table of version 2
+    EXPECT_THAT(study.verify({}), testing::IsEmpty());
+  }
+  EXPECT_EQ(contents_of(fixture.path()), before);
+}
+
+TEST(OlderStudy, IsBroughtUpToDateByWhoeverWritesAndKeptAsItWas) {
+  const Fixture fixture(1);
+  const Study reader = Study::open(fixture.path(), Access::read_only);
+  EXPECT_EQ(reader.participants().size(), 2U);
+  {
+    Study study = Study::open(fixture.path(), Access::read_write);
+    EXPECT_EQ(study.schema_version(), Study::kSchemaVersion);
+    study.add_participant({.label = "P03"});
+  }
+  EXPECT_EQ(reader.participants().size(), 3U) << "the reader follows";
+  EXPECT_EQ(reader.schema_version(), Study::kSchemaVersion);
+  // What was kept is a study of version 1 as soon as it has its name back.
+  const std::filesystem::path kept = fixture.path() / "study.sqlite.version-1";
+  ASSERT_TRUE(std::filesystem::exists(kept));
+  std::filesystem::rename(kept, fixture.path() / "study.sqlite");
+  const Study older = Study::open(fixture.path(), Access::read_only);
+  EXPECT_EQ(older.schema_version(), 1);
+  EXPECT_EQ(older.participants().size(), 2U);
+}
+
+TEST(OlderStudy, KeepsTheFirstCopyWhenItIsBroughtUpToDateAgain) {
+  const Fixture fixture(1);
+  const std::filesystem::path kept = fixture.path() / "study.sqlite.version-1";
+  write_file(kept, "what somebody put there", Overwrite::refuse);
+  Study::open(fixture.path(), Access::read_write);
+  EXPECT_EQ(read_file(kept), "what somebody put there");
 }
 
 /// The program between ```python and ``` in a page of documentation.

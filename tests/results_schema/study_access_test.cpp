@@ -157,6 +157,7 @@ TEST(StudyOnReadOnlyDisk, IsReadAndNotWritten) {
     make_read_only(folder / "s");
     {
       const AsSomebodyElse somebody_else;
+      EXPECT_FALSE(Study::can_be_written(folder / "s"));
       read_everything(Study::open(folder / "s", Access::read_only));
       EXPECT_THAT(refusal([&] { Study::open(folder / "s", Access::read_write); }),
                   HasSubstr("can only be read here"));
@@ -165,6 +166,36 @@ TEST(StudyOnReadOnlyDisk, IsReadAndNotWritten) {
     }
     make_writable(folder / "s");
   }
+}
+
+// An older study lies on such a medium more often than any other.
+TEST(StudyOnReadOnlyDisk, IsReadWhenAnOlderProgramMadeIt) {
+  const TemporaryFolder folder;
+  std::filesystem::copy(
+      std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/results_schema/fixtures/study_version_1",
+      folder / "s", std::filesystem::copy_options::recursive);
+  for (const char* const part : {"protocols", "locks"}) {
+    std::filesystem::create_directory(folder / "s" / part);
+  }
+  make_read_only(folder / "s");
+  {
+    const AsSomebodyElse somebody_else;
+    const Study study = Study::open(folder / "s", Access::read_only);
+    EXPECT_EQ(study.name(), "fixture");
+    EXPECT_EQ(study.sessions().size(), 1U);
+    EXPECT_THAT(refusal([&] { Study::open(folder / "s", Access::read_write); }),
+                HasSubstr("can only be read here"));
+  }
+  make_writable(folder / "s");
+}
+
+TEST(StudyWriting, IsPossibleWhereFolderAndStoreCanBeWritten) {
+  const TemporaryFolder folder;
+  make_closed_study(folder / "s");
+  EXPECT_TRUE(Study::can_be_written(folder / "s"));
+  std::filesystem::remove_all(folder / "s" / "locks");  // made anew when it is needed
+  EXPECT_TRUE(Study::can_be_written(folder / "s"));
+  EXPECT_FALSE(Study::can_be_written(folder / "nowhere"));
 }
 
 TEST(StudyReading, RefusesToWrite) {

@@ -3,6 +3,8 @@
 namespace asperity {
 
 OpenStudy::OpenStudy(const std::filesystem::path& folder, QObject* parent)
-    : QObject(parent), study_(Study::open_up_to_date(folder)) {}
+    : QObject(parent),
+      study_(Study::open(folder, Access::read_only)),
+      can_be_written_(Study::can_be_written(folder)) {}
 
 }  // namespace asperity

@@ -25,21 +25,24 @@ class OpenStudy final : public QObject {
 
   const std::filesystem::path& folder() const noexcept { return study_.folder(); }
   const Study& study() const noexcept { return study_; }
+  /// Otherwise it is only looked at: what would write is disabled, and says so.
+  bool can_be_written() const noexcept { return can_be_written_; }
   const ModelRegistry& models() const noexcept { return models_; }
   /// Everybody who shows the study reads it again.
   void announce_change() { emit changed(); }
-
- signals:
   /// What a page leaves to the one that is made in its place for another theme or language; empty
   /// when none has left anything. Taken once.
   void leave(const std::string& page, std::any what) { left_[page] = std::move(what); }
   std::any take_left(const std::string& page) { return std::exchange(left_[page], {}); }
+
+ signals:
   void changed();
 
  private:
   Study study_;
+  bool can_be_written_ = true;
   ModelRegistry models_ = built_in_models();
+  std::map<std::string, std::any> left_{};
 };
 
 }  // namespace asperity
-  std::map<std::string, std::any> left_{};
