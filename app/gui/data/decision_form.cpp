@@ -77,6 +77,11 @@ void DecisionForm::keyPressEvent(QKeyEvent* event) {
 }
 
 void DecisionForm::show_what_is_missing() {
+  if (!study_.can_be_written()) {
+    write_->setEnabled(false);
+    note_->set_state(State::look, tr("This study can only be read here: nothing can be decided."));
+    return;
+  }
   const bool given = !reason_->currentText().trimmed().isEmpty();
   write_->setEnabled(given);
   note_->set_state(State::unknown,

@@ -286,11 +286,13 @@ void ProtocolEditorPage::take_content(const std::string& bytes) {
 void ProtocolEditorPage::show_whether_saved() {
   const bool changed = has_unsaved_changes();
   const bool saving = save_task_.is_running();
-  save_->setEnabled(changed && !saving && !as_it_is_);
-  note_->setText(as_it_is_ ? tr("Cannot be changed here")
-                 : saving  ? tr("Saving…")
-                 : changed ? tr("● Unsaved changes")
-                           : tr("No unsaved changes"));
+  const bool can_write = study().can_be_written();
+  save_->setEnabled(changed && !saving && !as_it_is_ && can_write);
+  note_->setText(!can_write  ? tr("This study can only be read here")
+                 : as_it_is_ ? tr("Cannot be changed here")
+                 : saving    ? tr("Saving…")
+                 : changed   ? tr("● Unsaved changes")
+                             : tr("No unsaved changes"));
 }
 
 void ProtocolEditorPage::show_checked(const LiveCheck::Result& result) {

@@ -51,13 +51,13 @@ QString last_run_of(const ProtocolOverview& overview) {
   if (!overview.last_session) return ProtocolsPage::tr("Not run yet.");
   SessionOverview session{};
   session.row = *overview.last_session;
-  return ProtocolsPage::tr("Last run %1, %2, %3.")
   const QString state = session.row.state == SessionState::open ? ProtocolsPage::tr("not ended")
                                                                 : text_of_session_state(session);
   if (has_made_up_dates(session.row)) {
     return ProtocolsPage::tr("Last run on a simulated clock, %1, %2.")
         .arg(text(session.row.participant), state);
   }
+  return ProtocolsPage::tr("Last run %1, %2, %3.")
       .arg(text_of_time(session.row.started_utc), text(session.row.participant), state);
 }
 
@@ -95,6 +95,7 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   QPushButton* add = make_button(tr("New from template"), ButtonRole::plain, this);
   add->setObjectName("protocols_new");
   add_templates(add);
+  if (!study.can_be_written()) head().addWidget(make_text(tr("Can only be read here"), this, true));
   head().addWidget(add);
   auto* empty = new EmptyState(
       tr("No protocols yet"),
@@ -104,12 +105,13 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   auto* first = empty->add_action(tr("New from template"), ButtonRole::primary, [] {});
   add_templates(first);
   set_empty_state(empty);
+  for (QPushButton* button : {add, first}) button->setEnabled(study.can_be_written());
 
-  auto* splitter = new QSplitter(Qt::Vertical, this);
-  splitter->setChildrenCollapsible(false);
   broken_off_ = new Banner(this);
   broken_off_->setObjectName("protocols_broken_off");
   body().addWidget(broken_off_);
+  auto* splitter = new QSplitter(Qt::Vertical, this);
+  splitter->setChildrenCollapsible(false);
   splitter->setHandleWidth(kMargin);
   splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
   using Align = StudyTable::Align;
@@ -141,12 +143,12 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
         return protocol_overviews(own, models, stop);
       },
       [this](const std::vector<ProtocolOverview>& protocols) { show_protocols(protocols); });
-}
-
   read_with<std::vector<BrokenOffSession>>(
       Need::when_shown,
       [](const Study& own, const std::stop_token& stop) { return broken_off_sessions(own, stop); },
       [this](const std::vector<BrokenOffSession>& sessions) { show_broken_off(sessions); });
+}
+
 QWidget* ProtocolsPage::make_detail() {
   QVBoxLayout* layout = nullptr;
   QFrame* card = make_card(this, layout);
@@ -156,6 +158,7 @@ QWidget* ProtocolsPage::make_detail() {
   facts_ = make_text({}, card);
   facts_->setObjectName("protocol_facts");
   last_run_ = make_text({}, card, true);
+  last_run_->setObjectName("protocol_last_run");
   layout->addWidget(name_);
   layout->addWidget(facts_);
   layout->addWidget(last_run_);
@@ -166,7 +169,6 @@ QWidget* ProtocolsPage::make_detail() {
   start_->setObjectName("protocol_start");
   edit_ = make_button(tr("Edit"), ButtonRole::plain, card);
   edit_->setObjectName("protocol_edit");
-  last_run_->setObjectName("protocol_last_run");
   preview_ = make_button(tr("Preview plan"), ButtonRole::plain, card);
   preview_->setObjectName("protocol_preview");
   simulate_ = make_button(tr("Simulate…"), ButtonRole::plain, card);
@@ -250,8 +252,6 @@ void ProtocolsPage::add_from_template(const std::string& name) {
       });
 }
 
-void ProtocolsPage::show_protocols(const std::vector<ProtocolOverview>& protocols) {
-  protocols_ = protocols;
 void ProtocolsPage::show_broken_off(const std::vector<BrokenOffSession>& sessions) {
   const std::optional<std::int64_t> first =
       sessions.empty() ? std::nullopt : std::optional(sessions.front().row.id);
@@ -263,6 +263,8 @@ void ProtocolsPage::show_broken_off(const std::vector<BrokenOffSession>& session
       [this] { emit sessions_wanted(); });
 }
 
+void ProtocolsPage::show_protocols(const std::vector<ProtocolOverview>& protocols) {
+  protocols_ = protocols;
   watch_files();
   std::vector<StudyTable::Row> rows{};
   for (const ProtocolOverview& overview : protocols_) rows.push_back(row_of(overview));
@@ -291,8 +293,15 @@ void ProtocolsPage::show_selected() {
   facts_->setText(protocol ? facts_of(*overview) : text_of_path(file));
   last_run_->setText(last_run_of(*overview));
   const bool valid = overview->is_valid();
-  for (QPushButton* button : {start_, preview_, simulate_}) button->setEnabled(valid);
-  reason_->setText(valid ? QString{} : tr("It has to be valid first: the problems are below."));
+  const bool can_run = valid && study().can_be_written();
+  for (QPushButton* button : {start_, simulate_}) button->setEnabled(can_run);
+  preview_->setEnabled(valid);
+  if (!valid) {
+    reason_->setText(tr("It has to be valid first: the problems are below."));
+  } else {
+    reason_->setText(can_run ? QString{}
+                             : tr("This study can only be read here: no session can be stored."));
+  }
   description_->setText(protocol ? text(protocol->description) : QString{});
   std::vector<StudyTable::Row> rows{};
   for (std::size_t i = 0; i < overview->check.diagnostics.size(); ++i) {

@@ -188,7 +188,8 @@ void SessionsPage::show_selected() {
   const bool is_blind =
       session != nullptr && session->is_running && session->row.mode == SessionMode::run;
   open_->setEnabled(session != nullptr && !is_blind);
-  resume_->setEnabled(session != nullptr && session->is_unfinished() && session->protocol_file);
+  resume_->setEnabled(session != nullptr && session->is_unfinished() && session->protocol_file &&
+                      study().can_be_written());
   if (session == nullptr) {
     reason_->setText(tr("Select a session."));
   } else if (is_blind) {
@@ -204,6 +205,8 @@ void SessionsPage::show_selected() {
                         "%1 version %2 back as it was to go on.")
                          .arg(QString::fromStdString(session->protocol_name),
                               QString::fromStdString(session->protocol_version)));
+  } else if (!study().can_be_written()) {
+    reason_->setText(tr("This study can only be read here: no session can be stored."));
   } else {
     reason_->setText(tr("%1 of %2 trials are done and safe.")
                          .arg(session->done_trials)

@@ -118,6 +118,24 @@ void StudyWindow::make_pages() {
   add_pages();
   emit study_opened(study_.get());
   navigation_->setCurrentRow(0);
+  tell_limits();
+}
+
+void StudyWindow::tell_limits() {
+  if (!study_->can_be_written()) {
+    banner_->show_news(
+        State::look,
+        tr("This study can only be read here: its folder, or the medium that it lies on, cannot be "
+           "written to. Everything can be looked at and exported; to run sessions, copy it to a "
+           "folder of your own."));
+  } else if (study_->study().schema_version() < Study::kSchemaVersion) {
+    banner_->show_news(
+        State::look,
+        tr("An earlier version of Asperity made this study. It is read as it is. The first thing "
+           "that is stored brings it up to date: the earlier version cannot open it any more then, "
+           "and finds what it was in the file %1.")
+            .arg("study.sqlite.version-" + QString::number(study_->study().schema_version())));
+  }
 }
 
 void StudyWindow::remove_pages() {

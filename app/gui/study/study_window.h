@@ -76,6 +76,8 @@ class StudyWindow final : public QMainWindow {
   void make_help_menu();
   void fill_recent_menu(QMenu& menu);
   void make_pages();
+  /// On the banner: the study can only be read, or is of an earlier version.
+  void tell_limits();
   void add_pages();  ///< study_pages.cpp
   void remove_pages();
   /// Everything anew in the theme and language of now.

@@ -177,10 +177,14 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   open_->setObjectName("trials_open");
   exclude_ = make_button(tr("Exclude session…"), ButtonRole::plain, this);
   exclude_->setObjectName("trials_exclude");
+  exclude_->setEnabled(study.can_be_written());
   auto* below = new QHBoxLayout();
   below->setSpacing(kMargin);
   below->addWidget(open_);
   below->addWidget(selected_, 1);
+  if (!study.can_be_written()) {
+    below->addWidget(make_text(tr("This study can only be read here."), this, true));
+  }
   below->addWidget(exclude_);
   body().addLayout(below);
 

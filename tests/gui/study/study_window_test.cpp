@@ -2,6 +2,10 @@
 
 #include "app/gui/study/study_window.h"
 
+#include <cstdlib>
+#include <stdexcept>
+#include <unistd.h>
+
 #include <QtCore/QFile>
 #include <QtGui/QAction>
 #include <QtTest/QTest>
@@ -14,7 +18,10 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/study/settings.h"
+#include "app/gui/study/study_table.h"
 #include "app/tasks/new_study.h"
+#include "results_schema/atomic_file.h"
+#include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
 
@@ -114,13 +121,84 @@ TEST_F(StudyWindowTest, SaysOnTheBannerWhatCannotBeOpened) {
   EXPECT_TRUE(window.banner().text().contains("nothing"));
 }
 
-TEST_F(StudyWindowTest, OpensAStudyThatAnOlderVersionMade) {
+TEST_F(StudyWindowTest, ReadsAStudyThatAnOlderVersionMadeAndChangesNothing) {
   const std::filesystem::path folder = home() / "older";
   std::filesystem::copy(
       std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/results_schema/fixtures/study_version_1",
       folder, std::filesystem::copy_options::recursive);
+  const std::string before = read_file(folder / "study.sqlite");
   StudyWindow window{};
-  EXPECT_TRUE(window.open_study(folder));
+  window.show();
+  ASSERT_TRUE(window.open_study(folder));
+  window.show_page("sessions");
+  const auto& sessions = child<StudyTable>(window, "sessions_table");
+  ASSERT_TRUE(eventually([&] { return sessions.shown_rows() == 1; }));
+  EXPECT_TRUE(window.banner().isVisible());
+  EXPECT_TRUE(window.banner().text().contains("study.sqlite.version-1"))
+      << window.banner().text().toStdString();
+  EXPECT_EQ(read_file(folder / "study.sqlite"), before);
+}
+
+/// Runs as somebody who may not write here; the superuser may write everywhere.
+class AsSomebodyElse {
+ public:
+  AsSomebodyElse() : was_(::geteuid()) {
+    if (was_ == 0 && ::seteuid(65534) != 0) throw std::runtime_error("no other user");
+  }
+  ~AsSomebodyElse() {
+    if (was_ == 0 && ::seteuid(0) != 0) std::abort();
+  }
+  AsSomebodyElse(const AsSomebodyElse&) = delete;
+  AsSomebodyElse& operator=(const AsSomebodyElse&) = delete;
+
+ private:
+  uid_t was_;
+};
+
+TEST_F(StudyWindowTest, ShowsAStudyThatCanOnlyBeReadAndOffersNothingThatWrites) {
+  using std::filesystem::perms;
+  const std::filesystem::path folder = small_demo_study();
+  fill_with_people(folder);
+  const perms reading = perms::owner_read | perms::group_read | perms::others_read |
+                        perms::owner_exec | perms::group_exec | perms::others_exec;
+  for (const auto& part : {home(), folder.parent_path()}) {
+    std::filesystem::permissions(part, perms::all);  // the way there
+  }
+  const std::vector<std::filesystem::path> read_only = {folder, folder / "study.sqlite",
+                                                        folder / "recordings", folder / "locks"};
+  for (const auto& part : read_only) std::filesystem::permissions(part, reading);
+  {
+    const AsSomebodyElse somebody_else;
+    StudyWindow window{};
+    window.resize(1366, 768);
+    window.show();
+    ASSERT_TRUE(window.open_study(folder));
+    EXPECT_TRUE(window.banner().text().startsWith("This study can only be read here"))
+        << window.banner().text().toStdString();
+    auto& table = child<StudyTable>(window, "protocols_table");
+    ASSERT_TRUE(eventually([&] { return table.shown_rows() == 4; }));
+    table.select(
+        QString::fromStdString((folder / "protocols" / "chapter_recognition.json").string()));
+    for (const char* button : {"protocols_new", "protocol_start", "protocol_simulate"}) {
+      EXPECT_FALSE(child<QPushButton>(window, button).isEnabled()) << button;
+    }
+    EXPECT_TRUE(child<QPushButton>(window, "protocol_preview").isEnabled());
+    EXPECT_EQ(child<QLabel>(window, "protocol_reason").text(),
+              "This study can only be read here: no session can be stored.");
+    take_screenshot(window, "study-read-only");
+    window.show_page("sessions");
+    auto& sessions = child<StudyTable>(window, "sessions_table");
+    ASSERT_TRUE(eventually([&] { return sessions.shown_rows() == 15; }));
+    child<QLineEdit>(window, "sessions_filter").setText("P012");
+    ASSERT_TRUE(eventually([&] { return sessions.shown_rows() == 1; }));
+    sessions.selectRow(0);
+    EXPECT_FALSE(child<QPushButton>(window, "sessions_resume").isEnabled());
+    EXPECT_EQ(child<QLabel>(window, "sessions_reason").text(),
+              "This study can only be read here: no session can be stored.");
+    click(window, "sessions_open");
+    EXPECT_FALSE(child<QPushButton>(window, "trials_exclude").isEnabled());
+  }
+  for (const auto& part : read_only) std::filesystem::permissions(part, perms::all);
 }
 
 TEST_F(StudyWindowTest, ListsRecentStudiesLatestFirstAndGreysThoseThatAreGone) {
