@@ -1,6 +1,7 @@
 #include "app/gui/study/settings.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDir>
@@ -68,6 +69,16 @@ void forget_study(const std::filesystem::path& folder) {
   std::vector<RecentStudy> studies = recent_studies();
   std::erase_if(studies, [&folder](const RecentStudy& study) { return study.folder == folder; });
   write_recent(studies);
+}
+
+std::filesystem::path place_of_studies() {
+  const std::vector<RecentStudy> studies = recent_studies();
+  std::error_code ignored{};
+  for (const RecentStudy& study : studies) {
+    const std::filesystem::path place = study.folder.parent_path();
+    if (std::filesystem::is_directory(place, ignored)) return place;
+  }
+  return (QDir::homePath() + "/Asperity").toStdString();
 }
 
 ThemeChoice theme_choice() {

@@ -27,6 +27,10 @@ std::vector<RecentStudy> recent_studies();
 void remember_study(const std::filesystem::path& folder, const QString& name);
 void forget_study(const std::filesystem::path& folder);
 
+/// The folder that studies are made in: where the last one was made or opened, at first one of the
+/// program's own in the home folder.
+std::filesystem::path place_of_studies();
+
 ThemeChoice theme_choice();
 void remember_theme(ThemeChoice choice);
 

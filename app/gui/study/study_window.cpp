@@ -363,7 +363,7 @@ void StudyWindow::choose_language(const QString& code) {
 
 void StudyWindow::ask_for_new_study() {
   if (refuse_when_busy()) return;
-  auto* dialog = new NewStudyDialog((QDir::homePath() + "/Asperity").toStdString(), this);
+  auto* dialog = new NewStudyDialog(place_of_studies(), this);
   connect(dialog, &NewStudyDialog::wanted, this, &StudyWindow::make_new_study);
   dialog->open();
 }
@@ -383,7 +383,10 @@ void StudyWindow::make_new_study(const std::filesystem::path& folder) {
 
 void StudyWindow::ask_for_study() {
   if (refuse_when_busy()) return;
-  auto* chooser = new QFileDialog(this, tr("Open the folder of a study"), QDir::homePath());
+  const std::filesystem::path place = place_of_studies();
+  auto* chooser = new QFileDialog(
+      this, tr("Open the folder of a study"),
+      std::filesystem::exists(place) ? QString::fromStdString(place.string()) : QDir::homePath());
   chooser->setAttribute(Qt::WA_DeleteOnClose);
   chooser->setFileMode(QFileDialog::Directory);
   chooser->setOption(QFileDialog::ShowDirsOnly);

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <QtCore/QFile>
+#include <QtCore/QPointer>
 #include <QtGui/QAction>
 #include <QtTest/QTest>
 #include <QtWidgets/QDialog>
@@ -253,14 +254,41 @@ TEST_F(StudyWindowTest, DoesNotCloseWhileBusyAndSaysWhy) {
 }
 
 TEST_F(StudyWindowTest, RemembersWhereItWas) {
+  QRect was{};
   {
     StudyWindow window{};
-    window.resize(1111, 777);
+    window.resize(777, 700);
+    window.move(16, 24);
     window.show();
+    was = window.geometry();
+    window.close();
+  }
+  EXPECT_EQ(was.width(), 777);
+  {
+    StudyWindow window{};
+    window.show();
+    EXPECT_EQ(window.geometry(), was);
+    window.showMaximized();
     window.close();
   }
   StudyWindow window{};
-  EXPECT_EQ(window.size(), QSize(1111, 777));
+  window.show();
+  EXPECT_TRUE(window.isMaximized());
+}
+
+TEST_F(StudyWindowTest, OffersThePlaceOfTheLastStudyForTheNext) {
+  new_study(home() / "studies" / "first");
+  StudyWindow window{};
+  window.show();
+  click(window, "welcome_new");
+  EXPECT_EQ(child<QLineEdit>(window, "new_study_place").text(), "~/Asperity");
+  child<QDialog>(window, "new_study_dialog").close();
+  ASSERT_TRUE(window.open_study(home() / "studies" / "first"));
+  window.close_study();
+  const QPointer<QDialog> before = window.findChild<QDialog*>("new_study_dialog");
+  ASSERT_TRUE(eventually([&] { return before.isNull(); }));
+  click(window, "welcome_new");
+  EXPECT_EQ(child<QLineEdit>(window, "new_study_place").text(), "~/studies");
 }
 
 TEST_F(StudyWindowTest, WelcomePictures) {
