@@ -176,6 +176,33 @@ TEST(PenetrationSampler, AgreesWithThePlainSmoothMaximum) {
   EXPECT_LT(turn.rms(), 0.05);
 }
 
+// Plates without texture, one of them ending inside the window, with depths over several τ.
+TEST(PenetrationSampler, WeighsPlatesAsThePlainSmoothMaximumDoes) {
+  const SmoothMaximum law{.tau_m = 1e-3};
+  PenetrationSampler sampler(settings_for(32, law, instruction_sets_here().back()));
+  const auto flat = [](double, double) { return 0.0; };
+  ChanceContact contact;
+  contact.mesh_a = formed_plate({.size_m = {0.012, 0.012}}, flat);
+  contact.mesh_b = formed_plate({.size_m = {0.020, 0.020}}, flat);
+  contact.triangles_a = all_triangles(contact.mesh_a);
+  contact.triangles_b = all_triangles(contact.mesh_b);
+  for (const double tilt_rad : {0.0, 0.4}) {
+    contact.pose_a = upside_down({0.0051, 0.0032, -0.1e-3});
+    contact.pose_a.rotation = turn_about({1, 2, 0}, tilt_rad) * contact.pose_a.rotation;
+    const auto expected = reference_penetration(contact.a(), contact.b(), {}, sampler.grid(), law);
+    const auto found = answer(sampler, contact);
+    ASSERT_TRUE(expected && found);
+    ASSERT_LT(expected->covered, 32 * 32);
+    EXPECT_EQ(found->covered, expected->covered);
+    EXPECT_NEAR(found->depth_m, expected->depth_m, 20e-9);
+    EXPECT_NEAR(found->slope.x, expected->slope.x, 1e-5);
+    EXPECT_NEAR(found->slope.y, expected->slope.y, 1e-5);
+    EXPECT_NEAR(found->lever_m.x, expected->lever_m.x, 1e-7);
+    EXPECT_NEAR(found->lever_m.y, expected->lever_m.y, 1e-7);
+    EXPECT_NEAR(found->lever_m.z, expected->lever_m.z, 1e-7);
+  }
+}
+
 TEST(PenetrationSampler, GivesTheSameBitsWithEveryInstructionSet) {
   ContactsByChance chance(13);
   for (const MaximumLaw& law :
