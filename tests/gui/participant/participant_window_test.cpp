@@ -1,5 +1,8 @@
 #include "app/gui/participant/participant_window.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QtCore/QFile>
 #include <QtCore/QProcess>
 #include <QtCore/QTemporaryDir>
@@ -8,9 +11,11 @@
 #include <QtGui/QScreen>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
+#include <QtWidgets/QApplication>
 #include <gtest/gtest.h>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/participant/participant_painter.h"
 #include "tests/gui/participant/scenes.h"
 
 namespace asperity {
@@ -113,6 +118,51 @@ TEST(ParticipantWindow, ClosesByItselfAfterTheThanks) {
   thanks->start(1);
   ASSERT_TRUE(QTest::qWaitFor([&] { return closed.count() == 1; }));
   EXPECT_FALSE(window.isVisible());
+}
+
+TEST(ParticipantWindow, OpensNoDialogAndStaysWhateverIsShownAndPressed) {
+  SessionMonitor monitor{};
+  const scenes::PictureFolder pictures{};
+  ParticipantWindow window(monitor, pictures.path());
+  window.show();
+  const qsizetype windows = QApplication::topLevelWidgets().size();
+  for (const auto& [name, scene] : scenes::all()) {
+    monitor.show(scene);
+    const auto shown = monitor.snapshot().scene;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return &window.view().scene() == shown.get(); }));
+    for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_F1, Qt::Key_Menu, Qt::Key_Return}) {
+      QTest::keyClick(&window.view(), key);
+    }
+    QTest::keyClick(&window.view(), Qt::Key_F4, Qt::AltModifier);
+    QTest::keyClick(&window.view(), Qt::Key_Q, Qt::ControlModifier);
+    QTest::mouseClick(&window.view(), Qt::RightButton, {}, QPoint(40, 40));
+    EXPECT_TRUE(window.isVisible()) << name;
+    EXPECT_EQ(QApplication::topLevelWidgets().size(), windows) << name;
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << name;
+    EXPECT_EQ(QApplication::activePopupWidget(), nullptr) << name;
+  }
+}
+
+// Of luminances as WCAG 2 defines them: 7 : 1 is what it asks of text for people who see badly.
+TEST(ParticipantColors, KeepEveryTextSevenTimesAsLightOrDarkAsItsGround) {
+  const auto luminance = [](const QColor& color) {
+    const auto linear = [](double part) {
+      return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+           0.0722 * linear(color.blueF());
+  };
+  const auto contrast = [&](const QColor& one, const QColor& other) {
+    const double a = luminance(one) + 0.05;
+    const double b = luminance(other) + 0.05;
+    return std::max(a, b) / std::min(a, b);
+  };
+  const ParticipantColors colors{};
+  for (const QColor& ground : {colors.ground, colors.panel, colors.cue_ground}) {
+    EXPECT_GE(contrast(colors.text, ground), 7.0) << ground.name().toStdString();
+  }
+  EXPECT_GE(contrast(colors.muted, colors.ground), 7.0);
+  EXPECT_GE(contrast(colors.on_press, colors.press), 7.0);
 }
 
 TEST(ParticipantWindow, CarriesTheBandOfAPilot) {
