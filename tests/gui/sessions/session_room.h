@@ -40,7 +40,7 @@ struct SoundLog {
   std::atomic<bool> plugged{true};
   std::atomic<bool> masking{false};
   std::atomic<bool> made_by_a_window{false};  ///< on the thread of the windows
-  std::vector<std::string> tones();  ///< "surface 1", "next", …
+  std::vector<std::string> tones();           ///< "surface 1", "next", …
   void add(Cue cue, int number);
 
  private:
