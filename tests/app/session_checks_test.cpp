@@ -263,13 +263,13 @@ TEST_F(SessionChecks, HoldTheNoiseToTheDeclaredLevelInARun) {
   ask_for_noise();
   // Nobody hears it: a run has to get it from elsewhere, and somebody to answer for that.
   EXPECT_EQ(check("masking_noise").state, State::stop);
-  EXPECT_NE(check("masking_noise").text.find("no sound output"), std::string::npos);
-  EXPECT_NE(check("masking_noise").remedy.find("from elsewhere"), std::string::npos);
+  EXPECT_NE(check("masking_noise").text.english().find("no sound output"), std::string::npos);
+  EXPECT_NE(check("masking_noise").remedy.english().find("from elsewhere"), std::string::npos);
   inputs.noise.measured_dBA = 65.0;
   EXPECT_EQ(check("masking_noise").state, State::stop);
   inputs.noise.verified_by = "MW";
   EXPECT_EQ(check("masking_noise").state, State::look);
-  EXPECT_EQ(check("masking_noise").text,
+  EXPECT_EQ(check("masking_noise").text.english(),
             "There is no sound output here; the noise comes from elsewhere, 65.0 dBA at the ear, "
             "verified by MW.");
   inputs.noise.measured_dBA = 70.0;
@@ -295,8 +295,8 @@ TEST_F(SessionChecks, SayThatNobodyHearsTheCuesOfABlindfoldSession) {
   std::string text = small_protocol();
   text.insert(text.find("\"textures\""), R"("environment": {"vision": "blindfold"}, )");
   write_file(study / "protocols" / "small.json", text, Overwrite::allow);
-  EXPECT_EQ(check("masking_noise").state, State::look) << check("masking_noise").text;
-  EXPECT_NE(check("masking_noise").text.find("hears no cues"), std::string::npos);
+  EXPECT_EQ(check("masking_noise").state, State::look) << check("masking_noise").text.english();
+  EXPECT_NE(check("masking_noise").text.english().find("hears no cues"), std::string::npos);
   inputs.mode = SessionMode::simulate;
   EXPECT_EQ(check("masking_noise").state, State::fine);
   inputs.mode = SessionMode::run;
