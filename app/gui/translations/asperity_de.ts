@@ -787,14 +787,6 @@
         <translation>Nicht nötig: Niemand hört zu.</translation>
     </message>
     <message>
-        <source>There is no sound output: the noise that the protocol asks for is not heard.</source>
-        <translation>Es gibt keine Tonausgabe: Das vom Protokoll verlangte Rauschen ist nicht zu hören.</translation>
-    </message>
-    <message>
-        <source>Connect headphones, or play the noise from elsewhere and note its level.</source>
-        <translation>Kopfhörer anschließen oder das Rauschen anders abspielen und seinen Pegel notieren.</translation>
-    </message>
-    <message>
         <source>It is not said who measured the level at the ear.</source>
         <translation>Es fehlt, wer den Pegel am Ohr gemessen hat.</translation>
     </message>
@@ -893,6 +885,26 @@
     <message>
         <source>the protocol %1 has changed since it was checked: it was %2 and is %3 now; choose it again to read and check the new version</source>
         <translation>das Protokoll %1 hat sich seit der Prüfung geändert: Es war %2 und ist jetzt %3; erneut wählen, um die neue Fassung zu lesen und zu prüfen</translation>
+    </message>
+    <message>
+        <source>There is no sound output: a participant who wears an eye mask hears no cues.</source>
+        <translation>Es gibt keine Tonausgabe: Eine Versuchsperson mit Augenmaske hört keine Signale.</translation>
+    </message>
+    <message>
+        <source>Connect headphones, then check again; or lead them by your voice.</source>
+        <translation>Kopfhörer anschließen, dann erneut prüfen; oder mit der Stimme führen.</translation>
+    </message>
+    <message>
+        <source>There is no sound output: nobody hears the noise that the protocol asks for.</source>
+        <translation>Es gibt keine Tonausgabe: Niemand hört das vom Protokoll verlangte Rauschen.</translation>
+    </message>
+    <message>
+        <source>Connect headphones, then check again; or play the noise from elsewhere, measure it at the ear, and enter the level and your name.</source>
+        <translation>Kopfhörer anschließen, dann erneut prüfen; oder das Rauschen anders abspielen, am Ohr messen und Pegel und Namen eintragen.</translation>
+    </message>
+    <message>
+        <source>There is no sound output here; the noise comes from elsewhere, %1 dBA at the ear, verified by %2.</source>
+        <translation>Hier gibt es keine Tonausgabe; das Rauschen kommt von anderswo, %1 dBA am Ohr, geprüft von %2.</translation>
     </message>
 </context>
 <context>
