@@ -108,8 +108,14 @@ TEST_F(TheCheckList, SaysInGermanWhatTheProtocolAsksForInVain) {
       in.noise.verified_by = "MW";
     };
   };
+  expect_german("from elsewhere", [&measured](CheckInputs& in) {
+    measured(65.0)(in);
+    in.sound_card = false;
+  });
   expect_german("too loud", measured(70.0));
   expect_german("as declared", measured(65.0));
+  put_into_protocol(R"("environment": {"vision": "blindfold"}, )");
+  expect_german("no cues", [](CheckInputs&) {});
 }
 
 TEST_F(TheCheckList, SaysInGermanWhatASessionHasToGoOnWith) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QtCore/QLocale>
+#include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
@@ -112,6 +113,10 @@ TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
                         [](const QString& reason) { return reason.contains("Checkliste wird"); });
   }));
   EXPECT_EQ(child<QPushButton>(window, "start").text(), "Sitzung starten");
+  for (const auto* label : start->findChildren<QLabel*>(QRegularExpression("^check_(?!summary)"))) {
+    EXPECT_FALSE(label->text().contains(QRegularExpression("\\b(the|not|is|of)\\b")))
+        << label->text().toStdString();
+  }
   take_screenshot(window, "german-study-start");
 
   window.show_page("sessions");  // what is filled in for a session is not thrown away
