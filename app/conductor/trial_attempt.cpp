@@ -375,10 +375,13 @@ void TrialAttempt::take_surface_away() {
   Rig& rig = course_.rig();
   rig.hand().lift();
   rig.loop().withdraw();
-  for (double passed_s = 0.0; passed_s < 1.0 && rig.loop().status().fault == Fault::none;
-       passed_s += kSlice_s) {
+  const std::vector<TickRecord>& records = course_.recorder().records();
+  for (double passed_s = 0.0; passed_s < 1.0; passed_s += kSlice_s) {
+    const bool is_fault = rig.loop().status().fault != Fault::none;
+    // A stop is known before its tick: the record is to show that the force was gone.
+    if (is_fault && !records.empty() && records.back().has(TickFlag::fault_latched)) return;
     course_.pass_slice();
-    if (rig.loop().collect().renderer != nullptr) break;
+    if (!is_fault && rig.loop().collect().renderer != nullptr) return;
   }
 }
 

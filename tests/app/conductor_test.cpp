@@ -239,6 +239,19 @@ TEST_F(ConductorTest, StopsTheForceAtOnceWhenTheEmergencyStopIsPressed) {
   EXPECT_EQ(records.back().sent.force_N, glm::dvec3{0.0});
 }
 
+// On a busy machine the conductor may know of the stop before the servo has ticked again.
+TEST_F(ConductorTest, RecordsTheTickInWhichAStopActed) {
+  begin(small_protocol());
+  rig_->at_pass = [this] {
+    if (rig_->loop().status().presentation != 0) rig_->loop().emergency_stop();
+  };
+  EXPECT_EQ(run().state, SessionState::stopped);
+  const AttemptRow row = attempts().at(0);
+  const auto records = records_of(read_recording(folder_.path() / "study" / row.recording->path));
+  EXPECT_TRUE(records.back().has(TickFlag::fault_latched));
+  EXPECT_EQ(records.back().sent.force_N, glm::dvec3{0.0});
+}
+
 TEST_F(ConductorTest, SaysThatItWasTheEmergencyStopAlsoBetweenTrials) {
   begin(small_protocol());
   rig_->at_pass = [this] { conductor_->requests().emergency_stop(); };
