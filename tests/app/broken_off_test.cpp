@@ -13,7 +13,7 @@ namespace {
 class BrokenOffSessions : public testing::Test {
  protected:
   BrokenOffSessions() {
-    protocol_ = made_.add_protocol("one", "recognition", R"({"name": "one"})");
+    protocol_ = made_.add_protocol("one", "recognition");
     for (const char* label : {"P1", "P2"}) made_.add_person(label, "F");
     made_.add_virtual("virtual0001", "F");
     made_.add_session("P1", protocol_, {{.surfaces = {surface_of("wood", "height_map", "wood")}}});
@@ -83,7 +83,7 @@ TEST_F(BrokenOffSessions, SayWhetherTheTextThatTheyBeganWithIsStillThere) {
   EXPECT_EQ(without.trials, 1);
   EXPECT_EQ(without.trials_done, 0);
   const std::filesystem::path file = made_.folder() / "protocols" / "same.json";
-  write_file(file, R"({"name": "one"})", Overwrite::refuse);
+  write_file(file, made_.study().protocol(protocol_).source, Overwrite::refuse);
   EXPECT_EQ(broken_off_sessions(made_.study(), {}).at(0).protocol_file, file);
 }
 
