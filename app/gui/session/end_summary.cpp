@@ -44,26 +44,30 @@ EndSummary::EndSummary(std::filesystem::path study, QWidget* parent)
   rows->addWidget(title_);
   rows->addWidget(text_);
   rows->addWidget(place_);
+  auto* ways_on = new QHBoxLayout();
   auto* buttons = new QHBoxLayout();
-  buttons->setSpacing(kGrid);
-  const auto add = [&](const QString& verb, const char* name, auto&& on_click) {
+  for (QHBoxLayout* line : {ways_on, buttons}) {
+    line->setSpacing(kGrid);
+    rows->addLayout(line);
+  }
+  const auto add = [&](QHBoxLayout* line, const QString& verb, const char* name, auto&& on_click) {
     QPushButton* button = make_button(verb, ButtonRole::plain, card);
     button->setObjectName(name);
     connect(button, &QPushButton::clicked, this, on_click);
-    buttons->addWidget(button);
+    line->addWidget(button);
     return button;
   };
   const auto add_way_on = [&](AfterFailure way, const char* name) {
-    return add(SessionText::of_way_on(way), name, [this, way] { emit way_on_wanted(way); });
+    return add(ways_on, SessionText::of_way_on(way), name,
+               [this, way] { emit way_on_wanted(way); });
   };
   go_on_ = add_way_on(AfterFailure::go_on, "go_on");
   start_again_ = add_way_on(AfterFailure::start_again, "start_again");
   check_again_ = add_way_on(AfterFailure::check_again, "check_everything_again");
-  see_table_ = add(tr("See the table"), "see_table", &EndSummary::results_wanted);
-  see_trials_ = add(tr("See the trials"), "see_trials", &EndSummary::trials_wanted);
-  add(tr("Close"), "close", &EndSummary::close_wanted);
-  buttons->addStretch(1);
-  rows->addLayout(buttons);
+  see_table_ = add(buttons, tr("See the table"), "see_table", &EndSummary::results_wanted);
+  see_trials_ = add(buttons, tr("See the trials"), "see_trials", &EndSummary::trials_wanted);
+  add(buttons, tr("Close"), "close", &EndSummary::close_wanted);
+  for (QHBoxLayout* line : {ways_on, buttons}) line->addStretch(1);
   auto* middle = new QVBoxLayout();
   middle->addStretch(1);
   middle->addWidget(card);

@@ -23,10 +23,10 @@ namespace {
 
 /// What a hand at a haptic device, and whoever it belongs to, is noted for most often.
 QStringList usual_phrases() {
-  return {NotesPanel::tr("Pressed hard"), NotesPanel::tr("Lifted early"),
-          NotesPanel::tr("Grip changed"),     NotesPanel::tr("Hand slipped"),
-          NotesPanel::tr("Hand is tired"),    NotesPanel::tr("Felt a jolt"),
-          NotesPanel::tr("Distracted"),       NotesPanel::tr("Had a question"),
+  return {NotesPanel::tr("Pressed hard"),  NotesPanel::tr("Lifted early"),
+          NotesPanel::tr("Grip changed"),  NotesPanel::tr("Hand slipped"),
+          NotesPanel::tr("Hand is tired"), NotesPanel::tr("Felt a jolt"),
+          NotesPanel::tr("Distracted"),    NotesPanel::tr("Had a question"),
           NotesPanel::tr("Noise outside")};
 }
 

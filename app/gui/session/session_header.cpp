@@ -111,8 +111,7 @@ void SessionHeader::write_title() {
   const QString protocol = QString::fromStdString(facts_->protocol->title);
   const QFontMetrics letters(title_->font());
   const int room = title_->width() - letters.horizontalAdvance(title_with({}));
-  set_if_new(*title_,
-             title_with(letters.elidedText(protocol, Qt::ElideRight, std::max(room, 0))));
+  set_if_new(*title_, title_with(letters.elidedText(protocol, Qt::ElideRight, std::max(room, 0))));
   title_->setToolTip(title_with(protocol));
 }
 

@@ -20,9 +20,9 @@ class StateLabel;
 /// Whether names are hidden, as the header says it.
 struct Blindness {
   bool is_blind = true;
-  bool is_run = true;        ///< to unblind asks for a reason
-  bool can_change = false;   ///< not before the session is known
-  QString unblinded_at{};    ///< when names were first shown in a run; empty: never
+  bool is_run = true;       ///< to unblind asks for a reason
+  bool can_change = false;  ///< not before the session is known
+  QString unblinded_at{};   ///< when names were first shown in a run; empty: never
 };
 
 class SessionHeader final : public QWidget {

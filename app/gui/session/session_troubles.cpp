@@ -172,21 +172,24 @@ void SessionTroubles::show_participant_screen_lost(const QString& name, ScreenLo
   QString text{};
   switch (loss) {
     case ScreenLoss::force_stopped:
-      text = tr("The participant's screen “%1” is gone. The emergency stop was pressed for them: the "
-                "force is zero, and the trial is asked again. Plug the screen in, put their window "
-                "back, then clear the stop.")
-                 .arg(name);
+      text =
+          tr("The participant's screen “%1” is gone. The emergency stop was pressed for them: the "
+             "force is zero, and the trial is asked again. Plug the screen in, put their window "
+             "back, then clear the stop.")
+              .arg(name);
       break;
     case ScreenLoss::pausing:
-      text = tr("The participant's screen “%1” is gone. There is no force, and the session pauses "
-                "before the next trial. Plug the screen in, put their window back, then resume with "
-                "F5.")
-                 .arg(name);
+      text =
+          tr("The participant's screen “%1” is gone. There is no force, and the session pauses "
+             "before the next trial. Plug the screen in, put their window back, then resume with "
+             "F5.")
+              .arg(name);
       break;
     case ScreenLoss::still_gone:
-      text = tr("The screen “%1” is still not there. Until it is, the participant's window stands on "
-                "the screen that is left.")
-                 .arg(name);
+      text =
+          tr("The screen “%1” is still not there. Until it is, the participant's window stands on "
+             "the screen that is left.")
+              .arg(name);
       break;
   }
   news_->show_news(State::look, text, tr("Put their window back"),

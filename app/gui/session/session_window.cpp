@@ -110,10 +110,8 @@ void SessionWindow::connect_parts() {
   connect(header_, &SessionHeader::unblind_pressed, this, &SessionWindow::change_blindness);
   connect(notes_, &NotesPanel::noted, this,
           [this](const QString& text) { requests_.note(text.toStdString()); });
-  connect(troubles_, &SessionTroubles::end_wanted, this,
-          [this] { do_verb(SessionVerb::abort); });
-  connect(troubles_, &SessionTroubles::pause_wanted, this,
-          [this] { do_verb(SessionVerb::pause); });
+  connect(troubles_, &SessionTroubles::end_wanted, this, [this] { do_verb(SessionVerb::abort); });
+  connect(troubles_, &SessionTroubles::pause_wanted, this, [this] { do_verb(SessionVerb::pause); });
   connect(troubles_, &SessionTroubles::way_on_wanted, this, &SessionWindow::way_on_wanted);
   connect(troubles_, &SessionTroubles::participant_screen_back, this,
           &SessionWindow::participant_screen_back);
@@ -357,13 +355,13 @@ void SessionWindow::show_exploration() {
 void SessionWindow::write_moving_texts() {
   const std::int64_t time_ns = now_ns(shown_, facts_.get());
   const double in_phase_s = seconds_between(shown_.phase_began_ns, time_ns);
-  const bool is_preparing = facts_ == nullptr && shown_.phase == SessionPhase::idle;
-  header_->show_now(
-      is_preparing
-          ? tr("Preparing the session")
-          : SessionText::of_now(shown_, trial_now(),
-                                plan_->model().condition(shown_.trial, shown_.surface),
-                                in_phase_s));
+  if (facts_ == nullptr) {
+    header_->show_now(shown_.phase == SessionPhase::ended ? tr("The session did not begin")
+                                                          : tr("Preparing the session"));
+  } else {
+    header_->show_now(SessionText::of_now(
+        shown_, trial_now(), plan_->model().condition(shown_.trial, shown_.surface), in_phase_s));
+  }
   plan_->set_now(shown_.phase == SessionPhase::ended ? 0 : shown_.trial,
                  SessionText::of_phase(shown_, in_phase_s));
   header_->show_elapsed(facts_ == nullptr ? 0.0 : seconds_between(shown_.began_ns, time_ns));
@@ -390,10 +388,9 @@ void SessionWindow::write_pending() {
   QStringList words{};
   if (is_running()) {
     if (shown_.phase == SessionPhase::paused) {
-      words += pending.pause
-                   ? tr("Paused since %1, Resume F5")
-                         .arg(text_of_clock(shown_.phase_began_ns, shown_, facts_.get()))
-                   : tr("Going on");
+      words += pending.pause ? tr("Paused since %1, Resume F5")
+                                   .arg(text_of_clock(shown_.phase_began_ns, shown_, facts_.get()))
+                             : tr("Going on");
     } else if (pending.pause) {
       words += tr("Pausing after this trial");
     }

@@ -278,9 +278,9 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
   const auto& excluded = session.row.excluded;
   standing_->setVisible(blind || excluded);
   if (blind) {
-    standing_->set_state(State::look,
-                         tr("It is running, and who runs it is blind: until it ends, its own window "
-                            "shows what may be known."));
+    standing_->set_state(
+        State::look, tr("It is running, and who runs it is blind: until it ends, its own window "
+                        "shows what may be known."));
   } else if (excluded) {
     standing_->set_state(State::stop,
                          tr("Analyses leave the whole session out: %1").arg(text(*excluded)));

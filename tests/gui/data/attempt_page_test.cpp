@@ -454,8 +454,7 @@ TEST_F(TrialsOfAMatching, ShowEveryAnswerOnASmallScreen) {
   const QRect cell = trials.visualRect(trials.model()->index(0, 4));
   constexpr int kPadding = 24;  // of a cell: that of the style sheet, and of the text in it
   const QRect room(0, 0, cell.width() - kPadding, 1000);
-  const QRect needed =
-      QFontMetrics(trials.font()).boundingRect(room, Qt::TextWordWrap, answers);
+  const QRect needed = QFontMetrics(trials.font()).boundingRect(room, Qt::TextWordWrap, answers);
   EXPECT_LE(needed.height() + 8, cell.height()) << cell.width() << " × " << cell.height();
   EXPECT_LE(needed.width(), room.width());
   const QRect remarks = trials.visualRect(trials.model()->index(0, 9));

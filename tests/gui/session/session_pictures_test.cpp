@@ -128,7 +128,8 @@ TEST(SessionPictures, ASessionDoesNotBegin) {
   monitor.update([](SessionSnapshot& s) { s.phase = SessionPhase::ended; });
   window.refresh();
   window.show_failure(
-      "The lock session-P013 is in use by process 4711 on host lab1, started 09:12. The session did "
+      "The lock session-P013 is in use by process 4711 on host lab1, started 09:12. The session "
+      "did "
       "not begin and no trial was run. When the cause is mended, start it again.",
       AfterFailure::start_again);
   take_both(window, "session-not-begun");

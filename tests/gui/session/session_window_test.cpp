@@ -589,8 +589,7 @@ TEST(SessionWindow, ClosesAfterAFailureWithoutAQuestion) {
   FilledMonitor session{};
   session.answer_up_to(2);
   const auto window = session.window();
-  window->show_failure("The disk is full: study.sqlite could not be written.",
-                       AfterFailure::go_on);
+  window->show_failure("The disk is full: study.sqlite could not be written.", AfterFailure::go_on);
   EXPECT_TRUE(find<QWidget>(*window, "news").isVisible());
   EXPECT_TRUE(window->may_close());
 }
@@ -600,9 +599,9 @@ TEST(SessionWindow, OffersWhatHelpsAfterAFailure) {
     AfterFailure way;
     const char* verb;
   };
-  for (const Case& each :
-       {Case{AfterFailure::start_again, "Try again"}, Case{AfterFailure::check_again, "Check again"},
-        Case{AfterFailure::go_on, "Go on with this session…"}}) {
+  for (const Case& each : {Case{AfterFailure::start_again, "Try again"},
+                           Case{AfterFailure::check_again, "Check again"},
+                           Case{AfterFailure::go_on, "Go on with this session…"}}) {
     FilledMonitor session{};
     session.answer_up_to(2);
     session.set_phase(SessionPhase::ended);
@@ -630,6 +629,7 @@ TEST(SessionWindow, OffersToTryAndToCheckAgainWhereNothingHasBegun) {
   window.refresh();
   window.show_failure("The study is in use by process 7.", AfterFailure::start_again);
   EXPECT_TRUE(find<QLabel>(window, "end_title").text().contains("did not begin"));
+  EXPECT_EQ(find<QLabel>(window, "now").text(), "The session did not begin");
   EXPECT_FALSE(find<QPushButton>(window, "go_on").isVisible());
   EXPECT_FALSE(find<QPushButton>(window, "see_table").isVisible());
   QSignalSpy wanted(&window, &SessionWindow::way_on_wanted);
@@ -645,12 +645,12 @@ TEST(SessionWindow, OffersToGoOnWithWhatWasStoppedButNotWithWhatIsOver) {
     SessionEnd end;
     bool goes_on;
   };
-  for (const Case& each :
-       {Case{{.state = SessionState::stopped, .reason = "as asked"}, true},
-        Case{{.state = SessionState::completed}, false},
-        Case{{.state = SessionState::stopped, .reason = "the criterion was not met",
-              .as_the_protocol_says = true},
-             false}}) {
+  for (const Case& each : {Case{{.state = SessionState::stopped, .reason = "as asked"}, true},
+                           Case{{.state = SessionState::completed}, false},
+                           Case{{.state = SessionState::stopped,
+                           .reason = "the criterion was not met",
+                           .as_the_protocol_says = true},
+                                false}}) {
     FilledMonitor session{};
     session.answer_up_to(9);
     session.set_phase(SessionPhase::ended);

@@ -152,8 +152,7 @@ TEST_F(SessionInTrouble, ALostDeviceZeroesTheForceAndTheSessionGoesOnOnceItAnswe
   click(*window, "mode_run");
   agree();
   SessionOrder order = qobject_cast<StartPage*>(window->page("start"))->order();
-  order.inputs.faults = {
-      {.kind = ScriptedFault::Kind::lost, .at_s = 0.8, .duration_s = 0.5}};
+  order.inputs.faults = {{.kind = ScriptedFault::Kind::lost, .at_s = 0.8, .duration_s = 0.5}};
   desk->begin(order);
   auto& panel = child<FaultPanel>(experimenter(), "fault_panel");
   wait_for("the panel", [&] { return panel.isVisible(); });

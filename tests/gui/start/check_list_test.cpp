@@ -114,7 +114,10 @@ TEST_F(TheCheckList, SaysInGermanWhatTheProtocolAsksForInVain) {
   });
   expect_german("too loud", measured(70.0));
   expect_german("as declared", measured(65.0));
-  put_into_protocol(R"("environment": {"vision": "blindfold"}, )");
+  std::string blindfold = small_protocol();
+  blindfold.insert(blindfold.find("\"textures\""), R"("environment": {"vision": "blindfold"}, )");
+  blindfold.replace(blindfold.find("photograph"), 10, "memory");
+  write_protocol(blindfold);
   expect_german("no cues", [](CheckInputs&) {});
 }
 

@@ -446,9 +446,8 @@ TEST_F(StudyPages, HideWhatWasFeltAndAnsweredWhileARunIsUnderWay) {
     EXPECT_EQ(opened.count(), 0);
     window_.show_page("attempt");
     attempt.show_attempt(first);
-    ASSERT_TRUE(eventually([&] {
-      return child<QLabel>(attempt, "attempt_standing").text().contains("blind");
-    }));
+    ASSERT_TRUE(eventually(
+        [&] { return child<QLabel>(attempt, "attempt_standing").text().contains("blind"); }));
     EXPECT_FALSE(child<QTabWidget>(attempt, "attempt_tabs").isVisible());
     EXPECT_EQ(child<QLabel>(attempt, "attempt_summary").text(), "");
   }
