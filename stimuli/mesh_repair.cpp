@@ -74,6 +74,10 @@ class Repair final {
       : mesh_(std::move(mesh)), limits_(limits), name_(name) {}
 
   RepairedMesh run() {
+    if (const auto widest_m = limits_.widest_hole_m; widest_m && !(*widest_m >= 0.0)) {
+      throw std::invalid_argument("the widest hole that is closed, widest_hole_m, is " +
+                                  number_text(*widest_m) + "; it must be a length of at least 0.");
+    }
     found_.triangles_in = mesh_.triangles.size();
     refuse_not_finite();
     weld();

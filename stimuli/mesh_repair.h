@@ -58,7 +58,7 @@ struct RepairedMesh {
 ///
 /// Errors: std::invalid_argument, a sentence that begins with `name`: a coordinate that is not
 /// finite, a diagonal outside 0.1 mm to 10 m, a surface of one side only, an opening wider than the
-/// limit, nothing that encloses a volume.
+/// limit, nothing that encloses a volume; a limit for holes that is no length.
 RepairedMesh repair_mesh(TriangleMesh mesh, const MeshRepairLimits& limits,
                          const std::string& name);
 

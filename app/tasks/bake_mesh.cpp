@@ -57,6 +57,13 @@ Original read_original(const BakeOrder& order) {
 
 BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>& progress) {
   refuse_existing({order.out}, order.overwrite);
+  // Said now and not after the work.
+  if (const auto folder = order.out.parent_path();
+      !folder.empty() && !std::filesystem::is_directory(folder)) {
+    throw ResultsError(
+        "the file " + order.out.string() + " cannot be made: there is no folder " + folder.string(),
+        order.out);
+  }
   const auto part = [&progress](double from, double to) {
     return [&progress, from, to](double fraction) { progress(from + (to - from) * fraction); };
   };

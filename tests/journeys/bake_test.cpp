@@ -105,6 +105,11 @@ TEST(Bake, RefusesBadMeshesInASentenceAndWritesNothing) {
     EXPECT_THAT(outcome.err, HasSubstr(words)) << name;
     EXPECT_FALSE(fs::exists(place / "out.mesh")) << name;
   }
+  const Outcome nowhere = asperity(
+      {"bake", place / "many.obj", "--triangles", "200", "--out", (place / "no") / "such.mesh"});
+  EXPECT_EQ(nowhere.status, 1);
+  EXPECT_THAT(nowhere.err, HasSubstr("there is no folder"));
+  EXPECT_THAT(nowhere.err, testing::Not(HasSubstr("baking")));
   const Outcome missing =
       asperity({"bake", place / "nowhere.obj", "--triangles", "200", "--out", place / "out.mesh"});
   EXPECT_EQ(missing.status, 1);

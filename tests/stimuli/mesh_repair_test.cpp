@@ -166,6 +166,8 @@ TEST(MeshRepair, RefusesAWideOpeningUnlessItIsAskedFor) {
   const std::string sentence = refusal(mesh);
   EXPECT_THAT(sentence, HasSubstr("thing is not closed: it has 1 opening, the widest 72.111 mm"));
   EXPECT_THAT(sentence, HasSubstr("7.483 mm"));  // a tenth of the diagonal, 74.83 mm
+  EXPECT_THAT(refusal(mesh, {.widest_hole_m = std::numeric_limits<double>::quiet_NaN()}),
+              HasSubstr("widest_hole_m"));
   const RepairedMesh result = repaired(mesh, {.widest_hole_m = 0.08});
   EXPECT_NEAR(volume_m3(result.mesh), kBox_m3, 1e-12);
 }
