@@ -105,8 +105,8 @@ TEST(Decimation, TurnsNoFaceOver) {
     std::size_t turned = 0;
     for (const auto& [a, b, c] : simplified.triangles) {
       const glm::dvec3& corner_m = simplified.vertices_m[a];
-      const glm::dvec3 front = glm::cross(simplified.vertices_m[b] - corner_m,
-                                          simplified.vertices_m[c] - corner_m);
+      const glm::dvec3 front =
+          glm::cross(simplified.vertices_m[b] - corner_m, simplified.vertices_m[c] - corner_m);
       if (glm::dot(front, corner_m) <= 0.0) ++turned;
     }
     EXPECT_EQ(turned, 0U) << "of " << triangles;
