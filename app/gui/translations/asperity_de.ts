@@ -4,30 +4,6 @@
 <context>
     <name>AttemptWords</name>
     <message>
-        <source>answered</source>
-        <translation>beantwortet</translation>
-    </message>
-    <message>
-        <source>no answer in time</source>
-        <translation>keine Antwort in der Zeit</translation>
-    </message>
-    <message>
-        <source>not explored as asked</source>
-        <translation>nicht wie verlangt erkundet</translation>
-    </message>
-    <message>
-        <source>aborted</source>
-        <translation>abgebrochen</translation>
-    </message>
-    <message>
-        <source>device fault</source>
-        <translation>Gerätestörung</translation>
-    </message>
-    <message>
-        <source>skipped</source>
-        <translation>übersprungen</translation>
-    </message>
-    <message>
         <source>set aside, asked again</source>
         <translation>zurückgestellt, erneut gefragt</translation>
     </message>
@@ -188,6 +164,64 @@
     </message>
 </context>
 <context>
+    <name>OpeningWords</name>
+    <message>
+        <source>%1 is a folder; open one of the pictures in it.</source>
+        <translation>%1 ist ein Ordner; eines der Bilder darin öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more; was it moved, or its medium taken out?</source>
+        <translation>%1 ist nicht mehr da; wurde es verschoben oder der Datenträger entfernt?</translation>
+    </message>
+    <message>
+        <source>%1 is no file that holds a picture.</source>
+        <translation>%1 ist keine Datei, die ein Bild enthält.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 GiB; pictures of up to 2 GiB are read. Scale it down or cut a piece out.</source>
+        <translation>%1 hat %2 GiB; gelesen werden Bilder bis 2 GiB. Verkleinern oder einen Ausschnitt nehmen.</translation>
+    </message>
+    <message>
+        <source>The picture has an alpha channel, which is left out: a pixel counts with its colour, however transparent.</source>
+        <translation>Das Bild hat einen Alphakanal; er bleibt außer Acht: ein Bildpunkt zählt mit seiner Farbe, wie durchsichtig er auch ist.</translation>
+    </message>
+    <message>
+        <source>The camera noted that the picture is to be turned when it is shown; here it lies as it is stored. Turn and save it with another program if that matters.</source>
+        <translation>Die Kamera hat vermerkt, dass das Bild zum Zeigen zu drehen ist; hier liegt es, wie es gespeichert ist. Kommt es darauf an, mit einem anderen Programm drehen und speichern.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit into the memory of this computer. Scale it down or cut a piece out.</source>
+        <translation>%1 passt nicht in den Speicher dieses Rechners. Verkleinern oder einen Ausschnitt nehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>OutcomeWords</name>
+    <message>
+        <source>answered</source>
+        <translation>beantwortet</translation>
+    </message>
+    <message>
+        <source>no answer in time</source>
+        <translation>keine Antwort in der Zeit</translation>
+    </message>
+    <message>
+        <source>not explored as asked</source>
+        <translation>nicht wie verlangt erkundet</translation>
+    </message>
+    <message>
+        <source>aborted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>device fault</source>
+        <translation>Gerätestörung</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>übersprungen</translation>
+    </message>
+</context>
+<context>
     <name>ParticipantAnswers</name>
     <message>
         <source>&quot;%1&quot; is not answered.</source>
@@ -280,6 +314,18 @@
         <source>Thank you. You may let go of the handle.</source>
         <translation>Vielen Dank. Sie dürfen den Griff loslassen.</translation>
     </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantWords</name>
@@ -361,6 +407,18 @@
     <message>
         <source>Please choose one of the answers.</source>
         <translation>Bitte wählen Sie eine der Antworten.</translation>
+    </message>
+    <message>
+        <source>That is enough of surface %1. Please lift.</source>
+        <translation>Das reicht von Oberfläche %1. Bitte abheben.</translation>
+    </message>
+    <message>
+        <source>Please wait for the question.</source>
+        <translation>Bitte warten Sie auf die Frage.</translation>
+    </message>
+    <message>
+        <source>Confirm to feel surface %1 again.</source>
+        <translation>Bestätigen Sie, um Oberfläche %1 noch einmal zu fühlen.</translation>
     </message>
 </context>
 <context>
@@ -1029,14 +1087,6 @@
         <translation>als Nächstes</translation>
     </message>
     <message>
-        <source>answered</source>
-        <translation>beantwortet</translation>
-    </message>
-    <message>
-        <source>answered %1</source>
-        <translation>Antwort %1</translation>
-    </message>
-    <message>
         <source>%1, right</source>
         <translation>%1, richtig</translation>
     </message>
@@ -1051,26 +1101,6 @@
     <message>
         <source>%1, flagged</source>
         <translation>%1, markiert</translation>
-    </message>
-    <message>
-        <source>no answer in time</source>
-        <translation>keine Antwort in der Zeit</translation>
-    </message>
-    <message>
-        <source>not explored as asked</source>
-        <translation>nicht wie verlangt erkundet</translation>
-    </message>
-    <message>
-        <source>aborted</source>
-        <translation>abgebrochen</translation>
-    </message>
-    <message>
-        <source>stopped by a fault</source>
-        <translation>durch Störung gestoppt</translation>
-    </message>
-    <message>
-        <source>skipped</source>
-        <translation>übersprungen</translation>
     </message>
     <message>
         <source>RUN</source>
@@ -1091,6 +1121,30 @@
     <message>
         <source>about %1 min left</source>
         <translation>noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Go on with this session…</source>
+        <translation>Diese Sitzung fortsetzen…</translation>
+    </message>
+    <message>
+        <source>less than a minute, until %1</source>
+        <translation>weniger als eine Minute, bis %1</translation>
+    </message>
+    <message>
+        <source>about %1 min, until %2</source>
+        <translation>etwa %1 min, bis %2</translation>
     </message>
 </context>
 <context>
@@ -1377,6 +1431,30 @@
         <source>A session of %1 is running. Its counts by name are shown when it is over.</source>
         <translation>Eine Sitzung von %1 läuft. Die Zählungen mit Namen werden gezeigt, wenn sie zu Ende ist.</translation>
     </message>
+    <message>
+        <source>Counting the answers…</source>
+        <translation>Antworten werden gezählt…</translation>
+    </message>
+    <message>
+        <source>The answers were not counted; what is shown is from before.</source>
+        <translation>Die Antworten wurden nicht gezählt; was gezeigt wird, ist von vorher.</translation>
+    </message>
+    <message>
+        <source>Count again</source>
+        <translation>Noch einmal zählen</translation>
+    </message>
+    <message>
+        <source>The tables are being written.</source>
+        <translation>Die Tabellen werden gerade geschrieben.</translation>
+    </message>
+    <message>
+        <source>Writing the tables to %1 …</source>
+        <translation>Tabellen werden nach %1 geschrieben …</translation>
+    </message>
+    <message>
+        <source>The tables were not written: you cancelled it. Nothing of them is left in %1.</source>
+        <translation>Die Tabellen wurden nicht geschrieben: es wurde abgebrochen. In %1 ist nichts davon geblieben.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AnswersPanel</name>
@@ -1574,12 +1652,55 @@
         <source>Textures and models are shown by name, though the session is not complete: who goes on with it is no longer blind to them.</source>
         <translation>Texturen und Modelle stehen mit Namen da, obwohl die Sitzung nicht vollständig ist: Wer sie fortsetzt, ist dafür nicht mehr verblindet.</translation>
     </message>
+    <message>
+        <source>The recording was not read: you cancelled it. It is read when the attempt is opened again.</source>
+        <translation>Die Aufzeichnung wurde nicht gelesen: es wurde abgebrochen. Sie wird gelesen, wenn der Versuch wieder geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>The session is running, and who runs it is blind: what was felt and answered is shown here once it has ended.</source>
+        <translation>Die Sitzung läuft, und wer sie leitet, ist verblindet: Was gefühlt und geantwortet wurde, steht hier, sobald sie beendet ist.</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>%1 wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>%1 was not written: you cancelled it.</source>
+        <translation>%1 wurde nicht geschrieben: es wurde abgebrochen.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::Banner</name>
     <message>
         <source>Dismiss</source>
         <translation>Ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::BrokenOffNews</name>
+    <message>
+        <source>Session %1 of %2 was broken off: %3 of its %4 trials are done and stored.</source>
+        <translation>Sitzung %1 von %2 ist abgebrochen: %3 von %4 Durchgängen sind fertig und gespeichert.</translation>
+    </message>
+    <message>
+        <source>Session %1 of %2 in the study &quot;%5&quot; was broken off: %3 of its %4 trials are done and stored.</source>
+        <translation>Sitzung %1 von %2 in der Studie „%5“ ist abgebrochen: %3 von %4 Durchgängen sind fertig und gespeichert.</translation>
+    </message>
+    <message>
+        <source>None of the study&apos;s protocols is the text that it began with any more: put %1 version %2 back as it was to go on.</source>
+        <translation>Kein Protokoll der Studie ist mehr der Text, mit dem sie begann: Zum Fortsetzen %1 Version %2 unverändert zurücklegen.</translation>
+    </message>
+    <message>
+        <source>Others were broken off as well: the page Sessions lists them.</source>
+        <translation>Weitere sind abgebrochen: Die Seite Sitzungen führt sie auf.</translation>
+    </message>
+    <message>
+        <source>Show the sessions</source>
+        <translation>Sitzungen zeigen</translation>
+    </message>
+    <message>
+        <source>Go on with session %1 of %2</source>
+        <translation>Sitzung %1 von %2 fortsetzen</translation>
     </message>
 </context>
 <context>
@@ -1698,6 +1819,10 @@
     <message>
         <source>It could not be written: %1</source>
         <translation>Es konnte nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>This study can only be read here: nothing can be decided.</source>
+        <translation>Diese Studie ist hier nur lesbar: Nichts kann entschieden werden.</translation>
     </message>
 </context>
 <context>
@@ -1838,16 +1963,16 @@
 %2</translation>
     </message>
     <message>
-        <source>%1
-
-The session can be gone on with: start it again with the same participant.</source>
-        <translation>%1
-
-Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten.</translation>
-    </message>
-    <message>
         <source>Everything is stored in %1, session %2 of %3.</source>
         <translation>Alles ist in %1 gespeichert, Sitzung %2 von %3.</translation>
+    </message>
+    <message>
+        <source>%1
+
+The session can be gone on with: now, or later from the page Sessions.</source>
+        <translation>%1
+
+Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzungen“ aus.</translation>
     </message>
 </context>
 <context>
@@ -1941,6 +2066,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>There is no sound card to hear a force with.</source>
         <translation>Es gibt keine Soundkarte, mit der eine Kraft zu hören wäre.</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened; another program may hold it.</source>
+        <translation>%1 ließ sich nicht öffnen; vielleicht hält ein anderes Programm es fest.</translation>
     </message>
 </context>
 <context>
@@ -2506,6 +2635,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>Plays through %1.</source>
         <translation>Spielt über %1.</translation>
     </message>
+    <message>
+        <source>%1 does not play. Connect it again, or choose another sound output in the settings of the computer.</source>
+        <translation>%1 gibt nichts wieder. Schließen Sie es neu an, oder wählen Sie in den Einstellungen des Computers eine andere Tonausgabe.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::NotesPanel</name>
@@ -2526,10 +2659,6 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>Abgelenkt</translation>
     </message>
     <message>
-        <source>Asked a question</source>
-        <translation>Hatte Frage</translation>
-    </message>
-    <message>
         <source>Noise outside</source>
         <translation>Lärm außen</translation>
     </message>
@@ -2538,12 +2667,44 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>Umgegriffen</translation>
     </message>
     <message>
-        <source>Seems tired</source>
-        <translation>Wirkt müde</translation>
-    </message>
-    <message>
         <source>Notes “%1”</source>
         <translation>Notiert „%1“</translation>
+    </message>
+    <message>
+        <source>Pressed hard</source>
+        <translation>Fest gedrückt</translation>
+    </message>
+    <message>
+        <source>Hand slipped</source>
+        <translation>Abgerutscht</translation>
+    </message>
+    <message>
+        <source>Hand is tired</source>
+        <translation>Hand müde</translation>
+    </message>
+    <message>
+        <source>Felt a jolt</source>
+        <translation>Ruck gespürt</translation>
+    </message>
+    <message>
+        <source>Had a question</source>
+        <translation>Hatte Frage</translation>
+    </message>
+    <message>
+        <source>Keep as phrase</source>
+        <translation>Als Floskel merken</translation>
+    </message>
+    <message>
+        <source>A button of its own notes it from now on, in later sessions too</source>
+        <translation>Eine eigene Schaltfläche notiert sie von jetzt an, auch in späteren Sitzungen</translation>
+    </message>
+    <message>
+        <source>Notes “%1”. The right mouse button forgets it.</source>
+        <translation>Notiert „%1“. Die rechte Maustaste vergisst es.</translation>
+    </message>
+    <message>
+        <source>Forget this phrase</source>
+        <translation>Diese Floskel vergessen</translation>
     </message>
 </context>
 <context>
@@ -2638,6 +2799,14 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>right-handed</source>
         <translation>rechtshändig</translation>
+    </message>
+    <message>
+        <source>Session %1, on a simulated clock, goes on: %2 of its %3 trials are done and stored.</source>
+        <translation>Sitzung %1, mit simulierter Uhr, wird fortgesetzt: %2 von %3 Durchgängen sind fertig und gespeichert.</translation>
+    </message>
+    <message>
+        <source>Session %1 of this protocol, on a simulated clock, is unfinished.</source>
+        <translation>Sitzung %1 dieses Protokolls, mit simulierter Uhr, ist unvollständig.</translation>
     </message>
 </context>
 <context>
@@ -3110,6 +3279,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>The file was changed by another program; its text is shown now. Undo brings back the one before.</source>
         <translation>Die Datei wurde von einem anderen Programm geändert; jetzt wird dessen Text gezeigt. „Rückgängig“ holt den vorigen zurück.</translation>
     </message>
+    <message>
+        <source>This study can only be read here</source>
+        <translation>Diese Studie ist hier nur lesbar</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ProtocolsPage</name>
@@ -3237,6 +3410,18 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>Close the plan</source>
         <translation>Plan schließen</translation>
     </message>
+    <message>
+        <source>Last run on a simulated clock, %1, %2.</source>
+        <translation>Zuletzt mit simulierter Uhr, %1, %2.</translation>
+    </message>
+    <message>
+        <source>Can only be read here</source>
+        <translation>Nur lesbar</translation>
+    </message>
+    <message>
+        <source>This study can only be read here: no session can be stored.</source>
+        <translation>Diese Studie ist hier nur lesbar: Keine Sitzung kann gespeichert werden.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::QuestionForm</name>
@@ -3262,6 +3447,77 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::RecipePanel</name>
+    <message>
+        <source>It changes mostly in one direction: a grain, or light from one side? More at the end of this list.</source>
+        <translation>Es ändert sich vor allem in einer Richtung: eine Maserung oder Licht von einer Seite? Mehr am Ende dieser Liste.</translation>
+    </message>
+    <message>
+        <source>It has narrow bright parts. If they lie low, as light mortar does, dark parts stand out.</source>
+        <translation>Es hat schmale helle Teile. Liegen sie tief, wie heller Mörtel, stehen dunkle Teile hervor.</translation>
+    </message>
+    <message>
+        <source>This relief is finished: it comes from a file of the study. Open a photograph to make another one, or compare how the force models render this one.</source>
+        <translation>Dieses Relief ist fertig: Es kommt aus einer Datei der Studie. Ein Foto öffnen, um ein anderes zu machen, oder vergleichen, wie die Kraftmodelle dieses wiedergeben.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;What does the photograph show?&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Was zeigt das Foto?&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Relief: bright parts stand out</source>
+        <translation>Relief: Helles steht hervor</translation>
+    </message>
+    <message>
+        <source>Relief: dark parts stand out</source>
+        <translation>Relief: Dunkles steht hervor</translation>
+    </message>
+    <message>
+        <source>A surface lit from one side</source>
+        <translation>Von einer Seite beleuchtet</translation>
+    </message>
+    <message>
+        <source>Paint, print or stains</source>
+        <translation>Farbe, Druck oder Flecken</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;What the picture tells about itself&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Was das Bild über sich verrät&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Even the light</source>
+        <translation>Licht ausgleichen</translation>
+    </message>
+    <message>
+        <source>Take long waves away</source>
+        <translation>Lange Wellen entfernen</translation>
+    </message>
+    <message>
+        <source>Dark is high: for light mortar between bricks or light sand between pebbles. The shape comes back well in even light.</source>
+        <translation>Dunkel ist hoch: für hellen Mörtel zwischen Ziegeln oder hellen Sand zwischen Kieseln. Die Form kommt bei gleichmäßigem Licht gut heraus.</translation>
+    </message>
+    <message>
+        <source>▲ What comes back is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish. It looks like a relief and feels like one, of another surface. Take the picture again in even light if you can.</source>
+        <translation>▲ Heraus kommt die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden. Es sieht aus wie ein Relief und fühlt sich so an, aber wie das einer anderen Oberfläche. Das Bild möglichst in gleichmäßigem Licht neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>▲ The paint becomes relief: what is felt has nothing to do with the surface under it. Use it only if that is what you want.</source>
+        <translation>▲ Die Farbe wird zum Relief: Was gefühlt wird, hat nichts mit der Oberfläche darunter zu tun. Nur benutzen, wenn das gewollt ist.</translation>
+    </message>
+    <message>
+        <source>Bright is high: for a surface in even light, where grooves and gaps are dark. The shape comes back well; how deep it is you have to say.</source>
+        <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Die Form kommt gut heraus; wie tief sie ist, muss angegeben werden.</translation>
     </message>
 </context>
 <context>
@@ -3304,6 +3560,84 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Light</source>
         <translation>Licht</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ResponseKeys</name>
+    <message>
+        <source>Keys answer the trial now</source>
+        <translation>Tasten beantworten jetzt den Durchgang</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SavePanel</name>
+    <message>
+        <source>The photograph does not fit into the memory of this computer as a whole; scale it down and open it again</source>
+        <translation>Die Fotografie passt als ganze nicht in den Speicher dieses Rechners; verkleinern und neu öffnen</translation>
+    </message>
+    <message>
+        <source>Name in the study</source>
+        <translation>Name in der Studie</translation>
+    </message>
+    <message>
+        <source>Save to study</source>
+        <translation>In Studie speichern</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Wird gespeichert…</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm, %3 µm from the lowest to the highest point, RMS %4 µm</source>
+        <translation>%1 × %2 mm, %3 µm vom tiefsten bis zum höchsten Punkt, RMS %4 µm</translation>
+    </message>
+    <message>
+        <source>Goes to stimuli/ with its sidecar and its photograph.</source>
+        <translation>Kommt nach stimuli/, mit Begleitdatei und Foto.</translation>
+    </message>
+    <message>
+        <source>A relief that comes from a file is saved already.</source>
+        <translation>Ein Relief aus einer Datei ist schon gespeichert.</translation>
+    </message>
+    <message>
+        <source>The relief needs a name.</source>
+        <translation>Das Relief braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>Letters without accents, digits, _ and - only.</source>
+        <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und -.</translation>
+    </message>
+    <message>
+        <source>A name must not end in _photo: so end the names of the photographs that are kept beside the reliefs.</source>
+        <translation>Ein Name darf nicht auf _photo enden: so enden die Namen der Fotografien, die neben den Reliefs liegen.</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>The study has a stimulus of this name; you will be asked before it is replaced.</source>
+        <translation>Die Studie hat einen Reiz dieses Namens; vor dem Ersetzen wird gefragt.</translation>
+    </message>
+    <message>
+        <source>The study has a stimulus “%1” already. Protocols that use it would present the new one; sessions that were run keep the mark of the old.</source>
+        <translation>Die Studie hat schon einen Reiz „%1“. Protokolle, die ihn benutzen, würden den neuen darbieten; durchgeführte Sitzungen behalten die Kennung des alten.</translation>
+    </message>
+    <message>
+        <source>Replace “%1”</source>
+        <translation>„%1“ ersetzen</translation>
+    </message>
+    <message>
+        <source>“%1” was not saved: you cancelled it.</source>
+        <translation>„%1“ wurde nicht gespeichert: es wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Saved as stimuli/%1.png, with its sidecar and stimuli/%1_photo.png.</source>
+        <translation>Gespeichert als stimuli/%1.png, mit Begleitdatei und stimuli/%1_photo.png.</translation>
+    </message>
+    <message>
+        <source>The relief was not saved: %1</source>
+        <translation>Das Relief wurde nicht gespeichert: %1</translation>
     </message>
 </context>
 <context>
@@ -3516,41 +3850,70 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     </message>
 </context>
 <context>
-    <name>asperity::SessionRunner</name>
-    <message>
-        <source>The session did not begin and no trial was run. When the cause is mended, start it again.</source>
-        <translation>Die Sitzung hat nicht begonnen, und kein Durchgang lief. Wenn die Ursache behoben ist, erneut starten.</translation>
-    </message>
-    <message>
-        <source>Please wait for the experimenter.</source>
-        <translation>Bitte warten Sie auf die Versuchsleitung.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</source>
-        <translation>
-            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
-            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>asperity::SessionWindow</name>
-    <message>
-        <source>Session – Asperity</source>
-        <translation>Sitzung – Asperity</translation>
-    </message>
+    <name>asperity::SessionHeader</name>
     <message>
         <source>Session</source>
         <translation>Sitzung</translation>
     </message>
     <message>
-        <source>PARTICIPANT SEES</source>
-        <translation>SICHT DER VERSUCHSPERSON</translation>
+        <source>Session %1 · %2 · %3 · %4</source>
+        <translation>Sitzung %1 · %2 · %3 · %4</translation>
     </message>
     <message>
-        <source>The participant&apos;s window is not open.</source>
-        <translation>Das Fenster der Versuchsperson ist nicht offen.</translation>
+        <source>▲ Blind again; UNBLINDED at %1</source>
+        <translation>▲ Wieder verblindet; ENTBLINDET um %1</translation>
     </message>
+    <message>
+        <source>▲ UNBLINDED at %1</source>
+        <translation>▲ ENTBLINDET um %1</translation>
+    </message>
+    <message>
+        <source>Blind: codes stand for conditions</source>
+        <translation>Verblindet: Codes stehen für Bedingungen</translation>
+    </message>
+    <message>
+        <source>Names are shown</source>
+        <translation>Namen werden gezeigt</translation>
+    </message>
+    <message>
+        <source>Unblind…</source>
+        <translation>Entblinden…</translation>
+    </message>
+    <message>
+        <source>Show names</source>
+        <translation>Namen zeigen</translation>
+    </message>
+    <message>
+        <source>Blind again</source>
+        <translation>Wieder verblinden</translation>
+    </message>
+    <message>
+        <source>Hide names</source>
+        <translation>Namen verbergen</translation>
+    </message>
+    <message>
+        <source>Block %1 of %2</source>
+        <translation>Block %1 von %2</translation>
+    </message>
+    <message>
+        <source>Blocks: %1</source>
+        <translation>Blöcke: %1</translation>
+    </message>
+    <message>
+        <source>trial %1 of %2</source>
+        <translation>Durchgang %1 von %2</translation>
+    </message>
+    <message>
+        <source>trials: %1</source>
+        <translation>Durchgänge: %1</translation>
+    </message>
+    <message>
+        <source>%1 elapsed</source>
+        <translation>%1 vergangen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SessionQuestions</name>
     <message>
         <source>Why is the last trial repeated? What was answered stays stored and no longer counts.</source>
         <translation>Warum wird der letzte Durchgang wiederholt? Was geantwortet wurde, bleibt gespeichert und zählt nicht mehr.</translation>
@@ -3611,41 +3974,97 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>Unblind</source>
         <translation>Entblinden</translation>
     </message>
+</context>
+<context>
+    <name>asperity::SessionRunner</name>
     <message>
-        <source>▲ Blind again; UNBLINDED at %1</source>
-        <translation>▲ Wieder verblindet; ENTBLINDET um %1</translation>
+        <source>The session did not begin and no trial was run. When the cause is mended, start it again.</source>
+        <translation>Die Sitzung hat nicht begonnen, und kein Durchgang lief. Wenn die Ursache behoben ist, erneut starten.</translation>
     </message>
     <message>
-        <source>▲ UNBLINDED at %1</source>
-        <translation>▲ ENTBLINDET um %1</translation>
+        <source>Please wait for the experimenter.</source>
+        <translation>Bitte warten Sie auf die Versuchsleitung.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The force is at zero and the session has stopped. Every finished trial is stored (%n of them in this stretch). When the cause is mended, go on with this session from the page Sessions.</source>
+        <translation>
+            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
+            <numerusform>Die Kraft ist null, und die Sitzung ist gestoppt. Jeder abgeschlossene Durchgang ist gespeichert (%n in diesem Abschnitt). Wenn die Ursache behoben ist, diese Sitzung auf der Seite „Sitzungen“ fortsetzen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SessionTroubles</name>
+    <message>
+        <source>EMERGENCY STOP at %1. Zero force was asked of the device; its answer is awaited.</source>
+        <translation>NOT-HALT um %1. Vom Gerät wurde Kraft null verlangt; seine Antwort steht aus.</translation>
     </message>
     <message>
-        <source>Blind: codes stand for conditions</source>
-        <translation>Verblindet: Codes stehen für Bedingungen</translation>
+        <source>EMERGENCY STOP at %1. %2</source>
+        <translation>NOT-HALT um %1. %2</translation>
     </message>
     <message>
-        <source>Names are shown</source>
-        <translation>Namen werden gezeigt</translation>
+        <source>EMERGENCY STOP at %1. The force is zero and is held there.</source>
+        <translation>NOT-HALT um %1. Die Kraft ist null und wird dort gehalten.</translation>
     </message>
     <message>
-        <source>Unblind…</source>
-        <translation>Entblinden…</translation>
+        <source>Stopped at %1, the force is held at zero. %2</source>
+        <translation>Gestoppt um %1, die Kraft wird auf null gehalten. %2</translation>
     </message>
     <message>
-        <source>Show names</source>
-        <translation>Namen zeigen</translation>
+        <source>Stopped at %1, the force is held at zero: %2.</source>
+        <translation>Gestoppt um %1, die Kraft wird auf null gehalten: %2.</translation>
     </message>
     <message>
-        <source>Blind again</source>
-        <translation>Wieder verblinden</translation>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
     </message>
     <message>
-        <source>Hide names</source>
-        <translation>Namen verbergen</translation>
+        <source>Done (F5)</source>
+        <translation>Fertig (F5)</translation>
     </message>
     <message>
-        <source>Session %1 · %2 · %3 · %4</source>
-        <translation>Sitzung %1 · %2 · %3 · %4</translation>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>The screen “%1” was unplugged. What was on it is now on another one. Pause, and plug it in again, if it was the participant&apos;s.</source>
+        <translation>Der Bildschirm „%1“ wurde abgezogen. Was darauf war, ist jetzt auf einem anderen. War es der Bildschirm der Versuchsperson: anhalten und ihn wieder anstecken.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s screen “%1” is gone. The emergency stop was pressed for them: the force is zero, and the trial is asked again. Plug the screen in, put their window back, then clear the stop.</source>
+        <translation>Der Bildschirm „%1“ der Versuchsperson ist weg. Für sie wurde der NOT-HALT ausgelöst: Die Kraft ist null, und der Durchgang wird noch einmal gestellt. Bildschirm wieder anschließen, ihr Fenster zurückholen, dann den Halt aufheben.</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s screen “%1” is gone. There is no force, and the session pauses before the next trial. Plug the screen in, put their window back, then resume with F5.</source>
+        <translation>Der Bildschirm „%1“ der Versuchsperson ist weg. Es wirkt keine Kraft, und die Sitzung hält vor dem nächsten Durchgang an. Bildschirm wieder anschließen, ihr Fenster zurückholen, dann mit F5 fortfahren.</translation>
+    </message>
+    <message>
+        <source>The screen “%1” is still not there. Until it is, the participant&apos;s window stands on the screen that is left.</source>
+        <translation>Der Bildschirm „%1“ ist noch nicht da. Bis dahin steht das Fenster der Versuchsperson auf dem verbliebenen Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Put their window back</source>
+        <translation>Ihr Fenster zurückholen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SessionWindow</name>
+    <message>
+        <source>Session – Asperity</source>
+        <translation>Sitzung – Asperity</translation>
+    </message>
+    <message>
+        <source>PARTICIPANT SEES</source>
+        <translation>SICHT DER VERSUCHSPERSON</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s window is not open.</source>
+        <translation>Das Fenster der Versuchsperson ist nicht offen.</translation>
     </message>
     <message>
         <source>The session has ended</source>
@@ -3660,28 +4079,8 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>%1 – Asperity</translation>
     </message>
     <message>
-        <source>Block %1 of %2</source>
-        <translation>Block %1 von %2</translation>
-    </message>
-    <message>
-        <source>Blocks: %1</source>
-        <translation>Blöcke: %1</translation>
-    </message>
-    <message>
-        <source>trial %1 of %2</source>
-        <translation>Durchgang %1 von %2</translation>
-    </message>
-    <message>
-        <source>trials: %1</source>
-        <translation>Durchgänge: %1</translation>
-    </message>
-    <message>
         <source>Preparing the session</source>
         <translation>Sitzung wird vorbereitet</translation>
-    </message>
-    <message>
-        <source>%1 elapsed</source>
-        <translation>%1 vergangen</translation>
     </message>
     <message>
         <source>Paused since %1, Resume F5</source>
@@ -3712,56 +4111,12 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>Störung wird behoben</translation>
     </message>
     <message>
-        <source>EMERGENCY STOP at %1. Zero force was asked of the device; its answer is awaited.</source>
-        <translation>NOT-HALT um %1. Vom Gerät wurde Kraft null verlangt; seine Antwort steht aus.</translation>
-    </message>
-    <message>
-        <source>EMERGENCY STOP at %1. %2</source>
-        <translation>NOT-HALT um %1. %2</translation>
-    </message>
-    <message>
-        <source>EMERGENCY STOP at %1. The force is zero and is held there.</source>
-        <translation>NOT-HALT um %1. Die Kraft ist null und wird dort gehalten.</translation>
-    </message>
-    <message>
-        <source>Stopped at %1, the force is held at zero. %2</source>
-        <translation>Gestoppt um %1, die Kraft wird auf null gehalten. %2</translation>
-    </message>
-    <message>
-        <source>Stopped at %1, the force is held at zero: %2.</source>
-        <translation>Gestoppt um %1, die Kraft wird auf null gehalten: %2.</translation>
-    </message>
-    <message>
-        <source>%1  %2</source>
-        <translation>%1  %2</translation>
-    </message>
-    <message>
-        <source>Resume</source>
-        <translation>Fortsetzen</translation>
-    </message>
-    <message>
         <source>What ended it: %1</source>
         <translation>Was sie beendete: %1</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>The screen “%1” was unplugged. What was on it is now on another one. Pause, and plug it in again, if it was the participant&apos;s.</source>
-        <translation>Der Bildschirm „%1“ wurde abgezogen. Was darauf war, ist jetzt auf einem anderen. War es der Bildschirm der Versuchsperson: anhalten und ihn wieder anstecken.</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Done (F5)</source>
-        <translation>Fertig (F5)</translation>
-    </message>
-    <message>
-        <source>The participant&apos;s screen “%1” is gone. The session pauses after this trial; their window stands on the screen that is left.</source>
-        <translation>Der Bildschirm „%1“ der Versuchsperson ist weg. Die Sitzung hält nach diesem Durchgang an; das Fenster der Versuchsperson steht auf dem Bildschirm, der übrig ist.</translation>
+        <source>The session did not begin</source>
+        <translation>Die Sitzung hat nicht begonnen</translation>
     </message>
 </context>
 <context>
@@ -3894,6 +4249,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>None of the study&apos;s protocols is still the text that it began with. Put %1 version %2 back as it was to go on.</source>
         <translation>Keines der Protokolle der Studie hat noch den Text, mit dem sie begann. Um sie fortzusetzen, %1 Version %2 so zurücklegen, wie es war.</translation>
     </message>
+    <message>
+        <source>This study can only be read here: no session can be stored.</source>
+        <translation>Diese Studie ist hier nur lesbar: Keine Sitzung kann gespeichert werden.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SetupCard</name>
@@ -4023,6 +4382,10 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>white masking noise, %1 dBA</source>
         <translation>weißes Maskierrauschen, %1 dB(A)</translation>
+    </message>
+    <message>
+        <source>simulated clock</source>
+        <translation>simulierte Uhr</translation>
     </message>
 </context>
 <context>
@@ -4232,12 +4595,24 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>Die Simulation wurde gestoppt. Abgeschlossene und gespeicherte Durchgänge: %1.</translation>
     </message>
     <message>
-        <source>Theme and language are changed from another page: what is filled in for a session would be lost.</source>
-        <translation>Farben und Sprache werden auf einer anderen Seite gewechselt: Was für eine Sitzung ausgefüllt ist, ginge verloren.</translation>
-    </message>
-    <message>
         <source>The session of %1 cannot go on with this protocol: its text is another one than when the session began. Put the earlier text back to go on; what follows here is a new session.</source>
         <translation>Die Sitzung von %1 kann mit diesem Protokoll nicht fortgesetzt werden: Sein Text ist ein anderer als zu Beginn der Sitzung. Zum Fortsetzen den früheren Text wiederherstellen; was hier folgt, ist eine neue Sitzung.</translation>
+    </message>
+    <message>
+        <source>The study could not be read: %1</source>
+        <translation>Die Studie konnte nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>The study is being read.</source>
+        <translation>Die Studie wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The study has not been read.</source>
+        <translation>Die Studie ist nicht gelesen.</translation>
     </message>
 </context>
 <context>
@@ -4448,6 +4823,25 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <source>Open the folder of a study</source>
         <translation>Ordner einer Studie öffnen</translation>
     </message>
+    <message>
+        <source>This study can only be read here: its folder, or the medium that it lies on, cannot be written to. Everything can be looked at and exported; to run sessions, copy it to a folder of your own.</source>
+        <translation>Diese Studie ist hier nur lesbar: In ihren Ordner oder auf ihren Datenträger kann nicht geschrieben werden. Alles kann angesehen und exportiert werden; für Sitzungen in einen eigenen Ordner kopieren.</translation>
+    </message>
+    <message>
+        <source>An earlier version of Asperity made this study. It is read as it is. The first thing that is stored brings it up to date: the earlier version cannot open it any more then, and finds what it was in the file %1.</source>
+        <translation>Eine frühere Version von Asperity hat diese Studie angelegt. Sie wird gelesen, wie sie ist. Das erste Speichern bringt sie auf den neuen Stand: Die frühere Version kann sie dann nicht mehr öffnen und findet den alten Stand in der Datei %1.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TaskLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Wird abgebrochen…</translation>
+    </message>
 </context>
 <context>
     <name>asperity::TimePlots</name>
@@ -4619,10 +5013,6 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
         <translation>Sitzung %1 von %2</translation>
     </message>
     <message>
-        <source>%1 %2 · %3 · %4 of %5 trials in %6 · started %7 · device %8 · asperity %9</source>
-        <translation>%1 %2 · %3 · %4 von %5 Durchgängen in %6 · begonnen %7 · Gerät %8 · asperity %9</translation>
-    </message>
-    <message>
         <source>Notes and events (%1)</source>
         <translation>Notizen und Ereignisse (%1)</translation>
     </message>
@@ -4689,6 +5079,34 @@ Die Sitzung kann fortgesetzt werden: erneut mit derselben Versuchsperson starten
     <message>
         <source>Include session again…</source>
         <translation>Sitzung wieder einschließen…</translation>
+    </message>
+    <message>
+        <source>block %1</source>
+        <translation>Block %1</translation>
+    </message>
+    <message>
+        <source>This study can only be read here.</source>
+        <translation>Diese Studie ist hier nur lesbar.</translation>
+    </message>
+    <message>
+        <source>What was felt and answered is shown once the session has ended.</source>
+        <translation>Was gefühlt und geantwortet wurde, steht hier, sobald die Sitzung beendet ist.</translation>
+    </message>
+    <message>
+        <source>on a simulated clock</source>
+        <translation>mit simulierter Uhr</translation>
+    </message>
+    <message>
+        <source>started %1</source>
+        <translation>begonnen %1</translation>
+    </message>
+    <message>
+        <source>%1 %2 · %3 · %4 of %5 trials in %6 · %7 · device %8 · asperity %9</source>
+        <translation>%1 %2 · %3 · %4 von %5 Durchgängen in %6 · %7 · Gerät %8 · asperity %9</translation>
+    </message>
+    <message>
+        <source>It is running, and who runs it is blind: until it ends, its own window shows what may be known.</source>
+        <translation>Sie läuft, und wer sie leitet, ist verblindet: Bis zum Ende zeigt ihr eigenes Fenster, was bekannt sein darf.</translation>
     </message>
 </context>
 <context>
@@ -4799,14 +5217,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
 <context>
     <name>asperity::WorkbenchPage</name>
     <message>
-        <source>It changes mostly in one direction: a grain, or light from one side? More at the end of this list.</source>
-        <translation>Es ändert sich vor allem in einer Richtung: eine Maserung oder Licht von einer Seite? Mehr am Ende dieser Liste.</translation>
-    </message>
-    <message>
-        <source>It has narrow bright parts. If they lie low, as light mortar does, dark parts stand out.</source>
-        <translation>Es hat schmale helle Teile. Liegen sie tief, wie heller Mörtel, stehen dunkle Teile hervor.</translation>
-    </message>
-    <message>
         <source>Drop a photograph of a surface here</source>
         <translation>Hier ein Foto einer Oberfläche ablegen</translation>
     </message>
@@ -4879,58 +5289,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
         <translation>Leistung, N²/Hz</translation>
     </message>
     <message>
-        <source>This relief is finished: it comes from a file of the study. Open a photograph to make another one, or compare how the force models render this one.</source>
-        <translation>Dieses Relief ist fertig: Es kommt aus einer Datei der Studie. Ein Foto öffnen, um ein anderes zu machen, oder vergleichen, wie die Kraftmodelle dieses wiedergeben.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;What does the photograph show?&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Was zeigt das Foto?&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>Relief: bright parts stand out</source>
-        <translation>Relief: Helles steht hervor</translation>
-    </message>
-    <message>
-        <source>Relief: dark parts stand out</source>
-        <translation>Relief: Dunkles steht hervor</translation>
-    </message>
-    <message>
-        <source>A surface lit from one side</source>
-        <translation>Von einer Seite beleuchtet</translation>
-    </message>
-    <message>
-        <source>Paint, print or stains</source>
-        <translation>Farbe, Druck oder Flecken</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;What the picture tells about itself&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Was das Bild über sich verrät&lt;/b&gt;</translation>
-    </message>
-    <message>
-        <source>Heights</source>
-        <translation>Höhen</translation>
-    </message>
-    <message>
-        <source>Photograph</source>
-        <translation>Foto</translation>
-    </message>
-    <message>
-        <source>Even the light</source>
-        <translation>Licht ausgleichen</translation>
-    </message>
-    <message>
-        <source>Take long waves away</source>
-        <translation>Lange Wellen entfernen</translation>
-    </message>
-    <message>
-        <source>Name in the study</source>
-        <translation>Name in der Studie</translation>
-    </message>
-    <message>
-        <source>Save to study</source>
-        <translation>In Studie speichern</translation>
-    </message>
-    <message>
         <source>This study has no relief yet</source>
         <translation>Diese Studie hat noch kein Relief</translation>
     </message>
@@ -4949,26 +5307,6 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>The file could not be opened: %1</source>
         <translation>Die Datei konnte nicht geöffnet werden: %1</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm, %3 µm from the lowest to the highest point, RMS %4 µm</source>
-        <translation>%1 × %2 mm, %3 µm vom tiefsten bis zum höchsten Punkt, RMS %4 µm</translation>
-    </message>
-    <message>
-        <source>Dark is high: for light mortar between bricks or light sand between pebbles. The shape comes back well in even light.</source>
-        <translation>Dunkel ist hoch: für hellen Mörtel zwischen Ziegeln oder hellen Sand zwischen Kieseln. Die Form kommt bei gleichmäßigem Licht gut heraus.</translation>
-    </message>
-    <message>
-        <source>▲ What comes back is the slope towards the light, not the height: edges across the light become ridges and grooves, edges along it vanish. It looks like a relief and feels like one, of another surface. Take the picture again in even light if you can.</source>
-        <translation>▲ Heraus kommt die Neigung zum Licht, nicht die Höhe: Kanten quer zum Licht werden zu Graten und Rillen, Kanten längs verschwinden. Es sieht aus wie ein Relief und fühlt sich so an, aber wie das einer anderen Oberfläche. Das Bild möglichst in gleichmäßigem Licht neu aufnehmen.</translation>
-    </message>
-    <message>
-        <source>▲ The paint becomes relief: what is felt has nothing to do with the surface under it. Use it only if that is what you want.</source>
-        <translation>▲ Die Farbe wird zum Relief: Was gefühlt wird, hat nichts mit der Oberfläche darunter zu tun. Nur benutzen, wenn das gewollt ist.</translation>
-    </message>
-    <message>
-        <source>Bright is high: for a surface in even light, where grooves and gaps are dark. The shape comes back well; how deep it is you have to say.</source>
-        <translation>Hell ist hoch: für eine Oberfläche in gleichmäßigem Licht, deren Rillen und Lücken dunkel sind. Die Form kommt gut heraus; wie tief sie ist, muss angegeben werden.</translation>
     </message>
     <message>
         <source>Heights are drawn %1 times too high.</source>
@@ -4995,48 +5333,16 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
         <translation>Nach einer Viertelsekunde</translation>
     </message>
     <message>
-        <source>A relief that comes from a file is saved already.</source>
-        <translation>Ein Relief aus einer Datei ist schon gespeichert.</translation>
-    </message>
-    <message>
-        <source>The relief needs a name.</source>
-        <translation>Das Relief braucht einen Namen.</translation>
-    </message>
-    <message>
-        <source>Letters without accents, digits, _ and - only.</source>
-        <translation>Nur Buchstaben ohne Akzente, Ziffern, _ und -.</translation>
-    </message>
-    <message>
-        <source>Names that end in _photo are those of photographs.</source>
-        <translation>Namen, die auf _photo enden, sind die von Fotos.</translation>
-    </message>
-    <message>
-        <source>Saving …</source>
-        <translation>Wird gespeichert …</translation>
-    </message>
-    <message>
-        <source>Goes to stimuli/ with its sidecar and its photograph.</source>
-        <translation>Kommt nach stimuli/, mit Begleitdatei und Foto.</translation>
-    </message>
-    <message>
-        <source>The study has a stimulus “%1” already. Protocols that use it would present the new one; sessions that were run keep the mark of the old.</source>
-        <translation>Die Studie hat schon einen Reiz „%1“. Protokolle, die ihn benutzen, würden den neuen darbieten; durchgeführte Sitzungen behalten die Kennung des alten.</translation>
-    </message>
-    <message>
-        <source>Replace “%1”</source>
-        <translation>„%1“ ersetzen</translation>
-    </message>
-    <message>
-        <source>Saved as stimuli/%1.png, with its sidecar and stimuli/%1_photo.png.</source>
-        <translation>Gespeichert als stimuli/%1.png, mit Begleitdatei und stimuli/%1_photo.png.</translation>
-    </message>
-    <message>
-        <source>The relief was not saved: %1</source>
-        <translation>Das Relief wurde nicht gespeichert: %1</translation>
-    </message>
-    <message>
         <source>The relief in the workbench is not saved and would be lost: save it, then change theme or language.</source>
         <translation>Das Relief in der Werkstatt ist nicht gespeichert und ginge verloren: erst speichern, dann Farben oder Sprache wechseln.</translation>
+    </message>
+    <message>
+        <source>The file was not read: you cancelled it.</source>
+        <translation>Die Datei wurde nicht gelesen: es wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 files were dropped; the workbench shows one at a time, the first: %2.</source>
+        <translation>Es wurden %1 Dateien abgelegt; die Werkstatt zeigt eine auf einmal, die erste: %2.</translation>
     </message>
 </context>
 </TS>
