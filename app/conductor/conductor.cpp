@@ -76,20 +76,22 @@ void Conductor::begin() {
       }
     }
   }
-  segment_ = study_.begin_segment(session_.row.id, began_ns);
-  auto conditions = nlohmann::ordered_json::parse(settings_.conditions_json);
-  if (conditions.is_object()) conditions["segment"] = segment_;
-  course_.event(session_.resumed ? "session_resumed" : "session_began", "", conditions.dump());
-  if (settings_.links.sound != nullptr) {
-    course_.event("masking_noise", "", settings_.links.sound->description_json());
-  }
+  // Before the first that may fail: what is in the store can be gone on with.
   course_.set_facts({.protocol = std::make_shared<const Protocol>(protocol_),
                      .plan = std::make_shared<const Plan>(session_.plan),
                      .row = session_.row,
                      .study_folder = study_.folder().string(),
                      .mirrored = session_.row.mirrored,
                      .clock_ahead_ns = rig_.clock().ahead_ns()});
+  segment_ = study_.begin_segment(session_.row.id, began_ns);
+  auto conditions = nlohmann::ordered_json::parse(settings_.conditions_json);
+  if (conditions.is_object()) conditions["segment"] = segment_;
+  course_.event(session_.resumed ? "session_resumed" : "session_began", "", conditions.dump());
   progress_.emplace(course_, session_.plan, *tally_, began_ns);
+  // May wait for the card to open, which the windows are told before.
+  if (settings_.links.sound != nullptr) {
+    course_.event("masking_noise", "", settings_.links.sound->description_json());
+  }
   course_.enter(SessionPhase::ready);
 }
 

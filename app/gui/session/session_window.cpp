@@ -474,7 +474,8 @@ void SessionWindow::show_failure(const QString& what, AfterFailure next) {
 }
 
 bool SessionWindow::may_close() {
-  if (!is_running()) return true;
+  // Also while the session is still being prepared: nobody would see it begin.
+  if (ended_ || failed_) return true;
   questions_->ask_to_leave();
   return false;
 }

@@ -151,6 +151,7 @@ TEST(SessionPictures, TheEmergencyStopIsPressedInGerman) {
         .time_ns = s.now_ns,
         .remedy = SessionTrouble::Remedy::clear_fault};
   });
+  window->refresh();
   EXPECT_LE(window->minimumSizeHint().width(), 1366);
   EXPECT_LE(window->minimumSizeHint().height(), 768);
   take_both(*window, "german-session-emergency");

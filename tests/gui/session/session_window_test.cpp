@@ -575,6 +575,19 @@ TEST(SessionWindow, AsksBeforeItClosesInASession) {
   EXPECT_TRUE(window->may_close());
 }
 
+TEST(SessionWindow, AsksAlsoWhileTheSessionIsStillBeingPrepared) {
+  SessionMonitor monitor{};  // no facts yet
+  SessionRequests requests{};
+  SessionWindow window(monitor, requests, {});
+  window.show();
+  QSignalSpy closed(&window, &SessionWindow::closed);
+  window.close();
+  EXPECT_EQ(closed.count(), 0);
+  EXPECT_TRUE(window.isVisible());
+  find<QPushButton>(window, "close_abort").click();
+  EXPECT_TRUE(requests.take_abort().has_value());
+}
+
 TEST(SessionWindow, AbortsASessionWhoseWindowIsToGoAtOnce) {
   FilledMonitor session{};
   session.answer_up_to(9);
