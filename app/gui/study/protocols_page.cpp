@@ -253,8 +253,12 @@ void ProtocolsPage::add_from_template(const std::string& name) {
 }
 
 void ProtocolsPage::show_broken_off(const std::vector<BrokenOffSession>& sessions) {
-  const std::optional<std::int64_t> first =
-      sessions.empty() ? std::nullopt : std::optional(sessions.front().row.id);
+  if (!study().can_be_written()) return;  // nothing can go on in it
+  std::tuple<std::int64_t, bool, int> first{};
+  if (!sessions.empty()) {
+    const BrokenOffSession& session = sessions.front();
+    first = {session.row.id, session.protocol_file.has_value(), session.trials_done};
+  }
   // What somebody has dismissed does not come back with every change of the study.
   if (first == told_of_) return;
   told_of_ = first;

@@ -2,7 +2,9 @@
 
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <tuple>
 #include <vector>
 
 #include "app/gui/study/session_wish.h"
@@ -44,8 +46,9 @@ class ProtocolsPage final : public StudyPage {
   std::vector<ProtocolOverview> protocols_{};
   QFileSystemWatcher* watcher_ = nullptr;
   BackgroundTask write_task_{};
-  QString select_next_{};                  ///< a file that was made just now
-  std::optional<std::int64_t> told_of_{};  ///< a session that was broken off
+  QString select_next_{};  ///< a file that was made just now
+  /// What was said of a session that was broken off: which, whether it can go on, how far it is.
+  std::tuple<std::int64_t, bool, int> told_of_{};
   Banner* broken_off_ = nullptr;
   StudyTable* table_ = nullptr;
   QWidget* detail_ = nullptr;

@@ -287,6 +287,7 @@ void WelcomePage::look_for_broken_off(const std::vector<RecentStudy>& studies) {
         for (const RecentStudy& study : studies) {
           if (stop.stop_requested()) break;
           try {
+            if (!Study::can_be_written(study.folder)) continue;  // nothing can go on in it
             const Study own = Study::open(study.folder, Access::read_only);
             Found found{study, broken_off_sessions(own, stop)};
             if (!found.sessions.empty()) return found;

@@ -140,6 +140,8 @@ void SavePanel::check_name() {
   const QString name = name_->text();
   if (opened_ == nullptr || !opened_->is_photograph()) {
     problem = tr("A relief that comes from a file is saved already.");
+  } else if (!study_.can_be_written()) {
+    problem = tr("This study can only be read here.");
   } else if (name.isEmpty()) {
     problem = tr("The relief needs a name.");
   } else if (!std::all_of(name.begin(), name.end(), is_plain)) {
@@ -167,7 +169,10 @@ void SavePanel::save(Overwrite overwrite) {
                       tr("The study has a stimulus “%1” already. Protocols that use it would "
                          "present the new one; sessions that were run keep the mark of the old.")
                           .arg(shown),
-                      tr("Replace “%1”").arg(shown), [this] { save(Overwrite::allow); });
+                      tr("Replace “%1”").arg(shown), [this, shown] {
+                        // Another name may have been typed since.
+                        save(name_->text() == shown ? Overwrite::allow : Overwrite::refuse);
+                      });
     return;
   }
   saving_.run<bool>(

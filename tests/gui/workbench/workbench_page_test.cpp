@@ -284,9 +284,22 @@ TEST_F(Workbench, ReplacesAStimulusOnlyWhenToldTo) {
   EXPECT_TRUE(banner.isVisible());
   EXPECT_TRUE(banner.text().contains("already"));
   EXPECT_EQ(load_height_field(png).sha256, before);
-  for (QPushButton* button : banner.findChildren<QPushButton*>()) {
-    if (button->text().startsWith("Replace")) QTest::mouseClick(button, Qt::LeftButton);
-  }
+  const auto replace = [&banner] {
+    for (QPushButton* button : banner.findChildren<QPushButton*>()) {
+      if (button->text().startsWith("Replace")) QTest::mouseClick(button, Qt::LeftButton);
+    }
+  };
+  // What is replaced is what the button says, whatever name has been typed since.
+  std::filesystem::copy_file(png, study_folder() / "stimuli/other.png");
+  find<QLineEdit>("name").setText("other");
+  replace();
+  settle();
+  EXPECT_EQ(read_file(study_folder() / "stimuli/other.png"), read_file(png));
+  EXPECT_TRUE(banner.text().contains("other"));
+  find<QLineEdit>("name").setText("brick");
+  click("save");
+  settle();
+  replace();
   settle();
   EXPECT_NEAR(load_height_field(png).field->rms_m(), 300e-6, 1e-6);
 }
