@@ -241,6 +241,7 @@ void StartPage::connect_parts() {
     consent_->forget();
     setup_->forget_hand();
     resume_ = false;
+    going_on_.reset();
     show_mode();
   });
   connect(participant_, &ParticipantCard::changed, this, [this] {

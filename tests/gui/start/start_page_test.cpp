@@ -473,6 +473,18 @@ TEST_F(TheStartPage, GoesOnAtOnceWhenItIsToldTo) {
   EXPECT_TRUE(find<QPushButton>("mode_run").isEnabled());
 }
 
+TEST_F(TheStartPage, OffersAnotherPersonTheirOwnUnfinishedSession) {
+  run_unfinished("virtual0001");
+  run_unfinished("virtual0002");
+  choose(protocol, "virtual0001", std::int64_t{1});
+  EXPECT_EQ(page->order().inputs.resumed_session, 1);
+  find<QComboBox>("participants").setCurrentText("virtual0002");
+  EXPECT_FALSE(page->order().inputs.resume);
+  EXPECT_FALSE(find<QPushButton>("go_on").isHidden());
+  click("go_on");
+  EXPECT_EQ(page->order().inputs.resumed_session, 2);
+}
+
 // Pages are made anew with the theme and the language.
 TEST_F(TheStartPage, GoesOnWithWhatWasFilledInWhenItIsMadeAnew) {
   page->show();
