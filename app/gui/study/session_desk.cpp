@@ -155,8 +155,7 @@ void SessionDesk::stop_for_lost_screen(const QString& screen) {
   SessionRequests& requests = runner_->requests();
   requests.remark("screen_lost", screen.toStdString());
   const SessionSnapshot now = runner_->monitor().snapshot();
-  const bool is_felt =
-      now.phase == SessionPhase::fore || now.phase == SessionPhase::contact || now.surface > 0;
+  const bool is_felt = now.phase == SessionPhase::fore || now.phase == SessionPhase::contact;
   if (is_felt) {
     requests.emergency_stop();
   } else {
