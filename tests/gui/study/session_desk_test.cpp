@@ -130,6 +130,7 @@ class TroubledDesk : public TheSessionDesk {
   void order_a_simulation() {
     open_demo();
     click("protocol_simulate");
+    ASSERT_TRUE(eventually([this] { return start_page().is_read(); }));
     order_ = start_page().order();
   }
   Banner& news() { return child<Banner>(*desk_.session_window(), "news"); }
@@ -176,7 +177,7 @@ TEST_F(TroubledDesk, ChecksAgainWhenTheProtocolHasChangedSinceTheCheck) {
   help("Check again");
   EXPECT_EQ(desk_.runner(), nullptr);
   EXPECT_EQ(window_.shown_page(), "start");
-  EXPECT_EQ(start_page().order().protocol_sha256, sha256_of(text));
+  EXPECT_TRUE(eventually([&] { return start_page().order().protocol_sha256 == sha256_of(text); }));
   EXPECT_EQ(start_page().order().inputs.mode, SessionMode::simulate);
 }
 
@@ -194,8 +195,8 @@ TEST_F(TroubledDesk, GoesOnWithTheSessionThatFilledTheDisk) {
   help("Go on with this session…");
   EXPECT_EQ(desk_.runner(), nullptr);
   EXPECT_EQ(window_.shown_page(), "start");
+  EXPECT_TRUE(eventually([this] { return start_page().order().inputs.resume; }));
   const RunInputs inputs = start_page().order().inputs;
-  EXPECT_TRUE(inputs.resume);
   EXPECT_EQ(inputs.resumed_session, session);
   EXPECT_EQ(inputs.participant, order_.inputs.participant);
 }
