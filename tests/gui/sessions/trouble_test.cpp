@@ -203,6 +203,22 @@ TEST_F(SessionInTrouble, AnUnpluggedScreenZeroesTheForceAndTheTrialIsAskedAgain)
   EXPECT_EQ(stored_session().state, SessionState::completed);
 }
 
+TEST_F(SessionInTrouble, AScreenThatIsUnpluggedWhileTheQuestionIsOpenLeavesTheAnswerAlone) {
+  make_study();
+  add_protocol({});
+  open();
+  start("small");
+  take_part([](const Scene&) {}, [&] { return is_in(SessionPhase::response); });
+  emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
+  auto& news = child<Banner>(experimenter(), "news");
+  wait_for("the news", [&] { return news.isVisible() && news.text().contains("is gone"); });
+  EXPECT_EQ(monitor().snapshot().fault, Fault::none);
+  take_part(chooses_a(), [&] { return is_in(SessionPhase::paused); });
+  key(Qt::Key_F5);
+  take_part(chooses_a());
+  EXPECT_EQ(stored_outcomes(), (Outcomes{"1/1 answered", "2/1 answered"}));
+}
+
 TEST_F(SessionInTrouble, AScreenThatIsUnpluggedWhileSomethingIsReadOnlyPauses) {
   make_study();
   add_protocol({.flow = R"({"screen": "Read this."}, {"run": "main"})"});
