@@ -168,7 +168,7 @@ void NoiseCheck::look_at_card() {
     return;
   }
   if (sound_->is_running()) silent_.restart();
-  const bool is_silent = static_cast<double>(silent_.elapsed()) > QtSound::kOpens_s * 1e3;
+  const bool is_silent = static_cast<double>(silent_.elapsed()) > SoundStream::kOpens_s * 1e3;
   if (is_silent == is_silent_) return;
   is_silent_ = is_silent;
   show_state();

@@ -55,7 +55,7 @@ void QtSound::play(Cue cue, int number) { samples_.play(cue, number); }
 void QtSound::set_gain(double gain) { samples_.set_gain(gain); }
 
 std::string QtSound::description_json() const {
-  const bool is_open = stream_.wait_until_open(kOpens_s);
+  const bool has_begun = stream_.wait_until_begun(SoundStream::kOpens_s);
   const double gain = samples_.gain();
   const bool as_measured = gain == noise_.gain;
   const auto level = [](const std::optional<double>& value) {
@@ -70,7 +70,7 @@ std::string QtSound::description_json() const {
       {"verified_by", as_measured ? noise_.verified_by : std::string()},
       {"generator", Random::kName},
       {"output", output.name.toStdString()},
-      {"heard", !output.is_null && is_open},
+      {"heard", !output.is_null && has_begun},
       {"rate_Hz", output.form.rate_Hz},
       {"buffer_s", output.buffer_s},
   };

@@ -27,12 +27,10 @@ namespace asperity {
 ///
 /// Threads: any. The constructor reads speech and asks the system for its card, and is best not called
 /// by a window that has recorded cues. The rest answers at once, but for `description_json`: what is
-/// stored says whether the card was heard, so it waits until the card is open, `kOpens_s` at most.
+/// stored says whether the card was heard, so it waits until the card takes samples,
+/// SoundStream::kOpens_s at most.
 class QtSound final : public Sound {
  public:
-  /// No sound server takes longer that works.
-  static constexpr double kOpens_s = 3.0;
-
   /// `speech` by cue, as a protocol names them ("surface_1", "question").
   explicit QtSound(const MaskingNoise& noise,
                    const std::map<std::string, std::filesystem::path>& speech = {});

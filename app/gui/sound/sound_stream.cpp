@@ -31,11 +31,11 @@ std::int64_t steady_ns() {
 struct SoundStream::Worker {
   SoundOutput output{};
   std::mutex filling{};
-  Fill fill{};  ///< under `filling`; null once the stream is gone
-  std::atomic<std::int64_t> last_ns{0};
-  std::atomic<bool> is_open{false};
-  std::promise<void> opened_once{};
-  std::shared_future<void> opened = opened_once.get_future().share();
+  Fill fill{};                           ///< under `filling`; null once the stream is gone
+  std::atomic<std::int64_t> last_ns{0};  ///< when samples were last taken; 0: not since it was open
+  std::atomic<bool> is_refused{false};
+  std::promise<void> first_taken{};
+  std::shared_future<void> begun = first_taken.get_future().share();
   std::promise<void> closed_at_last{};
   std::future<void> closed = closed_at_last.get_future();
 
@@ -84,7 +84,10 @@ class SampleDevice final : public QIODevice {
       write_frames(form, now, bytes + done * frame);
       done += part;
     }
+    // An open card says nothing: it may be dead. What it takes is played.
     worker_.last_ns.store(steady_ns(), std::memory_order_relaxed);
+    worker_.is_refused = false;
+    if (!std::exchange(has_begun_, true)) worker_.first_taken.set_value();
     return frames * frame;
   }
   qint64 writeData(const char*, qint64) override { return -1; }
@@ -92,24 +95,22 @@ class SampleDevice final : public QIODevice {
  private:
   Worker& worker_;
   std::array<float, 1024> stereo_{};
+  bool has_begun_ = false;
 };
 
 }  // namespace
 
 void SoundStream::Worker::open_if_closed(QIODevice& samples,
                                          std::unique_ptr<SampleConsumer>& consumer) {
-  if (consumer && !consumer->is_working()) {
-    is_open = false;
+  if (consumer && consumer->is_working()) return;
+  if (consumer) {
+    last_ns = 0;
+    is_refused = true;
     consumer.reset();
+    return;  // opened at the next look: a loss is to be seen however short it is
   }
-  if (consumer) return;
   consumer = output.open(samples);
-  if (!consumer) return;
-  last_ns.store(steady_ns(), std::memory_order_relaxed);
-  is_open = true;
-  if (opened.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-    opened_once.set_value();
-  }
+  if (!consumer) is_refused = true;
 }
 
 void SoundStream::Worker::run() {
@@ -126,7 +127,7 @@ void SoundStream::Worker::run() {
     QObject::connect(&watch, &QTimer::timeout, &watch, [&] { open_if_closed(samples, consumer); });
     watch.start(kWatch_ms);
     if (!has_to_leave()) events.exec();
-    is_open = false;
+    last_ns = 0;
     consumer.reset();
     const std::lock_guard lock(leaving);
     loop = nullptr;
@@ -164,12 +165,14 @@ SoundStream::~SoundStream() {
 const SoundOutput& SoundStream::output() const noexcept { return worker_->output; }
 
 bool SoundStream::is_running() const noexcept {
-  const auto since_ns = steady_ns() - worker_->last_ns.load(std::memory_order_relaxed);
-  return worker_->is_open && static_cast<double>(since_ns) < kStandsStill_s * 1e9;
+  const std::int64_t last_ns = worker_->last_ns.load(std::memory_order_relaxed);
+  return last_ns != 0 && static_cast<double>(steady_ns() - last_ns) < kStandsStill_s * 1e9;
 }
 
-bool SoundStream::wait_until_open(double longest_s) const {
-  return worker_->opened.wait_for(std::chrono::duration<double>(longest_s)) ==
+bool SoundStream::is_refused() const noexcept { return worker_->is_refused; }
+
+bool SoundStream::wait_until_begun(double longest_s) const {
+  return worker_->begun.wait_for(std::chrono::duration<double>(longest_s)) ==
          std::future_status::ready;
 }
 

@@ -14,14 +14,15 @@ namespace asperity {
 /// Lets an output take samples from `fill` for as long as the stream lives.
 ///
 /// The thread belongs to the stream, so that a busy window does not make the sound stutter, and a
-/// sound server that takes its time keeps nobody waiting. While the output is not open the stream
-/// stands still (`is_running` is false): at the beginning, when it cannot be opened, when it does not
-/// answer, and when a card that sounded is lost. It is tried again four times a second and never
-/// replaced by another: whoever needs to be heard has to know that they are not.
+/// sound server that takes its time keeps nobody waiting. While the output takes no samples the
+/// stream stands still (`is_running` is false): at the beginning, when it cannot be opened, when it
+/// does not answer, when it is dead although it could be opened, and when a card that sounded is
+/// lost. It is tried again four times a second and never replaced by another: whoever needs to be
+/// heard has to know that they are not.
 ///
 /// Threads: the constructor returns at once, whatever the output does; the destructor waits until
 /// it is closed, `kCloses_s` at most: one that hangs is left to itself, and asks `fill` for nothing any
-/// more. The rest answers at once, from any thread, but for `wait_until_open`. `fill` is called on the
+/// more. The rest answers at once, from any thread, but for `wait_until_begun`. `fill` is called on the
 /// stream's thread and has to be real-time code; it is given stereo frames at the rate of
 /// `output().form`.
 class SoundStream final {
@@ -29,6 +30,8 @@ class SoundStream final {
   using Fill = std::function<void(std::span<float> stereo)>;
   static constexpr double kStandsStill_s = 0.5;
   static constexpr double kCloses_s = 0.5;
+  /// No sound server that works takes longer until it wants its first samples.
+  static constexpr double kOpens_s = 3.0;
 
   SoundStream(SoundOutput output, Fill fill);
   ~SoundStream();
@@ -37,10 +40,13 @@ class SoundStream final {
 
   /// As given.
   const SoundOutput& output() const noexcept;
-  /// The output is open, and samples have been taken within the last half second.
+  /// Samples have been taken within the last half second, and the output was not lost since.
   bool is_running() const noexcept;
-  /// Until it has been opened for the first time, but no longer than this; whether it has.
-  bool wait_until_open(double longest_s) const;
+  /// The output could not be opened or was lost, and no samples have been taken since. One that does
+  /// not answer is not known to refuse.
+  bool is_refused() const noexcept;
+  /// Until samples have been taken for the first time, but no longer than this; whether they have.
+  bool wait_until_begun(double longest_s) const;
 
  private:
   struct Worker;

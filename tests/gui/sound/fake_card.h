@@ -22,8 +22,9 @@ struct FakeCard {
   std::atomic<bool> stands_still{false};
   std::atomic<bool> lost{false};
   std::atomic<bool> hangs{false};  ///< while it is opened
+  std::atomic<bool> dies{false};   ///< as soon as it is open
   std::atomic<int> opened{0};
-  std::atomic<bool> open{false};
+  std::atomic<int> open{0};       ///< a stream that ends may still close while the next one opens
   std::atomic<double> peak{0.0};  ///< of the last 10 ms
 };
 
@@ -31,9 +32,9 @@ class FakeConsumer final : public SampleConsumer {
  public:
   FakeConsumer(FakeCard& card, QIODevice& samples) : card_(card) {
     ++card_.opened;
-    card_.open = true;
+    ++card_.open;
     QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, &samples] {
-      if (card_.stands_still || card_.lost) return;
+      if (card_.stands_still || !is_working()) return;
       std::array<char, 480 * 8> bytes{};
       samples.read(bytes.data(), std::ssize(bytes));
       double peak = 0.0;
@@ -46,8 +47,8 @@ class FakeConsumer final : public SampleConsumer {
     });
     timer_.start(10);
   }
-  ~FakeConsumer() override { card_.open = false; }
-  bool is_working() const override { return !card_.lost; }
+  ~FakeConsumer() override { --card_.open; }
+  bool is_working() const override { return !card_.lost && !card_.dies; }
 
  private:
   FakeCard& card_;

@@ -55,6 +55,7 @@ TEST(QtSound, IsNotRunningWhenTheOutputStopsTakingSamples) {
 TEST(QtSound, ALostCardIsNotReplacedByTheNullOutputAndIsOpenedAgainWhenItIsBack) {
   FakeCard card{};
   QtSound sound(pink_noise(), {}, output_of(card));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return sound.is_running(); }));
   card.lost = true;
   ASSERT_TRUE(QTest::qWaitFor([&] { return !sound.is_running(); }));
   EXPECT_FALSE(sound.is_null());
@@ -81,6 +82,22 @@ TEST(QtSound, ACardThatCannotBeOpenedIsTriedUntilItCan) {
   EXPECT_FALSE(sound.is_null()) << "another output would not be heard in these headphones";
   card.lost = false;
   EXPECT_TRUE(QTest::qWaitFor([&] { return sound.is_running() && card.opened == 1; }));
+}
+
+// A sound server that takes the stream and drops it: open is not heard.
+TEST(QtSound, ACardThatDiesAsSoonAsItIsOpenIsNeverRunningAndWhatIsStoredSaysSo) {
+  FakeCard card{};
+  card.dies = true;
+  QtSound sound(pink_noise(), {}, output_of(card));
+  EXPECT_EQ(nlohmann::json::parse(sound.description_json()).at("heard"), false);
+  bool ran = false;
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    ran = ran || sound.is_running();
+    return card.opened >= 3;
+  }));
+  EXPECT_FALSE(ran);
+  card.dies = false;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return sound.is_running(); }));
 }
 
 // A sound server that is busy or dead, a card pulled out in the very moment.
