@@ -63,6 +63,9 @@ class ForceSpeaker final : public QObject {
   void play_force(std::span<const double> force_N, double rate_Hz);
   /// The force that is played at half of full scale.
   void set_full_scale_N(double force_N) { sound_.set_full_scale_N(force_N); }
+  /// As SoundStream: it is heard, or is known not to be.
+  bool is_running() const noexcept { return stream_.is_running(); }
+  bool is_refused() const noexcept { return stream_.is_refused(); }
   bool is_null() const noexcept { return stream_.output().is_null; }
   QString device_name() const { return stream_.output().name; }
 

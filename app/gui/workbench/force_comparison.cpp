@@ -21,6 +21,7 @@ namespace asperity {
 namespace {
 
 constexpr int kFrame_ms = 16;
+constexpr int kLook_ms = 250;
 constexpr std::size_t kShownSamples = 2000;  // two seconds
 constexpr std::size_t kWelchSamples = 256;
 constexpr double kAcross_m_per_s = 0.060;
@@ -127,6 +128,8 @@ ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) :
   layout->addStretch(1);
   frames_.setInterval(kFrame_ms);
   connect(&frames_, &QTimer::timeout, this, &ForceComparison::frame);
+  looks_.setInterval(kLook_ms);
+  connect(&looks_, &QTimer::timeout, this, &ForceComparison::look_at_card);
 }
 
 void ForceComparison::add_card(const ForceModel& model, QWidget* parent) {
@@ -275,6 +278,7 @@ void ForceComparison::frame() {
 }
 
 void ForceComparison::set_sound(SoundOutput output) {
+  looks_.stop();
   speaker_.reset();
   output_ = std::move(output);
   heard_->setEnabled(!output_.is_null);
@@ -286,14 +290,27 @@ void ForceComparison::set_sound(SoundOutput output) {
 void ForceComparison::open_or_close_sound() {
   const bool wanted = isVisible() && !output_.is_null && heard_->currentIndex() > 0;
   if (wanted == (speaker_ != nullptr)) return;
+  looks_.stop();
   speaker_.reset();
   no_sound_->setVisible(output_.is_null);
   if (!wanted) return;
   speaker_ = std::make_unique<ForceSpeaker>(output_);
   speaker_->set_full_scale_N(kLoud_N);
-  if (!speaker_->is_null()) return;
-  no_sound_->setText(tr("%1 could not be opened; another program may hold it.").arg(output_.name));
-  no_sound_->show();
+  silent_.start();
+  looks_.start();
+}
+
+/// A card that opens within the time that any card takes is not spoken of.
+void ForceComparison::look_at_card() {
+  if (speaker_->is_running()) silent_.restart();
+  const bool is_silent = static_cast<double>(silent_.elapsed()) > SoundStream::kOpens_s * 1e3;
+  no_sound_->setVisible(is_silent || speaker_->is_refused());
+  no_sound_->setText(
+      speaker_->is_refused()
+          ? tr("%1 could not be opened; another program may hold it.").arg(output_.name)
+          : tr("%1 does not play. Connect it again, or choose another sound output in the settings "
+               "of the computer.")
+                .arg(output_.name));
 }
 
 void ForceComparison::showEvent(QShowEvent* event) {

@@ -45,8 +45,9 @@ class ForceComparison final : public QWidget {
   /// From left to right at 60 mm/s, as in the comparison of texture forces.
   void stroke_across(double y_m);
 
-  /// Where the chosen force is heard; a null output is said so beside the choice. It is open while
-  /// a force is to be heard and this is seen, and no longer.
+  /// Where the chosen force is heard. It is open while a force is to be heard and this is seen, and
+  /// no longer. A null output is said so beside the choice, and one that does not play as soon as
+  /// that is known.
   void set_sound(SoundOutput output);
 
   /// The last two seconds of the stroke, and their spectra.
@@ -79,6 +80,7 @@ class ForceComparison final : public QWidget {
   std::vector<double> component_of(std::size_t model, std::size_t first) const;
   void play();
   void open_or_close_sound();
+  void look_at_card();
 
   std::vector<ModelCard> cards_{};
   ParameterForm* surface_ = nullptr;
@@ -93,6 +95,8 @@ class ForceComparison final : public QWidget {
   std::optional<double> across_y_m_{};
   SoundOutput output_{};
   std::unique_ptr<ForceSpeaker> speaker_{};  // none while nothing is to be heard
+  QTimer looks_{};                           // at the card, while there is a speaker
+  QElapsedTimer silent_{};                   // since it was last seen to play, or was opened
   std::size_t played_ = 0;                   // samples of this stroke
   NewestWork work_{};
 };

@@ -709,7 +709,7 @@ TEST_F(Workbench, LetsTheSoundCardGoWithItsPageItsWindowAndItsStudy) {
     QTest::mouseClick(page->findChild<QAbstractButton*>("mode_comparing"), Qt::LeftButton);
     page->findChild<ForceComparison*>("comparison")->set_sound(output_of(card_));
     page->findChild<QComboBox*>("heard")->setCurrentIndex(1);
-    ASSERT_TRUE(card_.open) << way;
+    ASSERT_TRUE(QTest::qWaitFor([this] { return card_.open > 0; }, kLongest_ms)) << way;
     if (way == std::string("page")) {
       window.show_page("protocols");
     } else if (way == std::string("window")) {
@@ -727,8 +727,25 @@ TEST_F(Workbench, SaysThatASoundCardCannotBeOpened) {
   card_.lost = true;
   find<ForceComparison>("comparison").set_sound(output_of(card_));
   find<QComboBox>("heard").setCurrentIndex(1);
-  EXPECT_TRUE(find<QLabel>("no_sound").isVisible());
-  EXPECT_TRUE(find<QLabel>("no_sound").text().contains("Headphones could not be opened"));
+  auto& said = find<QLabel>("no_sound");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return said.isVisible(); }, kLongest_ms));
+  EXPECT_TRUE(said.text().contains("Headphones could not be opened"));
+  card_.lost = false;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !said.isVisible(); }, kLongest_ms)) << "it plays now";
+}
+
+TEST_F(Workbench, SaysThatASoundCardDoesNotPlay) {
+  drop(photograph("brick", 128));
+  click("mode_comparing");
+  card_.stands_still = true;
+  find<ForceComparison>("comparison").set_sound(output_of(card_));
+  find<QComboBox>("heard").setCurrentIndex(1);
+  auto& said = find<QLabel>("no_sound");
+  EXPECT_FALSE(said.isVisible()) << "it may only take its time";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return said.isVisible(); }, kLongest_ms));
+  EXPECT_TRUE(said.text().contains("Headphones does not play"));
+  find<ForceComparison>("comparison").set_sound(null_output());
+  EXPECT_TRUE(said.text().contains("There is no sound card"));
 }
 
 TEST_F(Workbench, SaysThatThereIsNothingToHearAForceWith) {
