@@ -10,6 +10,7 @@
 
 #include "app/gui/look/controls.h"
 #include "tests/gui/sessions/session_room.h"
+#include "tests/gui/support/screenshot.h"
 
 namespace asperity {
 namespace {
@@ -178,6 +179,7 @@ TEST_F(WholeSession, MatchesByKeysByClicksAndByDragging) {
     QTest::mouseMove(&view(), onto);
     QTest::mouseRelease(&view(), Qt::LeftButton, {}, onto);
     wait_until_given(2, "C");
+    take_screenshot(experimenter(), "session-live", {1366, 768});
     click_item(Item::Kind::picture, "2");
     wait_until_given(1, "A");
     wait_for("a complete answer", [&] { return view().scene().can_confirm; });
