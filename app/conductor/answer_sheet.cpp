@@ -16,7 +16,6 @@ void AnswerSheet::assign(std::size_t option, std::size_t surface) {
   take_back(option);
   given_.at(surface) = option;
   pointed_.reset();
-  forget_feeling_again();
   turn_ = surface;
   pass_turn();
 }
@@ -25,6 +24,7 @@ void AnswerSheet::take_back(std::size_t option) {
   for (std::optional<std::size_t>& given : given_) {
     if (given == option) given.reset();
   }
+  forget_feeling_again();
 }
 
 void AnswerSheet::turn_to(std::size_t surface) {

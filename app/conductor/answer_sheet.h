@@ -21,7 +21,8 @@ namespace asperity {
 ///
 /// Without sight one option after the other is pointed at. In a choice that chooses it; in an
 /// assignment it is given by `take_pointed`. Where surfaces may be felt again, that wish comes after
-/// the last option, and the first option after it; in a choice nothing is chosen then.
+/// the last option, and the first option after it; in a choice nothing is chosen then. Whatever
+/// changes the answer forgets the wish.
 class AnswerSheet final {
  public:
   explicit AnswerSheet(const Trial& trial);

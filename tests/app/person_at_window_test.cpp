@@ -969,6 +969,27 @@ TEST_F(DeviceButtons, AskForASurfaceAgainAmongPicturesToo) {
   EXPECT_TRUE(ask(trial, 1.0).options.empty());
 }
 
+TEST_F(DeviceButtons, AskForNoSurfaceOnceAPictureIsTakenBack) {
+  Trial trial = matching();
+  trial.question.allow_revisit = true;
+  feel_all(trial);
+  press(1.0, Kind::option, 1);  // A gets 1
+  for (int step = 0; step < 4; ++step) hold_button(2.0 + step, 1, 0.1);
+  look(5.5, [](const ParticipantScene& scene) {
+    EXPECT_EQ(scene.cue_saying.what, Saying::What::feel_again);
+    EXPECT_TRUE(scene.can_confirm);
+  });
+  press(6.0, Kind::assign, 1, 0);
+  look(6.5, [](const ParticipantScene& scene) {
+    EXPECT_EQ(scene.cue, "") << "the wish is said no more";
+    EXPECT_FALSE(scene.can_confirm);
+  });
+  press(7.0, Kind::confirm);
+  const Reply reply = ask(trial, 8.0);
+  EXPECT_FALSE(reply.feel_again);
+  ASSERT_EQ(events("refused").size(), 1U);
+}
+
 TEST_F(DeviceButtons, GivePicturesToOneSurfaceAfterTheOther) {
   feel_all(matching());
   sound_.played.clear();
