@@ -25,6 +25,8 @@ constexpr double kPoll_s = 0.01;
 constexpr double kShortestPoll_s = 0.001;  // no clock of a session is finer
 constexpr double kFeedback_s = 1.5;        // long enough to be read, gone before it bores
 constexpr double kHeld_s = 0.8;
+// From a key to here: nothing keeps a window's thread for longer.
+constexpr double kHandedOn_s = 0.05;
 // Nobody means more than this between two looks; a key is stuck.
 constexpr std::size_t kMostWaiting = 1000;
 
@@ -487,9 +489,13 @@ Reply PersonAtWindow::ask(const Trial& trial, std::span<const ForceFeatures>,
   desk_->face({ParticipantScene::Kind::question},
               scene_of_question(trial, desk_->felt_positions()));
   desk_->show_sheet();
-  if (deadline_s) desk_->deadline_ns = desk_->after_shown_ns(*deadline_s);
+  std::optional<std::int64_t> until_ns{};
+  if (deadline_s) {
+    desk_->deadline_ns = desk_->after_shown_ns(*deadline_s);
+    until_ns = desk_->after_shown_ns(*deadline_s + kHandedOn_s);
+  }
   std::optional<Reply> reply{};
-  desk_->listen(wait, desk_->deadline_ns, [&](const ParticipantInput& input) {
+  desk_->listen(wait, until_ns, [&](const ParticipantInput& input) {
     reply = desk_->hear_answer(trial, input);
     return reply.has_value();
   });

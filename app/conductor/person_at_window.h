@@ -26,7 +26,8 @@ namespace asperity {
 /// for one key takes 0.21 s on average [Woods 2015]; what has to be read or chosen takes longer. The
 /// same holds after a confirmation by device button that changed what the next one would mean. A
 /// button down again within `kBounce_s` has not been let go. What was pressed after the deadline
-/// does nothing either, however soon it is heard.
+/// does nothing either, however soon it is heard; what was pressed before it counts when it is heard
+/// up to 0.05 s after it, by which time a busy window has handed it on.
 ///
 /// With device buttons alone: button 1 steps through the options, a tone for each; button 2, or
 /// button 1 held for 0.8 s, confirms. In an assignment that gives the option to the surface whose
