@@ -26,6 +26,18 @@ std::int64_t steady_ns() {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
+/// Streams that are gone while their outputs still close.
+std::atomic<int> closing{0};
+
+/// Before the application's object is gone, which sound servers may still want.
+void wait_for_closing() {
+  const auto latest =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(SoundStream::kCloses_s);
+  while (closing > 0 && std::chrono::steady_clock::now() < latest) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
 }  // namespace
 
 struct SoundStream::Worker {
@@ -36,8 +48,6 @@ struct SoundStream::Worker {
   std::atomic<bool> is_refused{false};
   std::promise<void> first_taken{};
   std::shared_future<void> begun = first_taken.get_future().share();
-  std::promise<void> closed_at_last{};
-  std::future<void> closed = closed_at_last.get_future();
 
   std::mutex leaving{};
   bool leave = false;          ///< under `leaving`
@@ -114,31 +124,33 @@ void SoundStream::Worker::open_if_closed(QIODevice& samples,
 }
 
 void SoundStream::Worker::run() {
+  QEventLoop events{};
   {
-    QEventLoop events{};
-    {
-      const std::lock_guard lock(leaving);
-      loop = &events;
-    }
-    SampleDevice<Worker> samples(*this);
-    std::unique_ptr<SampleConsumer> consumer{};
-    open_if_closed(samples, consumer);
-    QTimer watch{};
-    QObject::connect(&watch, &QTimer::timeout, &watch, [&] { open_if_closed(samples, consumer); });
-    watch.start(kWatch_ms);
-    if (!has_to_leave()) events.exec();
-    last_ns = 0;
-    consumer.reset();
     const std::lock_guard lock(leaving);
-    loop = nullptr;
+    loop = &events;
   }
-  closed_at_last.set_value();
+  SampleDevice<Worker> samples(*this);
+  std::unique_ptr<SampleConsumer> consumer{};
+  open_if_closed(samples, consumer);
+  QTimer watch{};
+  QObject::connect(&watch, &QTimer::timeout, &watch, [&] { open_if_closed(samples, consumer); });
+  watch.start(kWatch_ms);
+  if (!has_to_leave()) events.exec();
+  consumer.reset();
+  const std::lock_guard lock(leaving);
+  loop = nullptr;
 }
 
 SoundStream::SoundStream(SoundOutput output, Fill fill) : worker_(std::make_shared<Worker>()) {
   worker_->output = std::move(output);
   worker_->fill = std::move(fill);
-  thread_ = std::thread([worker = worker_] { worker->run(); });
+  static const bool is_waited_for = (qAddPostRoutine(wait_for_closing), true);
+  static_cast<void>(is_waited_for);
+  std::thread([worker = worker_]() mutable {
+    worker->run();
+    worker.reset();
+    --closing;
+  }).detach();
 }
 
 SoundStream::~SoundStream() {
@@ -146,19 +158,12 @@ SoundStream::~SoundStream() {
     const std::lock_guard lock(worker_->filling);
     worker_->fill = nullptr;
   }
-  {
-    const std::lock_guard lock(worker_->leaving);
-    worker_->leave = true;
-    // Posted, so that it cannot come before the loop runs.
-    if (worker_->loop != nullptr) {
-      QCoreApplication::postEvent(worker_->loop, new QEvent(QEvent::Quit));
-    }
-  }
-  const std::chrono::duration<double> closes(kCloses_s);
-  if (worker_->closed.wait_for(closes) == std::future_status::ready) {
-    thread_.join();
-  } else {
-    thread_.detach();
+  ++closing;
+  const std::lock_guard lock(worker_->leaving);
+  worker_->leave = true;
+  // Posted, so that it cannot come before the loop runs.
+  if (worker_->loop != nullptr) {
+    QCoreApplication::postEvent(worker_->loop, new QEvent(QEvent::Quit));
   }
 }
 

@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <thread>
 
 #include "app/gui/sound/sound_output.h"
 
@@ -20,10 +19,11 @@ namespace asperity {
 /// lost. It is tried again four times a second and never replaced by another: whoever needs to be
 /// heard has to know that they are not.
 ///
-/// Threads: the constructor returns at once, whatever the output does; the destructor waits until
-/// it is closed, `kCloses_s` at most: one that hangs is left to itself, and asks `fill` for nothing any
-/// more. The rest answers at once, from any thread, but for `wait_until_begun`. `fill` is called on the
-/// stream's thread and has to be real-time code; it is given stereo frames at the rate of
+/// Threads: constructor and destructor return at once, whatever the output does. It is closed a little
+/// after the stream is gone, and asks `fill` for nothing in that time. The destructor of the
+/// application's object waits for what still closes, `kCloses_s` at most: an output that hangs is left
+/// to itself. The rest answers at once, from any thread, but for `wait_until_begun`. `fill` is called
+/// on the stream's thread and has to be real-time code; it is given stereo frames at the rate of
 /// `output().form`.
 class SoundStream final {
  public:
@@ -50,8 +50,7 @@ class SoundStream final {
 
  private:
   struct Worker;
-  std::shared_ptr<Worker> worker_;  ///< with the thread, which may outlive the stream
-  std::thread thread_;
+  std::shared_ptr<Worker> worker_;  ///< with the thread, which outlives the stream
 };
 
 }  // namespace asperity

@@ -19,6 +19,16 @@
 namespace asperity {
 
 struct FakeCard {
+  FakeCard() = default;
+  FakeCard(const FakeCard&) = delete;
+  FakeCard& operator=(const FakeCard&) = delete;
+  /// Waits for streams that still close.
+  ~FakeCard() {
+    hangs = false;
+    while (users.use_count() > 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
+  std::shared_ptr<int> users = std::make_shared<int>();  ///< shared with every output of it
   std::atomic<bool> stands_still{false};
   std::atomic<bool> lost{false};
   std::atomic<bool> hangs{false};  ///< while it is opened
@@ -60,7 +70,7 @@ inline SoundOutput output_of(FakeCard& card) {
   output.name = "Headphones";
   output.is_null = false;
   output.buffer_s = 0.02;
-  output.open = [&card](QIODevice& samples) -> std::unique_ptr<SampleConsumer> {
+  output.open = [&card, user = card.users](QIODevice& samples) -> std::unique_ptr<SampleConsumer> {
     while (card.hangs) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (card.lost) return nullptr;
     return std::make_unique<FakeConsumer>(card, samples);

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <memory>
 #include <numbers>
+#include <vector>
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QTemporaryDir>
@@ -114,6 +116,21 @@ TEST(QtSound, NobodyWaitsForACardThatDoesNotAnswerAndWhatIsStoredSaysSo) {
   card.hangs = false;
   ASSERT_TRUE(QTest::qWaitFor([&] { return card.opened == 1 && !card.open; }));
   EXPECT_EQ(card.peak, 0.0);
+}
+
+// A page that is hidden ends its stream on the windows' thread, which may take 50 ms for nothing.
+TEST(QtSound, NobodyWaitsForACardThatHangsWhenItIsToBeClosed) {
+  FakeCard card{};
+  card.hangs = true;
+  constexpr std::size_t kStreams = 20;
+  std::vector<std::unique_ptr<SoundStream>> streams{};
+  for (std::size_t i = 0; i < kStreams; ++i) {
+    streams.push_back(std::make_unique<SoundStream>(output_of(card), SoundStream::Fill{}));
+  }
+  QElapsedTimer clock{};
+  clock.start();
+  streams.clear();
+  EXPECT_LT(clock.elapsed(), 50 * static_cast<qint64>(kStreams));
 }
 
 TEST(QtSound, TheNullOutputTakesSamplesAtTheirRate) {
