@@ -2071,6 +2071,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>%1 could not be opened; another program may hold it.</source>
         <translation>%1 ließ sich nicht öffnen; vielleicht hält ein anderes Programm es fest.</translation>
     </message>
+    <message>
+        <source>%1 does not play. Connect it again, or choose another sound output in the settings of the computer.</source>
+        <translation>%1 gibt nichts wieder. Schließen Sie es neu an, oder wählen Sie in den Einstellungen des Computers eine andere Tonausgabe.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::HealthLine</name>
@@ -3638,6 +3642,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>The relief was not saved: %1</source>
         <translation>Das Relief wurde nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>This study can only be read here.</source>
+        <translation>Diese Studie ist hier nur lesbar.</translation>
     </message>
 </context>
 <context>
