@@ -60,21 +60,6 @@ double running_s(const std::vector<AttemptRow>& attempts) {
   return sum_s;
 }
 
-/// The files of the study's `protocols/` by their texts.
-std::map<std::string, std::filesystem::path> protocol_files_by_text(
-    const std::filesystem::path& study) {
-  std::map<std::string, std::filesystem::path> files{};
-  for (const std::filesystem::path& file : files_in(study / "protocols")) {
-    if (file.extension() != ".json") continue;
-    try {
-      files.emplace(read_file(file), file);
-    } catch (const std::exception&) {
-      // What is wrong with it is said where protocols are listed.
-    }
-  }
-  return files;
-}
-
 bool is_ended_by_rule(const Study& study, const SessionRow& row, const ProtocolRow& protocol) {
   if (row.state != SessionState::stopped) return false;
   const ProtocolCheck check = check_protocol_text(protocol.source, protocol.name, built_in_models(),
@@ -94,9 +79,7 @@ SessionOverview overview_of(const Study& study, const SessionRow& row, const Pro
   overview.done_trials = static_cast<int>(trials_done(attempts, study.decisions(row.id)).size());
   overview.attempts = static_cast<int>(attempts.size());
   overview.duration_s = running_s(attempts);
-  overview.is_running =
-      row.state == SessionState::open &&
-      StudyLock::holder(study.folder(), Study::session_lock_name(row.participant)).has_value();
+  overview.is_running = is_running(study, row);
   overview.ended_by_rule = is_ended_by_rule(study, row, protocol);
   return overview;
 }
@@ -196,6 +179,29 @@ void look_into(StimulusOverview& stimulus, const std::filesystem::path& file,
 }
 
 }  // namespace
+
+bool is_running(const Study& study, const SessionRow& row) {
+  return row.state == SessionState::open &&
+         StudyLock::holder(study.folder(), Study::session_lock_name(row.participant)).has_value();
+}
+
+bool is_blind(const Study& study, const SessionRow& row) {
+  return row.mode == SessionMode::run && is_running(study, row);
+}
+
+std::map<std::string, std::filesystem::path> protocol_files_by_text(
+    const std::filesystem::path& study) {
+  std::map<std::string, std::filesystem::path> files{};
+  for (const std::filesystem::path& file : files_in(study / "protocols")) {
+    if (file.extension() != ".json") continue;
+    try {
+      files.emplace(read_file(file), file);
+    } catch (const std::exception&) {
+      // What is wrong with it is said where protocols are listed.
+    }
+  }
+  return files;
+}
 
 std::vector<SessionOverview> session_overviews(const Study& study, const std::stop_token& stop) {
   std::map<std::int64_t, ProtocolRow> protocols{};

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -23,6 +24,15 @@ namespace asperity {
 /// It ran on a simulated clock: its dates are no dates of the calendar.
 bool has_made_up_dates(const SessionRow& session);
 
+/// Open, and some process holds it.
+bool is_running(const Study& study, const SessionRow& row);
+/// Whoever runs it may not know yet what was felt and whether it was right: a run that is running.
+bool is_blind(const Study& study, const SessionRow& row);
+
+/// The files of the study's `protocols/` by their texts; of equal ones the first by name.
+std::map<std::string, std::filesystem::path> protocol_files_by_text(
+    const std::filesystem::path& study);
+
 /// A session in one line.
 struct SessionOverview {
   SessionRow row{};
@@ -34,13 +44,14 @@ struct SessionOverview {
   int notes = 0;
   /// From the first to the last trial of each stretch of uninterrupted running.
   double duration_s = 0.0;
-  /// Open, and some process holds it.
-  bool is_running = false;
+  bool is_running = false;     ///< see the function
   bool ended_by_rule = false;  ///< see `has_ended_by_rule`
   /// The file of the study's `protocols/` with the very text that the session began with; looked
   /// for by `session_overviews` only.
   std::optional<std::filesystem::path> protocol_file{};
 
+  /// See the function.
+  bool is_blind() const noexcept { return is_running && row.mode == SessionMode::run; }
   /// It could go on: neither completed, nor ended by a rule, nor running.
   bool is_unfinished() const noexcept {
     return row.state != SessionState::completed && !ended_by_rule && !is_running;

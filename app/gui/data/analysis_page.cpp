@@ -22,6 +22,7 @@
 #include "app/gui/look/task_line.h"
 #include "app/gui/study/open_study.h"
 #include "app/tasks/export_study.h"
+#include "app/tasks/study_overview.h"
 
 namespace asperity {
 
@@ -406,10 +407,8 @@ void AnalysisPage::refresh() {
         const Study study = Study::open(folder, Access::read_only);
         Analysis analysis{analyze_study(study), {}};
         for (const SessionRow& session : study.sessions()) {
-          const bool runs =
-              session.state == SessionState::open && session.mode == SessionMode::run &&
-              StudyLock::holder(folder, Study::session_lock_name(session.participant));
-          if (runs) analysis.running.insert(study.protocol(session.protocol_id).name);
+          if (!is_blind(study, session)) continue;
+          analysis.running.insert(study.protocol(session.protocol_id).name);
         }
         return analysis;
       },

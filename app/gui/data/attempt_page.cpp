@@ -14,6 +14,7 @@
 #include "app/gui/data/recording_view.h"
 #include "app/gui/look/task_line.h"
 #include "app/tasks/recording_curves.h"
+#include "app/tasks/study_overview.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
@@ -140,10 +141,7 @@ void AttemptPage::show_attempt(qlonglong attempt_id) {
       [attempt_id](const Study& own, const std::stop_token&) {
         Reading reading{};
         reading.detail = attempt_detail(own, attempt_id);
-        const SessionRow& session = reading.detail.session;
-        reading.is_blind =
-            session.mode == SessionMode::run && session.state == SessionState::open &&
-            StudyLock::holder(own.folder(), Study::session_lock_name(session.participant));
+        reading.is_blind = is_blind(own, reading.detail.session);
         return reading;
       },
       [this](const Reading& reading) {

@@ -184,9 +184,7 @@ const SessionOverview* SessionsPage::selected() const {
 
 void SessionsPage::show_selected() {
   const SessionOverview* session = selected();
-  // Whoever runs it may not know yet what was felt and whether it was right.
-  const bool is_blind =
-      session != nullptr && session->is_running && session->row.mode == SessionMode::run;
+  const bool is_blind = session != nullptr && session->is_blind();
   open_->setEnabled(session != nullptr && !is_blind);
   resume_->setEnabled(session != nullptr && session->is_unfinished() && session->protocol_file &&
                       study().can_be_written());

@@ -65,11 +65,6 @@ QString text_of_remarks(const AttemptRow& attempt) {
 
 constexpr const char* kHidden = "▒▒▒";
 
-/// Whoever runs it may not know yet what was felt and whether it was right.
-bool is_blind(const SessionOverview& session) {
-  return session.is_running && session.row.mode == SessionMode::run;
-}
-
 /// What is known before the session has ended: how far it is.
 StudyTable::Row blind_row_of(const SessionDetail& detail, const TrialOverview& trial) {
   const auto& attempt = trial.attempt;
@@ -217,8 +212,8 @@ void TrialsPage::show_selected() {
   const auto found = std::find_if(
       detail_.trials.begin(), detail_.trials.end(),
       [id](const TrialOverview& trial) { return trial.attempt && trial.attempt->id == id; });
-  open_->setEnabled(found != detail_.trials.end() && !is_blind(detail_.overview));
-  if (is_blind(detail_.overview)) {
+  open_->setEnabled(found != detail_.trials.end() && !detail_.overview.is_blind());
+  if (detail_.overview.is_blind()) {
     selected_->setText(tr("What was felt and answered is shown once the session has ended."));
     return;
   }
@@ -274,7 +269,7 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
                         .arg(session.planned_trials)
                         .arg(text_of_duration(session.duration_s), started,
                              text(session.row.device), text(session.row.program_version)));
-  const bool blind = is_blind(session);
+  const bool blind = session.is_blind();
   const auto& excluded = session.row.excluded;
   standing_->setVisible(blind || excluded);
   if (blind) {
