@@ -39,9 +39,9 @@ build() {
   arguments=("$root/build/$preset" --parallel "$(jobs)")
   if [[ $# -gt 0 ]]; then arguments+=(--target "$@"); fi
   if [[ -t 2 ]]; then
-    NINJA_STATUS="Building Asperity ($preset) %f/%t " cmake --build "${arguments[@]}" >&2
+    NINJA_STATUS="Bringing Asperity ($preset) up to date: %f/%t " cmake --build "${arguments[@]}" >&2
   else
-    say "Building Asperity ($preset); progress is in $root/build/$preset-build.log"
+    say "Bringing Asperity ($preset) up to date; what is built, if anything, is in $root/build/$preset-build.log"
     quietly "$root/build/$preset-build.log" cmake --build "${arguments[@]}"
   fi
 }
