@@ -111,11 +111,15 @@ void Conductor::hold(Next next) {
 void Conductor::pause_without_noise() {
   requests_.pause();
   publish_trouble(
-      phrase("Troubles",
-             "The masking noise has stopped, and the session is paused. Mend the sound, then "
-             "resume."),
+      course_.has_masked()
+          ? phrase("Troubles",
+                   "The masking noise has stopped, and the session is paused. Mend the sound, then "
+                   "resume.")
+          : phrase("Troubles",
+                   "The masking noise cannot begin: the sound card does not play. The session is "
+                   "paused. Mend the sound, then resume."),
       SessionTrouble::Remedy::resume);
-  course_.event("masking_noise_lost", "");
+  course_.event(course_.has_masked() ? "masking_noise_lost" : "masking_noise_missing", "");
 }
 
 // --- faults --------------------------------------------------------------------------------------

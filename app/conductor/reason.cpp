@@ -36,6 +36,7 @@ const std::vector<Words>& all_reasons() {
       {Reason::aborted, phrase("Reasons", "aborted")},
       {Reason::emergency_stop, phrase("Reasons", "the emergency stop was pressed")},
       {Reason::noise_stopped, phrase("Reasons", "the masking noise stopped")},
+      {Reason::no_noise, phrase("Reasons", "the masking noise could not begin")},
       {Reason::missed_deadlines, phrase("Reasons", "%1 missed deadlines, at most %2 allowed")},
       {Reason::lost_records, phrase("Reasons", "%1 lost records, at most %2 allowed")},
       {Reason::force_limited, phrase("Reasons", "force limited in %1 ticks")},

@@ -31,6 +31,7 @@ enum class Reason {
   aborted,
   emergency_stop,
   noise_stopped,
+  no_noise,
   // of an attempt
   missed_deadlines,       ///< how many, how many are allowed
   lost_records,           ///< how many, how many are allowed

@@ -12,10 +12,6 @@ namespace {
 // Often enough for numbers that a person reads.
 constexpr std::int64_t kHealthEvery_ns = 250'000'000;
 
-bool wants_masking_noise(const Protocol& protocol) {
-  return protocol.masking_noise.kind != Protocol::Noise::Kind::none;
-}
-
 }  // namespace
 
 Interruption interruption_by(Fault fault) {
@@ -56,6 +52,7 @@ void SessionCourse::begin(const SessionRow& row) {
   phase_ = SessionPhase::idle;
   in_attempt_ = false;
   masking_ = false;
+  has_masked_ = false;
   mask_on_ = false;
   attempt_events_.clear();
 }
@@ -121,7 +118,8 @@ void SessionCourse::look(bool outside_trial) {
     throw Interruption{AttemptOutcome::aborted, phrase_of(Reason::as_asked).english()};
   }
   if (in_attempt_ && has_lost_noise()) {
-    throw Interruption{AttemptOutcome::aborted, phrase_of(Reason::noise_stopped).english(),
+    const Reason reason = has_masked_ ? Reason::noise_stopped : Reason::no_noise;
+    throw Interruption{AttemptOutcome::aborted, phrase_of(reason).english(),
                        links_.experimenter_is_there};
   }
 }
@@ -137,9 +135,11 @@ void SessionCourse::publish_now() {
     health = watch_.health();
     health->lost_records = rig_.records().lost();
   }
+  const MaskingState masking = masking_state();
   links_.monitor->update([&](SessionSnapshot& snapshot) {
     snapshot.now_ns = now;
     snapshot.fault = fault;
+    snapshot.masking = masking;
     if (snapshot.surface != 0) snapshot.contact_s = contact_s;
     if (health) snapshot.health = *health;
   });
@@ -156,7 +156,9 @@ void SessionCourse::enter(SessionPhase phase) {
 void SessionCourse::publish(SessionPhase phase) {
   phase_ = phase;
   const std::int64_t now = now_ns();
+  const MaskingState masking = masking_state();
   update([&](SessionSnapshot& snapshot) {
+    snapshot.masking = masking;
     snapshot.phase = phase;
     snapshot.phase_began_ns = now;
     snapshot.now_ns = now;
@@ -190,15 +192,26 @@ void SessionCourse::play(Cue cue, int number) {
   if (links_.sound != nullptr) links_.sound->play(cue, number);
 }
 
-void SessionCourse::set_masking(bool on) {
-  if (links_.sound == nullptr || !wants_masking_noise(protocol_) || on == masking_) return;
-  links_.sound->set_masking(on);
-  masking_ = on;
-  update([on](SessionSnapshot& snapshot) { snapshot.masking_noise = on; });
+bool SessionCourse::plays_noise() const {
+  return links_.sound != nullptr && protocol_.masking_noise.kind != Protocol::Noise::Kind::none;
 }
 
-bool SessionCourse::has_lost_noise() const {
-  return links_.sound != nullptr && wants_masking_noise(protocol_) && !links_.sound->is_running();
+void SessionCourse::set_masking(bool on) {
+  if (!plays_noise() || on == masking_) return;
+  links_.sound->set_masking(on);
+  masking_ = on;
+  has_masked_ = has_masked_ || (on && links_.sound->is_running());
+  const MaskingState masking = masking_state();
+  update([masking](SessionSnapshot& snapshot) { snapshot.masking = masking; });
+}
+
+bool SessionCourse::has_lost_noise() const { return plays_noise() && !links_.sound->is_running(); }
+
+MaskingState SessionCourse::masking_state() const {
+  if (!plays_noise() || phase_ == SessionPhase::ended) return MaskingState::none;
+  if (!links_.sound->is_heard()) return MaskingState::no_card;
+  if (!links_.sound->is_running()) return MaskingState::silent;
+  return masking_ ? MaskingState::on : MaskingState::off;
 }
 
 void SessionCourse::ask_experimenter(const std::string& prompt, const Wait& waiting) {

@@ -100,6 +100,8 @@ class SessionCourse final {
   bool is_masking() const noexcept { return masking_; }
   /// The protocol wants noise, it is to be played, and it is not.
   bool has_lost_noise() const;
+  /// The noise has sounded since the session was begun or gone on with.
+  bool has_masked() const noexcept { return has_masked_; }
   /// Has the experimenter do something before a trial (place a sample) and waits until that was
   /// confirmed; the participant sees nothing of it. Where nobody sits beside, the respondent reads.
   void ask_experimenter(const std::string& prompt, const Wait& waiting);
@@ -123,6 +125,8 @@ class SessionCourse final {
   void pass(double duration_s);
   void look(bool outside_trial);
   void publish_now();
+  bool plays_noise() const;
+  MaskingState masking_state() const;
 
   Study& study_;
   const Protocol& protocol_;
@@ -136,6 +140,7 @@ class SessionCourse final {
   SessionPhase phase_ = SessionPhase::idle;
   bool in_attempt_ = false;
   bool masking_ = false;
+  bool has_masked_ = false;
   bool mask_on_ = false;
   std::vector<EventRow> attempt_events_{};
   std::int64_t health_shown_ns_ = 0;

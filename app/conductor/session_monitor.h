@@ -76,6 +76,15 @@ struct SessionFacts {
   std::int64_t clock_ahead_ns = 0;  ///< of the session's clock against the machine's steady clock
 };
 
+/// What is to be heard of the masking noise.
+enum class MaskingState {
+  none,    ///< the protocol wants none, nothing plays in this session, or it has ended
+  off,     ///< it can sound, and there is nothing to mask now
+  on,      ///< sounding
+  silent,  ///< the sound card does not play
+  no_card  ///< there is no sound card, and nobody hears it
+};
+
 /// How the servo loop has kept time in the last seconds.
 struct LoopHealth {
   double rate_Hz = 0.0;  ///< measured
@@ -107,7 +116,7 @@ struct SessionSnapshot {
   std::int64_t rows_stored = 0;  ///< attempts in the store, of this session
   LoopHealth health{};
   Fault fault = Fault::none;
-  bool masking_noise = false;  ///< sounding now
+  MaskingState masking = MaskingState::none;
   std::optional<SessionTrouble> trouble{};
   std::shared_ptr<const ParticipantScene> scene = std::make_shared<const ParticipantScene>();
   std::shared_ptr<const std::vector<AttemptSummary>> attempts =

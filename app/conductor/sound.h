@@ -50,6 +50,8 @@ class Sound {
   /// Samples have been consumed within the last half second. A session that needs its noise pauses
   /// when this becomes false.
   virtual bool is_running() const = 0;
+  /// There is a sound card. Without one, samples are consumed all the same, and nobody hears them.
+  virtual bool is_heard() const = 0;
   /// What is stored with the session: kind, gain, levels, who verified them, output device.
   virtual std::string description_json() const = 0;
 

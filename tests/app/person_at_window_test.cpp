@@ -21,6 +21,7 @@ class SoundThatRemembers final : public Sound {
   void set_masking(bool) override {}
   void play(Cue cue, int number) override { played.emplace_back(cue, number); }
   bool is_running() const override { return true; }
+  bool is_heard() const override { return true; }
   std::string description_json() const override { return "null"; }
 
   int count(Cue cue) const {

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <set>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -25,12 +26,14 @@ class ScriptedSound final : public Sound {
  public:
   std::function<std::int64_t()> now_ns{};
   bool running = true;
+  bool has_card = true;
   std::vector<std::pair<std::int64_t, bool>> masking{};
   std::vector<std::pair<Cue, int>> cues{};
 
   void set_masking(bool on) override { masking.emplace_back(now_ns ? now_ns() : 0, on); }
   void play(Cue cue, int number) override { cues.emplace_back(cue, number); }
   bool is_running() const override { return running; }
+  bool is_heard() const override { return has_card; }
   std::string description_json() const override { return R"({"kind":"pink"})"; }
 };
 
@@ -843,6 +846,58 @@ TEST_F(WatchedSession, RefusesAnAnswerBetweenTheLastSurfaceAndItsQuestion) {
   play_sound();
   begin(one_trial());
   PersonAtWindow person(monitor_, &sound_);
+TEST_F(WatchedSession, SaysWhetherItsNoiseSoundsAndNothingOfItOnceItHasEnded) {
+  play_sound();
+  begin(one_trial(with_noise(small_protocol())));
+  std::set<MaskingState> in_contact{};
+  std::set<MaskingState> in_reading{};
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    if (now.phase == SessionPhase::contact) in_contact.insert(now.masking);
+    if (now.phase == SessionPhase::ready) in_reading.insert(now.masking);
+  };
+  run();
+  EXPECT_THAT(in_contact, ElementsAre(MaskingState::on));
+  EXPECT_THAT(in_reading, ElementsAre(MaskingState::off));
+  EXPECT_EQ(monitor_.snapshot().masking, MaskingState::none);
+}
+
+TEST_F(WatchedSession, SaysThatNobodyHearsItsNoiseWithoutASoundCard) {
+  play_sound();
+  sound_.has_card = false;
+  begin(one_trial(with_noise(small_protocol())));
+  once_in(SessionPhase::contact,
+          [&] { EXPECT_EQ(monitor_.snapshot().masking, MaskingState::no_card); });
+  run();
+}
+
+TEST_F(WatchedSession, SaysNothingOfNoiseThatTheProtocolDoesNotWant) {
+  play_sound();
+  sound_.has_card = false;
+  begin(one_trial());
+  rig_->at_pass = [&] { EXPECT_EQ(monitor_.snapshot().masking, MaskingState::none); };
+  run();
+}
+
+TEST_F(WatchedSession, SaysThatTheNoiseCannotBeginWhereItNeverSounded) {
+  play_sound();
+  sound_.running = false;
+  begin(one_trial(with_noise(small_protocol())));
+  std::string said{};
+  once_in(SessionPhase::paused, [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    said = now.trouble->what.english();
+    EXPECT_EQ(now.masking, MaskingState::silent);
+    sound_.running = true;
+    requests_.resume();
+  });
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_THAT(said, HasSubstr("cannot begin"));
+  EXPECT_TRUE(events_of("masking_noise_lost").empty());
+  EXPECT_EQ(events_of("masking_noise_missing").size(), 1U);
+  EXPECT_EQ(attempts().size(), 1U);
+}
+
   const auto press = [&](ParticipantInput::Kind kind, int number = 0) {
     person.post({.kind = kind, .number = number, .time_ns = rig_->clock().now_ns()});
   };

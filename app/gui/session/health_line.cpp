@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <QtCore/QStringList>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 
@@ -32,19 +33,37 @@ void HealthLine::show_health(const SessionSnapshot& snapshot, const SessionFacts
   }
   constexpr double kRateTolerance = 0.02;
   const double asked_Hz = facts == nullptr ? h.rate_Hz : facts->row.rate_Hz;
-  const bool fine = h.missed_deadlines == 0 && h.lost_records == 0 &&
+  const bool is_heard =
+      snapshot.masking != MaskingState::silent && snapshot.masking != MaskingState::no_card;
+  const bool fine = is_heard && h.missed_deadlines == 0 && h.lost_records == 0 &&
                     snapshot.fault == Fault::none &&
                     std::abs(h.rate_Hz - asked_Hz) <= kRateTolerance * asked_Hz;
-  health_->set_state(
-      fine ? State::fine : State::look,
-      tr("%1 · %2 Hz · p99 %3 µs late · %4 missed · %5 lost · %6 saturated · %7")
+  QStringList parts{
+      tr("%1 · %2 Hz · p99 %3 µs late · %4 missed · %5 lost · %6 saturated")
           .arg(facts == nullptr ? QString() : QString::fromStdString(facts->row.device))
           .arg(std::lround(h.rate_Hz))
           .arg(std::lround(1e6 * h.lateness_p99_s))
           .arg(h.missed_deadlines)
           .arg(h.lost_records)
-          .arg(h.saturated_ticks)
-          .arg(snapshot.masking_noise ? tr("masking noise on") : tr("masking noise off")));
+          .arg(h.saturated_ticks)};
+  if (const QString noise = text_of(snapshot.masking); !noise.isEmpty()) parts += noise;
+  health_->set_state(fine ? State::fine : State::look, parts.join(" · "));
+}
+
+QString HealthLine::text_of(MaskingState masking) {
+  switch (masking) {
+    case MaskingState::none:
+      break;
+    case MaskingState::off:
+      return tr("masking noise off");
+    case MaskingState::on:
+      return tr("masking noise on");
+    case MaskingState::silent:
+      return tr("the sound card does not play: no masking noise");
+    case MaskingState::no_card:
+      return tr("no sound card: no masking noise");
+  }
+  return {};
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <QtCore/QString>
 #include <QtWidgets/QWidget>
 
 #include "app/conductor/session_monitor.h"
@@ -20,6 +21,8 @@ class HealthLine final : public QWidget {
   void show_health(const SessionSnapshot& snapshot, const SessionFacts* facts);
 
  private:
+  static QString text_of(MaskingState masking);
+
   StateLabel* health_ = nullptr;
   QLabel* stored_ = nullptr;
 };

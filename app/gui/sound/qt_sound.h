@@ -41,6 +41,7 @@ class QtSound final : public Sound {
   void set_masking(bool on) override;
   void play(Cue cue, int number) override;
   bool is_running() const override { return stream_.is_running(); }
+  bool is_heard() const override { return !is_null(); }
   std::string description_json() const override;
 
   bool is_null() const noexcept { return stream_.output().is_null; }

@@ -52,7 +52,7 @@ FilledMonitor::FilledMonitor(const std::string& name, SessionMode mode)
     s.blocks = plan->trials.back().block_ordinal;
     s.expected_left_s = 1390.0;
     s.health = {.rate_Hz = 999.8, .lateness_p99_s = 31e-6};
-    s.masking_noise = true;
+    s.masking = MaskingState::on;
   });
 }
 

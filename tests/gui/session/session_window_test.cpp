@@ -270,6 +270,24 @@ TEST(SessionWindow, MarksTheTrialUnderWayAndSaysEveryAttempt) {
   EXPECT_TRUE(text(13, 2).contains("flagged"));
 }
 
+TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  const auto health = [&](MaskingState masking) {
+    session.monitor.update([masking](SessionSnapshot& s) { s.masking = masking; });
+    const auto window = session.window();
+    return find<QLabel>(*window, "health").text();
+  };
+  EXPECT_TRUE(health(MaskingState::on).endsWith("0 saturated · masking noise on"));
+  EXPECT_TRUE(health(MaskingState::off).endsWith("0 saturated · masking noise off"));
+  EXPECT_TRUE(health(MaskingState::none).endsWith("0 saturated"));
+  EXPECT_TRUE(health(MaskingState::no_card).endsWith(" · no sound card: no masking noise"));
+  EXPECT_TRUE(health(MaskingState::no_card).contains("▲"));
+  EXPECT_TRUE(
+      health(MaskingState::silent).endsWith(" · the sound card does not play: no masking noise"));
+}
+
 TEST(SessionWindow, CallsAnEmergencyStopByItsNameInThePlan) {
   FilledMonitor session{};
   session.answer_up_to(1);

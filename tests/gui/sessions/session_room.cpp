@@ -31,6 +31,7 @@ class NotedSound final : public Sound {
   void set_masking(bool on) override { log_->masking = on; }
   void play(Cue cue, int number) override { log_->add(cue, number); }
   bool is_running() const override { return log_->plugged; }
+  bool is_heard() const override { return true; }
   std::string description_json() const override { return R"({"output": "of a test"})"; }
 
  private:
