@@ -210,6 +210,7 @@ void Conductor::run_steps() {
     course_.update([](SessionSnapshot& snapshot) { snapshot.block = 0; });
     if (!stopped_) run_other(steps[i]);
   }
+  if (!stopped_) step_ = steps.size();
   if (block_ != 0 && !stopped_) finish_block(block_);
   block_ = 0;
   if (!stopped_) between_steps(Next::other);
@@ -238,7 +239,7 @@ void Conductor::run_other(const PlanStep& step) {
     try {
       try_other(step);
       course_.store_respondent_events();
-      progress_->show(step_);
+      show_progress();
       return;
     } catch (const Interruption& interruption) {
       course_.store_respondent_events();
@@ -384,11 +385,7 @@ void Conductor::run_trial(const Trial& trial) {
                .english());
       return;
     }
-    if (attempt.outcome == AttemptOutcome::not_compliant &&
-        exploration_of(protocol_, trial).on_failure ==
-            Exploration::OnFailure::requeue_at_end_of_block) {
-      break;  // finish_block asks again
-    }
+    if (waits_for_others(trial, attempt)) break;  // finish_block asks again
   }
   if (requests_.take_stop(StopAfter::trial)) {
     stop(phrase_of(Reason::as_asked_after_trial).english());
@@ -411,12 +408,23 @@ AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruptio
   row.id = study_.add_attempt(session_.row.id, row);
   tally_->add(row);
   ++attempts_made_;
-  progress_->add(row);
-  progress_->show(step_);
+  const TrialTally::Again again =
+      waits_for_others(trial, row) ? TrialTally::Again::after_others : TrialTally::Again::at_once;
+  progress_->add(row, step_, tally_->coming(step_, block_, trial.ordinal, again));
   if (settings_.done) {
     settings_.done({session_.row.participant, session_.row.session, trial.ordinal, order.attempt});
   }
   return row;
+}
+
+bool Conductor::waits_for_others(const Trial& trial, const AttemptRow& attempt) const {
+  return attempt.outcome == AttemptOutcome::not_compliant && !failed_technically(attempt) &&
+         exploration_of(protocol_, trial).on_failure ==
+             Exploration::OnFailure::requeue_at_end_of_block;
+}
+
+void Conductor::show_progress() {
+  progress_->show(step_, tally_->coming(step_, block_, 0, TrialTally::Again::at_once));
 }
 
 /// Feedback, where the block gives any.

@@ -93,6 +93,9 @@ class Conductor final {
   void run_trial(const Trial& trial);
   AttemptRow make_attempt(const Trial& trial, std::optional<Interruption>& interruption);
   void tell(const Trial& trial, const AttemptRow& attempt);
+  /// Is asked again after all others of its block.
+  bool waits_for_others(const Trial& trial, const AttemptRow& attempt) const;
+  void show_progress();
 
   // What holds it up (conductor_holds.cpp).
   /// True when a trial was asked again meanwhile: where the session is has then to be said anew.

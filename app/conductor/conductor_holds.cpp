@@ -57,7 +57,7 @@ void Conductor::repeat_last(const std::string& reason) {
   course_.event("trial_repeated", reason,
                 nlohmann::ordered_json{{"trial", trial}, {"attempt", attempt}}.dump());
   progress_->set_aside(*last);
-  progress_->show(step_);
+  show_progress();
   ask_again(session_.plan.trials.at(static_cast<std::size_t>(trial - 1)));
 }
 

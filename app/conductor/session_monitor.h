@@ -103,10 +103,11 @@ struct SessionSnapshot {
   std::int64_t phase_began_ns = 0;
   std::int64_t now_ns = 0;    ///< the session's clock when this was written
   std::int64_t began_ns = 0;  ///< of this stretch
-  int trial = 0;              ///< under way, or the next; 0 before the first
-  int attempt = 0;
-  int surface = 0;         ///< position, from 1; 0 while none is felt
-  double contact_s = 0.0;  ///< with the present surface
+  int trial = 0;              ///< under way, or else the one that comes; 0 where none does
+  int attempt = 0;            ///< at it
+  int last_done = 0;          ///< trial that would be repeated as the last one; 0: none yet
+  int surface = 0;            ///< position, from 1; 0 while none is felt
+  double contact_s = 0.0;     ///< with the present surface
   double wanted_contact_s = 0.0;
   int block = 0;  ///< 1-based; 0 outside blocks
   int blocks = 0;

@@ -23,12 +23,16 @@ SessionProgress::SessionProgress(SessionCourse& course, const Plan& plan, const 
     snapshot.trials = static_cast<int>(plan_.trials.size());
     snapshot.trouble.reset();
   });
-  for (const AttemptRow& attempt : tally_.attempts()) summarise(attempt);
-  show(0);
+  for (const AttemptRow& attempt : tally_.attempts()) course_.add_attempt(summary_of(attempt));
+  show(0, tally_.coming(0, 0, 0, TrialTally::Again::at_once));
 }
 
-void SessionProgress::add(const AttemptRow& attempt) {
-  if (course_.has_monitor()) summarise(attempt);
+void SessionProgress::add(const AttemptRow& attempt, std::size_t step, int coming) {
+  if (course_.has_monitor()) publish(step, coming, summary_of(attempt));
+}
+
+void SessionProgress::show(std::size_t step, int coming) {
+  if (course_.has_monitor()) publish(step, coming, {});
 }
 
 void SessionProgress::set_aside(const AttemptRow& attempt) {
@@ -43,8 +47,8 @@ void SessionProgress::set_aside(const AttemptRow& attempt) {
   });
 }
 
-void SessionProgress::show(std::size_t step) {
-  if (!course_.has_monitor()) return;
+/// All of it at once: no frame shows an attempt as done whose trial is still under way.
+void SessionProgress::publish(std::size_t step, int coming, std::optional<AttemptSummary> added) {
   int done = 0;
   double left_s = 0.0;
   for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
@@ -61,14 +65,26 @@ void SessionProgress::show(std::size_t step) {
   }
   constexpr double kGuess_s = 60.0;
   const double pace = (kGuess_s + spent_so_far_s_) / (kGuess_s + planned_so_far_s_);
+  const AttemptRow* last = tally_.last_done();
   course_.update([&](SessionSnapshot& snapshot) {
+    if (added) {
+      auto attempts = std::make_shared<std::vector<AttemptSummary>>(*snapshot.attempts);
+      attempts->push_back(std::move(*added));
+      snapshot.attempts = std::move(attempts);
+      // What follows it is not known here yet; the phase is stored when it is.
+      snapshot.phase = SessionPhase::iti;
+      snapshot.phase_began_ns = snapshot.now_ns;
+    }
+    snapshot.trial = coming;
+    snapshot.attempt = coming == 0 ? 0 : tally_.attempts_at(coming) + 1;
+    snapshot.last_done = last == nullptr ? 0 : last->trial;
     snapshot.trials_done = done;
     snapshot.expected_left_s = pace * left_s;
     snapshot.rows_stored = static_cast<std::int64_t>(tally_.attempts().size());
   });
 }
 
-void SessionProgress::summarise(const AttemptRow& attempt) {
+AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) {
   const auto index = static_cast<std::size_t>(attempt.trial - 1);
   const Trial& trial = plan_.trials.at(index);
   AttemptSummary summary{};
@@ -97,7 +113,7 @@ void SessionProgress::summarise(const AttemptRow& attempt) {
       if (step != nullptr && step->trial == index) planned_so_far_s_ += planned_s_[i];
     }
   }
-  course_.add_attempt(std::move(summary));
+  return summary;
 }
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "app/conductor/session_course.h"
@@ -23,15 +24,16 @@ class SessionProgress final {
   SessionProgress(SessionCourse& course, const Plan& plan, const TrialTally& tally,
                   std::int64_t began_ns);
 
-  /// An attempt that is on disk and in the tally.
-  void add(const AttemptRow& attempt);
+  /// An attempt that is on disk and in the tally. Its trial is over, and `coming` the one that comes
+  /// (0: none); `step` of the plan is under way.
+  void add(const AttemptRow& attempt, std::size_t step, int coming);
   /// An attempt in the tally was set aside.
   void set_aside(const AttemptRow& attempt);
-  /// This step of the plan is under way.
-  void show(std::size_t step);
+  void show(std::size_t step, int coming);
 
  private:
-  void summarise(const AttemptRow& attempt);
+  AttemptSummary summary_of(const AttemptRow& attempt);
+  void publish(std::size_t step, int coming, std::optional<AttemptSummary> added);
 
   SessionCourse& course_;
   const Plan& plan_;

@@ -1,6 +1,7 @@
 #include "app/conductor/trial_tally.h"
 
 #include <algorithm>
+#include <variant>
 
 #include "app/conductor/reason.h"
 
@@ -65,6 +66,35 @@ int TrialTally::attempts_at(int trial) const {
   return static_cast<int>(
       std::count_if(attempts_.begin(), attempts_.end(),
                     [trial](const AttemptRow& attempt) { return attempt.trial == trial; }));
+}
+
+int TrialTally::coming(std::size_t step, int block, int tried, Again again) const {
+  if (tried != 0 && again == Again::at_once &&
+      is_open(plan_.trials.at(static_cast<std::size_t>(tried - 1)))) {
+    return tried;
+  }
+  const auto ahead = [&](bool of_block) {
+    for (std::size_t i = step; i < plan_.steps.size(); ++i) {
+      const TrialStep* at = std::get_if<TrialStep>(&plan_.steps[i]);
+      if (at == nullptr) continue;
+      const Trial& trial = plan_.trials.at(at->trial);
+      const bool is_wanted = !of_block || (trial.block_ordinal == block && trial.ordinal != tried);
+      if (is_wanted && is_open(trial)) return trial.ordinal;
+    }
+    return 0;
+  };
+  if (block != 0) {
+    if (const int next = ahead(true)) return next;
+    // What is still open in the block is asked in rounds, in order.
+    int first = 0;
+    for (const Trial& trial : plan_.trials) {
+      if (trial.block_ordinal != block || !is_open(trial)) continue;
+      if (trial.ordinal > tried) return trial.ordinal;
+      if (first == 0) first = trial.ordinal;
+    }
+    if (first != 0) return first;
+  }
+  return ahead(false);
 }
 
 int TrialTally::explored_wrongly(int trial) const {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <set>
 #include <string>
 #include <utility>
@@ -46,10 +47,16 @@ class TrialTally final {
   /// The trial's block needs no more trials.
   bool is_over(const Trial& trial) const { return criterion_of(trial) != BlockState::go_on; }
   int attempts_at(int trial) const;
+  /// The trial that comes when nobody asks for anything else; 0 when none is left. The walk over the
+  /// plan is at `step`, in `block` (0: between blocks). `tried` was tried just now (0: none): it is
+  /// asked again at once (`again`), or not before the others of its block.
+  enum class Again { at_once, after_others };
+  int coming(std::size_t step, int block, int tried, Again again) const;
   int explored_wrongly(int trial) const;
 
  private:
   bool does_its_trial(const AttemptRow& attempt) const;
+  bool is_open(const Trial& trial) const { return !is_done(trial) && !is_over(trial); }
 
   const Protocol& protocol_;
   const Plan& plan_;

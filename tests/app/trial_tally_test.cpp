@@ -81,6 +81,54 @@ TEST(TrialTally, APracticeIsOverWhenItsCriterionIsMetByAnswersThatCount) {
   EXPECT_FALSE(session.tally.is_over(trials[2]));
 }
 
+using Again = TrialTally::Again;
+
+/// As the walk over a plan sees it: a break after the first trial, another between the blocks.
+struct Walked : Practised {
+  Walked() {
+    protocol.blocks["practice"].until.reset();
+    plan.steps = {TrialStep{0}, Protocol::Break{}, TrialStep{1},
+                  TrialStep{2}, Protocol::Break{}, TrialStep{3}};
+  }
+};
+
+TEST(TrialTally, AfterATrialComesTheNextOneThatIsOpen) {
+  Walked session{};
+  EXPECT_EQ(session.tally.coming(0, 0, 0, Again::at_once), 1) << "before the first";
+  session.tally.add(Practised::attempt(1, 1, AttemptOutcome::answered));
+  EXPECT_EQ(session.tally.coming(0, 1, 1, Again::at_once), 2);
+  EXPECT_EQ(session.tally.coming(1, 1, 0, Again::at_once), 2) << "in the break";
+  session.tally.add(Practised::attempt(2, 1, AttemptOutcome::skipped));
+  session.tally.add(Practised::attempt(3, 1, AttemptOutcome::answered));
+  EXPECT_EQ(session.tally.coming(3, 1, 3, Again::at_once), 4) << "of the next block";
+  session.tally.add(Practised::attempt(4, 1, AttemptOutcome::answered));
+  EXPECT_EQ(session.tally.coming(5, 2, 4, Again::at_once), 0);
+}
+
+TEST(TrialTally, ATrialThatFailedComesAgainAtOnceOrAfterTheOthersOfItsBlock) {
+  Walked session{};
+  session.tally.add(Practised::attempt(1, 1, AttemptOutcome::device_fault));
+  EXPECT_EQ(session.tally.coming(0, 1, 1, Again::at_once), 1);
+  EXPECT_EQ(session.tally.coming(0, 1, 1, Again::after_others), 2);
+  session.tally.add(Practised::attempt(2, 1, AttemptOutcome::not_compliant));
+  session.tally.add(Practised::attempt(3, 1, AttemptOutcome::answered));
+  EXPECT_EQ(session.tally.coming(3, 1, 3, Again::at_once), 1) << "the rounds at the block's end";
+  session.tally.add(Practised::attempt(1, 2, AttemptOutcome::not_compliant));
+  EXPECT_EQ(session.tally.coming(4, 1, 1, Again::after_others), 2);
+  session.tally.add(Practised::attempt(2, 2, AttemptOutcome::answered));
+  EXPECT_EQ(session.tally.coming(4, 1, 2, Again::at_once), 1) << "the next round";
+  session.tally.add(Practised::attempt(1, 3, AttemptOutcome::answered));
+  EXPECT_EQ(session.tally.coming(4, 1, 1, Again::at_once), 4);
+}
+
+TEST(TrialTally, AfterAPracticeThatIsOverComesTheNextBlock) {
+  Practised session{};
+  session.plan.steps = {TrialStep{0}, TrialStep{1}, TrialStep{2}, TrialStep{3}};
+  session.tally.add(Practised::attempt(1, 1, AttemptOutcome::answered));
+  session.tally.add(Practised::attempt(2, 1, AttemptOutcome::answered));
+  EXPECT_EQ(session.tally.coming(1, 1, 2, Again::at_once), 4);
+}
+
 TEST(TrialTally, KnowsWhoExploredWronglyFromWhatFailedByItself) {
   Practised session{};
   AttemptRow wrongly = Practised::attempt(1, 1, AttemptOutcome::not_compliant);

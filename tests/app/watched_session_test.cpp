@@ -177,6 +177,70 @@ TEST_F(WatchedSession, ShowsItsProgressAndEveryAttempt) {
   EXPECT_EQ(facts->protocol->name, "small");
 }
 
+/// Outside attempts: what is done, and which trial comes.
+TEST_F(WatchedSession, CountsATrialAsDoneAndNamesTheOneThatComesInEveryPhaseBetween) {
+  const std::string plain = R"({"run": "main"})";
+  std::string text = small_protocol();
+  text.replace(text.find(plain), plain.size(), R"({"run": "main", "break_every_trials": 1,
+      "pause": {"minimum_s": 1, "text": "Rest.", "zero_force": true}})");
+  begin(text);
+  std::vector<std::string> seen{};
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    const bool in_attempt = now.phase == SessionPhase::fore || now.phase == SessionPhase::contact ||
+                            now.phase == SessionPhase::response;
+    if (in_attempt) {
+      EXPECT_EQ(now.trial, now.trials_done + 1);
+      return;
+    }
+    const std::string line =
+        std::string(text_of(now.phase)) + ": " + std::to_string(now.trials_done) + " done, " +
+        std::to_string(now.trial) + " comes, last " + std::to_string(now.last_done);
+    EXPECT_EQ(now.attempts->size(), static_cast<std::size_t>(now.trials_done));
+    if (seen.empty() || seen.back() != line) seen.push_back(line);
+  };
+  run();
+  EXPECT_THAT(seen, ElementsAre("ready: 0 done, 1 comes, last 0", "rest: 1 done, 2 comes, last 1",
+                                "rest: 2 done, 3 comes, last 2", "ready: 3 done, 0 comes, last 3"));
+  EXPECT_EQ(monitor_.snapshot().trial, 0);
+}
+
+TEST_F(WatchedSession, NamesTheTrialThatComesWhileItTellsWhatWasRight) {
+  begin(practised_protocol("continue_flagged"));
+  std::vector<std::pair<int, int>> told{};
+  person_.at_tell = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    EXPECT_EQ(now.phase, SessionPhase::feedback);
+    told.emplace_back(now.last_done, now.trial);
+  };
+  person_.at_question = [](int question, const Trial& trial) -> Reply {
+    const bool first_is_right = trial.question.options[0].value == trial.question.correct[0];
+    return {{first_is_right == (question > 1) ? std::size_t{0} : std::size_t{1}}, {}};
+  };
+  run();
+  // The fourth meets the criterion, and the fifth of the practice is not asked.
+  EXPECT_THAT(told, ElementsAre(testing::Pair(1, 2), testing::Pair(2, 3), testing::Pair(3, 4),
+                                testing::Pair(4, 6)));
+}
+
+// A frame of a window may fall between any two changes of the monitor.
+TEST_F(WatchedSession, ShowsNoAttemptAsDoneWhoseTrialIsStillUnderWay) {
+  begin(small_protocol());
+  std::atomic<bool> over{false};
+  std::atomic<int> wrong{0};
+  std::thread watcher([&] {
+    while (!over) {
+      const SessionSnapshot now = monitor_.snapshot();
+      const bool under_way = now.phase == SessionPhase::response;
+      if (under_way && static_cast<int>(now.attempts->size()) >= now.trial) ++wrong;
+    }
+  });
+  run();
+  over = true;
+  watcher.join();
+  EXPECT_EQ(wrong, 0);
+}
+
 TEST_F(WatchedSession, ShowsTheParticipantsSceneBeforeEachCall) {
   begin(one_trial());
   std::vector<ParticipantScene::Kind> kinds{};

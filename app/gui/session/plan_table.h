@@ -28,7 +28,7 @@ class PlanModel final : public QAbstractTableModel {
   /// Codes stand for the conditions; otherwise their names.
   void set_blind(bool blind);
   void set_attempts(std::shared_ptr<const std::vector<AttemptSummary>> attempts);
-  /// `trial` is under way (0: none), and this is what happens in it.
+  /// `trial` is under way or comes (0: none does), and this is what happens in it.
   void set_now(int trial, const QString& phase);
 
   /// Of one surface of a trial (position from 1): its code or its name; empty where there is none.

@@ -77,7 +77,7 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
     case SessionPhase::response:
       return tr("Trial %1: answering, %2 s").arg(snapshot.trial).arg(seconds);
     case SessionPhase::feedback:
-      return tr("Trial %1: feedback").arg(snapshot.trial);
+      return tr("Trial %1: feedback").arg(snapshot.last_done);
     case SessionPhase::rest:
       return tr("Break, %1").arg(of_duration(in_phase_s));
     case SessionPhase::questions:
@@ -101,8 +101,6 @@ QString SessionText::of_phase(const SessionSnapshot& snapshot, double in_phase_s
       return tr("feeling %1 s").arg(QString::number(snapshot.contact_s, 'f', 1));
     case SessionPhase::response:
       return tr("answering %1 s").arg(seconds);
-    case SessionPhase::feedback:
-      return tr("feedback");
     case SessionPhase::fault:
       return tr("stopped");
     case SessionPhase::paused:
@@ -112,6 +110,7 @@ QString SessionText::of_phase(const SessionSnapshot& snapshot, double in_phase_s
     case SessionPhase::idle:
     case SessionPhase::ready:
     case SessionPhase::iti:
+    case SessionPhase::feedback:
     case SessionPhase::questions:
       return tr("next");
     case SessionPhase::ended:

@@ -32,7 +32,7 @@ class SessionText final {
   /// `condition`: of the surface, as it may be known.
   static QString of_now(const SessionSnapshot& snapshot, const Trial* trial,
                         const QString& condition, double in_phase_s);
-  /// The same beside the trial's number: "feeling 6.2 s".
+  /// The same beside the number of the trial that is under way or comes: "feeling 6.2 s", "next".
   static QString of_phase(const SessionSnapshot& snapshot, double in_phase_s);
   /// "answered 4", "not explored as asked"; `tells_right`: and whether it was right.
   static QString of_attempt(const AttemptSummary& attempt, bool tells_right);

@@ -283,6 +283,27 @@ void SessionWindow::lock_fields() {
 
 bool SessionWindow::is_running() const { return facts_ != nullptr && !ended_ && !failed_; }
 
+bool SessionWindow::is_in_trial() const {
+  return shown_.phase == SessionPhase::fore || shown_.phase == SessionPhase::contact ||
+         shown_.phase == SessionPhase::response;
+}
+
+/// The one under way; between trials the one that comes, as far as the experimenter has not asked for
+/// another.
+int SessionWindow::trial_to_come() const {
+  if (shown_.phase == SessionPhase::ended) return 0;
+  if (is_in_trial()) return shown_.trial;
+  const SessionRequests::Pending pending = requests_.pending();
+  if (pending.stop == StopAfter::trial) return 0;
+  if (pending.repeat_last && shown_.last_done != 0) return shown_.last_done;
+  const Trial* next = trial_now();
+  if (pending.stop == StopAfter::block && next != nullptr && !shown_.attempts->empty() &&
+      next->block_ordinal != shown_.block) {
+    return 0;
+  }
+  return shown_.trial;
+}
+
 const Trial* SessionWindow::trial_now() const {
   if (facts_ == nullptr || facts_->plan == nullptr || shown_.trial < 1) return nullptr;
   const auto& trials = facts_->plan->trials;
@@ -362,8 +383,7 @@ void SessionWindow::write_moving_texts() {
     header_->show_now(SessionText::of_now(
         shown_, trial_now(), plan_->model().condition(shown_.trial, shown_.surface), in_phase_s));
   }
-  plan_->set_now(shown_.phase == SessionPhase::ended ? 0 : shown_.trial,
-                 SessionText::of_phase(shown_, in_phase_s));
+  plan_->set_now(trial_to_come(), SessionText::of_phase(shown_, in_phase_s));
   header_->show_elapsed(facts_ == nullptr ? 0.0 : seconds_between(shown_.began_ns, time_ns));
 }
 
@@ -411,8 +431,7 @@ void SessionWindow::write_controls() {
   state.stop_pending = pending.stop;
   state.repeat_pending = pending.repeat_last;
   state.trial_done = !shown_.attempts->empty();
-  state.in_trial = shown_.phase == SessionPhase::fore || shown_.phase == SessionPhase::contact ||
-                   shown_.phase == SessionPhase::response;
+  state.in_trial = is_in_trial();
   state.in_fault = shown_.phase == SessionPhase::fault;
   state.note_locked = notes_->is_locked();
   controls_->show_state(state);

@@ -113,6 +113,8 @@ class SessionWindow final : public QWidget {
   void write_end();
   void screen_left(QScreen* screen);
   bool is_running() const;
+  bool is_in_trial() const;
+  int trial_to_come() const;
   const Trial* trial_now() const;
 
   SessionMonitor& monitor_;

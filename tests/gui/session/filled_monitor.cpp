@@ -90,9 +90,10 @@ void FilledMonitor::answer_up_to(int done) {
   monitor.update([&](SessionSnapshot& s) {
     const bool over = done >= s.trials;
     s.trials_done = done;
-    s.trial = over ? done : done + 1;
-    s.attempt = 1;
-    s.block = plan->trials[static_cast<std::size_t>(s.trial - 1)].block_ordinal;
+    s.trial = over ? 0 : done + 1;
+    s.attempt = over ? 0 : 1;
+    s.last_done = done;
+    s.block = plan->trials[static_cast<std::size_t>(over ? done - 1 : done)].block_ordinal;
     s.rows_stored = attempts;
   });
 }

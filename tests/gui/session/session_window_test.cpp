@@ -270,6 +270,72 @@ TEST(SessionWindow, MarksTheTrialUnderWayAndSaysEveryAttempt) {
   EXPECT_TRUE(text(13, 2).contains("flagged"));
 }
 
+/// The rows of the plan that are marked, "17: next".
+QStringList marked(SessionWindow& window) {
+  window.refresh();
+  const auto& model = window.findChild<PlanTable*>()->model();
+  QStringList rows{};
+  for (int row = 0; row < model.rowCount(); ++row) {
+    const QString number = model.index(row, 0).data().toString();
+    if (!number.startsWith("▶ ")) continue;
+    rows += QString("%1: %2").arg(number.mid(2), model.index(row, 2).data().toString());
+  }
+  return rows;
+}
+
+TEST(SessionWindow, MarksTheTrialThatComesInEveryPhaseBetweenTrials) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  const auto window = session.window();
+  const auto& model = window->findChild<PlanTable*>()->model();
+  const auto in = [&](SessionPhase phase) {
+    session.set_phase(phase);
+    return marked(*window);
+  };
+  for (const SessionPhase phase :
+       {SessionPhase::iti, SessionPhase::feedback, SessionPhase::ready, SessionPhase::questions}) {
+    EXPECT_EQ(in(phase), QStringList{"17: next"}) << text_of(phase);
+    EXPECT_TRUE(model.index(model.row_of(16), 2).data().toString().startsWith("✓ answered"));
+  }
+  EXPECT_EQ(in(SessionPhase::rest), QStringList{"17: after the break"});
+  EXPECT_EQ(in(SessionPhase::paused), QStringList{"17: paused before it"});
+  EXPECT_EQ(in(SessionPhase::contact), QStringList{"17: feeling 6.2 s"});
+  session.set_phase(SessionPhase::feedback);
+  window->refresh();
+  EXPECT_EQ(find<QLabel>(*window, "now").text(), "Trial 16: feedback");
+}
+
+TEST(SessionWindow, MarksNoTrialWhereNoneComes) {
+  FilledMonitor session{};
+  session.answer_up_to(60);
+  const auto window = session.window();
+  for (const SessionPhase phase :
+       {SessionPhase::rest, SessionPhase::questions, SessionPhase::ended}) {
+    session.set_phase(phase);
+    EXPECT_EQ(marked(*window), QStringList{}) << text_of(phase);
+  }
+  EXPECT_EQ(find<QLabel>(*window, "trial").text(), "trials: 60");
+}
+
+TEST(SessionWindow, MarksWhatTheExperimenterHasAskedFor) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::rest);
+  const auto window = session.window();
+  session.requests.repeat_last("wrong key");
+  EXPECT_TRUE(marked(*window).join("").startsWith("16: after the break, before: "));
+  session.requests.stop_after(StopAfter::trial);
+  EXPECT_EQ(marked(*window), QStringList{}) << "the session ends";
+  session.set_phase(SessionPhase::contact);
+  EXPECT_EQ(marked(*window), QStringList{"17: feeling 6.2 s"}) << "which is still under way";
+  session.requests.take_repeat();
+  session.requests.stop_after(StopAfter::block);
+  session.set_phase(SessionPhase::iti);
+  EXPECT_EQ(marked(*window), QStringList{"17: next"}) << "of the same block";
+  session.monitor.update([](SessionSnapshot& s) { s.block = 1; });
+  EXPECT_EQ(marked(*window), QStringList{}) << "the block is over";
+}
+
 TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
   FilledMonitor session{};
   session.answer_up_to(16);
