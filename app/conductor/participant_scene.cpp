@@ -57,55 +57,70 @@ ParticipantScene scene_that_says(ParticipantScene::Kind kind, Saying saying) {
 
 }  // namespace
 
-std::string text_of(const Saying& saying) {
+Phrase phrase_of(const Saying& saying) {
   switch (saying.what) {
     case Saying::What::nothing:
       return {};
     case Saying::What::feel_surface:
-      return "Feel surface " + saying.code + " now.";
+      return phrase("ParticipantWords", "Feel surface %1 now.").with(saying.code);
     case Saying::What::lift:
-      return "That is enough of surface " + saying.code + ". Please lift.";
+      return phrase("ParticipantWords", "That is enough of surface %1. Please lift.")
+          .with(saying.code);
     case Saying::What::put_mask_on:
-      return "Please put on the eye mask.";
+      return phrase("ParticipantWords", "Please put on the eye mask.");
     case Saying::What::take_mask_off:
-      return "Please take off the eye mask.";
+      return phrase("ParticipantWords", "Please take off the eye mask.");
     case Saying::What::cannot_tell:
-      return "I cannot tell";
+      return phrase("ParticipantWords", "I cannot tell");
     case Saying::What::feel_first:
-      return "Please feel surface " + saying.code + " first.";
+      return phrase("ParticipantWords", "Please feel surface %1 first.").with(saying.code);
     case Saying::What::feel_longer:
-      return "Please feel surface " + saying.code + " a little longer.";
+      return phrase("ParticipantWords", "Please feel surface %1 a little longer.")
+          .with(saying.code);
     case Saying::What::not_asked_yet:
-      return "Please wait for the question.";
+      return phrase("ParticipantWords", "Please wait for the question.");
     case Saying::What::wait:
-      return saying.number == 1 ? "Please wait 1 more second."
-                                : "Please wait " + std::to_string(saying.number) + " more seconds.";
+      if (saying.number == 1) return phrase("ParticipantWords", "Please wait 1 more second.");
+      return phrase("ParticipantWords", "Please wait %1 more seconds.")
+          .with(std::to_string(saying.number));
     case Saying::What::choose_first:
-      return "Please choose first.";
+      return phrase("ParticipantWords", "Please choose first.");
     case Saying::What::assign_first:
-      return "Please give surface " + saying.code + " a picture first.";
+      return phrase("ParticipantWords", "Please give surface %1 a picture first.")
+          .with(saying.code);
     case Saying::What::feel_again:
-      return "Confirm to feel surface " + saying.code + " again.";
+      return phrase("ParticipantWords", "Confirm to feel surface %1 again.").with(saying.code);
     case Saying::What::no_going_back:
-      return "The surfaces cannot be felt again.";
+      return phrase("ParticipantWords", "The surfaces cannot be felt again.");
     case Saying::What::was_right:
-      return "That was right.";
+      return phrase("ParticipantWords", "That was right.");
     case Saying::What::was_wrong:
-      return "That was not right." +
-             (saying.code.empty() ? std::string{} : " The right answer: " + saying.code);
+      if (saying.code.empty()) return phrase("ParticipantWords", "That was not right.");
+      return phrase("ParticipantWords", "That was not right. The right answer: %1")
+          .with(saying.code);
     case Saying::What::answer_needed:
-      return "This question needs an answer.";
-    case Saying::What::number_needed: {
-      std::string sentence = "A number is needed";
-      if (saying.minimum) sentence += ", " + number_text(*saying.minimum) + " or more";
-      if (saying.maximum) sentence += ", " + number_text(*saying.maximum) + " or less";
-      return sentence + '.';
-    }
+      return phrase("ParticipantWords", "This question needs an answer.");
+    case Saying::What::number_needed:
+      if (saying.minimum && saying.maximum) {
+        return phrase("ParticipantWords", "A number from %1 to %2 is needed.")
+            .with(number_text(*saying.minimum), number_text(*saying.maximum));
+      }
+      if (saying.minimum) {
+        return phrase("ParticipantWords", "A number is needed, %1 or more.")
+            .with(number_text(*saying.minimum));
+      }
+      if (saying.maximum) {
+        return phrase("ParticipantWords", "A number is needed, %1 or less.")
+            .with(number_text(*saying.maximum));
+      }
+      return phrase("ParticipantWords", "A number is needed.");
     case Saying::What::option_needed:
-      return "Please choose one of the answers.";
+      return phrase("ParticipantWords", "Please choose one of the answers.");
   }
   return {};
 }
+
+std::string text_of(const Saying& saying) { return phrase_of(saying).english(); }
 
 ParticipantScene scene_to_read(const std::string& text) {
   ParticipantScene scene{};

@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "app/phrase.h"
 #include "protocols/plan.h"
 #include "protocols/protocol.h"
 
 namespace asperity {
 
-/// A sentence of the program's own (not the protocol's), by number, so that a window can say it in
-/// its language.
+/// A sentence of the program's own (not the protocol's), by what it means: tones and windows tell them
+/// apart.
 struct Saying {
   enum class What {
     nothing,
@@ -42,7 +43,9 @@ struct Saying {
   std::optional<double> minimum{};
   std::optional<double> maximum{};
 };
-/// In English; empty for nothing.
+/// Empty for nothing.
+Phrase phrase_of(const Saying& saying);
+/// In English.
 std::string text_of(const Saying& saying);
 
 /// One thing at a time. Nothing in it names a stimulus, a texture or a model.

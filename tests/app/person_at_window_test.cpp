@@ -839,7 +839,7 @@ TEST_F(AForm, TakesANumberWithinItsLimits) {
   type(1.0, "old");
   look(1.5, [](const ParticipantScene& scene) {
     EXPECT_EQ(scene.kind, ParticipantScene::Kind::form);
-    EXPECT_EQ(scene.cue, "A number is needed, 18 or more, 120 or less.");
+    EXPECT_EQ(scene.cue, "A number from 18 to 120 is needed.");
     EXPECT_EQ(scene.cue_saying.minimum, 18.0);
   });
   type(2.0, "17");

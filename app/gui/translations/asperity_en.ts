@@ -2,16 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en_US">
 <context>
-    <name>ParticipantWords</name>
-    <message numerus="yes">
-        <source>Please wait %n more second(s).</source>
-        <translation>
-            <numerusform>Please wait %n more second.</numerusform>
-            <numerusform>Please wait %n more seconds.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>asperity::AnalysisPage</name>
     <message numerus="yes">
         <source>%n participants</source>
