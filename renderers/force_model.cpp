@@ -22,6 +22,13 @@ bool is_an_id(std::string_view id) {
   });
 }
 
+// The end of a sentence.
+std::string missing_bodies(const RendererInputs& inputs) {
+  if (inputs.tool) return "no surface is given";
+  if (inputs.surface) return "no tool is given";
+  return "neither is given";
+}
+
 }  // namespace
 
 std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
@@ -29,6 +36,11 @@ std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model,
   if (model.declaration.needs_height_field && !inputs.height_field) {
     throw std::invalid_argument("the force model " + model.declaration.id +
                                 " needs a height field, and none is given");
+  }
+  if (model.declaration.needs_bodies && !(inputs.tool && inputs.surface)) {
+    throw std::invalid_argument("the force model " + model.declaration.id +
+                                " needs a tool and a surface, meshes with haptic textures, and " +
+                                missing_bodies(inputs));
   }
   RendererInputs complete = inputs;
   complete.parameters = complete_values(model.declaration, inputs.parameters);

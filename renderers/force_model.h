@@ -13,6 +13,7 @@
 #include "stimuli/material.h"
 #include "stimuli/parameter.h"
 #include "stimuli/surface_patch.h"
+#include "stimuli/textured_mesh.h"
 
 namespace asperity {
 
@@ -23,6 +24,10 @@ struct RendererInputs {
   SurfacePatch patch{};
   /// Shared, because presentations of the same texture outlive each other in any order.
   std::shared_ptr<const HeightField> height_field{};
+  /// Shared likewise. What the hand holds, its tip the origin of the mesh's own frame, which turns
+  /// with the device; and what it touches, its own frame with its origin in `patch.centre_m`.
+  std::shared_ptr<const TexturedMesh> tool{};
+  std::shared_ptr<const TexturedMesh> surface{};
   std::uint64_t seed = 0;  ///< of a model that draws random numbers
 };
 
@@ -40,8 +45,8 @@ struct ForceModel {
 
 /// One renderer of a model, from parameters as given: they are completed and checked here.
 ///
-/// Errors: std::invalid_argument for a bad parameter, for a height field that is needed and
-/// missing, and for inputs that the model refuses.
+/// Errors: std::invalid_argument for a bad parameter, for a height field or a body that is needed
+/// and missing, and for inputs that the model refuses.
 std::unique_ptr<ForceRenderer> make_renderer(const ForceModel& model, const RendererInputs& inputs);
 
 /// The force models that a program knows.

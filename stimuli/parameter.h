@@ -46,6 +46,7 @@ struct ModelDeclaration {
   std::string summary{};
   std::string source{};  ///< the publication the law comes from
   bool needs_height_field = false;
+  bool needs_bodies = false;  ///< a tool and a surface, meshes with haptic textures
   /// The one parameter that scales the texture alone and that matching of forces may solve for;
   /// absent where there is none.
   std::optional<std::string> amplitude_parameter{};

@@ -3,8 +3,10 @@
 #include "renderers/force_model.h"
 
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -62,6 +64,22 @@ TEST(ModelRegistry, RefusesAMissingHeightField) {
   EXPECT_THAT(complaint([&] { built_in_models().make("height_map", inputs); }),
               testing::HasSubstr("height field"));
   EXPECT_NE(built_in_models().make("sinusoid", inputs), nullptr);
+}
+
+TEST(ModelRegistry, RefusesAMissingToolOrSurface) {
+  const ModelRegistry registry = built_in_models();
+  ForceModel model = *registry.find("sinusoid");
+  model.declaration.needs_bodies = true;
+  RendererInputs inputs = any_inputs();
+  EXPECT_THAT(complaint([&] { make_renderer(model, inputs); }), testing::HasSubstr("neither"));
+  inputs.tool = std::make_shared<const TexturedMesh>();
+  EXPECT_THAT(complaint([&] { make_renderer(model, inputs); }),
+              testing::HasSubstr("no surface is given"));
+  std::swap(inputs.tool, inputs.surface);
+  EXPECT_THAT(complaint([&] { make_renderer(model, inputs); }),
+              testing::HasSubstr("no tool is given"));
+  inputs.tool = inputs.surface;
+  EXPECT_NE(make_renderer(model, inputs), nullptr);
 }
 
 TEST(ModelRegistry, RefusesAParameterThatIsUnknownOrOutOfRange) {
