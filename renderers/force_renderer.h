@@ -2,10 +2,20 @@
 
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <string_view>
+
 #include "device/probe_state.h"
 #include "renderers/rendered_tick.h"
 
 namespace asperity {
+
+/// In how many ticks something was so; what it is stands with the model that counts it.
+struct NamedCount {
+  std::string_view name{};  ///< `[a-z][a-z0-9_]*`, of a literal: it outlives the renderer
+  std::uint64_t ticks = 0;
+};
 
 /// Turns the motion of the probe into the wrench it should feel, once per servo tick.
 ///
@@ -39,6 +49,14 @@ class ForceRenderer {
   /// The wrench for this sample and how deep the probe is in the surface. Samples come in order.
   /// `dt_s` is the time since the last one, already clamped; always positive.
   virtual RenderedTick tick(const ProbeState& probe, double dt_s) noexcept = 0;
+
+  /// In how many ticks since its construction what the model takes for granted did not hold, by what
+  /// it was: always the same names in the same order, with zeros. Empty for a model without such
+  /// limits. `reset` does not clear them, so that a fault in the middle of an attempt loses none.
+  ///
+  /// Threads: plain counters of the servo thread. Read them where no tick can come: after
+  /// ServoLoop::collect gave the renderer back, or where the loop is stepped.
+  virtual std::span<const NamedCount> limits() const noexcept { return {}; }
 
  protected:
   ForceRenderer() = default;

@@ -281,6 +281,7 @@ std::span<const ContactRegion> ContactRegions::update(std::span<const TrianglePa
     const glm::dvec3 n = glm::normalize(sum.normals);
     const ContactRegion* last = before(origin_m);
     ContactRegion region{
+        .id = last == nullptr ? next_id_++ : last->id,
         .frame = last == nullptr ? first_frame(origin_m, n) : led_frame(last->frame, origin_m, n),
         .pairs = sum.pairs};
     const double needed_m =

@@ -17,6 +17,7 @@ namespace asperity {
 
 /// One closed curve, or an open one at a hole, along which two surfaces cut each other.
 struct ContactRegion {
+  std::uint64_t id = 0;  ///< the same from tick to tick while it is the same contact
   ContactFrame frame{};  ///< in the world; its origin in the middle of the curve
   double width_m = 0.0;  ///< of a square window across n around the origin that holds the curve
   std::size_t pairs = 0;
@@ -56,7 +57,10 @@ class ContactRegions final {
                  std::size_t maximum_regions);
 
   /// Forgets the tick before.
-  void reset() noexcept { kept_.clear(); }
+  void reset() noexcept {
+    kept_.clear();
+    next_id_ = 0;
+  }
 
   /// The regions of these pairs, longest first; valid until the next call.
   std::span<const ContactRegion> update(std::span<const TrianglePair> pairs, const Pose& a,
@@ -106,6 +110,7 @@ class ContactRegions final {
   std::vector<ContactRegion> kept_{};
   std::vector<ContactRegion> before_{};
   std::vector<bool> taken_{};
+  std::uint64_t next_id_ = 0;
   std::size_t left_out_ = 0;
 };
 

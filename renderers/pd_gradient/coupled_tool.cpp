@@ -45,6 +45,21 @@ glm::dquat turn_by(const glm::dvec3& rotation_rad) noexcept {
   return {std::cos(0.5 * angle_rad), rotation_rad * (sine / angle_rad)};
 }
 
+/// What a damper across n at a point resists: b·Jᵀ(1 − n nᵀ)J, J the point's velocity per twist.
+Matrix6 friction_of(const PenaltyContact& contact) noexcept {
+  Eigen::Matrix<double, 3, 6> point = Eigen::Matrix<double, 3, 6>::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 unit(0.0);
+    unit[axis] = 1.0;
+    const glm::dvec3 turned = glm::cross(unit, contact.arm_m);
+    const glm::dvec3 moved_across = unit - contact.n * glm::dot(contact.n, unit);
+    const glm::dvec3 turned_across = turned - contact.n * glm::dot(contact.n, turned);
+    point.col(axis) << moved_across.x, moved_across.y, moved_across.z;
+    point.col(3 + axis) << turned_across.x, turned_across.y, turned_across.z;
+  }
+  return contact.friction_N_s_per_m * (point.transpose() * point);
+}
+
 void require(bool holds, const char* field, const char* what) {
   if (!holds) throw std::invalid_argument(std::string(field) + " of the coupled tool " + what);
 }
@@ -75,6 +90,10 @@ void CoupledTool::reset(const ProbeState& device) noexcept {
   pose_ = {.centre_m = device.position_m + arm, .orientation = device.orientation};
   velocity_m_per_s_ = device.velocity_m_per_s + glm::cross(device.angular_velocity_rad_per_s, arm);
   angular_velocity_rad_per_s_ = device.angular_velocity_rad_per_s;
+}
+
+glm::dvec3 CoupledTool::velocity_m_per_s(const glm::dvec3& arm_m) const noexcept {
+  return velocity_m_per_s_ + glm::cross(angular_velocity_rad_per_s_, arm_m);
 }
 
 Wrench CoupledTool::step(const ProbeState& device, std::span<const PenaltyContact> contacts,
@@ -110,6 +129,7 @@ Wrench CoupledTool::step(const ProbeState& device, std::span<const PenaltyContac
       const Vector6 gradient = stacked(contact.depth_per_m, contact.depth_per_rad_m);
       matrix.noalias() += (dt_s * contact.stiffness_N_per_m + contact.damping_N_s_per_m) *
                           (gradient * gradient.transpose());
+      if (contact.friction_N_s_per_m > 0.0) matrix += friction_of(contact);
       right -= contact.stiffness_N_per_m * contact.depth_m * gradient;
     }
     twist = matrix.llt().solve(right);

@@ -28,6 +28,10 @@ struct PenaltyContact {
   glm::dvec3 depth_per_m{0.0};      ///< of a translation; −n where n separates
   glm::dvec3 depth_per_rad_m{0.0};  ///< of a rotation [m/rad]
   double damping_N_s_per_m = 0.0;   ///< along ∇δ, while they touch
+  /// Friction: a damper across `n` at a point of the tool, while they touch.
+  double friction_N_s_per_m = 0.0;
+  glm::dvec3 n{0.0, 0.0, 1.0};
+  glm::dvec3 arm_m{0.0};  ///< of the point, from the centre of mass
 };
 
 /// A body of mass m and inertia I (the same about every axis) between the device and the contacts.
@@ -37,13 +41,14 @@ struct PenaltyContact {
 ///   F_c = k_t·(p_d − p) + b_t·(v_d − v)      T_c = k_r·φ + b_r·(ω_d − ω)
 ///
 /// with φ the rotation vector [rad] from the tool's orientation to the device's, and the contacts
-/// push with −(k·δ + b·δ̇)·∇δ. One step solves
+/// push with −(k·δ + b·δ̇)·∇δ and rub with −b_f·v_t, v_t what the velocity of their point has across
+/// n. One step solves
 ///
 ///   (M/h + h·K + B)·V⁺ = M·V/h + Q
 ///
 /// for the twist V⁺ at its end, Q the generalised force at the present pose, K and B the sums of the
-/// springs' and dampers' matrices, those of a contact k·∇δ∇δᵀ and b·∇δ∇δᵀ: backward Euler, linearised
-/// once. K and B are positive semi-definite, therefore a step never adds energy to a linear problem,
+/// springs' and dampers' matrices, those of a contact k·∇δ∇δᵀ, b·∇δ∇δᵀ and that of its friction:
+/// backward Euler, linearised once. K and B are positive semi-definite, therefore a step never adds energy to a linear problem,
 /// however stiff the contacts and however long the step. A contact that would pull is left out.
 ///
 /// What the hand feels is the springs and dampers of the coupling: it is never stiffer than k_t, k_r.
@@ -76,6 +81,8 @@ class CoupledTool final {
 
   /// Where the tool is now: the pose for which the next step's contacts are to be found.
   const ToolPose& pose() const noexcept { return pose_; }
+  /// Of the tool at a point that far from its centre of mass.
+  glm::dvec3 velocity_m_per_s(const glm::dvec3& arm_m) const noexcept;
 
   /// One step of `dt_s`. What it returns is the coupling's wrench on the hand, about the device's
   /// tip. Of more than `kMaximumContacts` contacts the deepest should be given: the rest is ignored.

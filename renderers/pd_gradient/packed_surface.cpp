@@ -24,7 +24,7 @@ std::size_t pitch_of(std::size_t columns) {
 
 }  // namespace
 
-PackedSurface::PackedSurface(const TexturedMesh& mesh) {
+PackedSurface::PackedSurface(const TexturedMesh& mesh, double gain) {
   require_sound(mesh);
   const DisplacementAtlas& atlas = mesh.atlas;
   if (std::max(atlas.rows, atlas.columns) > kMostTexels) {
@@ -32,7 +32,7 @@ PackedSurface::PackedSurface(const TexturedMesh& mesh) {
                                 std::to_string(atlas.columns) + " texels; at most " +
                                 std::to_string(kMostTexels) + " each way can be sampled.");
   }
-  step_m_ = atlas.step_m;
+  step_m_ = gain * atlas.step_m;
   rows_ = atlas.rows;
   columns_ = atlas.columns;
   pitch_ = pitch_of(columns_);

@@ -29,7 +29,9 @@ class PackedSurface final {
   };
   using Triangle = std::array<Corner, 3>;
 
-  explicit PackedSurface(const TexturedMesh& mesh);
+  explicit PackedSurface(const TexturedMesh& mesh) : PackedSurface(mesh, 1.0) {}
+  /// With displacements that many times as large.
+  PackedSurface(const TexturedMesh& mesh, double gain);
 
   const std::vector<Triangle>& triangles() const noexcept { return triangles_; }
   PairedTexels texels() const noexcept;

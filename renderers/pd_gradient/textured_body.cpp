@@ -1,0 +1,217 @@
+#include "renderers/pd_gradient/textured_body.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+namespace asperity {
+namespace {
+
+double checked_gain(double gain) {
+  if (!(gain >= 0.0) || !std::isfinite(gain)) {
+    throw std::invalid_argument("TexturedBody: gain is " + std::to_string(gain) +
+                                "; it has to be a number that is not negative.");
+  }
+  return gain;
+}
+
+TriangleMesh plain(const TexturedMesh& mesh) {
+  return {.vertices_m = mesh.vertices_m, .triangles = mesh.triangles};
+}
+
+/// The lowest and the highest displacement.
+struct Relief {
+  double low_m = 0.0;
+  double high_m = 0.0;
+};
+
+Relief relief_of(const DisplacementAtlas& atlas, double gain) {
+  const auto [low, high] = std::minmax_element(atlas.values.begin(), atlas.values.end());
+  const double one_m = gain * *low * atlas.step_m;
+  const double other_m = gain * *high * atlas.step_m;
+  return {.low_m = std::min(one_m, other_m), .high_m = std::max(one_m, other_m)};
+}
+
+TriangleMesh hull_of(const TexturedMesh& mesh, double outward_m) {
+  TriangleMesh hull = plain(mesh);
+  for (std::size_t i = 0; i < hull.vertices_m.size(); ++i) {
+    hull.vertices_m[i] += outward_m * mesh.normals[i];
+  }
+  return hull;
+}
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// Slopes and curvatures over the texels of all faces, along the atlas's rows and its columns.
+class Roughness final {
+ public:
+  explicit Roughness(const TexturedMesh& mesh) : atlas_(mesh.atlas) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const auto& [a, b, c] = mesh.triangles[i];
+      const glm::dvec3 area = glm::cross(mesh.vertices_m[b] - mesh.vertices_m[a],
+                                         mesh.vertices_m[c] - mesh.vertices_m[a]);
+      add(mesh.places[i], 0.5 * glm::length(area));
+    }
+  }
+
+  /// In metres, as the mesh is; infinite without curvature.
+  double finest_wave_m() const {
+    double slopes_m2 = 0.0;
+    double bends = 0.0;
+    for (const Sums& sums : along_) {
+      if (!(sums.area_m2 > 0.0)) continue;
+      slopes_m2 += sums.slopes_m2;
+      bends += sums.bends - sums.curvature_m * sums.curvature_m / sums.area_m2;
+    }
+    constexpr double kRounding = 1e-12;
+    if (!(bends > kRounding * (along_[0].bends + along_[1].bends))) {
+      return std::numeric_limits<double>::infinity();
+    }
+    return 2.0 * std::numbers::pi * std::sqrt(slopes_m2 / bends);
+  }
+
+ private:
+  /// Integrals over the surface.
+  struct Sums {
+    double area_m2 = 0.0;
+    double slopes_m2 = 0.0;    // of slope²
+    double curvature_m = 0.0;  // of curvature
+    double bends = 0.0;        // of curvature²
+  };
+
+  void add(const std::array<glm::dvec2, 3>& places, double area_m2) {
+    const double area_texels = 0.5 * std::abs(cross(places[1] - places[0], places[2] - places[0]));
+    if (!(area_texels > 0.0) || !(area_m2 > 0.0)) return;
+    const double texel_m2 = area_m2 / area_texels;
+    const double texel_m = std::sqrt(texel_m2);
+    const glm::dvec2 low = glm::min(glm::min(places[0], places[1]), places[2]);
+    const glm::dvec2 high = glm::max(glm::max(places[0], places[1]), places[2]);
+    // Neighbours on either side are needed.
+    const auto first = [](double at) { return std::max(1LL, std::llround(std::ceil(at))); };
+    const auto last = [](double at, std::size_t count) {
+      return std::min(static_cast<long long>(count) - 2, std::llround(std::floor(at)));
+    };
+    for (long long y = first(low.y); y <= last(high.y, atlas_.rows); ++y) {
+      for (long long x = first(low.x); x <= last(high.x, atlas_.columns); ++x) {
+        if (!is_inside(places, {static_cast<double>(x), static_cast<double>(y)})) continue;
+        const auto row = static_cast<std::size_t>(y);
+        const auto column = static_cast<std::size_t>(x);
+        const double here_m = height_m(row, column);
+        const std::array before_m{height_m(row, column - 1), height_m(row - 1, column)};
+        const std::array after_m{height_m(row, column + 1), height_m(row + 1, column)};
+        for (std::size_t way = 0; way < 2; ++way) {
+          const double slope = (after_m[way] - here_m) / texel_m;
+          const double curvature_per_m = (after_m[way] - 2.0 * here_m + before_m[way]) / texel_m2;
+          Sums& sums = along_[way];
+          sums.area_m2 += texel_m2;
+          sums.slopes_m2 += slope * slope * texel_m2;
+          sums.curvature_m += curvature_per_m * texel_m2;
+          sums.bends += curvature_per_m * curvature_per_m * texel_m2;
+        }
+      }
+    }
+  }
+
+  double height_m(std::size_t row, std::size_t column) const {
+    return atlas_.step_m * atlas_.values[row * atlas_.columns + column];
+  }
+  static bool is_inside(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& place) {
+    bool left = true;
+    bool right = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double side = cross(corners[(i + 1) % 3] - corners[i], place - corners[i]);
+      left = left && side >= 0.0;
+      right = right && side <= 0.0;
+    }
+    return left || right;
+  }
+
+  const DisplacementAtlas& atlas_;
+  std::array<Sums, 2> along_{};
+};
+
+/// How far the corners of a box reach from its middle along an axis.
+double reach_m(const glm::dvec3& half_m, const glm::dvec3& axis) noexcept {
+  return glm::dot(half_m, glm::abs(axis));
+}
+
+}  // namespace
+
+TexturedBody::TexturedBody(const TexturedMesh& mesh, double gain)
+    : surface_(mesh, checked_gain(gain)), plain_clusters_(plain(mesh)) {
+  const Relief relief = relief_of(mesh.atlas, gain);
+  hull_ = hull_of(mesh, std::max(0.0, relief.high_m));
+  hull_clusters_ = std::make_shared<const ClusteredMesh>(hull_);
+  furthest_m_ = std::max(std::abs(relief.low_m), std::abs(relief.high_m));
+  finest_wave_m_ =
+      gain > 0.0 ? Roughness(mesh).finest_wave_m() : std::numeric_limits<double>::infinity();
+}
+
+std::size_t TexturedBody::find_triangles(const ContactFrame& frame, const glm::dvec3& facing,
+                                         const WindowBox& box,
+                                         std::span<std::uint32_t> room) const noexcept {
+  struct Side {
+    glm::dvec3 axis{0.0};
+    double half_m = 0.0;
+  };
+  const std::array<Side, 3> sides{Side{frame.u, box.half_width_m}, Side{frame.v, box.half_width_m},
+                                  Side{frame.n, box.half_height_m}};
+  const glm::dvec3 clusters_origin_m = frame.origin_m - plain_clusters_.centre_m();
+  std::size_t found = 0;
+  const std::span<const TriangleCluster> clusters = plain_clusters_.clusters();
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    const ClusterBoxes& boxes = plain_clusters_.boxes()[i / kClusterSize];
+    const std::size_t lane = i % kClusterSize;
+    const glm::dvec3 low{boxes.low[0][lane], boxes.low[1][lane], boxes.low[2][lane]};
+    const glm::dvec3 high{boxes.high[0][lane], boxes.high[1][lane], boxes.high[2][lane]};
+    const glm::dvec3 half_m = 0.5 * (high - low);
+    const glm::dvec3 way_m = 0.5 * (high + low) - clusters_origin_m;
+    const bool is_apart = std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
+      return std::abs(glm::dot(side.axis, way_m)) > side.half_m + reach_m(half_m, side.axis);
+    });
+    if (is_apart) continue;
+    for (std::size_t place = 0; place < kClusterSize; ++place) {
+      if ((clusters[i].used >> place & 1U) == 0) continue;
+      const std::uint32_t triangle = clusters[i].triangles[place];
+      const auto& corners = plain_clusters_.corners_m(triangle);
+      if (!(glm::dot(facing, glm::cross(corners[1] - corners[0], corners[2] - corners[0])) > 0.0)) {
+        continue;
+      }
+      const bool is_beside = std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
+        const auto [least, most] = std::minmax({glm::dot(side.axis, corners[0] - frame.origin_m),
+                                                glm::dot(side.axis, corners[1] - frame.origin_m),
+                                                glm::dot(side.axis, corners[2] - frame.origin_m)});
+        return least > side.half_m || most < -side.half_m;
+      });
+      if (is_beside) continue;
+      if (found < room.size()) room[found] = triangle;
+      ++found;
+    }
+  }
+  return found;
+}
+
+// Half the solid angles of all faces, seen from the point [Van Oosterom 1983].
+bool TexturedBody::holds(const glm::dvec3& point_m) const noexcept {
+  double half_angles_rad = 0.0;
+  for (const auto& [i, j, k] : hull_.triangles) {
+    const glm::dvec3 a = hull_.vertices_m[i] - point_m;
+    const glm::dvec3 b = hull_.vertices_m[j] - point_m;
+    const glm::dvec3 c = hull_.vertices_m[k] - point_m;
+    const double a_m = glm::length(a);
+    const double b_m = glm::length(b);
+    const double c_m = glm::length(c);
+    half_angles_rad +=
+        std::atan2(glm::dot(a, glm::cross(b, c)), a_m * b_m * c_m + glm::dot(a, b) * c_m +
+                                                      glm::dot(b, c) * a_m + glm::dot(c, a) * b_m);
+  }
+  return half_angles_rad > std::numbers::pi;
+}
+
+}  // namespace asperity

@@ -1,0 +1,71 @@
+// A textured mesh as a body in contact: what finds it, what is sampled of it, and how fine it is.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <glm/vec3.hpp>
+
+#include "renderers/pd_gradient/contact_geometry.h"
+#include "renderers/pd_gradient/mesh_query.h"
+#include "renderers/pd_gradient/packed_surface.h"
+#include "stimuli/textured_mesh.h"
+#include "stimuli/triangle_mesh.h"
+
+namespace asperity {
+
+/// A box along the axes of a contact: across n that far from its origin each way, along n likewise.
+struct WindowBox {
+  double half_width_m = 0.0;
+  double half_height_m = 0.0;
+};
+
+/// A mesh with its displacements `gain` times as large, and its hull: the same triangles with every
+/// vertex moved outward along its normal by the largest displacement of the whole texture. The
+/// textured surface lies inside the hull, so that the hulls of two bodies meet before their textures
+/// do. The distance is the same everywhere because a flat side has to stay flat: a hull that
+/// followed the texture would cut another one in many places, and each would count as a contact.
+///
+/// Errors: std::invalid_argument as PackedSurface has them, for a mesh without triangles, and for a
+/// gain that is negative or no number.
+///
+/// Real-time: what is const noexcept does not allocate, lock or throw.
+class TexturedBody final {
+ public:
+  TexturedBody(const TexturedMesh& mesh, double gain);
+
+  const TriangleMesh& hull() const noexcept { return hull_; }
+  std::shared_ptr<const ClusteredMesh> hull_clusters() const noexcept { return hull_clusters_; }
+  const PackedSurface& surface() const noexcept { return surface_; }
+  std::size_t triangles() const noexcept { return hull_.triangles.size(); }
+  double furthest_displacement_m() const noexcept { return furthest_m_; }
+
+  /// How long the finest waves of the texture are: 2π·√(Σ slope² / Σ (curvature − mean)²) over all
+  /// texels, which is λ for a grating, and near the short end for a mixture. The mean curvature is
+  /// the shape's, where a texture makes a faceted body round, and no detail. Infinite where there is
+  /// no texture.
+  double finest_wave_m() const noexcept { return finest_wave_m_; }
+
+  /// Fills `room` with the triangles that look along `facing` and touch the box around the frame's
+  /// origin, by their plain corners; the frame is in the mesh's own axes, `facing` n or −n. Always in
+  /// the same order. Answers how many there are, also when there was no room for all.
+  std::size_t find_triangles(const ContactFrame& frame, const glm::dvec3& facing,
+                             const WindowBox& box, std::span<std::uint32_t> room) const noexcept;
+
+  /// Whether a point is inside the hull: its winding number is above a half.
+  bool holds(const glm::dvec3& point_m) const noexcept;
+
+ private:
+  PackedSurface surface_;
+  TriangleMesh hull_{};
+  // Shared with the queries that are made of it.
+  std::shared_ptr<const ClusteredMesh> hull_clusters_{};
+  ClusteredMesh plain_clusters_;
+  double furthest_m_ = 0.0;
+  double finest_wave_m_ = 0.0;
+};
+
+}  // namespace asperity

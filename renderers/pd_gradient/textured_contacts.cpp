@@ -1,0 +1,193 @@
+#include "renderers/pd_gradient/textured_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace asperity {
+namespace {
+
+constexpr double kAgreement = 0.5;  // cosine between the directions of what is felt as one
+
+bool is_finite(const Pose& pose) noexcept {
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    sum += glm::dot(pose.rotation[axis], glm::dvec3(0.0)) + 0.0 * pose.position_m[axis];
+  }
+  return sum == 0.0;  // 0 times what is not finite is not a number
+}
+
+glm::dvec3 in_body(const Pose& pose, const glm::dvec3& place_m) noexcept {
+  return glm::transpose(pose.rotation) * (place_m - pose.position_m);
+}
+
+/// A's pose as B sees it.
+Pose relative(const Pose& a, const Pose& b) noexcept {
+  const glm::dmat3 back = glm::transpose(b.rotation);
+  return {.rotation = back * a.rotation, .position_m = back * (a.position_m - b.position_m)};
+}
+
+ContactFrame in_body(const Pose& pose, const ContactFrame& frame) noexcept {
+  const glm::dmat3 back = glm::transpose(pose.rotation);
+  return {.origin_m = in_body(pose, frame.origin_m),
+          .u = back * frame.u,
+          .v = back * frame.v,
+          .n = back * frame.n};
+}
+
+/// Whether the contact at `frame` is felt in another one's window already.
+bool is_part_of(const ContactFrame& frame, const TexturedContact& other) noexcept {
+  if (glm::dot(frame.n, other.frame.n) < kAgreement) return false;
+  const glm::dvec3 way_m = other.frame.to_frame(frame.origin_m - other.frame.origin_m);
+  const double half_m = 0.5 * other.grid.width_m;
+  return std::abs(way_m.x) <= half_m && std::abs(way_m.y) <= half_m &&
+         std::abs(way_m.z) <= other.width_m + 2.0 * std::max(0.0, other.penetration.depth_m);
+}
+
+/// A region whose whole window lies in that of another contact.
+bool lies_in(const ContactRegion& region, const TexturedContact& other) noexcept {
+  const glm::dvec3 way_m = other.frame.to_frame(region.frame.origin_m - other.frame.origin_m);
+  const double room_m = 0.5 * (other.grid.width_m - region.width_m);
+  return is_part_of(region.frame, other) && std::abs(way_m.x) <= room_m &&
+         std::abs(way_m.y) <= room_m;
+}
+
+// A curve lies on both bodies, so the smaller one bounds it; its middle may be at its end.
+double widest_window_m(const TexturedBody& a, const TexturedBody& b) {
+  constexpr double kStepOfWidths = 1.5;  // regions widen in steps, and are widened with hysteresis
+  return kStepOfWidths * 4.0 *
+         std::min(a.hull_clusters()->radius_m(), b.hull_clusters()->radius_m());
+}
+
+}  // namespace
+
+TexturedContacts::TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
+                                   InstructionSet instructions)
+    : a_(std::move(a)),
+      b_(std::move(b)),
+      query_(a_.hull_clusters(), b_.hull_clusters(), kMostPairs, instructions),
+      regions_(a_.hull(), b_.hull(), kMostPairs, kMostContacts),
+      samplers_(sampling, widest_window_m(a_, b_),
+                std::min(kMostTriangles, std::max(a_.triangles(), b_.triangles())), instructions),
+      triangles_a_(std::min(kMostTriangles, a_.triangles())),
+      triangles_b_(std::min(kMostTriangles, b_.triangles())) {
+  contacts_.reserve(kMostContacts);
+  before_.reserve(kMostContacts);
+}
+
+void TexturedContacts::reset() noexcept {
+  regions_.reset();
+  contacts_.clear();
+  before_.clear();
+  left_out_ = {};
+}
+
+std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pose& b) noexcept {
+  left_out_ = {};
+  std::swap(before_, contacts_);
+  contacts_.clear();
+  if (!is_finite(a) || !is_finite(b)) return {};
+  const std::span<const TrianglePair> pairs = query_.find(relative(a, b));
+  left_out_.pairs = query_.count() - pairs.size();
+  const std::span<const ContactRegion> regions = regions_.update(pairs, a, b);
+  left_out_.regions = regions_.regions_left_out();
+  for (const ContactRegion& region : regions) {
+    const bool is_felt =
+        std::any_of(contacts_.begin(), contacts_.end(),
+                    [&](const TexturedContact& longer) { return lies_in(region, longer); });
+    if (is_felt) continue;
+    add({.id = region.id, .frame = region.frame, .width_m = region.width_m},
+        depth_before_m(region.id), a, b);
+  }
+  keep_vanished(a, b);
+  b_before_ = b;
+  return contacts_;
+}
+
+bool TexturedContacts::touch(const Pose& a, const Pose& b) noexcept {
+  if (!is_finite(a) || !is_finite(b)) return false;
+  const Pose a_in_b = relative(a, b);
+  if (!query_.find(a_in_b).empty()) return true;
+  const auto place = [](const Pose& pose, const glm::dvec3& point_m) {
+    return pose.rotation * point_m + pose.position_m;
+  };
+  return b_.holds(place(a_in_b, a_.hull().vertices_m.front())) ||
+         a_.holds(place(relative(b, a), b_.hull().vertices_m.front()));
+}
+
+double TexturedContacts::depth_before_m(std::uint64_t id) const noexcept {
+  const auto found = std::find_if(before_.begin(), before_.end(),
+                                  [id](const TexturedContact& each) { return each.id == id; });
+  return found == before_.end() ? 0.0 : std::max(0.0, found->penetration.depth_m);
+}
+
+void TexturedContacts::keep_vanished(const Pose& a, const Pose& b) noexcept {
+  const std::size_t with_region = contacts_.size();
+  const glm::dmat3 turned = b.rotation * glm::transpose(b_before_.rotation);
+  for (const TexturedContact& last : before_) {
+    const bool goes_on =
+        std::any_of(contacts_.begin(), contacts_.end(),
+                    [&last](const TexturedContact& each) { return each.id == last.id; });
+    if (goes_on || !(last.penetration.depth_m > 0.0)) continue;
+    TexturedContact kept{.id = last.id,
+                         .frame = {.origin_m = a.rotation * last.origin_in_a_m + a.position_m,
+                                   .u = turned * last.frame.u,
+                                   .v = turned * last.frame.v,
+                                   .n = turned * last.frame.n},
+                         .width_m = last.width_m,
+                         .is_kept = true};
+    const auto end = contacts_.begin() + static_cast<std::ptrdiff_t>(with_region);
+    if (std::any_of(contacts_.begin(), end, [&kept](const TexturedContact& other) {
+          return is_part_of(kept.frame, other);
+        })) {
+      continue;
+    }
+    add(kept, last.penetration.depth_m, a, b);
+  }
+}
+
+std::span<const std::uint32_t> TexturedContacts::triangles_in(
+    const TexturedBody& body, const Pose& pose, const ContactFrame& frame, double outwards,
+    const WindowBox& box, std::vector<std::uint32_t>& room) noexcept {
+  const ContactFrame own = in_body(pose, frame);
+  const std::size_t found = body.find_triangles(own, outwards * own.n, box, room);
+  const std::size_t taken = std::min(found, room.size());
+  left_out_.triangles += found - taken;
+  return std::span(room).first(taken);
+}
+
+void TexturedContacts::add(TexturedContact contact, double last_depth_m, const Pose& a,
+                           const Pose& b) noexcept {
+  if (contacts_.size() == kMostContacts) {
+    ++left_out_.regions;
+    return;
+  }
+  WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
+  const SamplingGrid& grid = window.sampler.grid();
+  const WindowBox box{.half_width_m = WindowSamplers::half_reach_m(window),
+                      .half_height_m = contact.width_m + 2.0 * last_depth_m +
+                                       a_.furthest_displacement_m() + b_.furthest_displacement_m()};
+  const PackedPatch patch_a{
+      .surface = a_.surface(),
+      .triangles = triangles_in(a_, a, contact.frame, -1.0, box, triangles_a_),
+      .pose = a};
+  const PackedPatch patch_b{.surface = b_.surface(),
+                            .triangles = triangles_in(b_, b, contact.frame, 1.0, box, triangles_b_),
+                            .pose = b};
+  const std::optional<Penetration> found = window.sampler.evaluate(patch_a, patch_b, contact.frame);
+  if (!found || (contact.is_kept && !(found->depth_m > 0.0))) return;
+  contact.penetration = *found;
+  contact.grid = grid;
+  contact.is_coarse = window.is_coarse;
+  const double border_m = 0.5 * grid.width_m - grid.spacing_m();
+  contact.is_at_window =
+      std::max(std::abs(found->deepest_m.x), std::abs(found->deepest_m.y)) > border_m;
+  contact.origin_in_a_m = in_body(a, contact.frame.origin_m);
+  contacts_.push_back(contact);
+}
+
+}  // namespace asperity

@@ -1,0 +1,116 @@
+// Two textured bodies in their poses: every contact between them, how deep, and the gradient.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "renderers/pd_gradient/contact_geometry.h"
+#include "renderers/pd_gradient/contact_regions.h"
+#include "renderers/pd_gradient/mesh_query.h"
+#include "renderers/pd_gradient/penetration.h"
+#include "renderers/pd_gradient/textured_body.h"
+#include "renderers/pd_gradient/window_samplers.h"
+
+namespace asperity {
+
+/// One contact of a tick.
+struct TexturedContact {
+  std::uint64_t id = 0;  ///< the same from tick to tick while it is the same contact
+  ContactFrame frame{};  ///< in the world
+  double width_m = 0.0;  ///< of the region
+  SamplingGrid grid{};   ///< the window that was sampled, as wide or wider
+  Penetration penetration{};
+  bool is_kept = false;           ///< its curve is gone; the frame goes on from the tick before
+  bool is_coarse = false;         ///< sampled with a step that is longer than the declared one
+  bool is_at_window = false;      ///< the deepest sample lies at the border of the window
+  glm::dvec3 origin_in_a_m{0.0};  ///< where the frame's origin is on A, in A's own frame
+};
+
+/// What did not fit in a tick.
+struct LeftOut {
+  std::size_t pairs = 0;      ///< of triangles, beyond TexturedContacts::kMostPairs
+  std::size_t regions = 0;    ///< beyond kMostContacts, or without a direction
+  std::size_t triangles = 0;  ///< of windows, beyond kMostTriangles
+};
+
+/// The contacts of a tool A and a surface B, from their poses: the whole way from meshes to depths.
+///
+///   pairs of triangles of the two hulls (MeshQuery) → regions with n and a window (ContactRegions)
+///   → triangles of the textured bodies in the window → δ and ∇δ (PenetrationSampler)
+///
+/// The triangles of a contact are those that look the right way, A's against n and B's along n, in a
+/// box across n as wide as the window and, along n, as far from the origin as the window is wide, plus
+/// twice the depth of the tick before, plus the textures: another sheet further away (the far side of
+/// a ring, a shelf above) is no part of it.
+///
+/// One place is felt once: a region in the window of a longer one whose n is within 60° is part of
+/// it. So are the inner curve and the outer one of a rim that is pressed into a plate.
+///
+/// A body that is pressed wholly into the other cuts no curve any more. A contact that was deep in
+/// the tick before and has no region is therefore kept: n stays with B, the origin goes on with A,
+/// the window stays, for as long as δ > 0 there and no other contact's window holds its origin. Limits:
+/// n is the one from before, and the deepest place of a body that is wider than the last window
+/// may lie outside it. A body that goes from outside to wholly inside within one tick is not noticed.
+///
+/// Where the window ends before the bodies do, as of a pen that leans and is pressed deeper than its
+/// own radius, the deepest sample lies at the window's border and δ is a lower bound.
+///
+/// Frame and units: SI, the world in which the poses are.
+///
+/// Errors: the constructor throws std::invalid_argument as WindowSamplers do.
+///
+/// Real-time: `find` and `touch` do not allocate, lock or throw. One object serves one thread.
+class TexturedContacts final {
+ public:
+  static constexpr std::size_t kMostPairs = 4096;
+  static constexpr std::size_t kMostContacts = 16;
+  static constexpr std::size_t kMostTriangles = 4096;  ///< of a body in one window
+
+  TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
+                   InstructionSet instructions);
+
+  /// Forgets the tick before.
+  void reset() noexcept;
+
+  /// All contacts that have a depth, also those that are not deep yet (δ ≤ 0); valid until the next
+  /// call. None where a pose is not finite.
+  std::span<const TexturedContact> find(const Pose& a, const Pose& b) noexcept;
+
+  /// Of the last `find`.
+  const LeftOut& left_out() const noexcept { return left_out_; }
+
+  /// Whether the hulls cut each other or one is in the other. Leaves the contacts alone.
+  bool touch(const Pose& a, const Pose& b) noexcept;
+
+  const TexturedBody& a() const noexcept { return a_; }
+  const TexturedBody& b() const noexcept { return b_; }
+
+ private:
+  void add(TexturedContact contact, double last_depth_m, const Pose& a, const Pose& b) noexcept;
+  double depth_before_m(std::uint64_t id) const noexcept;
+  void keep_vanished(const Pose& a, const Pose& b) noexcept;
+  std::span<const std::uint32_t> triangles_in(const TexturedBody& body, const Pose& pose,
+                                              const ContactFrame& frame, double outwards,
+                                              const WindowBox& box,
+                                              std::vector<std::uint32_t>& room) noexcept;
+
+  TexturedBody a_;
+  TexturedBody b_;
+  MeshQuery query_;
+  ContactRegions regions_;
+  WindowSamplers samplers_;
+  std::vector<std::uint32_t> triangles_a_{};
+  std::vector<std::uint32_t> triangles_b_{};
+  std::vector<TexturedContact> contacts_{};
+  std::vector<TexturedContact> before_{};
+  Pose b_before_{};
+  LeftOut left_out_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,87 @@
+#include "renderers/pd_gradient/window_samplers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kSamplesPerStep = 32;  // what the sampler's number of samples is a multiple of
+constexpr double kWholeCell = 1e-6;  // a step that is this close to whole cells is
+constexpr std::array kStepsInCells{1, 2, 4, 8};  // so that doubling the cells leaves whole ones
+constexpr int kMostApron = 8;
+
+/// The step of the hard maximum in cells; 1 for the smooth one, which has none.
+int cells_per_step(const WindowSampling& sampling) {
+  if (!(sampling.cell_m > 0.0) || !std::isfinite(sampling.cell_m)) {
+    throw std::invalid_argument("cell_m is " + number_text(sampling.cell_m) +
+                                "; it has to be positive.");
+  }
+  require_sound(sampling.law);
+  const auto* hard = std::get_if<HardMaximum>(&sampling.law);
+  if (hard == nullptr) return 1;
+  const double cells = hard->step_m / sampling.cell_m;
+  for (const int whole : kStepsInCells) {
+    if (std::abs(cells - whole) < kWholeCell) return whole;
+  }
+  throw std::invalid_argument("step_m is " + number_text(hard->step_m) + " and cell_m " +
+                              number_text(sampling.cell_m) +
+                              "; the step has to be 1, 2, 4 or 8 cells.");
+}
+
+}  // namespace
+
+WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,
+                               std::size_t most_triangles, InstructionSet instructions) {
+  const int declared = cells_per_step(sampling);
+  if (sampling.most_samples < kSamplesPerStep * declared) {
+    throw std::invalid_argument("most_samples is " + std::to_string(sampling.most_samples) +
+                                "; with a step of " + std::to_string(declared) +
+                                " cells a window takes at least " +
+                                std::to_string(kSamplesPerStep * declared) + ".");
+  }
+  double cell_m = sampling.cell_m;
+  double reached_m = 0.0;
+  for (int doubled = 0; reached_m < widest_m; ++doubled, cell_m *= 2.0) {
+    const int step_cells = std::max(1, declared >> doubled);
+    MaximumLaw law = sampling.law;
+    bool is_coarse = doubled > 0;
+    if (auto* hard = std::get_if<HardMaximum>(&law)) {
+      hard->step_m = step_cells * cell_m;
+      is_coarse = declared >> doubled == 0;
+    }
+    const int multiple = kSamplesPerStep * step_cells;
+    for (int samples = multiple; samples <= sampling.most_samples && reached_m < widest_m;
+         samples += multiple) {
+      const double width_m = samples * cell_m;
+      if (width_m <= reached_m) continue;
+      windows_.push_back(
+          {.sampler = PenetrationSampler({.grid = {.width_m = width_m, .samples = samples},
+                                          .law = law,
+                                          .most_triangles = most_triangles,
+                                          .instructions = instructions}),
+           .is_coarse = is_coarse});
+      reached_m = width_m;
+    }
+  }
+}
+
+WindowSamplers::Window& WindowSamplers::window_for(double width_m) noexcept {
+  const auto found = std::find_if(
+      windows_.begin(), windows_.end(),
+      [width_m](const Window& window) { return window.sampler.grid().width_m >= width_m; });
+  return found == windows_.end() ? windows_.back() : *found;
+}
+
+double WindowSamplers::half_reach_m(const Window& window) noexcept {
+  const SamplingGrid& grid = window.sampler.grid();
+  return 0.5 * grid.width_m + kMostApron * grid.spacing_m();
+}
+
+}  // namespace asperity
