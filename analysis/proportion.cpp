@@ -33,6 +33,31 @@ void refuse_improbable(double confidence) {
   }
 }
 
+void refuse_no_chance(double chance) {
+  if (!(chance >= 0.0 && chance <= 1.0)) {
+    throw std::invalid_argument("chance is " + number_text(chance) +
+                                "; it must lie between 0 and 1");
+  }
+}
+
+double two_sided_z(double confidence) {
+  return boost::math::quantile(
+      boost::math::complement(boost::math::normal(), 0.5 * (1.0 - confidence)));
+}
+
+// The quantiles at both ends of beta distributions; an end without hits or misses is 0 or 1.
+ConfidenceInterval beta_interval(const HitCount& count, double confidence,
+                                 const boost::math::beta_distribution<>& below,
+                                 const boost::math::beta_distribution<>& above) {
+  const double error = 0.5 * (1.0 - confidence);
+  ConfidenceInterval interval{};
+  if (count.hits > 0) interval.low = boost::math::quantile(below, error);
+  if (count.hits < count.trials) {
+    interval.high = boost::math::quantile(boost::math::complement(above, error));
+  }
+  return interval;
+}
+
 }  // namespace
 
 double proportion(const HitCount& count) {
@@ -43,8 +68,7 @@ double proportion(const HitCount& count) {
 ConfidenceInterval wilson_interval(const HitCount& count, double confidence) {
   refuse_impossible(count);
   refuse_improbable(confidence);
-  const double z = boost::math::quantile(
-      boost::math::complement(boost::math::normal(), 0.5 * (1.0 - confidence)));
+  const double z = two_sided_z(confidence);
   const auto n = static_cast<double>(count.trials);
   const double p = proportion(count);
   const double scale = 1.0 + z * z / n;
@@ -57,26 +81,76 @@ ConfidenceInterval wilson_interval(const HitCount& count, double confidence) {
 ConfidenceInterval clopper_pearson_interval(const HitCount& count, double confidence) {
   refuse_impossible(count);
   refuse_improbable(confidence);
-  const double error = 0.5 * (1.0 - confidence);
   const auto hits = static_cast<double>(count.hits);
   const auto misses = static_cast<double>(count.trials - count.hits);
-  ConfidenceInterval interval;
-  if (count.hits > 0) {
-    interval.low = boost::math::quantile(boost::math::beta_distribution(hits, misses + 1.0), error);
-  }
-  if (count.hits < count.trials) {
-    interval.high = boost::math::quantile(
-        boost::math::complement(boost::math::beta_distribution(hits + 1.0, misses), error));
-  }
-  return interval;
+  // A shape of 0 is no distribution; beta_interval does not look at that end.
+  return beta_interval(count, confidence, {std::max(hits, 0.5), misses + 1.0},
+                       {hits + 1.0, std::max(misses, 0.5)});
+}
+
+ConfidenceInterval jeffreys_interval(const HitCount& count, double confidence) {
+  refuse_impossible(count);
+  refuse_improbable(confidence);
+  const boost::math::beta_distribution posterior(
+      static_cast<double>(count.hits) + 0.5, static_cast<double>(count.trials - count.hits) + 0.5);
+  return beta_interval(count, confidence, posterior, posterior);
+}
+
+ConfidenceInterval agresti_coull_interval(const HitCount& count, double confidence) {
+  refuse_impossible(count);
+  refuse_improbable(confidence);
+  const double z = two_sided_z(confidence);
+  const double n = static_cast<double>(count.trials) + z * z;
+  const double p = (static_cast<double>(count.hits) + 0.5 * z * z) / n;
+  const double half = z * std::sqrt(p * (1.0 - p) / n);
+  return {.low = std::max(0.0, p - half), .high = std::min(1.0, p + half)};
+}
+
+double binomial_upper_tail(const HitCount& count, double chance) {
+  refuse_impossible(count);
+  refuse_no_chance(chance);
+  if (count.hits == 0) return 1.0;
+  const boost::math::binomial distribution(static_cast<double>(count.trials), chance);
+  return boost::math::cdf(
+      boost::math::complement(distribution, static_cast<double>(count.hits - 1)));
+}
+
+double binomial_lower_tail(const HitCount& count, double chance) {
+  refuse_impossible(count);
+  refuse_no_chance(chance);
+  if (count.hits == count.trials) return 1.0;
+  const boost::math::binomial distribution(static_cast<double>(count.trials), chance);
+  return boost::math::cdf(distribution, static_cast<double>(count.hits));
+}
+
+double binomial_upper_mid_tail(const HitCount& count, double chance) {
+  refuse_impossible(count);
+  refuse_no_chance(chance);
+  const boost::math::binomial distribution(static_cast<double>(count.trials), chance);
+  const auto hits = static_cast<double>(count.hits);
+  const double above = count.hits == count.trials
+                           ? 0.0
+                           : boost::math::cdf(boost::math::complement(distribution, hits));
+  return above + 0.5 * boost::math::pdf(distribution, hits);
+}
+
+double binomial_mid_test(const HitCount& count, double chance) {
+  refuse_impossible(count);
+  refuse_no_chance(chance);
+  const HitCount misses{.hits = count.trials - count.hits, .trials = count.trials};
+  const double upper = binomial_upper_mid_tail(count, chance);
+  const double lower = binomial_upper_mid_tail(misses, 1.0 - chance);
+  return std::min(1.0, 2.0 * std::min(upper, lower));
+}
+
+double cohen_h(const HitCount& count, double chance) {
+  refuse_no_chance(chance);
+  return 2.0 * std::asin(std::sqrt(proportion(count))) - 2.0 * std::asin(std::sqrt(chance));
 }
 
 double binomial_test(const HitCount& count, double chance) {
   refuse_impossible(count);
-  if (!(chance >= 0.0 && chance <= 1.0)) {
-    throw std::invalid_argument("chance is " + number_text(chance) +
-                                "; it must lie between 0 and 1");
-  }
+  refuse_no_chance(chance);
   const boost::math::binomial distribution(static_cast<double>(count.trials), chance);
   constexpr double kAsProbable = 1.0 + 1e-7;
   const double most = boost::math::pdf(distribution, static_cast<double>(count.hits)) * kAsProbable;

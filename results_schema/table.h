@@ -1,4 +1,4 @@
-// Tables as text: the only reader and writer of TSV and CSV.
+// Tables as text: the TSV that the program writes and reads back.
 
 #pragma once
 

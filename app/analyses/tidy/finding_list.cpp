@@ -1,0 +1,51 @@
+#include "app/analyses/tidy/finding_list.h"
+
+#include <cmath>
+#include <utility>
+
+namespace asperity {
+
+Finding& FindingList::add(std::string quantity, std::string key, Basis&& basis) {
+  Finding& finding = findings_.emplace_back();
+  finding.quantity = std::move(quantity);
+  finding.key = std::move(key);
+  finding.n = basis.n;
+  finding.method = std::move(basis.method);
+  finding.unit = std::move(basis.unit);
+  if (basis.interval) {
+    finding.low = basis.interval->low;
+    finding.high = basis.interval->high;
+    finding.confidence = basis.confidence;
+  }
+  return finding;
+}
+
+void FindingList::number(std::string quantity, std::string key, double value, Basis basis) {
+  Finding& finding = add(std::move(quantity), std::move(key), std::move(basis));
+  if (std::isnan(value)) {
+    finding.word = "NA";
+    finding.status = "this number is not defined for these data";
+  } else if (std::isinf(value)) {
+    finding.word = value > 0.0 ? "Inf" : "-Inf";
+    finding.status = "this number is infinite for these data";
+  } else {
+    finding.value = value == 0.0 ? 0.0 : value;  // no negative zero
+  }
+}
+
+void FindingList::count(std::string quantity, std::string key, std::uint64_t value, Basis basis) {
+  number(std::move(quantity), std::move(key), static_cast<double>(value), std::move(basis));
+}
+
+void FindingList::truth(std::string quantity, std::string key, bool value, Basis basis) {
+  word(std::move(quantity), std::move(key), value ? "TRUE" : "FALSE", "ok", std::move(basis));
+}
+
+void FindingList::word(std::string quantity, std::string key, std::string word, std::string status,
+                       Basis basis) {
+  Finding& finding = add(std::move(quantity), std::move(key), std::move(basis));
+  finding.word = std::move(word);
+  finding.status = std::move(status);
+}
+
+}  // namespace asperity

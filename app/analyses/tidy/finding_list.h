@@ -1,0 +1,44 @@
+// Findings, one after the other.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/finding.h"
+#include "analysis/proportion.h"
+
+namespace asperity {
+
+/// What a number rests on.
+struct Basis {
+  std::size_t n = 0;                             ///< independent units
+  std::string method{};                          ///< what was computed, and against which chance
+  std::string unit = "1";                        ///< as SI writes it
+  std::optional<ConfidenceInterval> interval{};  ///< around the number
+  std::optional<double> confidence{};            ///< of that
+};
+
+/// Collects findings with a word in the place of a number that is none.
+class FindingList final {
+ public:
+  /// A number; `NA` with the status of one that is not defined where it is NaN, `Inf` and `-Inf`.
+  void number(std::string quantity, std::string key, double value, Basis basis = {});
+  void count(std::string quantity, std::string key, std::uint64_t value, Basis basis = {});
+  void truth(std::string quantity, std::string key, bool value, Basis basis = {});
+  /// A word instead of an answer. `status`: the sentence that says why, and what to do; "ok" where
+  /// the word is the answer.
+  void word(std::string quantity, std::string key, std::string word, std::string status,
+            Basis basis = {});
+
+  std::vector<Finding> take() { return std::move(findings_); }
+
+ private:
+  Finding& add(std::string quantity, std::string key, Basis&& basis);
+  std::vector<Finding> findings_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,39 @@
+// The table of families.
+
+#include "app/analyses/tidy/tidy_families.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace asperity {
+namespace {
+
+constexpr std::array kFamilies{
+    TidyFamily{"proportion", "id,k,n,p0,conf: hits k of n trials each, chance p0", "",
+               proportion_findings},
+};
+
+}  // namespace
+
+const TidyTable& TidyInput::table(std::size_t index) const {
+  if (index < tables.size()) return tables[index];
+  throw std::runtime_error("this analysis needs " + std::to_string(index + 1) +
+                           " tables; there are " + std::to_string(tables.size()));
+}
+
+std::span<const TidyFamily> tidy_families() { return kFamilies; }
+
+const TidyFamily& tidy_family(const std::string& name) {
+  const auto found =
+      std::find_if(kFamilies.begin(), kFamilies.end(),
+                   [&name](const TidyFamily& family) { return family.name == name; });
+  if (found != kFamilies.end()) return *found;
+  std::string sentence = "there is no family of analyses \"" + name + "\"; there are";
+  for (const TidyFamily& family : kFamilies) {
+    sentence += (&family == &kFamilies.front() ? " " : ", ") + std::string(family.name);
+  }
+  throw std::runtime_error(sentence);
+}
+
+}  // namespace asperity

@@ -1,0 +1,281 @@
+// Quoted cells are unquoted in place: a cell never becomes longer.
+
+#include "results_schema/tidy_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "results_schema/study.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool is_missing(std::string_view cell) { return cell.empty() || cell == "NA" || cell == "n/a"; }
+
+std::string_view without_blanks(std::string_view cell) {
+  while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t')) cell.remove_prefix(1);
+  while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t')) cell.remove_suffix(1);
+  return cell;
+}
+
+bool has_decimal_comma(std::string_view cell) {
+  const std::size_t comma = cell.find(',');
+  if (comma == std::string_view::npos) return false;
+  std::string pointed(cell);
+  pointed[comma] = '.';
+  return number_in(pointed).has_value();
+}
+
+/// Walks over the text of a file, cell by cell.
+class CellReader final {
+ public:
+  CellReader(std::vector<char>& text, const std::string& name) : text_(text), name_(name) {}
+
+  bool at_end() const { return at_ >= text_.size(); }
+  std::uint32_t line() const { return line_; }
+  void begin_row() { column_ = 0; }
+  std::size_t column() const { return column_; }
+
+  [[noreturn]] void refuse(const std::string& sentence) const {
+    throw ResultsError(
+        name_ + ':' + std::to_string(line_) + ':' + std::to_string(column_) + ": " + sentence,
+        name_);
+  }
+
+  /// The next cell of this row; `last` when the row ends with it.
+  std::string_view next(char separator, bool& last) {
+    ++column_;
+    char* const begin = text_.data() + at_;
+    char* end = begin;
+    if (!at_end() && *begin == '"') {
+      end = unquote(begin, separator);
+    } else {
+      while (!at_end() && text_[at_] != separator && text_[at_] != '\n') ++at_;
+      end = text_.data() + at_;
+      if ((at_end() || text_[at_] == '\n') && end > begin && end[-1] == '\r') --end;
+    }
+    last = at_end() || text_[at_] == '\n';
+    if (!at_end()) {
+      if (text_[at_] == '\n') ++line_;
+      ++at_;
+    }
+    return {begin, static_cast<std::size_t>(end - begin)};
+  }
+
+ private:
+  char* unquote(char* out, char separator) {
+    ++at_;
+    std::uint32_t breaks = 0;
+    for (;; ++at_) {
+      if (at_end()) refuse("the quote that opens this cell is not closed");
+      if (text_[at_] == '"') {
+        ++at_;
+        if (at_end() || text_[at_] != '"') break;
+      }
+      if (text_[at_] == '\n') ++breaks;
+      *out++ = text_[at_];
+    }
+    if (!at_end() && text_[at_] == '\r') ++at_;
+    if (!at_end() && text_[at_] != separator && text_[at_] != '\n') {
+      refuse("text follows the quote that closes this cell; a quote inside is written twice");
+    }
+    line_ += breaks;
+    return out;
+  }
+
+  std::vector<char>& text_;
+  const std::string& name_;
+  std::size_t at_ = 0;
+  std::uint32_t line_ = 1;
+  std::size_t column_ = 0;
+};
+
+char separator_of(std::string_view header, const std::string& name) {
+  const auto has = [header](char c) { return header.find(c) != std::string_view::npos; };
+  if (has('\t')) return '\t';
+  if (!has(',') && has(';')) {
+    throw ResultsError(name +
+                           ":1:1: the columns are separated by semicolons; write the table with "
+                           "commas (or tabs) and decimal points",
+                       name);
+  }
+  return ',';
+}
+
+}  // namespace
+
+TidyTable::TidyTable(std::string_view text, std::string name) : name_(std::move(name)) {
+  if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF") {
+    throw ResultsError(name_ + ":1:1: the file is UTF-16; write it as UTF-8", name_);
+  }
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    text.remove_prefix(kByteOrderMark.size());
+  }
+  text_.assign(text.begin(), text.end());
+  CellReader reader(text_, name_);
+  const char separator = separator_of(text.substr(0, text.find('\n')), name_);
+  if (reader.at_end()) reader.refuse("the line of column names is missing");
+  for (bool last = false; !last;) {
+    const std::string_view cell = reader.next(separator, last);
+    const auto place = name_ + ":1:" + std::to_string(reader.column()) + ": ";
+    if (cell.empty()) throw ResultsError(place + "the column has no name", name_);
+    if (has(cell)) {
+      throw ResultsError(place + "the column name \"" + std::string(cell) + "\" stands twice",
+                         name_);
+    }
+    columns_.emplace_back(cell);
+  }
+  while (!reader.at_end()) {
+    const std::uint32_t line = reader.line();
+    const std::size_t begin = cells_.size();
+    reader.begin_row();
+    for (bool last = false; !last;) cells_.push_back(reader.next(separator, last));
+    const std::size_t found = cells_.size() - begin;
+    if (found == 1 && cells_.back().empty()) {
+      cells_.pop_back();
+      continue;
+    }
+    if (found != columns_.size()) {
+      throw ResultsError(name_ + ':' + std::to_string(line) + ':' +
+                             std::to_string(std::min(found, columns_.size()) + 1) +
+                             ": the row has " + std::to_string(found) +
+                             " cells, the header names " + std::to_string(columns_.size()) +
+                             " columns" +
+                             (separator == ',' && found > columns_.size()
+                                  ? "; is there a comma in a number or in a text without quotes?"
+                                  : ""),
+                         name_);
+    }
+    lines_.push_back(line);
+  }
+}
+
+bool TidyTable::has(std::string_view column) const noexcept {
+  return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+}
+
+std::size_t TidyTable::index_of(std::string_view column) const {
+  const auto found = std::find(columns_.begin(), columns_.end(), column);
+  if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
+  std::string sentence =
+      name_ + ":1:1: there is no column \"" + std::string(column) + "\"; there are";
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    sentence += (i > 0 ? ", " : " ") + columns_[i];
+  }
+  throw ResultsError(sentence, name_);
+}
+
+std::string_view TidyTable::cell(std::size_t row, std::size_t column) const {
+  const std::string_view text = cells_[row * columns_.size() + column];
+  return is_missing(text) ? std::string_view{} : text;
+}
+
+void TidyTable::refuse(std::size_t row, std::string_view column,
+                       const std::string& sentence) const {
+  throw ResultsError(name_ + ':' + std::to_string(lines_[row]) + ':' +
+                         std::to_string(index_of(column) + 1) + ": " + sentence,
+                     name_);
+}
+
+std::vector<std::string_view> TidyTable::texts(std::string_view column) const {
+  const std::size_t index = index_of(column);
+  std::vector<std::string_view> texts(rows());
+  for (std::size_t row = 0; row < rows(); ++row) texts[row] = cell(row, index);
+  return texts;
+}
+
+std::vector<std::optional<double>> TidyTable::numbers(std::string_view column) const {
+  const std::size_t index = index_of(column);
+  std::vector<std::optional<double>> numbers(rows());
+  for (std::size_t row = 0; row < rows(); ++row) {
+    std::string_view text = without_blanks(cell(row, index));
+    if (is_missing(text)) continue;
+    if (text.front() == '+') text.remove_prefix(1);
+    numbers[row] = number_in(text);
+    if (numbers[row] && std::isfinite(*numbers[row])) continue;
+    const std::string of = std::string(column) + " is \"" + std::string(text) + "\", ";
+    if (has_decimal_comma(text)) refuse(row, column, of + "a decimal comma; write a point");
+    refuse(row, column, of + "no number; leave the cell empty where there is none");
+  }
+  return numbers;
+}
+
+std::vector<double> TidyTable::all_numbers(std::string_view column) const {
+  const std::vector<std::optional<double>> found = numbers(column);
+  std::vector<double> all(found.size());
+  for (std::size_t row = 0; row < found.size(); ++row) {
+    if (!found[row]) refuse(row, column, std::string(column) + " is missing");
+    all[row] = *found[row];
+  }
+  return all;
+}
+
+std::vector<std::uint64_t> TidyTable::counts(std::string_view column) const {
+  const std::vector<double> found = all_numbers(column);
+  std::vector<std::uint64_t> counts(found.size());
+  constexpr double kMost = 9007199254740992.0;  // 2⁵³: beyond, doubles skip whole numbers
+  for (std::size_t row = 0; row < found.size(); ++row) {
+    if (!(found[row] >= 0.0 && found[row] <= kMost && std::floor(found[row]) == found[row])) {
+      refuse(row, column,
+             std::string(column) + " is " + text_of_number(found[row]) +
+                 "; it must be a whole number from 0");
+    }
+    counts[row] = static_cast<std::uint64_t>(found[row]);
+  }
+  return counts;
+}
+
+LabelColumn TidyTable::labels(std::string_view column) const {
+  const std::size_t index = index_of(column);
+  LabelColumn labels{};
+  labels.codes.resize(rows(), LabelColumn::kMissing);
+  std::unordered_map<std::string_view, std::size_t> code_of{};
+  for (std::size_t row = 0; row < rows(); ++row) {
+    const std::string_view text = cell(row, index);
+    if (text.empty()) continue;
+    const auto [found, first] = code_of.emplace(text, labels.names.size());
+    if (first) labels.names.emplace_back(text);
+    labels.codes[row] = found->second;
+  }
+  return labels;
+}
+
+LabelColumn TidyTable::labels(std::string_view column, std::vector<std::string> names) const {
+  const LabelColumn found = labels(column);
+  std::vector<std::size_t> code_of(found.names.size(), LabelColumn::kMissing);
+  for (std::size_t i = 0; i < found.names.size(); ++i) {
+    const auto name = std::find(names.begin(), names.end(), found.names[i]);
+    if (name != names.end()) code_of[i] = static_cast<std::size_t>(name - names.begin());
+  }
+  LabelColumn labels{.names = std::move(names), .codes = found.codes};
+  for (std::size_t row = 0; row < rows(); ++row) {
+    std::size_t& code = labels.codes[row];
+    if (code == LabelColumn::kMissing) continue;
+    if (code_of[code] == LabelColumn::kMissing) {
+      std::string sentence =
+          std::string(column) + " is \"" + found.names[code] + "\", which is none of";
+      for (std::size_t i = 0; i < labels.names.size(); ++i) {
+        sentence += (i > 0 ? ", " : " ") + labels.names[i];
+      }
+      refuse(row, column, sentence);
+    }
+    code = code_of[code];
+  }
+  return labels;
+}
+
+LabelColumn TidyTable::all_labels(std::string_view column) const {
+  LabelColumn found = labels(column);
+  const auto missing = std::find(found.codes.begin(), found.codes.end(), LabelColumn::kMissing);
+  if (missing != found.codes.end()) {
+    refuse(static_cast<std::size_t>(missing - found.codes.begin()), column,
+           std::string(column) + " is missing");
+  }
+  return found;
+}
+
+}  // namespace asperity

@@ -1,0 +1,74 @@
+// A table of anyone's, one observation per row: CSV or TSV as spreadsheets and statistics programs
+// write it.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+/// A column of names, each row as the place of its name in `names`.
+struct LabelColumn {
+  static constexpr std::size_t kMissing = static_cast<std::size_t>(-1);
+  std::vector<std::string> names{};
+  std::vector<std::size_t> codes{};  ///< by row; kMissing where the cell is empty
+};
+
+/// The cells of a file as text, with the lines on which they stand.
+///
+/// Reads UTF-8 with or without a byte order mark, LF and CRLF, separated by commas (RFC 4180: quoted
+/// cells may hold commas, quotes twice and line breaks) or by tabs, where the header has those. A
+/// cell is missing when it is empty, `NA` or `n/a`. Empty lines are no rows. Numbers have a decimal
+/// point whatever the locale, and blanks around them mean nothing; blanks in names do.
+///
+/// Errors: ResultsError "FILE:LINE:COLUMN: …", COLUMN counting columns from 1, for a row of another
+/// length, a header with no name or the same twice, semicolons between columns, a decimal comma, a
+/// text where a number belongs, a quote that does not close.
+class TidyTable final {
+ public:
+  /// `name` is what messages call the file.
+  TidyTable(std::string_view text, std::string name);
+  TidyTable(TidyTable&&) = default;
+  TidyTable& operator=(TidyTable&&) = default;
+
+  const std::string& name() const noexcept { return name_; }
+  std::size_t rows() const noexcept { return lines_.size(); }
+  bool has(std::string_view column) const noexcept;
+
+  /// The columns below throw a sentence with the columns that there are when theirs is not there.
+  /// By row; empty where missing. The views live as long as the table.
+  std::vector<std::string_view> texts(std::string_view column) const;
+  /// Empty where missing. Refuses what is not finite.
+  std::vector<std::optional<double>> numbers(std::string_view column) const;
+  /// Refuses a missing one as well.
+  std::vector<double> all_numbers(std::string_view column) const;
+  /// Whole numbers from 0, none missing.
+  std::vector<std::uint64_t> counts(std::string_view column) const;
+  /// The names in the order in which they first stand.
+  LabelColumn labels(std::string_view column) const;
+  /// Only these names, in this order; another is refused.
+  LabelColumn labels(std::string_view column, std::vector<std::string> names) const;
+  /// As `labels`, none missing.
+  LabelColumn all_labels(std::string_view column) const;
+
+  /// Throws the sentence with the place of that cell before it.
+  [[noreturn]] void refuse(std::size_t row, std::string_view column,
+                           const std::string& sentence) const;
+
+ private:
+  std::size_t index_of(std::string_view column) const;
+  std::string_view cell(std::size_t row, std::size_t column) const;
+
+  std::vector<char> text_{};  // a vector, because the characters of a moved string may move
+  std::string name_{};
+  std::vector<std::string> columns_{};
+  std::vector<std::string_view> cells_{};
+  std::vector<std::uint32_t> lines_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,109 @@
+// Every reference case of our own, through the same way as `analyze --case`.
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "app/analyses/tidy/reference_case.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+namespace {
+
+using Name = std::pair<std::string, std::string>;  // quantity, key
+
+std::filesystem::path all_cases() {
+  return std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/analysis/reference";
+}
+
+std::vector<std::string> cases() {
+  std::vector<std::string> folders{};
+  for (const auto& entry : std::filesystem::directory_iterator(all_cases())) {
+    if (std::filesystem::exists(entry.path() / "case.json"))
+      folders.push_back(entry.path().filename());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+/// What `case_csv_of` wrote; NA stands for a missing cell as well.
+std::map<Name, std::string> results_in(const std::string& text) {
+  const TidyTable table(text, "results");
+  const auto quantities = table.texts("quantity");
+  const auto keys = table.texts("key");
+  const auto values = table.texts("value");
+  std::map<Name, std::string> results{};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string value = values[row].empty() ? "NA" : std::string(values[row]);
+    const bool first = results.emplace(Name{quantities[row], keys[row]}, value).second;
+    EXPECT_TRUE(first) << quantities[row] << ' ' << keys[row] << " stands twice";
+  }
+  return results;
+}
+
+class ReferenceCases : public testing::TestWithParam<std::string> {};
+
+TEST_P(ReferenceCases, GiveTheNumbersOfR) {
+  const std::filesystem::path folder = all_cases() / GetParam();
+  const ReferenceCase read = read_reference_case(folder);
+  const std::map<Name, std::string> got =
+      results_in(case_csv_of(tidy_family(read.family).findings(read.input)));
+  const TidyTable expected(read_file(folder / "expected.csv"), "expected.csv");
+  const auto quantities = expected.texts("quantity");
+  const auto keys = expected.texts("key");
+  const auto values = expected.texts("value");
+  const auto relative = expected.all_numbers("rtol");
+  const auto absolute = expected.all_numbers("atol");
+  ASSERT_GT(expected.rows(), 0U);
+  for (std::size_t row = 0; row < expected.rows(); ++row) {
+    const std::string value = values[row].empty() ? "NA" : std::string(values[row]);
+    const auto found = got.find({std::string(quantities[row]), std::string(keys[row])});
+    if (found == got.end()) {
+      ADD_FAILURE() << quantities[row] << ' ' << keys[row] << " is missing";
+      continue;
+    }
+    const std::optional<double> is = number_in(found->second);
+    const std::optional<double> should_be = number_in(value);
+    if (is && should_be) {
+      EXPECT_NEAR(*is, *should_be, std::max(absolute[row], relative[row] * std::abs(*should_be)))
+          << quantities[row] << ' ' << keys[row];
+    } else {
+      EXPECT_EQ(found->second, value) << quantities[row] << ' ' << keys[row];
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ReferenceCases, testing::ValuesIn(cases()),
+                         [](const auto& one) { return one.param; });
+
+TEST(ReferenceCase, NamesTheFamiliesThatThereAreForAnUnknownOne) {
+  try {
+    tidy_family("telepathy");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    const std::string sentence = error.what();
+    EXPECT_EQ(sentence.find("there is no family of analyses \"telepathy\"; there are proportion"),
+              0U)
+        << sentence;
+  }
+}
+
+TEST(ReferenceCase, WritesWordsInThePlaceOfNumbersAndQuotesNames) {
+  Finding number{};
+  number.quantity = "p";
+  number.key = "a,b";
+  number.value = 0.1;
+  Finding word{};
+  word.quantity = "d";
+  word.word = "-Inf";
+  const std::vector<Finding> findings{number, word};
+  EXPECT_EQ(case_csv_of(findings), "quantity,key,value\np,\"a,b\",0.1\nd,,-Inf\n");
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,118 @@
+// Tables as spreadsheets and statistics programs write them.
+
+#include "results_schema/tidy_table.h"
+
+#include <gtest/gtest.h>
+
+#include "results_schema/study.h"
+
+namespace asperity {
+namespace {
+
+TidyTable table_of(const std::string& text) { return TidyTable(text, "file.csv"); }
+
+template <class Use>
+std::string refusal_of(const std::string& text, Use use) {
+  try {
+    use(table_of(text));
+  } catch (const ResultsError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string refusal_of(const std::string& text) {
+  return refusal_of(text, [](const TidyTable&) {});
+}
+
+TEST(TidyTable, ReadsByteOrderMarksLineEndsOfWindowsAndEmptyLines) {
+  const TidyTable table = table_of("\xEF\xBB\xBFid,k\r\na,1\r\n\r\nb,2");
+  EXPECT_EQ(table.rows(), 2U);
+  EXPECT_EQ(table.texts("id"), (std::vector<std::string_view>{"a", "b"}));
+  EXPECT_EQ(table.counts("k"), (std::vector<std::uint64_t>{1, 2}));
+}
+
+TEST(TidyTable, ReadsQuotedCells) {
+  const TidyTable table =
+      table_of("id,\"the note\"\n\"a,b\",\"she said \"\"no\"\"\nand left\"\nc,d\n");
+  EXPECT_EQ(table.texts("id"), (std::vector<std::string_view>{"a,b", "c"}));
+  EXPECT_EQ(table.texts("the note"),
+            (std::vector<std::string_view>{"she said \"no\"\nand left", "d"}));
+  EXPECT_EQ(refusal_of("id,k\n\"a\nb\",1\nc,x\n", [](const TidyTable& read) { read.numbers("k"); }),
+            "file.csv:4:2: k is \"x\", no number; leave the cell empty where there is none");
+}
+
+TEST(TidyTable, ReadsTabs) {
+  const TidyTable table = table_of("id\tk\na, b\t 1.5 \n");
+  EXPECT_EQ(table.texts("id"), (std::vector<std::string_view>{"a, b"}));
+  EXPECT_EQ(table.all_numbers("k"), (std::vector<double>{1.5}));
+}
+
+TEST(TidyTable, KnowsThreeWaysToWriteNothing) {
+  const TidyTable table = table_of("id,k\na,\nNA,NA\nn/a,n/a\nb,+2e0\n");
+  EXPECT_EQ(table.numbers("k"),
+            (std::vector<std::optional<double>>{std::nullopt, std::nullopt, std::nullopt, 2.0}));
+  const LabelColumn labels = table.labels("id");
+  EXPECT_EQ(labels.names, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(labels.codes,
+            (std::vector<std::size_t>{0, LabelColumn::kMissing, LabelColumn::kMissing, 1}));
+}
+
+TEST(TidyTable, NamesLineAndColumnOfWhatIsWrong) {
+  EXPECT_EQ(refusal_of(""), "file.csv:1:0: the line of column names is missing");
+  EXPECT_EQ(refusal_of("a,b,a\n"), "file.csv:1:3: the column name \"a\" stands twice");
+  EXPECT_EQ(refusal_of("a,,b\n"), "file.csv:1:2: the column has no name");
+  EXPECT_EQ(refusal_of("a,b\n1,2\n1\n"),
+            "file.csv:3:2: the row has 1 cells, the header names 2 columns");
+  EXPECT_EQ(refusal_of("a,b\n\"1,2\n"),
+            "file.csv:2:1: the quote that opens this cell is not closed");
+  EXPECT_EQ(refusal_of("a,b\n\"1\"x,2\n"),
+            "file.csv:2:1: text follows the quote that closes this cell; a quote inside is written "
+            "twice");
+  EXPECT_EQ(refusal_of("a,b\n1,2\n", [](const TidyTable& table) { table.texts("c"); }),
+            "file.csv:1:1: there is no column \"c\"; there are a, b");
+}
+
+TEST(TidyTable, SaysWhatADecimalCommaIs) {
+  EXPECT_EQ(
+      refusal_of("id;k\na;1,5\n"),
+      "file.csv:1:1: the columns are separated by semicolons; write the table with commas (or "
+      "tabs) and decimal points");
+  EXPECT_EQ(refusal_of("id,k\na,1,5\n"),
+            "file.csv:2:3: the row has 3 cells, the header names 2 columns; is there a comma in a "
+            "number or in a text without quotes?");
+  EXPECT_EQ(refusal_of("id\tk\na\t1,5\n", [](const TidyTable& table) { table.numbers("k"); }),
+            "file.csv:2:2: k is \"1,5\", a decimal comma; write a point");
+}
+
+TEST(TidyTable, RefusesNumbersThatAreNone) {
+  const auto numbers = [](const TidyTable& table) { table.all_numbers("k"); };
+  const auto counts = [](const TidyTable& table) { table.counts("k"); };
+  EXPECT_NE(refusal_of("id,k\na,NaN\n", numbers), "");
+  EXPECT_NE(refusal_of("id,k\na,inf\n", numbers), "");
+  EXPECT_EQ(refusal_of("id,k\na,\n", numbers), "file.csv:2:2: k is missing");
+  EXPECT_EQ(refusal_of("id,k\na,1.5\n", counts),
+            "file.csv:2:2: k is 1.5; it must be a whole number from 0");
+  EXPECT_EQ(refusal_of("id,k\na,-1\n", counts),
+            "file.csv:2:2: k is -1; it must be a whole number from 0");
+}
+
+TEST(TidyTable, TakesOnlyTheNamesThatAreGivenInTheirOrder) {
+  const TidyTable table = table_of("choice\nwood\nmetal\n");
+  EXPECT_EQ(table.labels("choice", {"metal", "stone", "wood"}).codes,
+            (std::vector<std::size_t>{2, 0}));
+  EXPECT_EQ(refusal_of("choice\nwood\nmetl\n",
+                       [](const TidyTable& read) {
+                         read.labels("choice", {"metal", "wood"});
+                       }),
+            "file.csv:3:1: choice is \"metl\", which is none of metal, wood");
+}
+
+TEST(TidyTable, MayBeMovedWithItsCells) {
+  std::vector<TidyTable> tables{};
+  for (int i = 0; i < 8; ++i) tables.push_back(table_of("a\nx\n"));
+  EXPECT_EQ(tables.front().texts("a"), (std::vector<std::string_view>{"x"}));
+}
+
+}  // namespace
+}  // namespace asperity
