@@ -158,6 +158,12 @@ ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& fe
   return scene_at_surface(trial, felt, now, {.what = Saying::What::lift});
 }
 
+ParticipantScene scene_between_surfaces(const Trial& trial, const std::vector<int>& felt) {
+  ParticipantScene scene = scene_at_surface(trial, felt, 0, {});
+  scene.kind = ParticipantScene::Kind::blank;
+  return scene;
+}
+
 ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt) {
   ParticipantScene scene{};
   scene.kind = ParticipantScene::Kind::question;

@@ -51,7 +51,7 @@ std::string text_of(const Saying& saying);
 /// One thing at a time. Nothing in it names a stimulus, a texture or a model.
 struct ParticipantScene {
   enum class Kind {
-    blank,     ///< a calm ground, between trials
+    blank,     ///< a calm ground; with `surfaces` between two of them, where answers are refused
     text,      ///< something to be read; goes on with a confirmation
     feel,      ///< surface `surface` of `surfaces` can be felt now
     question,  ///< the answer to the trial
@@ -126,6 +126,7 @@ struct ParticipantInput {
     surface,
     next,     ///< "enough of this surface"; on the question: the next surface to feel again
     confirm,  ///< goes on; confirms an answer that is complete
+    click,    ///< of the mouse, on the empty ground between two surfaces
     text,     ///< the answer to a form, as text; empty where optional and left out
     /// A button of the device, `number` from 1, pressed for `held_s`.
     device_button,
@@ -150,6 +151,8 @@ ParticipantScene scene_to_read(const std::string& text);
 ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now);
 /// The same when feeling is over, by the participant's wish or by itself: the hand is to lift.
 ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& felt, int now);
+/// Nothing is seen until the next surface comes; keys are known, to be refused.
+ParticipantScene scene_between_surfaces(const Trial& trial, const std::vector<int>& felt);
 ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt);
 ParticipantScene scene_of_form(const Question& question);
 ParticipantScene scene_of_mask(bool on);

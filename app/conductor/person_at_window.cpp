@@ -44,6 +44,8 @@ std::string description_of(const ParticipantInput& input) {
       return "next";
     case Kind::confirm:
       return "confirm";
+    case Kind::click:
+      return "click";
     case Kind::text:
       return "text";  // what it says is an answer, and may be private
     case Kind::device_button:
@@ -107,6 +109,8 @@ struct PersonAtWindow::Desk {
   /// The conductor has shown the scene, with what only it knows (progress, workspace); where there
   /// is none of these kinds yet it is `plain`.
   void face(std::initializer_list<ParticipantScene::Kind> kinds, ParticipantScene plain);
+  /// Between two surfaces, where cues are shown too. What was pressed before it is refused as well.
+  void see_ground_between();
   /// Nothing while the conductor shows something else (a pause).
   void change(const std::function<void(ParticipantScene&)>& alter);
   void put(ParticipantInput input);
@@ -167,6 +171,11 @@ void PersonAtWindow::Desk::face(std::initializer_list<ParticipantScene::Kind> ki
                                            : std::max(snapshot.now_ns, snapshot.phase_began_ns);
   change_meaning(shown_ns);
   deadline_ns.reset();
+}
+
+void PersonAtWindow::Desk::see_ground_between() {
+  const std::shared_ptr<const ParticipantScene> scene = monitor.snapshot().scene;
+  if (scene->kind == ParticipantScene::Kind::blank && !scene->surfaces.empty()) shown = scene->kind;
 }
 
 void PersonAtWindow::Desk::change(const std::function<void(ParticipantScene&)>& alter) {
@@ -324,6 +333,7 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
       remind({.what = Saying::What::feel_again, .code = code_of(next_again(trial))});
       play(Cue::surface, next_again(trial));
       return {};
+    case Kind::click:
     case Kind::text:
     case Kind::released:
       return {};
@@ -449,6 +459,7 @@ bool PersonAtWindow::wants_next(bool may_go) {
       case Kind::confirm:
         desk_->refuse_answer(*input, to_feel);
         continue;
+      case Kind::click:
       case Kind::text:
       case Kind::released:
         continue;
@@ -461,6 +472,7 @@ bool PersonAtWindow::wants_next(bool may_go) {
 
 void PersonAtWindow::refuse_answers() {
   const std::optional<int> next = desk_->other_unfelt();
+  desk_->see_ground_between();
   while (const std::optional<ParticipantInput> input = desk_->hear()) {
     switch (input->kind) {
       case Kind::surface:
@@ -472,6 +484,7 @@ void PersonAtWindow::refuse_answers() {
       case Kind::option:
       case Kind::assign:
       case Kind::confirm:
+      case Kind::click:
         break;
       case Kind::next:  // they go on already
       case Kind::text:

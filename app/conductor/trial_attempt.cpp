@@ -157,7 +157,7 @@ void TrialAttempt::carry_out() {
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     if (i > 0) {
       course_.enter(SessionPhase::fore);
-      course_.show({});
+      course_.show(scene_between_surfaces(trial_, felt_));
       course_.wait_refusing_answers(block_.pause_between_surfaces_s);
     }
     feel(i);

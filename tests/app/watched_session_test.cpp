@@ -1000,6 +1000,45 @@ TEST_F(WatchedSession, SaysThatTheNoiseCannotBeginWhereItNeverSounded) {
   EXPECT_EQ(row.responses.at(0).answer, row.presentations[1].item);
 }
 
+/// On the empty ground between two surfaces keys, clicks and buttons are refused alike.
+TEST_F(WatchedSession, RefusesAnAnswerBetweenTwoSurfaces) {
+  play_sound();
+  begin(one_trial(small_protocol(R"(, "pause_between_surfaces_s": 0.5)")));
+  PersonAtWindow person(monitor_, &sound_);
+  const auto press = [&](ParticipantInput::Kind kind, int number = 0) {
+    person.post({.kind = kind, .number = number, .time_ns = rig_->clock().now_ns()});
+  };
+  bool pressed = false;
+  std::string cue{};
+  std::int64_t answered_scene_ns = -1;
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    if (now.scene->kind == ParticipantScene::Kind::blank && !now.scene->surfaces.empty()) {
+      if (!pressed) {
+        pressed = true;
+        press(ParticipantInput::Kind::option, 1);
+        press(ParticipantInput::Kind::click);
+        press(ParticipantInput::Kind::next);  // they go on already
+      }
+      cue = now.scene->cue;
+    }
+    const bool waits = now.scene->kind == ParticipantScene::Kind::text ||
+                       now.scene->kind == ParticipantScene::Kind::question ||
+                       now.scene->kind == ParticipantScene::Kind::form;
+    if (!waits || now.scene->shown_ns == answered_scene_ns ||
+        now.now_ns - now.scene->shown_ns < 300'000'000) {
+      return;
+    }
+    answered_scene_ns = now.scene->shown_ns;
+    if (now.scene->kind != ParticipantScene::Kind::text) press(ParticipantInput::Kind::option, 2);
+    press(ParticipantInput::Kind::confirm);
+  };
+  Conductor conductor(*study_, protocol_, *builder_, *rig_, person, {.links = links_});
+  EXPECT_EQ(conductor.run(session_).state, SessionState::completed);
+  EXPECT_EQ(std::count(sound_.cues.begin(), sound_.cues.end(), std::pair(Cue::refused, 0)), 2);
+  EXPECT_EQ(cue, "Please feel surface B first.");
+}
+
 /// A person with more to say: enough of a surface, when an answer was given, buttons, a mask.
 class TalkativePerson final : public Respondent {
  public:

@@ -31,6 +31,9 @@ std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, in
     case Scene::Kind::rest:
       if (is_return) return Action{.what = Action::What::confirm};
       return {};
+    case Scene::Kind::blank:
+      if (scene.surfaces.empty()) return {};
+      [[fallthrough]];
     case Scene::Kind::feel:
     case Scene::Kind::question: {
       if (is_return && scene.kind == Scene::Kind::question) {
@@ -45,7 +48,7 @@ std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, in
       }
       for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
         const bool can_be_meant =
-            scene.is_assignment || scene.surfaces[i].can_go || scene.kind == Scene::Kind::feel;
+            scene.is_assignment || scene.surfaces[i].can_go || scene.kind != Scene::Kind::question;
         if (can_be_meant && upper(scene.surfaces[i].code) == typed) {
           return Action{.what = Action::What::surface, .number = static_cast<int>(i) + 1};
         }
@@ -81,7 +84,6 @@ std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, in
       }
       return {};
     }
-    case Scene::Kind::blank:
     case Scene::Kind::feedback:
     case Scene::Kind::paused:
     case Scene::Kind::ended:

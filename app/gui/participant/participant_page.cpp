@@ -223,7 +223,16 @@ void ParticipantPage::cue() {
 // --- all ---
 
 std::vector<ParticipantItem> ParticipantPage::lay_out() {
-  if (scene_.kind == Scene::Kind::blank) return {};
+  if (scene_.kind == Scene::Kind::blank) {
+    if (!inputs_.cue_shown) return {};
+    // Where it stands in other scenes; the ground stays empty but for it.
+    progress();
+    controls();
+    items_.clear();
+    reserve_cue();
+    cue();
+    return std::move(items_);
+  }
   for (;;) {
     const int pages = pages_;
     const int answer_page = answer_page_;

@@ -150,6 +150,7 @@ bool ParticipantView::waits() const {
     case Scene::Kind::mask_off:
       return true;
     case Scene::Kind::blank:
+      return !scene_->surfaces.empty();
     case Scene::Kind::feedback:
     case Scene::Kind::paused:
     case Scene::Kind::ended:
@@ -392,6 +393,10 @@ void ParticipantView::mousePressEvent(QMouseEvent* event) {
   const std::int64_t time_ns = time_of_ns(event->timestamp());
   press_.reset();
   if (event->button() != Qt::LeftButton) return;
+  if (scene_->kind == Scene::Kind::blank && !scene_->surfaces.empty()) {
+    tell({.kind = ParticipantInput::Kind::click}, time_ns, "mouse");
+    return;
+  }
   const QPointF at = to_page(event->position());
   if (const std::optional<std::size_t> item = item_at(at)) {
     const Item& pressed = items_[*item];

@@ -254,6 +254,34 @@ TEST(ResponseKeys, AnswersATrialThroughAnOpenMenu) {
   EXPECT_FALSE(menu.isVisible());
 }
 
+TEST(ResponseKeys, HaveKeysAndClicksRefusedBetweenTwoSurfaces) {
+  Desk desk{};
+  ParticipantScene between = scenes::feel(3);
+  between.kind = ParticipantScene::Kind::blank;
+  between.text.clear();
+  between.text_saying = {};
+  desk.show(between);
+  desk.focus(desk.button);
+  desk.key(Qt::Key_1);
+  desk.key(Qt::Key_A);
+  desk.key(Qt::Key_Space);
+  EXPECT_EQ(desk.pressed, 0);
+  QTest::mouseClick(&desk.window.view(), Qt::LeftButton, {}, QPoint(400, 300));
+  ASSERT_EQ(desk.inputs.size(), 4U);
+  EXPECT_EQ(desk.inputs[0].kind, Kind::option);
+  EXPECT_EQ(desk.inputs[1].kind, Kind::surface);
+  EXPECT_EQ(desk.inputs[2].kind, Kind::next);
+  EXPECT_EQ(desk.inputs[3].kind, Kind::click);
+  EXPECT_EQ(desk.inputs[3].source, "mouse");
+  EXPECT_TRUE(desk.window.view().items().empty()) << "nothing is seen";
+  between.cue = "Please feel surface B first.";
+  between.cue_number = 1;
+  desk.show(between);
+  const auto items = desk.window.view().items();
+  ASSERT_EQ(items.size(), 1U) << "but the refusal";
+  EXPECT_EQ(items[0].kind, ParticipantItem::Kind::cue);
+}
+
 TEST(ResponseKeys, AnswersATrialWhileAMouseButtonIsHeld) {
   Desk desk{};
   desk.show(scenes::recognition(6));
