@@ -346,7 +346,8 @@ std::optional<Reply> PersonAtWindow::Desk::hear_confirmation(const Trial& trial,
                                                              const ParticipantInput& input) {
   if (sheet->points_at_feeling_again()) return hear_wish(trial, input);
   if (sheet->take_pointed()) {
-    change_meaning(input.time_ns);
+    // A button that is held means it from when it is let go.
+    change_meaning(input.time_ns + std::llround(1e9 * input.held_s));
     show_sheet();
     // What comes next: the surface whose turn it is, or the confirmation of the whole.
     if (sheet->is_complete()) {
@@ -409,6 +410,8 @@ void PersonAtWindow::read(const std::string& text, double minimum_s, const Wait&
       return false;
     });
     if (is_over) return;
+    // A button that is still held was pressed while the break had to last.
+    desk_->shown_ns = until_ns;
   }
   desk_->wait_for_confirmation(wait);
 }

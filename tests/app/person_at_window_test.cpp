@@ -815,6 +815,75 @@ TEST_F(Reading, OfFeedbackIsOverByItself) {
   EXPECT_NEAR(1e-9 * static_cast<double>(now_ns_ - began_ns), 1.5, 1e-6);
 }
 
+// --- a button that is held -----------------------------------------------------------------------
+
+/// Down in one state and let go in the next: what it answers is decided where it went down.
+class HeldAcross : public PersonAtWindowTest {};
+
+TEST_F(HeldAcross, TheDeadlineItAnswersNothingThatComesAfter) {
+  feel_all(selection());
+  press(0.5, Kind::option, 2);
+  hold_button(3.5, 1, 1.0);  // a confirmation, let go 0.5 s too late
+  EXPECT_TRUE(ask(selection(), 4.0).options.empty());
+  const std::int64_t told_ns = now_ns_;
+  monitor_.show(scene_of_feedback(false, ""));
+  person_.tell("That was not right.", wait_);
+  EXPECT_GE(now_ns_, told_ns + nanoseconds(1.5)) << "the feedback stays";
+  hold_button(0.5, 1, 0.1);
+  const std::int64_t began_ns = now_ns_;
+  person_.read("Welcome.", 0.0, wait_);
+  EXPECT_NEAR(1e-9 * static_cast<double>(now_ns_ - began_ns), 0.6, 0.011);
+}
+
+TEST_F(HeldAcross, TheDeadlineItAnswersNotTheNextQuestion) {
+  feel_all(selection());
+  press(0.5, Kind::option, 2);
+  hold_button(3.5, 1, 1.0);
+  EXPECT_TRUE(ask(selection(), 4.0).options.empty());
+  feel_all(selection());
+  press(0.5, Kind::option, 2);
+  EXPECT_TRUE(ask(selection(), 2.0).options.empty());
+}
+
+TEST_F(HeldAcross, TheOpeningOfTheQuestionItAnswersNothing) {
+  feel_all(selection());
+  hold_button(0.0, 1, 1.5);
+  pass(0.0);  // down, then the question is shown
+  pass(0.3);
+  press(1.0, Kind::option, 2);
+  EXPECT_TRUE(ask(selection(), 3.0).options.empty());
+}
+
+TEST_F(HeldAcross, TheEndOfTheShortestBreakItDoesNotGoOn) {
+  ParticipantScene rest = scene_to_read("Please rest.");
+  rest.kind = ParticipantScene::Kind::rest;
+  rest.rest_until_ns = now_ns_ + nanoseconds(10.0);
+  monitor_.show(rest);
+  hold_button(9.5, 1, 1.0);
+  press(12.0, Kind::confirm);
+  const std::int64_t began_ns = now_ns_;
+  person_.read("Please rest.", 10.0, wait_);
+  EXPECT_GE(now_ns_, began_ns + nanoseconds(12.0));
+}
+
+// Held, it gives the last picture when it is let go: pressed again at once it confirms nothing.
+TEST_F(HeldAcross, TheLastPictureItsNextPressIsNotTheConfirmationOfTheWhole) {
+  feel_all(matching());
+  double at_s = 0.0;
+  for (int surface = 1; surface <= 3; ++surface) {
+    for (int step = 1; step <= surface; ++step) hold_button(at_s += 1.0, 1, 0.1);
+    hold_button(at_s += 1.0, 1, 0.9);
+    at_s += 1.0;
+  }
+  at_s -= 1.0;
+  hold_button(at_s + 0.9 + 0.05, 2, 0.05);
+  hold_button(at_s + 3.0, 2, 0.05);
+  const std::int64_t answered_ns = now_ns_ + nanoseconds(at_s + 3.0);
+  const Reply reply = ask(matching());
+  EXPECT_EQ(reply.options, (Options{0, 1, 2}));
+  EXPECT_EQ(reply.answered_ns, answered_ns);
+}
+
 // --- forms ---------------------------------------------------------------------------------------
 
 class AForm : public PersonAtWindowTest {
