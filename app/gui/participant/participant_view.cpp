@@ -159,6 +159,21 @@ bool ParticipantView::waits() const {
   return false;
 }
 
+bool ParticipantView::would_leave_out() const {
+  if (scene_->kind != Scene::Kind::form || !scene_->question || !scene_->question->optional) {
+    return false;
+  }
+  switch (scene_->question->form) {
+    case Question::Form::choice:
+      return !draft_.option;
+    case Question::Form::number:
+      return draft_.number.isEmpty();
+    case Question::Form::text:
+      return draft_.text.trimmed().isEmpty();
+  }
+  return false;
+}
+
 bool ParticipantView::is_text_form() const {
   return scene_->kind == Scene::Kind::form && scene_->question &&
          scene_->question->form == Question::Form::text;

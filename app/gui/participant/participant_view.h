@@ -60,6 +60,8 @@ class ParticipantView final : public QWidget {
   const ParticipantScene& scene() const noexcept { return *scene_; }
   /// The scene waits for something that the participant does.
   bool waits() const;
+  /// A confirmation would leave a question out: nothing has been answered yet.
+  bool would_leave_out() const;
   /// Whether this key means something to the scene.
   bool has_use_for(const QKeyEvent& event) const;
   /// Acts on it; `pressed_ns` is on the session's clock. False where the scene has no use for it.

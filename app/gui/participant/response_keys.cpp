@@ -36,6 +36,11 @@ bool is_text_field(const QWidget& widget) {
          qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr;
 }
 
+/// A menu, the list of a choice, a dialog that does not hold up the others.
+bool is_question(const QWidget& window) {
+  return window.windowType() == Qt::Popup || window.windowType() == Qt::Dialog;
+}
+
 void set_waits(QWidget& field, bool waits) {
   field.setProperty("waits", waits);
   // As the theme draws it: its rules are chosen when a widget is polished.
@@ -99,9 +104,16 @@ bool ResponseKeys::belongs_to_participant(const QWidget& receiver) const {
   if (window == view_.window()) return true;
   if (own_keyboard_) return false;
   if (view_.scene().response_open) return true;
-  if (QApplication::activeModalWidget() != nullptr) return false;
+  if (QApplication::activeModalWidget() != nullptr || is_question(*window)) return false;
   // A field that has no use for a key passes it on to its parents: they are not asked, the field is.
   return view_.waits() && !takes_text(&receiver) && !takes_text(window->focusWidget());
+}
+
+bool ResponseKeys::is_stray(const QWidget& receiver, const QKeyEvent& event) const {
+  const QWidget* window = receiver.window();
+  const bool confirms = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+  return confirms && window != view_.window() && window != session_window_ &&
+         view_.would_leave_out();
 }
 
 bool ResponseKeys::is_kept_from(const QWidget& receiver, const QKeyEvent& event) const {
@@ -149,7 +161,7 @@ bool ResponseKeys::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::ShortcutOverride:
     case QEvent::KeyPress: {
       auto& key = static_cast<QKeyEvent&>(*event);
-      if (!belongs_to_participant(receiver)) return false;
+      if (!belongs_to_participant(receiver) || is_stray(receiver, key)) return false;
       // What is typed into the participant's own text field is typed there, not sent there.
       const bool typing = takes_text(&receiver) && receiver.window() == view_.window();
       const bool taken = (!typing && view_.has_use_for(key)) || is_kept_from(receiver, key);

@@ -26,8 +26,12 @@ class ParticipantView;
 ///   - a response is open: the participant's, whatever else is open. A question to the experimenter (a
 ///     dialog of any window, a menu) is then answered by mouse or left by Esc, and what it wants to
 ///     have typed is typed at the next interval: a trial's clock runs, the experimenter's does not;
-///   - a question to the experimenter is open (a modal window): the experimenter's;
-///   - another scene waits for the participant: theirs, unless a text field has the focus;
+///   - a question to the experimenter is open (a modal window, or the key goes to a dialog, a menu, the
+///     list of a choice): the experimenter's;
+///   - a text field has the focus: the experimenter's;
+///   - another scene waits for the participant: theirs. What would leave a question out with nothing
+///     answered is an exception: only the window of the session gives that (`set_session_window`), as
+///     the Return of somebody who works in another one is not meant for it;
 ///   - otherwise the experimenter's.
 /// With a keyboard of their own (`set_own_keyboard`) or device buttons only the first holds. Function
 /// keys, Esc, Pause, Tab, arrows and whatever is pressed with Ctrl, Alt or Meta always pass; arrows and
@@ -50,6 +54,8 @@ class ResponseKeys final : public QObject {
   explicit ResponseKeys(ParticipantView& view, QObject* parent = nullptr);
   ~ResponseKeys() override;
 
+  /// The experimenter's, of the session under way.
+  void set_session_window(const QWidget* window) { session_window_ = window; }
   /// The participant answers by other means than the experimenter's keyboard.
   void set_own_keyboard(bool own);
   bool own_keyboard() const noexcept { return own_keyboard_; }
@@ -68,6 +74,8 @@ class ResponseKeys final : public QObject {
     std::int64_t pressed_ns = 0;
   };
   bool belongs_to_participant(const QWidget& receiver) const;
+  /// Of a question that would be left out by it, from a window that has nothing to do with it.
+  bool is_stray(const QWidget& receiver, const QKeyEvent& event) const;
   /// What is typed by mistake while a response is open ends nowhere.
   bool is_kept_from(const QWidget& receiver, const QKeyEvent& event) const;
   void tell_why(QWidget& field) const;
@@ -79,6 +87,7 @@ class ResponseKeys final : public QObject {
   void grey_fields();
 
   ParticipantView& view_;
+  QPointer<const QWidget> session_window_{};
   bool own_keyboard_ = false;
   std::map<int, Held> held_{};
   QString focus_{};

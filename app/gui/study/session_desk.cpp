@@ -185,6 +185,9 @@ void SessionDesk::put_participant_back(const QString& screen) {
 void SessionDesk::open_session_window() {
   session_window_ = new SessionWindow(runner_->monitor(), runner_->requests(), study_->folder());
   session_window_->setAttribute(Qt::WA_DeleteOnClose, false);
+  if (participant_window_ != nullptr) {
+    participant_window_->keys().set_session_window(session_window_);
+  }
   session_window_->set_own_keyboard(runner_->order().own_keyboard);
   auto* mirror = new ParticipantView(runner_->monitor(), study_->folder(),
                                      ParticipantView::Role::mirror, session_window_);

@@ -6,6 +6,7 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMenu>
@@ -252,6 +253,130 @@ TEST(ResponseKeys, AnswersATrialThroughAnOpenMenu) {
   EXPECT_EQ(desk.inputs[0].number, 3);
   QTest::keyClick(&menu, Qt::Key_Escape);
   EXPECT_FALSE(menu.isVisible());
+}
+
+/// A window of the program that has nothing to do with the session, with a menu and a list of choices.
+struct UnrelatedWindow {
+  QWidget window{};
+  QPushButton* table = new QPushButton("A row", &window);
+  QComboBox* choice = new QComboBox(&window);
+  QMenu menu{&window};
+  QStringList chosen{};
+
+  UnrelatedWindow() {
+    auto* layout = new QVBoxLayout(&window);
+    layout->addWidget(table);
+    layout->addWidget(choice);
+    choice->addItems({"one", "two"});
+    for (const QString text : {"First", "Second"}) {
+      menu.addAction(text, [this, text] { chosen += text; });
+    }
+    window.show();
+  }
+  void open_menu() {
+    menu.popup(window.mapToGlobal(QPoint(5, 5)));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activePopupWidget() == &menu; }));
+  }
+};
+
+ParticipantScene optional_text() {
+  ParticipantScene scene = scenes::form_text();
+  scene.question->optional = true;
+  return scene;
+}
+
+TEST(ResponseKeys, LeavesAMenuItsKeysWhileNoResponseIsOpen) {
+  Desk desk{};
+  UnrelatedWindow other{};
+  int opened = 0;
+  for (const ParticipantScene& scene : {optional_text(), scenes::to_read(), scenes::feel(3)}) {
+    desk.show(scene);
+    other.window.activateWindow();
+    other.open_menu();
+    QTest::keyClick(&other.menu, Qt::Key_Down);
+    QTest::keyClick(&other.menu, Qt::Key_Return);
+    EXPECT_EQ(other.chosen.size(), ++opened);
+    EXPECT_FALSE(other.menu.isVisible());
+  }
+  EXPECT_TRUE(desk.inputs.empty());
+}
+
+TEST(ResponseKeys, LeavesTheListOfAChoiceItsKeysWhileNoResponseIsOpen) {
+  Desk desk{};
+  UnrelatedWindow other{};
+  desk.show(optional_text());
+  desk.focus(other.choice);
+  other.choice->showPopup();
+  QWidget* list = nullptr;
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return (list = QApplication::activePopupWidget()) != nullptr; }));
+  QWidget* has_keys = list->focusWidget() != nullptr ? list->focusWidget() : list;
+  QTest::keyClick(has_keys, Qt::Key_Down);
+  QTest::keyClick(has_keys, Qt::Key_Return);
+  EXPECT_EQ(other.choice->currentText(), "two");
+  EXPECT_TRUE(desk.inputs.empty());
+}
+
+TEST(ResponseKeys, LeavesADialogThatHoldsUpNothingItsKeysWhileNoResponseIsOpen) {
+  Desk desk{};
+  desk.show(scenes::to_read());
+  QDialog dialog(&desk.experimenter);
+  QPushButton give("Give", &dialog);
+  int given = 0;
+  QObject::connect(&give, &QPushButton::clicked, [&] { ++given; });
+  give.setDefault(true);
+  dialog.show();
+  desk.focus(&give);
+  ASSERT_EQ(QApplication::activeModalWidget(), nullptr);
+  desk.key(Qt::Key_Return);
+  EXPECT_EQ(given, 1);
+  EXPECT_TRUE(desk.inputs.empty());
+  desk.show(scenes::recognition(6));
+  desk.key(Qt::Key_3);
+  desk.key(Qt::Key_Return);
+  EXPECT_EQ(given, 1) << "the clock of a trial runs";
+  EXPECT_EQ(desk.inputs.size(), 2U);
+}
+
+TEST(ResponseKeys, LeavesAQuestionOutOnlyFromTheWindowsOfTheSession) {
+  Desk desk{};
+  UnrelatedWindow other{};
+  desk.window.keys().set_session_window(&desk.experimenter);
+  ParticipantScene number = optional_text();
+  number.question->form = Question::Form::number;
+  ParticipantScene choice = optional_text();
+  choice.question->form = Question::Form::choice;
+  choice.question->options = {"good", "tired"};
+  std::size_t left_out = 0;
+  for (const ParticipantScene& scene : {optional_text(), number, choice}) {
+    desk.show(scene);
+    desk.focus(other.table);
+    desk.key(Qt::Key_Return);
+    desk.key(Qt::Key_Enter);
+    EXPECT_EQ(desk.inputs.size(), left_out) << "another window";
+    desk.focus(desk.button);
+    desk.key(Qt::Key_Return);
+    EXPECT_EQ(desk.inputs.size(), ++left_out) << "the experimenter's";
+    desk.show(ParticipantScene{});
+    desk.show(scene);
+    desk.focus(&desk.window.view());
+    desk.key(Qt::Key_Return);
+    EXPECT_EQ(desk.inputs.size(), ++left_out) << "the participant's";
+    desk.show(ParticipantScene{});
+  }
+  for (const ParticipantInput& input : desk.inputs) EXPECT_EQ(input.text, "");
+}
+
+TEST(ResponseKeys, AnswersAQuestionThatMayBeLeftOutFromAnyWindowOnceSomethingIsTyped) {
+  Desk desk{};
+  UnrelatedWindow other{};
+  desk.window.keys().set_session_window(&desk.experimenter);
+  desk.show(optional_text());
+  desk.focus(other.table);
+  QTest::keyClicks(other.table, "icy");
+  desk.key(Qt::Key_Return);
+  ASSERT_EQ(desk.inputs.size(), 1U);
+  EXPECT_EQ(desk.inputs[0].text, "icy");
 }
 
 TEST(ResponseKeys, HaveKeysAndClicksRefusedBetweenTwoSurfaces) {
