@@ -7,17 +7,21 @@
 
 #include "analysis/finding.h"
 #include "app/analyses/gathered_answers.h"
+#include "app/phrase.h"
 #include "results_schema/table.h"
 
 namespace asperity {
 
+/// The table of what was felt and what was chosen: its columns are named by the study's pictures.
+inline constexpr const char* kConfusion = "confusion";
+
 /// A table for people and programs: column names are fixed words with units, numbers have all their
 /// digits, missing is missing. Where `x_low` and `x_high` stand, they are one interval.
 struct NamedTable {
-  std::string name{};   ///< fixed, for programs: "table_1", "shares"
-  std::string title{};  ///< for people, chance included
+  std::string name{};  ///< fixed, for programs: "table_1", "shares"
+  Phrase title{};      ///< for people
   Table table{};
-  std::string note{};  ///< how to read it; may be empty
+  Phrase note{};  ///< how to read it, chance included; may be empty
 };
 
 /// The answers of one group to one version of one protocol, analysed.
@@ -31,7 +35,7 @@ struct AnalysisOutcome {
   std::size_t answers = 0;  ///< attempts that the tables count
   std::vector<NamedTable> tables{};
   std::vector<Finding> findings{};
-  std::vector<std::string> remarks{};  ///< sentences, each to be read before believing a number
+  std::vector<Phrase> remarks{};  ///< sentences, each to be read before believing a number
 };
 
 }  // namespace asperity

@@ -23,44 +23,66 @@ Family family_of(const std::string& kind) {
   return found == kFamilies.end() ? nullptr : found->second;
 }
 
+/// With a place for how many. `what` as AnswerCount has it, and in English as it stands there.
+Phrase attempts_that_were(const std::string& what) {
+  static const std::map<std::string, Phrase> kKnown{
+      {"aborted", phrase("Analysis", "%1 aborted")},
+      {"answered but invalid", phrase("Analysis", "%1 answered but invalid")},
+      {"device_fault", phrase("Analysis", "%1 device_fault")},
+      {"excluded", phrase("Analysis", "%1 excluded")},
+      {"not_compliant", phrase("Analysis", "%1 not_compliant")},
+      {"skipped", phrase("Analysis", "%1 skipped")},
+      {"timed_out", phrase("Analysis", "%1 timed_out")}};
+  const auto known = kKnown.find(what);
+  return known == kKnown.end() ? Phrase("%1 " + what) : known->second;
+}
+
 void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   const AnswerCount& count = gathered.count;
   if (gathered.group == AnswerGroup::virtual_participants) {
-    outcome.remarks.emplace_back(
-        "These participants are virtual: the numbers exercise the machinery and say nothing about "
-        "people.");
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "These participants are virtual: the numbers exercise the machinery and say nothing "
+               "about people."));
   }
   if (gathered.group == AnswerGroup::pilot) {
-    outcome.remarks.emplace_back(
-        "These sessions are pilots and stand apart from those that count.");
+    outcome.remarks.push_back(
+        phrase("Analysis", "These sessions are pilots and stand apart from those that count."));
   }
   if (gathered.sources > 1) {
-    outcome.remarks.push_back(std::to_string(gathered.sources) +
-                              " different files carry this protocol name and version; their "
-                              "answers are counted together.");
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "%1 different files carry this protocol name and version; their answers are counted "
+               "together.")
+            .with(std::to_string(gathered.sources)));
   }
   if (count.unfinished_sessions > 0) {
     outcome.remarks.push_back(
-        "Sessions that are not completed: " + std::to_string(count.unfinished_sessions) + " of " +
-        std::to_string(count.sessions) + '.');
+        phrase("Analysis", "Sessions that are not completed: %1 of %2.")
+            .with(std::to_string(count.unfinished_sessions), std::to_string(count.sessions)));
   }
   if (count.guessing_sessions > 0) {
     outcome.remarks.push_back(
-        "Sessions of observers that are deaf or expect nothing, so that their "
-        "answers are guesses (source virtual_guess): " +
-        std::to_string(count.guessing_sessions) + '.');
+        phrase("Analysis",
+               "Sessions of observers that are deaf or expect nothing, so that their answers are "
+               "guesses (source virtual_guess): %1.")
+            .with(std::to_string(count.guessing_sessions)));
   }
-  std::string not_counted{};
+  Phrase not_counted{};
   for (const auto& [what, attempts] : count.not_counted) {
-    not_counted += (not_counted.empty() ? "" : ", ") + std::to_string(attempts) + ' ' + what;
+    const Phrase these = attempts_that_were(what).with(std::to_string(attempts));
+    not_counted =
+        not_counted.empty() ? these : phrase("Analysis", "%1, %2").with(not_counted, these);
   }
   if (!not_counted.empty()) {
-    outcome.remarks.push_back("Attempts that do not count: " + not_counted + '.');
+    outcome.remarks.push_back(
+        phrase("Analysis", "Attempts that do not count: %1.").with(not_counted));
   }
   if (count.flagged > 0) {
     outcome.remarks.push_back(
-        "Flagged attempts among those that count: " + std::to_string(count.flagged) +
-        "; attempts.tsv of an export says why.");
+        phrase("Analysis",
+               "Flagged attempts among those that count: %1; attempts.tsv of an export says why.")
+            .with(std::to_string(count.flagged)));
   }
 }
 
@@ -77,9 +99,11 @@ std::string names_in(const Study& study) {
 }  // namespace
 
 std::vector<AnalysisOutcome> analyze_study(const Study& study,
-                                           const std::optional<std::string>& protocol) {
+                                           const std::optional<std::string>& protocol,
+                                           const std::stop_token& stop) {
   std::vector<AnalysisOutcome> outcomes{};
-  for (const GatheredAnswers& gathered : gather_answers(study, protocol)) {
+  for (const GatheredAnswers& gathered : gather_answers(study, protocol, stop)) {
+    if (stop.stop_requested()) return {};
     AnalysisOutcome& outcome = outcomes.emplace_back();
     outcome.protocol = gathered.protocol;
     outcome.version = gathered.version;
@@ -90,12 +114,13 @@ std::vector<AnalysisOutcome> analyze_study(const Study& study,
     outcome.answers = gathered.answers.size();
     remark_on_counts(gathered, outcome);
     if (gathered.answers.empty()) {
-      outcome.remarks.emplace_back("There is no answer to count yet.");
+      outcome.remarks.push_back(phrase("Analysis", "There is no answer to count yet."));
     } else if (const Family analyze = family_of(gathered.kind)) {
       analyze(gathered, outcome);
     } else {
-      outcome.remarks.push_back("This program has no analysis for protocols of the kind \"" +
-                                gathered.kind + "\".");
+      outcome.remarks.push_back(
+          phrase("Analysis", "This program has no analysis for protocols of the kind \"%1\".")
+              .with(gathered.kind));
     }
   }
   if (protocol && outcomes.empty()) {

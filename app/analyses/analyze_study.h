@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,12 @@
 namespace asperity {
 
 /// One outcome per protocol, version and group, in that order. With a `protocol`, only those of
-/// that name. A study without sessions has none.
+/// that name. A study without sessions has none. When `stop` is requested it ends early, and what it
+/// returns is of no use.
 ///
 /// Errors: ResultsError when the study has no session of the named protocol.
 std::vector<AnalysisOutcome> analyze_study(const Study& study,
-                                           const std::optional<std::string>& protocol = {});
+                                           const std::optional<std::string>& protocol = {},
+                                           const std::stop_token& stop = {});
 
 }  // namespace asperity

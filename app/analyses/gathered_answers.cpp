@@ -95,11 +95,13 @@ const char* text_of(AnswerGroup group) noexcept {
 }
 
 std::vector<GatheredAnswers> gather_answers(const Study& study,
-                                            const std::optional<std::string>& protocol) {
+                                            const std::optional<std::string>& protocol,
+                                            const std::stop_token& stop) {
   std::map<std::tuple<std::string, std::string, AnswerGroup>, GatheredAnswers> groups{};
   std::map<std::tuple<std::string, std::string, AnswerGroup>, std::set<std::string>> people{};
   std::map<std::tuple<std::string, std::string, AnswerGroup>, std::set<std::string>> sources{};
   for (const SessionRow& session : study.sessions()) {
+    if (stop.stop_requested()) break;
     const ProtocolRow of = study.protocol(session.protocol_id);
     if (protocol && of.name != *protocol) continue;
     const ParticipantRow participant = study.participant(session.participant).value();

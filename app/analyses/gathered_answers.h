@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,9 +67,10 @@ struct GatheredAnswers {
 };
 
 /// By protocol, version and group; empty groups are absent. With a `protocol` only those of that
-/// name.
+/// name. When `stop` is requested, only the sessions that were read until then.
 std::vector<GatheredAnswers> gather_answers(const Study& study,
-                                            const std::optional<std::string>& protocol);
+                                            const std::optional<std::string>& protocol,
+                                            const std::stop_token& stop);
 
 /// The answer of somebody who will not choose, where the protocol allows it.
 inline constexpr std::string_view kCannotTell = "cannot_tell";

@@ -49,9 +49,10 @@ std::vector<Assignment> assignments_of(const GatheredAnswers& gathered, Analysis
   const std::size_t left_out = gathered.answers.size() - assignments.size();
   if (left_out > 0) {
     outcome.remarks.push_back(
-        "Answers left out because they do not give every picture to one surface, so that chance is "
-        "not that of a permutation: " +
-        std::to_string(left_out) + '.');
+        phrase("Analysis",
+               "Answers left out because they do not give every picture to one surface, so that "
+               "chance is not that of a permutation: %1.")
+            .with(std::to_string(left_out)));
   }
   return assignments;
 }
@@ -114,8 +115,11 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   const std::vector<std::string> columns = columns_of(gathered);
   const std::vector<Assignment> assignments = assignments_of(gathered, outcome);
 
-  CountTable counts{
-      "table_2", "Matched: whole permutations right (counts)", {}, "person", sex_labels(gathered)};
+  CountTable counts{"table_2",
+                    phrase("Analysis", "Matched: whole permutations right (counts)"),
+                    {},
+                    "person",
+                    sex_labels(gathered)};
   const auto count_of = [&](std::size_t label, const std::string& column) {
     return static_cast<std::size_t>(
         std::count_if(assignments.begin(), assignments.end(), [&](const Assignment& assignment) {
@@ -130,27 +134,32 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
     goes.count(person, assignment.whole(), permutations(assignment.items));
     single.count(person, false, assignment.items);
   }
-  counts.note = chance_note(goes, "of the goes wholly right") + ' ' +
-                chance_note(single, "of the single items right");
+  counts.note =
+      phrase("Analysis", "%1 %2")
+          .with(chance_note(goes, phrase("Analysis", "By chance: 1/%1 of the goes wholly right.")),
+                chance_note(single,
+                            phrase("Analysis", "By chance: 1/%1 of the single items right.")));
   add_counts(counts, columns, count_of, outcome);
 
   ShareTable whole{"whole_permutations",
-                   "Whole permutations: share of goes with every item right",
-                   "Chance is 1/m! for m items. p: exact binomial test, two-sided, not corrected "
-                   "for the number of rows.",
+                   phrase("Analysis", "Whole permutations: share of goes with every item right"),
+                   phrase("Analysis",
+                          "Chance is 1/m! for m items. p: exact binomial test, two-sided, not "
+                          "corrected for the number of rows."),
                    {"column", "person"},
                    "correct",
                    "share_of_permutations_correct",
                    {}};
   NamedTable items{
       "items",
-      "Items: share of right items",
+      phrase("Analysis", "Items: share of right items"),
       {{"column", "person", "correct", "of", "persons", "share", "chance", "chance_low",
         "chance_high", "p"},
        {}},
-      "Chance is 1/m. The items of one go are not independent (all but one right is "
-      "impossible): the interval holds 95 % of what random permutations give, and p is "
-      "the probability that they give as many right items or more."};
+      phrase("Analysis",
+             "Chance is 1/m. The items of one go are not independent (all but one right is "
+             "impossible): the interval holds 95 % of what random permutations give, and p is "
+             "the probability that they give as many right items or more.")};
   for (const std::string& column : columns) {
     for (const std::string& label : counts.labels) {
       ShareRow& row = whole.rows.emplace_back(ShareRow{{column, label}, {}});
@@ -185,8 +194,10 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
     options.insert(answer.options.begin(), answer.options.end());
   }
   ShareTable textures{"shares_by_texture",
-                      "Share of right items, by felt texture",
-                      "One texture alone is right with chance 1/m; the rows depend on each other.",
+                      phrase("Analysis", "Share of right items, by felt texture"),
+                      phrase("Analysis",
+                             "One texture alone is right with chance 1/m; the rows depend on each "
+                             "other."),
                       {"felt"},
                       "correct",
                       "share_of_items_correct",

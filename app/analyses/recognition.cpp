@@ -26,8 +26,9 @@ std::vector<const GatheredAnswer*> judged(const GatheredAnswers& gathered,
   const std::size_t left_out = gathered.answers.size() - answers.size();
   if (left_out > 0) {
     outcome.remarks.push_back(
-        "Answers to trials without a declared right answer, which are left out: " +
-        std::to_string(left_out) + '.');
+        phrase("Analysis",
+               "Answers to trials without a declared right answer, which are left out: %1.")
+            .with(std::to_string(left_out)));
   }
   return answers;
 }
@@ -38,8 +39,11 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   const std::vector<std::string> columns = columns_of(gathered);
   const std::vector<const GatheredAnswer*> answers = judged(gathered, outcome);
 
-  CountTable counts{
-      "table_3", "Recognised: right answers (counts)", {}, "person", sex_labels(gathered)};
+  CountTable counts{"table_3",
+                    phrase("Analysis", "Recognised: right answers (counts)"),
+                    {},
+                    "person",
+                    sex_labels(gathered)};
   const auto count_of = [&](std::size_t label, const std::string& column) {
     std::size_t right = 0;
     for (const GatheredAnswer* answer : answers) {
@@ -54,14 +58,15 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   for (const GatheredAnswer* answer : answers) {
     all.count(answer->participant, *answer->correct.front(), pictures(*answer));
   }
-  counts.note = chance_note(all, "of the answers right");
+  counts.note = chance_note(all, phrase("Analysis", "By chance: 1/%1 of the answers right."));
   add_counts(counts, columns, count_of, outcome);
 
   ShareTable shares{
       "shares",
-      "Share of right answers",
-      "Chance is 1 in the number of pictures shown; \"cannot_tell\" is not right. p: exact "
-      "binomial test, two-sided, not corrected for the number of rows.",
+      phrase("Analysis", "Share of right answers"),
+      phrase("Analysis",
+             "Chance is 1 in the number of pictures shown; \"cannot_tell\" is not right. p: exact "
+             "binomial test, two-sided, not corrected for the number of rows."),
       {"column", "person"},
       "correct",
       "share_correct",
@@ -90,7 +95,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
     options.insert(answer->options.begin(), answer->options.end());
   }
   ShareTable textures{"shares_by_texture",
-                      "Share of right answers, by felt texture",
+                      phrase("Analysis", "Share of right answers, by felt texture"),
                       {},
                       {"felt"},
                       "correct",

@@ -59,7 +59,7 @@ void add_shares_by_texture(const GatheredAnswers& gathered, const std::set<std::
     if (!answer.surfaces.empty()) textures.insert(answer.surfaces.front().texture);
   }
   ShareTable shares{"shares_by_texture",
-                    "Share of each model among the choices, by texture",
+                    phrase("Analysis", "Share of each model among the choices, by texture"),
                     {},
                     {"texture", "item"},
                     "chosen",
@@ -86,12 +86,14 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
         return std::count(answer.options.begin(), answer.options.end(), kCannotTell) > 0;
       });
 
-  CountTable counts{"table_1", "Chosen as the most realistic (counts)", {}, "item", {}};
+  CountTable counts{
+      "table_1", phrase("Analysis", "Chosen as the most realistic (counts)"), {}, "item", {}};
   Tally choices{};
   for (const GatheredAnswer& answer : gathered.answers) {
     choices.count(answer.participant, true, answer.surfaces.size());
   }
-  counts.note = chance_note(choices, "of the choices for each model");
+  counts.note =
+      chance_note(choices, phrase("Analysis", "By chance: 1/%1 of the choices for each model."));
   counts.labels.assign(items.begin(), items.end());
   if (cannot_tell) counts.labels.emplace_back(kCannotTell);
   const auto count_of = [&](std::size_t label, const std::string& column) {
@@ -104,17 +106,19 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
 
   ShareTable shares{
       "shares",
-      "Share of each model among the choices",
-      "Chance is 1 in the number of surfaces felt. p: exact binomial test, two-sided, not "
-      "corrected for the number of rows; the shares of one column depend on each "
-      "other.",
+      phrase("Analysis", "Share of each model among the choices"),
+      phrase("Analysis",
+             "Chance is 1 in the number of surfaces felt. p: exact binomial test, two-sided, not "
+             "corrected for the number of rows; the shares of one column depend on each other."),
       {"column", "item"},
       "chosen",
       "share_chosen",
       {}};
   ShareTable pairs{"pairs",
-                   "One model against another, among the choices of either",
-                   "The chance is 1/2: a choice of a third model says nothing about the two.",
+                   phrase("Analysis", "One model against another, among the choices of either"),
+                   phrase("Analysis",
+                          "The chance is 1/2: a choice of a third model says nothing about the "
+                          "two."),
                    {"column", "item", "against"},
                    "chosen",
                    "share_of_pair",
@@ -129,7 +133,9 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     }
   }
   if (cannot_tell) {
-    shares.note += " Answers \"cannot_tell\" are counted above and take no part here.";
+    shares.note =
+        phrase("Analysis", "%1 Answers \"cannot_tell\" are counted above and take no part here.")
+            .with(shares.note);
   }
   add_shares(shares, outcome);
   add_shares(pairs, outcome);

@@ -99,18 +99,19 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
   outcome.tables.push_back(std::move(made));
 }
 
-std::string chance_note(const Tally& tally, const std::string& of_what) {
+Phrase chance_note(const Tally& tally, const Phrase& at_chance) {
   const std::optional<std::uint64_t> outcomes = tally.outcomes();
-  if (!outcomes) return "Chance differs between the trials.";
-  return "By chance: 1/" + std::to_string(*outcomes) + ' ' + of_what + '.';
+  if (!outcomes) return phrase("Analysis", "Chance differs between the trials.");
+  return at_chance.with(std::to_string(*outcomes));
 }
 
 void add_person_shares(std::span<const PersonShares> shares, const std::string& key_column,
                        const std::string& quantity, AnalysisOutcome& outcome) {
-  NamedTable made{"persons",
-                  "The person as the unit: each person's own share, over the persons",
-                  {{key_column, "persons", "mean", "sd", "minimum", "median", "maximum"}, {}},
-                  {}};
+  NamedTable made{
+      "persons",
+      phrase("Analysis", "The person as the unit: each person's own share, over the persons"),
+      {{key_column, "persons", "mean", "sd", "minimum", "median", "maximum"}, {}},
+      {}};
   for (const PersonShares& item : shares) {
     std::vector<double> own{};
     for (const auto& [person, tally] : item.people) own.push_back(proportion(tally.hits()));
@@ -155,7 +156,10 @@ void add_confusion(std::span<const std::pair<std::string, std::string>> pairs,
     ++chosen[felt][answer];
     columns.insert(answer);
   }
-  NamedTable made{"confusion", "Confusions: felt (down) and chosen picture (across)", {}, {}};
+  NamedTable made{kConfusion,
+                  phrase("Analysis", "Confusions: felt (down) and chosen picture (across)"),
+                  {},
+                  {}};
   made.table.columns.push_back("felt");
   made.table.columns.insert(made.table.columns.end(), columns.begin(), columns.end());
   for (const auto& [felt, counts] : chosen) {
@@ -189,12 +193,15 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   }
   NamedTable made{
       "texture_force",
-      "Texture force (RMS) per model: aimed at on the prescribed path, achieved by the hands",
+      phrase("Analysis",
+             "Texture force (RMS) per model: aimed at on the prescribed path, achieved by the "
+             "hands"),
       {{"model", "surfaces", "matched_mean_N", "achieved_mean_N", "achieved_sd_N",
         "achieved_minimum_N", "achieved_maximum_N"},
        {}},
-      "Equal RMS is not equal intensity: what is felt also depends on frequency, and each hand "
-      "presses and moves in its own way."};
+      phrase("Analysis",
+             "Equal RMS is not equal intensity: what is felt also depends on frequency, and each "
+             "hand presses and moves in its own way.")};
   for (const auto& [model, forces] : by_model) {
     std::vector<Cell>& cells = made.table.rows.emplace_back();
     cells.insert(cells.end(), {model, whole(forces.surfaces)});
@@ -227,11 +234,18 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
 
 void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome& outcome) {
   if (answers <= persons) return;
-  outcome.remarks.push_back(
-      "Where `of` is larger than `persons`, answers of the same persons are pooled (" +
-      std::to_string(answers) + " answers of " + std::to_string(persons) +
-      " persons in all). They are not independent: the intervals are too narrow and the p too "
-      "small. The table \"persons\" takes the person as the unit.");
+  const Phrase pooled =
+      persons == 1
+          ? phrase("Analysis",
+                   "Where \"of\" is larger than \"persons\", answers of the same person are "
+                   "pooled (%1 answers of one person in all). They are not independent: the "
+                   "intervals are too narrow and the p too small.")
+          : phrase("Analysis",
+                   "Where \"of\" is larger than \"persons\", answers of the same persons are "
+                   "pooled (%1 answers of %2 persons in all). They are not independent: the "
+                   "intervals are too narrow and the p too small. The table \"persons\" takes the "
+                   "person as the unit.");
+  outcome.remarks.push_back(pooled.with(std::to_string(answers), std::to_string(persons)));
 }
 
 std::vector<std::string> columns_of(const GatheredAnswers& gathered) {

@@ -39,8 +39,8 @@ struct ShareRow {
 
 struct ShareTable {
   std::string name{};
-  std::string title{};
-  std::string note{};
+  Phrase title{};
+  Phrase note{};
   std::vector<std::string> key_columns{};
   std::string hits_column{};  ///< "chosen", "correct"
   std::string quantity{};     ///< of the findings: "share_chosen"
@@ -51,8 +51,9 @@ struct ShareTable {
 /// two-sided binomial test) and the same as findings.
 void add_shares(const ShareTable& shares, AnalysisOutcome& outcome);
 
-/// "By chance: 1/3 of the answers." — or that it differs between the trials.
-std::string chance_note(const Tally& tally, const std::string& of_what);
+/// `at_chance` with the number of outcomes in its place: "By chance: 1/%1 of the answers right." — or
+/// that it differs between the trials.
+Phrase chance_note(const Tally& tally, const Phrase& at_chance);
 
 /// What one person's share is, over all of the person's answers.
 struct PersonShares {
@@ -69,8 +70,8 @@ void add_person_shares(std::span<const PersonShares> shares, const std::string& 
 /// `all` across.
 struct CountTable {
   std::string name{};
-  std::string title{};
-  std::string note{};
+  Phrase title{};
+  Phrase note{};
   std::string label_column{};
   std::vector<std::string> labels{};
 };

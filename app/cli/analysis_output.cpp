@@ -65,8 +65,8 @@ Json json_of(const NamedTable& table) {
     rows.push_back(std::move(row));
   }
   return {{"name", table.name},
-          {"title", table.title},
-          {"note", table.note},
+          {"title", table.title.english()},
+          {"note", table.note.english()},
           {"columns", table.table.columns},
           {"rows", std::move(rows)}};
 }
@@ -85,6 +85,8 @@ Json json_of(const Finding& finding) {
 }
 
 Json json_of(const AnalysisOutcome& outcome) {
+  Json remarks = Json::array();
+  for (const Phrase& remark : outcome.remarks) remarks.push_back(remark.english());
   Json tables = Json::array();
   for (const NamedTable& table : outcome.tables) tables.push_back(json_of(table));
   Json findings = Json::array();
@@ -101,7 +103,7 @@ Json json_of(const AnalysisOutcome& outcome) {
           {"answers", outcome.answers},
           {"flagged", outcome.count.flagged},
           {"not_counted", outcome.count.not_counted},
-          {"remarks", outcome.remarks},
+          {"remarks", std::move(remarks)},
           {"tables", std::move(tables)},
           {"findings", std::move(findings)}};
 }
@@ -116,11 +118,12 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
           plural(outcome.count.sessions, "session") + ", " +
           plural(outcome.count.planned_trials, "planned trial") + " of the main phase, " +
           plural(outcome.answers, "answer") + " counted\n";
-  for (const std::string& remark : outcome.remarks) text += wrapped("! ", remark);
+  for (const Phrase& remark : outcome.remarks) text += wrapped("! ", remark.english());
   for (const NamedTable& table : outcome.tables) {
-    text += '\n' + table.title + '\n' + std::string(table.title.size(), '-') + '\n';
+    const std::string title = table.title.english();
+    text += '\n' + title + '\n' + std::string(title.size(), '-') + '\n';
     text += aligned(reading_table(table.table));
-    if (!table.note.empty()) text += wrapped("  ", table.note);
+    if (!table.note.empty()) text += wrapped("  ", table.note.english());
   }
   return text;
 }

@@ -18,8 +18,10 @@
 #include "analysis/number_text.h"
 #include "app/analyses/analyze_study.h"
 #include "app/analyses/reading_table.h"
+#include "app/gui/data/analysis_words.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/open_study.h"
 #include "app/tasks/export_study.h"
 #include "app/tasks/study_overview.h"
@@ -27,6 +29,8 @@
 namespace asperity {
 
 namespace {
+
+constexpr int kTextWidth = 900;  // longer lines are hard to follow
 
 /// A table whose rows are shares with an interval: where its columns are.
 struct ShareColumns {
@@ -58,8 +62,11 @@ std::optional<ShareColumns> share_columns(const Table& table) {
   return columns;
 }
 
-QString text_of(const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return QString::fromStdString(*text);
+/// What stands in a column of this name.
+QString text_of(const std::string& column, const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) {
+    return AnalysisWords::of_cell(column, *text);
+  }
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return QString::number(*whole);
   if (const auto* number = std::get_if<double>(&cell)) {
     return QString::fromStdString(number_text(*number));
@@ -78,42 +85,45 @@ QString percent(const Cell& cell) {
   return share ? QString::fromStdString(fixed(100.0 * *share, 0)) + " %" : "–";
 }
 
-/// The words of a row's key columns: "all Total".
-QString key_of(const std::vector<Cell>& row, const ShareColumns& columns) {
+/// The words of a row's key columns: "all · Total".
+QString key_of(const Table& table, std::size_t row, const ShareColumns& columns) {
   QStringList words{};
-  for (std::size_t i = 0; i < columns.keys; ++i) words << text_of(row[i]);
-  return words.join(" ");
+  for (std::size_t i = 0; i < columns.keys; ++i) {
+    words << text_of(table.columns[i], table.rows[row][i]);
+  }
+  return words.join(" · ");
 }
 
-/// "column_1" is a word for programs.
-QString heading_of(const std::string& column) {
-  return QString::fromStdString(column).replace('_', ' ');
+/// A name or a level, also one that is written as a number ("1", then "all"), as opposed to a quantity.
+bool holds_words(const Table& table, const std::string& column) {
+  const auto at = column_of(table, column);
+  return at && !table.rows.empty() && std::holds_alternative<std::string>(table.rows.front()[*at]);
 }
 
-QTableView* make_table(const Table& table, QWidget* parent) {
-  const Table reading = reading_table(table);
+QTableView* make_table(const NamedTable& table, QWidget* parent) {
+  const Table reading = reading_table(table.table);
   auto* view = new QTableView(parent);
   auto* model = new QStandardItemModel(view);
   QStringList headings{};
-  for (const std::string& column : reading.columns) headings << heading_of(column);
+  for (const std::string& column : reading.columns) {
+    headings << AnalysisWords::of_heading(table, column);
+  }
   model->setHorizontalHeaderLabels(headings);
   for (const std::vector<Cell>& row : reading.rows) {
     QList<QStandardItem*> items{};
-    for (const Cell& cell : row) {
-      auto* item = new QStandardItem(text_of(cell));
-      const bool is_number =
-          number_of(cell) ||
-          (!item->text().isEmpty() && (item->text().at(0).isDigit() || item->text().at(0) == '['));
-      item->setTextAlignment((is_number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      auto* item = new QStandardItem(text_of(reading.columns[i], row[i]));
+      item->setTextAlignment(
+          (holds_words(table.table, reading.columns[i]) ? Qt::AlignLeft : Qt::AlignRight) |
+          Qt::AlignVCenter);
       items << item;
     }
     model->appendRow(items);
   }
   for (int column = 0; column < model->columnCount(); ++column) {
-    const bool is_number =
-        model->rowCount() > 0 && model->item(0, column)->textAlignment().testFlag(Qt::AlignRight);
-    model->horizontalHeaderItem(column)->setTextAlignment(
-        (is_number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    const bool words = holds_words(table.table, reading.columns[static_cast<std::size_t>(column)]);
+    model->horizontalHeaderItem(column)->setTextAlignment((words ? Qt::AlignLeft : Qt::AlignRight) |
+                                                          Qt::AlignVCenter);
   }
   style_table(*view);
   view->setSortingEnabled(false);  // rows belong together: parts, then totals
@@ -147,7 +157,7 @@ QCustomPlot* make_forest(const Table& table, const ShareColumns& columns, QWidge
     const std::vector<Cell>& row = table.rows[i];
     const auto share = number_of(row[columns.share]);
     const double place = rows - static_cast<double>(i);
-    labels->addTick(place, key_of(row, columns));
+    labels->addTick(place, key_of(table, i, columns));
     if (!share) continue;
     const auto low = columns.low ? number_of(row[*columns.low]) : std::nullopt;
     const auto high = columns.low ? number_of(row[*columns.low + 1]) : std::nullopt;
@@ -188,16 +198,28 @@ QCustomPlot* make_forest(const Table& table, const ShareColumns& columns, QWidge
   style_plot(*plot);
   plot->yAxis->grid()->setVisible(false);
   plot->setFixedHeight(static_cast<int>(rows) * 26 + 88);
-  plot->setMaximumWidth(900);
   return plot;
 }
+
+/// As high as its texts are at the width that it has. A scroll area gives it what its texts need at
+/// their narrowest otherwise, and what stands last is squeezed.
+class OutcomePage final : public QWidget {
+ protected:
+  bool event(QEvent* event) override {
+    const bool done = QWidget::event(event);
+    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) {
+      setMinimumHeight(layout()->totalHeightForWidth(width()));
+    }
+    return done;
+  }
+};
 
 /// A line to press that shows or hides what is under it.
 void add_folded(const QString& words, const QString& text, QVBoxLayout& layout, QWidget* parent) {
   QPushButton* fold = make_button("▸ " + words, ButtonRole::link, parent);
   fold->setCheckable(true);
   QLabel* note = make_text(text, parent, true);
-  note->setMaximumWidth(900);
+  note->setMaximumWidth(kTextWidth);
   note->hide();
   QObject::connect(fold, &QPushButton::toggled, note, [fold, note, words](bool open) {
     fold->setText((open ? "▾ " : "▸ ") + words);
@@ -242,7 +264,7 @@ QString question_of(const AnalysisOutcome& outcome) {
 }
 
 QWidget* make_outcome(const AnalysisOutcome& outcome) {
-  auto* page = new QWidget();
+  auto* page = new OutcomePage();
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(kMargin, 0, kMargin, kMargin);
   layout->setSpacing(kGrid);
@@ -267,25 +289,29 @@ QWidget* make_outcome(const AnalysisOutcome& outcome) {
                people_text(static_cast<int>(outcome.count.participants)),
                answers_text(static_cast<int>(outcome.answers))),
       page, true));
-  for (const std::string& remark : outcome.remarks) {
+  for (const Phrase& remark : outcome.remarks) {
     auto* line = new StateLabel(page);
-    line->setMaximumWidth(900);
-    line->set_state(State::look, QString::fromStdString(remark));
+    line->setMaximumWidth(kTextWidth);
+    line->set_state(State::look, words_of(remark));
     layout->addWidget(line);
   }
   bool has_figure = false;
   for (const NamedTable& table : outcome.tables) {
     layout->addSpacing(kMargin);
-    layout->addWidget(make_heading(QString::fromStdString(table.title), page));
+    layout->addWidget(make_heading(words_of(table.title), page));
     const auto shares = share_columns(table.table);
     if (shares && shares->low && !has_figure) {
-      layout->addWidget(make_forest(table.table, *shares, page));
+      QVBoxLayout* inside = nullptr;
+      QFrame* card = make_card(page, inside);
+      card->setMaximumWidth(kTextWidth);
+      inside->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+      inside->addWidget(make_forest(table.table, *shares, card));
+      layout->addWidget(card);
       has_figure = true;
     }
-    layout->addWidget(make_table(table.table, page));
+    layout->addWidget(make_table(table, page));
     if (!table.note.empty()) {
-      add_folded(AnalysisPage::tr("How it was computed"), QString::fromStdString(table.note),
-                 *layout, page);
+      add_folded(AnalysisPage::tr("How it was computed"), words_of(table.note), *layout, page);
     }
   }
   layout->addStretch(1);
@@ -304,11 +330,11 @@ QString sentence_of(const NamedTable& table) {
     QStringList words{};
     bool is_part = false;
     for (std::size_t i = 0; i < columns->keys; ++i) {
-      const QString word = text_of(candidate[i]);
-      if (word == "all" || word == "Total") continue;
       const std::string& name = table.table.columns[i];
+      const auto* word = std::get_if<std::string>(&candidate[i]);
+      if (word != nullptr && (*word == "all" || *word == "Total")) continue;
       if (name == "column" || name == "person") is_part = true;
-      words << word;
+      words << text_of(name, candidate[i]);
     }
     const auto share = number_of(candidate[columns->share]);
     if (is_part || !share) continue;
@@ -318,10 +344,10 @@ QString sentence_of(const NamedTable& table) {
     }
   }
   if (row.empty()) return {};
-  const QString numbers =
-      AnalysisPage::tr("%1 of %2 (%3; 95 % interval %4 to %5)")
-          .arg(text_of(row[columns->hits]), text_of(row[columns->of]), percent(row[columns->share]),
-               percent(row[*columns->low]), percent(row[*columns->low + 1]));
+  const QString numbers = AnalysisPage::tr("%1 of %2 (%3; 95 % interval %4 to %5)")
+                              .arg(text_of({}, row[columns->hits]), text_of({}, row[columns->of]),
+                                   percent(row[columns->share]), percent(row[*columns->low]),
+                                   percent(row[*columns->low + 1]));
   const QString chance = columns->chance ? percent(row[*columns->chance]) : QString();
   if (chance.isEmpty()) return AnalysisPage::tr("%1: %2.").arg(what, numbers);
   return AnalysisPage::tr("%1: %2, where chance is %3.").arg(what, numbers, chance);
@@ -403,9 +429,9 @@ void AnalysisPage::showEvent(QShowEvent* event) {
 void AnalysisPage::refresh() {
   outdated_ = false;
   analysis_.run<Analysis>(
-      [folder = study_.folder()](const std::stop_token&, const BackgroundTask::Progress&) {
+      [folder = study_.folder()](const std::stop_token& stop, const BackgroundTask::Progress&) {
         const Study study = Study::open(folder, Access::read_only);
-        Analysis analysis{analyze_study(study), {}};
+        Analysis analysis{analyze_study(study, {}, stop), {}};
         for (const SessionRow& session : study.sessions()) {
           if (!is_blind(study, session)) continue;
           analysis.running.insert(study.protocol(session.protocol_id).name);

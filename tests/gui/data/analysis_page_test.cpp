@@ -4,6 +4,8 @@
 #include <iterator>
 #include <memory>
 
+#include <QtCore/QCoreApplication>
+#include <QtCore/QTranslator>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QFileDialog>
@@ -14,6 +16,7 @@
 #include <gtest/gtest.h>
 #include <qcustomplot.h>
 
+#include "app/gui/data/analysis_words.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/study/open_study.h"
@@ -87,6 +90,49 @@ TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
     EXPECT_NEAR(share - (*bars->data())[i].errorMinus, 0.5313, 1e-4);
     EXPECT_NEAR(share + (*bars->data())[i].errorPlus, 0.8881, 1e-4);
   }
+}
+
+/// A language in which every word of an analysis stands in angle brackets.
+class Brackets final : public QTranslator {
+ public:
+  bool isEmpty() const override { return false; }
+  QString translate(const char* context, const char* words, const char*, int) const override {
+    const QString of = context;
+    return of == "Analysis" || of == "AnalysisWords" ? "<" + QString::fromUtf8(words) + ">" : "";
+  }
+};
+
+TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
+  Brackets brackets;
+  QCoreApplication::installTranslator(&brackets);
+  MadeUpStudy made;
+  add_choices(made, 15);
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  EXPECT_TRUE(refreshed.wait(10000));
+  QStringList words{};
+  for (const QLabel* label : page.findChildren<QLabel*>()) words << label->text();
+  EXPECT_TRUE(words.contains("<Chosen as the most realistic (counts)>"));
+  EXPECT_TRUE(words.contains("<By chance: 1/2 of the choices for each model.>"));
+  for (const QTableView* table : page.findChildren<QTableView*>()) {
+    for (int i = 0; i < table->model()->columnCount(); ++i) {
+      const QString heading = table->model()->headerData(i, Qt::Horizontal).toString();
+      EXPECT_TRUE(heading.startsWith("<")) << heading.toStdString();
+    }
+  }
+  const auto* counts = page.findChildren<QTableView*>().first()->model();
+  EXPECT_EQ(counts->index(0, 0).data().toString(), "height_map");
+  // Where the program's own word can stand only: a study may name its pictures as it likes.
+  EXPECT_EQ(AnalysisWords::of_cell("person", "Total"), "<Total>");
+  EXPECT_EQ(AnalysisWords::of_cell("item", "Total"), "Total");
+  NamedTable confusion{};
+  confusion.name = kConfusion;
+  confusion.table.columns = {"felt", "share"};
+  EXPECT_EQ(AnalysisWords::of_heading(confusion, "felt"), "<felt>");
+  EXPECT_EQ(AnalysisWords::of_heading(confusion, "share"), "share");
+  QCoreApplication::removeTranslator(&brackets);
 }
 
 TEST(AnalysisPage, SaysWhatToDoWhileThereIsNothing) {
