@@ -26,12 +26,13 @@ namespace {
 // Somebody who types a label is let finish before everything is looked at.
 constexpr int kCheckDelay_ms = 300;
 constexpr const char* kPage = "start";
-constexpr int kNarrowestForm = 640;
+constexpr int kNarrowestForm = 648;
 constexpr int kFormWidth = 960;       // longer lines are hard to follow
-constexpr int kCheckListWidth = 352;  // at least
+constexpr int kCheckListWidth = 328;  // at least
 constexpr int kFieldWidth = 320;
 constexpr int kModeWidth = 160;
 constexpr const char* kTall = "min-height: 46px;";
+constexpr int kFooterHeight = 80;  // whatever the reason says
 
 }  // namespace
 
@@ -40,27 +41,31 @@ StartPage::StartPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study
   page->setContentsMargins(0, 0, 0, 0);
   page->setSpacing(0);
   band_ = new ModeBand(this);
+  // Its room is there in a run as well: whoever chooses a mode sees nothing move.
+  QSizePolicy steady = band_->sizePolicy();
+  steady.setRetainSizeWhenHidden(true);
+  band_->setSizePolicy(steady);
   page->addWidget(band_);
-  auto* body = new QHBoxLayout();
-  body->setContentsMargins(kMargin, kMargin, kMargin, 0);
-  body->setSpacing(kMargin);
-
-  auto* left_side = new QWidget(this);
-  left_side->setMinimumWidth(kNarrowestForm);
-  left_side->setMaximumWidth(kFormWidth);
-  auto* left = new QVBoxLayout(left_side);
-  left->setContentsMargins(0, 0, 0, 0);
-  left->setSpacing(kMargin);
-  title_ = make_title(tr("Start a session"), this);
-  left->addWidget(title_);
+  auto* below = new QVBoxLayout();
+  below->setContentsMargins(kMargin, kGrid, kMargin, 0);
+  below->setSpacing(kMargin);
+  page->addLayout(below, 1);
+  make_head(*below);
   banner_ = new Banner(this);
-  left->addWidget(banner_);
-  auto* area = new QScrollArea(this);
-  area->setWidgetResizable(true);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setFocusPolicy(Qt::NoFocus);
-  area->viewport()->setAutoFillBackground(false);
-  form_ = new QWidget(area);
+  below->addWidget(banner_);
+  auto* body = new QHBoxLayout();
+  body->setSpacing(kMargin);
+  below->addLayout(body, 1);
+
+  area_ = new QScrollArea(this);
+  area_->setObjectName("start_form");
+  area_->setMinimumWidth(kNarrowestForm);
+  area_->setMaximumWidth(kFormWidth);
+  area_->setWidgetResizable(true);
+  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area_->setFocusPolicy(Qt::NoFocus);
+  area_->viewport()->setAutoFillBackground(false);
+  form_ = new QWidget(area_);
   form_->setAutoFillBackground(false);
   auto* column = new QVBoxLayout(form_);
   column->setContentsMargins(0, 0, kGrid, kMargin);
@@ -68,7 +73,6 @@ StartPage::StartPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study
   make_protocol_card(*column);
   participant_ = new ParticipantCard(form_);
   column->addWidget(participant_);
-  make_mode_card(*column);
   make_simulation_card(*column);
   consent_ = new ConsentCard(form_);
   column->addWidget(consent_);
@@ -78,9 +82,8 @@ StartPage::StartPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study
   noise_layout_->addWidget(make_heading(tr("Masking noise"), form_));
   column->addWidget(noise_card_);
   column->addStretch(1);
-  area->setWidget(form_);
-  left->addWidget(area, 1);
-  body->addWidget(left_side, 3);
+  area_->setWidget(form_);
+  body->addWidget(area_, 3);
 
   QVBoxLayout* checks = nullptr;
   QFrame* check_card = make_card(this, checks);
@@ -91,7 +94,6 @@ StartPage::StartPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study
   right->setContentsMargins(0, 0, 0, kMargin);
   right->addWidget(check_card);
   body->addLayout(right, 2);
-  page->addLayout(body, 1);
   page->addWidget(make_footer());
 
   check_timer_ = new QTimer(this);
@@ -138,12 +140,12 @@ void StartPage::make_protocol_card(QVBoxLayout& column) {
   layout->addWidget(protocol_state_);
 }
 
-void StartPage::make_mode_card(QVBoxLayout& column) {
-  QVBoxLayout* layout = nullptr;
-  column.addWidget(make_card(this, layout));
+// The mode stands above what scrolls: it decides about most of what there is to fill in.
+void StartPage::make_head(QVBoxLayout& page) {
   auto* row = new QHBoxLayout();
   row->setSpacing(kGrid);
-  row->addWidget(make_heading(tr("Mode"), this), 1);
+  title_ = make_title(tr("Start a session"), this);
+  row->addWidget(title_, 1);
   auto* modes = new QButtonGroup(this);
   const auto add = [&](const QString& text, const QString& name, SessionMode mode) {
     QPushButton* button = make_button(text, ButtonRole::selector, this);
@@ -159,10 +161,12 @@ void StartPage::make_mode_card(QVBoxLayout& column) {
   run_ = add(tr("Run"), "mode_run", SessionMode::run);
   pilot_ = add(tr("Pilot"), "mode_pilot", SessionMode::pilot);
   simulate_ = add(tr("Simulate"), "mode_simulate", SessionMode::simulate);
-  layout->addLayout(row);
+  page.addLayout(row);
   mode_text_ = make_text({}, this, true);
   mode_text_->setObjectName("mode_text");
-  layout->addWidget(mode_text_);
+  mode_text_->setWordWrap(false);  // one line for every mode
+  page.addSpacing(kGrid - kMargin);
+  page.addWidget(mode_text_);
 }
 
 void StartPage::make_simulation_card(QVBoxLayout& column) {
@@ -209,8 +213,9 @@ QWidget* StartPage::make_footer() {
   footer->setObjectName("start_footer");
   footer->setStyleSheet(QString("#start_footer { background: %1; border-top: 1px solid %2; }")
                             .arg(theme().panel.name(), theme().line.name()));
+  footer->setFixedHeight(kFooterHeight);
   auto* row = new QHBoxLayout(footer);
-  row->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  row->setContentsMargins(kMargin, 0, kMargin, 0);
   row->setSpacing(kMargin);
   reason_ = new StateLabel(footer);
   reason_->setObjectName("start_reason");

@@ -23,6 +23,7 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 class QSpinBox;
 class QTimer;
 class QVBoxLayout;
@@ -38,9 +39,9 @@ class ParticipantCard;
 class SetupCard;
 class StateLabel;
 
-/// Protocol, participant, Run | Pilot | Simulate, consent, device and screens, masking noise; beside
-/// them the checklist; below, always in sight, "Start session" with the reason while it cannot be
-/// pressed.
+/// Protocol, participant, consent, device and screens, masking noise; beside them the checklist.
+/// Always in sight, and never moved by what is chosen: above, Run | Pilot | Simulate; below, "Start
+/// session" with the reason while it cannot be pressed.
 ///
 /// One virtual participant in a simulation makes a SessionOrder like anybody else; several are
 /// simulated here in the background, with progress, and reported.
@@ -87,8 +88,8 @@ class StartPage final : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  void make_head(QVBoxLayout& page);
   void make_protocol_card(QVBoxLayout& column);
-  void make_mode_card(QVBoxLayout& column);
   void make_simulation_card(QVBoxLayout& column);
   QWidget* make_footer();
   void connect_parts();
@@ -151,6 +152,7 @@ class StartPage final : public QWidget {
   ModeBand* band_ = nullptr;
   Banner* banner_ = nullptr;
   QLabel* title_ = nullptr;
+  QScrollArea* area_ = nullptr;
   QWidget* form_ = nullptr;
   QComboBox* protocols_ = nullptr;
   QLabel* protocol_text_ = nullptr;

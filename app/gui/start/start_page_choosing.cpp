@@ -8,6 +8,8 @@
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
 #include <QtWidgets/QSpinBox>
 
 #include "app/gui/look/controls.h"
@@ -139,8 +141,11 @@ void StartPage::forget_person() {
 }
 
 void StartPage::set_mode(SessionMode mode) {
+  const bool was_virtual = is_virtual();
   mode_ = mode;
   show_mode();
+  // Other cards stand there now, and where somebody had scrolled to means nothing in them.
+  if (is_virtual() != was_virtual) area_->verticalScrollBar()->setValue(0);
 }
 
 void StartPage::check_again() {

@@ -21,7 +21,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostReasons = 3;
+constexpr int kMostReasons = 2;  // the room beside Start does not grow
 
 /// Several sentences as one text: the first few, and how many more there are.
 QString text_of_reasons(const std::vector<QString>& reasons) {

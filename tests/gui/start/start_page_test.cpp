@@ -17,6 +17,7 @@
 #include <QtWidgets/QProgressBar>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
 #include <QtWidgets/QSpinBox>
 #include <gtest/gtest.h>
 
@@ -587,10 +588,9 @@ TEST_F(TheStartPage, ComesInTheOrderInWhichASessionIsPrepared) {
   page->show();
   choose(protocol);
   QTest::qWait(10);
-  const std::vector<const char*> order{"protocols",    "participant_label", "question_age",
-                                       "session_text", "mode_run",          "consent_given",
-                                       "device",       "right_hand",        "participant_screen",
-                                       "start"};
+  const std::vector<const char*> order{
+      "mode_run",      "protocols", "participant_label", "question_age",       "session_text",
+      "consent_given", "device",    "right_hand",        "participant_screen", "start"};
   int last = -1;
   for (const char* name : order) {
     const int y = find<QWidget>(name).mapTo(page.get(), QPoint(0, 0)).y();
@@ -655,6 +655,42 @@ TEST_F(TheStartPage, KeepsStartInSightAndNeverScrollsSideways) {
   EXPECT_TRUE(page->rect().contains(corner));
 }
 
+TEST_F(TheStartPage, HasTheModeInSightAndMovesNothingWhenItIsChosen) {
+  page->show();
+  choose(protocol);
+  page->resize(1048, 620);
+  auto* area = page->findChild<QScrollArea*>("start_form");
+  ASSERT_NE(area, nullptr);
+  ASSERT_FALSE(area->isAncestorOf(&find<QPushButton>("mode_run")));
+  const auto places = [this] {
+    QString text{};
+    for (const char* name : {"mode_run", "mode_pilot", "mode_simulate", "mode_text", "protocols",
+                             "check_again", "start_footer"}) {
+      const auto& widget = find<QWidget>(name);
+      const QPoint place = widget.mapTo(page.get(), QPoint(0, 0));
+      EXPECT_TRUE(page->rect().contains(place)) << name;
+      text += QString("%1 at %2, %3; ").arg(name).arg(place.x()).arg(place.y());
+    }
+    return text.toStdString();
+  };
+  QTest::qWait(10);
+  // From a run to a pilot nothing is asked otherwise: what is looked at stays where it is.
+  area->verticalScrollBar()->setValue(area->verticalScrollBar()->maximum() / 2);
+  const int value = area->verticalScrollBar()->value();
+  ASSERT_GT(value, 0);
+  click("mode_pilot");
+  QTest::qWait(10);
+  EXPECT_EQ(area->verticalScrollBar()->value(), value);
+  area->verticalScrollBar()->setValue(0);
+  click("mode_run");
+  const std::string before = places();
+  for (const char* mode : {"mode_pilot", "mode_simulate", "mode_run"}) {
+    click(mode);
+    QTest::qWait(10);
+    EXPECT_EQ(places(), before) << mode;
+  }
+}
+
 /// Pictures of the demonstration study, as an experimenter sees them.
 TEST(StartPagePictures, ShowEveryMode) {
   if (qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) GTEST_SKIP() << "no folder for pictures";
@@ -697,7 +733,7 @@ TEST(StartPagePictures, ShowEveryMode) {
     take_screenshot(page, "start-page" + suffix);
     page.set_mode(SessionMode::pilot);
     settle();
-    auto* area = page.findChild<QScrollArea*>();
+    auto* area = page.findChild<QScrollArea*>("start_form");
     area->ensureVisible(0, area->widget()->sizeHint().height());
     take_screenshot(page, "start-page-pilot" + suffix);
     page.set_mode(SessionMode::simulate);
