@@ -33,6 +33,9 @@ namespace asperity {
 namespace {
 
 constexpr const char* kGeometry = "study_window";
+constexpr QSize kUsualSize{1280, 800};
+constexpr QSize kFrame{16, 48};  // that a desktop draws around a window, and then some
+constexpr QSize kSmallestPages{640, 400};
 
 /// Changes whenever somebody has written to the store.
 QString state_of_store(const std::filesystem::path& folder) {
@@ -49,7 +52,7 @@ QString state_of_store(const std::filesystem::path& folder) {
 StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
   setObjectName("study_window");
   if (!restore_geometry(*this, kGeometry)) {
-    resize(QSize(1280, 800).boundedTo(screen()->availableSize() * 0.9));
+    resize(kUsualSize.boundedTo(screen()->availableSize() - kFrame));
   }
   watcher_ = new QFileSystemWatcher(this);
   connect(watcher_, &QFileSystemWatcher::directoryChanged, this, &StudyWindow::watch_folder);
@@ -77,6 +80,10 @@ void StudyWindow::refill() {
   layout->addLayout(row, 1);
   navigation_ = new NavigationList(centre);
   pages_ = new QStackedWidget(centre);
+  pages_->setObjectName("study_pages");
+  // In place of what the largest page asks for, which changes with what it shows: the window is as
+  // large as somebody has made it, whatever page or language is chosen.
+  pages_->setMinimumSize(kSmallestPages);
   row->addWidget(navigation_);
   line_ = new QFrame(centre);
   line_->setFixedWidth(1);

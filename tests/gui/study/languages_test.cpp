@@ -9,6 +9,8 @@
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QStackedWidget>
 
 #include "app/gui/participant/participant_words.h"
 #include "app/gui/start/start_page.h"
@@ -47,6 +49,29 @@ class Languages : public QuietHome {
     return names.join('|');
   }
 };
+
+/// On the smallest screen, 1280 × 720 without a frame: whatever page is shown, the window is as large
+/// as it was, and the page has the room that it asks for.
+void expect_every_page_to_fit(StudyWindow& window) {
+  constexpr QSize kSmall{1264, 672};
+  window.resize(kSmall);
+  auto& pages = child<QStackedWidget>(window, "study_pages");
+  for (int i = 0; i < pages.count(); ++i) {
+    const QString key = pages.widget(i)->property("page").toString();
+    if (key.isEmpty()) continue;
+    window.show_page(key);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(window.size(), kSmall) << key.toStdString();
+    const QSize wanted = pages.widget(i)->minimumSizeHint();
+    EXPECT_LE(wanted.width(), pages.width()) << key.toStdString();
+    EXPECT_LE(wanted.height(), pages.height()) << key.toStdString();
+    for (const auto* area : pages.widget(i)->findChildren<QScrollArea*>()) {
+      if (!area->isVisible() || area->widget() == nullptr) continue;
+      EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width())
+          << key.toStdString();
+    }
+  }
+}
 
 TEST_F(Languages, AreEnglishAndGerman) {
   EXPECT_EQ(available_languages(), (QStringList{"en", "de"}));
@@ -109,7 +134,8 @@ TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
   ASSERT_NE(start, nullptr);
   EXPECT_TRUE(eventually([&] {
     const std::vector<QString> reasons = start->reasons();
-    return std::none_of(reasons.begin(), reasons.end(),
+    return start->is_read() &&
+           std::none_of(reasons.begin(), reasons.end(),
                         [](const QString& reason) { return reason.contains("Checkliste wird"); });
   }));
   EXPECT_EQ(child<QPushButton>(window, "start").text(), "Sitzung starten");
@@ -118,11 +144,17 @@ TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
         << label->text().toStdString();
   }
   take_screenshot(window, "german-study-start");
+  for (const char* page : {"workbench", "analysis", "devices"}) {
+    window.show_page(page);
+    take_screenshot(window, QString("german-study-") + page);
+  }
+  expect_every_page_to_fit(window);
 
   window.show_page("sessions");  // what is filled in for a session is not thrown away
   choose(window, "English");
   ASSERT_TRUE(eventually([&] { return window.menuBar()->actions()[1]->text() == "&View"; }));
   EXPECT_TRUE(navigation_of(window).contains("Sessions"));
+  expect_every_page_to_fit(window);
 }
 
 }  // namespace
