@@ -63,12 +63,15 @@ glm::dvec3 across(const glm::dvec3& n, const glm::dvec3& wanted) noexcept {
   return glm::normalize(wanted - n * glm::dot(n, wanted));
 }
 
-/// Axes for a direction that was not there before: u along the axis of the world most across it.
+/// Axes for a direction that was not there before: u along the axis of the world most across it, the
+/// first of those that are so up to rounding.
 ContactFrame first_frame(const glm::dvec3& origin_m, const glm::dvec3& n) noexcept {
+  constexpr double kRounding = 1e-6;
   const glm::dvec3 size = glm::abs(n);
-  const glm::dvec3 axis = size.x <= size.y && size.x <= size.z ? glm::dvec3(1.0, 0.0, 0.0)
-                          : size.y <= size.z                   ? glm::dvec3(0.0, 1.0, 0.0)
-                                                               : glm::dvec3(0.0, 0.0, 1.0);
+  const double least = std::min({size.x, size.y, size.z}) + kRounding;
+  const glm::dvec3 axis = size.x <= least   ? glm::dvec3(1.0, 0.0, 0.0)
+                          : size.y <= least ? glm::dvec3(0.0, 1.0, 0.0)
+                                            : glm::dvec3(0.0, 0.0, 1.0);
   const glm::dvec3 u = across(n, axis);
   return {.origin_m = origin_m, .u = u, .v = glm::cross(n, u), .n = n};
 }

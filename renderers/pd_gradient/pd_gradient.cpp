@@ -256,12 +256,12 @@ std::vector<Parameter> parameters() {
        .default_value = std::string("hard"),
        .meaning = "hard: the largest depth and central differences, as in the source; smooth: a "
                   "soft maximum and its exact gradient, another force"},
-      number("step_m", "m", 1e-5, 5e-3, 1e-4,
+      number("step_m", "m", 1e-6, 5e-3, 1e-4,
              "Hard maximum only: how far the tool is moved either way for a difference; 1, 2, 4 or "
              "8 cells, and at most an eighth of the finest wavelength"),
       number("tau_m", "m", 1e-6, 1e-3, 2e-5,
              "Smooth maximum only: heights within some tau of the highest push together"),
-      number("cell_m", "m", 1e-5, 5e-3, 1e-4, "Distance of the samples of a contact"),
+      number("cell_m", "m", 1e-6, 5e-3, 1e-4, "Distance of the samples of a contact"),
       {.name = "most_samples",
        .kind = ParameterKind::integer,
        .unit = "1",

@@ -100,8 +100,8 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
         std::any_of(contacts_.begin(), contacts_.end(),
                     [&](const TexturedContact& longer) { return lies_in(region, longer); });
     if (is_felt) continue;
-    add({.id = region.id, .frame = region.frame, .width_m = region.width_m},
-        depth_before_m(region.id), a, b);
+    add({.id = region.id, .frame = region.frame, .width_m = region.width_m}, depth_before_m(region),
+        a, b);
   }
   keep_vanished(a, b);
   b_before_ = b;
@@ -119,10 +119,14 @@ bool TexturedContacts::touch(const Pose& a, const Pose& b) noexcept {
          a_.holds(place(relative(b, a), b_.hull().vertices_m.front()));
 }
 
-double TexturedContacts::depth_before_m(std::uint64_t id) const noexcept {
-  const auto found = std::find_if(before_.begin(), before_.end(),
-                                  [id](const TexturedContact& each) { return each.id == id; });
-  return found == before_.end() ? 0.0 : std::max(0.0, found->penetration.depth_m);
+// A region that is new may be where a kept contact was.
+double TexturedContacts::depth_before_m(const ContactRegion& region) const noexcept {
+  double depth_m = 0.0;
+  for (const TexturedContact& last : before_) {
+    if (last.id == region.id) return std::max(0.0, last.penetration.depth_m);
+    if (is_part_of(region.frame, last)) depth_m = std::max(depth_m, last.penetration.depth_m);
+  }
+  return depth_m;
 }
 
 void TexturedContacts::keep_vanished(const Pose& a, const Pose& b) noexcept {

@@ -70,7 +70,7 @@ class TexturedContacts final {
  public:
   static constexpr std::size_t kMostPairs = 4096;
   static constexpr std::size_t kMostContacts = 16;
-  static constexpr std::size_t kMostTriangles = 4096;  ///< of a body in one window
+  static constexpr std::size_t kMostTriangles = 8192;  ///< of a body in one window
 
   TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
                    InstructionSet instructions);
@@ -93,7 +93,7 @@ class TexturedContacts final {
 
  private:
   void add(TexturedContact contact, double last_depth_m, const Pose& a, const Pose& b) noexcept;
-  double depth_before_m(std::uint64_t id) const noexcept;
+  double depth_before_m(const ContactRegion& region) const noexcept;
   void keep_vanished(const Pose& a, const Pose& b) noexcept;
   std::span<const std::uint32_t> triangles_in(const TexturedBody& body, const Pose& pose,
                                               const ContactFrame& frame, double outwards,

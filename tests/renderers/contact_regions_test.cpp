@@ -130,6 +130,18 @@ TEST(ContactRegions, ADirectionMovesContinuouslyWhileABodySlides) {
   EXPECT_LT(largest_rad, 0.005);
 }
 
+TEST(ContactRegions, AContactKeepsItsNameWhileABodySlidesAndANewOneGetsAnother) {
+  Meeting meeting(ball(kRadius_m, 16, 24), plate());
+  const auto id_at = [&](double x_m) {
+    return meeting.update(at({x_m, 0.0, kRadius_m - kDepth_m}), plate_pose())[0].id;
+  };
+  const std::uint64_t first = id_at(0.0);
+  for (int step = 1; step < 50; ++step) EXPECT_EQ(id_at(1e-4 * step), first) << step;
+  EXPECT_NE(id_at(-0.02), first);  // further than half a window in one tick
+  meeting.regions.reset();
+  EXPECT_EQ(id_at(0.0), first);  // and the past is forgotten
+}
+
 TEST(ContactRegions, ADirectionStaysWhileTheBodiesRockWithinItsPlay) {
   Meeting meeting(box({0.02, 0.02, 0.02}), plate());
   const auto rocked = [&](double angle_rad) {

@@ -109,6 +109,43 @@ TEST(CoupledTool, IsLetGoByAContactThatWouldPull) {
   EXPECT_EQ(wrench.force_N.z, unhindered.step(away, {}, kTick_s).force_N.z);
 }
 
+// Pulled along a plane at a steady speed v, the coupling carries b·v along the plane, and the torque of
+// the point that rubs.
+TEST(CoupledTool, IsHeldBackByTheFrictionOfAContact) {
+  CoupledTool tool({.angular_stiffness_N_m_per_rad = 1e4});
+  ProbeState device = at({0.0, 0.0, -0.001});
+  device.velocity_m_per_s.x = 0.05;
+  tool.reset(device);
+  const glm::dvec3 arm_m{0.01, 0.02, 0.0};
+  Wrench wrench{};
+  for (int tick = 0; tick < 3000; ++tick) {
+    std::vector<PenaltyContact> contacts = PlaneUnderPoint{}.contacts(tool.pose());
+    ASSERT_FALSE(contacts.empty());
+    contacts[0].friction_N_s_per_m = 4.0;
+    contacts[0].arm_m = arm_m;
+    wrench = tool.step(device, contacts, kTick_s);
+    device.position_m.x += device.velocity_m_per_s.x * kTick_s;
+  }
+  EXPECT_NEAR(wrench.force_N.x, -4.0 * 0.05, 1e-3);
+  EXPECT_NEAR(wrench.torque_N_m.z, -arm_m.y * wrench.force_N.x, 1e-4);
+  EXPECT_NEAR(tool.velocity_m_per_s(arm_m).x, 0.05, 1e-6);
+}
+
+TEST(CoupledTool, FeelsNoFrictionAcrossTheContactsNormal) {
+  CoupledTool rubbed({});
+  CoupledTool free({});
+  const ProbeState device = at({0.0, 0.0, -0.002});
+  rubbed.reset(at({}));
+  free.reset(at({}));
+  for (int tick = 0; tick < 20; ++tick) {
+    std::vector<PenaltyContact> contacts = PlaneUnderPoint{}.contacts(rubbed.pose());
+    for (PenaltyContact& contact : contacts) contact.friction_N_s_per_m = 50.0;
+    rubbed.step(device, contacts, kTick_s);
+    free.step(device, PlaneUnderPoint{}.contacts(free.pose()), kTick_s);
+  }
+  EXPECT_NEAR(rubbed.pose().centre_m.z, free.pose().centre_m.z, 1e-12);
+}
+
 TEST(CoupledTool, IsNeverStifferToTheHandThanItsCoupling) {
   CoupledTool tool({.stiffness_N_per_m = 800.0});
   tool.reset(at({0.0, 0.0, 0.0}));

@@ -38,14 +38,14 @@ inline glm::dmat3 turn_about(const glm::dvec3& axis, double angle_rad) {
   return glm::mat3_cast(glm::angleAxis(angle_rad, glm::normalize(axis)));
 }
 
-struct PlateShape {
+struct FormedPlate {
   glm::dvec2 size_m{0.0};
   std::array<std::size_t, 2> cells{1, 1};
 };
 
 // A plate about the origin that looks up, with vertices at height(x, y), and no texture.
 template <typename Height>
-TexturedMesh formed_plate(const PlateShape& shape, const Height& height) {
+TexturedMesh formed_plate(const FormedPlate& shape, const Height& height) {
   TexturedMesh mesh;
   const auto [columns, rows] = shape.cells;
   for (std::size_t row = 0; row <= rows; ++row) {

@@ -1,0 +1,108 @@
+// A mesh prepared for contact: its hull, its triangles in a window, its finest waves.
+
+#include "renderers/pd_gradient/textured_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "stimuli/textured_point.h"
+#include "tests/renderers/meshes.h"
+#include "tests/renderers/textured_bodies.h"
+
+namespace asperity {
+namespace {
+
+constexpr Grating kGrating{.amplitude_m = 0.05e-3, .wavelength_m = 1e-3};
+
+TEST(TexturedBody, HasAHullAroundItsTextureAsFarAwayEverywhere) {
+  const TexturedMesh plate = grated_plate(kGrating);
+  const TexturedBody body(plate, 2.0);
+  const auto highest = *std::max_element(plate.atlas.values.begin(), plate.atlas.values.end());
+  const double expected_m = 2.0 * highest * plate.atlas.step_m;
+  EXPECT_GT(expected_m, 2.0 * kGrating.amplitude_m);
+  for (std::size_t i = 0; i < plate.vertices_m.size(); ++i) {
+    const glm::dvec3 outward_m = body.hull().vertices_m[i] - plate.vertices_m[i];
+    EXPECT_LT(glm::length(outward_m - expected_m * plate.normals[i]), 1e-12);
+  }
+}
+
+TEST(TexturedBody, HasAFlatHullWhereItsTextureIsHollow) {
+  TexturedMesh plate = textured_plate(4e-3, 0.1e-3, [](double, double) { return -0.1e-3; });
+  EXPECT_EQ(TexturedBody(plate, 1.0).hull().vertices_m.front(), plate.vertices_m.front());
+  EXPECT_NEAR(TexturedBody(plate, 1.0).furthest_displacement_m(), 0.1e-3, 1e-8);
+}
+
+TEST(TexturedBody, KnowsTheWavelengthOfAGrating) {
+  for (const double wavelength_m : {0.8e-3, 1.3e-3}) {
+    const TexturedBody body(grated_plate({.amplitude_m = 1e-5, .wavelength_m = wavelength_m}), 1.0);
+    EXPECT_NEAR(body.finest_wave_m(), wavelength_m, 0.1 * wavelength_m);
+  }
+}
+
+TEST(TexturedBody, TakesNoRoundingOfItsShapeForDetail) {
+  const TexturedMesh sphere = textured_shape(SphereShape{0.006}, *level(0.0F), {.rim_m = 0.001});
+  EXPECT_GT(TexturedBody(sphere, 1.0).finest_wave_m(), 1.5e-3);
+  const TexturedMesh plain = bare(ball(0.005, 8, 12));
+  EXPECT_EQ(TexturedBody(plain, 1.0).finest_wave_m(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(TexturedBody(grated_plate(kGrating), 0.0).finest_wave_m(),
+            std::numeric_limits<double>::infinity());
+}
+
+// Against the definition, triangle by triangle.
+TEST(TexturedBody, FindsTheTrianglesThatTouchTheWindowAndLookTheRightWay) {
+  const TexturedMesh torus = bare(bumpy_torus(40, 24));
+  const TexturedBody body(torus, 1.0);
+  const glm::dmat3 turn = turn_about({1.0, -2.0, 0.7}, 0.8);
+  const ContactFrame frame{
+      .origin_m = {0.03, 0.004, 0.011}, .u = turn[0], .v = turn[1], .n = turn[2]};
+  const WindowBox box{.half_width_m = 0.004, .half_height_m = 0.003};
+  std::set<std::uint32_t> expected;
+  for (std::uint32_t i = 0; i < torus.triangles.size(); ++i) {
+    glm::dvec3 low(1.0);
+    glm::dvec3 high(-1.0);
+    const auto& [a, b, c] = torus.triangles[i];
+    for (const std::uint32_t corner : {a, b, c}) {
+      const glm::dvec3 place_m = frame.to_frame(torus.vertices_m[corner] - frame.origin_m);
+      low = glm::min(low, place_m);
+      high = glm::max(high, place_m);
+    }
+    const glm::dvec3 normal = glm::cross(torus.vertices_m[b] - torus.vertices_m[a],
+                                         torus.vertices_m[c] - torus.vertices_m[a]);
+    const bool is_in = std::max(low.x, low.y) <= box.half_width_m &&
+                       std::min(high.x, high.y) >= -box.half_width_m &&
+                       low.z <= box.half_height_m && high.z >= -box.half_height_m;
+    if (is_in && glm::dot(normal, frame.n) > 0.0) expected.insert(i);
+  }
+  ASSERT_GT(expected.size(), 5U);
+  std::vector<std::uint32_t> room(torus.triangles.size());
+  const std::size_t found = body.find_triangles(frame, frame.n, box, room);
+  EXPECT_EQ(std::set(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(found)), expected);
+  EXPECT_EQ(found, expected.size());
+  std::vector<std::uint32_t> narrow(3);
+  EXPECT_EQ(body.find_triangles(frame, frame.n, box, narrow), expected.size());
+  EXPECT_TRUE(std::equal(narrow.begin(), narrow.end(), room.begin()));
+}
+
+TEST(TexturedBody, KnowsWhatIsInside) {
+  const TexturedBody torus(bare(bumpy_torus(24, 15)), 1.0);
+  EXPECT_TRUE(torus.holds({0.03, 0.0, 0.0}));
+  EXPECT_TRUE(torus.holds({0.0, -0.028, 0.003}));
+  EXPECT_FALSE(torus.holds({0.0, 0.0, 0.0}));  // in the ring's hole
+  EXPECT_FALSE(torus.holds({0.03, 0.0, 0.02}));
+}
+
+TEST(TexturedBody, RefusesAGainThatIsNoFactor) {
+  const TexturedMesh mesh = bare(ball(0.01, 6, 8));
+  EXPECT_THROW(TexturedBody(mesh, -1.0), std::invalid_argument);
+  EXPECT_THROW(TexturedBody(mesh, std::nan("")), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace asperity

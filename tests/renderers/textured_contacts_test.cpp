@@ -1,0 +1,465 @@
+// From two meshes in their poses to the force between them, against what is known in closed form.
+
+#include "renderers/pd_gradient/textured_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/renderers/meshes.h"
+#include "tests/renderers/textured_bodies.h"
+#include "tests/support/allocation_guard.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kStiffness_N_per_m = 1000.0;
+
+WindowSampling hard(double step_m, int cells = 1) {
+  return {.law = HardMaximum{.step_m = step_m}, .cell_m = step_m / cells, .most_samples = 512};
+}
+
+TexturedContacts between(const TexturedMesh& a, const TexturedMesh& b,
+                         const WindowSampling& sampling) {
+  return {{a, 1.0}, {b, 1.0}, sampling, instruction_sets_here().back()};
+}
+
+Pose at(const glm::dvec3& position_m) { return {.position_m = position_m}; }
+
+Pose moved(const Pose& motion, const Pose& pose) {
+  return {.rotation = motion.rotation * pose.rotation,
+          .position_m = motion.rotation * pose.position_m + motion.position_m};
+}
+
+// The force on A, and its torque about a point of the world.
+Wrench wrench_about(const glm::dvec3& point_m, std::span<const TexturedContact> contacts) {
+  Wrench sum{};
+  for (const TexturedContact& contact : contacts) {
+    const Wrench one = contact_wrench(contact.penetration, contact.frame, kStiffness_N_per_m);
+    sum.force_N += one.force_N;
+    sum.torque_N_m += one.torque_N_m + glm::cross(contact.frame.origin_m - point_m, one.force_N);
+  }
+  return sum;
+}
+
+double relative(const glm::dvec3& difference, const glm::dvec3& whole) {
+  return glm::length(difference) / glm::length(whole);
+}
+
+// A ball of radius R with its lowest point at the origin of its frame, on h(x) = A·sin(2πx/λ).
+class BallOnGratedPlate : public testing::Test {
+ protected:
+  static constexpr double kRadius_m = 1e-3;
+  static constexpr double kWavelength_m = 2e-3;
+  static constexpr double kHeight_m = 0.06e-3;
+  static double height_m(double x_m) {
+    return kHeight_m * std::sin(2.0 * kPi * x_m / kWavelength_m);
+  }
+  // How far aside of its middle the ball is deepest, and how deep, with its lowest point at (x, z).
+  struct Deepest {
+    double aside_m = 0.0;
+    double depth_m = -1.0;
+  };
+  static Deepest deepest(double x_m, double z_m) {
+    Deepest found;
+    for (int i = -20000; i <= 20000; ++i) {
+      const double xi_m = 0.5 * kRadius_m * i / 20000.0;
+      const double ball_m = z_m + kRadius_m - std::sqrt(kRadius_m * kRadius_m - xi_m * xi_m);
+      const double depth_m = height_m(x_m + xi_m) - ball_m;
+      if (depth_m > found.depth_m) found = {.aside_m = xi_m, .depth_m = depth_m};
+    }
+    return found;
+  }
+
+  const TexturedMesh ball_ = shifted(bare(ball(kRadius_m, 200, 32)), {0.0, 0.0, kRadius_m});
+  const TexturedMesh plate_ = textured_shape(
+      PlateShape{{0.008, 0.008, 0.004}},
+      *grating({.amplitude_m = kHeight_m, .wavelength_m = kWavelength_m, .pitch_m = 0.05e-3}),
+      {.rim_m = 0.001, .samples_per_wavelength = 4.0});
+};
+
+TEST_F(BallOnGratedPlate, PushesAtTheDeepestPointAlongTheTexturesNormal) {
+  TexturedContacts contacts = between(ball_, plate_, hard(20e-6, 4));
+  for (const double x_m : {0.21e-3, 0.6e-3, -0.35e-3}) {
+    const glm::dvec3 place_m{x_m, 0.05e-3, -0.1e-3};
+    const auto found = contacts.find(at(place_m), {});
+    ASSERT_EQ(found.size(), 1U);
+    const auto [aside_m, depth_m] = deepest(x_m, place_m.z);
+    const double slope = 2.0 * kPi * kHeight_m / kWavelength_m *
+                         std::cos(2.0 * kPi * (x_m + aside_m) / kWavelength_m);
+    // k·δ·(−h_u, −h_v, 1), and r × F about the place of the ball's lowest point.
+    const glm::dvec3 force_N = kStiffness_N_per_m * depth_m * glm::dvec3{-slope, 0.0, 1.0};
+    const double below_m = kRadius_m - std::sqrt(kRadius_m * kRadius_m - aside_m * aside_m);
+    const glm::dvec3 torque_N_m = glm::cross(glm::dvec3{aside_m, 0.0, below_m}, force_N);
+    const Wrench wrench = wrench_about(place_m, found);
+    EXPECT_LT(relative(wrench.force_N - force_N, force_N), 0.01) << x_m;
+    // The lever, some 0.15 mm long, to half a cell of the grid.
+    EXPECT_LT(glm::length(wrench.torque_N_m - torque_N_m), 10e-6 * glm::length(force_N)) << x_m;
+  }
+}
+
+TEST_F(BallOnGratedPlate, TurnsBackByTheGratingsSlopeTimesTheLever) {
+  // The ball is held 2 mm away: about the axis through the hold along n, T = (r × F)·n.
+  TexturedContacts contacts = between(ball_, plate_, hard(25e-6, 4));
+  for (const double phi_rad : {0.4, 1.3, 2.2, -0.9}) {
+    const glm::dvec3 lever_m = 2e-3 * glm::dvec3{std::cos(phi_rad), std::sin(phi_rad), 0.0};
+    const glm::dvec3 hold_m{-0.4e-3, 0.3e-3, -0.1e-3};
+    const double x_m = hold_m.x + lever_m.x;
+    const auto [aside_m, depth_m] = deepest(x_m, hold_m.z);
+    const double slope = 2.0 * kPi * kHeight_m / kWavelength_m *
+                         std::cos(2.0 * kPi * (x_m + aside_m) / kWavelength_m);
+    const double turning_N_m = kStiffness_N_per_m * depth_m * slope * lever_m.y;
+    const Wrench wrench = wrench_about(hold_m, contacts.find(at(hold_m + lever_m), {}));
+    const double most_N_m =
+        kStiffness_N_per_m * depth_m * 2.0 * kPi * kHeight_m / kWavelength_m * 2e-3;
+    EXPECT_NEAR(wrench.torque_N_m.z, turning_N_m, 0.03 * most_N_m) << phi_rad;
+  }
+}
+
+TEST_F(BallOnGratedPlate, FeelsTheOppositeOnceTheBodiesChangePlaces) {
+  TexturedContacts forward = between(ball_, plate_, hard(25e-6, 4));
+  TexturedContacts backward = between(plate_, ball_, hard(25e-6, 4));
+  const glm::dvec3 place_m{0.21e-3, 0.05e-3, -0.1e-3};
+  const auto found = forward.find(at(place_m), {});
+  const auto swapped = backward.find({}, at(place_m));
+  ASSERT_EQ(found.size(), 1U);
+  ASSERT_EQ(swapped.size(), 1U);
+  const Wrench on_ball = wrench_about(place_m, found);
+  const Wrench on_plate = wrench_about(place_m, swapped);
+  EXPECT_LT(relative(on_ball.force_N + on_plate.force_N, on_ball.force_N), 1e-4);
+  // But for the way between the deepest points of the two, δ·n.
+  const glm::dvec3 lever_N_m =
+      -found[0].penetration.depth_m * glm::cross(found[0].frame.n, on_ball.force_N);
+  EXPECT_LT(glm::length(on_ball.torque_N_m + on_plate.torque_N_m - lever_N_m),
+            2e-6 * glm::length(on_ball.force_N));
+}
+
+// A quarter turn takes the grid's axes to one another; any other turn takes it to other samples.
+TEST_F(BallOnGratedPlate, TurnsWithTheBodiesUpToTheSampling) {
+  const Pose ball = at({0.21e-3, 0.05e-3, -0.1e-3});
+  const auto turned_error = [&](const Pose& motion) {
+    TexturedContacts contacts = between(ball_, plate_, hard(25e-6, 4));
+    const Wrench was = wrench_about(ball.position_m, contacts.find(ball, {}));
+    contacts.reset();
+    const Pose there = moved(motion, ball);
+    const Wrench is = wrench_about(there.position_m, contacts.find(there, motion));
+    EXPECT_GT(glm::length(was.force_N), 0.05);
+    return std::array{
+        relative(is.force_N - motion.rotation * was.force_N, was.force_N),
+        glm::length(is.torque_N_m - motion.rotation * was.torque_N_m) / glm::length(was.force_N)};
+  };
+  const auto [force, lever_m] = turned_error({.rotation = turn_about({0, 0, 1}, 0.5 * kPi)});
+  EXPECT_LT(force, 1e-4);
+  EXPECT_LT(lever_m, 1e-6);
+  for (const glm::dvec3& axis :
+       {glm::dvec3{0, 0, 1}, glm::dvec3{0.3, -0.8, 0.5}, glm::dvec3{1, 0.2, -0.1}}) {
+    const auto [any_force, any_lever_m] =
+        turned_error({.rotation = turn_about(axis, 1.1), .position_m = {0.1, -0.2, 0.05}});
+    EXPECT_LT(any_force, 0.01);
+    EXPECT_LT(any_lever_m, 10e-6);
+  }
+}
+
+// The offset surface of a ball on points of height h, a distance L apart: arcs, and the floor where L
+// exceeds 2·√(2Rh − h²). The points are 20 µm wide, so that some sample meets each.
+class BallOnPlateWithPoints : public testing::Test {
+ protected:
+  static constexpr double kRadius_m = 1e-3;
+  static constexpr double kSpacing_m = 0.8e-3;
+  static constexpr double kHalfPoint_m = 10e-6;
+  static constexpr double kCell_m = 2.5e-6;
+  // Points at (i + offset)·L on the line y = 0.
+  static TexturedMesh plate(double offset, double height_m) {
+    return textured_plate(3.2e-3, 5e-6, [=](double x_m, double y_m) {
+      const double from_point_m =
+          kSpacing_m * std::abs(x_m / kSpacing_m - offset - std::round(x_m / kSpacing_m - offset));
+      return std::max(from_point_m, std::abs(y_m)) < kHalfPoint_m + 1e-9 ? height_m : 0.0;
+    });
+  }
+  // The ball's lowest point at (x, 0, −0.02 mm).
+  Penetration answer(double x_m, double offset, double height_m) const {
+    TexturedContacts contacts = between(ball_, plate(offset, height_m), hard(8.0 * kCell_m, 8));
+    const auto found = contacts.find(at({x_m, 0.0, -kSunk_m}), {});
+    EXPECT_EQ(found.size(), 1U);
+    return found[0].penetration;
+  }
+  static constexpr double kSunk_m = 0.02e-3;
+  const TexturedMesh ball_ = shifted(bare(ball(kRadius_m, 200, 32)), {0.0, 0.0, kRadius_m});
+};
+
+TEST_F(BallOnPlateWithPoints, FollowsTheArcsOfTheOffsetSurface) {
+  constexpr double kHeight_m = 0.15e-3;
+  for (const double x_m : {0.33e-3, 0.38e-3}) {
+    const Penetration found = answer(x_m, 0.0, kHeight_m);
+    const double beside_m = x_m - kHalfPoint_m;
+    const double along_m = std::sqrt(kRadius_m * kRadius_m - beside_m * beside_m);
+    EXPECT_NEAR(found.depth_m, kHeight_m + kSunk_m - (kRadius_m - along_m),
+                0.01 * (kRadius_m - along_m));
+    EXPECT_NEAR(found.slope.x, -beside_m / along_m, 0.015 * beside_m / along_m) << x_m;
+  }
+}
+
+TEST_F(BallOnPlateWithPoints, DropsToTheFloorWhereTheDropSpacingSays) {
+  const double half_m = 0.5 * kSpacing_m - kHalfPoint_m;
+  const double cusp_m = kRadius_m - std::sqrt(kRadius_m * kRadius_m - half_m * half_m);
+  EXPECT_NEAR(answer(0.0, 0.5, 0.97 * cusp_m).depth_m, kSunk_m, 0.01 * cusp_m);
+  EXPECT_NEAR(answer(0.0, 0.5, 1.03 * cusp_m).depth_m, kSunk_m + 0.03 * cusp_m, 0.01 * cusp_m);
+}
+
+// Net over gross work of the ball around a loop that is no mirror image of itself.
+class BallAroundALoop : public testing::Test {
+ protected:
+  static constexpr double kWavelength_m = 1e-3;
+  double net_over_gross(const WindowSampling& sampling) const {
+    TexturedContacts contacts = between(ball_, plate_, sampling);
+    constexpr int kPoints = 300;
+    const auto place_m = [](int point) {
+      const double t = 2.0 * kPi * point / kPoints;
+      return glm::dvec3{0.35e-3 * std::cos(t), 0.30e-3 * std::sin(t + 0.4),
+                        -0.1e-3 + 0.04e-3 * std::sin(2.0 * t + 0.6)};
+    };
+    contacts.find(at(place_m(0)), {});
+    double net_J = 0.0;
+    double gross_J = 0.0;
+    for (int point = 0; point < kPoints; ++point) {
+      const glm::dvec3 from_m = place_m(point);
+      const glm::dvec3 to_m = place_m(point + 1);
+      const auto found = contacts.find(at(0.5 * (from_m + to_m)), {});
+      const double work_J = glm::dot(wrench_about({}, found).force_N, to_m - from_m);
+      net_J += work_J;
+      gross_J += std::abs(work_J);
+    }
+    EXPECT_GT(gross_J, 1e-6);
+    return std::abs(net_J) / gross_J;
+  }
+  const TexturedMesh ball_ = shifted(bare(ball(0.5e-3, 40, 40)), {0.0, 0.0, 0.5e-3});
+  const TexturedMesh plate_ = textured_shape(
+      PlateShape{{0.006, 0.006, 0.004}},
+      *grating({.amplitude_m = 0.05e-3, .wavelength_m = kWavelength_m, .pitch_m = 0.05e-3}),
+      {.rim_m = 0.001, .samples_per_wavelength = 4.0});
+};
+
+TEST_F(BallAroundALoop, DoesNoNetWorkInTheLimitOfSmallSteps) {
+  EXPECT_LT(net_over_gross(hard(kWavelength_m / 30.0, 2)), 1e-3);
+  EXPECT_LT(net_over_gross(hard(kWavelength_m / 8.0)), 0.01);  // the coarsest that is advised
+}
+
+TEST_F(BallAroundALoop, DoesHardlyAnyWithTheSmoothMaximum) {
+  // The window goes along with the ball, and its samples meet the texture elsewhere each time.
+  EXPECT_LT(net_over_gross({.law = SmoothMaximum{.tau_m = 20e-6}, .cell_m = kWavelength_m / 60.0}),
+            3e-5);
+}
+
+TEST(TexturedContacts, AreContinuousAlongASlowPath) {
+  const TexturedMesh tool = shifted(bare(ball(1.5e-3, 30, 40)), {0.0, 0.0, 1.5e-3});
+  const TexturedMesh plate = grated_plate({.amplitude_m = 0.05e-3, .wavelength_m = 1.2e-3});
+  TexturedContacts contacts = between(tool, plate, hard(0.1e-3));
+  constexpr double kStep_m = 10e-6;
+  constexpr int kTicks = 400;
+  glm::dvec3 before_N{0.0};
+  double largest_N = 0.0;
+  double squares_N2 = 0.0;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    const glm::dvec3 place_m{-2e-3 + kStep_m * tick, 0.3e-3 * std::sin(0.01 * tick), -0.15e-3};
+    const glm::dvec3 force_N = wrench_about(place_m, contacts.find(at(place_m), {})).force_N;
+    if (tick > 0) largest_N = std::max(largest_N, std::abs(force_N.x - before_N.x));
+    squares_N2 += force_N.x * force_N.x;
+    before_N = force_N;
+  }
+  // 10 µm are 5 % of a period's phase, 0.07 of the RMS of a sine; at the crests it goes faster.
+  EXPECT_LT(largest_N, 0.35 * std::sqrt(squares_N2 / kTicks));
+}
+
+TEST(TexturedContacts, OfABoxThatLiesOnAPlateAreOne) {
+  const TexturedMesh box = with_grating(BoxShape{{0.008, 0.008, 0.008}},
+                                        {.amplitude_m = 0.02e-3, .wavelength_m = 1e-3}, 0.001);
+  const TexturedMesh plate = grated_plate({.amplitude_m = 0.05e-3, .wavelength_m = 1.2e-3});
+  TexturedContacts contacts = between(box, plate, hard(0.1e-3));
+  for (int tick = 0; tick < 100; ++tick) {
+    const auto found = contacts.find(at({0.3e-3, 0.2e-3, 0.0042 - 5e-6 * tick}), {});
+    ASSERT_LE(found.size(), 1U) << tick;
+    if (found.empty() || found[0].penetration.depth_m <= 0.0) continue;
+    EXPECT_GT(found[0].frame.n.z, 1.0 - 1e-6) << tick;
+    EXPECT_FALSE(found[0].is_at_window) << tick;
+  }
+}
+
+// An outer and an inner curve around the same wall of a cup: one contact, not two.
+TEST(TexturedContacts, OfARimAreOne) {
+  TriangleMesh cup;
+  constexpr std::uint32_t kAround = 24;
+  constexpr std::array<glm::dvec2, 4> kProfile{
+      {{2e-3, 0.0}, {3e-3, 0.0}, {3e-3, 5e-3}, {2e-3, 5e-3}}};  // of the wall: radius, height
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    const double angle_rad = 2.0 * kPi * i / kAround;
+    for (const glm::dvec2& corner : kProfile) {
+      cup.vertices_m.push_back(
+          {corner.x * std::cos(angle_rad), corner.x * std::sin(angle_rad), corner.y});
+    }
+    for (std::uint32_t j = 0; j < 4; ++j) {
+      const std::uint32_t next = (i + 1) % kAround;
+      const std::uint32_t a = 4 * i + j;
+      const std::uint32_t b = 4 * i + (j + 1) % 4;
+      const std::uint32_t c = 4 * next + (j + 1) % 4;
+      const std::uint32_t d = 4 * next + j;
+      cup.triangles.push_back({a, c, b});
+      cup.triangles.push_back({a, d, c});
+    }
+  }
+  TexturedContacts contacts = between(bare(cup), bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
+  const auto found = contacts.find(at({0.0, 0.0, 0.005 - 0.2e-3}), {});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].penetration.depth_m, 0.2e-3, 1e-6);
+  EXPECT_GT(found[0].frame.n.z, 0.999);
+}
+
+// Deeper and deeper until the ball is wholly inside, and out again.
+TEST(TexturedContacts, KeepABallThatIsPressedWhollyIn) {
+  const TexturedMesh tool = bare(ball(1e-3, 12, 16));
+  const TexturedMesh plate = grated_plate({.amplitude_m = 0.02e-3, .wavelength_m = 1.2e-3});
+  TexturedContacts contacts = between(tool, plate, hard(0.1e-3));
+  bool was_kept = false;
+  const auto depth_m = [&](double z_m) {
+    const auto found = contacts.find(at({0.3e-3, 0.0, z_m}), {});
+    double deepest_m = 0.0;
+    for (const TexturedContact& contact : found) {
+      deepest_m = std::max(deepest_m, contact.penetration.depth_m);
+      was_kept = was_kept || contact.is_kept;
+      EXPECT_GT(contact.frame.n.z, 0.95) << z_m;
+    }
+    return deepest_m;
+  };
+  double before_m = depth_m(0.5e-3);
+  for (double z_m = 0.48e-3; z_m > -4e-3; z_m -= 20e-6) {
+    const double now_m = depth_m(z_m);
+    EXPECT_NEAR(now_m - before_m, 20e-6, 8e-6) << z_m;
+    before_m = now_m;
+  }
+  EXPECT_TRUE(was_kept);
+  EXPECT_NEAR(before_m, 5e-3, 0.05e-3);
+  before_m = depth_m(-4e-3);
+  for (double z_m = -3.98e-3; z_m < 1.2e-3; z_m += 20e-6) {
+    const double now_m = depth_m(z_m);
+    EXPECT_NEAR(before_m - now_m, now_m > 0.0 ? 20e-6 : 0.0, 25e-6) << z_m;
+    before_m = now_m;
+  }
+  EXPECT_EQ(before_m, 0.0);
+}
+
+TEST(TexturedContacts, LetGoOfAKeptBodyThatLeavesTheOther) {
+  const TexturedMesh tool = bare(ball(1e-3, 12, 16));
+  const TexturedMesh block = bare(box({0.01, 0.01, 0.01}));
+  TexturedContacts contacts = between(tool, block, hard(0.1e-3));
+  for (double z_m = 5.5e-3; z_m > 3e-3; z_m -= 50e-6) contacts.find(at({0.0, 0.0, z_m}), {});
+  ASSERT_EQ(contacts.find(at({0.0, 0.0, 3e-3}), {}).size(), 1U);
+  EXPECT_TRUE(contacts.find(at({0.0, 0.0, 3e-3}), {})[0].is_kept);
+  EXPECT_TRUE(contacts.find(at({0.02, 0.0, 3e-3}), {}).empty());
+  EXPECT_TRUE(contacts.find(at({0.0, 0.0, 3e-3}), {}).empty());  // it went in without a contact
+}
+
+TEST(TexturedContacts, SayWhetherBodiesTouchOrHoldEachOther) {
+  const TexturedMesh small = bare(ball(1e-3, 8, 10));
+  const TexturedMesh large = bare(box({0.01, 0.01, 0.01}));
+  for (const bool tool_is_small : {true, false}) {
+    TexturedContacts contacts =
+        tool_is_small ? between(small, large, hard(0.1e-3)) : between(large, small, hard(0.1e-3));
+    EXPECT_TRUE(contacts.touch(at({0.0, 0.0, 0.0}), at({0.0, 0.0, 0.001})));    // inside
+    EXPECT_TRUE(contacts.touch(at({0.0, 0.0, 0.0}), at({0.0, 0.0, 0.005})));    // cut
+    EXPECT_FALSE(contacts.touch(at({0.0, 0.0, 0.0}), at({0.0, 0.0, 0.0065})));  // apart
+  }
+}
+
+// The far side of a ring looks down too, and another shelf up.
+TEST(TexturedContacts, LeaveOutSheetsThatAreFarFromTheContact) {
+  TriangleMesh shelves = box({0.03, 0.03, 0.002});
+  for (const glm::dvec3& vertex_m : box({0.03, 0.03, 0.002}).vertices_m) {
+    shelves.vertices_m.push_back(vertex_m + glm::dvec3{0.0, 0.0, 0.02});
+  }
+  for (const auto& [a, b, c] : box({0.03, 0.03, 0.002}).triangles) {
+    shelves.triangles.push_back({a + 8, b + 8, c + 8});
+  }
+  TexturedContacts contacts = between(bare(ball(2e-3, 16, 20)), bare(shelves), hard(0.1e-3));
+  const auto found = contacts.find(at({0.0, 0.0, 0.003 - 0.2e-3}), {});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].penetration.depth_m, 0.2e-3, 0.02e-3);
+  EXPECT_EQ(found[0].penetration.folded, 0);
+}
+
+TEST(TexturedContacts, CountWhatThereIsNoRoomFor) {
+  // Spikes in a row: more contacts than are kept.
+  TriangleMesh comb;
+  for (std::uint32_t i = 0; i < TexturedContacts::kMostContacts + 4; ++i) {
+    const auto first = static_cast<std::uint32_t>(comb.vertices_m.size());
+    for (const glm::dvec3& vertex_m : ball(0.5e-3, 6, 8).vertices_m) {
+      comb.vertices_m.push_back(vertex_m + glm::dvec3{5e-3 * i, 0.0, 0.0});
+    }
+    for (const auto& [a, b, c] : ball(0.5e-3, 6, 8).triangles) {
+      comb.triangles.push_back({a + first, b + first, c + first});
+    }
+  }
+  TexturedContacts contacts = between(bare(comb), bare(box({0.3, 0.3, 0.01})), hard(0.1e-3));
+  EXPECT_EQ(contacts.find(at({0.0, 0.0, 0.0053}), {}).size(), TexturedContacts::kMostContacts);
+  EXPECT_GE(contacts.left_out().regions, 4U);
+}
+
+TEST(TexturedContacts, FindNothingWhereAPoseIsNotFinite) {
+  TexturedContacts contacts =
+      between(bare(ball(1e-3, 8, 10)), bare(box({0.01, 0.01, 0.01})), hard(0.1e-3));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(contacts.find(at({nan, 0.0, 0.005}), {}).empty());
+  Pose pose = at({0.0, 0.0, 0.005});
+  pose.rotation[1].y = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(contacts.find(pose, {}).empty());
+  EXPECT_FALSE(contacts.touch(pose, {}));
+  EXPECT_FALSE(contacts.find(at({0.0, 0.0, 0.0055}), {}).empty());
+}
+
+TEST(TexturedContacts, AreTheSameBitsWithEveryInstructionSet) {
+  const TexturedMesh tool = with_grating(BoxShape{{0.006, 0.006, 0.006}},
+                                         {.amplitude_m = 0.02e-3, .wavelength_m = 1e-3}, 0.001);
+  const TexturedMesh plate = grated_plate({.amplitude_m = 0.05e-3, .wavelength_m = 1.2e-3});
+  std::vector<std::vector<double>> answers;
+  for (const InstructionSet set : instruction_sets_here()) {
+    TexturedContacts contacts({tool, 1.0}, {plate, 1.0}, hard(0.1e-3), set);
+    std::vector<double>& answer = answers.emplace_back();
+    for (int tick = 0; tick < 40; ++tick) {
+      const Pose pose{.rotation = turn_about({1.0, 0.4, 0.2}, 0.005 * tick),
+                      .position_m = {1e-5 * tick, 0.0, 0.003}};
+      for (const TexturedContact& contact : contacts.find(pose, {})) {
+        const Penetration& p = contact.penetration;
+        answer.insert(answer.end(), {p.depth_m, p.slope.x, p.slope.y, p.lever_m.x, p.lever_m.y,
+                                     p.lever_m.z, contact.frame.origin_m.x});
+      }
+    }
+  }
+  ASSERT_GT(answers.front().size(), 100U);
+  for (const auto& answer : answers) EXPECT_EQ(answer, answers.front());
+}
+
+TEST(TexturedContacts, LeaveTheHeapAlone) {
+  if (!AllocationGuard::kCounts) GTEST_SKIP() << "the sanitizer owns the heap";
+  TexturedContacts contacts =
+      between(bare(bumpy_torus(30, 20)), bare(box({0.1, 0.1, 0.1})), hard(0.1e-3));
+  const AllocationGuard guard;
+  std::size_t found = 0;
+  for (int tick = 0; tick < 60; ++tick) {
+    const Pose pose{.rotation = turn_about({1.0, 0.1, 0.2}, 1.5 + 0.01 * tick),
+                    .position_m = {0.0, 0.0, 0.11 - 0.002 * tick}};
+    contacts.touch(pose, {});
+    found += contacts.find(pose, {}).size();
+  }
+  contacts.reset();
+  EXPECT_EQ(guard.count(), 0);
+  EXPECT_GT(found, 20U);
+}
+
+}  // namespace
+}  // namespace asperity
