@@ -144,9 +144,10 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
                   {tr("Answer"), 0, Align::text},
                   {tr("Right"), 88, Align::text},
                   {tr("Choices, as shown"), 0, Align::text},
-                  {tr("From contact, s"), 152, Align::number},
-                  {tr("From cue, s"), 120, Align::number},
+                  {AttemptWords::after_contact(), 152, Align::number},
+                  {AttemptWords::after_cue(), 120, Align::number},
                   {tr("Given by"), 136, Align::text}});
+  AttemptWords::explain_times(*answers_->model(), 5, 6);
   surfaces_ = add(tr("Surfaces felt"), "attempt_surfaces",
                   {{tr("No."), 64, Align::number},
                    {tr("Role"), 128, Align::text},

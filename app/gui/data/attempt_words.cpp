@@ -26,6 +26,23 @@ QString AttemptWords::of_verdict(Verdict verdict) {
   return tr("included again");
 }
 
+QString AttemptWords::after_contact() { return tr("After contact, s"); }
+
+QString AttemptWords::after_cue() { return tr("After cue, s"); }
+
+void AttemptWords::explain_times(QAbstractItemModel& table, int contact_column, int cue_column) {
+  table.setHeaderData(contact_column, Qt::Horizontal,
+                      tr("When the answer was given, in seconds after the first contact of the "
+                         "attempt with a surface: all of the feeling is in it."),
+                      Qt::ToolTipRole);
+  table.setHeaderData(
+      cue_column, Qt::Horizontal,
+      tr("When the answer was given, in seconds after the cue, with which the question "
+         "was put first: surfaces that were felt again before the answer are in "
+         "it."),
+      Qt::ToolTipRole);
+}
+
 QString AttemptWords::title(const AttemptDetail& detail) {
   return tr("Trial %1, attempt %2 · %3")
       .arg(detail.attempt.trial)
@@ -47,7 +64,8 @@ QString AttemptWords::summary(const AttemptDetail& detail) {
                     tr("block %1").arg(text(detail.planned.block)),
                     answers.isEmpty() ? outcome : tr("%1: %2").arg(outcome, answers.join(", "))};
   if (!attempt.responses.empty()) {
-    parts << tr("%1 from first contact").arg(of_seconds(attempt.responses.back().from_contact_s));
+    parts << tr("answered %1 after the first contact")
+                 .arg(of_seconds(attempt.responses.back().from_contact_s));
   }
   const double took_s = static_cast<double>(attempt.offset_ns - attempt.onset_ns) * 1e-9;
   parts << tr("took %1").arg(of_seconds(took_s)) << text_of_start(detail.session);

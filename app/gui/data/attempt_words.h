@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <QtCore/QAbstractItemModel>
 #include <QtCore/QCoreApplication>
 #include <QtCore/QString>
 
@@ -23,6 +24,11 @@ class AttemptWords final {
   static State state(const AttemptDetail& detail);
   /// "2 · brick, height_map": a presentation by its names.
   static QString of_surface(const PresentationRow& surface);
+  /// How columns of the times of an answer are called; `explain_times` gives their headers tool tips
+  /// that say what is counted from.
+  static QString after_contact();
+  static QString after_cue();
+  static void explain_times(QAbstractItemModel& table, int contact_column, int cue_column);
   /// "3.21 s"; "–" where there is none.
   static QString of_seconds(const std::optional<double>& time_s);
 };

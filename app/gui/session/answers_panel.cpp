@@ -16,7 +16,9 @@ AnswersPanel::AnswersPanel(QWidget* parent) : QWidget(parent) {
   rows->setSpacing(kGrid / 2);
   last_ = new QLabel(this);
   last_->setObjectName("last_answer");
-  last_->setFont(text_font(TextSize::heading, true));
+  last_->setFont(text_font(TextSize::small));
+  last_->setTextFormat(Qt::RichText);
+  last_->setFixedHeight(QFontMetrics(text_font(TextSize::heading, true)).height());
   earlier_ = new QLabel(this);
   earlier_->setObjectName("earlier_answers");
   earlier_->setFont(text_font(TextSize::small));
@@ -34,6 +36,7 @@ void AnswersPanel::show_answers(const std::vector<AttemptSummary>& attempts,
                                 const PlanModel& plan) {
   constexpr int kEarlier = 4;
   QString last{};
+  QString when{};
   QStringList earlier{};
   for (auto attempt = attempts.rbegin(); attempt != attempts.rend() && earlier.size() < kEarlier;
        ++attempt) {
@@ -44,14 +47,24 @@ void AnswersPanel::show_answers(const std::vector<AttemptSummary>& attempts,
     }
     if (!last.isEmpty()) {
       earlier += tr("%1: %2").arg(attempt->trial).arg(answer);
-    } else if (attempt->from_cue_s) {
-      last =
-          tr("Last answer  %1  in %2 s").arg(answer, QString::number(*attempt->from_cue_s, 'f', 1));
     } else {
-      last = tr("Last answer  %1").arg(answer);
+      last = answer;
+      if (attempt->from_cue_s) {
+        when = tr("%1 s after the cue").arg(QString::number(*attempt->from_cue_s, 'f', 1));
+      }
     }
   }
-  last_->setText(last.isEmpty() ? tr("No answer yet") : last);
+  if (last.isEmpty()) {
+    last_->setText(QString("<b>%1</b>").arg(tr("No answer yet").toHtmlEscaped()));
+  } else {
+    // The answer is read from afar; what it is, and when it came, from nearby.
+    last_->setText(QString("%1&nbsp; <b><span style='font-size:%2pt'>%3</span></b>&nbsp; %4")
+                       .arg(tr("Last answer").toHtmlEscaped())
+                       .arg(static_cast<int>(TextSize::heading))
+                       .arg(last.toHtmlEscaped(), when.toHtmlEscaped()));
+  }
+  // One with an answer for each of many surfaces is longer than its place.
+  last_->setToolTip(QStringList{last, when}.join('\n').trimmed());
   earlier_->setText(earlier.isEmpty() ? QString()
                                       : tr("Before, by trial: %1").arg(earlier.join(" · ")));
   earlier_->setToolTip(earlier.join("\n"));

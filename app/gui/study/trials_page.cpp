@@ -8,6 +8,7 @@
 #include <QtWidgets/QTabBar>
 #include <QtWidgets/QTabWidget>
 
+#include "app/gui/data/attempt_words.h"
 #include "app/gui/data/decision_form.h"
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/study/sessions_page.h"
@@ -19,7 +20,7 @@ namespace asperity {
 namespace {
 
 constexpr int kAnswerWidth = 200;
-constexpr int kFromContactColumn = 6;
+constexpr int kAfterContactColumn = 6;
 constexpr int kBeganColumn = 8;
 constexpr int kRoomForAll = 1320;  // of the table
 
@@ -145,18 +146,19 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
                             {tr("Outcome"), 160, Align::text},
                             {tr("Answer"), kAnswerWidth, Align::text},
                             {tr("Right"), 64, Align::text},
-                            {tr("From contact, s"), 152, Align::number},
-                            {tr("From cue, s"), 120, Align::number},
+                            {AttemptWords::after_contact(), 152, Align::number},
+                            {AttemptWords::after_cue(), 120, Align::number},
                             {tr("Began"), 88, Align::number},
                             {tr("Remarks"), 0, Align::text}},
                            tabs_);
   trials_->setObjectName("trials_table");
+  AttemptWords::explain_times(*trials_->model(), kAfterContactColumn, kAfterContactColumn + 1);
   // A matching has an answer per surface: they go on in the next line, and where there is little room
   // what the page of the attempt says as well makes way for them.
   trials_->setWordWrap(true);
   trials_->verticalHeader()->setMinimumSectionSize(kControlHeight);
   trials_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  trials_->hide_when_narrower(kFromContactColumn, kRoomForAll);
+  trials_->hide_when_narrower(kAfterContactColumn, kRoomForAll);
   trials_->hide_when_narrower(kBeganColumn, kRoomForAll);
   tabs_->addTab(trials_, tr("Trials"));
   events_ = new StudyTable({{tr("Time"), 88, Align::number},

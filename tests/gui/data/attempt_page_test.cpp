@@ -460,6 +460,13 @@ TEST_F(TrialsOfAMatching, ShowEveryAnswerOnASmallScreen) {
   const QRect remarks = trials.visualRect(trials.model()->index(0, 9));
   EXPECT_GE(remarks.width(), 160);
   EXPECT_LE(remarks.right(), trials.viewport()->width());
+  const auto header = [&trials](int column, int role) {
+    return trials.model()->headerData(column, Qt::Horizontal, role).toString();
+  };
+  EXPECT_EQ(header(6, Qt::DisplayRole), "After contact, s");
+  EXPECT_TRUE(header(6, Qt::ToolTipRole).contains("after the first contact"));
+  EXPECT_EQ(header(7, Qt::DisplayRole), "After cue, s");
+  EXPECT_TRUE(header(7, Qt::ToolTipRole).contains("the question was put first"));
   take_screenshot(window, "data-trials-matching", {1366, 768});
 }
 

@@ -354,6 +354,15 @@ TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
       health(MaskingState::silent).endsWith(" · the sound card does not play: no masking noise"));
 }
 
+TEST(SessionWindow, SaysFromWhenTheTimeOfAnAnswerCounts) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  const auto window = session.window();
+  const auto& last = find<QLabel>(*window, "last_answer");
+  EXPECT_TRUE(last.text().endsWith("3.5 s after the cue")) << last.text().toStdString();
+  EXPECT_LE(last.sizeHint().width(), last.width()) << "nothing of it is cut off";
+}
+
 TEST(SessionWindow, CallsAnEmergencyStopByItsNameInThePlan) {
   FilledMonitor session{};
   session.answer_up_to(1);
