@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
 #include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
@@ -12,7 +13,6 @@
 #include <QtWidgets/QScrollArea>
 #include <QtWidgets/QStackedWidget>
 
-#include "app/gui/participant/participant_words.h"
 #include "app/gui/start/start_page.h"
 #include "app/gui/study/session_desk.h"
 #include "app/gui/study/settings.h"
@@ -25,8 +25,8 @@
 namespace asperity {
 namespace {
 
-QString wait_of(int seconds) {
-  return words_of({.what = Saying::What::wait, .number = seconds}, "");
+QString count_of(int people) {
+  return QCoreApplication::translate("asperity::AnalysisPage", "%n participants", nullptr, people);
 }
 
 class Languages : public QuietHome {
@@ -79,26 +79,26 @@ TEST_F(Languages, AreEnglishAndGerman) {
 
 TEST_F(Languages, HavePluralsOfTheirOwn) {
   apply_language("en");
-  EXPECT_EQ(wait_of(1), "Please wait 1 more second.");
-  EXPECT_EQ(wait_of(2), "Please wait 2 more seconds.");
+  EXPECT_EQ(count_of(1), "1 participant");
+  EXPECT_EQ(count_of(2), "2 participants");
   apply_language("de");
-  EXPECT_EQ(wait_of(1), "Bitte warten Sie noch 1 Sekunde.");
-  EXPECT_EQ(wait_of(2), "Bitte warten Sie noch 2 Sekunden.");
+  EXPECT_EQ(count_of(1), "1 Versuchsperson");
+  EXPECT_EQ(count_of(2), "2 Versuchspersonen");
 }
 
 TEST_F(Languages, ThatHaveNoTextsAreEnglish) {
   apply_language("de");
   apply_language("fr");
-  EXPECT_EQ(wait_of(1), "Please wait 1 more second.");
+  EXPECT_EQ(count_of(1), "1 participant");
   apply_language("C");
-  EXPECT_EQ(wait_of(1), "Please wait 1 more second.");
+  EXPECT_EQ(count_of(1), "1 participant");
 }
 
 TEST_F(Languages, OfARegionAreThatLanguage) {
   apply_language("de_AT");
-  EXPECT_EQ(wait_of(1), "Bitte warten Sie noch 1 Sekunde.");
+  EXPECT_EQ(count_of(1), "1 Versuchsperson");
   apply_language("en_GB");
-  EXPECT_EQ(wait_of(1), "Please wait 1 more second.");
+  EXPECT_EQ(count_of(1), "1 participant");
 }
 
 TEST_F(Languages, ReachThePagesOfTheOpenStudyFromTheMenu) {
