@@ -8,8 +8,11 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/participant/participant_window.h"
 #include "app/gui/session/reason_form.h"
 #include "tests/gui/sessions/session_room.h"
 
@@ -244,6 +247,38 @@ TEST_F(SessionKeysAtWork, KeysInANoteAnswerTheTrialWhileAResponseIsOpen) {
   ASSERT_EQ(attempts.size(), 2U);
   EXPECT_EQ(attempts[0].responses.at(0).answer, attempts[0].presentations.at(1).model);
   EXPECT_EQ(attempts[1].responses.at(0).answer, attempts[1].presentations.at(0).model);
+}
+
+TEST_F(SessionKeysAtWork, AQuestionIsLeftOutByWhoeverSitsAtTheSessionNotByWorkElsewhere) {
+  make_study();
+  add_protocol({.trials = 1, .flow = R"({"run": "main"}, {"ask": ["remarks"]})"});
+  open();
+  start("small");
+  take_part(chooses_a(), [&] { return view().scene().kind == Scene::Kind::form; });
+  wait_for("the question to be perceived", [&] { return can_be_perceived(); });
+  int answers = 0;
+  QObject::connect(desk->participant_window(), &ParticipantWindow::acted, window.get(),
+                   [&answers] { ++answers; });
+  window->raise();
+  window->activateWindow();
+  wait_for("the study's window", [&] { return window->isActiveWindow(); });
+  QMenu* menu = window->menuBar()->actions().first()->menu();
+  ASSERT_NE(menu, nullptr);
+  bool is_chosen = false;
+  menu->addAction("Chosen", [&is_chosen] { is_chosen = true; });
+  menu->popup(window->mapToGlobal(QPoint(5, 5)));
+  wait_for("the menu", [&] { return QApplication::activePopupWidget() == menu; });
+  QTest::keyClick(menu, Qt::Key_Up);  // the last one
+  QTest::keyClick(menu, Qt::Key_Return);
+  EXPECT_TRUE(is_chosen);
+  QTest::keyClick(window.get(), Qt::Key_Return);
+  EXPECT_EQ(answers, 0);
+  experimenter().activateWindow();
+  wait_for("the session's window", [&] { return experimenter().isActiveWindow(); });
+  QTest::keyClick(&experimenter(), Qt::Key_Return);
+  EXPECT_EQ(answers, 1);
+  wait_for_end();
+  EXPECT_EQ(stored_session().state, SessionState::completed);
 }
 
 std::int64_t steady_ms() {

@@ -96,7 +96,7 @@ std::string text_of(const ProtocolWish& wish) {
          number_text(wish.minimum_contact_s) + R"(}},
   "questions": {"comfort": {"prompt": "How is your hand?", "form": "choice", "options": ["well", "tired"]},
                 "age": {"prompt": "How old are you?", "form": "number", "minimum": 18},
-                "remarks": {"prompt": "What was it like?", "form": "text"}},
+                "remarks": {"prompt": "What was it like?", "form": "text", "optional": true}},
   "blocks": {"main": {)" +
          block_of(wish) + "}" +
          (wish.blocks > 1 ? R"(, "second": {)" + block_of(wish) + "}" : std::string()) + R"(},
