@@ -201,32 +201,28 @@ QCustomPlot* make_forest(const Table& table, const ShareColumns& columns, QWidge
   return plot;
 }
 
-/// As high as its texts are at the width that it has. A scroll area gives it what its texts need at
-/// their narrowest otherwise, and what stands last is squeezed.
-class OutcomePage final : public QWidget {
- protected:
-  bool event(QEvent* event) override {
-    const bool done = QWidget::event(event);
-    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) {
-      setMinimumHeight(layout()->totalHeightForWidth(width()));
-    }
-    return done;
-  }
-};
+/// Left-bound and no wider than is good to read. In a row of its own, because a column asks how high
+/// a text is at its whole width, whatever the text's maximum.
+void add_narrow(QWidget* text, QVBoxLayout& column) {
+  text->setMaximumWidth(kTextWidth);
+  auto* row = new QHBoxLayout();
+  row->addWidget(text, 1000);
+  row->addStretch(1);
+  column.addLayout(row);
+}
 
 /// A line to press that shows or hides what is under it.
 void add_folded(const QString& words, const QString& text, QVBoxLayout& layout, QWidget* parent) {
   QPushButton* fold = make_button("▸ " + words, ButtonRole::link, parent);
   fold->setCheckable(true);
   QLabel* note = make_text(text, parent, true);
-  note->setMaximumWidth(kTextWidth);
   note->hide();
   QObject::connect(fold, &QPushButton::toggled, note, [fold, note, words](bool open) {
     fold->setText((open ? "▾ " : "▸ ") + words);
     note->setVisible(open);
   });
   layout.addWidget(fold, 0, Qt::AlignLeft);
-  layout.addWidget(note);
+  add_narrow(note, layout);
 }
 
 QString group_text(AnswerGroup group) {
@@ -264,7 +260,7 @@ QString question_of(const AnalysisOutcome& outcome) {
 }
 
 QWidget* make_outcome(const AnalysisOutcome& outcome) {
-  auto* page = new OutcomePage();
+  auto* page = new QWidget();
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(kMargin, 0, kMargin, kMargin);
   layout->setSpacing(kGrid);
@@ -291,9 +287,8 @@ QWidget* make_outcome(const AnalysisOutcome& outcome) {
       page, true));
   for (const Phrase& remark : outcome.remarks) {
     auto* line = new StateLabel(page);
-    line->setMaximumWidth(kTextWidth);
     line->set_state(State::look, words_of(remark));
-    layout->addWidget(line);
+    add_narrow(line, *layout);
   }
   bool has_figure = false;
   for (const NamedTable& table : outcome.tables) {
