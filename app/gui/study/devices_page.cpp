@@ -8,6 +8,8 @@ namespace asperity {
 
 namespace {
 
+constexpr int kCardWidth = 720;
+
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
 /// What a device can do, as name and value.
@@ -52,7 +54,7 @@ DevicesPage::DevicesPage(OpenStudy& study, QWidget* parent)
     ++ready_;
     QVBoxLayout* layout = nullptr;
     QFrame* card = make_card(this, layout);
-    card->setMaximumWidth(720);
+    card->setMaximumWidth(kCardWidth);
     auto* top = new QHBoxLayout();
     top->addWidget(make_heading(QString::fromStdString(device.name), card), 1);
     auto* state = new StateLabel(card);
@@ -76,10 +78,12 @@ DevicesPage::DevicesPage(OpenStudy& study, QWidget* parent)
     layout->addLayout(grid);
     body().addWidget(card);
   }
-  body().addWidget(make_text(
+  QLabel* note = make_text(
       tr("The simulated device is always there: a virtual hand holds its probe. What a protocol "
          "asks for is compared with the device before a session starts."),
-      this, true));
+      this, true);
+  note->setMaximumWidth(kCardWidth);
+  body().addWidget(note);
   body().addStretch(1);
 }
 

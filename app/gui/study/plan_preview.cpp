@@ -176,7 +176,7 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
     splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
     table_ = new StudyTable({{tr("Step"), 56, Align::number},
                              {tr("Trial"), 56, Align::number},
-                             {tr("Block"), 136, Align::text},
+                             {tr("Block"), 96, Align::text},
                              {tr("Surfaces"), 0, Align::text}},
                             splitter);
     const QFont small = text_font(TextSize::small);
@@ -205,6 +205,7 @@ PlanPreview::PlanPreview(Shape shape, QWidget* parent) : QWidget(parent) {
     });
   }
   table_->setObjectName("plan_table");
+  table_->setTextElideMode(Qt::ElideRight);                  // sentences
   table_->horizontalHeader()->setSortIndicatorShown(false);  // the order of the session is plain
 }
 

@@ -116,11 +116,11 @@ ProtocolsPage::ProtocolsPage(OpenStudy& study, QWidget* parent)
   splitter->setStyleSheet("QSplitter::handle { background: transparent; }");
   using Align = StudyTable::Align;
   table_ = new StudyTable({{tr("Protocol"), 0, Align::text},
-                           {tr("Name"), 200, Align::text},
+                           {tr("Name"), 192, Align::text},
                            {tr("Kind"), 120, Align::text},
-                           {tr("Version"), 88, Align::text},
-                           {tr("Participants"), 192, Align::text},
-                           {tr("State"), 144, Align::text}},
+                           {tr("Version"), 80, Align::text},
+                           {tr("Participants"), 168, Align::text},
+                           {tr("State"), 120, Align::text}},
                           splitter);
   table_->setObjectName("protocols_table");
   table_->setItemDelegateForColumn(4, new ProgressDelegate(table_));

@@ -103,18 +103,18 @@ SessionsPage::SessionsPage(OpenStudy& study, QWidget* parent)
   head().addWidget(filter_);
 
   using Align = StudyTable::Align;
-  table_ = new StudyTable({{tr("Participant"), 120, Align::text},
+  table_ = new StudyTable({{tr("Participant"), 112, Align::text},
                            {tr("No."), 56, Align::number},
                            {tr("Protocol"), 0, Align::text},
-                           {tr("Mode"), 112, Align::text},
+                           {tr("Mode"), 104, Align::text},
                            {tr("State"), 128, Align::text},
                            {tr("Started"), 176, Align::text},
-                           {tr("Duration"), 104, Align::number},
-                           {tr("Trials"), 104, Align::number},
-                           {tr("Notes"), 80, Align::number}},
+                           {tr("Duration"), 96, Align::number},
+                           {tr("Trials"), 96, Align::number},
+                           {tr("Notes"), 72, Align::number}},
                           this);
   table_->setObjectName("sessions_table");
-  table_->hide_when_narrower(6, 1120);  // the page of the session's trials says it as well
+  table_->leave_out_when_tight({6, 8});  // the page of the session's trials says them as well
   table_->sortByColumn(5, Qt::DescendingOrder);
   table_->setItemDelegateForColumn(3, new BandDelegate(table_));
   body().addWidget(table_, 1);

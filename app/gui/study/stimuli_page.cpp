@@ -59,15 +59,16 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
   head().addWidget(filter_);
 
   using Align = StudyTable::Align;
-  table_ = new StudyTable({{tr("File"), 0, Align::text},
-                           {tr("What it is"), 224, Align::text},
+  table_ = new StudyTable({{tr("File"), 208, Align::text},
+                           {tr("What it is"), 184, Align::text},
                            {tr("Size, mm"), 112, Align::number},
-                           {tr("Pixels"), 128, Align::number},
+                           {tr("Pixels"), 104, Align::number},
                            {tr("Pitch, µm"), 96, Align::number},
                            {tr("RMS, µm"), 96, Align::number},
                            {tr("Used by"), 0, Align::text}},
                           this);
   table_->setObjectName("stimuli_table");
+  table_->leave_out_when_tight({3});  // size and pitch say as much
   table_->setIconSize({kPicture, kPicture});
   table_->verticalHeader()->setDefaultSectionSize(kPicture + kGrid);
   body().addWidget(table_, 1);

@@ -10,7 +10,7 @@ namespace asperity {
 StudyPage::StudyPage(OpenStudy& study, const QString& title, QWidget* parent)
     : QWidget(parent), study_(study) {
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(kGroupGap, kMargin, kGroupGap, kGroupGap);
+  layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
   layout->setSpacing(kMargin);
   head_ = new QHBoxLayout();
   head_->setSpacing(kGrid);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <QtCore/QSortFilterProxyModel>
 #include <QtGui/QFontMetrics>
@@ -87,7 +88,7 @@ StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
   setModel(filter);
   style_table(*this);
   setSelectionMode(QAbstractItemView::SingleSelection);
-  setTextElideMode(Qt::ElideRight);
+  setTextElideMode(Qt::ElideMiddle);  // names of one study tend to begin alike
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   horizontalHeader()->setStretchLastSection(false);
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -128,6 +129,7 @@ void StudyTable::fill(const std::vector<Row>& rows) {
 // Other languages have longer words than the widths were chosen for. Never narrower: somebody may have
 // drawn a column wider.
 void StudyTable::widen_columns() {
+  for (const int column : first_to_go_) setColumnHidden(column, false);
   for (int column = 0; column < shown_->columnCount(); ++column) {
     const int declared = widths_[static_cast<std::size_t>(column)];
     if (declared == 0 || isColumnHidden(column)) continue;
@@ -140,6 +142,7 @@ void StudyTable::widen_columns() {
     const int given = std::min(wanted, declared * 3 / 2);
     if (given > columnWidth(column)) setColumnWidth(column, given);
   }
+  choose_columns();
 }
 
 void StudyTable::set_filter(const QString& words) {
@@ -165,9 +168,34 @@ void StudyTable::hide_when_narrower(int column, int width) {
   setColumnHidden(column, this->width() < width);
 }
 
-void StudyTable::resizeEvent(QResizeEvent* event) {
+void StudyTable::leave_out_when_tight(std::vector<int> columns) {
+  first_to_go_ = std::move(columns);
+  choose_columns();
+}
+
+void StudyTable::choose_columns() {
   for (const auto& [column, narrowest] : narrowest_) setColumnHidden(column, width() < narrowest);
+  if (first_to_go_.empty()) return;
+  for (const int column : first_to_go_) setColumnHidden(column, false);
+  int room = viewport()->width();
+  int wanted = 0;
+  for (int column = 0; column < shown_->columnCount(); ++column) {
+    if (widths_[static_cast<std::size_t>(column)] == 0) {
+      wanted += sizeHintForColumn(column);
+    } else {
+      room -= columnWidth(column);
+    }
+  }
+  for (const int column : first_to_go_) {
+    if (room >= wanted) break;
+    room += columnWidth(column);
+    setColumnHidden(column, true);
+  }
+}
+
+void StudyTable::resizeEvent(QResizeEvent* event) {
   QTableView::resizeEvent(event);
+  choose_columns();
 }
 
 int StudyTable::shown_rows() const { return shown_->rowCount(); }

@@ -48,6 +48,9 @@ class StudyTable final : public QTableView {
   QString selected_key() const;  ///< empty when nothing is selected
   /// The column is left out while the table is narrower than this.
   void hide_when_narrower(int column, int width);
+  /// These are left out, the first one first, while the column that takes what is left over has no
+  /// room for its texts.
+  void leave_out_when_tight(std::vector<int> columns);
   int shown_rows() const;
   QString text_at(int row, int column) const;  ///< as shown
 
@@ -62,12 +65,14 @@ class StudyTable final : public QTableView {
  private:
   QString key_at(const QModelIndex& shown) const;
   void widen_columns();
+  void choose_columns();
 
   QStandardItemModel* rows_ = nullptr;
   QSortFilterProxyModel* shown_ = nullptr;
   bool filling_ = false;
   std::vector<int> widths_{};       ///< as declared
   std::map<int, int> narrowest_{};  ///< by column, the table's width from which on it is shown
+  std::vector<int> first_to_go_{};
 };
 
 }  // namespace asperity
