@@ -54,13 +54,6 @@ RecipePanel::RecipePanel(QWidget* parent) : QWidget(parent) {
   banner_ = new Banner(this);
   banner_->setObjectName("recipe_banner");
   layout->addWidget(banner_);
-  finished_ = make_text(tr("This relief is finished: it comes from a file of the study. Open a "
-                           "photograph to make another one, or compare how the force models "
-                           "render this one."),
-                        this, true);
-  finished_->setObjectName("finished");
-  layout->addWidget(finished_);
-
   controls_ = new QWidget(this);
   auto* inside = new QVBoxLayout(controls_);
   inside->setContentsMargins(0, 0, kGrid, 0);
@@ -142,9 +135,6 @@ void RecipePanel::add_groups(QLayout* layout) {
 
 void RecipePanel::show_opened(const OpenedPicture& opened) {
   banner_->hide();
-  finished_->setVisible(!opened.is_photograph());
-  controls_->setVisible(opened.is_photograph());
-  if (!opened.is_photograph()) return;
   advice_->setText(QString::fromStdString(opened.advice));
   const QSignalBlocker quiet(kind_);
   kind_->setCurrentIndex(bright_high);

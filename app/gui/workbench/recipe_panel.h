@@ -25,8 +25,8 @@ class RecipePanel final : public QWidget {
  public:
   explicit RecipePanel(QWidget* parent = nullptr);
 
-  /// What the picture tells about itself. What was said of its light goes, its sign with it; the
-  /// other parameters stay. A relief has no recipe, and it is said why.
+  /// What the picture, a photograph, tells about itself. What was said of its light goes, its sign
+  /// with it; the other parameters stay.
   void show_opened(const OpenedPicture& opened);
 
   TextureRecipe recipe() const;
@@ -45,7 +45,6 @@ class RecipePanel final : public QWidget {
   void say_what_it_shows(int kind);
 
   Banner* banner_ = nullptr;
-  QLabel* finished_ = nullptr;
   QWidget* controls_ = nullptr;
   QComboBox* kind_ = nullptr;
   QLabel* expectation_ = nullptr;

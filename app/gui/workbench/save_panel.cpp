@@ -81,6 +81,13 @@ QString proposed_name(const std::filesystem::path& file, const std::filesystem::
   return free;
 }
 
+QString facts_of(const HeightField& field) {
+  return SavePanel::tr("%1 × %2 mm, %3 µm from the lowest to the highest point, RMS %4 µm")
+      .arg(field.width_m() * 1e3, 0, 'f', 0)
+      .arg(field.length_m() * 1e3, 0, 'f', 0)
+      .arg(in_micrometres(field.maximum_m() - field.minimum_m()), in_micrometres(field.rms_m()));
+}
+
 SavePanel::SavePanel(OpenStudy& study, Banner& banner, std::function<TextureRecipe()> recipe,
                      QWidget* parent)
     : QFrame(parent), study_(study), banner_(banner), recipe_(std::move(recipe)) {
@@ -126,13 +133,7 @@ void SavePanel::show_opened(std::shared_ptr<const OpenedPicture> opened) {
   check_name();
 }
 
-void SavePanel::show_facts(const HeightField& field) {
-  facts_->setText(tr("%1 × %2 mm, %3 µm from the lowest to the highest point, RMS %4 µm")
-                      .arg(field.width_m() * 1e3, 0, 'f', 0)
-                      .arg(field.length_m() * 1e3, 0, 'f', 0)
-                      .arg(in_micrometres(field.maximum_m() - field.minimum_m()),
-                           in_micrometres(field.rms_m())));
-}
+void SavePanel::show_facts(const HeightField& field) { facts_->setText(facts_of(field)); }
 
 void SavePanel::check_name() {
   QString problem{};

@@ -56,6 +56,9 @@ class SavePanel final : public QFrame {
   BackgroundTask saving_{};
 };
 
+/// Its extent and how high it is, in millimetres and micrometres.
+QString facts_of(const HeightField& field);
+
 /// A name for the relief of this file that can be saved in the folder `stimuli` and replaces
 /// nothing there: what is plain of the file's own name, without the ending of photographs.
 QString proposed_name(const std::filesystem::path& file, const std::filesystem::path& stimuli);

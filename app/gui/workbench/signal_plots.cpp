@@ -77,13 +77,18 @@ QWidget* SignalPlots::make_side(Side& side, const PlotAxes& axes) {
   // Names that find no room are cut off, they do not widen the page.
   side.heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->addWidget(side.heading);
+  // Lying above its axis it is read whole however low the plot is; beside it, it would be cut off.
+  QLabel* y = make_text(axes.y, box, true);
+  y->setFont(text_font(TextSize::small));
+  y->setWordWrap(false);
+  y->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  layout->addWidget(y);
   side.plot = new QCustomPlot(box);
   side.plot->setMinimumHeight(96);
   side.plot->xAxis->setLabel(axes.x);
-  side.plot->yAxis->setLabel(axes.y);
   set_scale(*side.plot->xAxis, axes.x_scale);
   set_scale(*side.plot->yAxis, axes.y_scale);
-  side.plot->axisRect()->setMinimumMargins(QMargins(64, 4, 8, 0));
+  side.plot->axisRect()->setMinimumMargins(QMargins(56, 4, 8, 0));
   layout->addWidget(side.plot, 1);
   style_plot(*side.plot);
   return box;

@@ -149,6 +149,10 @@ QWidget* WorkbenchPage::make_workspace() {
 
   auto* middle = new QVBoxLayout();
   middle->setSpacing(kGrid);
+  finished_ = make_text({}, work);
+  finished_->setObjectName("finished");
+  finished_->hide();
+  middle->addWidget(finished_);
   centre_ = new QStackedWidget(work);
   relief_ = new ReliefView(centre_);
   step_picture_ = new QLabel(centre_);
@@ -209,6 +213,7 @@ void WorkbenchPage::set_mode(Mode mode) {
   mode_->button(id)->setChecked(true);
   plots_->setCurrentIndex(id);
   side_->setCurrentIndex(id);
+  choose_panels();
   const bool making = mode == Mode::making;
   relief_->set_mouse(making ? MouseMeans::turning : MouseMeans::stroking);
   relief_->set_line(making ? std::optional(line_y_m_) : std::nullopt);
@@ -221,6 +226,15 @@ void WorkbenchPage::set_mode(Mode mode) {
   }
   choose_step(strip_->chosen());
   show_forces();
+}
+
+// A relief that comes from a file has neither steps nor a recipe: it has the room to itself.
+void WorkbenchPage::choose_panels() {
+  const bool finished = opened_ != nullptr && !opened_->is_photograph();
+  const bool making = mode_->checkedId() == static_cast<int>(Mode::making);
+  strip_->setVisible(!finished);
+  side_->setVisible(!finished || !making);
+  finished_->setVisible(finished && making);
 }
 
 void WorkbenchPage::fill_study_menu(QMenu& menu) {
@@ -297,7 +311,16 @@ void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened, const QStr
   relief_->setFocus(Qt::OtherFocusReason);
   strip_->set_picture(Step::photograph, opened_->original);
   line_y_m_ = 0.0;
-  recipe_->show_opened(*opened_);
+  if (opened_->is_photograph()) {
+    recipe_->show_opened(*opened_);
+  } else {
+    finished_->setText(
+        tr("<b>%1</b>: %2. This relief is finished, it comes from a file of the study. "
+           "Compare how the force models render it, or open a photograph to make "
+           "another one.")
+            .arg(text_of(opened_->file.stem()).toHtmlEscaped(), facts_of(*opened_->preview.field)));
+  }
+  choose_panels();
   save_->show_opened(opened_);
   keep_unsaved(opened_->is_photograph());
   show_preview(opened_->preview);

@@ -67,6 +67,7 @@ class WorkbenchPage final : public QWidget {
   void read(const std::filesystem::path& file, const QStringList& remarks);
   void take(std::shared_ptr<const OpenedPicture> opened, const QStringList& remarks);
   void show_preview(TexturePreview preview);
+  void choose_panels();
   void recompute();
   void choose_step(Step step);
   void show_line(double y_m);
@@ -83,6 +84,7 @@ class WorkbenchPage final : public QWidget {
   QStackedWidget* side_ = nullptr;    // recipe and saving, models
   StepStrip* strip_ = nullptr;
   ReliefView* relief_ = nullptr;
+  QLabel* finished_ = nullptr;
   QLabel* step_picture_ = nullptr;
   QLabel* caption_ = nullptr;
   SignalPlots* profile_ = nullptr;

@@ -510,8 +510,22 @@ TEST_F(Workbench, ShowsAReliefOfTheStudyWithoutARecipe) {
   page_->open_file(study_folder() / "stimuli/brick.png");
   settle();
   EXPECT_TRUE(find<QLabel>("finished").isVisible());
-  EXPECT_FALSE(find<QPushButton>("save").isEnabled());
-  EXPECT_FALSE(find<QComboBox>("kind").isVisible());
+  EXPECT_TRUE(find<QLabel>("finished").text().contains("<b>brick</b>: "));
+  // It has neither steps nor a recipe and is saved already: the relief has their room.
+  for (const char* name : {"save", "kind", "steps", "comparison"}) {
+    EXPECT_FALSE(find<QWidget>(name).isVisible()) << name;
+  }
+  take_screenshot(*page_, "workbench-finished");
+  click("mode_comparing");
+  settle();
+  EXPECT_FALSE(find<QLabel>("finished").isVisible());
+  EXPECT_TRUE(find<QWidget>("comparison").isVisible());
+  drop(photograph("brick", 256));
+  click("mode_making");
+  settle();
+  for (const char* name : {"save", "kind", "steps"}) {
+    EXPECT_TRUE(find<QWidget>(name).isVisible()) << name;
+  }
 }
 
 TEST_F(Workbench, TurnsUnderTheMouseAndMovesTheLightWithTheRightButton) {
