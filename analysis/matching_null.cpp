@@ -2,10 +2,14 @@
 
 #include "analysis/matching_null.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "analysis/number_text.h"
 
@@ -27,6 +31,10 @@ std::uint64_t factorial(std::size_t n) {
     product *= i;
   }
   return product;
+}
+
+std::uint64_t choose(std::size_t n, std::size_t k) {
+  return factorial(n) / (factorial(k) * factorial(n - k));
 }
 
 // D(j) = (j − 1)·(D(j − 1) + D(j − 2)), D(0) = 1, D(1) = 0.
@@ -55,39 +63,75 @@ std::vector<double> fixed_point_distribution(std::size_t items) {
   const std::uint64_t all = factorial(items);
   std::vector<double> probability(items + 1);
   for (std::size_t right = 0; right <= items; ++right) {
-    const std::uint64_t choices = all / (factorial(right) * factorial(items - right));
-    probability[right] =
-        static_cast<double>(choices * derangements(items - right)) / static_cast<double>(all);
+    probability[right] = static_cast<double>(choose(items, right) * derangements(items - right)) /
+                         static_cast<double>(all);
   }
   return probability;
+}
+
+std::size_t fixed_points(MatchingTrial trial) noexcept {
+  return static_cast<std::size_t>(
+      std::count_if(trial.begin(), trial.end(),
+                    [](const MatchedItem& item) { return item.chosen == item.felt; }));
+}
+
+bool is_permutation(MatchingTrial trial) {
+  std::set<std::size_t> felt{};
+  std::set<std::size_t> chosen{};
+  for (const MatchedItem& item : trial) {
+    if (!item.chosen) return false;
+    felt.insert(item.felt);
+    chosen.insert(*item.chosen);
+  }
+  return felt.size() == trial.size() && felt == chosen;
+}
+
+IntegerDistribution chance_matches(MatchingTrial trial) {
+  const std::size_t m = trial.size();
+  refuse_impossible(m);
+  struct Copies {
+    std::size_t felt = 0;
+    std::size_t chosen = 0;
+  };
+  std::map<std::size_t, Copies> copies{};
+  for (const MatchedItem& item : trial) {
+    ++copies[item.felt].felt;
+    if (item.chosen) ++copies[*item.chosen].chosen;
+  }
+  std::vector<std::int64_t> marked(m + 1, 0);  // N_j
+  marked[0] = 1;
+  for (const auto& [label, of] : copies) {
+    std::vector<std::int64_t> next(m + 1, 0);
+    for (std::size_t i = 0; i <= std::min(of.felt, of.chosen); ++i) {
+      const auto ways =
+          static_cast<std::int64_t>(choose(of.felt, i) * choose(of.chosen, i) * factorial(i));
+      for (std::size_t j = 0; i + j <= m; ++j) next[i + j] += ways * marked[j];
+    }
+    marked = std::move(next);
+  }
+  IntegerDistribution distribution{.lowest = 0, .probability = std::vector<double>(m + 1)};
+  for (std::size_t k = 0; k <= m; ++k) {
+    std::int64_t ways = 0;
+    for (std::size_t j = k; j <= m; ++j) {
+      const std::int64_t term =
+          static_cast<std::int64_t>(choose(j, k) * factorial(m - j)) * marked[j];
+      ways += (j - k) % 2 == 0 ? term : -term;
+    }
+    distribution.probability[k] = static_cast<double>(ways) / static_cast<double>(factorial(m));
+  }
+  return distribution;
 }
 
 MatchingNull::MatchingNull(const Design& design) {
   if (design.assignments < 1) {
     throw std::invalid_argument("assignments is 0; a null distribution needs at least one");
   }
-  const std::vector<double> one = fixed_point_distribution(design.items);
-  probability_ = one;
-  for (std::size_t i = 1; i < design.assignments; ++i) {
-    std::vector<double> sum(probability_.size() + design.items);
-    for (std::size_t a = 0; a < probability_.size(); ++a) {
-      for (std::size_t b = 0; b < one.size(); ++b) {
-        sum[a + b] += probability_[a] * one[b];
-      }
-    }
-    probability_ = std::move(sum);
-  }
+  const IntegerDistribution one{.lowest = 0, .probability = fixed_point_distribution(design.items)};
+  for (std::size_t i = 0; i < design.assignments; ++i) sum_ = sum_of(sum_, one);
 }
 
-double MatchingNull::upper_tail(std::size_t right) const noexcept {
-  if (right == 0) {
-    return 1.0;
-  }
-  double sum = 0.0;
-  for (std::size_t k = probability_.size(); k > right; --k) {  // the smallest first
-    sum += probability_[k - 1];
-  }
-  return sum;
+double MatchingNull::upper_tail(std::size_t right) const {
+  return sum_.upper_tail(static_cast<std::int64_t>(right));
 }
 
 CountInterval MatchingNull::central_interval(double confidence) const {
@@ -96,14 +140,15 @@ CountInterval MatchingNull::central_interval(double confidence) const {
                                 "; it must lie between 0 and 1");
   }
   const double allowed = 0.5 * (1.0 - confidence);
-  CountInterval interval{.low = 0, .high = probability_.size() - 1};
-  double below = probability_[interval.low];
+  const std::vector<double>& p = sum_.probability;
+  CountInterval interval{.low = 0, .high = p.size() - 1};
+  double below = p[interval.low];
   while (below <= allowed) {
-    below += probability_[++interval.low];
+    below += p[++interval.low];
   }
-  double above = probability_[interval.high];
+  double above = p[interval.high];
   while (above <= allowed) {
-    above += probability_[--interval.high];
+    above += p[--interval.high];
   }
   return interval;
 }

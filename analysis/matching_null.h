@@ -3,7 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
+
+#include "analysis/exact_null.h"
 
 namespace asperity {
 
@@ -28,6 +32,28 @@ double whole_chance(std::size_t items);
 /// P(k) for k = 0 … m, each an exact ratio of integers rounded once.
 std::vector<double> fixed_point_distribution(std::size_t items);
 
+/// One place of a trial: what was felt, and what was assigned to it; nothing where it was left blank.
+struct MatchedItem {
+  std::size_t felt = 0;
+  std::optional<std::size_t> chosen{};
+};
+using MatchingTrial = std::span<const MatchedItem>;
+
+std::size_t fixed_points(MatchingTrial trial) noexcept;
+
+/// Whether everything felt differs and each of it was assigned once, so that chance is the
+/// distribution above.
+bool is_permutation(MatchingTrial trial);
+
+/// The number of right items when the answers of this very trial, blanks and repetitions included,
+/// are dealt to its places in random order. With f_s places of the felt item s and c_s answers of
+/// it, by inclusion and exclusion over marked right places,
+///
+///   P(k of m) = Σ_{j≥k} (−1)^(j−k)·C(j, k)·N_j·(m − j)!/m!,  Σ_j N_j·x^j = Π_s Σ_i C(f_s, i)·C(c_s, i)·i!·x^i,
+///
+/// in whole numbers. For a permutation it is `fixed_point_distribution`.
+IntegerDistribution chance_matches(MatchingTrial trial);
+
 /// Counts k with low ≤ k ≤ high.
 struct CountInterval {
   std::size_t low = 0;
@@ -35,7 +61,7 @@ struct CountInterval {
 };
 
 /// The number of items right in all of n independent random assignments of m items: the n-fold
-/// convolution of the distribution above, in nonnegative sums, so that tails keep their digits.
+/// convolution of `fixed_point_distribution`.
 class MatchingNull final {
  public:
   struct Design {
@@ -45,17 +71,17 @@ class MatchingNull final {
   explicit MatchingNull(const Design& design);
 
   /// P(k) for k = 0 … n·m.
-  const std::vector<double>& distribution() const noexcept { return probability_; }
+  const std::vector<double>& distribution() const noexcept { return sum_.probability; }
 
   /// P(at least `right` items right): the one-sided p.
-  double upper_tail(std::size_t right) const noexcept;
+  double upper_tail(std::size_t right) const;
 
   /// The narrowest counts that leave at most (1 − confidence)/2 outside on each side. Throws
   /// std::invalid_argument unless 0 < confidence < 1.
   CountInterval central_interval(double confidence) const;
 
  private:
-  std::vector<double> probability_{};
+  IntegerDistribution sum_{};
 };
 
 }  // namespace asperity

@@ -10,8 +10,15 @@ namespace asperity {
 namespace {
 
 constexpr std::array kFamilies{
+    TidyFamily{"matching",
+               "subject,trial,stimulus,response and, where there are groups, group: one row per "
+               "place of a trial, response empty where it was left blank",
+               "conf", matching_findings},
     TidyFamily{"proportion", "id,k,n,p0,conf: hits k of n trials each, chance p0", "",
                proportion_findings},
+    TidyFamily{
+        "selection", "subject,sample,choice: the best of several, empty where none was chosen",
+        "renderers (all that can be chosen), target (one of them), conf", selection_findings},
 };
 
 }  // namespace

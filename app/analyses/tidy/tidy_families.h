@@ -53,6 +53,8 @@ std::span<const TidyFamily> tidy_families();
 /// Throws std::runtime_error with the families that there are.
 const TidyFamily& tidy_family(const std::string& name);
 
+std::vector<Finding> matching_findings(const TidyInput& input);
 std::vector<Finding> proportion_findings(const TidyInput& input);
+std::vector<Finding> selection_findings(const TidyInput& input);
 
 }  // namespace asperity

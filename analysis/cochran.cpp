@@ -1,0 +1,40 @@
+#include "analysis/cochran.h"
+
+#include <limits>
+#include <stdexcept>
+
+#include "analysis/tail_probabilities.h"
+
+namespace asperity {
+
+CochranTest cochran_test(const CountMatrix& answers) {
+  if (answers.cols() < 1)
+    throw std::invalid_argument("answers has no column; a condition is needed");
+  if (answers.size() > 0 && (answers.minCoeff() < 0 || answers.maxCoeff() > 1)) {
+    throw std::invalid_argument("answers must hold zeros and ones");
+  }
+  CochranTest test{.df = static_cast<double>(answers.cols() - 1)};
+  const std::int64_t conditions = answers.cols();
+  const std::int64_t total = answers.sum();
+  const std::int64_t of_columns = answers.colwise().sum().array().square().sum();
+  const std::int64_t of_rows = answers.rowwise().sum().array().square().sum();
+  const std::int64_t denominator = conditions * total - of_rows;
+  if (denominator == 0) {
+    test.q = test.p = test.exact_p = std::numeric_limits<double>::quiet_NaN();
+    return test;
+  }
+  test.q = test.df * static_cast<double>(conditions * of_columns - total * total) /
+           static_cast<double>(denominator);
+  test.p = *upper_tail(ChiSquaredStatistic{.value = test.q, .df = test.df});
+  const RelabellingTest exact = relabelling_test(answers);
+  test.exact_p = exact.p;
+  test.counted = exact.exact;
+  return test;
+}
+
+double mcnemar_test(const Discordance& discordance) {
+  const std::uint64_t both = discordance.only_first + discordance.only_second;
+  return both == 0 ? 1.0 : binomial_test({.hits = discordance.only_first, .trials = both}, 0.5);
+}
+
+}  // namespace asperity

@@ -1,0 +1,326 @@
+// Each participant picks one of K alternatives for every sample.
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/cochran.h"
+#include "analysis/exact_null.h"
+#include "analysis/first_choice.h"
+#include "analysis/multiplicity.h"
+#include "analysis/pooled_share.h"
+#include "analysis/proportion.h"
+#include "analysis/t_test.h"
+#include "analysis/uniform_counts.h"
+#include "app/analyses/tidy/finding_list.h"
+#include "app/analyses/tidy/tidy_families.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+struct Choices {
+  LabelColumn participants{};
+  LabelColumn samples{};
+  LabelColumn choices{};  ///< coded as `renderers`
+  std::vector<std::string> renderers{};
+  std::size_t target = 0;
+  double confidence = 0.95;
+
+  bool made(std::size_t row) const { return choices.codes[row] != LabelColumn::kMissing; }
+};
+
+Choices choices_in(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  Choices read{.participants = table.all_labels("subject"), .samples = table.all_labels("sample")};
+  read.renderers = input.options.texts("renderers");
+  read.choices = table.labels("choice", read.renderers);
+  const std::string target = input.options.text("target");
+  const auto found = std::find(read.renderers.begin(), read.renderers.end(), target);
+  if (found == read.renderers.end() || read.renderers.size() < 2) {
+    throw std::runtime_error(
+        "the option \"target\" must be one of two or more \"renderers\", not \"" + target + '"');
+  }
+  read.target = static_cast<std::size_t>(found - read.renderers.begin());
+  read.confidence = input.options.confidence();
+  return read;
+}
+
+std::string both(const std::string& a, const std::string& b) { return a + '|' + b; }
+
+/// The choices of one sample, or all of them, as if they were independent. Returns the one-sided p
+/// of the target.
+double add_block(const Choices& read, const std::string& block,
+                 const std::vector<std::uint64_t>& counts, bool pooled, FindingList& findings) {
+  std::uint64_t n = 0;
+  for (const std::uint64_t count : counts) n += count;
+  const auto number = [&](const char* quantity, const std::string& key, double value,
+                          const std::string& method) {
+    findings.number(quantity, key, value, {.n = n, .method = method});
+  };
+  findings.count("n.valid", block, n, {.n = n, .method = "choices that were made"});
+  const std::string independent =
+      pooled ? ", as if the choices of a participant were independent" : "";
+  for (std::size_t j = 0; j < counts.size(); ++j) {
+    const std::string key = both(block, read.renderers[j]);
+    const HitCount count{.hits = counts[j], .trials = n};
+    const ConfidenceInterval none{.low = kNone, .high = kNone};
+    const ConfidenceInterval wilson = n > 0 ? wilson_interval(count, read.confidence) : none;
+    const ConfidenceInterval cp = n > 0 ? clopper_pearson_interval(count, read.confidence) : none;
+    findings.count("count", key, counts[j], {.n = n});
+    Basis basis{.n = n, .method = "chosen of all choices; interval of Wilson" + independent};
+    if (n > 0) {
+      basis.interval = wilson;
+      basis.confidence = read.confidence;
+    }
+    findings.number("prop", key, n > 0 ? proportion(count) : kNone, basis);
+    number("wilson.lower", key, wilson.low, "interval of Wilson" + independent);
+    number("wilson.upper", key, wilson.high, "interval of Wilson" + independent);
+    number("cp.lower", key, cp.low, "interval of Clopper and Pearson" + independent);
+    number("cp.upper", key, cp.high, "interval of Clopper and Pearson" + independent);
+  }
+  const std::vector<ConfidenceInterval> goodman = goodman_intervals(counts, read.confidence);
+  for (std::size_t j = 0; j < counts.size(); ++j) {
+    const std::string key = both(block, read.renderers[j]);
+    number("goodman.lower", key, goodman[j].low, "simultaneous intervals of Goodman" + independent);
+    number("goodman.upper", key, goodman[j].high,
+           "simultaneous intervals of Goodman" + independent);
+  }
+  const UniformTest test = uniform_test(counts);
+  number("chisq", block, test.pearson, "Pearson's X² against equal shares" + independent);
+  number("chisq.df", block, test.df, "");
+  number("chisq.p", block, test.pearson_p, "Pearson's X² against equal shares" + independent);
+  number("G", block, test.likelihood_ratio, "likelihood ratio against equal shares" + independent);
+  number("G.p", block, test.likelihood_ratio_p,
+         "likelihood ratio against equal shares" + independent);
+  number("cramer.w", block, test.cohen_w, "Cohen's w");
+  if (!pooled) {
+    const MultinomialTest exact = uniform_multinomial_test(counts);
+    number("multinom.exact.p", block, exact.counted ? exact.by_probability : kNone,
+           "exact multinomial test against equal shares, in the order of probability");
+    number("multinom.chisqorder.p", block, exact.counted ? exact.by_chi_squared : kNone,
+           "exact multinomial test against equal shares, in the order of Pearson's X²");
+  }
+  const double p = n > 0 ? binomial_upper_tail({.hits = counts[read.target], .trials = n},
+                                               1.0 / static_cast<double>(counts.size()))
+                         : kNone;
+  number(
+      "target.p.greater", block, p,
+      "exact binomial, one-sided against chance 1/" + std::to_string(counts.size()) + independent);
+  const LuceWorths luce = luce_worths(counts, read.target);
+  findings.truth("luce.addhalf", block, luce.half_added,
+                 {.n = n, .method = "whether ½ was added to every count because one is 0"});
+  for (std::size_t j = 0; j < counts.size(); ++j) {
+    if (j == read.target) continue;
+    const std::string key = both(block, read.renderers[j]);
+    number("luce.logworth", key, luce.log_worth[j],
+           "Luce's log worth relative to " + read.renderers[read.target]);
+    number("luce.se", key, luce.standard_error[j], "");
+  }
+  const std::vector<double> means = first_choice_means(luce.share);
+  for (std::size_t j = 0; j < counts.size(); ++j) {
+    number("thurstone.firstchoice.mu", both(block, read.renderers[j]), means[j],
+           "Thurstone's scale of the best of K, sum 0");
+  }
+  return p;
+}
+
+void add_blocks(const Choices& read, FindingList& findings) {
+  std::vector<std::vector<std::uint64_t>> counts(read.samples.names.size(),
+                                                 std::vector<std::uint64_t>(read.renderers.size()));
+  std::vector<std::uint64_t> pooled(read.renderers.size());
+  for (std::size_t row = 0; row < read.choices.codes.size(); ++row) {
+    if (!read.made(row)) continue;
+    ++counts[read.samples.codes[row]][read.choices.codes[row]];
+    ++pooled[read.choices.codes[row]];
+  }
+  std::vector<std::string> tested{};
+  std::vector<double> p{};
+  for (std::size_t sample = 0; sample < counts.size(); ++sample) {
+    const double of_target =
+        add_block(read, read.samples.names[sample], counts[sample], false, findings);
+    if (of_target != of_target) continue;
+    tested.push_back(read.samples.names[sample]);
+    p.push_back(of_target);
+  }
+  add_block(read, "POOLED", pooled, true, findings);
+  const std::vector<double> adjusted = holm_adjusted(p);
+  for (std::size_t i = 0; i < tested.size(); ++i) {
+    findings.number("target.p.greater.holm", tested[i], adjusted[i],
+                    {.n = tested.size(), .method = "target.p.greater, Holm over the samples"});
+  }
+}
+
+/// A row per participant who chose at all, a column per alternative.
+CountMatrix counts_by_participant(const Choices& read) {
+  CountMatrix all = CountMatrix::Zero(static_cast<Eigen::Index>(read.participants.names.size()),
+                                      static_cast<Eigen::Index>(read.renderers.size()));
+  for (std::size_t row = 0; row < read.choices.codes.size(); ++row) {
+    if (!read.made(row)) continue;
+    ++all(static_cast<Eigen::Index>(read.participants.codes[row]),
+          static_cast<Eigen::Index>(read.choices.codes[row]));
+  }
+  Eigen::Index kept = 0;
+  for (Eigen::Index person = 0; person < all.rows(); ++person) {
+    if (all.row(person).sum() == 0) continue;
+    if (kept != person) all.row(kept) = all.row(person).eval();
+    ++kept;
+  }
+  return all.topRows(kept);
+}
+
+void add_person_shares(const Choices& read, const CountMatrix& counts, FindingList& findings) {
+  const std::string& target = read.renderers[read.target];
+  const auto n = static_cast<std::size_t>(counts.rows());
+  const auto number = [&](const char* quantity, const std::string& key, double value,
+                          const std::string& method) {
+    findings.number(quantity, key, value, {.n = n, .method = method});
+  };
+  number("subj.n", "", static_cast<double>(n), "participants who chose at all");
+  std::vector<HitCount> own{};
+  std::vector<double> shares{};
+  for (Eigen::Index person = 0; person < counts.rows(); ++person) {
+    own.push_back(
+        {.hits = static_cast<std::uint64_t>(counts(person, static_cast<Eigen::Index>(read.target))),
+         .trials = static_cast<std::uint64_t>(counts.row(person).sum())});
+    shares.push_back(proportion(own.back()));
+  }
+  const double chance = 1.0 / static_cast<double>(read.renderers.size());
+  const OneSampleT t =
+      n > 0 ? one_sample_t(shares, {.null_mean = chance, .confidence = read.confidence})
+            : OneSampleT{.mean = kNone};
+  Basis mean{.n = n, .method = "mean of the participants' shares; interval of Student's t"};
+  if (t.test) {
+    mean.interval = t.test->interval;
+    mean.confidence = read.confidence;
+  }
+  findings.number("subj.mean", target, t.mean, mean);
+  number("subj.sd", target, t.sd.value_or(kNone), "of the participants' shares");
+  const std::string method =
+      "Student's t over participants, against chance 1/" + std::to_string(read.renderers.size());
+  number("subj.t", target, t.test ? t.test->t : kNone, method);
+  number("subj.t.df", target, n > 0 ? static_cast<double>(n) - 1.0 : kNone, method);
+  number("subj.t.p.two", target, t.test ? t.test->p : kNone, method);
+  number("subj.ci.lower", target, t.test ? t.test->interval.low : kNone, "Student's t");
+  number("subj.ci.upper", target, t.test ? t.test->interval.high : kNone, "Student's t");
+  const PooledShare pooled = n > 0 ? pooled_share(own) : PooledShare{kNone, kNone, kNone, kNone};
+  number("pooled.se.cluster", target, pooled.clustered_standard_error,
+         "standard error of the pooled share, participants as clusters");
+  number("pooled.se.binom", target, pooled.binomial_standard_error,
+         "standard error of the pooled share as if all choices were independent");
+  number("pooled.deff", target, pooled.design_effect, "design effect");
+}
+
+void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList& findings) {
+  const auto n = static_cast<std::size_t>(counts.rows());
+  std::vector<std::string> pairs{};
+  std::vector<double> p{};
+  const std::string method = "exact sign flips: both labels exchanged within a participant";
+  for (Eigen::Index a = 0; a < counts.cols(); ++a) {
+    for (Eigen::Index b = a + 1; b < counts.cols(); ++b) {
+      const std::string key = both(read.renderers[static_cast<std::size_t>(a)],
+                                   read.renderers[static_cast<std::size_t>(b)]);
+      std::vector<std::int64_t> differences{};
+      for (Eigen::Index person = 0; person < counts.rows(); ++person) {
+        differences.push_back(counts(person, a) - counts(person, b));
+      }
+      const auto first = static_cast<std::uint64_t>(counts.col(a).sum());
+      const auto second = static_cast<std::uint64_t>(counts.col(b).sum());
+      findings.number("signflip.diff", key,
+                      static_cast<double>(first) - static_cast<double>(second),
+                      {.n = n, .method = "difference of the counts"});
+      const SignFlipTest flips = sign_flip_test(differences);
+      findings.number("signflip.p.two", key, flips.two_sided, {.n = n, .method = method});
+      findings.number(
+          "pairwise.binom.p.two", key, mcnemar_test({.only_first = first, .only_second = second}),
+          {.n = first + second, .method = "exact binomial as if all choices were independent"});
+      pairs.push_back(key);
+      p.push_back(flips.two_sided);
+    }
+  }
+  const std::vector<double> adjusted = holm_adjusted(p);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    findings.number("signflip.p.two.holm", pairs[i], adjusted[i],
+                    {.n = n, .method = method + ", Holm over the pairs"});
+  }
+  const RelabellingTest relabelling = relabelling_test(counts);
+  findings.number("relabel.exact.p", "", relabelling.p,
+                  {.n = n,
+                   .method = std::string(relabelling.exact ? "exact" : "random") +
+                             " relabelling within participants, sum of squared totals"});
+}
+
+/// Whether choosing the target depends on the sample, among those who answered all samples.
+void add_cochran(const Choices& read, FindingList& findings) {
+  const std::size_t samples = read.samples.names.size();
+  std::vector<std::vector<std::size_t>> first(
+      read.participants.names.size(), std::vector<std::size_t>(samples, LabelColumn::kMissing));
+  std::vector<std::vector<bool>> seen(read.participants.names.size(), std::vector<bool>(samples));
+  for (std::size_t row = 0; row < read.choices.codes.size(); ++row) {
+    const std::size_t person = read.participants.codes[row];
+    const std::size_t sample = read.samples.codes[row];
+    if (seen[person][sample]) continue;
+    seen[person][sample] = true;
+    first[person][sample] = read.choices.codes[row];
+  }
+  std::erase_if(first, [](const std::vector<std::size_t>& choices) {
+    return std::count(choices.begin(), choices.end(), LabelColumn::kMissing) > 0;
+  });
+  CountMatrix answers(static_cast<Eigen::Index>(first.size()), static_cast<Eigen::Index>(samples));
+  for (Eigen::Index person = 0; person < answers.rows(); ++person) {
+    for (Eigen::Index sample = 0; sample < answers.cols(); ++sample) {
+      const std::size_t choice =
+          first[static_cast<std::size_t>(person)][static_cast<std::size_t>(sample)];
+      answers(person, sample) = choice == read.target ? 1 : 0;
+    }
+  }
+  const std::string& target = read.renderers[read.target];
+  const Basis basis{.n = first.size(),
+                    .method = "Cochran's Q over samples, participants who answered all"};
+  findings.count("cochran.n.complete", target, first.size(), basis);
+  if (samples == 0) return;
+  const CochranTest test = cochran_test(answers);
+  findings.number("cochran.Q", target, test.q, basis);
+  findings.number("cochran.df", target, test.df, basis);
+  if (test.q == test.q) {
+    findings.number("cochran.p", target, test.p, basis);
+    findings.number("cochran.exact.p", target, test.exact_p,
+                    {.n = first.size(),
+                     .method = std::string(test.counted ? "exact" : "random") +
+                               " permutation within participants"});
+  }
+  for (Eigen::Index a = 0; a < answers.cols(); ++a) {
+    for (Eigen::Index b = a + 1; b < answers.cols(); ++b) {
+      Discordance discordance{};
+      for (Eigen::Index person = 0; person < answers.rows(); ++person) {
+        if (answers(person, a) > answers(person, b)) ++discordance.only_first;
+        if (answers(person, a) < answers(person, b)) ++discordance.only_second;
+      }
+      const std::string key = both(read.samples.names[static_cast<std::size_t>(a)],
+                                   read.samples.names[static_cast<std::size_t>(b)]);
+      const Basis mcnemar{.n = first.size(), .method = "exact McNemar test"};
+      findings.count("mcnemar.b", key, discordance.only_first, mcnemar);
+      findings.count("mcnemar.c", key, discordance.only_second, mcnemar);
+      findings.number("mcnemar.exact.p", key, mcnemar_test(discordance), mcnemar);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> selection_findings(const TidyInput& input) {
+  const Choices read = choices_in(input);
+  FindingList findings{};
+  add_blocks(read, findings);
+  const CountMatrix counts = counts_by_participant(read);
+  add_person_shares(read, counts, findings);
+  add_label_tests(read, counts, findings);
+  add_cochran(read, findings);
+  return findings.take();
+}
+
+}  // namespace asperity

@@ -1,0 +1,104 @@
+// Exact null distributions against counting everything, and against published numbers.
+
+#include "analysis/exact_null.h"
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+TEST(IntegerDistribution, AddsAsIndependentNumbersDo) {
+  const IntegerDistribution die{.lowest = 1, .probability = std::vector<double>(6, 1.0 / 6.0)};
+  const IntegerDistribution two = sum_of(die, die);
+  EXPECT_EQ(two.lowest, 2);
+  EXPECT_NEAR(two.at(7), 6.0 / 36.0, 1e-15);
+  EXPECT_NEAR(two.upper_tail(11), 3.0 / 36.0, 1e-15);
+  EXPECT_NEAR(two.lower_tail(3), 3.0 / 36.0, 1e-15);
+  EXPECT_NEAR(two.mean(), 7.0, 1e-14);
+  EXPECT_NEAR(two.variance(), 70.0 / 12.0, 1e-13);
+  EXPECT_EQ(two.at(13), 0.0);
+  EXPECT_EQ(two.upper_tail(-5), 1.0);
+  EXPECT_EQ(two.lower_tail(12), 1.0);
+  EXPECT_EQ(two.upper_tail(13), 0.0);
+}
+
+TEST(SignFlipTest, CountsEveryPatternOfSigns) {
+  const std::vector<std::int64_t> differences{3, -1, 2, 0, 2, -4, 1};
+  const std::int64_t observed = std::accumulate(differences.begin(), differences.end(), 0LL);
+  int as_large = 0;
+  int as_far = 0;
+  for (int pattern = 0; pattern < 128; ++pattern) {
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+      sum += (pattern >> i & 1) != 0 ? differences[i] : -differences[i];
+    }
+    as_large += sum >= observed ? 1 : 0;
+    as_far += std::abs(sum) >= std::abs(observed) ? 1 : 0;
+  }
+  const SignFlipTest test = sign_flip_test(differences);
+  EXPECT_NEAR(test.upper, as_large / 128.0, 1e-15);
+  EXPECT_NEAR(test.two_sided, as_far / 128.0, 1e-15);
+}
+
+TEST(SignFlipTest, SaysNothingWhereNobodyDiffers) {
+  const std::vector<std::int64_t> none{0, 0};
+  EXPECT_EQ(sign_flip_test(none).two_sided, 1.0);
+  EXPECT_EQ(sign_flip_test({}).upper, 1.0);
+  const std::vector<std::int64_t> even{2, -2};
+  EXPECT_EQ(sign_flip_test(even).two_sided, 1.0);
+}
+
+// Two units (2, 0, 0) and (0, 1, 0): the totals are (3, 0, 0) in 3 of 9 relabellings, sum of squares
+// 9, and (2, 1, 0) in the others, 5.
+TEST(RelabellingTest, CountsEveryAssignmentOfLabels) {
+  CountMatrix counts(2, 3);
+  counts << 2, 0, 0, 0, 1, 0;
+  EXPECT_NEAR(relabelling_test(counts).p, 1.0, 1e-15);
+  counts << 2, 0, 0, 1, 0, 0;
+  EXPECT_NEAR(relabelling_test(counts).p, 3.0 / 9.0, 1e-15);
+  EXPECT_TRUE(relabelling_test(counts).exact);
+}
+
+TEST(RelabellingTest, DrawsWhatIsTooMuchToCount) {
+  CountMatrix counts = CountMatrix::Zero(16, 8);
+  for (Eigen::Index unit = 0; unit < counts.rows(); ++unit) {
+    for (Eigen::Index label = 0; label < 8; ++label) counts(unit, label) = (unit + label) % 8;
+  }
+  const RelabellingTest balanced = relabelling_test(counts);
+  EXPECT_FALSE(balanced.exact);
+  EXPECT_EQ(balanced.p, 1.0);  // all totals are equal: nothing is less extreme
+  counts.rowwise() = counts.row(0).eval();
+  EXPECT_NEAR(relabelling_test(counts).p, 1e-5, 1e-12);  // nothing drawn is as extreme
+}
+
+TEST(RelabellingTest, RefusesWhatIsNoCount) {
+  EXPECT_THROW(relabelling_test(CountMatrix(2, 0)), std::invalid_argument);
+  EXPECT_THROW(relabelling_test(CountMatrix::Constant(1, 2, -1)), std::invalid_argument);
+}
+
+// 12, 7 and 1 of 20: 0.0061 in the order of probability, 0.0136 in that of Pearson's X².
+TEST(UniformMultinomialTest, HasTwoOrders) {
+  const std::vector<std::uint64_t> counts{12, 7, 1};
+  const MultinomialTest test = uniform_multinomial_test(counts);
+  EXPECT_NEAR(test.by_probability, 0.0061, 0.00005);
+  EXPECT_NEAR(test.by_chi_squared, 0.0136, 0.00005);
+}
+
+// Of two alternatives both orders are the two-sided binomial test: 2·(1 + 10)/2¹⁰ for 1 of 10.
+TEST(UniformMultinomialTest, IsTheBinomialTestForTwo) {
+  const std::vector<std::uint64_t> counts{1, 9};
+  EXPECT_NEAR(uniform_multinomial_test(counts).by_probability, 22.0 / 1024.0, 1e-15);
+  EXPECT_NEAR(uniform_multinomial_test(counts).by_chi_squared, 22.0 / 1024.0, 1e-15);
+}
+
+TEST(UniformMultinomialTest, SaysWhenThereIsTooMuchToCount) {
+  const std::vector<std::uint64_t> counts(10, 100);
+  EXPECT_FALSE(uniform_multinomial_test(counts).counted);
+}
+
+}  // namespace
+}  // namespace asperity

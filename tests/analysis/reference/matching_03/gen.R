@@ -1,0 +1,6 @@
+source("../R/case.R"); source("../R/matching.R")
+data <- data.frame(subject = rep(c("x", "y"), each = 3), group = rep(c("a", "b"), each = 3), trial = 1, stimulus = c("p", "q", "r"), response = c("q", "r", "p"))
+write_table(data, "trials.csv")
+write_case("matching", "nothing right", "trials.csv", c(conf = "0.95"))
+matching_results(data, .95)
+write_results()

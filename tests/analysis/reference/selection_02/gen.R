@@ -1,0 +1,11 @@
+source("../R/case.R"); source("../R/selection.R")
+set.seed(43)
+renderers <- c("a", "b", "c", "d")
+data <- data.frame(subject = rep(c("x", "y", "z", "w"), c(2, 4, 1, 5)), sample = c("s2", "s1", "s1", "s2", "s3", "s4", "s3", "s1", "s2", "s3", "s4", "s4"))
+data$choice <- sample(renderers, nrow(data), TRUE, c(.5, .3, .1, .1))
+data <- rbind(data, data.frame(subject = "v", sample = c("s1", "s2", "s3", "s4"), choice = NA))
+write_table(data, "choices.csv")
+write_case("selection", "four alternatives, unequal numbers of choices, one answer twice, one participant without any", "choices.csv",
+           c(renderers = json_list(renderers), target = json_text("b"), conf = "0.9"))
+selection_results(data, renderers, "b", .9)
+write_results()
