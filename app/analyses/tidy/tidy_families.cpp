@@ -14,6 +14,10 @@ constexpr std::array kFamilies{
                "subject,trial,stimulus,response and, where there are groups, group: one row per "
                "place of a trial, response empty where it was left blank",
                "conf", matching_findings},
+    TidyFamily{"paired",
+               "subject,first,second,winner: the item that was put before the other, or tie, empty "
+               "where nothing was judged",
+               "items (all that were compared), conf", paired_findings},
     TidyFamily{"proportion", "id,k,n,p0,conf: hits k of n trials each, chance p0", "",
                proportion_findings},
     TidyFamily{

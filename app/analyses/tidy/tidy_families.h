@@ -54,6 +54,7 @@ std::span<const TidyFamily> tidy_families();
 const TidyFamily& tidy_family(const std::string& name);
 
 std::vector<Finding> matching_findings(const TidyInput& input);
+std::vector<Finding> paired_findings(const TidyInput& input);
 std::vector<Finding> proportion_findings(const TidyInput& input);
 std::vector<Finding> selection_findings(const TidyInput& input);
 

@@ -70,3 +70,13 @@ sign_flip <- function(d) {
   for (one in d) sums <- sum_of(sums, setNames(c(.5, .5), c(-one, one)))
   sum(sums[abs(as.numeric(names(sums))) >= abs(sum(d)) - 1e-9])
 }
+# The place of the largest value of f: a general optimiser, then Newton's method with numerical derivatives (package numDeriv).
+largest <- function(f, start) {
+  x <- start
+  for (i in 1:3) x <- optim(x, function(x) -f(x), method = "BFGS", control = list(reltol = 1e-15, maxit = 1000))$par
+  for (i in 1:6) x <- x - as.numeric(solve(numDeriv::hessian(f, x), numDeriv::grad(f, x)))
+  x
+}
+curvature <- function(f, x) solve(-numDeriv::hessian(f, x))
+# Whether steps along TRUE cells lead from every place to every other one.
+all_reach_all <- function(step) { reach <- step | diag(nrow(step)) > 0; for (i in seq_len(nrow(step))) reach <- (reach %*% reach) > 0; all(reach) }

@@ -1,0 +1,172 @@
+// Newton's method; the log likelihood is concave.
+
+#include "analysis/conditional_logit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <Eigen/Cholesky>
+
+namespace asperity {
+
+void ChoiceData::add(double count, std::span<const Term> terms) {
+  if (strata_.empty()) throw std::logic_error("an alternative needs a stratum that was begun");
+  counts_.push_back(count);
+  for (const Term& term : terms) {
+    terms_.push_back(term);
+    parameters_ = std::max(parameters_, term.parameter + 1);
+  }
+  ends_.push_back(terms_.size());
+}
+
+ChoiceData::Range ChoiceData::stratum(std::size_t index) const {
+  return {.begin = strata_[index],
+          .end = index + 1 < strata_.size() ? strata_[index + 1] : counts_.size()};
+}
+
+ChoiceData::Range ChoiceData::terms(std::size_t alternative) const {
+  return {.begin = alternative == 0 ? 0 : ends_[alternative - 1], .end = ends_[alternative]};
+}
+
+double ChoiceData::utility(std::size_t alternative, const Eigen::VectorXd& coefficients) const {
+  const Range range = terms(alternative);
+  double utility = 0.0;
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    utility += terms_[i].weight * coefficients(static_cast<Eigen::Index>(terms_[i].parameter));
+  }
+  return utility;
+}
+
+double ChoiceData::largest_log_likelihood() const {
+  double sum = 0.0;
+  for (std::size_t index = 0; index < strata_.size(); ++index) {
+    const Range range = stratum(index);
+    double all = 0.0;
+    for (std::size_t a = range.begin; a < range.end; ++a) all += counts_[a];
+    for (std::size_t a = range.begin; a < range.end; ++a) {
+      if (counts_[a] > 0.0) sum += counts_[a] * std::log(counts_[a] / all);
+    }
+  }
+  return sum;
+}
+
+double ChoiceData::log_likelihood(const Eigen::VectorXd& coefficients) const {
+  double sum = 0.0;
+  std::vector<double> utilities{};
+  for (std::size_t index = 0; index < strata_.size(); ++index) {
+    const Range range = stratum(index);
+    utilities.clear();
+    for (std::size_t a = range.begin; a < range.end; ++a) {
+      utilities.push_back(utility(a, coefficients));
+    }
+    const double most = *std::max_element(utilities.begin(), utilities.end());
+    double all = 0.0;
+    for (const double one : utilities) all += std::exp(one - most);
+    for (std::size_t a = range.begin; a < range.end; ++a) {
+      if (counts_[a] > 0.0) {
+        sum += counts_[a] * (utilities[a - range.begin] - most - std::log(all));
+      }
+    }
+  }
+  return sum;
+}
+
+ChoiceData::Slopes ChoiceData::slopes(const Eigen::VectorXd& coefficients,
+                                      std::span<const std::size_t> clusters) const {
+  const auto size = static_cast<Eigen::Index>(parameters_);
+  Slopes at{.log_likelihood = log_likelihood(coefficients),
+            .score = Eigen::VectorXd::Zero(size),
+            .information = Eigen::MatrixXd::Zero(size, size)};
+  if (!clusters.empty()) {
+    const std::size_t most = *std::max_element(clusters.begin(), clusters.end());
+    at.scores = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(most) + 1, size);
+  }
+  std::vector<double> weights{};
+  Eigen::VectorXd mean(size);
+  Eigen::VectorXd score(size);
+  for (std::size_t index = 0; index < strata_.size(); ++index) {
+    const Range range = stratum(index);
+    double most = -std::numeric_limits<double>::infinity();
+    double chosen = 0.0;
+    weights.clear();
+    for (std::size_t a = range.begin; a < range.end; ++a) {
+      weights.push_back(utility(a, coefficients));
+      most = std::max(most, weights.back());
+      chosen += counts_[a];
+    }
+    double all = 0.0;
+    for (double& weight : weights) {
+      weight = std::exp(weight - most);
+      all += weight;
+    }
+    mean.setZero();
+    score.setZero();
+    for (std::size_t a = range.begin; a < range.end; ++a) {
+      const double p = weights[a - range.begin] / all;
+      const Range own = terms(a);
+      for (std::size_t i = own.begin; i < own.end; ++i) {
+        const auto row = static_cast<Eigen::Index>(terms_[i].parameter);
+        mean(row) += p * terms_[i].weight;
+        score(row) += counts_[a] * terms_[i].weight;
+        for (std::size_t j = own.begin; j < own.end; ++j) {
+          at.information(row, static_cast<Eigen::Index>(terms_[j].parameter)) +=
+              chosen * p * terms_[i].weight * terms_[j].weight;
+        }
+      }
+    }
+    score -= chosen * mean;
+    at.score += score;
+    at.information -= chosen * mean * mean.transpose();
+    if (!clusters.empty()) {
+      at.scores.row(static_cast<Eigen::Index>(clusters[index])) += score.transpose();
+    }
+  }
+  return at;
+}
+
+std::optional<ConditionalLogit> conditional_logit(const ChoiceData& data) {
+  constexpr int kMostSteps = 100;
+  constexpr double kTooFar = 40.0;  // no data tell a chance of e⁻⁴⁰ from none
+  constexpr double kSingular = 1e-13;
+  const auto size = static_cast<Eigen::Index>(data.parameters());
+  if (size == 0) return std::nullopt;
+  ConditionalLogit fit{.coefficients = Eigen::VectorXd::Zero(size)};
+  for (int step = 0; step < kMostSteps; ++step) {
+    const ChoiceData::Slopes at = data.slopes(fit.coefficients);
+    const Eigen::LDLT<Eigen::MatrixXd> information(at.information);
+    const Eigen::VectorXd pivots = information.vectorD();
+    if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return std::nullopt;
+    const Eigen::VectorXd move = information.solve(at.score);
+    const double far = move.cwiseAbs().maxCoeff();
+    if (far < 1e-12 * (1.0 + fit.coefficients.cwiseAbs().maxCoeff())) {
+      fit.coefficients += move;
+      fit.covariance = data.slopes(fit.coefficients)
+                           .information.ldlt()
+                           .solve(Eigen::MatrixXd::Identity(size, size));
+      fit.log_likelihood = data.log_likelihood(fit.coefficients);
+      return fit;
+    }
+    double length = 1.0;
+    const double rounding = 1e-12 * (1.0 + std::abs(at.log_likelihood));
+    while (length > 1e-9 && !(data.log_likelihood(fit.coefficients + length * move) >=
+                              at.log_likelihood - rounding)) {
+      length *= 0.5;
+    }
+    fit.coefficients += length * move;
+    if (fit.coefficients.cwiseAbs().maxCoeff() > kTooFar) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+Eigen::MatrixXd clustered_covariance(const ConditionalLogit& fit, const ChoiceData& data,
+                                     std::span<const std::size_t> clusters) {
+  if (clusters.size() != data.strata()) {
+    throw std::invalid_argument("clusters must name the cluster of every stratum");
+  }
+  const Eigen::MatrixXd scores = data.slopes(fit.coefficients, clusters).scores;
+  return fit.covariance * (scores.transpose() * scores) * fit.covariance;
+}
+
+}  // namespace asperity

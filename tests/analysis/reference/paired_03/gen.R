@@ -1,0 +1,8 @@
+source("../R/case.R"); source("../R/paired.R")
+items <- c("a", "b", "c", "d")
+data <- data.frame(subject = rep(c("x", "y"), each = 6), first = c("a", "c", "a", "b", "d", "c"), second = c("b", "a", "d", "c", "b", "d"))
+data$winner <- c("a", "a", "d", "b", "b", "d", "b", "a", "a", "b", "tie", "d")
+write_table(data, "pairs.csv")
+write_case("paired", "one item always loses: no finite scale", "pairs.csv", c(items = json_list(items), conf = "0.95"))
+paired_results(data, items, .95)
+write_results()

@@ -1,0 +1,7 @@
+source("../R/case.R"); source("../R/paired.R")
+items <- c("a", "b", "c", "d")
+data <- data.frame(subject = "x", first = c("a", "b", "c", "d"), second = c("b", "a", "d", "c"), winner = c("a", "b", "c", "d"))
+write_table(data, "pairs.csv")
+write_case("paired", "two halves that were never compared", "pairs.csv", c(items = json_list(items), conf = "0.95"))
+paired_results(data, items, .95)
+write_results()
