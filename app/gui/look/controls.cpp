@@ -8,6 +8,7 @@
 #include <QtGui/QShortcut>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QTableView>
 
@@ -139,25 +140,38 @@ void StateLabel::changeEvent(QEvent* event) {
 }
 
 Banner::Banner(QWidget* parent) : QFrame(parent) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(kMargin, kGrid, kGrid, kGrid);
-  layout->setSpacing(kMargin);
+  grid_ = new QGridLayout(this);
+  grid_->setContentsMargins(kMargin, kGrid, kGrid, kGrid);
+  grid_->setHorizontalSpacing(kMargin);
+  grid_->setVerticalSpacing(kGrid / 2);
+  grid_->setColumnStretch(1, 1);
   shape_ = new QLabel(this);
   shape_->setFont(text_font(TextSize::heading, true));
   text_ = make_text({}, this);
   action_ = make_button({}, ButtonRole::plain, this);
-  QPushButton* away = make_button(tr("Dismiss"), ButtonRole::link, this);
-  layout->addWidget(shape_);
-  layout->addWidget(text_, 1);
-  layout->addWidget(action_);
-  layout->addWidget(away);
+  away_ = make_button(tr("Dismiss"), ButtonRole::link, this);
+  arrange(false);
   connect(action_, &QPushButton::clicked, this, [this] {
     const auto act = on_action_;  // may show other news
     hide();
     if (act) act();
   });
-  connect(away, &QPushButton::clicked, this, &QWidget::hide);
+  connect(away_, &QPushButton::clicked, this, &QWidget::hide);
   hide();
+}
+
+void Banner::arrange(bool narrow) {
+  narrow_ = narrow;
+  grid_->addWidget(shape_, 0, 0);
+  grid_->addWidget(text_, 0, 1, 1, narrow ? 3 : 1);
+  grid_->addWidget(action_, narrow ? 1 : 0, 2);
+  grid_->addWidget(away_, narrow ? 1 : 0, 3);
+}
+
+void Banner::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  constexpr int kNarrow = 664;
+  if (const bool narrow = width() < kNarrow; narrow != narrow_) arrange(narrow);
 }
 
 void Banner::show_news(State state, const QString& text, const QString& action,

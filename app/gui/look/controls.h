@@ -13,6 +13,7 @@
 #include "app/gui/look/theme.h"
 #include "results_schema/rows.h"
 
+class QGridLayout;
 class QTableView;
 class QVBoxLayout;
 
@@ -57,8 +58,8 @@ class StateLabel final : public QLabel {
 QString shape_of(State state);
 QColor color_of(State state);
 
-/// News in place, with the button that helps, in the colours of the theme, also when that changes.
-/// Hidden until `show_news`.
+/// News in place, with the button that helps, in the colours of the theme, also when that changes; in
+/// a narrow window the buttons stand under the words. Hidden until `show_news`.
 class Banner final : public QFrame {
   Q_OBJECT
  public:
@@ -70,14 +71,19 @@ class Banner final : public QFrame {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void restyle();
+  void arrange(bool narrow);
 
   State state_ = State::unknown;
+  bool narrow_ = false;
+  QGridLayout* grid_ = nullptr;
   QLabel* shape_ = nullptr;
   QLabel* text_ = nullptr;
   QPushButton* action_ = nullptr;
+  QPushButton* away_ = nullptr;
   std::function<void()> on_action_{};
 };
 
