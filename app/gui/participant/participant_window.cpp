@@ -62,31 +62,32 @@ void ParticipantWindow::follow() {
   asked_for_text_ = asks_for_text;
 }
 
-void ParticipantWindow::open_on(const QString& screen) {
-  const QList<QScreen*> screens = QGuiApplication::screens();
-  QScreen* chosen = nullptr;
-  for (QScreen* each : screens) {
-    if (each->name() == screen) chosen = each;
-  }
-  if (chosen == nullptr || screens.size() < 2) {
-    stand_beside(chosen != nullptr ? *chosen : *QGuiApplication::primaryScreen());
-    if (chosen == nullptr && !screen.isEmpty()) emit screen_lost(screen);
-    return;
-  }
-  screen_name_ = chosen->name();
-  full_screen_ = true;
-  setScreen(chosen);
-  setGeometry(chosen->geometry());
-  showFullScreen();
-}
-
 namespace {
 
-// What the experimenter's window needs at least: its width, and the height of its controls.
-constexpr int kExperimenterWidth = 1048;
-constexpr int kExperimenterControls = 176;
+/// Null: it is not there.
+QScreen* screen_of(const QString& name) {
+  for (QScreen* each : QGuiApplication::screens()) {
+    if (each->name() == name) return each;
+  }
+  return nullptr;
+}
 
 }  // namespace
+
+void ParticipantWindow::open_on(const QString& screen) {
+  QScreen* chosen = screen_of(screen);
+  if (chosen != nullptr && QGuiApplication::screens().size() > 1) return cover(*chosen);
+  stand_beside(chosen != nullptr ? *chosen : *QGuiApplication::primaryScreen());
+  if (chosen == nullptr && !screen.isEmpty()) emit screen_lost(screen);
+}
+
+void ParticipantWindow::cover(QScreen& screen) {
+  screen_name_ = screen.name();
+  full_screen_ = true;
+  setScreen(&screen);
+  setGeometry(screen.geometry());
+  showFullScreen();
+}
 
 void ParticipantWindow::stand_beside(QScreen& screen) {
   screen_name_ = screen.name();
@@ -94,10 +95,22 @@ void ParticipantWindow::stand_beside(QScreen& screen) {
   const QRect room = screen.availableGeometry();
   setScreen(&screen);
   showNormal();
-  // On a small screen the two windows overlap: the experimenter's lowest lines, with the emergency
-  // stop in them, stay in sight and under the mouse.
-  const bool overlaps = room.width() / 2 < kExperimenterWidth;
-  setGeometry(room.adjusted(room.width() / 2, 0, 0, overlaps ? -kExperimenterControls : 0));
+  setGeometry(room.adjusted(room.width() / 2, 0, 0, 0));
+}
+
+QRect ParticipantWindow::room_beside() const {
+  QRect room = screen()->availableGeometry();
+  room.setRight(x() - 1);
+  return room;
+}
+
+void ParticipantWindow::come_back() {
+  if (QScreen* const mine = screen_of(screen_name_); mine != nullptr && full_screen_) {
+    cover(*mine);
+  } else {
+    stand_beside(mine != nullptr ? *mine : *QGuiApplication::primaryScreen());
+  }
+  raise();
 }
 
 void ParticipantWindow::leave_screen(QScreen* screen) {

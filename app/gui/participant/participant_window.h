@@ -39,6 +39,10 @@ class ParticipantWindow final : public QWidget {
   /// there is lost (`screen_lost`).
   void open_on(const QString& screen);
   bool is_full_screen() const noexcept { return full_screen_; }
+  /// Of a window that stands on one half of its screen: the other half, for the experimenter's.
+  QRect room_beside() const;
+  /// To the place where it was opened, in front of other windows; the keyboard stays where it is.
+  void come_back();
 
   /// From now on `close()` closes.
   void allow_close() { may_close_ = true; }
@@ -57,6 +61,7 @@ class ParticipantWindow final : public QWidget {
 
  private:
   void follow();
+  void cover(QScreen& screen);
   void stand_beside(QScreen& screen);
   void leave_screen(QScreen* screen);
 

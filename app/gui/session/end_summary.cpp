@@ -31,9 +31,8 @@ EndSummary::EndSummary(std::filesystem::path study, QWidget* parent)
   outer->addStretch(1);
   QVBoxLayout* rows = nullptr;
   QFrame* card = make_card(this, rows);
-  card->setMinimumWidth(80 * kGrid);
-  rows->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
-  rows->setSpacing(kMargin);
+  card->setMinimumWidth(70 * kGrid);
+  rows->setContentsMargins(kGroupGap, kMargin, kGroupGap, kMargin);
   title_ = make_title({}, card);
   title_->setObjectName("end_title");
   text_ = make_text({}, card);

@@ -3,6 +3,7 @@
 #include <QtCore/QEvent>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QCheckBox>
+#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
@@ -12,39 +13,37 @@ namespace asperity {
 
 FaultPanel::FaultPanel(QWidget* parent) : QFrame(parent) {
   setObjectName("fault_panel");
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(kMargin, kGrid, kMargin, kGrid);
-  row->setSpacing(kMargin);
+  grid_ = new QGridLayout(this);
+  grid_->setContentsMargins(kMargin, kGrid, kMargin, kGrid);
+  grid_->setHorizontalSpacing(kMargin);
+  grid_->setVerticalSpacing(kGrid / 2);
+  grid_->setColumnStretch(1, 1);
   shape_ = new QLabel("■", this);
   shape_->setFont(text_font(TextSize::title, true));
-  row->addWidget(shape_);
-  auto* words = new QVBoxLayout();
-  words->setSpacing(kGrid / 2);
   text_ = make_text({}, this);
   text_->setObjectName("fault_text");
-  words->addWidget(text_);
   safe_ = new QCheckBox(tr("It is safe: no hand is caught, nothing touches the device"), this);
   safe_->setObjectName("fault_safe");
-  words->addWidget(safe_);
-  row->addLayout(words, 1);
-  auto* ways = new QVBoxLayout();
-  ways->setSpacing(kGrid / 2);
+  ways_ = new QVBoxLayout();
+  ways_->setSpacing(kGrid / 2);
   auto* buttons = new QHBoxLayout();
+  buttons->setSpacing(kGrid);
   clear_ = make_button(tr("Clear and go on"), ButtonRole::plain, this);
   clear_->setObjectName("fault_clear");
   auto* end = make_button(tr("End the session…"), ButtonRole::plain, this);
   end->setObjectName("fault_end");
   buttons->addWidget(clear_);
   buttons->addWidget(end);
-  ways->addLayout(buttons);
+  buttons->addStretch(1);
+  ways_->addLayout(buttons);
   why_ = make_text(tr("Going on asks that it is safe: tick the box."), this, true);
   why_->setFont(text_font(TextSize::small));
   why_->setWordWrap(false);
   QSizePolicy keeps_place = why_->sizePolicy();
   keeps_place.setRetainSizeWhenHidden(true);
   why_->setSizePolicy(keeps_place);
-  ways->addWidget(why_);
-  row->addLayout(ways);
+  ways_->addWidget(why_);
+  arrange(false);
   connect(safe_, &QCheckBox::toggled, this, [this](bool safe) {
     clear_->setEnabled(safe);
     why_->setVisible(!safe);
@@ -53,6 +52,26 @@ FaultPanel::FaultPanel(QWidget* parent) : QFrame(parent) {
   connect(end, &QPushButton::clicked, this, &FaultPanel::end_wanted);
   restyle();
   hide();
+}
+
+void FaultPanel::arrange(bool narrow) {
+  narrow_ = narrow;
+  grid_->removeItem(ways_);
+  grid_->addWidget(shape_, 0, 0);
+  grid_->addWidget(text_, 0, 1);
+  grid_->addWidget(safe_, 1, narrow ? 0 : 1, 1, narrow ? 2 : 1);
+  ways_->setParent(nullptr);
+  if (narrow) {
+    grid_->addLayout(ways_, 2, 0, 1, 2);
+  } else {
+    grid_->addLayout(ways_, 0, 2, 2, 1);
+  }
+}
+
+void FaultPanel::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  constexpr int kNarrow = 1120;
+  if (const bool narrow = width() < kNarrow; narrow != narrow_) arrange(narrow);
 }
 
 void FaultPanel::show_fault(const QString& what, bool can_clear) {

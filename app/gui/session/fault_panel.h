@@ -4,13 +4,16 @@
 
 #include <QtWidgets/QFrame>
 
+class QBoxLayout;
 class QCheckBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 
 namespace asperity {
 
-/// The way on is open only after the person has said that it is safe.
+/// The way on is open only after the person has said that it is safe. In a narrow window it stands
+/// under the words.
 class FaultPanel final : public QFrame {
   Q_OBJECT
  public:
@@ -21,6 +24,7 @@ class FaultPanel final : public QFrame {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  signals:
   void clear_wanted();
@@ -28,7 +32,11 @@ class FaultPanel final : public QFrame {
 
  private:
   void restyle();
+  void arrange(bool narrow);
 
+  bool narrow_ = false;
+  QGridLayout* grid_ = nullptr;
+  QBoxLayout* ways_ = nullptr;
   QLabel* shape_ = nullptr;
   QLabel* text_ = nullptr;
   QCheckBox* safe_ = nullptr;

@@ -23,6 +23,23 @@ HealthLine::HealthLine(QWidget* parent) : QWidget(parent) {
   stored_->setFont(text_font(TextSize::small));
   row->addWidget(health_, 1);
   row->addWidget(stored_);
+  set_form(SessionForm::wide);
+}
+
+void HealthLine::set_form(SessionForm form) {
+  const bool wide = form == SessionForm::wide;
+  const bool narrow = form == SessionForm::narrow;
+  auto& row = static_cast<QBoxLayout&>(*layout());
+  row.setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  row.setSpacing(narrow ? 0 : kGroupGap);
+  health_->setWordWrap(!wide);
+  for (QLabel* label : {static_cast<QLabel*>(health_), stored_}) {
+    // Always as high: nothing moves when a number gets longer.
+    const bool two_lines = label == health_ && !wide;
+    label->setFixedHeight((two_lines ? 2 : 1) * label->fontMetrics().lineSpacing());
+    label->setSizePolicy(label == health_ ? QSizePolicy::Ignored : QSizePolicy::Preferred,
+                         QSizePolicy::Fixed);
+  }
 }
 
 void HealthLine::show_health(const SessionSnapshot& snapshot, const SessionFacts* facts) {

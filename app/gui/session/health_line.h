@@ -6,6 +6,7 @@
 #include <QtWidgets/QWidget>
 
 #include "app/conductor/session_monitor.h"
+#include "app/gui/session/session_form.h"
 
 class QLabel;
 
@@ -19,6 +20,8 @@ class HealthLine final : public QWidget {
   explicit HealthLine(QWidget* parent = nullptr);
   /// `facts` may be null.
   void show_health(const SessionSnapshot& snapshot, const SessionFacts* facts);
+  /// In two lines where one is too short.
+  void set_form(SessionForm form);
 
  private:
   static QString text_of(MaskingState masking);

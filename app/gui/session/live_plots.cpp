@@ -11,6 +11,7 @@
 
 #include "analysis/compliance.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/session/fitted_label.h"
 
 namespace asperity {
 
@@ -47,8 +48,8 @@ QString text_of_band(const Band& band, double scale, const QString& unit) {
 
 /// The heading of a plot: what and unit, what is asked, how it is met.
 struct Heading {
-  QLabel* band = nullptr;
-  StateLabel* compliance = nullptr;
+  FittedLabel* band = nullptr;
+  FittedLabel* compliance = nullptr;
 };
 
 Heading add_heading(QVBoxLayout& rows, const QString& what, QWidget* parent, const char* name) {
@@ -58,13 +59,12 @@ Heading add_heading(QVBoxLayout& rows, const QString& what, QWidget* parent, con
   auto* title = new QLabel(what, parent);
   title->setFont(text_font(TextSize::small, true));
   title->setProperty("role", "muted");
-  heading.band = new QLabel(parent);
+  heading.band = new FittedLabel(parent);
   heading.band->setFont(text_font(TextSize::small));
   heading.band->setProperty("role", "muted");
-  heading.compliance = new StateLabel(parent);
+  heading.compliance = new FittedLabel(parent);
   heading.compliance->setObjectName(name);
   heading.compliance->setFont(text_font(TextSize::small));
-  heading.compliance->setWordWrap(false);
   heading.compliance->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(title);
   row->addWidget(heading.band);
@@ -236,7 +236,7 @@ void LivePlots::set_exploration(const std::optional<Exploration>& exploration) {
     if (*value) **value *= kMillimetres;
   }
   const auto write = [](Heading& heading, const QString& band) {
-    heading.band->setText(band.isEmpty() ? tr("no band") : tr("band %1").arg(band));
+    heading.band->show_text(band.isEmpty() ? tr("no band") : tr("band %1").arg(band));
   };
   write(d.force.heading, text_of_band(asked.normal_force_N, 1.0, tr("N")));
   write(d.speed.heading, text_of_band(asked.speed_m_per_s, kMillimetres, tr("mm/s")));
@@ -390,21 +390,21 @@ void LivePlots::write_compliance() {
     along_m.push_back(along);
   }
   end_of_contact();
-  const auto write = [this, &asked](StateLabel& label, const std::vector<double>& samples,
+  const auto write = [this, &asked](FittedLabel& label, const std::vector<double>& samples,
                                     const Band& band) {
     const auto met = compliance_of(samples, {band.minimum, band.maximum});
-    if (!met) return label.set_state(State::unknown, tr("no contact"));
-    if (!met->fraction_inside) return label.set_state(State::unknown, tr("nothing asked"));
+    if (!met) return label.show_state(State::unknown, tr("no contact"));
+    if (!met->fraction_inside) return label.show_state(State::unknown, tr("nothing asked"));
     const QString words =
         tr("in band %1 %").arg(static_cast<int>(std::lround(100.0 * *met->fraction_inside)));
-    label.set_state(
+    label.show_state(
         *met->fraction_inside >= asked.required_fraction_in_band ? State::fine : State::look,
         words);
   };
   write(*d.force.heading.compliance, force_N, asked.normal_force_N);
   write(*d.speed.heading.compliance, speed_m_per_s, asked.speed_m_per_s);
   if (strokes_m.empty()) {
-    d.path_heading.compliance->set_state(State::unknown, tr("no stroke yet"));
+    d.path_heading.compliance->show_state(State::unknown, tr("no stroke yet"));
     return;
   }
   const auto met =
@@ -415,7 +415,7 @@ void LivePlots::write_compliance() {
   const double mean = met->summary.mean;
   const bool inside = mean >= asked.stroke_length_m.minimum.value_or(mean) &&
                       mean <= asked.stroke_length_m.maximum.value_or(mean);
-  d.path_heading.compliance->set_state(
+  d.path_heading.compliance->show_state(
       !met->fraction_inside ? State::unknown : (inside ? State::fine : State::look), words);
 }
 

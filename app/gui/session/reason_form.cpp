@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <QtCore/QList>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
@@ -10,6 +11,61 @@
 #include "app/gui/look/controls.h"
 
 namespace asperity {
+
+/// Buttons in as many rows as the width asks for.
+class ReasonForm::WrappedButtons final : public QWidget {
+ public:
+  explicit WrappedButtons(QWidget* parent) : QWidget(parent) {
+    QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+  }
+
+  /// In place of those before; they are children of this.
+  void set_buttons(const QList<QPushButton*>& buttons) {
+    for (QPushButton* before : std::as_const(buttons_)) {
+      before->hide();
+      before->deleteLater();  // a click on one of them may be what asks anew
+    }
+    buttons_ = buttons;
+    for (QPushButton* button : buttons_) button->show();
+    updateGeometry();
+    place(width());
+  }
+  int heightForWidth(int width) const override { return place_within(width, nullptr); }
+  QSize sizeHint() const override { return {0, place_within(width(), nullptr)}; }
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    place(width());
+    updateGeometry();
+  }
+
+ private:
+  void place(int width) {
+    place_within(width, [](QPushButton& button, const QRect& where) { button.setGeometry(where); });
+  }
+  int place_within(int width, void (*put)(QPushButton&, const QRect&)) const {
+    int x = 0;
+    int y = 0;
+    int height = 0;
+    for (QPushButton* button : buttons_) {
+      const QSize size = button->sizeHint().boundedTo({width, QWIDGETSIZE_MAX});
+      if (x > 0 && x + size.width() > width) {
+        x = 0;
+        y = height + kGrid;
+      }
+      if (put != nullptr) put(*button, QRect(QPoint(x, y), size));
+      height = y + size.height();
+      x += size.width() + kGrid;
+    }
+    return height;
+  }
+
+  QList<QPushButton*> buttons_{};
+};
 
 ReasonForm::ReasonForm(QWidget* parent) : QFrame(parent) {
   setObjectName("reason_form");
@@ -25,9 +81,8 @@ ReasonForm::ReasonForm(QWidget* parent) : QFrame(parent) {
   why_locked_->setWordWrap(false);
   top->addWidget(why_locked_);
   rows->addLayout(top);
-  ready_made_ = new QHBoxLayout();
-  ready_made_->setSpacing(kGrid);
-  rows->addLayout(ready_made_);
+  ready_made_ = new WrappedButtons(this);
+  rows->addWidget(ready_made_);
   auto* bottom = new QHBoxLayout();
   bottom->setSpacing(kGrid);
   field_ = new QLineEdit(this);
@@ -56,22 +111,15 @@ void ReasonForm::ask(const QString& question, const QStringList& ready_made, con
   act_->setEnabled(false);
   field_->clear();
   on_reason_ = std::move(on_reason);
-  while (QLayoutItem* item = ready_made_->takeAt(0)) {
-    // A click on one of them may be what asks anew.
-    if (item->widget() != nullptr) {
-      item->widget()->hide();
-      item->widget()->deleteLater();
-    }
-    delete item;
-  }
+  QList<QPushButton*> buttons{};
   for (const QString& reason : ready_made) {
-    QPushButton* button = make_button(reason, ButtonRole::plain, this);
+    QPushButton* button = make_button(reason, ButtonRole::plain, ready_made_);
     button->setFont(text_font(TextSize::small));
     button->setFocusPolicy(Qt::NoFocus);
     connect(button, &QPushButton::clicked, field_, [this, reason] { field_->setText(reason); });
-    ready_made_->addWidget(button);
+    buttons += button;
   }
-  ready_made_->addStretch(1);
+  ready_made_->set_buttons(buttons);
   show();
   if (field_->isEnabled()) field_->setFocus();
 }

@@ -7,7 +7,6 @@
 #include <QtCore/QStringList>
 #include <QtWidgets/QFrame>
 
-class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -35,7 +34,8 @@ class ReasonForm final : public QFrame {
   void finish();
 
   QLabel* question_ = nullptr;
-  QHBoxLayout* ready_made_ = nullptr;
+  class WrappedButtons;
+  WrappedButtons* ready_made_ = nullptr;
   QLineEdit* field_ = nullptr;
   QLabel* why_locked_ = nullptr;
   QPushButton* act_ = nullptr;

@@ -1,5 +1,7 @@
 #include "app/gui/session/session_controls.h"
 
+#include <algorithm>
+
 #include <QtCore/QStringList>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
@@ -11,8 +13,10 @@ namespace asperity {
 
 namespace {
 
+/// Its width is that of the longest text it has had: its neighbours do not move to and fro.
 void set_words(QPushButton& button, const QString& verb, const QString& key) {
   button.setText(key.isEmpty() ? verb : QString("%1\n%2").arg(verb, key));
+  button.setMinimumWidth(std::max(button.minimumWidth(), button.sizeHint().width()));
 }
 
 }  // namespace
@@ -23,7 +27,7 @@ QPushButton* SessionControls::add(const QString& name) {
   button->setFont(text_font(TextSize::small));
   // By Tab, not by a click: what was clicked would hear the next Space of the participant.
   button->setFocusPolicy(Qt::TabFocus);
-  button->setStyleSheet("padding: 0 8px; min-height: 46px; max-height: 46px;");
+  button->setStyleSheet("padding: 0 8px; min-height: 42px; max-height: 42px;");
   return button;
 }
 
@@ -31,8 +35,15 @@ SessionControls::SessionControls(QWidget* parent) : QWidget(parent) {
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(kGrid / 2);
-  auto* row = new QHBoxLayout();
-  row->setSpacing(kGrid);
+  upper_ = new QHBoxLayout();
+  lower_ = new QHBoxLayout();
+  auto* buttons = new QVBoxLayout();
+  buttons->setSpacing(kGrid);
+  for (QHBoxLayout* row : {upper_, lower_}) {
+    row->setSpacing(kGrid);
+    buttons->addLayout(row);
+  }
+  upper_->addStretch(1);
   pause_ = add("pause");
   stop_trial_ = add("stop_after_trial");
   stop_block_ = add("stop_after_block");
@@ -40,25 +51,16 @@ SessionControls::SessionControls(QWidget* parent) : QWidget(parent) {
   skip_ = add("skip");
   note_ = add("note_button");
   abort_ = add("abort");
-  for (QPushButton* button : {pause_, stop_trial_, stop_block_}) row->addWidget(button);
-  row->addSpacing(kMargin);
-  for (QPushButton* button : {repeat_, skip_, note_, abort_}) row->addWidget(button);
-  row->addStretch(1);
-  emergency_ = make_button({}, ButtonRole::danger, this);
-  emergency_->setObjectName("emergency_stop");
-  emergency_->setStyleSheet("padding: 0 16px; min-height: 54px; max-height: 54px;");
-  emergency_->setFocusPolicy(Qt::NoFocus);  // a key that goes astray does not press it
-  emergency_->setToolTip(tr(
-      "Sets the force to zero at once, from any window. F12, Pause/Break and Ctrl+Space all do."));
-  set_words(*emergency_, tr("■ EMERGENCY STOP"), tr("F12 from any window"));
-  row->addWidget(emergency_);
-  rows->addLayout(row);
+  their_window_ = add("their_window");
+  their_window_->setToolTip(
+      tr("Brings the participant's window back to its place, in front of the others."));
+  their_window_->hide();
+  rows->addLayout(buttons);
   reason_ = make_text({}, this, true);
   reason_->setObjectName("why_disabled");
   reason_->setFont(text_font(TextSize::small));
-  reason_->setWordWrap(false);
+  reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   reason_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  reason_->setText(" ");
   rows->addWidget(reason_);
 
   const auto ask = [this](SessionVerb verb) { return [this, verb] { emit wanted(verb); }; };
@@ -72,9 +74,27 @@ SessionControls::SessionControls(QWidget* parent) : QWidget(parent) {
   connect(note_, &QPushButton::clicked, this, ask(SessionVerb::note));
   connect(abort_, &QPushButton::clicked, this, ask(SessionVerb::abort));
   connect(skip_, &QPushButton::clicked, this, &SessionControls::skip_wanted);
-  connect(emergency_, &QPushButton::pressed, this, &SessionControls::emergency);
+  connect(their_window_, &QPushButton::clicked, this, ask(SessionVerb::show_participant));
+  set_form(SessionForm::wide);
   write();
 }
+
+void SessionControls::set_form(SessionForm form) {
+  const bool wide = form == SessionForm::wide;
+  int place = 0;
+  for (QPushButton* button :
+       {pause_, stop_trial_, stop_block_, their_window_, repeat_, skip_, note_, abort_}) {
+    constexpr int kInARow = 4;
+    QHBoxLayout& row = wide || place < kInARow ? *upper_ : *lower_;
+    // One row ends where its buttons do; two are as wide as the window.
+    row.insertWidget(wide ? place : place % kInARow, button, wide ? 0 : 1);
+    ++place;
+  }
+  upper_->setStretch(upper_->count() - 1, wide ? 1 : 0);
+  reason_->setFixedHeight((wide ? 1 : 2) * reason_->fontMetrics().lineSpacing());
+}
+
+void SessionControls::set_participant_window(bool there) { their_window_->setVisible(there); }
 
 void SessionControls::show_state(const ControlState& state) {
   if (state == state_) return;
@@ -101,8 +121,9 @@ void SessionControls::write() {
   set_words(*skip_, tr("Skip…"), {});
   set_words(*note_, tr("Note"), tr("F2"));
   set_words(*abort_, tr("Abort…"), tr("Ctrl+Shift+Q"));
+  set_words(*their_window_, tr("Show their window"), tr("F9"));
 
-  for (QPushButton* button : {pause_, stop_trial_, stop_block_, abort_, emergency_}) {
+  for (QPushButton* button : {pause_, stop_trial_, stop_block_, abort_}) {
     button->setEnabled(s.running);
   }
   // A fault is cleared or the session ended, first.
@@ -124,7 +145,7 @@ void SessionControls::write() {
     if (!s.in_trial) why += tr("Skip: no trial is under way.");
     if (s.note_locked) why += tr("Note: the keys answer the trial now, use a phrase.");
   }
-  reason_->setText(why.isEmpty() ? " " : why.join("  "));
+  reason_->setText(why.join("  "));
 }
 
 }  // namespace asperity

@@ -7,8 +7,10 @@
 #include <QtWidgets/QWidget>
 
 #include "app/conductor/session_requests.h"
+#include "app/gui/session/session_form.h"
 #include "app/gui/session/session_keys.h"
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -33,18 +35,21 @@ class SessionControls final : public QWidget {
  public:
   explicit SessionControls(QWidget* parent = nullptr);
   void show_state(const ControlState& state);
+  void set_form(SessionForm form);
+  /// Whether there is one that can be brought back.
+  void set_participant_window(bool there);
 
  signals:
   void wanted(asperity::SessionVerb verb);
   void skip_wanted();
-  /// At the press, not the release.
-  void emergency();
 
  private:
   QPushButton* add(const QString& name);
   void write();
 
   ControlState state_{};
+  QHBoxLayout* upper_ = nullptr;
+  QHBoxLayout* lower_ = nullptr;  ///< empty where one row is enough
   QPushButton* pause_ = nullptr;
   QPushButton* stop_trial_ = nullptr;
   QPushButton* stop_block_ = nullptr;
@@ -52,7 +57,7 @@ class SessionControls final : public QWidget {
   QPushButton* skip_ = nullptr;
   QPushButton* note_ = nullptr;
   QPushButton* abort_ = nullptr;
-  QPushButton* emergency_ = nullptr;
+  QPushButton* their_window_ = nullptr;
   QLabel* reason_ = nullptr;
 };
 

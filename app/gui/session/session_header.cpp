@@ -5,16 +5,20 @@
 
 #include <QtCore/QEvent>
 #include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QProgressBar>
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/session/fitted_label.h"
 #include "app/gui/session/session_text.h"
 
 namespace asperity {
 
 namespace {
+
+constexpr int kEmergencyHeight = 54;
 
 void set_if_new(QLabel& label, const QString& text) {
   if (label.text() != text) label.setText(text);
@@ -23,73 +27,111 @@ void set_if_new(QLabel& label, const QString& text) {
 }  // namespace
 
 SessionHeader::SessionHeader(QWidget* parent) : QWidget(parent) {
-  auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(kGrid);
-  rows->addLayout(make_title_line());
-  auto* now = new QVBoxLayout();
-  now->setSpacing(kGrid / 2);
-  now->addLayout(make_count_line());
-  now->addLayout(make_now_line());
-  rows->addLayout(now);
+  grid_ = new QGridLayout(this);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(kMargin);
+  grid_->setVerticalSpacing(kGrid / 2);
+  make_emergency_stop();
+  make_labels();
+  counts_ = new QHBoxLayout();
+  counts_->addWidget(block_);
+  counts_->addWidget(progress_, 1);
+  for (QLabel* label : {trial_, elapsed_, left_}) counts_->addWidget(label);
+  states_ = new QHBoxLayout();
+  states_->setSpacing(kMargin);
+  set_form(SessionForm::wide);
 }
 
-QLayout* SessionHeader::make_title_line() {
-  auto* row = new QHBoxLayout();
-  row->setSpacing(kMargin);
+void SessionHeader::make_emergency_stop() {
+  emergency_ = make_button(QString("%1\n%2").arg(tr("■ EMERGENCY STOP"), tr("F12 from any window")),
+                           ButtonRole::danger, this);
+  emergency_->setObjectName("emergency_stop");
+  emergency_->setFont(text_font(TextSize::small));
+  emergency_->setStyleSheet("padding: 0 8px;");
+  emergency_->setMinimumHeight(kEmergencyHeight);
+  emergency_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+  emergency_->setFocusPolicy(Qt::NoFocus);  // a key that goes astray does not press it
+  emergency_->setToolTip(tr(
+      "Sets the force to zero at once, from any window. F12, Pause/Break and Ctrl+Space all do."));
+  connect(emergency_, &QPushButton::pressed, this, &SessionHeader::emergency);
+}
+
+void SessionHeader::make_labels() {
   title_ = make_heading(tr("Session"), this);
   title_->setObjectName("session_title");
   title_->setWordWrap(false);
   title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   title_->installEventFilter(this);
-  blindness_ = new QLabel(this);
+  blindness_ = new FittedLabel(this);
   blindness_->setObjectName("blindness");
   unblind_ = make_button({}, ButtonRole::plain, this);
   unblind_->setObjectName("unblind");
   unblind_->setFocusPolicy(Qt::TabFocus);
   connect(unblind_, &QPushButton::clicked, this, &SessionHeader::unblind_pressed);
-  row->addWidget(title_, 1);
-  row->addWidget(blindness_);
-  row->addWidget(unblind_);
-  return row;
-}
-
-QLayout* SessionHeader::make_count_line() {
-  auto* counts = new QHBoxLayout();
-  counts->setSpacing(kGroupGap);
-  block_ = new QLabel(this);
-  block_->setObjectName("block");
   progress_ = new QProgressBar(this);
   progress_->setTextVisible(false);
   progress_->setObjectName("progress");
-  trial_ = new QLabel(this);
-  trial_->setObjectName("trial");
-  elapsed_ = new QLabel(this);
-  elapsed_->setObjectName("elapsed");
-  left_ = new QLabel(this);
-  left_->setObjectName("left");
-  counts->addWidget(block_);
-  counts->addWidget(progress_, 1);
-  for (QLabel* label : {trial_, elapsed_, left_}) counts->addWidget(label);
-  return counts;
+  progress_->setMinimumWidth(kGroupGap);
+  const auto add_count = [this](const char* name) {
+    auto* label = new QLabel(this);
+    label->setObjectName(name);
+    return label;
+  };
+  block_ = add_count("block");
+  trial_ = add_count("trial");
+  elapsed_ = add_count("elapsed");
+  left_ = add_count("left");
+  now_ = new FittedLabel(this);
+  now_->setObjectName("now");
+  pending_ = new FittedLabel(this);
+  pending_->setObjectName("pending");
+  now_->setFont(text_font(TextSize::heading, true));
+  now_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  now_->set_smaller_font(text_font(TextSize::body, true));
 }
 
-QLayout* SessionHeader::make_now_line() {
-  auto* now = new QHBoxLayout();
-  now->setSpacing(kGroupGap);
-  now_ = new QLabel(this);
-  now_->setObjectName("now");
-  now_->setFont(text_font(TextSize::heading, true));
-  now_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  pending_ = new StateLabel(this);
-  pending_->setObjectName("pending");
-  pending_->setFont(text_font(TextSize::heading, true));
-  pending_->setWordWrap(false);
-  pending_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  now->addWidget(now_, 1);
-  now->addWidget(pending_);
-  return now;
+void SessionHeader::set_form(SessionForm form) {
+  if (form == form_) return;
+  form_ = form;
+  const bool wide = form == SessionForm::wide;
+  const bool narrow = form == SessionForm::narrow;
+  // Whatever stands in the grid is taken out of it first: a cell keeps what it had.
+  while (QLayoutItem* item = grid_->takeAt(0)) {
+    if (item->layout() == nullptr) delete item;
+  }
+  for (FittedLabel* label : {now_, pending_}) states_->removeWidget(label);
+  for (QLabel* label : {block_, trial_, elapsed_, left_}) {
+    label->setFont(text_font(narrow ? TextSize::small : TextSize::body));
+  }
+  unblind_->setFont(text_font(narrow ? TextSize::small : TextSize::body));
+  counts_->setSpacing(narrow ? kMargin : kGroupGap);
+  pending_->setFont(text_font(narrow ? TextSize::body : TextSize::heading, true));
+  pending_->setAlignment(wide ? Qt::AlignRight | Qt::AlignVCenter
+                              : Qt::AlignLeft | Qt::AlignVCenter);
+  grid_->addWidget(emergency_, 0, 0, 3, 1);
+  if (wide) {
+    grid_->setRowMinimumHeight(3, 0);
+    grid_->addWidget(title_, 0, 1);
+    grid_->addWidget(blindness_, 0, 2);
+    grid_->addWidget(unblind_, 0, 3);
+    grid_->addLayout(counts_, 1, 1, 1, 3);
+    states_->addWidget(now_, 1);
+    states_->addWidget(pending_);
+    grid_->addLayout(states_, 2, 1, 1, 3);
+  } else {
+    grid_->addWidget(title_, 0, 1, 1, 2);
+    grid_->addWidget(now_, 1, 1, 1, 2);
+    grid_->addWidget(blindness_, 2, 1);
+    grid_->addWidget(unblind_, 2, 2);
+    grid_->setRowMinimumHeight(3, kGrid / 2);
+    grid_->addLayout(counts_, 4, 0, 1, 3);
+    // Its place is kept: what is under it does not move when something is asked for.
+    grid_->addWidget(pending_, 5, 0, 1, 3);
+  }
+  grid_->setColumnStretch(1, 1);
 }
+
+void SessionHeader::set_running(bool running) { emergency_->setEnabled(running); }
 
 void SessionHeader::set_facts(std::shared_ptr<const SessionFacts> facts) {
   facts_ = std::move(facts);
@@ -129,8 +171,9 @@ void SessionHeader::show_blindness(const Blindness& blindness) {
   } else {
     words = blindness.is_blind ? tr("Blind: codes stand for conditions") : tr("Names are shown");
   }
-  blindness_->setText(words);
+  blindness_->show_text(words);
   blindness_->setFont(text_font(TextSize::body, marked));
+  blindness_->set_smaller_font(text_font(TextSize::small, marked));
   blindness_->setStyleSheet(
       QString("color: %1").arg((marked ? theme().look : theme().muted).name()));
   if (blindness.is_blind) {
@@ -156,20 +199,12 @@ void SessionHeader::show_left(const QString& text) {
   left_->setHidden(text.isEmpty());
 }
 
-void SessionHeader::show_now(const QString& text) { set_if_new(*now_, text); }
+void SessionHeader::show_now(const QString& text) { now_->show_text(text); }
 
 void SessionHeader::show_elapsed(double elapsed_s) {
   set_if_new(*elapsed_, tr("%1 elapsed").arg(SessionText::of_duration(elapsed_s)));
 }
 
-void SessionHeader::show_pending(const QString& text) {
-  if (text == pending_->property("words").toString()) return;
-  pending_->setProperty("words", text);
-  if (text.isEmpty()) {
-    pending_->clear();
-  } else {
-    pending_->set_state(State::look, text);
-  }
-}
+void SessionHeader::show_pending(const QString& text) { pending_->show_state(State::look, text); }
 
 }  // namespace asperity

@@ -3,19 +3,22 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QtWidgets/QWidget>
 
 #include "app/conductor/session_monitor.h"
+#include "app/gui/session/session_form.h"
 
+class QGridLayout;
+class QHBoxLayout;
 class QLabel;
-class QLayout;
 class QProgressBar;
 class QPushButton;
 
 namespace asperity {
 
-class StateLabel;
+class FittedLabel;
 
 /// Whether names are hidden, as the header says it.
 struct Blindness {
@@ -25,11 +28,16 @@ struct Blindness {
   QString unblinded_at{};   ///< when names were first shown in a run; empty: never
 };
 
+/// Its first corner has the emergency stop: at the same place in every form, where no other window of
+/// a session that lies beside covers it, and far from the button that starts one.
 class SessionHeader final : public QWidget {
   Q_OBJECT
  public:
   explicit SessionHeader(QWidget* parent = nullptr);
 
+  void set_form(SessionForm form);
+  /// False: there is nothing to be stopped any more.
+  void set_running(bool running);
   void set_facts(std::shared_ptr<const SessionFacts> facts);
   /// Of the session, whole: what does not fit is cut in the line itself.
   QString title() const;
@@ -44,28 +52,34 @@ class SessionHeader final : public QWidget {
 
  signals:
   void unblind_pressed();
+  /// At the press, not the release.
+  void emergency();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QLayout* make_title_line();
-  QLayout* make_count_line();
-  QLayout* make_now_line();
+  void make_emergency_stop();
+  void make_labels();
   QString title_with(const QString& protocol) const;
   void write_title();
 
   std::shared_ptr<const SessionFacts> facts_{};
+  std::optional<SessionForm> form_{};
+  QGridLayout* grid_ = nullptr;
+  QHBoxLayout* counts_ = nullptr;
+  QHBoxLayout* states_ = nullptr;  ///< empty where each has a row
+  QPushButton* emergency_ = nullptr;
   QLabel* title_ = nullptr;
-  QLabel* blindness_ = nullptr;
+  FittedLabel* blindness_ = nullptr;
   QPushButton* unblind_ = nullptr;
   QLabel* block_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QLabel* trial_ = nullptr;
   QLabel* elapsed_ = nullptr;
   QLabel* left_ = nullptr;
-  QLabel* now_ = nullptr;
-  StateLabel* pending_ = nullptr;
+  FittedLabel* now_ = nullptr;
+  FittedLabel* pending_ = nullptr;
 };
 
 }  // namespace asperity

@@ -40,6 +40,8 @@ std::optional<SessionVerb> verb_of(const QKeyEvent& key) {
         return SessionVerb::stop_after_trial;
       case Qt::Key_F8:
         return SessionVerb::stop_after_block;
+      case Qt::Key_F9:
+        return SessionVerb::show_participant;
       case Qt::Key_F2:
         return unless_dialog(SessionVerb::note);
       default:

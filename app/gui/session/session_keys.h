@@ -18,6 +18,7 @@ enum class SessionVerb {
   repeat_last,       ///< Ctrl+R
   note,              ///< F2
   abort,             ///< Ctrl+Shift+Q
+  show_participant,  ///< F9: their window comes back to its place, in front
 };
 
 /// An event filter of the application rather than shortcuts: a shortcut sleeps while a dialog is

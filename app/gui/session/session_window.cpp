@@ -25,15 +25,19 @@
 #include "app/gui/session/session_clock.h"
 #include "app/gui/session/session_controls.h"
 #include "app/gui/session/session_header.h"
+#include "app/gui/session/session_parts.h"
 #include "app/gui/session/session_questions.h"
 #include "app/gui/session/session_text.h"
 #include "app/gui/session/session_troubles.h"
+#include "app/gui/session/window_place.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr int kFrame_ms = 16;  // a little faster than 60 Hz, so that no bin waits for two frames
+// What the narrowest form needs in German.
+constexpr QSize kSmallest{672, 560};
 constexpr int kReadable_ms = 250;  // numbers that change faster cannot be read
 
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
@@ -74,7 +78,9 @@ SessionWindow::SessionWindow(SessionMonitor& monitor, SessionRequests& requests,
   rows->addWidget(reason_);
   questions_ = new SessionQuestions(requests_, *reason_, *this);
   pages_ = new QStackedWidget(this);
-  pages_->addWidget(make_middle());
+  // Of all rows it is the one that gives way.
+  pages_->setMinimumHeight(1);
+  make_middle();
   summary_ = new EndSummary(study_, pages_);
   pages_->addWidget(summary_);
   rows->addWidget(pages_, 1);
@@ -85,9 +91,14 @@ SessionWindow::SessionWindow(SessionMonitor& monitor, SessionRequests& requests,
   keys_ = new SessionKeys(this);
   connect_parts();
 
+  // What stands in it must not change its size under the experimenter's hand.
+  outer->setSizeConstraint(QLayout::SetNoConstraint);
+  setMinimumSize(kSmallest);
+  place_ = new WindowPlace(*this);
   // Not to the first button: the participant's Space would press it.
   setFocus();
   resize(1366, 720);
+  fit_form();
   write_blindness();
   refresh();
   auto* frames = new QTimer(this);
@@ -103,7 +114,7 @@ SessionWindow::~SessionWindow() = default;
 void SessionWindow::connect_parts() {
   connect(keys_, &SessionKeys::emergency, this, &SessionWindow::do_emergency_stop);
   connect(keys_, &SessionKeys::wanted, this, &SessionWindow::do_verb);
-  connect(controls_, &SessionControls::emergency, this, &SessionWindow::do_emergency_stop);
+  connect(header_, &SessionHeader::emergency, this, &SessionWindow::do_emergency_stop);
   connect(controls_, &SessionControls::wanted, this, &SessionWindow::do_verb);
   connect(controls_, &SessionControls::skip_wanted, this,
           [this] { questions_->ask_to_skip(shown_.trial); });
@@ -123,47 +134,63 @@ void SessionWindow::connect_parts() {
   connect(qGuiApp, &QGuiApplication::screenRemoved, this, &SessionWindow::screen_left);
 }
 
-QWidget* SessionWindow::make_middle() {
-  auto* middle = new QWidget(this);
-  auto* columns = new QHBoxLayout(middle);
-  columns->setContentsMargins(0, 0, 0, 0);
-  columns->setSpacing(kMargin);
-  plan_ = new PlanTable(middle);
-  plots_ = new LivePlots(middle);
-  auto* right = new QWidget(middle);
-  auto* rows = new QVBoxLayout(right);
+void SessionWindow::make_middle() {
+  plan_ = new PlanTable(pages_);
+  plots_ = new LivePlots(pages_);
+  answers_ = new AnswersPanel(pages_);
+  notes_ = new NotesPanel(pages_);
+  parts_ = new SessionParts(
+      {.plan = plan_, .plots = plots_, .sight = make_sight(), .answers = answers_, .notes = notes_},
+      pages_);
+  pages_->addWidget(parts_);
+}
+
+QWidget* SessionWindow::make_sight() {
+  auto* sight = new QWidget(pages_);
+  auto* rows = new QVBoxLayout(sight);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(kGrid / 2);
-  rows->addWidget(make_small_heading(tr("PARTICIPANT SEES"), right));
+  rows->addWidget(make_small_heading(tr("PARTICIPANT SEES"), sight));
   QVBoxLayout* frame = nullptr;
-  QFrame* screen = make_card(right, frame);
+  QFrame* screen = make_card(sight, frame);
   frame->setContentsMargins(1, 1, 1, 1);
   screen->setMinimumHeight(72);
   mirror_place_ = frame;
   mirror_ = make_text(tr("The participant's window is not open."), screen, true);
   static_cast<QLabel*>(mirror_)->setAlignment(Qt::AlignCenter);
   mirror_place_->addWidget(mirror_);
-  rows->addWidget(screen, 5);
-  answers_ = new AnswersPanel(right);
-  rows->addWidget(answers_);
-  rows->addSpacing(kGrid);
-  notes_ = new NotesPanel(right);
-  rows->addWidget(notes_, 5);
-  columns->addWidget(plan_, 40);
-  columns->addWidget(plots_, 52);
-  columns->addWidget(right, 38);
-  for (QWidget* column : {static_cast<QWidget*>(plan_), static_cast<QWidget*>(plots_), right}) {
-    // The widths are shared out as said, whatever stands in the columns.
-    column->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
-    column->setMinimumWidth(320);
-  }
-  return middle;
+  rows->addWidget(screen, 1);
+  return sight;
 }
 
 void SessionWindow::set_mirror(QWidget* mirror) {
   delete mirror_;
   mirror_ = mirror;
   mirror_place_->addWidget(mirror_);
+}
+
+void SessionWindow::set_participant_window(bool there) { controls_->set_participant_window(there); }
+
+void SessionWindow::fit_form() {
+  const SessionForm form = form_for(width());
+  // What has come to an end needs no health, and its summary the room.
+  health_->setHidden(ended_ && form == SessionForm::narrow);
+  header_->set_form(form);
+  parts_->set_form(form);
+  health_->set_form(form);
+  controls_->set_form(form);
+  // At once: nothing is seen at a size that was another form's.
+  for (QWidget* row : {static_cast<QWidget*>(header_), static_cast<QWidget*>(health_),
+                       static_cast<QWidget*>(controls_)}) {
+    row->layout()->activate();
+    row->updateGeometry();
+  }
+  layout()->activate();
+}
+
+void SessionWindow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit_form();
 }
 
 void SessionWindow::set_own_keyboard(bool own) {
@@ -183,6 +210,8 @@ void SessionWindow::do_emergency_stop() {
 }
 
 void SessionWindow::do_verb(SessionVerb verb) {
+  // Also while the session is being prepared.
+  if (verb == SessionVerb::show_participant) return emit participant_window_wanted();
   if (!is_running()) return;
   const SessionRequests::Pending pending = requests_.pending();
   const auto toggle_stop = [&](StopAfter what) {
@@ -218,10 +247,13 @@ void SessionWindow::do_verb(SessionVerb verb) {
     case SessionVerb::note:
       if (notes_->is_locked()) break;
       take_keyboard();
+      parts_->show_part(SessionParts::Part::notes);
       notes_->focus_field();
       break;
     case SessionVerb::abort:
       questions_->ask_to_abort();
+      break;
+    case SessionVerb::show_participant:
       break;
   }
   refresh();
@@ -435,6 +467,7 @@ void SessionWindow::write_controls() {
   state.in_fault = shown_.phase == SessionPhase::fault;
   state.note_locked = notes_->is_locked();
   controls_->show_state(state);
+  header_->set_running(state.running);
 }
 
 void SessionWindow::write_answers() { answers_->show_answers(*shown_.attempts, plan_->model()); }
@@ -457,6 +490,7 @@ void SessionWindow::end() {
   write_end();
   pages_->setCurrentWidget(summary_);
   controls_->hide();
+  fit_form();
   if (close_when_ended_) close();
 }
 

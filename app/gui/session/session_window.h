@@ -33,8 +33,10 @@ class PlanTable;
 class ReasonForm;
 class SessionControls;
 class SessionHeader;
+class SessionParts;
 class SessionQuestions;
 class SessionTroubles;
+class WindowPlace;
 
 /// Shows what the monitor says, sixty times a second, and passes on what the experimenter asks for.
 ///
@@ -42,6 +44,9 @@ class SessionTroubles;
 /// out of every text that comes from elsewhere, until the experimenter says why they need to know;
 /// that is stored, and stays marked. Whether an answer was right is hidden as well, but in blocks
 /// whose participant is told too. In pilots and simulations a switch shows the names.
+///
+/// Its width decides how much stands side by side (session_form.h), down to half of a small screen. No
+/// content changes its size.
 ///
 /// Nothing that it opens is modal: the emergency stop can be clicked and heard at any moment.
 ///
@@ -60,6 +65,10 @@ class SessionWindow final : public QWidget {
   /// The participant has keys of their own (a second keyboard, buttons of the device): the fields of
   /// this window stay open while a response is.
   void set_own_keyboard(bool own);
+  /// There is a window of the participant's, which can be asked to come back to its place.
+  void set_participant_window(bool there);
+  /// To be told once; the frame's width is known only after the window is shown (window_place.h).
+  WindowPlace& place() noexcept { return *place_; }
   /// False while a session is under way; the question what to do with it is then open.
   bool may_close();
   bool is_blind() const noexcept { return blind_; }
@@ -83,14 +92,19 @@ class SessionWindow final : public QWidget {
   void way_on_wanted(asperity::AfterFailure way);
   /// The participant's screen is plugged in again: their window is to go back there.
   void participant_screen_back(const QString& name);
+  /// Their window is to stand at its place again, in front of others.
+  void participant_window_wanted();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
   bool focusNextPrevChild(bool next) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QWidget* make_middle();
+  void make_middle();
+  QWidget* make_sight();
+  void fit_form();
   void connect_parts();
   void do_verb(SessionVerb verb);
   void do_emergency_stop();
@@ -137,12 +151,14 @@ class SessionWindow final : public QWidget {
   std::int64_t left_since_ns_ = 0;  ///< and when
   int explored_trial_ = -1;
 
+  WindowPlace* place_ = nullptr;
   ModeBand* band_ = nullptr;
   SessionHeader* header_ = nullptr;
   SessionTroubles* troubles_ = nullptr;
   ReasonForm* reason_ = nullptr;
   SessionQuestions* questions_ = nullptr;
   QStackedWidget* pages_ = nullptr;
+  SessionParts* parts_ = nullptr;
   PlanTable* plan_ = nullptr;
   LivePlots* plots_ = nullptr;
   QVBoxLayout* mirror_place_ = nullptr;

@@ -10,6 +10,7 @@
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/participant/live_workspace.h"
+#include "app/gui/session/window_place.h"
 #include "app/gui/start/start_page.h"
 #include "app/gui/study/open_study.h"
 #include "app/gui/study/settings.h"
@@ -142,6 +143,7 @@ void SessionDesk::open_participant_window() {
   connect(participant_window_, &ParticipantWindow::screen_lost, this,
           &SessionDesk::stop_for_lost_screen);
   connect(participant_window_, &ParticipantWindow::closed, this, [this] {
+    if (session_window_ != nullptr) session_window_->set_participant_window(false);
     // After the thanks: nobody else takes the keyboard up where it lies on one screen.
     if (session_window_ == nullptr || !session_window_->isVisible()) return;
     session_window_->raise();
@@ -200,15 +202,21 @@ void SessionDesk::open_session_window() {
   connect(session_window_, &SessionWindow::way_on_wanted, this, &SessionDesk::go_on);
   connect(session_window_, &SessionWindow::participant_screen_back, this,
           &SessionDesk::put_participant_back);
-  const QRect room = window_.screen()->availableGeometry();
+  connect(session_window_, &SessionWindow::participant_window_wanted, this, [this] {
+    if (participant_window_ != nullptr) participant_window_->come_back();
+  });
+  session_window_->set_participant_window(participant_window_ != nullptr);
   const bool beside = participant_window_ != nullptr && !participant_window_->is_full_screen();
   if (beside) {
-    session_window_->move(room.topLeft());
-    session_window_->resize(participant_window_->x() - room.x(), room.height());
+    session_window_->place().fill(participant_window_->room_beside());
   } else if (!restore_geometry(*session_window_, "session")) {
+    const QRect room = window_.screen()->availableGeometry();
     session_window_->resize(kSmallestWindow.expandedTo(room.size() * 0.9).boundedTo(room.size()));
   }
   session_window_->show();
+  if (!beside) {
+    session_window_->place().keep_within(session_window_->screen()->availableGeometry());
+  }
   session_window_->raise();
   if (beside) {
     participant_window_->raise();

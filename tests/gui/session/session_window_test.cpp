@@ -23,6 +23,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
+#include "app/gui/session/fitted_label.h"
 #include "app/gui/session/live_plots.h"
 #include "app/gui/session/plan_table.h"
 #include "app/gui/study/settings.h"
@@ -776,6 +777,111 @@ TEST(SessionWindow, OffersToGoOnWithWhatWasStoppedButNotWithWhatIsOver) {
     ASSERT_EQ(wanted.count(), 1);
     EXPECT_EQ(wanted.first().first().value<AfterFailure>(), AfterFailure::go_on);
   }
+}
+
+/// What somebody sees of the parts of the window, by its name.
+QStringList parts_shown(const QWidget& window) {
+  QStringList shown{};
+  for (const char* const name : {"plan", "force_plot", "last_answer", "note", "show_plan"}) {
+    if (find<QWidget>(window, name).isVisible()) shown += name;
+  }
+  return shown;
+}
+
+TEST(SessionWindow, ShowsItsPartsSideBySideOrOneAtATimeAsItsWidthAllows) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  const auto window = session.window();
+  const QStringList all{"plan", "force_plot", "last_answer", "note"};
+  for (const int width : {1366, 960, 683, 960, 1366, 683}) {
+    window->resize(width, 700);
+    const bool narrow = width < 840;
+    EXPECT_EQ(parts_shown(*window), narrow ? (QStringList{"plan", "show_plan"}) : all) << width;
+  }
+  // By mouse, and by Tab and Space.
+  QTest::mouseClick(&find<QPushButton>(*window, "show_plots"), Qt::LeftButton);
+  EXPECT_EQ(parts_shown(*window), (QStringList{"force_plot", "show_plan"}));
+  EXPECT_FALSE(find<QPushButton>(*window, "show_plots").hasFocus())
+      << "it would hear the participant's Space";
+  auto& notes = find<QPushButton>(*window, "show_notes");
+  for (int i = 0; i < 30 && !notes.hasFocus(); ++i) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  }
+  ASSERT_TRUE(notes.hasFocus());
+  QTest::keyClick(&notes, Qt::Key_Space);
+  EXPECT_EQ(parts_shown(*window), (QStringList{"last_answer", "note", "show_plan"}));
+}
+
+TEST(SessionWindow, BringsTheNotesForwardWhereSomebodyIsToTypeOne) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  const auto window = session.window();
+  window->resize(683, 700);
+  ASSERT_FALSE(find<QLineEdit>(*window, "note").isVisible());
+  QTest::keyClick(window.get(), Qt::Key_F2);
+  EXPECT_TRUE(find<QLineEdit>(*window, "note").hasFocus());
+}
+
+TEST(SessionWindow, KeepsItsSizeWhateverStandsInIt) {
+  FilledMonitor session{};
+  session.answer_up_to(4);
+  const auto window = session.window();
+  for (const QSize size : {QSize(1366, 704), QSize(960, 1016), QSize(683, 700)}) {
+    window->resize(size);
+    session.requests.pause();
+    session.requests.stop_after(StopAfter::block);
+    session.set_phase(SessionPhase::paused);
+    session.monitor.update([](SessionSnapshot& s) {
+      s.health.missed_deadlines = 1'234'567;
+      s.health.lost_records = 7'654'321;
+      s.health.lateness_p99_s = 1.0;
+      s.rows_stored = 1'000'000;
+      s.trouble = SessionTrouble{.what = std::string(400, 'm') + " " + std::string(60, 'm'),
+                                 .time_ns = s.now_ns};
+    });
+    window->refresh();
+    window->tell_screen_lost(QString(80, 'W'), ScreenLoss::force_stopped);
+    find<QPushButton>(*window, "skip").click();
+    QTest::qWait(0);
+    EXPECT_EQ(window->size(), size);
+    EXPECT_TRUE(window->rect().contains(find<QPushButton>(*window, "emergency_stop").geometry()));
+    session.requests.go_on();
+  }
+  EXPECT_LE(window->minimumWidth(), 683);
+  EXPECT_LE(window->minimumHeight(), 700);
+}
+
+TEST(SessionWindow, BringsTheParticipantsWindowBackByButtonAndKeyWhereThereIsOne) {
+  FilledMonitor session{};
+  session.answer_up_to(4);
+  const auto window = session.window();
+  auto& button = find<QPushButton>(*window, "their_window");
+  EXPECT_FALSE(button.isVisible()) << "a virtual participant has none";
+  window->set_participant_window(true);
+  for (const int width : {1366, 960, 683}) {
+    window->resize(width, 700);
+    ASSERT_TRUE(button.isVisible());
+    QSignalSpy wanted(window.get(), &SessionWindow::participant_window_wanted);
+    QTest::mouseClick(&button, Qt::LeftButton);
+    QTest::keyClick(window.get(), Qt::Key_F9);
+    EXPECT_EQ(wanted.count(), 2) << width;
+    EXPECT_EQ(button.focusPolicy(), Qt::TabFocus);
+  }
+}
+
+TEST(SessionWindow, SaysTheWholeOfALineInItsToolTipWhereItIsCut) {
+  FittedLabel label{};
+  label.show_state(State::look, "Stopping after this trial");
+  label.show();
+  label.resize(label.sizeHint());
+  EXPECT_FALSE(label.is_cut());
+  EXPECT_EQ(label.toolTip(), "");
+  label.resize(label.width() - 2, label.height());
+  EXPECT_TRUE(label.is_cut());
+  EXPECT_EQ(label.toolTip(), "Stopping after this trial");
+  label.set_smaller_font(text_font(TextSize::small));
+  EXPECT_FALSE(label.is_cut());
+  EXPECT_EQ(label.minimumSizeHint().width(), 0);
 }
 
 TEST(SessionWindow, SaysWhatWasDoneForALostScreenAndTakesTheWindowBack) {
