@@ -50,6 +50,7 @@ struct ParticipantItem {
   bool bold = false;
   bool left_aligned = false;  ///< of words
   bool points_left = false;   ///< of a chip: the pictures are on its left
+  bool points_down = false;   ///< of a chip: the pictures are below it
   bool chosen = false;
   bool felt = false;  ///< of a chip
   bool current =

@@ -9,6 +9,7 @@ QString minutes_and_seconds(int seconds) {
 }
 
 constexpr double kSmallestSpace = 0.5;
+constexpr double kTwoLines = 84.0;  // a cue in a narrow window
 
 }  // namespace
 
@@ -26,10 +27,13 @@ ParticipantPage::ParticipantPage(const ParticipantScene& scene,
 void ParticipantPage::progress() {
   const double edge = std::min(px(kEdge), inputs_.size.width() / 28.0);
   body_ = QRectF(QPointF(0.0, 0.0), inputs_.size).adjusted(edge, edge / 2.0, -edge, -edge);
-  progress_top_ = body_.top();
   QRectF line = body_;
-  line.setHeight(tall(kLine, 40.0));
+  // Where there is little room it is the place of cues as well, which take two lines there.
+  const bool has_two_lines = is_tight() && !is_wide() && inputs_.size.height() >= em(660.0);
+  line.setHeight(has_two_lines ? em(kTwoLines) : tall(kLine, 40.0));
   body_.setTop(line.bottom());
+  progress_strip_ = line;
+  if (is_tight() && shows_cue()) return;
   if (scene_.block <= 0) return;
   add({.rect = line,
        .text = tr("Block %1 of %2").arg(scene_.block).arg(scene_.blocks),
@@ -194,26 +198,26 @@ void ParticipantPage::reserve_cue() {
   body_.setBottom(controls_top_ - px(kGap));
   cue_strip_ = body_;
   if (is_tight()) {
-    // Over the block and the question, which are known by then: answers need the room.
-    cue_strip_.setTop(progress_top_);
-    cue_strip_.setHeight(0.0);
+    cue_strip_ = progress_strip_;
     return;
   }
   // In a narrow window they take two lines.
-  cue_strip_.setTop(cue_strip_.bottom() - (is_wide() ? tall(kLine, 40.0) : em(84.0)));
+  cue_strip_.setTop(cue_strip_.bottom() - (is_wide() ? tall(kLine, 40.0) : em(kTwoLines)));
   body_.setBottom(cue_strip_.top() - px(kGap) / 2.0);
 }
 
 // Last of all: one that takes more lines covers what is above it.
 void ParticipantPage::cue() {
-  if (!inputs_.cue_shown || scene_.cue.empty()) return;
+  if (!shows_cue()) return;
   const QString text = words_of(scene_.cue_saying, scene_.cue);
   const double width =
       std::min(cue_strip_.width(), width_of(text, letters(kText), false) + em(2 * kEdge));
   const double height =
       std::max(std::min(cue_strip_.height(), em(kLine)),
                height_of(text, letters(kText), false, width - em(kGap)) + em(2.0));
-  const double top = is_tight() ? cue_strip_.top() : cue_strip_.bottom() - height;
+  const double top =
+      is_tight() ? std::max(0.0, std::min(cue_strip_.top(), cue_strip_.center().y() - height / 2.0))
+                 : cue_strip_.bottom() - height;
   add({.kind = Item::Kind::cue,
        .rect = QRectF(cue_strip_.center().x() - width / 2.0, top, width, height),
        .text = text,

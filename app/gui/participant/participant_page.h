@@ -115,6 +115,7 @@ class ParticipantPage final {
   void part_of_words(const QString& text, const QString& below, int size_px);
 
   // --- the frame ---
+  bool shows_cue() const { return inputs_.cue_shown && !scene_.cue.empty(); }
   void progress();
   void controls();
   void turning_controls();
@@ -131,11 +132,25 @@ class ParticipantPage final {
 
   // --- trials and forms ---
   void chips_in_rows();
+  /// Of surfaces that pictures are given to: in columns beside the pictures, or in rows over them.
+  void chips_to_pair();
+  int chip_columns() const;
   void chips_beside();
+  struct ChipRows {
+    int rows = 1;
+    int in_a_row = 1;
+    double gap = 0.0;
+    QSizeF chip{};
+    double height = 0.0;  ///< of all rows
+  };
+  ChipRows chip_rows() const;
+  void chips_over(const ChipRows& rows);
+  Item chip_to_pair(std::size_t index) const;
   void answers_in_words();
   double height_of_answers_in_words() const;
   void pictures(QRectF room);
   double picture_side(QSizeF room) const;
+  double picture_gap() const;
   struct Letters {
     int columns = 1;
     int rows = 1;
@@ -195,8 +210,8 @@ class ParticipantPage final {
   double inner_x_ = 0.0;  ///< used of it, from its inner end
   double row_bottom_ = 0.0;
   double controls_top_ = 0.0;
-  double progress_top_ = 0.0;
   QRectF cue_strip_{};
+  QRectF progress_strip_{};
 
   // How many pages there are is known when all has been laid out, and what stands on one of them
   // depends on it: the controls that turn pages take room.

@@ -133,22 +133,29 @@ void Brush::draw_chip(const Item& item) {
   }
   // The half that is nearer to the pictures says which one it has.
   QRectF near = item.rect;
-  near.setWidth(item.rect.width() / 2.0);
-  QRectF far = near;
+  QRectF far = item.rect;
+  // A letter needs less room than a key of two digits.
+  near.setWidth((item.points_down ? 0.6 : 0.5) * item.rect.width());
+  far.setWidth(item.rect.width() - near.width());
   (item.points_left ? far : near).moveRight(item.rect.right());
   words(far, item.text, item.size_px, true, ink, Qt::AlignCenter);
   if (!item.given.isEmpty()) {
     words(near, item.given, item.size_px, false, ink, Qt::AlignCenter);
     painter_.setPen(QPen(ink, 3.0 * unit));
-    const QPointF middle = item.rect.center();
-    painter_.drawLine(middle - QPointF(9.0 * unit, 0.0), middle + QPointF(9.0 * unit, 0.0));
+    const QPointF middle(item.points_left ? near.right() : near.left(), item.rect.center().y());
+    const double half = (item.points_down ? 6.0 : 9.0) * unit;
+    painter_.drawLine(middle - QPointF(half, 0.0), middle + QPointF(half, 0.0));
   } else if (item.current) {
     // Points to the pictures: the next one is for this surface.
     const double ahead = (item.points_left ? -1.0 : 1.0) * 9.0 * unit;
     const QPointF middle = near.center();
-    QPainterPath arrow(middle + QPointF(ahead, 0.0));
-    arrow.lineTo(middle + QPointF(-0.6 * ahead, -9.0 * unit));
-    arrow.lineTo(middle + QPointF(-0.6 * ahead, 9.0 * unit));
+    const auto corner = [&](double along, double across) {
+      return middle + (item.points_down ? QPointF(across, std::abs(ahead) / ahead * along)
+                                        : QPointF(along, across));
+    };
+    QPainterPath arrow(corner(ahead, 0.0));
+    arrow.lineTo(corner(-0.6 * ahead, -9.0 * unit));
+    arrow.lineTo(corner(-0.6 * ahead, 9.0 * unit));
     arrow.closeSubpath();
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(ink);

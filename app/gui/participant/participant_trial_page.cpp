@@ -68,40 +68,93 @@ void ParticipantPage::chips_in_rows() {
   }
 }
 
+void ParticipantPage::chips_to_pair() {
+  const ChipRows over = chip_rows();
+  const int columns = chip_columns();
+  const double beside = columns * em(columns == 1 ? 136.0 : 112.0) + px(2.5 * kGap);
+  const double side_over = picture_side({body_.width(), body_.height() - over.height - px(kGap)});
+  const double side_beside = picture_side({body_.width() - beside, body_.height()});
+  if (is_tight() && side_over > side_beside) {
+    chips_over(over);
+  } else {
+    chips_beside();
+  }
+}
+
+ParticipantItem ParticipantPage::chip_to_pair(std::size_t index) const {
+  const Scene::Surface& surface = scene_.surfaces[index];
+  const int number = static_cast<int>(index) + 1;
+  const std::optional<int> picked = inputs_.draft.surface;
+  Item chip{.kind = Item::Kind::chip,
+            .text = text_from(surface.code),
+            .key = text_from(surface.code),
+            .size_px = letters(kText),
+            .bold = true,
+            .current = picked ? *picked == number : scene_.assigning == index,
+            .action = Action{.what = Action::What::surface, .number = number}};
+  for (const Scene::Choice& choice : scene_.choices) {
+    if (choice.assigned_to == surface.code) chip.given = text_from(choice.key);
+  }
+  return chip;
+}
+
+ParticipantPage::ChipRows ParticipantPage::chip_rows() const {
+  const int count = std::max(1, static_cast<int>(scene_.surfaces.size()));
+  ChipRows rows{.gap = px(kGap) / 4.0};
+  // Room for a letter, a line and a key of two digits.
+  const double least = em(100.0);
+  const int most =
+      std::clamp(static_cast<int>((body_.width() + rows.gap) / (least + rows.gap)), 1, count);
+  rows.rows = (count + most - 1) / most;
+  rows.in_a_row = (count + rows.rows - 1) / rows.rows;
+  const double width = (body_.width() - (rows.in_a_row - 1) * rows.gap) / rows.in_a_row;
+  rows.chip = QSizeF(std::min(em(136.0), width), em(42.0));
+  rows.height = rows.rows * (rows.chip.height() + rows.gap) - rows.gap;
+  return rows;
+}
+
+void ParticipantPage::chips_over(const ChipRows& rows) {
+  const int count = static_cast<int>(scene_.surfaces.size());
+  const double step = rows.chip.width() + rows.gap;
+  const double left = body_.center().x() - (rows.in_a_row * step - rows.gap) / 2.0;
+  for (int i = 0; i < count; ++i) {
+    const int place = i % rows.in_a_row;
+    const int column = inputs_.mirrored ? rows.in_a_row - 1 - place : place;
+    Item chip = chip_to_pair(static_cast<std::size_t>(i));
+    chip.rect = QRectF(QPointF(left + column * step,
+                               body_.top() + i / rows.in_a_row * (rows.chip.height() + rows.gap)),
+                       rows.chip);
+    chip.points_down = true;
+    add(std::move(chip));
+  }
+  body_.setTop(body_.top() + rows.height + px(kGap));
+}
+
+int ParticipantPage::chip_columns() const {
+  // One under the other, in two columns where they would be too low for a letter.
+  const int count = static_cast<int>(scene_.surfaces.size());
+  const double height = (body_.height() - (count - 1) * px(kGap) / 2.0) / count;
+  return height < em(44.0) ? 2 : 1;
+}
+
 void ParticipantPage::chips_beside() {
   const int count = static_cast<int>(scene_.surfaces.size());
   const double gap = px(kGap) / 2.0;
-  // One under the other, in two columns where they would be too low for a letter.
-  const auto height_in = [&](int columns) {
-    const int rows = (count + columns - 1) / columns;
-    return (body_.height() - (rows - 1) * gap) / rows;
-  };
-  const int columns = height_in(1) < em(44.0) ? 2 : 1;
+  const int columns = chip_columns();
   const int rows = (count + columns - 1) / columns;
   const double width = em(columns == 1 ? 136.0 : 112.0);
   const QRectF strip = take_side(columns * width + (columns - 1) * gap);
-  const double height = std::min(em(kChip), height_in(columns));
+  const double height = std::min(em(kChip), (body_.height() - (rows - 1) * gap) / rows);
   const double between =
       rows < 2 ? 0.0 : std::min(px(kGap), (strip.height() - rows * height) / (rows - 1));
   const double top = strip.center().y() - (rows * height + (rows - 1) * between) / 2.0;
-  const std::optional<int> picked = inputs_.draft.surface;
   for (int i = 0; i < count; ++i) {
-    const Scene::Surface& surface = scene_.surfaces[static_cast<std::size_t>(i)];
-    const int number = i + 1;
-    Item& chip = add(
-        {.kind = Item::Kind::chip,
-         .rect = QRectF(strip.left() + (i / rows) * (width + gap),
-                        top + (i % rows) * (height + between), width, height),
-         .text = text_from(surface.code),
-         .key = text_from(surface.code),
-         .size_px = letters(height < em(kOneLine) || columns > 1 ? kText : kPrompt),
-         .bold = true,
-         .points_left = inputs_.mirrored,
-         .current = picked ? *picked == number : scene_.assigning == static_cast<std::size_t>(i),
-         .action = Action{.what = Action::What::surface, .number = number}});
-    for (const Scene::Choice& choice : scene_.choices) {
-      if (choice.assigned_to == surface.code) chip.given = text_from(choice.key);
-    }
+    Item chip = chip_to_pair(static_cast<std::size_t>(i));
+    chip.rect = QRectF(strip.left() + (i / rows) * (width + gap),
+                       top + (i % rows) * (height + between), width, height);
+    if (height >= em(kOneLine) && columns == 1) chip.size_px = letters(kPrompt);
+    chip.points_left = inputs_.mirrored;
+    add(std::move(chip));
   }
 }
 
@@ -164,7 +217,13 @@ double ParticipantPage::picture_side(QSizeF room) const {
                                    [](const Scene::Choice& choice) { return choice.picture; });
   const QSizeF key = key_size(scene_.choices, em(kBadge), em(kWideBadge));
   const QSizeF around(px(kGap) / 2.0, px(kGap) / 2.0);
-  return grid_for(static_cast<int>(count), room, px(1.5 * kGap), key + around).side;
+  return grid_for(static_cast<int>(count), room, picture_gap(), key + around).side;
+}
+
+/// Many small pictures give their room to themselves.
+double ParticipantPage::picture_gap() const {
+  constexpr std::size_t kMany = 8;
+  return px((is_tight() && scene_.choices.size() > kMany ? 0.5 : 1.5) * kGap);
 }
 
 void ParticipantPage::pictures(QRectF room) {
@@ -174,7 +233,7 @@ void ParticipantPage::pictures(QRectF room) {
   }
   const int count = static_cast<int>(those.size());
   if (count == 0) return;
-  const double gap = px(1.5 * kGap);
+  const double gap = picture_gap();
   const QSizeF key = key_size(scene_.choices, em(kBadge), em(kWideBadge));
   const QSizeF around(px(kGap) / 2.0, px(kGap) / 2.0);
   const Grid grid = grid_for(count, room.size(), gap, key + around);
@@ -338,7 +397,7 @@ void ParticipantPage::question() {
       question_over(scene_text(), [this](double height) { return is_enough_for_question(height); });
   pages_ = std::max(pages_, question_pages_ + 1);
   if (!answers) return;
-  if (scene_.is_assignment) chips_beside();
+  if (scene_.is_assignment) chips_to_pair();
   if (shows_pictures()) {
     pictures(body_);
     return;

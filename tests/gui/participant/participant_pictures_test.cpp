@@ -47,7 +47,7 @@ TEST(ParticipantPictures, AreTakenOfEveryScene) {
     if (name == "rest") scene.rest_until_ns = monotonic_now_ns() + 83'000'000'000;
     for (const auto& [size, size_name] : {std::pair{QSize(1366, 768), "1366"},
                                           {QSize(1920, 1080), "1920"},
-                                          {QSize(683, 592), "half"}}) {
+                                          {QSize(683, 700), "half"}}) {
       if (!scene.cue.empty()) scene.cue_number = ++cues;
       monitor.show(scene);
       const auto shown = monitor.snapshot().scene;
