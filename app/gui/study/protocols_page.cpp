@@ -173,15 +173,17 @@ QWidget* ProtocolsPage::make_detail() {
   preview_->setObjectName("protocol_preview");
   simulate_ = make_button(tr("Simulate…"), ButtonRole::plain, card);
   simulate_->setObjectName("protocol_simulate");
-  reason_ = make_text({}, card, true);
+  reason_ = make_text(tr("The protocols are being read."), card, true);
   reason_->setObjectName("protocol_reason");
   for (QWidget* widget : std::initializer_list<QWidget*>{start_, edit_, preview_, simulate_}) {
     row->addWidget(widget);
+    widget->setEnabled(false);  // until there is a protocol
   }
   row->addSpacing(kGrid);
   row->addWidget(reason_, 1);
   close_ = make_button(tr("Close the plan"), ButtonRole::link, card);
   close_->setObjectName("protocol_close_below");
+  close_->hide();
   row->addWidget(close_);
   layout->addSpacing(kGrid);
   layout->addLayout(row);
@@ -300,6 +302,7 @@ void ProtocolsPage::show_selected() {
   const bool can_run = valid && study().can_be_written();
   for (QPushButton* button : {start_, simulate_}) button->setEnabled(can_run);
   preview_->setEnabled(valid);
+  edit_->setEnabled(true);
   if (!valid) {
     reason_->setText(tr("It has to be valid first: the problems are below."));
   } else {

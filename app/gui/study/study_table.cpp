@@ -105,6 +105,7 @@ StudyTable::StudyTable(const std::vector<Column>& columns, QWidget* parent)
     widths_.push_back(columns[i].width);
   }
   sortByColumn(0, Qt::AscendingOrder);
+  widen_columns();  // their names, until there are rows
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
     if (!filling_) emit row_selected(selected_key());
   });

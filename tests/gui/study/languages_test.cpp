@@ -62,6 +62,7 @@ void expect_every_page_to_fit(StudyWindow& window) {
     window.show_page(key);
     QCoreApplication::processEvents();
     EXPECT_EQ(window.size(), kSmall) << key.toStdString();
+    take_screenshot(window, QString("small-%1-%2").arg(language_choice(), key), kSmall);
     const QSize wanted = pages.widget(i)->minimumSizeHint();
     EXPECT_LE(wanted.width(), pages.width()) << key.toStdString();
     EXPECT_LE(wanted.height(), pages.height()) << key.toStdString();
