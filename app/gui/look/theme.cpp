@@ -98,6 +98,7 @@ QString style_sheet_of(const Theme& look) {
     QPushButton::menu-indicator { image: url(:/look/down-%mode.svg); width: 12px; height: 12px;
       subcontrol-origin: border; subcontrol-position: center right; right: 8px; }
     QPushButton[role="primary"] { background: %press; color: %on_press; border-color: %press; font-weight: bold; }
+    QPushButton[role="primary"]::menu-indicator { image: url(:/look/down-%other.svg); }
     QPushButton[role="primary"]:disabled { background: %raised; color: %muted; border-color: %line; }
     QPushButton[role="primary"]:focus { border: 2px solid %text; }
     QPushButton[role="danger"] { background: %stop; color: %on_stop; border-color: %stop; font-weight: bold; }
@@ -159,6 +160,7 @@ QString style_sheet_of(const Theme& look) {
     QMenu::item:selected { background: %press; color: %on_press; }
   )css")
       .replace("%mode", look.dark ? "dark" : "light")
+      .replace("%other", look.dark ? "light" : "dark")
       .replace("%on_press", look.on_press.name())
       .replace("%on_stop", look.on_stop.name())
       .replace("%ground", look.ground.name())

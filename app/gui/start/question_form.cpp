@@ -75,7 +75,9 @@ void QuestionForm::set_questions(const std::vector<Question>& questions) {
 
 void QuestionForm::add_row(const Question& question, int row) {
   const QString text = QString::fromStdString(question.prompt);
-  QLabel* prompt = make_text(question.optional ? text : tr("%1 *").arg(text), this);
+  // The star never begins a line of its own.
+  const QString starred = tr("%1 *").replace(' ', QChar::Nbsp).arg(text);
+  QLabel* prompt = make_text(question.optional ? text : starred, this);
   QWidget* field = nullptr;
   if (question.form == Question::Form::choice) {
     auto* box = new QComboBox(this);
