@@ -87,7 +87,8 @@ TEST(ReferenceCase, NamesTheFamiliesThatThereAreForAnUnknownOne) {
     FAIL();
   } catch (const std::runtime_error& error) {
     const std::string sentence = error.what();
-    EXPECT_EQ(sentence.find("there is no family of analyses \"telepathy\"; there are matching, paired"),
+    EXPECT_EQ(sentence.find("there is no family of analyses \"telepathy\"; there are matching, "
+                            "paired, proportion, ranking, rating"),
               0U)
         << sentence;
   }

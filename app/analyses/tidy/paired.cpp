@@ -12,7 +12,7 @@
 #include "analysis/comparison_graph.h"
 #include "analysis/tail_probabilities.h"
 #include "analysis/thurstone.h"
-#include "app/analyses/tidy/finding_list.h"
+#include "app/analyses/tidy/scale_findings.h"
 #include "app/analyses/tidy/tidy_families.h"
 
 namespace asperity {
@@ -66,24 +66,13 @@ Paired paired_in(const TidyInput& input) {
   return read;
 }
 
-/// Abilities with their standard errors, item by item.
-void add_scale(const Paired& read, const std::string& quantity, const std::string& error_quantity,
-               const Abilities& abilities, const std::string& method, FindingList& findings) {
-  const Eigen::VectorXd errors = abilities.standard_error();
-  const double z = normal_limit(read.confidence);
-  for (std::size_t i = 0; i < read.items.size(); ++i) {
-    const auto index = static_cast<Eigen::Index>(i);
-    const double value = abilities.value(index);
-    const double error = errors(index);
-    Basis basis{.n = read.participants.size(), .method = method + "; interval of Wald"};
-    if (error > 0.0) {
-      basis.interval = {.low = value - z * error, .high = value + z * error};
-      basis.confidence = read.confidence;
-    }
-    findings.number(quantity, read.items[i], value, basis);
-    findings.number(error_quantity, read.items[i], error,
-                    {.n = read.participants.size(), .method = method});
-  }
+ScaleNames named(const Paired& read, const std::string& value, const std::string& error,
+                 const std::string& method) {
+  return {.value = value,
+          .error = error,
+          .method = method,
+          .n = read.participants.size(),
+          .confidence = read.confidence};
 }
 
 void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList& findings) {
@@ -95,9 +84,9 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
     findings.number(quantity, key, value, {.n = n, .method = how});
   };
   const std::string from_first = method + ", relative to " + read.items.front();
-  add_scale(read, "bt.ability", "bt.se", fit.abilities, from_first, findings);
-  add_scale(read, "bt.ability.sumzero", "bt.se.sumzero", fit.abilities.about_mean(),
-            method + ", mean 0", findings);
+  add_scale(read.items, fit.abilities, named(read, "bt.ability", "bt.se", from_first), findings);
+  add_scale(read.items, fit.abilities.about_mean(),
+            named(read, "bt.ability.sumzero", "bt.se.sumzero", method + ", mean 0"), findings);
   const Eigen::VectorXd worth = fit.abilities.worth();
   for (Eigen::Index i = 0; i < items; ++i) {
     const std::string& item = read.items[static_cast<std::size_t>(i)];
@@ -147,8 +136,10 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
 void add_thurstone(const Paired& read, FindingList& findings) {
   const std::size_t n = read.participants.size();
   if (const auto fit = thurstone_likelihood(read.counts)) {
-    add_scale(read, "thurstone.ml", "thurstone.ml.se", fit->abilities,
-              "Thurstone Case V by likelihood, relative to " + read.items.front(), findings);
+    add_scale(read.items, fit->abilities,
+              named(read, "thurstone.ml", "thurstone.ml.se",
+                    "Thurstone Case V by likelihood, relative to " + read.items.front()),
+              findings);
     findings.number("thurstone.ml.deviance", "", fit->deviance,
                     {.n = n, .method = "Thurstone Case V by likelihood"});
   }
@@ -174,8 +165,10 @@ void add_davidson(const Paired& read, FindingList& findings) {
   const auto fit = davidson(read.counts);
   if (!fit) return;
   const Basis basis{.n = read.participants.size(), .method = "Davidson's model with ties"};
-  add_scale(read, "davidson.ability", "davidson.se", fit->abilities,
-            basis.method + ", relative to " + read.items.front(), findings);
+  add_scale(read.items, fit->abilities,
+            named(read, "davidson.ability", "davidson.se",
+                  basis.method + ", relative to " + read.items.front()),
+            findings);
   findings.number("davidson.lognu", "", fit->log_tie, basis);
   findings.number("davidson.lognu.se", "", fit->log_tie_standard_error, basis);
   findings.number("davidson.deviance", "", fit->deviance, basis);
@@ -236,8 +229,9 @@ std::vector<Finding> paired_findings(const TidyInput& input) {
         {.n = n, .method = "Bradley–Terry"});
   }
   if (const auto firth = firth_bradley_terry(read.counts)) {
-    add_scale(read, "bt.firth.ability", "bt.firth.se", *firth,
-              "Bradley–Terry with Firth's bias reduction, relative to " + read.items.front(),
+    add_scale(read.items, *firth,
+              named(read, "bt.firth.ability", "bt.firth.se",
+                    "Bradley–Terry with Firth's bias reduction, relative to " + read.items.front()),
               findings);
   } else {
     findings.word("bt.firth.status", "", "not_estimable",

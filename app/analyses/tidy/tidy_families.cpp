@@ -20,6 +20,12 @@ constexpr std::array kFamilies{
                "items (all that were compared), conf", paired_findings},
     TidyFamily{"proportion", "id,k,n,p0,conf: hits k of n trials each, chance p0", "",
                proportion_findings},
+    TidyFamily{"ranking",
+               "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
+               "stands behind all that were ranked; an item that was not offered has no row",
+               "items (all that were offered anywhere), conf", ranking_findings},
+    TidyFamily{"rating", "subject,item,score: the larger the better, ties allowed",
+               "items (all that were scored)", rating_findings},
     TidyFamily{
         "selection", "subject,sample,choice: the best of several, empty where none was chosen",
         "renderers (all that can be chosen), target (one of them), conf", selection_findings},

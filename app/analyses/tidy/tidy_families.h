@@ -56,6 +56,8 @@ const TidyFamily& tidy_family(const std::string& name);
 std::vector<Finding> matching_findings(const TidyInput& input);
 std::vector<Finding> paired_findings(const TidyInput& input);
 std::vector<Finding> proportion_findings(const TidyInput& input);
+std::vector<Finding> ranking_findings(const TidyInput& input);
+std::vector<Finding> rating_findings(const TidyInput& input);
 std::vector<Finding> selection_findings(const TidyInput& input);
 
 }  // namespace asperity

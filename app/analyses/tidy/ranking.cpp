@@ -1,0 +1,157 @@
+// Each trial ranks some or all of the items that it offers.
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/comparison_graph.h"
+#include "analysis/plackett_luce.h"
+#include "analysis/tail_probabilities.h"
+#include "app/analyses/tidy/scale_findings.h"
+#include "app/analyses/tidy/tidy_families.h"
+
+namespace asperity {
+namespace {
+
+struct OfferedItem {
+  std::size_t row = 0;
+  std::size_t item = 0;
+  std::optional<double> rank{};
+};
+
+struct Rankings {
+  std::vector<std::string> items{};
+  std::vector<std::string> participants{};
+  std::vector<Ranking> rankings{};
+  Eigen::MatrixXd ranks{};  ///< trials × items, where every trial ranks all items; empty otherwise
+  double confidence = 0.95;
+};
+
+Ranking ranking_of(const TidyTable& table, std::vector<OfferedItem>& offered) {
+  Ranking ranking{};
+  std::set<std::size_t> seen{};
+  std::stable_sort(offered.begin(), offered.end(), [](const OfferedItem& a, const OfferedItem& b) {
+    return a.rank && (!b.rank || *a.rank < *b.rank);
+  });
+  for (std::size_t i = 0; i < offered.size(); ++i) {
+    const OfferedItem& one = offered[i];
+    if (!seen.insert(one.item).second) {
+      table.refuse(one.row, "item", "the item stands twice in its trial");
+    }
+    if (i > 0 && one.rank && one.rank == offered[i - 1].rank) {
+      table.refuse(one.row, "rank",
+                   "the rank stands twice in its trial; tied items are for the family \"rating\"");
+    }
+    (one.rank ? ranking.ranked : ranking.behind).push_back(one.item);
+  }
+  return ranking;
+}
+
+Rankings rankings_in(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  Rankings read{.items = input.options.texts("items")};
+  if (std::set<std::string>(read.items.begin(), read.items.end()).size() < 2) {
+    throw std::runtime_error("the option \"items\" must name two items at least");
+  }
+  read.confidence = input.options.confidence();
+  const LabelColumn participants = table.all_labels("subject");
+  const LabelColumn trials = table.all_labels("trial");
+  const LabelColumn items = table.labels("item", read.items);
+  const std::vector<std::optional<double>> ranks = table.numbers("rank");
+  read.participants = participants.names;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> place{};
+  std::vector<std::pair<std::size_t, std::vector<OfferedItem>>> offers{};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (items.codes[row] == LabelColumn::kMissing) table.refuse(row, "item", "item is missing");
+    const std::pair name{participants.codes[row], trials.codes[row]};
+    const auto [found, first] = place.emplace(name, offers.size());
+    if (first) offers.emplace_back(name.first, std::vector<OfferedItem>{});
+    offers[found->second].second.push_back({row, items.codes[row], ranks[row]});
+  }
+  bool whole = !offers.empty();
+  for (auto& [participant, offered] : offers) {
+    read.rankings.push_back(ranking_of(table, offered));
+    read.rankings.back().participant = participant;
+    whole = whole && read.rankings.back().ranked.size() == read.items.size();
+  }
+  if (whole) {
+    read.ranks.resize(static_cast<Eigen::Index>(offers.size()),
+                      static_cast<Eigen::Index>(read.items.size()));
+    for (std::size_t trial = 0; trial < offers.size(); ++trial) {
+      for (const OfferedItem& one : offers[trial].second) {
+        read.ranks(static_cast<Eigen::Index>(trial), static_cast<Eigen::Index>(one.item)) =
+            *one.rank;
+      }
+    }
+  }
+  return read;
+}
+
+void add_plackett_luce(const Rankings& read, const PlackettLuce& fit, FindingList& findings) {
+  const std::size_t n = read.participants.size();
+  const std::string method = "Plackett–Luce, relative to " + read.items.front();
+  add_scale(read.items, fit.log_worths,
+            {.value = "pl.logworth",
+             .error = "pl.se",
+             .method = method,
+             .n = n,
+             .confidence = read.confidence},
+            findings);
+  add_scale(read.items, fit.log_worths.about_mean(),
+            {.value = "pl.logworth.sumzero",
+             .error = "pl.se.sumzero",
+             .method = "Plackett–Luce, mean 0",
+             .n = n,
+             .confidence = read.confidence},
+            findings);
+  const Eigen::VectorXd worth = fit.log_worths.worth();
+  for (std::size_t i = 0; i < read.items.size(); ++i) {
+    const auto index = static_cast<Eigen::Index>(i);
+    findings.number("pl.worth", read.items[i], worth(index),
+                    {.n = n, .method = "Plackett–Luce, sum 1"});
+    findings.number("pl.se.cluster", read.items[i], fit.clustered_standard_error(index),
+                    {.n = n, .method = method + ", participants as clusters (CR0)"});
+  }
+  const double lr = 2.0 * (fit.log_likelihood - fit.equal_log_likelihood);
+  const double df = static_cast<double>(read.items.size()) - 1.0;
+  const Basis likelihood{.n = n, .method = "log likelihood"};
+  const Basis equal{.n = n, .method = "likelihood ratio against equal worths"};
+  findings.number("pl.loglik", "", fit.log_likelihood, likelihood);
+  findings.number("pl.loglik.equal", "", fit.equal_log_likelihood, likelihood);
+  findings.number("pl.lr", "", lr, equal);
+  findings.number("pl.lr.p", "", *upper_tail(ChiSquaredStatistic{.value = lr, .df = df}), equal);
+}
+
+}  // namespace
+
+std::vector<Finding> ranking_findings(const TidyInput& input) {
+  const Rankings read = rankings_in(input);
+  const std::size_t n = read.participants.size();
+  FindingList findings{};
+  const RankingCounts counts = count_stages(read.rankings, read.items.size());
+  findings.count("n.stages", "", counts.stages, {.n = n, .method = "choices among what was left"});
+  findings.truth("strongly.connected", "", strongly_connected(counts.wins),
+                 {.n = n, .method = "whether chains of wins join all items in both directions"});
+  if (const auto fit = plackett_luce(read.rankings, read.items.size())) {
+    add_plackett_luce(read, *fit, findings);
+  } else {
+    findings.word("pl.status", "", "not_estimable",
+                  "some items never stood behind the rest, or were never ranked with it: no finite "
+                  "scale fits best",
+                  {.n = n, .method = "Plackett–Luce"});
+  }
+  if (read.ranks.rows() > 0) {
+    const auto rows = static_cast<std::size_t>(read.ranks.rows());
+    add_friedman(friedman_test(read.ranks), rows, findings);
+    for (std::size_t i = 0; i < read.items.size(); ++i) {
+      findings.number("mean.rank", read.items[i],
+                      read.ranks.col(static_cast<Eigen::Index>(i)).mean(), {.n = rows});
+    }
+  }
+  return findings.take();
+}
+
+}  // namespace asperity

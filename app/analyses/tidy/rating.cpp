@@ -1,0 +1,106 @@
+// Each participant scores every item once; only the order of the scores counts.
+
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "analysis/friedman.h"
+#include "analysis/multiplicity.h"
+#include "app/analyses/tidy/scale_findings.h"
+#include "app/analyses/tidy/tidy_families.h"
+
+namespace asperity {
+namespace {
+
+/// A row per participant who scored every item; of several scores of one item the first counts.
+Eigen::MatrixXd complete_scores(const TidyTable& table, const std::vector<std::string>& items) {
+  const LabelColumn participants = table.all_labels("subject");
+  const LabelColumn codes = table.labels("item", items);
+  const std::vector<std::optional<double>> scores = table.numbers("score");
+  std::vector<std::vector<std::optional<double>>> all(
+      participants.names.size(), std::vector<std::optional<double>>(items.size()));
+  std::vector<std::vector<bool>> seen(participants.names.size(), std::vector<bool>(items.size()));
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (codes.codes[row] == LabelColumn::kMissing) table.refuse(row, "item", "item is missing");
+    const std::size_t person = participants.codes[row];
+    const std::size_t item = codes.codes[row];
+    if (!seen[person][item]) all[person][item] = scores[row];
+    seen[person][item] = true;
+  }
+  std::erase_if(all, [](const std::vector<std::optional<double>>& own) {
+    for (const std::optional<double>& score : own) {
+      if (!score) return true;
+    }
+    return false;
+  });
+  Eigen::MatrixXd complete(static_cast<Eigen::Index>(all.size()),
+                           static_cast<Eigen::Index>(items.size()));
+  for (Eigen::Index person = 0; person < complete.rows(); ++person) {
+    for (Eigen::Index item = 0; item < complete.cols(); ++item) {
+      complete(person, item) =
+          *all[static_cast<std::size_t>(person)][static_cast<std::size_t>(item)];
+    }
+  }
+  return complete;
+}
+
+void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& scores,
+               FindingList& findings) {
+  std::vector<std::string> pairs{};
+  std::vector<double> p{};
+  const std::string method = "exact signed-rank test of Wilcoxon, equal scores dropped";
+  for (Eigen::Index a = 0; a < scores.cols(); ++a) {
+    for (Eigen::Index b = a + 1; b < scores.cols(); ++b) {
+      const std::string key =
+          items[static_cast<std::size_t>(a)] + '|' + items[static_cast<std::size_t>(b)];
+      const Eigen::VectorXd differences = scores.col(a) - scores.col(b);
+      const SignedRankTest test = signed_rank_test(
+          std::span(differences.data(), static_cast<std::size_t>(differences.size())));
+      const Basis basis{.n = test.n, .method = method};
+      findings.count("wilcoxon.n", key, test.n, basis);
+      findings.number("wilcoxon.Wplus", key, test.positive, basis);
+      if (test.n > kMostSignedRanks) {
+        findings.word("wilcoxon.exact.p.two", key, "too_many",
+                      "the exact test is counted for " + std::to_string(kMostSignedRanks) +
+                          " differences at most",
+                      basis);
+      } else {
+        findings.number("wilcoxon.exact.p.two", key, test.p, basis);
+        pairs.push_back(key);
+        p.push_back(test.p);
+      }
+      findings.number("wilcoxon.rankbiserial", key, test.rank_biserial,
+                      {.n = test.n, .method = "rank-biserial correlation"});
+    }
+  }
+  const std::vector<double> adjusted = holm_adjusted(p);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    findings.number("wilcoxon.exact.p.holm", pairs[i], adjusted[i],
+                    {.n = pairs.size(), .method = method + "; Holm over the pairs"});
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> rating_findings(const TidyInput& input) {
+  const std::vector<std::string> items = input.options.texts("items");
+  if (std::set<std::string>(items.begin(), items.end()).size() < 2) {
+    throw std::runtime_error("the option \"items\" must name two items at least");
+  }
+  const Eigen::MatrixXd scores = complete_scores(input.table(), items);
+  const auto n = static_cast<std::size_t>(scores.rows());
+  FindingList findings{};
+  findings.count("n.complete", "", n, {.n = n, .method = "participants who scored every item"});
+  const FriedmanTest test = friedman_test(scores);
+  add_friedman(test, n, findings);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    findings.number("mean.rank", items[i], test.mean_rank[i],
+                    {.n = n, .method = "within participants, 1 for the lowest score"});
+  }
+  add_pairs(items, scores, findings);
+  return findings.take();
+}
+
+}  // namespace asperity

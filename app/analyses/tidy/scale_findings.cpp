@@ -1,0 +1,36 @@
+#include "app/analyses/tidy/scale_findings.h"
+
+#include "analysis/tail_probabilities.h"
+
+namespace asperity {
+
+void add_scale(std::span<const std::string> items, const Abilities& scale, const ScaleNames& names,
+               FindingList& findings) {
+  const Eigen::VectorXd errors = scale.standard_error();
+  const double z = normal_limit(names.confidence);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto index = static_cast<Eigen::Index>(i);
+    const double value = scale.value(index);
+    const double error = errors(index);
+    Basis basis{.n = names.n, .method = names.method + "; interval of Wald"};
+    if (error > 0.0) {
+      basis.interval = {.low = value - z * error, .high = value + z * error};
+      basis.confidence = names.confidence;
+    }
+    findings.number(names.value, items[i], value, basis);
+    findings.number(names.error, items[i], error, {.n = names.n, .method = names.method});
+  }
+}
+
+void add_friedman(const FriedmanTest& test, std::size_t n, FindingList& findings) {
+  const Basis friedman{.n = n, .method = "Friedman's test, ties corrected for"};
+  const Basis iman{.n = n, .method = "F of Iman and Davenport"};
+  findings.number("friedman.chisq", "", test.chi_squared, friedman);
+  findings.number("friedman.df", "", test.df, friedman);
+  findings.number("friedman.p", "", test.p, friedman);
+  findings.number("kendall.W", "", test.concordance, {.n = n, .method = "Kendall's concordance"});
+  findings.number("iman.davenport.F", "", test.f, iman);
+  findings.number("iman.davenport.p", "", test.f_p, iman);
+}
+
+}  // namespace asperity

@@ -1,0 +1,31 @@
+// A scale of items as findings.
+
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "analysis/bradley_terry.h"
+#include "analysis/friedman.h"
+#include "app/analyses/tidy/finding_list.h"
+
+namespace asperity {
+
+/// How a scale is called and what it rests on.
+struct ScaleNames {
+  std::string value{};
+  std::string error{};
+  std::string method{};
+  std::size_t n = 0;
+  double confidence = 0.95;
+};
+
+/// The place of each item, with Wald's interval, and its standard error.
+void add_scale(std::span<const std::string> items, const Abilities& scale, const ScaleNames& names,
+               FindingList& findings);
+
+/// Friedman's test with Kendall's W and the F of Iman and Davenport; `n`: rows.
+void add_friedman(const FriedmanTest& test, std::size_t n, FindingList& findings);
+
+}  // namespace asperity

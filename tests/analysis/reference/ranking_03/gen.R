@@ -1,0 +1,7 @@
+source("../R/case.R"); source("../R/ranking.R")
+items <- c("a", "b", "c")
+data <- data.frame(trial = rep(1:3, each = 3), subject = rep(c("x", "y", "z"), each = 3), item = items, rank = c(1, 2, 3, 1, 3, 2, 1, 2, 3))
+write_table(data, "rankings.csv")
+write_case("ranking", "one item always first: no finite scale", "rankings.csv", c(items = json_list(items)))
+ranking_results(data, items)
+write_results()

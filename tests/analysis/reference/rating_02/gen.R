@@ -1,0 +1,6 @@
+source("../R/case.R"); source("../R/ranking.R")
+data <- data.frame(subject = rep(c("x", "y", "z"), each = 2), item = c("new", "old"), score = c(1, 1, 4, 4, 2, 2))
+write_table(data, "ratings.csv")
+write_case("rating", "two items, everything tied", "ratings.csv", c(items = json_list(c("new", "old"))))
+rating_results(data, c("new", "old"))
+write_results()
