@@ -2,6 +2,352 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_US">
 <context>
+    <name>Analysis</name>
+    <message>
+        <source>%1 aborted</source>
+        <translation>%1 abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1 answered but invalid</source>
+        <translation>%1 beantwortet, aber ungültig</translation>
+    </message>
+    <message>
+        <source>%1 device_fault</source>
+        <translation>%1 mit Gerätefehler</translation>
+    </message>
+    <message>
+        <source>%1 excluded</source>
+        <translation>%1 ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>%1 not_compliant</source>
+        <translation>%1 nicht wie verlangt erkundet</translation>
+    </message>
+    <message>
+        <source>%1 skipped</source>
+        <translation>%1 übersprungen</translation>
+    </message>
+    <message>
+        <source>%1 timed_out</source>
+        <translation>%1 ohne Antwort in der Zeit</translation>
+    </message>
+    <message>
+        <source>These participants are virtual: the numbers exercise the machinery and say nothing about people.</source>
+        <translation>Diese Versuchspersonen sind virtuell: Die Zahlen erproben das Programm und sagen nichts über Menschen.</translation>
+    </message>
+    <message>
+        <source>These sessions are pilots and stand apart from those that count.</source>
+        <translation>Diese Sitzungen sind Pilotsitzungen und stehen getrennt von denen, die zählen.</translation>
+    </message>
+    <message>
+        <source>%1 different files carry this protocol name and version; their answers are counted together.</source>
+        <translation>%1 verschiedene Dateien tragen diesen Protokollnamen und diese Version; ihre Antworten sind zusammen gezählt.</translation>
+    </message>
+    <message>
+        <source>Sessions that are not completed: %1 of %2.</source>
+        <translation>Nicht abgeschlossene Sitzungen: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Sessions of observers that are deaf or expect nothing, so that their answers are guesses (source virtual_guess): %1.</source>
+        <translation>Sitzungen von virtuellen Versuchspersonen, die nichts fühlen oder nichts erwarten, sodass ihre Antworten geraten sind (source virtual_guess): %1.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Attempts that do not count: %1.</source>
+        <translation>Versuche, die nicht zählen: %1.</translation>
+    </message>
+    <message>
+        <source>Flagged attempts among those that count: %1; attempts.tsv of an export says why.</source>
+        <translation>Markierte Versuche unter denen, die zählen: %1; warum, steht in attempts.tsv eines Exports.</translation>
+    </message>
+    <message>
+        <source>There is no answer to count yet.</source>
+        <translation>Noch gibt es keine Antwort zu zählen.</translation>
+    </message>
+    <message>
+        <source>This program has no analysis for protocols of the kind &quot;%1&quot;.</source>
+        <translation>Dieses Programm hat keine Auswertung für Protokolle der Art „%1“.</translation>
+    </message>
+    <message>
+        <source>Answers left out because they do not give every picture to one surface, so that chance is not that of a permutation: %1.</source>
+        <translation>Antworten, die weggelassen sind, weil sie nicht jedes Bild einer Oberfläche geben und der Zufall daher nicht der einer Permutation ist: %1.</translation>
+    </message>
+    <message>
+        <source>Matched: whole permutations right (counts)</source>
+        <translation>Zugeordnet: ganze Permutationen richtig (Anzahlen)</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>By chance: 1/%1 of the goes wholly right.</source>
+        <translation>Durch Zufall: 1/%1 der Runden ganz richtig.</translation>
+    </message>
+    <message>
+        <source>By chance: 1/%1 of the single items right.</source>
+        <translation>Durch Zufall: 1/%1 der einzelnen Zuordnungen richtig.</translation>
+    </message>
+    <message>
+        <source>Whole permutations: share of goes with every item right</source>
+        <translation>Ganze Permutationen: Anteil der Runden, in denen alles richtig ist</translation>
+    </message>
+    <message>
+        <source>Chance is 1/m! for m items. p: exact binomial test, two-sided, not corrected for the number of rows.</source>
+        <translation>Der Zufall trifft mit 1/m! bei m Zuordnungen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert.</translation>
+    </message>
+    <message>
+        <source>Items: share of right items</source>
+        <translation>Einzelne Zuordnungen: Anteil der richtigen</translation>
+    </message>
+    <message>
+        <source>Chance is 1/m. The items of one go are not independent (all but one right is impossible): the interval holds 95 % of what random permutations give, and p is the probability that they give as many right items or more.</source>
+        <translation>Der Zufall trifft mit 1/m. Die Zuordnungen einer Runde sind nicht unabhängig (alle bis auf eine richtig ist unmöglich): Das Intervall enthält 95 % dessen, was zufällige Permutationen ergeben, und p ist die Wahrscheinlichkeit, dass sie ebenso viele oder mehr richtige ergeben.</translation>
+    </message>
+    <message>
+        <source>Share of right items, by felt texture</source>
+        <translation>Anteil richtiger Zuordnungen nach gefühlter Textur</translation>
+    </message>
+    <message>
+        <source>One texture alone is right with chance 1/m; the rows depend on each other.</source>
+        <translation>Eine einzelne Textur ist durch Zufall mit 1/m richtig; die Zeilen hängen voneinander ab.</translation>
+    </message>
+    <message>
+        <source>Answers to trials without a declared right answer, which are left out: %1.</source>
+        <translation>Antworten in Durchgängen ohne erklärte richtige Antwort, die weggelassen sind: %1.</translation>
+    </message>
+    <message>
+        <source>Recognised: right answers (counts)</source>
+        <translation>Wiedererkannt: richtige Antworten (Anzahlen)</translation>
+    </message>
+    <message>
+        <source>By chance: 1/%1 of the answers right.</source>
+        <translation>Durch Zufall: 1/%1 der Antworten richtig.</translation>
+    </message>
+    <message>
+        <source>Share of right answers</source>
+        <translation>Anteil richtiger Antworten</translation>
+    </message>
+    <message>
+        <source>Chance is 1 in the number of pictures shown; &quot;cannot_tell&quot; is not right. p: exact binomial test, two-sided, not corrected for the number of rows.</source>
+        <translation>Der Zufall trifft mit 1 durch die Zahl der gezeigten Bilder; „nicht zu sagen“ ist nicht richtig. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert.</translation>
+    </message>
+    <message>
+        <source>Share of right answers, by felt texture</source>
+        <translation>Anteil richtiger Antworten nach gefühlter Textur</translation>
+    </message>
+    <message>
+        <source>Share of each model among the choices, by texture</source>
+        <translation>Anteil jedes Modells an den Wahlen nach Textur</translation>
+    </message>
+    <message>
+        <source>Chosen as the most realistic (counts)</source>
+        <translation>Als die echteste gewählt (Anzahlen)</translation>
+    </message>
+    <message>
+        <source>By chance: 1/%1 of the choices for each model.</source>
+        <translation>Durch Zufall: 1/%1 der Wahlen für jedes Modell.</translation>
+    </message>
+    <message>
+        <source>Share of each model among the choices</source>
+        <translation>Anteil jedes Modells an den Wahlen</translation>
+    </message>
+    <message>
+        <source>Chance is 1 in the number of surfaces felt. p: exact binomial test, two-sided, not corrected for the number of rows; the shares of one column depend on each other.</source>
+        <translation>Der Zufall trifft mit 1 durch die Zahl der gefühlten Oberflächen. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert; die Anteile einer Spalte hängen voneinander ab.</translation>
+    </message>
+    <message>
+        <source>One model against another, among the choices of either</source>
+        <translation>Ein Modell gegen ein anderes, unter den Wahlen eines der beiden</translation>
+    </message>
+    <message>
+        <source>The chance is 1/2: a choice of a third model says nothing about the two.</source>
+        <translation>Der Zufall trifft mit 1/2: Die Wahl eines dritten Modells sagt nichts über die zwei.</translation>
+    </message>
+    <message>
+        <source>%1 Answers &quot;cannot_tell&quot; are counted above and take no part here.</source>
+        <translation>%1 Antworten „nicht zu sagen“ sind oben gezählt und haben hier keinen Teil.</translation>
+    </message>
+    <message>
+        <source>Chance differs between the trials.</source>
+        <translation>Der Zufall ist von Durchgang zu Durchgang verschieden.</translation>
+    </message>
+    <message>
+        <source>The person as the unit: each person&apos;s own share, over the persons</source>
+        <translation>Die Person als Einheit: der eigene Anteil jeder Person, über die Personen</translation>
+    </message>
+    <message>
+        <source>Confusions: felt (down) and chosen picture (across)</source>
+        <translation>Verwechslungen: gefühlt (abwärts) und gewähltes Bild (quer)</translation>
+    </message>
+    <message>
+        <source>Texture force (RMS) per model: aimed at on the prescribed path, achieved by the hands</source>
+        <translation>Texturkraft (RMS) je Modell: angestrebt auf dem vorgegebenen Weg, erreicht von den Händen</translation>
+    </message>
+    <message>
+        <source>Equal RMS is not equal intensity: what is felt also depends on frequency, and each hand presses and moves in its own way.</source>
+        <translation>Gleicher RMS ist nicht gleiche Stärke: Was gefühlt wird, hängt auch von der Frequenz ab, und jede Hand drückt und bewegt sich auf ihre Weise.</translation>
+    </message>
+    <message>
+        <source>Where &quot;of&quot; is larger than &quot;persons&quot;, answers of the same person are pooled (%1 answers of one person in all). They are not independent: the intervals are too narrow and the p too small.</source>
+        <translation>Wo „von“ größer ist als „Personen“, sind Antworten derselben Person zusammengefasst (insgesamt %1 Antworten einer Person). Sie sind nicht unabhängig: Die Intervalle sind zu schmal und die p zu klein.</translation>
+    </message>
+    <message>
+        <source>Where &quot;of&quot; is larger than &quot;persons&quot;, answers of the same persons are pooled (%1 answers of %2 persons in all). They are not independent: the intervals are too narrow and the p too small. The table &quot;persons&quot; takes the person as the unit.</source>
+        <translation>Wo „von“ größer ist als „Personen“, sind Antworten derselben Personen zusammengefasst (insgesamt %1 Antworten von %2 Personen). Sie sind nicht unabhängig: Die Intervalle sind zu schmal und die p zu klein. Die Tabelle „Die Person als Einheit“ zählt Personen.</translation>
+    </message>
+</context>
+<context>
+    <name>AnalysisWords</name>
+    <message>
+        <source>achieved, maximum, N</source>
+        <translation>erreicht, Maximum, N</translation>
+    </message>
+    <message>
+        <source>achieved, mean, N</source>
+        <translation>erreicht, Mittel, N</translation>
+    </message>
+    <message>
+        <source>achieved, minimum, N</source>
+        <translation>erreicht, Minimum, N</translation>
+    </message>
+    <message>
+        <source>achieved, SD, N</source>
+        <translation>erreicht, SD, N</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>gegen</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>chance</source>
+        <translation>Zufall</translation>
+    </message>
+    <message>
+        <source>chance, 95 %</source>
+        <translation>Zufall, 95 %</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
+    </message>
+    <message>
+        <source>Clopper–Pearson, 95 %</source>
+        <translation>Clopper–Pearson, 95 %</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>gefühlt</translation>
+    </message>
+    <message>
+        <source>item</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>aimed at, mean, N</source>
+        <translation>angestrebt, Mittel, N</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>p</translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>persons</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>SD</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>Oberflächen</translation>
+    </message>
+    <message>
+        <source>texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Wilson, 95 %</source>
+        <translation>Wilson, 95 %</translation>
+    </message>
+    <message>
+        <source>Female</source>
+        <translation>Frauen</translation>
+    </message>
+    <message>
+        <source>Male</source>
+        <translation>Männer</translation>
+    </message>
+    <message>
+        <source>Other or not told</source>
+        <translation>Anderes oder ohne Angabe</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>nicht zu sagen</translation>
+    </message>
+</context>
+<context>
     <name>AttemptWords</name>
     <message>
         <source>set aside, asked again</source>
@@ -30,10 +376,6 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 from first contact</source>
-        <translation>%1 ab Erstkontakt</translation>
     </message>
     <message>
         <source>took %1</source>
@@ -82,6 +424,26 @@
     <message>
         <source>Session %1</source>
         <translation>Sitzung %1</translation>
+    </message>
+    <message>
+        <source>After contact, s</source>
+        <translation>Nach Kontakt, s</translation>
+    </message>
+    <message>
+        <source>After cue, s</source>
+        <translation>Nach Signal, s</translation>
+    </message>
+    <message>
+        <source>When the answer was given, in seconds after the first contact of the attempt with a surface: all of the feeling is in it.</source>
+        <translation>Wann geantwortet wurde, in Sekunden nach der ersten Berührung einer Oberfläche in diesem Versuch: alles Fühlen ist darin enthalten.</translation>
+    </message>
+    <message>
+        <source>When the answer was given, in seconds after the cue, with which the question was put first: surfaces that were felt again before the answer are in it.</source>
+        <translation>Wann geantwortet wurde, in Sekunden nach dem Signal, mit dem die Frage zum ersten Mal gestellt wurde: Oberflächen, die davor noch einmal gefühlt wurden, sind darin enthalten.</translation>
+    </message>
+    <message>
+        <source>answered %1 after the first contact</source>
+        <translation>beantwortet %1 nach dem Erstkontakt</translation>
     </message>
 </context>
 <context>
@@ -353,13 +715,6 @@
         <source>Please feel surface %1 a little longer.</source>
         <translation>Bitte fühlen Sie Oberfläche %1 noch etwas länger.</translation>
     </message>
-    <message numerus="yes">
-        <source>Please wait %n more second(s).</source>
-        <translation>
-            <numerusform>Bitte warten Sie noch %n Sekunde.</numerusform>
-            <numerusform>Bitte warten Sie noch %n Sekunden.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Please choose first.</source>
         <translation>Bitte wählen Sie zuerst.</translation>
@@ -419,6 +774,14 @@
     <message>
         <source>Confirm to feel surface %1 again.</source>
         <translation>Bestätigen Sie, um Oberfläche %1 noch einmal zu fühlen.</translation>
+    </message>
+    <message>
+        <source>Please wait 1 more second.</source>
+        <translation>Bitte warten Sie noch 1 Sekunde.</translation>
+    </message>
+    <message>
+        <source>Please wait %1 more seconds.</source>
+        <translation>Bitte warten Sie noch %1 Sekunden.</translation>
     </message>
 </context>
 <context>
@@ -597,6 +960,10 @@
     <message>
         <source>the emergency stop was pressed</source>
         <translation>der NOT-HALT wurde gedrückt</translation>
+    </message>
+    <message>
+        <source>the masking noise could not begin</source>
+        <translation>das Maskierrauschen konnte nicht beginnen</translation>
     </message>
 </context>
 <context>
@@ -1067,10 +1434,6 @@
         <translation>antwortet %1 s</translation>
     </message>
     <message>
-        <source>feedback</source>
-        <translation>Rückmeldung</translation>
-    </message>
-    <message>
         <source>stopped</source>
         <translation>gestoppt</translation>
     </message>
@@ -1238,6 +1601,10 @@
     <message>
         <source>%1 The emergency stop was pressed meanwhile.</source>
         <translation>%1 Der NOT-HALT wurde inzwischen gedrückt.</translation>
+    </message>
+    <message>
+        <source>The masking noise cannot begin: the sound card does not play. The session is paused. Mend the sound, then resume.</source>
+        <translation>Das Maskierrauschen kann nicht beginnen: Die Soundkarte spielt nicht. Die Sitzung ist angehalten. Den Ton in Ordnung bringen, dann fortsetzen.</translation>
     </message>
 </context>
 <context>
@@ -1471,20 +1838,20 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Last answer  %1  in %2 s</source>
-        <translation>Zuletzt  %1  in %2 s</translation>
-    </message>
-    <message>
-        <source>Last answer  %1</source>
-        <translation>Zuletzt  %1</translation>
-    </message>
-    <message>
         <source>No answer yet</source>
         <translation>Noch keine Antwort</translation>
     </message>
     <message>
         <source>Before, by trial: %1</source>
         <translation>Vorher, nach Durchgang: %1</translation>
+    </message>
+    <message>
+        <source>%1 s after the cue</source>
+        <translation>%1 s nach dem Signal</translation>
+    </message>
+    <message>
+        <source>Last answer</source>
+        <translation>Zuletzt</translation>
     </message>
 </context>
 <context>
@@ -2087,16 +2454,24 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Die Geräteschleife hat noch keinen Takt ausgeführt</translation>
     </message>
     <message>
-        <source>%1 · %2 Hz · p99 %3 µs late · %4 missed · %5 lost · %6 saturated · %7</source>
-        <translation>%1 · %2 Hz · p99 %3 µs verspätet · %4 verpasst · %5 verloren · %6 gesättigt · %7</translation>
-    </message>
-    <message>
         <source>masking noise on</source>
         <translation>Maskierrauschen an</translation>
     </message>
     <message>
         <source>masking noise off</source>
         <translation>Maskierrauschen aus</translation>
+    </message>
+    <message>
+        <source>%1 · %2 Hz · p99 %3 µs late · %4 missed · %5 lost · %6 saturated</source>
+        <translation>%1 · %2 Hz · p99 %3 µs verspätet · %4 verpasst · %5 verloren · %6 gesättigt</translation>
+    </message>
+    <message>
+        <source>the sound card does not play: no masking noise</source>
+        <translation>die Soundkarte spielt nicht: kein Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>no sound card: no masking noise</source>
+        <translation>keine Soundkarte: kein Maskierrauschen</translation>
     </message>
 </context>
 <context>
@@ -2338,14 +2713,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Choices, as shown</source>
         <translation>Auswahl, wie gezeigt</translation>
-    </message>
-    <message>
-        <source>From contact, s</source>
-        <translation>Ab Kontakt, s</translation>
-    </message>
-    <message>
-        <source>From cue, s</source>
-        <translation>Ab Signal, s</translation>
     </message>
     <message>
         <source>Given by</source>
@@ -3426,6 +3793,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>This study can only be read here: no session can be stored.</source>
         <translation>Diese Studie ist hier nur lesbar: Keine Sitzung kann gespeichert werden.</translation>
     </message>
+    <message>
+        <source>The protocols are being read.</source>
+        <translation>Die Protokolle werden gelesen.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::QuestionForm</name>
@@ -3462,10 +3833,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>It has narrow bright parts. If they lie low, as light mortar does, dark parts stand out.</source>
         <translation>Es hat schmale helle Teile. Liegen sie tief, wie heller Mörtel, stehen dunkle Teile hervor.</translation>
-    </message>
-    <message>
-        <source>This relief is finished: it comes from a file of the study. Open a photograph to make another one, or compare how the force models render this one.</source>
-        <translation>Dieses Relief ist fertig: Es kommt aus einer Datei der Studie. Ein Foto öffnen, um ein anderes zu machen, oder vergleichen, wie die Kraftmodelle dieses wiedergeben.</translation>
     </message>
     <message>
         <source>&lt;b&gt;What does the photograph show?&lt;/b&gt;</source>
@@ -3734,18 +4101,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
 <context>
     <name>asperity::SessionControls</name>
     <message>
-        <source>Sets the force to zero at once, from any window. F12, Pause/Break and Ctrl+Space all do.</source>
-        <translation>Setzt die Kraft sofort auf null, von jedem Fenster aus. F12, Pause/Untbr und Strg+Leertaste tun es alle.</translation>
-    </message>
-    <message>
-        <source>■ EMERGENCY STOP</source>
-        <translation>■ NOT-HALT</translation>
-    </message>
-    <message>
-        <source>F12 from any window</source>
-        <translation>F12 aus jedem Fenster</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation>Fortsetzen</translation>
     </message>
@@ -3837,6 +4192,18 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>Note: the keys answer the trial now, use a phrase.</source>
         <translation>Notiz: Die Tasten beantworten gerade den Durchgang; eine Floskel benutzen.</translation>
     </message>
+    <message>
+        <source>Brings the participant&apos;s window back to its place, in front of the others.</source>
+        <translation>Bringt das Fenster der Versuchsperson an seinen Platz zurück, vor die anderen.</translation>
+    </message>
+    <message>
+        <source>Show their window</source>
+        <translation>Fenster zeigen</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionDesk</name>
@@ -3918,6 +4285,37 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>%1 elapsed</source>
         <translation>%1 vergangen</translation>
+    </message>
+    <message>
+        <source>■ EMERGENCY STOP</source>
+        <translation>■ NOT-HALT</translation>
+    </message>
+    <message>
+        <source>F12 from any window</source>
+        <translation>F12 aus jedem Fenster</translation>
+    </message>
+    <message>
+        <source>Sets the force to zero at once, from any window. F12, Pause/Break and Ctrl+Space all do.</source>
+        <translation>Setzt die Kraft sofort auf null, von jedem Fenster aus. F12, Pause/Untbr und Strg+Leertaste tun es alle.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SessionParts</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Force and path</source>
+        <translation>Kraft und Weg</translation>
+    </message>
+    <message>
+        <source>Answers, notes</source>
+        <translation>Antworten, Notizen</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegel</translation>
     </message>
 </context>
 <context>
@@ -4420,10 +4818,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Choose</source>
         <translation>Auswählen</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Modus</translation>
     </message>
     <message>
         <source>Run</source>
@@ -4977,14 +5371,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Richtig</translation>
     </message>
     <message>
-        <source>From contact, s</source>
-        <translation>Ab Kontakt, s</translation>
-    </message>
-    <message>
-        <source>From cue, s</source>
-        <translation>Ab Signal, s</translation>
-    </message>
-    <message>
         <source>Began</source>
         <translation>Begann</translation>
     </message>
@@ -5351,6 +5737,10 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>%1 files were dropped; the workbench shows one at a time, the first: %2.</source>
         <translation>Es wurden %1 Dateien abgelegt; die Werkstatt zeigt eine auf einmal, die erste: %2.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2. This relief is finished, it comes from a file of the study. Compare how the force models render it, or open a photograph to make another one.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Dieses Relief ist fertig, es kommt aus einer Datei der Studie. Vergleichen, wie die Kraftmodelle es wiedergeben, oder ein Foto öffnen, um ein anderes zu machen.</translation>
     </message>
 </context>
 </TS>
