@@ -133,7 +133,7 @@ Pose PdGradient::pose_of(const ProbeState& probe) const noexcept {
 void PdGradient::find_touches(const ProbeState& probe) noexcept {
   touching_ = 0;
   for (const TexturedContact& contact : found_) {
-    if (!(contact.penetration.depth_m > 0.0)) continue;
+    if (!is_felt(contact)) continue;
     const glm::dvec3 deepest_m =
         contact.frame.origin_m + contact.frame.to_world(contact.penetration.deepest_m);
     const glm::dvec3 velocity_m_per_s =
@@ -221,7 +221,7 @@ void PdGradient::watch(double dt_s) noexcept {
   });
   count_any(Limit::coarse_window, [](const Touch& touch) { return touch.contact->is_coarse; });
   const LeftOut& left = contacts_.left_out();
-  count(Limit::left_out, left.pairs + left.regions + left.triangles > 0);
+  count(Limit::left_out, left.pairs + left.regions + left.triangles + left.depths > 0);
   count_any(Limit::kept, [](const Touch& touch) { return touch.contact->is_kept; });
 }
 

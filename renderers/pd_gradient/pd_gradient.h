@@ -78,7 +78,7 @@ class PdGradient final : public ForceRenderer {
   ///   fast           the tool's point moved more than half of those waves in a tick
   ///   coarse_window  a contact was too wide for the declared step
   ///   left_out       pairs, contacts or triangles were more than there is room for, or a contact
-  ///                  had no direction
+  ///                  had no direction or a doubtful depth (LeftOut)
   ///   kept           a contact went on without a curve (TexturedContacts)
   std::span<const NamedCount> limits() const noexcept override { return limits_; }
 

@@ -45,7 +45,7 @@ bool is_part_of(const ContactFrame& frame, const TexturedContact& other) noexcep
   const glm::dvec3 way_m = other.frame.to_frame(frame.origin_m - other.frame.origin_m);
   const double half_m = 0.5 * other.grid.width_m;
   return std::abs(way_m.x) <= half_m && std::abs(way_m.y) <= half_m &&
-         std::abs(way_m.z) <= other.width_m + 2.0 * std::max(0.0, other.penetration.depth_m);
+         std::abs(way_m.z) <= other.half_height_m;
 }
 
 /// A region whose whole window lies in that of another contact.
@@ -96,61 +96,71 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
   const std::span<const ContactRegion> regions = regions_.update(pairs, a, b);
   left_out_.regions = regions_.regions_left_out();
   for (const ContactRegion& region : regions) {
-    const bool is_felt =
-        std::any_of(contacts_.begin(), contacts_.end(),
-                    [&](const TexturedContact& longer) { return lies_in(region, longer); });
-    if (is_felt) continue;
-    add({.id = region.id, .frame = region.frame, .width_m = region.width_m}, depth_before_m(region),
+    const bool is_part =
+        std::any_of(contacts_.begin(), contacts_.end(), [&](const TexturedContact& longer) {
+          return !longer.is_doubtful && lies_in(region, longer);
+        });
+    if (is_part) continue;
+    add({.id = region.id,
+         .frame = region.frame,
+         .width_m = region.width_m,
+         .half_height_m = half_height_m(region.width_m, depth_before_m(region))},
         a, b);
   }
-  keep_vanished(a, b);
+  const bool were_in_contact =
+      std::any_of(before_.begin(), before_.end(), [](const auto& last) { return is_felt(last); });
+  // Shortly before its curve vanishes, a region has no direction any more.
+  if (regions.empty() && were_in_contact && (!pairs.empty() || hold_each_other(a, b))) {
+    keep_buried(a, b);
+  }
   b_before_ = b;
   return contacts_;
 }
 
 bool TexturedContacts::touch(const Pose& a, const Pose& b) noexcept {
   if (!is_finite(a) || !is_finite(b)) return false;
-  const Pose a_in_b = relative(a, b);
-  if (!query_.find(a_in_b).empty()) return true;
-  const auto place = [](const Pose& pose, const glm::dvec3& point_m) {
-    return pose.rotation * point_m + pose.position_m;
+  return !query_.find(relative(a, b)).empty() || hold_each_other(a, b);
+}
+
+// Where nothing is cut, one point of a body is as good as any other.
+bool TexturedContacts::hold_each_other(const Pose& a, const Pose& b) const noexcept {
+  const auto seen_from = [](const Pose& one, const Pose& other, const TexturedBody& body) {
+    const Pose pose = relative(one, other);
+    return pose.rotation * body.hull().vertices_m.front() + pose.position_m;
   };
-  return b_.holds(place(a_in_b, a_.hull().vertices_m.front())) ||
-         a_.holds(place(relative(b, a), b_.hull().vertices_m.front()));
+  return b_.holds(seen_from(a, b, a_)) || a_.holds(seen_from(b, a, b_));
+}
+
+double TexturedContacts::half_height_m(double width_m, double last_depth_m) const noexcept {
+  return 0.5 * width_m + a_.furthest_displacement_m() + b_.furthest_displacement_m() +
+         2.0 * std::max(0.0, last_depth_m);
 }
 
 // A region that is new may be where a kept contact was.
 double TexturedContacts::depth_before_m(const ContactRegion& region) const noexcept {
   double depth_m = 0.0;
   for (const TexturedContact& last : before_) {
-    if (last.id == region.id) return std::max(0.0, last.penetration.depth_m);
-    if (is_part_of(region.frame, last)) depth_m = std::max(depth_m, last.penetration.depth_m);
+    if (!is_felt(last)) continue;
+    if (last.id == region.id || is_part_of(region.frame, last)) {
+      depth_m = std::max(depth_m, last.penetration.depth_m);
+    }
   }
   return depth_m;
 }
 
-void TexturedContacts::keep_vanished(const Pose& a, const Pose& b) noexcept {
-  const std::size_t with_region = contacts_.size();
+void TexturedContacts::keep_buried(const Pose& a, const Pose& b) noexcept {
   const glm::dmat3 turned = b.rotation * glm::transpose(b_before_.rotation);
   for (const TexturedContact& last : before_) {
-    const bool goes_on =
-        std::any_of(contacts_.begin(), contacts_.end(),
-                    [&last](const TexturedContact& each) { return each.id == last.id; });
-    if (goes_on || !(last.penetration.depth_m > 0.0)) continue;
-    TexturedContact kept{.id = last.id,
-                         .frame = {.origin_m = a.rotation * last.origin_in_a_m + a.position_m,
-                                   .u = turned * last.frame.u,
-                                   .v = turned * last.frame.v,
-                                   .n = turned * last.frame.n},
-                         .width_m = last.width_m,
-                         .is_kept = true};
-    const auto end = contacts_.begin() + static_cast<std::ptrdiff_t>(with_region);
-    if (std::any_of(contacts_.begin(), end, [&kept](const TexturedContact& other) {
-          return is_part_of(kept.frame, other);
-        })) {
-      continue;
-    }
-    add(kept, last.penetration.depth_m, a, b);
+    if (!is_felt(last)) continue;
+    add({.id = last.id,
+         .frame = {.origin_m = a.rotation * last.origin_in_a_m + a.position_m,
+                   .u = turned * last.frame.u,
+                   .v = turned * last.frame.v,
+                   .n = turned * last.frame.n},
+         .width_m = last.width_m,
+         .is_kept = true,
+         .half_height_m = half_height_m(last.width_m, last.penetration.depth_m)},
+        a, b);
   }
 }
 
@@ -164,17 +174,21 @@ std::span<const std::uint32_t> TexturedContacts::triangles_in(
   return std::span(room).first(taken);
 }
 
-void TexturedContacts::add(TexturedContact contact, double last_depth_m, const Pose& a,
-                           const Pose& b) noexcept {
+void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b) noexcept {
   if (contacts_.size() == kMostContacts) {
     ++left_out_.regions;
     return;
   }
+  contact.reach_m = contact.half_height_m;
+  for (const TexturedContact& last : before_) {
+    if (last.id != contact.id || !last.is_doubtful) continue;
+    contact.reach_m = std::max(contact.reach_m, last.reach_m + kReachGrowth_m);
+    if (last.penetration.covered == 0) contact.half_height_m = contact.reach_m;
+  }
   WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
   const SamplingGrid& grid = window.sampler.grid();
   const WindowBox box{.half_width_m = WindowSamplers::half_reach_m(window),
-                      .half_height_m = contact.width_m + 2.0 * last_depth_m +
-                                       a_.furthest_displacement_m() + b_.furthest_displacement_m()};
+                      .half_height_m = contact.half_height_m};
   const PackedPatch patch_a{
       .surface = a_.surface(),
       .triangles = triangles_in(a_, a, contact.frame, -1.0, box, triangles_a_),
@@ -183,13 +197,15 @@ void TexturedContacts::add(TexturedContact contact, double last_depth_m, const P
                             .triangles = triangles_in(b_, b, contact.frame, 1.0, box, triangles_b_),
                             .pose = b};
   const std::optional<Penetration> found = window.sampler.evaluate(patch_a, patch_b, contact.frame);
-  if (!found || (contact.is_kept && !(found->depth_m > 0.0))) return;
-  contact.penetration = *found;
+  if (!found && contact.is_kept) return;
+  contact.penetration = found.value_or(Penetration{});
+  contact.is_doubtful = !found || found->depth_m > contact.reach_m;
+  left_out_.depths += found && contact.is_doubtful ? 1 : 0;
   contact.grid = grid;
   contact.is_coarse = window.is_coarse;
-  const double border_m = 0.5 * grid.width_m - grid.spacing_m();
-  contact.is_at_window =
-      std::max(std::abs(found->deepest_m.x), std::abs(found->deepest_m.y)) > border_m;
+  const glm::dvec3& deepest_m = contact.penetration.deepest_m;
+  contact.is_at_window = std::max(std::abs(deepest_m.x), std::abs(deepest_m.y)) >
+                         0.5 * grid.width_m - grid.spacing_m();
   contact.origin_in_a_m = in_body(a, contact.frame.origin_m);
   contacts_.push_back(contact);
 }

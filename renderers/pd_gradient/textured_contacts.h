@@ -29,14 +29,22 @@ struct TexturedContact {
   bool is_kept = false;           ///< its curve is gone; the frame goes on from the tick before
   bool is_coarse = false;         ///< sampled with a step that is longer than the declared one
   bool is_at_window = false;      ///< the deepest sample lies at the border of the window
+  double half_height_m = 0.0;     ///< of the box that its triangles touch
+  double reach_m = 0.0;           ///< as deep as it can be by now
+  bool is_doubtful = false;       ///< deeper than that: not to be felt
   glm::dvec3 origin_in_a_m{0.0};  ///< where the frame's origin is on A, in A's own frame
 };
+
+inline bool is_felt(const TexturedContact& contact) noexcept {
+  return contact.penetration.depth_m > 0.0 && !contact.is_doubtful;
+}
 
 /// What did not fit in a tick.
 struct LeftOut {
   std::size_t pairs = 0;      ///< of triangles, beyond TexturedContacts::kMostPairs
   std::size_t regions = 0;    ///< beyond kMostContacts, or without a direction
   std::size_t triangles = 0;  ///< of windows, beyond kMostTriangles
+  std::size_t depths = 0;     ///< that were doubtful
 };
 
 /// The contacts of a tool A and a surface B, from their poses: the whole way from meshes to depths.
@@ -44,19 +52,27 @@ struct LeftOut {
 ///   pairs of triangles of the two hulls (MeshQuery) → regions with n and a window (ContactRegions)
 ///   → triangles of the textured bodies in the window → δ and ∇δ (PenetrationSampler)
 ///
-/// The triangles of a contact are those that look the right way, A's against n and B's along n, in a
-/// box across n as wide as the window and, along n, as far from the origin as the window is wide, plus
-/// twice the depth of the tick before, plus the textures: another sheet further away (the far side of
-/// a ring, a shelf above) is no part of it.
+/// The triangles of a contact are those that look the right way, A's against n and B's along n, and
+/// touch a box across n as wide as the window and along n, from the origin either way, half as high as
+/// the region is wide, plus twice the depth of the tick before, plus the textures: another sheet
+/// further away (the far side of a ring, a shelf above) is no part of it.
+///
+/// A depth beyond that box is one that the bodies have elsewhere along the same n, as where a corner
+/// cuts a corner beside a large contact. It is doubtful and not felt, until the contact has been there
+/// for a tick for every `kReachGrowth_m` that it is too deep. The box grows likewise while there is
+/// nothing in it: of a needle that went in faster than it is thick.
 ///
 /// One place is felt once: a region in the window of a longer one whose n is within 60° is part of
 /// it. So are the inner curve and the outer one of a rim that is pressed into a plate.
 ///
-/// A body that is pressed wholly into the other cuts no curve any more. A contact that was deep in
-/// the tick before and has no region is therefore kept: n stays with B, the origin goes on with A,
-/// the window stays, for as long as δ > 0 there and no other contact's window holds its origin. Limits:
-/// n is the one from before, and the deepest place of a body that is wider than the last window
-/// may lie outside it. A body that goes from outside to wholly inside within one tick is not noticed.
+/// A body that is pressed wholly into the other cuts no curve any more. While no region is left and
+/// one body holds the other, the contacts that were deep in the tick before are therefore kept: n
+/// stays with B, the origin goes on with A, the window stays, until δ is not positive any more. Limits:
+/// n is the one from before, and the deepest place of a body that is wider than the last window may
+/// lie outside it; of a body in several parts only all can be kept. A body that goes from outside to
+/// wholly inside within one tick is not noticed.
+///
+/// Where one contact becomes two, or two one, the force jumps: each has a depth of its own.
 ///
 /// Where the window ends before the bodies do, as of a pen that leans and is pressed deeper than its
 /// own radius, the deepest sample lies at the window's border and δ is a lower bound.
@@ -71,6 +87,7 @@ class TexturedContacts final {
   static constexpr std::size_t kMostPairs = 4096;
   static constexpr std::size_t kMostContacts = 16;
   static constexpr std::size_t kMostTriangles = 8192;  ///< of a body in one window
+  static constexpr double kReachGrowth_m = 1e-4;       ///< in a tick
 
   TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
                    InstructionSet instructions);
@@ -78,8 +95,7 @@ class TexturedContacts final {
   /// Forgets the tick before.
   void reset() noexcept;
 
-  /// All contacts that have a depth, also those that are not deep yet (δ ≤ 0); valid until the next
-  /// call. None where a pose is not finite.
+  /// All contacts, also those that are not deep yet (δ ≤ 0) or doubtful; valid until the next call. None where a pose is not finite.
   std::span<const TexturedContact> find(const Pose& a, const Pose& b) noexcept;
 
   /// Of the last `find`.
@@ -92,9 +108,11 @@ class TexturedContacts final {
   const TexturedBody& b() const noexcept { return b_; }
 
  private:
-  void add(TexturedContact contact, double last_depth_m, const Pose& a, const Pose& b) noexcept;
+  void add(TexturedContact contact, const Pose& a, const Pose& b) noexcept;
+  double half_height_m(double width_m, double last_depth_m) const noexcept;
   double depth_before_m(const ContactRegion& region) const noexcept;
-  void keep_vanished(const Pose& a, const Pose& b) noexcept;
+  bool hold_each_other(const Pose& a, const Pose& b) const noexcept;
+  void keep_buried(const Pose& a, const Pose& b) noexcept;
   std::span<const std::uint32_t> triangles_in(const TexturedBody& body, const Pose& pose,
                                               const ContactFrame& frame, double outwards,
                                               const WindowBox& box,

@@ -147,6 +147,25 @@ TEST(PdGradient, FeelsTheForceAsATorqueAboutTheTip) {
   }
 }
 
+TEST(PdGradient, FeelsAContactAtTheEndOfALongToolAsATorque) {
+  for (const char* coupling : {"none", "virtual"}) {
+    RendererInputs inputs = ball_on_plate({{"coupling", std::string(coupling)},
+                                           {"texture_gain", 0.0},
+                                           {"coupling_angular_stiffness_N_m_per_rad", 100.0}});
+    inputs.tool = shared(bare(box({0.018, 0.003, 0.003})));
+    const auto renderer = renderer_of(inputs);
+    ProbeState probe = probe_at({});
+    probe.orientation = glm::angleAxis(0.1, glm::dvec3{0.0, 1.0, 0.0});
+    const glm::dvec3 end_m = probe.orientation * glm::dvec3{0.009, 0.0, -0.0015};
+    probe.position_m.z = -end_m.z - 0.1e-3;
+    renderer->reset(probe);
+    const Wrench wrench = held(*renderer, probe, 600).wrench;
+    ASSERT_GT(wrench.force_N.z, 0.03) << coupling;
+    // Within a cell and a half of the edge that is deepest.
+    EXPECT_NEAR(wrench.torque_N_m.y / wrench.force_N.z, -end_m.x, 0.15e-3) << coupling;
+  }
+}
+
 TEST(PdGradient, SharesAPressBetweenCouplingAndContact) {
   const auto renderer = renderer_of(ball_on_plate({{"texture_gain", 0.0}}));
   ProbeState probe = probe_at({0.0, 0.0, 0.5e-3});

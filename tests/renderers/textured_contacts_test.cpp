@@ -354,6 +354,39 @@ TEST(TexturedContacts, KeepABallThatIsPressedWhollyIn) {
   EXPECT_EQ(before_m, 0.0);
 }
 
+// A needle that is suddenly 3 mm deep: its curve is 1 mm wide. It is believed after a tick for every
+// 0.1 mm beyond half of that; one that goes in slowly is felt all the way.
+TEST(TexturedContacts, DoubtADepthFarBeyondTheirWidthUntilItLasts) {
+  TriangleMesh needle = ball(0.25e-3, 8, 12);
+  for (glm::dvec3& vertex_m : needle.vertices_m) {
+    if (vertex_m.z > 0.0) vertex_m.z += 8e-3;
+  }
+  const TexturedMesh tool = bare(needle);
+  const TexturedMesh plate = bare(box({0.02, 0.02, 0.01}));
+  const auto place = [](double depth_m) { return at({0.0, 0.0, 0.005 + 0.25e-3 - depth_m}); };
+  TexturedContacts sudden = between(tool, plate, hard(0.1e-3));
+  int doubted = 0;
+  while (doubted < 100 && !is_felt(sudden.find(place(3e-3), {})[0])) ++doubted;
+  EXPECT_NEAR(doubted, 25, 2);
+  TexturedContacts slow = between(tool, plate, hard(0.1e-3));
+  for (double depth_m = 0.05e-3; depth_m < 3e-3; depth_m += 0.05e-3) {
+    const auto found = slow.find(place(depth_m), {});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_TRUE(is_felt(found[0])) << depth_m;
+    EXPECT_NEAR(found[0].penetration.depth_m, depth_m, 0.05e-3);
+  }
+}
+
+// Past an edge nothing is kept: the bodies do not hold each other.
+TEST(TexturedContacts, ForgetAContactOnceTheBodiesAreApart) {
+  TexturedContacts contacts =
+      between(bare(box({0.006, 0.006, 0.006})), bare(box({0.02, 0.02, 0.02})), hard(0.1e-3));
+  const auto found = contacts.find(at({0.0, 0.0, 0.0126}), {});
+  ASSERT_EQ(found.size(), 1U);
+  ASSERT_TRUE(is_felt(found[0]));
+  EXPECT_TRUE(contacts.find(at({0.0131, 0.0, 0.0126}), {}).empty());
+}
+
 TEST(TexturedContacts, LetGoOfAKeptBodyThatLeavesTheOther) {
   const TexturedMesh tool = bare(ball(1e-3, 12, 16));
   const TexturedMesh block = bare(box({0.01, 0.01, 0.01}));
@@ -363,6 +396,9 @@ TEST(TexturedContacts, LetGoOfAKeptBodyThatLeavesTheOther) {
   EXPECT_TRUE(contacts.find(at({0.0, 0.0, 3e-3}), {})[0].is_kept);
   EXPECT_TRUE(contacts.find(at({0.02, 0.0, 3e-3}), {}).empty());
   EXPECT_TRUE(contacts.find(at({0.0, 0.0, 3e-3}), {}).empty());  // it went in without a contact
+  for (double z_m = 5.5e-3; z_m > 3e-3; z_m -= 50e-6) contacts.find(at({0.0, 0.0, z_m}), {});
+  contacts.reset();
+  EXPECT_TRUE(contacts.find(at({0.0, 0.0, 3e-3}), {}).empty());
 }
 
 TEST(TexturedContacts, SayWhetherBodiesTouchOrHoldEachOther) {
