@@ -19,6 +19,14 @@ ForceLimits within(const DeviceCapability& capability, ForceLimits limits) {
   return limits;
 }
 
+constexpr int kForceAndTorque = 6;
+
+// What is not there cannot be limited: a torque in the record would tell of a push that nobody felt.
+Wrench as_actuated(const DeviceCapability& capability, Wrench wanted) noexcept {
+  if (capability.actuated_degrees_of_freedom < kForceAndTorque) wanted.torque_N_m = glm::dvec3(0.0);
+  return wanted;
+}
+
 }  // namespace
 
 HapticDevice::HapticDevice(DeviceCapability capability, const ForceLimits& limits)
@@ -37,7 +45,7 @@ std::optional<ProbeState> HapticDevice::read(std::int64_t now_ns) noexcept {
 }
 
 std::optional<LimitedWrench> HapticDevice::push(const Wrench& wanted, double dt_s) noexcept {
-  const LimitedWrench limited = limiter_.limit(wanted, dt_s);
+  const LimitedWrench limited = limiter_.limit(as_actuated(capability_, wanted), dt_s);
   if (!do_send(limited.wrench)) {
     // Its motors are at zero, or unknown; whatever comes next rises from zero.
     limiter_.reset();

@@ -38,8 +38,9 @@ class HapticDevice {
   /// The hand at `now_ns`; nothing when the device does not answer (it is lost).
   std::optional<ProbeState> read(std::int64_t now_ns) noexcept;
 
-  /// Limits `wanted` and sends it; returns what was really sent. Nothing when the device is lost;
-  /// when it comes back, its force rises from zero.
+  /// Limits `wanted` and sends it; returns what was really sent. A device with fewer than six actuated
+  /// degrees of freedom gets the force alone. Nothing when the device is lost; when it comes back, its
+  /// force rises from zero.
   std::optional<LimitedWrench> push(const Wrench& wanted, double dt_s) noexcept;
 
   /// Zero force at once, past the slew limit.

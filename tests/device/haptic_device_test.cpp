@@ -54,6 +54,20 @@ TEST(HapticDevice, StampsAReadingWithTheTimeItWasAskedFor) {
   EXPECT_EQ(state->position_m, glm::dvec3(0.01, 0.02, 0.03));
 }
 
+TEST(HapticDevice, SendsATorqueOnlyToMotorsThatCanTurn) {
+  const Wrench wanted{.force_N = {0.0, 0.0, 1.0}, .torque_N_m = {0.0, 0.5, 0.0}};
+  DeviceCapability described = capability(10.0);
+  for (const int actuated : {3, 6}) {
+    described.actuated_degrees_of_freedom = actuated;
+    Sketch device(described, {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+    const auto limited = device.push(wanted, kDt_s);
+    ASSERT_TRUE(limited.has_value());
+    EXPECT_EQ(device.sent().back().force_N, wanted.force_N);
+    EXPECT_NEAR(device.sent().back().torque_N_m.y, actuated == 6 ? 0.1 : 0.0, 1e-15);
+    EXPECT_EQ(limited->has(LimitReason::torque), actuated == 6);
+  }
+}
+
 TEST(HapticDevice, SendsOnlyLimitedWrenchesAndSaysWhatItSent) {
   Sketch device(capability(10.0), {.force_N = 2.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
   const auto limited = device.push({.force_N = {0.0, 0.0, 50.0}}, kDt_s);
