@@ -124,6 +124,25 @@ TEST_F(BallOnGratedPlate, TurnsBackByTheGratingsSlopeTimesTheLever) {
   }
 }
 
+// sin(π/4)/(π/4) = 90 % of a sine, whose higher harmonics under the ball are weaker still.
+TEST_F(BallOnGratedPlate, KeepsMostOfTheTangentialForceAtAStepOfAnEighth) {
+  TexturedContacts contacts = between(ball_, plate_, hard(kWavelength_m / 8.0, 8));
+  double felt = 0.0;
+  double true_slope = 0.0;
+  for (int i = 0; i < 16; ++i) {
+    const double x_m = kWavelength_m * i / 16.0;
+    const auto found = contacts.find(at({x_m, 0.05e-3, -0.1e-3}), {});
+    ASSERT_EQ(found.size(), 1U);
+    felt = std::max(felt, std::abs(found[0].penetration.slope.x));
+    const double deepest_m = x_m + deepest(x_m, -0.1e-3).aside_m;
+    true_slope =
+        std::max(true_slope, 2.0 * kPi * kHeight_m / kWavelength_m *
+                                 std::abs(std::cos(2.0 * kPi * deepest_m / kWavelength_m)));
+  }
+  EXPECT_GE(felt, 0.85 * true_slope);
+  EXPECT_LE(felt, 1.01 * true_slope);
+}
+
 TEST_F(BallOnGratedPlate, FeelsTheOppositeOnceTheBodiesChangePlaces) {
   TexturedContacts forward = between(ball_, plate_, hard(25e-6, 4));
   TexturedContacts backward = between(plate_, ball_, hard(25e-6, 4));
