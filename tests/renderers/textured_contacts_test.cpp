@@ -396,14 +396,36 @@ TEST(TexturedContacts, DoubtADepthFarBeyondTheirWidthUntilItLasts) {
   }
 }
 
-// Past an edge nothing is kept: the bodies do not hold each other.
+// The faces of a cone go all the way, so that its depth is known at once.
+TEST(TexturedContacts, DoubtTheDepthOfASlenderConeThatIsSuddenlyThere) {
+  TriangleMesh cone;
+  constexpr std::uint32_t kAround = 12;
+  cone.vertices_m = {{0.0, 0.0, 0.0}, {0.0, 0.0, 8e-3}};
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    const double angle_rad = 2.0 * kPi * i / kAround;
+    cone.vertices_m.push_back({0.7e-3 * std::cos(angle_rad), 0.7e-3 * std::sin(angle_rad), 8e-3});
+    const std::uint32_t next = 2 + (i + 1) % kAround;
+    cone.triangles.push_back({0, next, 2 + i});
+    cone.triangles.push_back({1, 2 + i, next});
+  }
+  TexturedContacts contacts = between(bare(cone), bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
+  int doubted = 0;
+  while (doubted < 100 && !is_felt(contacts.find(at({0.0, 0.0, 0.002}), {})[0])) {
+    ++doubted;
+    EXPECT_EQ(contacts.left_out().depths, 1U);
+  }
+  EXPECT_GT(doubted, 10);
+  EXPECT_LT(doubted, 30);
+}
+
+// Under a thin plate the depth along the old n would go on growing.
 TEST(TexturedContacts, ForgetAContactOnceTheBodiesAreApart) {
   TexturedContacts contacts =
-      between(bare(box({0.006, 0.006, 0.006})), bare(box({0.02, 0.02, 0.02})), hard(0.1e-3));
-  const auto found = contacts.find(at({0.0, 0.0, 0.0126}), {});
+      between(bare(box({0.006, 0.006, 0.001})), bare(box({0.02, 0.02, 0.002})), hard(0.1e-3));
+  const auto found = contacts.find(at({0.0, 0.0, 1.1e-3}), {});
   ASSERT_EQ(found.size(), 1U);
   ASSERT_TRUE(is_felt(found[0]));
-  EXPECT_TRUE(contacts.find(at({0.0131, 0.0, 0.0126}), {}).empty());
+  EXPECT_TRUE(contacts.find(at({0.0, 0.0, -1.6e-3}), {}).empty());
 }
 
 TEST(TexturedContacts, LetGoOfAKeptBodyThatLeavesTheOther) {
