@@ -75,6 +75,7 @@ Json json_of(const Finding& finding) {
   return {{"quantity", finding.quantity},
           {"key", finding.key},
           {"value", json_of(finding.value)},
+          {"word", finding.word.empty() ? Json(nullptr) : Json(finding.word)},
           {"unit", finding.unit},
           {"low", json_of(finding.low)},
           {"high", json_of(finding.high)},
@@ -131,6 +132,15 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
 std::string analysis_json(const std::string& study, std::span<const AnalysisOutcome> outcomes) {
   Json json{{"format", "asperity.analysis/1"}, {"study", study}, {"outcomes", Json::array()}};
   for (const AnalysisOutcome& outcome : outcomes) json["outcomes"].push_back(json_of(outcome));
+  return json.dump(2) + '\n';
+}
+
+std::string findings_json(const TableFindings& findings) {
+  Json json{{"format", "asperity.findings/1"},
+            {"kind", findings.kind},
+            {"files", findings.files},
+            {"findings", Json::array()}};
+  for (const Finding& finding : findings.findings) json["findings"].push_back(json_of(finding));
   return json.dump(2) + '\n';
 }
 

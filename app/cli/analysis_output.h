@@ -4,7 +4,9 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
+#include "analysis/finding.h"
 #include "app/analyses/analysis_outcome.h"
 
 namespace asperity {
@@ -15,5 +17,19 @@ std::string reading_text_of(const AnalysisOutcome& outcome);
 
 /// One JSON document, "asperity.analysis/1": all digits, missing is null.
 std::string analysis_json(const std::string& study, std::span<const AnalysisOutcome> outcomes);
+
+/// The findings of tables that belong to no study.
+struct TableFindings {
+  std::string kind{};
+  std::vector<std::string> files{};
+  std::vector<Finding> findings{};
+};
+
+/// Tables with a row per key and a column per quantity, no wider than a terminal; below them every
+/// sentence of a status that is not "ok", and what each quantity is.
+std::string reading_text_of(const TableFindings& findings);
+
+/// One JSON document, "asperity.findings/1".
+std::string findings_json(const TableFindings& findings);
 
 }  // namespace asperity

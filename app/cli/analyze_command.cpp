@@ -1,9 +1,11 @@
-// asperity analyze: the tables and tests of what a study has answers to, or of a reference case.
+// asperity analyze: the tables and tests of a study's answers, of anyone's tables, or of a reference
+// case.
 
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -15,60 +17,114 @@
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
+namespace {
+
+struct Options {
+  std::string study{};
+  std::optional<std::string> protocol{};
+  bool json = false;
+  std::vector<std::string> tables{};
+  std::string kind{};
+  std::string options_file{};
+  std::vector<std::string> options{};
+  std::string reference_case{};
+  std::string out{};
+  bool force = false;
+};
+
+int analyze_case(const Options& options) {
+  const ReferenceCase read = read_reference_case(options.reference_case);
+  write_file(options.out, case_csv_of(tidy_family(read.family).findings(read.input)),
+             options.force ? Overwrite::allow : Overwrite::refuse);
+  return 0;
+}
+
+int analyze_tables(const Options& options) {
+  const TidyFamily& family = tidy_family(options.kind);
+  TidyInput input{};
+  if (!options.options_file.empty()) {
+    input.options = FamilyOptions::of_json(read_file(options.options_file), options.options_file);
+  }
+  for (const std::string& assignment : options.options) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw WrongUsage("--option takes NAME=VALUE, not \"" + assignment + "\"");
+    }
+    input.options.add(assignment.substr(0, equals), assignment.substr(equals + 1));
+  }
+  for (const std::string& file : options.tables) {
+    input.tables.emplace_back(read_file(file), file);
+  }
+  const TableFindings findings{
+      .kind = options.kind, .files = options.tables, .findings = family.findings(input)};
+  const std::vector<std::string> never_asked_for = input.options.never_asked_for();
+  if (!never_asked_for.empty()) {
+    throw std::runtime_error(
+        options.kind + " has no option \"" + never_asked_for.front() +
+        "\"; it has: " + (family.options.empty() ? "none" : std::string(family.options)));
+  }
+  std::cout << (options.json ? findings_json(findings) : reading_text_of(findings));
+  return 0;
+}
+
+int analyze_answers(const Options& options) {
+  const Study study = Study::open(options.study, Access::read_only);
+  const std::vector<AnalysisOutcome> outcomes = analyze_study(study, options.protocol);
+  if (options.json) {
+    std::cout << analysis_json(study.name(), outcomes);
+    return 0;
+  }
+  if (outcomes.empty()) {
+    say("the study " + options.study + " has no sessions yet: there is nothing to analyse");
+  }
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (i > 0) std::cout << "\n\n";
+    std::cout << reading_text_of(outcomes[i]);
+  }
+  return 0;
+}
+
+}  // namespace
 
 void add_analyze(CLI::App& program, Job& job) {
-  struct Options {
-    std::string study{};
-    std::optional<std::string> protocol{};
-    std::string reference_case{};
-    std::string out{};
-    bool force = false;
-    bool json = false;
-  };
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("analyze", "Show the tables and tests of a study's answers.");
-  auto* of_study = command->add_option("STUDY", options->study, "Folder of the study");
+  CLI::App* command = program.add_subcommand(
+      "analyze", "Show the tables and tests of a study's answers, or of anyone's tables.");
+  auto* study = command->add_option("STUDY", options->study, "Folder of the study");
   auto* protocol =
       command->add_option("--protocol", options->protocol, "Only the protocol of this name");
   auto* json = command->add_flag("--json", options->json, "Print one JSON document");
+  auto* tables = command->add_option(
+      "--table", options->tables, "Instead of a study: tables, one observation per row (CSV, TSV)");
+  auto* kind =
+      command->add_option("--as", options->kind, "What the tables hold: " + family_names());
+  auto* file = command->add_option("--options", options->options_file,
+                                   "Options of that analysis (JSON, an object)");
+  auto* option = command->add_option("--option", options->options,
+                                     "Options of that analysis, NAME=VALUE; a,b,c is a list");
   auto* reference_case = command->add_option(
       "--case", options->reference_case,
       "Instead of a study: a folder with case.json (family, inputs, options) and its tables");
   auto* out = command->add_option(
       "--out", options->out, "Write the results of the case to this file as quantity,key,value");
-  reference_case->excludes(of_study)->excludes(protocol)->excludes(json)->needs(out);
+  protocol->needs(study);
+  tables->excludes(study)->needs(kind);
+  kind->needs(tables);
+  file->needs(tables);
+  option->needs(tables);
+  reference_case->excludes(study)->excludes(tables)->excludes(json)->needs(out);
   out->needs(reference_case);
   command->add_flag("--force", options->force, "Replace an existing file")->needs(out);
   command->callback([options, &job] {
-    if (options->study.empty() && options->reference_case.empty()) {
-      throw CLI::RequiredError("STUDY or --case");
-    }
     if (!options->reference_case.empty()) {
-      job = [options] {
-        const ReferenceCase read = read_reference_case(options->reference_case);
-        write_file(options->out, case_csv_of(tidy_family(read.family).findings(read.input)),
-                   options->force ? Overwrite::allow : Overwrite::refuse);
-        return 0;
-      };
-      return;
+      job = [options] { return analyze_case(*options); };
+    } else if (!options->tables.empty()) {
+      job = [options] { return analyze_tables(*options); };
+    } else if (!options->study.empty()) {
+      job = [options] { return analyze_answers(*options); };
+    } else {
+      throw CLI::RequiredError("STUDY, --table or --case");
     }
-    job = [options] {
-      const Study study = Study::open(options->study, Access::read_only);
-      const std::vector<AnalysisOutcome> outcomes = analyze_study(study, options->protocol);
-      if (options->json) {
-        std::cout << analysis_json(study.name(), outcomes);
-        return 0;
-      }
-      if (outcomes.empty()) {
-        say("the study " + options->study + " has no sessions yet: there is nothing to analyse");
-      }
-      for (std::size_t i = 0; i < outcomes.size(); ++i) {
-        if (i > 0) std::cout << "\n\n";
-        std::cout << reading_text_of(outcomes[i]);
-      }
-      return 0;
-    };
   });
 }
 

@@ -106,6 +106,7 @@ void FamilyOptions::add(const std::string& name, const std::string& text) {
 }
 
 const OptionValue* FamilyOptions::find(const std::string& name) const {
+  asked_for_.insert(name);
   const auto found = std::find_if(options_.begin(), options_.end(),
                                   [&name](const auto& option) { return option.first == name; });
   const bool absent =
@@ -168,9 +169,11 @@ double FamilyOptions::confidence() const {
   return confidence;
 }
 
-std::vector<std::string> FamilyOptions::names() const {
+std::vector<std::string> FamilyOptions::never_asked_for() const {
   std::vector<std::string> names{};
-  for (const auto& [name, value] : options_) names.push_back(name);
+  for (const auto& [name, value] : options_) {
+    if (!asked_for_.contains(name)) names.push_back(name);
+  }
   return names;
 }
 

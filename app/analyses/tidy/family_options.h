@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -47,13 +48,15 @@ class FamilyOptions final {
   /// `conf`, 0.95 where absent. Refuses what is no probability.
   double confidence() const;
 
-  std::vector<std::string> names() const;
+  /// Those that no analysis has asked for: misspelt, or of another family.
+  std::vector<std::string> never_asked_for() const;
 
  private:
   const OptionValue* find(const std::string& name) const;
   const OptionValue& at(const std::string& name) const;
 
   OptionValue::Object options_{};
+  mutable std::set<std::string> asked_for_{};
 };
 
 }  // namespace asperity

@@ -41,16 +41,21 @@ const TidyTable& TidyInput::table(std::size_t index) const {
 
 std::span<const TidyFamily> tidy_families() { return kFamilies; }
 
+std::string family_names() {
+  std::string names{};
+  for (const TidyFamily& family : kFamilies) {
+    names += (names.empty() ? "" : ", ") + std::string(family.name);
+  }
+  return names;
+}
+
 const TidyFamily& tidy_family(const std::string& name) {
   const auto found =
       std::find_if(kFamilies.begin(), kFamilies.end(),
                    [&name](const TidyFamily& family) { return family.name == name; });
   if (found != kFamilies.end()) return *found;
-  std::string sentence = "there is no family of analyses \"" + name + "\"; there are";
-  for (const TidyFamily& family : kFamilies) {
-    sentence += (&family == &kFamilies.front() ? " " : ", ") + std::string(family.name);
-  }
-  throw std::runtime_error(sentence);
+  throw std::runtime_error("there is no family of analyses \"" + name + "\"; there are " +
+                           family_names());
 }
 
 }  // namespace asperity

@@ -50,6 +50,9 @@ struct TidyFamily {
 
 std::span<const TidyFamily> tidy_families();
 
+/// "proportion, selection, …"
+std::string family_names();
+
 /// Throws std::runtime_error with the families that there are.
 const TidyFamily& tidy_family(const std::string& name);
 

@@ -1,0 +1,169 @@
+// Options of an analysis, and its findings for people and programs.
+
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/analyses/tidy/tidy_families.h"
+#include "app/cli/analysis_output.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Pair;
+
+template <class Use>
+std::string refusal_of(Use use) {
+  try {
+    use();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FamilyOptions, AreReadFromJson) {
+  const FamilyOptions options = FamilyOptions::of_json(
+      R"({"items": ["b", "a"], "step": 2, "free": "yes", "none": null,
+          "within": {"spacing": ["0.5", 1], "probe": "x"}})",
+      "case.json");
+  EXPECT_THAT(options.texts("items"), ElementsAre("b", "a"));
+  EXPECT_THAT(options.numbers("step"), ElementsAre(2.0));
+  EXPECT_EQ(options.text("free"), "yes");
+  EXPECT_FALSE(options.has("none"));
+  EXPECT_EQ(options.number_or("none", 3.0), 3.0);
+  EXPECT_EQ(options.confidence(), 0.95);
+  EXPECT_THAT(options.levels("within"), ElementsAre(Pair("spacing", ElementsAre("0.5", "1")),
+                                                    Pair("probe", ElementsAre("x"))));
+  EXPECT_FALSE(FamilyOptions::of_json("[]", "case.json").has("items"));
+}
+
+TEST(FamilyOptions, AreReadFromTheCommandLine) {
+  FamilyOptions options{};
+  options.add("items", "wood,2,metal");
+  options.add("conf", "0.9");
+  options.add("target", "wood");
+  options.add("target", "metal");
+  options.add("within", R"({"a": ["x", "y"]})");
+  EXPECT_THAT(options.texts("items"), ElementsAre("wood", "2", "metal"));
+  EXPECT_EQ(options.confidence(), 0.9);
+  EXPECT_EQ(options.text("target"), "metal");
+  EXPECT_THAT(options.levels("within"), ElementsAre(Pair("a", ElementsAre("x", "y"))));
+}
+
+TEST(FamilyOptions, AreRefusedInSentences) {
+  FamilyOptions options{};
+  options.add("conf", "95");
+  options.add("target", "wood");
+  EXPECT_EQ(refusal_of([&] { options.texts("items"); }),
+            "the option \"items\" is missing, and there is no default for it");
+  EXPECT_EQ(refusal_of([&] { options.number("target"); }),
+            "the option \"target\" must be a number");
+  EXPECT_EQ(refusal_of([&] { options.confidence(); }),
+            "the option \"conf\" is 95; it must lie between 0 and 1");
+  EXPECT_THAT(refusal_of([] { FamilyOptions::of_json("{", "o.json"); }),
+              HasSubstr("o.json: the options are no JSON"));
+}
+
+TEST(FamilyOptions, KnowWhichNobodyAskedFor) {
+  FamilyOptions options{};
+  options.add("conf", "0.9");
+  options.add("confidence", "0.9");
+  options.confidence();
+  EXPECT_THAT(options.never_asked_for(), ElementsAre("confidence"));
+}
+
+TidyInput input_of(const std::string& table, const std::string& options) {
+  TidyInput input{};
+  input.tables.emplace_back(table, "table.csv");
+  input.options = FamilyOptions::of_json(options, "options");
+  return input;
+}
+
+TableFindings ratings() {
+  const TidyInput input = input_of("subject,item,score\nx,new,3\nx,old,1\ny,new,2\ny,old,2\n",
+                                   R"({"items": ["new", "old"]})");
+  return {.kind = "rating", .files = {"table.csv"}, .findings = rating_findings(input)};
+}
+
+TEST(TableFindings, StandWithKeysDownAndQuantitiesAcross) {
+  const std::string text = reading_text_of(ratings());
+  EXPECT_THAT(text, HasSubstr("rating: table.csv\n"));
+  EXPECT_THAT(text, HasSubstr("key  mean.rank\nnew  1.75\nold  1.25\n"));
+  EXPECT_THAT(text, HasSubstr("friedman.chisq    1\n"));
+  EXPECT_THAT(text, HasSubstr("friedman.chisq, friedman.df, friedman.p: Friedman's test"));
+}
+
+TEST(TableFindings, AreOneJsonDocument) {
+  const std::string json = findings_json(ratings());
+  EXPECT_EQ(json.find("{\n  \"format\": \"asperity.findings/1\""), 0U);
+  EXPECT_THAT(json, HasSubstr("\"quantity\": \"mean.rank\""));
+  EXPECT_THAT(json, HasSubstr("\"value\": 1.75"));
+}
+
+TEST(TableFindings, SayWhyThereIsNoNumber) {
+  const TidyInput input = input_of("id,k,n,p0\nnobody,0,0,0.5\n", "{}");
+  const TableFindings findings{.kind = "proportion", .findings = proportion_findings(input)};
+  EXPECT_THAT(reading_text_of(findings),
+              HasSubstr("! no_data: there are no trials: nothing can be said"));
+}
+
+TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
+  EXPECT_EQ(refusal_of([] { proportion_findings(input_of("id,k,n,p0\na,3,2,0.5\n", "{}")); }),
+            "table.csv:2:2: k is 3 of n 2; at most all can be hits");
+  EXPECT_EQ(refusal_of([] {
+              paired_findings(input_of("subject,first,second,winner\nx,a,b,c\n",
+                                       R"({"items": ["a", "b", "c"]})"));
+            }),
+            "table.csv:2:4: winner is \"c\", which was not compared here");
+  EXPECT_EQ(refusal_of([] {
+              ranking_findings(input_of("subject,trial,item,rank\nx,1,a,1\nx,1,b,1\n",
+                                        R"({"items": ["a", "b"]})"));
+            }),
+            "table.csv:3:4: the rank stands twice in its trial; tied items are for the family "
+            "\"rating\"");
+  EXPECT_EQ(refusal_of([] {
+              selection_findings(input_of("subject,sample,choice\nx,1,a\n",
+                                          R"({"renderers": ["a", "b"], "target": "c"})"));
+            }),
+            "the option \"target\" must be one of two or more \"renderers\", not \"c\"");
+}
+
+TEST(TidyFamilies, AnswerOneParticipantAndOneRow) {
+  EXPECT_FALSE(selection_findings(input_of("subject,sample,choice\nx,1,a\n",
+                                           R"({"renderers": ["a", "b"], "target": "a"})"))
+                   .empty());
+  EXPECT_FALSE(
+      matching_findings(input_of("subject,trial,stimulus,response\nx,1,a,\n", "{}")).empty());
+  EXPECT_FALSE(paired_findings(
+                   input_of("subject,first,second,winner\nx,a,b,a\n", R"({"items": ["a", "b"]})"))
+                   .empty());
+  EXPECT_FALSE(
+      ranking_findings(input_of("subject,trial,item,rank\nx,1,a,1\n", R"({"items": ["a", "b"]})"))
+          .empty());
+  EXPECT_FALSE(
+      rating_findings(input_of("subject,item,score\nx,a,1\n", R"({"items": ["a", "b"]})")).empty());
+}
+
+TEST(TidyFamilies, AnswerTablesWithoutARowOrRefuseThem) {
+  EXPECT_TRUE(proportion_findings(input_of("id,k,n,p0\n", "{}")).empty());
+  EXPECT_FALSE(selection_findings(input_of("subject,sample,choice\n",
+                                           R"({"renderers": ["a", "b"], "target": "a"})"))
+                   .empty());
+  EXPECT_THAT(
+      refusal_of([] { matching_findings(input_of("subject,trial,stimulus,response\n", "{}")); }),
+      HasSubstr("no row"));
+  EXPECT_FALSE(
+      paired_findings(input_of("subject,first,second,winner\n", R"({"items": ["a", "b"]})"))
+          .empty());
+  EXPECT_FALSE(
+      ranking_findings(input_of("subject,trial,item,rank\n", R"({"items": ["a", "b"]})")).empty());
+  EXPECT_FALSE(
+      rating_findings(input_of("subject,item,score\n", R"({"items": ["a", "b"]})")).empty());
+}
+
+}  // namespace
+}  // namespace asperity
