@@ -1,7 +1,9 @@
 #include "analysis/cochran.h"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "analysis/tail_probabilities.h"
 
@@ -35,6 +37,25 @@ CochranTest cochran_test(const CountMatrix& answers) {
 double mcnemar_test(const Discordance& discordance) {
   const std::uint64_t both = discordance.only_first + discordance.only_second;
   return both == 0 ? 1.0 : binomial_test({.hits = discordance.only_first, .trials = both}, 0.5);
+}
+
+ConfidenceInterval mcnemar_bounds(const McNemarMargins& margins) {
+  if (std::max(margins.first, margins.second) > margins.participants) {
+    throw std::invalid_argument("more participants say yes than there are, " +
+                                std::to_string(margins.participants));
+  }
+  // Of those who say yes first, all but `both` say so only then.
+  const std::uint64_t most = std::min(margins.first, margins.second);
+  const std::uint64_t sum = margins.first + margins.second;
+  const std::uint64_t least = sum > margins.participants ? sum - margins.participants : 0;
+  ConfidenceInterval bounds{.low = 1.0, .high = 0.0};
+  for (std::uint64_t both = least; both <= most; ++both) {
+    const double p =
+        mcnemar_test({.only_first = margins.first - both, .only_second = margins.second - both});
+    bounds.low = std::min(bounds.low, p);
+    bounds.high = std::max(bounds.high, p);
+  }
+  return bounds;
 }
 
 }  // namespace asperity

@@ -40,4 +40,14 @@ struct Discordance {
 };
 double mcnemar_test(const Discordance& discordance);
 
+/// What that test can give where only the margins are known: `first` and `second` of n participants
+/// say yes, and nothing tells which of them do so in both. The smallest and the largest p over all
+/// tables with these margins. Throws std::invalid_argument for margins above n.
+struct McNemarMargins {
+  std::uint64_t first = 0;
+  std::uint64_t second = 0;
+  std::uint64_t participants = 0;
+};
+ConfidenceInterval mcnemar_bounds(const McNemarMargins& margins);
+
 }  // namespace asperity

@@ -26,6 +26,10 @@ constexpr std::array kFamilies{
                "items (all that were offered anywhere), conf", ranking_findings},
     TidyFamily{"rating", "subject,item,score: the larger the better, ties allowed",
                "items (all that were scored)", rating_findings},
+    TidyFamily{"seedpaper",
+               "three tables of margins: exp,renderer,count; exp,sex,correct,n of matching; "
+               "exp,sex,correct,n of recognition",
+               "", seedpaper_findings},
     TidyFamily{
         "selection", "subject,sample,choice: the best of several, empty where none was chosen",
         "renderers (all that can be chosen), target (one of them), conf", selection_findings},

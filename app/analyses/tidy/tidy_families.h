@@ -61,6 +61,7 @@ std::vector<Finding> paired_findings(const TidyInput& input);
 std::vector<Finding> proportion_findings(const TidyInput& input);
 std::vector<Finding> ranking_findings(const TidyInput& input);
 std::vector<Finding> rating_findings(const TidyInput& input);
+std::vector<Finding> seedpaper_findings(const TidyInput& input);
 std::vector<Finding> selection_findings(const TidyInput& input);
 
 }  // namespace asperity

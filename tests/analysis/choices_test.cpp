@@ -1,0 +1,107 @@
+// Tests of choices where the answer can be counted by hand or is published.
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "analysis/cochran.h"
+#include "analysis/contingency.h"
+#include "analysis/decisive_choices.h"
+#include "analysis/equal_error_information.h"
+#include "analysis/matching_null.h"
+#include "analysis/pooled_share.h"
+#include "analysis/uniform_counts.h"
+
+namespace asperity {
+namespace {
+
+// Four participants who always answer alike count as four, not as twelve.
+TEST(PooledShare, CountsParticipantsNotAnswers) {
+  const std::vector<HitCount> alike{{3, 3}, {3, 3}, {0, 3}, {0, 3}};
+  const PooledShare pooled = pooled_share(alike);
+  EXPECT_EQ(pooled.share, 0.5);
+  EXPECT_NEAR(pooled.design_effect, 3.0 * 4.0 / 3.0, 1e-12);
+  EXPECT_THROW(pooled_share({}), std::invalid_argument);
+}
+
+// 12, 7 and 1 of 20 against thirds: Σx²·3/20 − 20 = 9.1.
+TEST(UniformTest, IsPearsons) {
+  const std::vector<std::uint64_t> counts{12, 7, 1};
+  EXPECT_NEAR(uniform_test(counts).pearson, 9.1, 1e-12);
+  EXPECT_NEAR(uniform_test(counts).pearson_p, std::exp(-9.1 / 2.0),
+              1e-12);  // two degrees of freedom
+  EXPECT_TRUE(std::isnan(uniform_test(std::vector<std::uint64_t>{0, 0}).pearson));
+  EXPECT_THROW(uniform_test(std::vector<std::uint64_t>{3}), std::invalid_argument);
+}
+
+// Two conditions: Q is (b − c)²/(b + c) and its exact test is McNemar's.
+TEST(CochranTest, IsMcNemarsForTwoConditions) {
+  CountMatrix answers(8, 2);
+  answers << 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 0, 0;
+  const CochranTest test = cochran_test(answers);
+  EXPECT_NEAR(test.q, 16.0 / 6.0, 1e-12);
+  EXPECT_NEAR(test.exact_p, mcnemar_test({.only_first = 5, .only_second = 1}), 1e-12);
+  EXPECT_NEAR(test.exact_p, 14.0 / 64.0, 1e-12);
+}
+
+TEST(CochranTest, ComparesNothingWhereEverybodyAnswersAllAlike) {
+  const CochranTest test = cochran_test(CountMatrix::Ones(3, 2));
+  EXPECT_TRUE(std::isnan(test.q));
+  EXPECT_TRUE(std::isnan(test.exact_p));
+}
+
+// 2 and 1 of 3: the one may be among the two (1 : 0) or not (2 : 1); both give 1.
+TEST(McNemarBounds, WalkOverAllTablesOfTheMargins) {
+  const ConfidenceInterval close = mcnemar_bounds({.first = 2, .second = 1, .participants = 3});
+  EXPECT_EQ(close.low, 1.0);
+  EXPECT_EQ(close.high, 1.0);
+  const ConfidenceInterval apart = mcnemar_bounds({.first = 9, .second = 3, .participants = 10});
+  EXPECT_NEAR(apart.low, 2.0 / 64.0, 1e-12);     // 6 : 0
+  EXPECT_NEAR(apart.high, 18.0 / 256.0, 1e-12);  // 7 : 1, as 9 + 3 − 10 must be in both
+  EXPECT_THROW(mcnemar_bounds({.first = 4, .second = 0, .participants = 3}), std::invalid_argument);
+}
+
+// Lady tasting tea: 3 of 4 cups right: 34/70 two-sided.
+TEST(ExactIndependenceTest, IsFishersForTwoByTwo) {
+  CountMatrix table(2, 2);
+  table << 3, 1, 1, 3;
+  EXPECT_NEAR(*exact_independence_test(table), 34.0 / 70.0, 1e-12);
+  EXPECT_EQ(*exact_independence_test(CountMatrix::Zero(2, 3)), 1.0);
+  EXPECT_FALSE(exact_independence_test(CountMatrix::Constant(6, 6, 30)));
+}
+
+// 36 of 58 decisive choices: 145 of them for 80 %, two-sided.
+TEST(DecisiveChoices, WaitsUntilThePowerStays) {
+  EXPECT_EQ(decisive_choices({.preference = 36.0 / 58.0}), 145U);
+  EXPECT_FALSE(decisive_choices({.preference = 0.5}));
+  EXPECT_THROW(decisive_choices({.preference = 1.0}), std::invalid_argument);
+}
+
+TEST(EqualErrorBits, AreAllForPerfectionAndNoneForChance) {
+  EXPECT_NEAR(equal_error_bits(1.0, 6), std::log2(6.0), 1e-15);
+  EXPECT_NEAR(equal_error_bits(1.0 / 6.0, 6), 0.0, 1e-15);
+  EXPECT_GT(equal_error_bits(0.0, 6), 0.0);  // never right is no chance either
+}
+
+// Felt a, a, b; answered a, b and nothing. Of the six orders of (a, b, –) none, one or two are right.
+TEST(ChanceMatches, DealTheTrialsOwnAnswers) {
+  const std::vector<MatchedItem> trial{{0, 0}, {0, 1}, {1, {}}};
+  // a on one of the first two places and b on the third: 2 orders with 2 right; a first or second
+  // with b elsewhere: 2 with 1; a third with b first or second: 2 with none.
+  const IntegerDistribution chance = chance_matches(trial);
+  EXPECT_NEAR(chance.at(0), 2.0 / 6.0, 1e-15);
+  EXPECT_NEAR(chance.at(1), 2.0 / 6.0, 1e-15);
+  EXPECT_NEAR(chance.at(2), 2.0 / 6.0, 1e-15);
+  EXPECT_FALSE(is_permutation(trial));
+  EXPECT_EQ(fixed_points(trial), 1U);
+}
+
+TEST(ChanceMatches, AreRencontresForPermutations) {
+  const std::vector<MatchedItem> trial{{0, 2}, {1, 0}, {2, 1}, {3, 3}};
+  EXPECT_TRUE(is_permutation(trial));
+  EXPECT_EQ(chance_matches(trial).probability, fixed_point_distribution(4));
+}
+
+}  // namespace
+}  // namespace asperity

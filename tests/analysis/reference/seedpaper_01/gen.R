@@ -1,0 +1,8 @@
+source("../R/case.R"); source("../R/selection.R"); source("../R/seedpaper.R")
+choices <- data.frame(exp = rep(c("first", "second", "third"), each = 3), renderer = c("sinusoid", "image", "stochastic"), count = c(1, 6, 0, 3, 4, 0, 1, 4, 2))
+answers <- function(correct) data.frame(exp = rep(c("first", "second", "third"), 2), sex = rep(c("F", "M"), each = 3), correct, n = rep(c(4, 3), each = 3))
+matching <- answers(c(4, 2, 3, 2, 1, 3)); recognition <- answers(c(1, 2, 2, 2, 3, 0))
+write_table(choices, "choices.csv"); write_table(matching, "matching.csv"); write_table(recognition, "recognition.csv")
+write_case("seedpaper", "printed counts of seven participants", c("choices.csv", "matching.csv", "recognition.csv"))
+seedpaper_results(choices, matching, recognition)
+write_results()
