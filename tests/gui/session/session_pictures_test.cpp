@@ -73,7 +73,8 @@ TEST(SessionPictures, ASurfaceIsFeltInGerman) {
   session.set_phase(SessionPhase::contact);
   session.stroke(25.0);
   const auto window = session.window();
-  EXPECT_EQ(window->findChild<QPushButton*>("unblind")->text(), QString("Entblinden…"));
+  EXPECT_EQ(window->findChild<QPushButton*>("emergency_stop")->text(),
+            QString("■ NOT-HALT\nF12 aus jedem Fenster"));
   look_at(*window, "german-session-window");
   apply_language("en");
 }
