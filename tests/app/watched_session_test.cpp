@@ -844,6 +844,58 @@ TEST_F(WatchedSession, SoundsTheCuesOfATrial) {
                           testing::Pair(Cue::finished, 0)));
 }
 
+TEST_F(WatchedSession, SaysWhetherItsNoiseSoundsAndNothingOfItOnceItHasEnded) {
+  play_sound();
+  begin(one_trial(with_noise(small_protocol())));
+  std::set<MaskingState> in_contact{};
+  std::set<MaskingState> in_reading{};
+  rig_->at_pass = [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    if (now.phase == SessionPhase::contact) in_contact.insert(now.masking);
+    if (now.phase == SessionPhase::ready) in_reading.insert(now.masking);
+  };
+  run();
+  EXPECT_THAT(in_contact, ElementsAre(MaskingState::on));
+  EXPECT_THAT(in_reading, ElementsAre(MaskingState::off));
+  EXPECT_EQ(monitor_.snapshot().masking, MaskingState::none);
+}
+
+TEST_F(WatchedSession, SaysThatNobodyHearsItsNoiseWithoutASoundCard) {
+  play_sound();
+  sound_.has_card = false;
+  begin(one_trial(with_noise(small_protocol())));
+  once_in(SessionPhase::contact,
+          [&] { EXPECT_EQ(monitor_.snapshot().masking, MaskingState::no_card); });
+  run();
+}
+
+TEST_F(WatchedSession, SaysNothingOfNoiseThatTheProtocolDoesNotWant) {
+  play_sound();
+  sound_.has_card = false;
+  begin(one_trial());
+  rig_->at_pass = [&] { EXPECT_EQ(monitor_.snapshot().masking, MaskingState::none); };
+  run();
+}
+
+TEST_F(WatchedSession, SaysThatTheNoiseCannotBeginWhereItNeverSounded) {
+  play_sound();
+  sound_.running = false;
+  begin(one_trial(with_noise(small_protocol())));
+  std::string said{};
+  once_in(SessionPhase::paused, [&] {
+    const SessionSnapshot now = monitor_.snapshot();
+    said = now.trouble->what.english();
+    EXPECT_EQ(now.masking, MaskingState::silent);
+    sound_.running = true;
+    requests_.resume();
+  });
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_THAT(said, HasSubstr("cannot begin"));
+  EXPECT_TRUE(events_of("masking_noise_lost").empty());
+  EXPECT_EQ(events_of("masking_noise_missing").size(), 1U);
+  EXPECT_EQ(attempts().size(), 1U);
+}
+
 TEST_F(WatchedSession, PausesWhenTheNoiseStopsAndAsksTheTrialAgain) {
   play_sound();
   begin(one_trial(with_noise(small_protocol())));
@@ -908,58 +960,6 @@ TEST_F(WatchedSession, RefusesAnAnswerBetweenTheLastSurfaceAndItsQuestion) {
   play_sound();
   begin(one_trial());
   PersonAtWindow person(monitor_, &sound_);
-TEST_F(WatchedSession, SaysWhetherItsNoiseSoundsAndNothingOfItOnceItHasEnded) {
-  play_sound();
-  begin(one_trial(with_noise(small_protocol())));
-  std::set<MaskingState> in_contact{};
-  std::set<MaskingState> in_reading{};
-  rig_->at_pass = [&] {
-    const SessionSnapshot now = monitor_.snapshot();
-    if (now.phase == SessionPhase::contact) in_contact.insert(now.masking);
-    if (now.phase == SessionPhase::ready) in_reading.insert(now.masking);
-  };
-  run();
-  EXPECT_THAT(in_contact, ElementsAre(MaskingState::on));
-  EXPECT_THAT(in_reading, ElementsAre(MaskingState::off));
-  EXPECT_EQ(monitor_.snapshot().masking, MaskingState::none);
-}
-
-TEST_F(WatchedSession, SaysThatNobodyHearsItsNoiseWithoutASoundCard) {
-  play_sound();
-  sound_.has_card = false;
-  begin(one_trial(with_noise(small_protocol())));
-  once_in(SessionPhase::contact,
-          [&] { EXPECT_EQ(monitor_.snapshot().masking, MaskingState::no_card); });
-  run();
-}
-
-TEST_F(WatchedSession, SaysNothingOfNoiseThatTheProtocolDoesNotWant) {
-  play_sound();
-  sound_.has_card = false;
-  begin(one_trial());
-  rig_->at_pass = [&] { EXPECT_EQ(monitor_.snapshot().masking, MaskingState::none); };
-  run();
-}
-
-TEST_F(WatchedSession, SaysThatTheNoiseCannotBeginWhereItNeverSounded) {
-  play_sound();
-  sound_.running = false;
-  begin(one_trial(with_noise(small_protocol())));
-  std::string said{};
-  once_in(SessionPhase::paused, [&] {
-    const SessionSnapshot now = monitor_.snapshot();
-    said = now.trouble->what.english();
-    EXPECT_EQ(now.masking, MaskingState::silent);
-    sound_.running = true;
-    requests_.resume();
-  });
-  EXPECT_EQ(run().state, SessionState::completed);
-  EXPECT_THAT(said, HasSubstr("cannot begin"));
-  EXPECT_TRUE(events_of("masking_noise_lost").empty());
-  EXPECT_EQ(events_of("masking_noise_missing").size(), 1U);
-  EXPECT_EQ(attempts().size(), 1U);
-}
-
   const auto press = [&](ParticipantInput::Kind kind, int number = 0) {
     person.post({.kind = kind, .number = number, .time_ns = rig_->clock().now_ns()});
   };
