@@ -32,6 +32,10 @@ struct Corner {
 /// How far a point goes along the normal, both interpolated.
 using Displacement = std::function<double(const glm::dvec3& point_m, const glm::dvec3& normal)>;
 
+double area_m2(const glm::dvec3& box_m) {
+  return 2.0 * (box_m.x * box_m.y + box_m.y * box_m.z + box_m.z * box_m.x);
+}
+
 double smoothstep(double part) {
   const double t = std::clamp(part, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
@@ -51,18 +55,25 @@ class Building final {
     }
   }
 
-  TexturedMesh build(const PlateShape& plate) {
+  /// The faces, without their texels.
+  void lay_out(const PlateShape& plate) {
     check({plate.size_m.x, plate.size_m.y, plate.size_m.z});
+    require_few_faces(area_m2(plate.size_m));
     box(plate.size_m, {0.0, 0.0, -0.5 * plate.size_m.z}, {2});
-    return finish();
   }
-  TexturedMesh build(const BoxShape& shape) {
+  void lay_out(const BoxShape& shape) {
     check({shape.size_m.x, shape.size_m.y, shape.size_m.z});
+    require_few_faces(area_m2(shape.size_m));
     box(shape.size_m, glm::dvec3{0.0}, {-3, -2, -1, 0, 1, 2});
-    return finish();
   }
-  TexturedMesh build(const CylinderShape& cylinder);
-  TexturedMesh build(const SphereShape& sphere);
+  void lay_out(const CylinderShape& cylinder);
+  void lay_out(const SphereShape& sphere);
+
+  void require_few_texels() const {
+    const std::size_t texels = atlas_texels(sides_);
+    if (texels > kMostTexels) refuse(std::to_string(texels));
+  }
+  TexturedMesh fill();
 
  private:
   void check(const std::vector<double>& sizes_m) const {
@@ -79,6 +90,17 @@ class Building final {
           "; it must be above 0 and at most a quarter of the smallest size, " +
           number_text(smallest_m) + ".");
     }
+  }
+
+  [[noreturn]] static void refuse(const std::string& texels) {
+    throw std::invalid_argument("the texture of the shape would take " + texels +
+                                " texels, and at most " + std::to_string(kMostTexels) +
+                                " are made; take a smaller shape or a coarser height field.");
+  }
+  /// Before there are more faces than a memory holds. Texels lie closer than this at most.
+  void require_few_faces(double area_m2) const {
+    const double texels = area_m2 / (pitch_m_ * pitch_m_);
+    if (texels > 8.0 * static_cast<double>(kMostTexels)) refuse(number_text(std::floor(texels)));
   }
 
   double height_m(double x_m, double y_m) const {
@@ -138,28 +160,6 @@ class Building final {
   /// `rough` are the sides with relief: the axis for its upper side, −1 − axis for its lower one.
   void box(const glm::dvec3& size_m, const glm::dvec3& centre_m, const std::vector<int>& rough);
 
-  TexturedMesh finish() {
-    if (atlas_texels(sides_) > kMostTexels) {
-      throw std::invalid_argument("the texture of the shape would take " +
-                                  std::to_string(atlas_texels(sides_)) + " texels, and at most " +
-                                  std::to_string(kMostTexels) +
-                                  " are made; take a smaller shape or a coarser height field.");
-    }
-    fill_atlas(mesh_, sides_, [this](std::uint32_t triangle, int i, int j) {
-      const double b = static_cast<double>(i) / sides_[triangle];
-      const double c = static_cast<double>(j) / sides_[triangle];
-      const std::array<double, 3> weights{1.0 - b - c, b, c};
-      glm::dvec3 point_m{0.0};
-      glm::dvec3 normal{0.0};
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        point_m += weights[corner] * mesh_.vertices_m[mesh_.triangles[triangle][corner]];
-        normal += weights[corner] * mesh_.normals[mesh_.triangles[triangle][corner]];
-      }
-      return displacements_[displacement_of_[triangle]](point_m, normal);
-    });
-    return std::move(mesh_);
-  }
-
   const HeightField& field_;
   ShapeRelief relief_;
   double pitch_m_;
@@ -169,6 +169,22 @@ class Building final {
   std::vector<std::size_t> displacement_of_{};
   std::vector<Displacement> displacements_{};
 };
+
+TexturedMesh Building::fill() {
+  fill_atlas(mesh_, sides_, [this](std::uint32_t triangle, int i, int j) {
+    const double b = static_cast<double>(i) / sides_[triangle];
+    const double c = static_cast<double>(j) / sides_[triangle];
+    const std::array<double, 3> weights{1.0 - b - c, b, c};
+    glm::dvec3 point_m{0.0};
+    glm::dvec3 normal{0.0};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      point_m += weights[corner] * mesh_.vertices_m[mesh_.triangles[triangle][corner]];
+      normal += weights[corner] * mesh_.normals[mesh_.triangles[triangle][corner]];
+    }
+    return displacements_[displacement_of_[triangle]](point_m, normal);
+  });
+  return std::move(mesh_);
+}
 
 void Building::box(const glm::dvec3& size_m, const glm::dvec3& centre_m,
                    const std::vector<int>& rough) {
@@ -215,12 +231,13 @@ void Building::box(const glm::dvec3& size_m, const glm::dvec3& centre_m,
   }
 }
 
-TexturedMesh Building::build(const CylinderShape& cylinder) {
+void Building::lay_out(const CylinderShape& cylinder) {
   check({cylinder.diameter_m, cylinder.length_m});
   const double radius_m = 0.5 * cylinder.diameter_m;
   bend(radius_m);
   const double half_m = 0.5 * cylinder.length_m;
   const double around_m = std::numbers::pi * cylinder.diameter_m;
+  require_few_faces(around_m * (cylinder.length_m + radius_m));
   const std::vector<double> lines = lines_m(cylinder.length_m);
   const auto segments =
       std::clamp(static_cast<int>(std::ceil(around_m / (kCell_texels * pitch_m_))), 32, 1024);
@@ -268,10 +285,9 @@ TexturedMesh Building::build(const CylinderShape& cylinder) {
       add({Corner{half_m * axis, axis}, on_end(first), on_end(second)}, 1, 1);
     }
   }
-  return finish();
 }
 
-TexturedMesh Building::build(const SphereShape& sphere) {
+void Building::lay_out(const SphereShape& sphere) {
   check({sphere.diameter_m});
   const double radius_m = 0.5 * sphere.diameter_m;
   bend(radius_m);
@@ -316,7 +332,6 @@ TexturedMesh Building::build(const SphereShape& sphere) {
       }
     }
   }
-  return finish();
 }
 
 }  // namespace
@@ -324,7 +339,16 @@ TexturedMesh Building::build(const SphereShape& sphere) {
 TexturedMesh textured_shape(const Shape& shape, const HeightField& field,
                             const ShapeRelief& relief) {
   Building building(field, relief);
-  return std::visit([&building](const auto& chosen) { return building.build(chosen); }, shape);
+  std::visit([&building](const auto& chosen) { building.lay_out(chosen); }, shape);
+  building.require_few_texels();
+  return building.fill();
+}
+
+void require_textured_shape(const Shape& shape, const HeightField& field,
+                            const ShapeRelief& relief) {
+  Building building(field, relief);
+  std::visit([&building](const auto& chosen) { building.lay_out(chosen); }, shape);
+  building.require_few_texels();
 }
 
 }  // namespace asperity

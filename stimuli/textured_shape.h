@@ -52,4 +52,8 @@ struct ShapeRelief {
 TexturedMesh textured_shape(const Shape& shape, const HeightField& field,
                             const ShapeRelief& relief);
 
+/// The same refusals without the texels: cheap.
+void require_textured_shape(const Shape& shape, const HeightField& field,
+                            const ShapeRelief& relief);
+
 }  // namespace asperity

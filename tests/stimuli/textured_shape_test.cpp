@@ -138,6 +138,8 @@ TEST(TexturedShape, RefusesWhatCannotBeMade) {
   const HeightField field = waves();
   const auto refuses = [&](const Shape& shape, const ShapeRelief& relief) {
     EXPECT_THROW(textured_shape(shape, field, relief), std::invalid_argument) << shape.index();
+    EXPECT_THROW(require_textured_shape(shape, field, relief), std::invalid_argument)
+        << shape.index();
   };
   refuses(PlateShape{{0.03, 0.0, 0.01}}, kCoarse);
   refuses(BoxShape{{0.03, 11.0, 0.01}}, kCoarse);
@@ -147,6 +149,13 @@ TEST(TexturedShape, RefusesWhatCannotBeMade) {
   refuses(BoxShape{{0.03, 0.02, 0.01}}, {.rim_m = 0.0});
   refuses(BoxShape{{0.03, 0.02, 0.01}}, {.samples_per_wavelength = 0.5});
   refuses(PlateShape{{2.0, 2.0, 0.02}}, {});  // texels of 62.5 µm on 4 m²
+  // Cells of texels that would be too many by themselves.
+  const HeightField fine({.rows = 2, .columns = 2, .pitch_m = 1e-8}, std::vector<float>(4, 0.0F));
+  EXPECT_THROW(require_textured_shape(BoxShape{{1.0, 1.0, 1.0}}, fine, {}), std::invalid_argument);
+  EXPECT_THROW(require_textured_shape(CylinderShape{.diameter_m = 0.1, .length_m = 10.0}, fine, {}),
+               std::invalid_argument);
+  for (const Shape& shape : all_shapes())
+    EXPECT_NO_THROW(require_textured_shape(shape, field, kCoarse));
 }
 
 }  // namespace
