@@ -84,6 +84,12 @@ struct PlannedTrialRow {
   std::string plan_json = "{}";  ///< json_of(Trial)
 };
 
+/// How often a force model was asked beyond what it can render as it should.
+struct ModelLimitRow {
+  std::string kind{};
+  std::int64_t ticks = 0;
+};
+
 struct PresentationRow {
   int position = 0;  ///< 1-based
   std::string role{};
@@ -94,6 +100,8 @@ struct PresentationRow {
   std::string texture{};
   std::string parameters_json = "{}";  ///< complete, as rendered, matching solved
   std::optional<std::string> height_field_sha256{};
+  std::optional<std::string> surface_sha256{};  ///< of the bodies, where the model has them
+  std::optional<std::string> tool_sha256{};
   std::string seed{};
   std::optional<std::int64_t> onset_ns{};    ///< first tick with the surface rendered
   std::optional<std::int64_t> contact_ns{};  ///< first tick with the probe in the surface
@@ -101,6 +109,7 @@ struct PresentationRow {
   double contact_s = 0.0;
   std::optional<double> matched_texture_force_N{};   ///< target of an equal-force request
   std::optional<double> achieved_texture_force_N{};  ///< RMS in the same band, from the record
+  std::vector<ModelLimitRow> limits{};               ///< by kind; of a model that watches any
 };
 
 struct ResponseRow {

@@ -20,14 +20,19 @@ void insert_presentations(Database& database, std::int64_t attempt_id,
                           const std::vector<PresentationRow>& rows) {
   Statement statement(database,
                       "INSERT INTO presentation VALUES "
-                      "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                      "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement limit(database, "INSERT INTO model_limit VALUES (?, ?, ?, ?)");
   for (const PresentationRow& row : rows) {
     statement
         .bind(attempt_id, row.position, row.role, row.item, row.stimulus, row.model,
               row.model_version, row.texture, row.parameters_json, row.height_field_sha256,
               row.seed, row.onset_ns, row.contact_ns, row.offset_ns, row.contact_s,
-              row.matched_texture_force_N, row.achieved_texture_force_N)
+              row.matched_texture_force_N, row.achieved_texture_force_N, row.surface_sha256,
+              row.tool_sha256)
         .run();
+    for (const ModelLimitRow& each : row.limits) {
+      limit.bind(attempt_id, row.position, each.kind, each.ticks).run();
+    }
   }
 }
 
@@ -107,7 +112,8 @@ void read_presentations(Database& database, const std::string& which, std::int64
       database,
       "SELECT attempt_id, position, role, item, stimulus, model, model_version, texture, "
       "parameters_json, height_field_sha256, seed, onset_ns, contact_ns, offset_ns, contact_s, "
-      "matched_texture_force_N, achieved_texture_force_N FROM presentation WHERE " +
+      "matched_texture_force_N, achieved_texture_force_N, surface_sha256, tool_sha256 "
+      "FROM presentation WHERE " +
           which + " ORDER BY attempt_id, position");
   statement.bind(key);
   while (statement.step()) {
@@ -116,8 +122,25 @@ void read_presentations(Database& database, const std::string& which, std::int64
     statement.read(id, row.position, row.role, row.item, row.stimulus, row.model, row.model_version,
                    row.texture, row.parameters_json, row.height_field_sha256, row.seed,
                    row.onset_ns, row.contact_ns, row.offset_ns, row.contact_s,
-                   row.matched_texture_force_N, row.achieved_texture_force_N);
+                   row.matched_texture_force_N, row.achieved_texture_force_N, row.surface_sha256,
+                   row.tool_sha256);
     attempts.of(id).presentations.push_back(std::move(row));
+  }
+}
+
+void read_limits(Database& database, const std::string& which, std::int64_t key,
+                 Attempts& attempts) {
+  Statement statement(database, "SELECT attempt_id, position, kind, ticks FROM model_limit WHERE " +
+                                    which + " ORDER BY attempt_id, position, kind");
+  statement.bind(key);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    int position = 0;
+    ModelLimitRow row;
+    statement.read(id, position, row.kind, row.ticks);
+    for (PresentationRow& presentation : attempts.of(id).presentations) {
+      if (presentation.position == position) presentation.limits.push_back(row);
+    }
   }
 }
 
@@ -260,6 +283,7 @@ std::vector<AttemptRow> read_attempts(Database& database, const std::string& whi
   apply_decisions(database, which, key, attempts);
   const std::string hanging = "attempt_id IN (SELECT id FROM attempt WHERE " + which + ")";
   read_presentations(database, hanging, key, attempts);
+  read_limits(database, hanging, key, attempts);
   read_responses(database, hanging, key, attempts);
   read_servo(database, hanging, key, attempts);
   read_compliance(database, hanging, key, attempts);

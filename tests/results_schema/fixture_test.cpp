@@ -60,6 +60,8 @@ TEST_P(StudyOfSchemaVersion, SaysWhatItSaidThen) {
   EXPECT_TRUE(attempts[1].valid);
   EXPECT_EQ(attempts[2].servo->lost_records, 5);
   EXPECT_EQ(attempts[2].presentations.at(0).matched_texture_force_N, 0.1);
+  EXPECT_EQ(attempts[2].presentations.at(0).tool_sha256.has_value(), GetParam() >= 3);
+  EXPECT_EQ(attempts[2].presentations.at(0).limits.size(), GetParam() >= 3 ? 2U : 0U);
   EXPECT_EQ(attempts[2].compliance.at(0).p95, 1.2);
   EXPECT_EQ(attempts[2].excluded.value_or("counts"), GetParam() >= 2 ? "sneezed" : "counts");
 }
@@ -174,7 +176,7 @@ TEST(StudyDocumentation, HasAReaderThatReadsTheFixture) {
   const TemporaryFolder folder;
   write_file(folder / "reader.py", python_of(formats / "study.md"), Overwrite::refuse);
   EXPECT_EQ(output_of("python3 '" + (folder / "reader.py").string() + "' '" +
-                      (kFixtures / "study_version_2").string() + "'"),
+                      (kFixtures / "study_version_3").string() + "'"),
             "P01 1 1 2 which B 1\nP01 1 1 2 confidence sure None\n");
 }
 
@@ -185,7 +187,7 @@ TEST(StudyDocumentation, NamesEveryTableAndColumn) {
   const std::string output = output_of(
       "python3 -c \"import sqlite3, sys\n"
       "c = sqlite3.connect('file:" +
-      (kFixtures / "study_version_1" / "study.sqlite").string() +
+      (kFixtures / "study_version_3" / "study.sqlite").string() +
       "?immutable=1', uri=True)\n"
       "for (t,) in c.execute('SELECT name FROM sqlite_schema WHERE type IN (\\\"table\\\", "
       "\\\"view\\\")').fetchall():\n"

@@ -157,16 +157,24 @@ std::vector<Forbidden> forbidden_statements() {
       {"delete presentation", "DELETE FROM presentation"},
       {"replace presentation",
        "INSERT OR REPLACE INTO presentation VALUES "
-       "(2,1,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL)"},
+       "(2,1,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,NULL,NULL)"},
       {"presentation of no attempt",
        "INSERT INTO presentation VALUES "
-       "(99,1,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL)"},
+       "(99,1,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,NULL,NULL)"},
       {"text in a number",
        "INSERT INTO presentation VALUES "
-       "(2,3,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,'long',NULL,NULL)"},
+       "(2,3,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,'long',NULL,NULL,NULL,NULL)"},
       {"parameters that are not JSON",
        "INSERT INTO presentation VALUES "
-       "(2,3,'r','i','s','m','1','t','{',NULL,'1',NULL,NULL,NULL,0,NULL,NULL)"},
+       "(2,3,'r','i','s','m','1','t','{',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,NULL,NULL)"},
+      {"a body's hash that is none",
+       "INSERT INTO presentation VALUES "
+       "(2,3,'r','i','s','m','1','t','{}',NULL,'1',NULL,NULL,NULL,0,NULL,NULL,'stone',NULL)"},
+      {"update model_limit", "UPDATE model_limit SET ticks = 0"},
+      {"delete model_limit", "DELETE FROM model_limit"},
+      {"replace model_limit", "INSERT OR REPLACE INTO model_limit VALUES (2,1,'folded',7)"},
+      {"model_limit of no presentation", "INSERT INTO model_limit VALUES (2,9,'folded',7)"},
+      {"fewer ticks than none", "INSERT INTO model_limit VALUES (2,1,'other',-1)"},
       {"update response", "UPDATE response SET answer = 'A'"},
       {"delete response", "DELETE FROM response"},
       {"replace response",
