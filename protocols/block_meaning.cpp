@@ -83,7 +83,8 @@ void Meaning::check_presented(const Block& block, const std::string& pointer) {
       report(place + "/stimulus", unknown("stimulus", presented.stimulus, protocol_.stimuli));
       continue;
     }
-    std::set<std::string> needed{stimulus->second.model.factor, stimulus->second.texture.factor};
+    std::set<std::string> needed{stimulus->second.model.factor, stimulus->second.texture.factor,
+                                 stimulus->second.surface.factor, stimulus->second.tool.factor};
     for (const auto& [name, binding] : stimulus->second.parameters) needed.insert(binding.factor);
     needed.erase("");
     for (const Run* const run : runs_of(block)) {

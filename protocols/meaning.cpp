@@ -10,6 +10,7 @@ std::vector<Diagnostic> Meaning::check() {
   check_head();
   check_senses();
   check_textures();
+  check_bodies();
   check_factors();
   check_explorations();
   check_questions();

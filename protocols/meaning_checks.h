@@ -74,6 +74,15 @@ class Meaning final {
   void check_band(const Band& band, const std::string& pointer);
   void check_questions();
   void check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer);
+  void check_bodies();
+  void check_body_keys(const std::string& name, const std::string& pointer);
+  void check_bodies_of(const StimulusTemplate& stimulus,
+                       const std::vector<const ModelDeclaration*>& models,
+                       const std::string& pointer);
+  /// Whether no surface that the stimulus can have waits for a texture's relief.
+  bool brings_its_relief(const StimulusTemplate& stimulus, const std::string& pointer);
+  bool is_on_a_body(const StimulusTemplate& stimulus, const std::string& texture,
+                    const std::string& pointer);
   void check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer);
   void check_flow();
   void check_block(const Protocol::Block& block, const std::string& pointer);

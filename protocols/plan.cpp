@@ -34,6 +34,16 @@ std::string resolved(const Binding<std::string>& binding, const FactorLevels& fa
   return binding.factor.empty() ? std::string{} : text_of(level_of(factors, with, binding.factor));
 }
 
+/// A body of the protocol with the paths of its files. `texture` is laid on a surface without one.
+std::optional<BodyDescription> body_of(const Protocol& protocol, const std::string& name,
+                                       const std::string& texture) {
+  if (name.empty()) return {};
+  BodyDescription body = protocol.bodies.at(name);
+  if (!body.mesh && !body.texture && !texture.empty()) body.texture = texture;
+  if (body.texture) body.height_field = protocol.textures.at(*body.texture).height_field;
+  return body;
+}
+
 PlannedPresentation presentation_of(const Protocol& protocol, const Protocol::Presented& presented,
                                     const FactorLevels& factors) {
   const StimulusTemplate& source = protocol.stimuli.at(presented.stimulus);
@@ -42,12 +52,18 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Protocol::Pr
   planned.stimulus.model = resolved(source.model, factors, presented.with);
   planned.stimulus.texture = resolved(source.texture, factors, presented.with);
   planned.stimulus.name = source.name;
-  for (const std::string& part : {planned.stimulus.texture, planned.stimulus.model}) {
+  const std::string surface = resolved(source.surface, factors, presented.with);
+  const std::string tool = resolved(source.tool, factors, presented.with);
+  for (const std::string& part : {planned.stimulus.texture, planned.stimulus.model,
+                                  source.surface.factor.empty() ? std::string{} : surface,
+                                  source.tool.factor.empty() ? std::string{} : tool}) {
     if (!part.empty()) planned.stimulus.name += "_" + part;
   }
   if (!planned.stimulus.texture.empty()) {
     planned.stimulus.height_field = protocol.textures.at(planned.stimulus.texture).height_field;
   }
+  planned.stimulus.surface = body_of(protocol, surface, planned.stimulus.texture);
+  planned.stimulus.tool = body_of(protocol, tool, {});
   for (const auto& [name, binding] : source.parameters) {
     if (binding.value) {
       planned.stimulus.parameters[name] = *binding.value;
@@ -357,6 +373,11 @@ std::string json_of(const Trial& trial) {
     return std::visit([](const auto& held) { return json(held); }, value);
   };
   const auto optional = [](const auto& value) { return value ? json(*value) : json(nullptr); };
+  const auto body = [&optional](const BodyDescription& described) {
+    return json{{"body", described.name},
+                {"mesh", optional(described.mesh)},
+                {"height_field", optional(described.height_field)}};
+  };
   json factors = json::object();
   for (const auto& [name, value] : trial.factors) factors[name] = level(value);
   json presentations = json::array();
@@ -370,16 +391,20 @@ std::string json_of(const Trial& trial) {
                {"band_low_Hz", planned.equal_force->band_low_Hz},
                {"band_high_Hz", planned.equal_force->band_high_Hz}};
     }
-    presentations.push_back({{"position", planned.position},
-                             {"role", planned.role},
-                             {"item", planned.item},
-                             {"code", planned.code},
-                             {"stimulus", planned.stimulus.name},
-                             {"model", planned.stimulus.model},
-                             {"texture", planned.stimulus.texture},
-                             {"height_field", optional(planned.stimulus.height_field)},
-                             {"parameters", parameters},
-                             {"equal_force", equal}});
+    json presentation = {{"position", planned.position},
+                         {"role", planned.role},
+                         {"item", planned.item},
+                         {"code", planned.code},
+                         {"stimulus", planned.stimulus.name},
+                         {"model", planned.stimulus.model},
+                         {"texture", planned.stimulus.texture},
+                         {"height_field", optional(planned.stimulus.height_field)},
+                         {"parameters", parameters},
+                         {"equal_force", equal}};
+    // Only where there are bodies: other plans are compared with what older programs stored.
+    if (planned.stimulus.surface) presentation["surface"] = body(*planned.stimulus.surface);
+    if (planned.stimulus.tool) presentation["tool"] = body(*planned.stimulus.tool);
+    presentations.push_back(std::move(presentation));
   }
   json options = json::array();
   for (const Option& option : trial.question.options) {

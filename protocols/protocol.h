@@ -12,6 +12,7 @@
 #include "analysis/force_features.h"
 #include "stimuli/material.h"
 #include "stimuli/parameter.h"
+#include "stimuli/solid_body.h"
 #include "stimuli/surface_patch.h"
 
 namespace asperity {
@@ -112,6 +113,8 @@ struct StimulusTemplate {
   std::string name{};
   Binding<std::string> model{};
   Binding<std::string> texture{};  ///< neither value nor factor: no texture is involved
+  Binding<std::string> surface{};  ///< a body, of a model that needs them
+  Binding<std::string> tool{};     ///< likewise
   std::map<std::string, Binding<ParameterValue>, std::less<>> parameters{};
   std::optional<EqualForce> equal_force{};
 };
@@ -199,6 +202,8 @@ struct Protocol {
   SurfacePatch patch{};
   Material material{};
   std::map<std::string, Texture, std::less<>> textures{};
+  /// Without paths of height fields: those are the textures'.
+  std::map<std::string, BodyDescription, std::less<>> bodies{};
   std::map<std::string, StimulusTemplate, std::less<>> stimuli{};
   std::map<std::string, Factor, std::less<>> factors{};
   std::map<std::string, Exploration, std::less<>> explorations{};

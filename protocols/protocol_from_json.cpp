@@ -112,11 +112,47 @@ Texture texture_of(const std::string& name, const json& object) {
   return texture;
 }
 
+glm::dvec3 size_of(const json& object) {
+  const json& size = object.at("size_m");
+  return {size.at(0).get<double>(), size.at(1).get<double>(), size.at(2).get<double>()};
+}
+
+/// Absent where a size is missing, of which the meaning complains.
+std::optional<Shape> shape_of(const json& object) {
+  const auto found = object.find("shape");
+  if (found == object.end()) return {};
+  const auto shape = found->get<std::string>();
+  if (shape == "plate" || shape == "box") {
+    if (!object.contains("size_m")) return {};
+    if (shape == "plate") return PlateShape{size_of(object)};
+    return BoxShape{size_of(object)};
+  }
+  if (!object.contains("diameter_m")) return {};
+  const auto diameter_m = object.at("diameter_m").get<double>();
+  if (shape == "sphere") return SphereShape{diameter_m};
+  if (shape == "disc") return disc_of(diameter_m);
+  if (!object.contains("length_m")) return {};
+  return CylinderShape{diameter_m, object.at("length_m").get<double>()};
+}
+
+BodyDescription body_of(const std::string& name, const json& object) {
+  BodyDescription body{};
+  body.name = name;
+  read(object, "mesh", body.mesh);
+  body.shape = shape_of(object);
+  read_choice(object, "axis", body.axis,
+              {{"x", BodyAxis::x}, {"y", BodyAxis::y}, {"z", BodyAxis::z}});
+  read(object, "texture", body.texture);
+  return body;
+}
+
 StimulusTemplate stimulus_of(const std::string& name, const json& object) {
   StimulusTemplate stimulus{};
   stimulus.name = name;
   read(object, "model", stimulus.model);
   read(object, "texture", stimulus.texture);
+  read(object, "surface", stimulus.surface);
+  read(object, "tool", stimulus.tool);
   for_each_named(object, "parameters", [&](const std::string& parameter, const json& value) {
     stimulus.parameters[parameter] = parameter_binding(value);
   });
@@ -375,6 +411,9 @@ Protocol protocol_from_json(const json& root) {
   read_setting(root, protocol);
   for_each_named(root, "textures", [&](const std::string& name, const json& member) {
     protocol.textures[name] = texture_of(name, member);
+  });
+  for_each_named(root, "bodies", [&](const std::string& name, const json& member) {
+    protocol.bodies[name] = body_of(name, member);
   });
   for_each_named(root, "stimuli", [&](const std::string& name, const json& member) {
     protocol.stimuli[name] = stimulus_of(name, member);

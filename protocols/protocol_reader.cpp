@@ -26,6 +26,11 @@ Protocol read_protocol(std::string_view text, const std::string& file_name,
   return protocol;
 }
 
+Diagnostic place_of_body(const Protocol& protocol, const std::string& file_name,
+                         const std::string& body) {
+  return JsonDocument(protocol.source, file_name).at_key(pointer_to("/bodies", body), "");
+}
+
 std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name) {
   const JsonDocument document(protocol.source, file_name);
   std::vector<NamedFile> files{};
@@ -39,6 +44,11 @@ std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& fil
     add(texture.height_field, "height_field", NamedFile::Kind::height_field);
     add(texture.picture, "picture", NamedFile::Kind::picture);
     add(texture.true_height_field, "true_height_field", NamedFile::Kind::height_field);
+  }
+  for (const auto& [name, body] : protocol.bodies) {
+    if (!body.mesh) continue;
+    files.push_back({*body.mesh, document.at(pointer_to("/bodies", name) + "/mesh", ""),
+                     NamedFile::Kind::textured_mesh});
   }
   for (const auto& [cue, path] : protocol.speech) {
     files.push_back(

@@ -31,9 +31,12 @@ Protocol read_protocol(std::string_view text, const std::string& file_name,
 struct NamedFile {
   std::string path{};  ///< study-relative
   Diagnostic place{};  ///< filled but for its message
-  enum class Kind { height_field, picture, speech };
+  enum class Kind { height_field, picture, textured_mesh, speech };
   Kind kind = Kind::picture;
 };
+/// Where the body of that name stands; filled but for its message.
+Diagnostic place_of_body(const Protocol& protocol, const std::string& file_name,
+                         const std::string& body);
 std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name);
 
 }  // namespace asperity

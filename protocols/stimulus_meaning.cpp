@@ -41,6 +41,11 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
     models.push_back(model->second);
     needs_height_field = needs_height_field || model->second->needs_height_field;
   }
+  check_bodies_of(stimulus, models, pointer);
+  const bool all_need_bodies = !models.empty() && std::all_of(models.begin(), models.end(),
+                                                              [](const ModelDeclaration* each) {
+                                                                return each->needs_bodies;
+                                                              });
   const bool has_texture = stimulus.texture.value || !stimulus.texture.factor.empty();
   if (needs_height_field && !has_texture) {
     report(pointer, "the model needs a height field: give the stimulus a \"texture\"");
@@ -49,6 +54,12 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
     const auto texture = protocol_.textures.find(name);
     if (texture == protocol_.textures.end()) {
       report(place, unknown("texture", name, protocol_.textures));
+    } else if (all_need_bodies && brings_its_relief(stimulus, pointer)) {
+      // The texture is the name and the picture of what a body brings along.
+      if (texture->second.height_field && !is_on_a_body(stimulus, name, pointer)) {
+        report(place, "the height field of the texture " + in_quotes(name) +
+                          " is on neither body: the surface has a relief of its own");
+      }
     } else if (!texture->second.height_field) {
       report(place,
              "the texture " + in_quotes(name) + " cannot be felt: it has no \"height_field\"");
@@ -104,13 +115,21 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
   }
   if (!equal.to_model.empty() && !models_.contains(equal.to_model)) {
     report(place + "/to_model", unknown("force model", equal.to_model, models_));
+  } else if (!equal.to_model.empty() && models_.find(equal.to_model)->second->needs_bodies) {
+    report(place + "/to_model",
+           "the model " + in_quotes(equal.to_model) +
+               " cannot be what others are made equal to: its texture force depends on two bodies; "
+               "state \"rms_N\" instead");
   }
   for (const auto& [id, at] : texts_of(stimulus.model, pointer + "/model")) {
     const auto model = models_.find(id);
     if (model == models_.end()) continue;
     // The model that the others are made equal to is compared as it is by default: an amplitude of
     // its own would make it the only one of another strength.
-    if (!model->second->amplitude_parameter) {
+    if (model->second->needs_bodies) {
+      report(at, "the texture force of the model " + in_quotes(id) +
+                     ", which depends on two bodies, cannot be made equal to another");
+    } else if (!model->second->amplitude_parameter) {
       if (id == equal.to_model) continue;
       report(at, "the model " + in_quotes(id) +
                      " has no amplitude that could make its texture force equal");

@@ -7,6 +7,7 @@
 
 #include "stimuli/material.h"
 #include "stimuli/parameter.h"
+#include "stimuli/solid_body.h"
 #include "stimuli/surface_patch.h"
 
 namespace asperity {
@@ -19,6 +20,10 @@ struct StimulusDescription {
   std::string texture{};  ///< the protocol's name of the texture; empty where none is involved
   /// Path inside the study of the height field's PNG (its sidecar stands beside it).
   std::optional<std::string> height_field{};
+  /// Of a model that needs bodies: what is touched, with the height field above where it is a shape
+  /// without a texture of its own; and what the hand holds.
+  std::optional<BodyDescription> surface{};
+  std::optional<BodyDescription> tool{};
   ParameterValues parameters{};  ///< as given; defaults are the model's
   Material material{};
   SurfacePatch patch{};

@@ -48,6 +48,34 @@ std::string key_of(const PreparedStimulus& stimulus, const EqualForce& request,
   return sha256_of(problem.dump());
 }
 
+/// What a shape's mesh is made from, in words that stay the same.
+std::string recipe_of(const BodyDescription& body, BodyRole role, const std::string& field_sha256) {
+  nlohmann::ordered_json recipe{{"format", "asperity.shaped_body/1"}, {"role", text_of(role)}};
+  struct Sizes {
+    nlohmann::ordered_json& recipe;
+    void operator()(const PlateShape& plate) const { box("plate", plate.size_m); }
+    void operator()(const BoxShape& shape) const { box("box", shape.size_m); }
+    void operator()(const CylinderShape& cylinder) const {
+      recipe["shape"] = "cylinder";
+      recipe["diameter_m"] = cylinder.diameter_m;
+      recipe["length_m"] = cylinder.length_m;
+    }
+    void operator()(const SphereShape& sphere) const {
+      recipe["shape"] = "sphere";
+      recipe["diameter_m"] = sphere.diameter_m;
+    }
+    void box(const char* shape, const glm::dvec3& size_m) const {
+      recipe["shape"] = shape;
+      recipe["size_m"] = {size_m.x, size_m.y, size_m.z};
+    }
+  };
+  std::visit(Sizes{recipe}, body.shape.value());
+  recipe["axis"] = text_of(body.axis);
+  recipe["height_field_sha256"] =
+      field_sha256.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(field_sha256);
+  return recipe.dump();
+}
+
 }  // namespace
 
 StimulusBuilder::StimulusBuilder(const ModelRegistry& models, std::filesystem::path study_folder)
@@ -70,6 +98,43 @@ std::shared_ptr<const HeightField> StimulusBuilder::height_field_without_long_wa
         without_long_wavelengths(*whole.field, gaussian_wavelength_m));
   }
   return filtered;
+}
+
+LoadedTexturedMesh StimulusBuilder::mesh(const std::string& study_path) {
+  const std::lock_guard lock(bodies_mutex_);
+  const auto found = meshes_.find(study_path);
+  if (found != meshes_.end()) return found->second;
+  return meshes_.emplace(study_path, load_textured_mesh(study_folder_ / study_path)).first->second;
+}
+
+LoadedBody StimulusBuilder::body(const BodyDescription& description, BodyRole role) {
+  if (description.mesh) {
+    const LoadedTexturedMesh loaded = mesh(*description.mesh);
+    return {std::shared_ptr<const TexturedMesh>(loaded.stored, &loaded.stored->mesh),
+            loaded.sha256};
+  }
+  LoadedHeightField field{};
+  if (description.height_field) field = height_field(*description.height_field);
+  LoadedBody made{};
+  made.sha256 = sha256_of(recipe_of(description, role, field.sha256));
+  const std::lock_guard lock(bodies_mutex_);
+  std::shared_ptr<const TexturedMesh>& known = bodies_[made.sha256];
+  if (known == nullptr) {
+    known = std::make_shared<const TexturedMesh>(placed(
+        turned(body_mesh(description.shape.value(), field.field.get()), description.axis), role));
+  }
+  made.mesh = known;
+  return made;
+}
+
+void StimulusBuilder::require_body(const BodyDescription& description) {
+  if (description.mesh) {
+    mesh(*description.mesh);
+    return;
+  }
+  LoadedHeightField field{};
+  if (description.height_field) field = height_field(*description.height_field);
+  require_body_mesh(description.shape.value(), field.field.get());
 }
 
 ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
@@ -111,6 +176,18 @@ PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentatio
     LoadedHeightField loaded = height_field(*description.height_field);
     inputs.height_field = std::move(loaded.field);
     prepared.height_field_sha256 = std::move(loaded.sha256);
+  }
+  if (prepared.model->declaration.needs_bodies) {
+    const auto prepare_body = [this](const std::optional<BodyDescription>& body, BodyRole role,
+                                     std::shared_ptr<const TexturedMesh>& mesh,
+                                     std::optional<std::string>& sha256) {
+      if (!body) return;
+      LoadedBody loaded = this->body(*body, role);
+      mesh = std::move(loaded.mesh);
+      sha256 = std::move(loaded.sha256);
+    };
+    prepare_body(description.surface, BodyRole::surface, inputs.surface, prepared.surface_sha256);
+    prepare_body(description.tool, BodyRole::tool, inputs.tool, prepared.tool_sha256);
   }
   inputs.parameters = parameters_for(*prepared.model, prepared, description.parameters);
   if (presentation.equal_force) match(prepared, *presentation.equal_force, study);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/height_field_files.h"
+#include "app/textured_mesh_files.h"
 #include "protocols/plan.h"
 #include "renderers/force_model.h"
 
@@ -24,10 +25,20 @@ struct PreparedStimulus {
   const ForceModel* model = nullptr;
   RendererInputs inputs{};  ///< parameters complete; seed still 0
   std::optional<std::string> height_field_sha256{};
+  std::optional<std::string> surface_sha256{};  ///< of LoadedBody
+  std::optional<std::string> tool_sha256{};
   std::optional<double> matched_texture_force_N{};
 };
 
-/// Reads the study's height fields (once each), takes parameters from samples where a model does
+/// The mesh of a body, and the name of its content.
+struct LoadedBody {
+  std::shared_ptr<const TexturedMesh> mesh{};
+  /// Of the file of a mesh; of a shape, of what it is made from (docs/formats/study.md).
+  std::string sha256{};
+};
+
+/// Reads the study's height fields and textured meshes (once each), makes bodies of shapes (once for
+/// everything that they are made from), takes parameters from samples where a model does
 /// so, and solves requests for equal texture force.
 ///
 /// Equal force is that of the reference model as it would be rendered with this texture and nothing
@@ -51,12 +62,16 @@ class StimulusBuilder final {
   /// The same as a photograph's heights would have it (without_long_wavelengths), filtered once.
   std::shared_ptr<const HeightField> height_field_without_long_wavelengths(
       const std::string& study_path, double gaussian_wavelength_m);
+  LoadedBody body(const BodyDescription& description, BodyRole role);
+  /// Whether `body` can give it, without making the texels of a shape. Errors: as `body`.
+  void require_body(const BodyDescription& description);
   const ModelRegistry& models() const noexcept { return models_; }
 
  private:
   /// What the sample suggests, what was given, and the model's defaults for the rest.
   ParameterValues parameters_for(const ForceModel& model, const PreparedStimulus& stimulus,
                                  const ParameterValues& given);
+  LoadedTexturedMesh mesh(const std::string& study_path);
   void match(PreparedStimulus& prepared, const EqualForce& request, Study& study);
 
   const ModelRegistry& models_;
@@ -67,6 +82,9 @@ class StimulusBuilder final {
   std::mutex matching_mutex_{};
   std::map<std::string, LoadedHeightField> fields_{};
   std::map<std::pair<std::string, double>, std::shared_ptr<const HeightField>> filtered_{};
+  std::mutex bodies_mutex_{};
+  std::map<std::string, LoadedTexturedMesh> meshes_{};                   ///< by path in the study
+  std::map<std::string, std::shared_ptr<const TexturedMesh>> bodies_{};  ///< of shapes, by SHA-256
   std::map<std::string, std::string> solutions_{};  ///< as kept in the study, by key
 };
 

@@ -282,6 +282,8 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.texture = planned.stimulus.texture;
     presentation.parameters_json = json_text_of(prepared.inputs.parameters);
     presentation.height_field_sha256 = prepared.height_field_sha256;
+    presentation.surface_sha256 = prepared.surface_sha256;
+    presentation.tool_sha256 = prepared.tool_sha256;
     presentation.seed = std::to_string(surfaces_[i].seed);
     presentation.matched_texture_force_N = prepared.matched_texture_force_N;
     fill_times(records, id, rate_Hz, presentation);
@@ -289,6 +291,12 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
     presentation.achieved_texture_force_N =
         recorded_texture_force_rms_N(*prepared.model, prepared.inputs, {records, id, rate_Hz},
                                      {request.band_low_Hz, request.band_high_Hz});
+    if (const auto& renderer = surfaces_[i].presentation.renderer) {
+      for (const NamedCount& limit : renderer->limits()) {
+        presentation.limits.push_back(
+            {std::string(limit.name), static_cast<std::int64_t>(limit.ticks)});
+      }
+    }
     if (presentation.onset_ns) {
       for (ComplianceRow& compliance : compliance_of(records, id, rate_Hz, exploration_)) {
         compliance.position = planned.position;
@@ -381,7 +389,12 @@ void TrialAttempt::take_surface_away() {
     // A stop is known before its tick: the record is to show that the force was gone.
     if (is_fault && !records.empty() && records.back().has(TickFlag::fault_latched)) return;
     course_.pass_slice();
-    if (!is_fault && rig.loop().collect().renderer != nullptr) return;
+    if (is_fault) continue;
+    // It says what it was asked beyond its limits.
+    Presentation collected = rig.loop().collect();
+    if (collected.renderer == nullptr) continue;
+    surfaces_.at(static_cast<std::size_t>(collected.id - 1)).presentation = std::move(collected);
+    return;
   }
 }
 

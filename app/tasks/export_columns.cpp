@@ -368,6 +368,16 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
       column("height_field_sha256", "text", "",
              "SHA-256 of the height field's sidecar, which names its picture's",
              [](const Place& at) { return optional_cell(at.presentation->height_field_sha256); })));
+  const auto sha256 = [&add](const char* name, const char* description, auto member) {
+    add(missing("the model touches with a point",
+                column(name, "text", "", description, [member](const Place& at) {
+                  return optional_cell(at.presentation->*member);
+                })));
+  };
+  sha256("surface_sha256", "SHA-256 of the body that was touched (docs/formats/study.md)",
+         &PresentationRow::surface_sha256);
+  sha256("tool_sha256", "SHA-256 of the body that was held (docs/formats/study.md)",
+         &PresentationRow::tool_sha256);
   text("seed", "seed of the renderer, an integer of 64 bits", &PresentationRow::seed);
   const auto time = [&add](const char* name, const char* description, const char* when,
                            auto member) {
@@ -396,9 +406,27 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
                                  [](const Place& at) {
                                    return optional_cell(at.presentation->achieved_texture_force_N);
                                  }))));
-  for (const auto& [name, parameter] : vocabulary.parameters) {
+  const auto listed = [](const std::set<std::string>& models) {
     std::string of{};
-    for (const std::string& model : parameter.models) of += (of.empty() ? "" : ", ") + model;
+    for (const std::string& model : models) of += (of.empty() ? "" : ", ") + model;
+    return of;
+  };
+  for (const auto& [kind, models] : vocabulary.limits) {
+    add(missing(
+        "the model does not watch this limit",
+        at_least(0, column("limit_" + kind + "_ticks", "integer", "1",
+                           "ticks in which the force model was beyond this limit of what it "
+                           "renders as it should (docs/models.md); of: " +
+                               listed(models),
+                           [kind = kind](const Place& at) -> Cell {
+                             for (const ModelLimitRow& limit : at.presentation->limits) {
+                               if (limit.kind == kind) return limit.ticks;
+                             }
+                             return {};
+                           }))));
+  }
+  for (const auto& [name, parameter] : vocabulary.parameters) {
+    const std::string of = listed(parameter.models);
     const bool numeric = parameter.levels.empty();
     ExportColumn made = missing("the model does not have this parameter",
                                 column("parameter_" + name, numeric ? "number" : "text",

@@ -73,6 +73,7 @@ struct StudyVocabulary {
   };
   std::map<std::string, FactorMeaning> factors{};
   std::map<std::string, ParameterMeaning> parameters{};
+  std::map<std::string, std::set<std::string>> limits{};  ///< kind → models that watch it
   std::set<std::string> participant_answers{};
   std::map<std::string, AnswerMeaning> questions{};
 };

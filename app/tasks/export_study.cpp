@@ -83,6 +83,9 @@ StudyVocabulary vocabulary_of(const Study& study, const std::vector<SessionRow>&
           parameter.models.insert(presentation.model);
           if (value.is_string()) parameter.levels.insert(value.get<std::string>());
         }
+        for (const ModelLimitRow& limit : presentation.limits) {
+          vocabulary.limits[limit.kind].insert(presentation.model);
+        }
       }
     }
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
@@ -64,6 +65,9 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
       case NamedFile::Kind::height_field:
         builder.height_field(named.path);
         break;
+      case NamedFile::Kind::textured_mesh:
+        builder.require_body({.mesh = named.path});
+        break;
       case NamedFile::Kind::picture: {
         const std::string content = read_file(study / named.path);
         inspect_picture(std::as_bytes(std::span(content)), (study / named.path).string());
@@ -81,6 +85,32 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
   return {};
 }
 
+/// Shapes with a relief: whether they can be made depends on the pitch of its file.
+std::vector<Diagnostic> problems_of_shapes(const Protocol& protocol, const std::string& file_name,
+                                           StimulusBuilder& builder) {
+  std::map<std::pair<std::string, std::string>, const BodyDescription*> bodies{};
+  const Plan plan = make_plan(protocol, {1, 0});
+  for (const Trial& trial : plan.trials) {
+    for (const PlannedPresentation& planned : trial.presentations) {
+      for (const auto* const body : {&planned.stimulus.surface, &planned.stimulus.tool}) {
+        if (*body && (*body)->shape) {
+          bodies.emplace(std::pair((*body)->name, (*body)->height_field.value_or("")), &**body);
+        }
+      }
+    }
+  }
+  std::vector<Diagnostic> problems{};
+  for (const auto& [name, body] : bodies) {
+    try {
+      builder.require_body(*body);
+    } catch (const std::exception& error) {
+      problems.push_back(place_of_body(protocol, file_name, body->name));
+      problems.back().message = "the body \"" + body->name + "\" cannot be made: " + error.what();
+    }
+  }
+  return problems;
+}
+
 std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::string& file_name,
                                           const std::filesystem::path& study,
                                           StimulusBuilder& builder) {
@@ -91,6 +121,7 @@ std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::s
       problems.back().message = *complaint;
     }
   }
+  if (problems.empty()) problems = problems_of_shapes(protocol, file_name, builder);
   return problems;
 }
 

@@ -68,6 +68,23 @@ RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, 
       stimulus.inputs.height_field = loaded.field;
       stimulus.height_field_sha256 = loaded.sha256;
     }
+    const auto rebuild = [&](const std::optional<std::string>& sha256,
+                             const std::optional<BodyDescription>& body, BodyRole role,
+                             std::shared_ptr<const TexturedMesh>& mesh) {
+      if (!sha256) return;
+      if (!body) throw std::logic_error("a body was felt that the plan does not have");
+      const LoadedBody loaded = builder.body(*body, role);
+      if (loaded.sha256 != *sha256) {
+        throw std::runtime_error("attempt " + natural_key(session, attempt) + ": the body \"" +
+                                 body->name + "\" is not the " + text_of(role) +
+                                 " that was felt (its SHA-256 differs)");
+      }
+      mesh = loaded.mesh;
+    };
+    rebuild(row.surface_sha256, described.surface, BodyRole::surface, stimulus.inputs.surface);
+    rebuild(row.tool_sha256, described.tool, BodyRole::tool, stimulus.inputs.tool);
+    stimulus.surface_sha256 = row.surface_sha256;
+    stimulus.tool_sha256 = row.tool_sha256;
     recorded.surfaces.push_back(std::move(surface));
   }
   return recorded;

@@ -41,7 +41,10 @@ inline std::vector<ModelDeclaration> example_models() {
   stochastic.parameters = {number("noise_sd_N", 0.0, 5.0, 0.1)};
   ModelDeclaration plain{};
   plain.id = "plain";
-  return {height_map, sinusoid, stochastic, plain};
+  ModelDeclaration two_bodies{};
+  two_bodies.id = "pd_gradient";
+  two_bodies.needs_bodies = true;
+  return {height_map, sinusoid, stochastic, plain, two_bodies};
 }
 
 /// A selection that the reader accepts: 3 models × 2 textures × 2 repetitions.
@@ -102,6 +105,59 @@ inline std::string example_selection() {
     {"check": "device"},
     {"run": "main", "break_every_trials": 3, "pause": {"minimum_s": 60}}
   ]
+}
+)";
+}
+
+/// The same question about tools on a plate, which the reader accepts as well: one tool is a mesh, the
+/// others are shapes with a relief.
+inline std::string example_bodies() {
+  return R"({
+  "format": "asperity.protocol/1",
+  "kind": "selection",
+  "design": "improved",
+  "name": "example_bodies",
+  "version": "1.0.0",
+  "title": "Which tool is the roughest?",
+  "consent": {"version": "1", "statement": "I take part and may stop at any time."},
+  "realism_standard": "memory",
+  "textures": {
+    "metal": {"height_field": "stimuli/metal.png"},
+    "stone": {"height_field": "stimuli/stone.png"},
+    "rasp": {"picture": "stimuli/rasp_photo.png"}
+  },
+  "factors": {
+    "ground": {"levels": ["metal", "stone"]},
+    "held": {"levels": ["ball", "roll", "rasp"]}
+  },
+  "bodies": {
+    "plate": {"shape": "plate", "size_m": [0.08, 0.06, 0.01]},
+    "ball": {"shape": "sphere", "diameter_m": 0.01},
+    "roll": {"shape": "cylinder", "diameter_m": 0.008, "length_m": 0.01, "axis": "x", "texture": "stone"},
+    "rasp": {"mesh": "stimuli/rasp.mesh"}
+  },
+  "stimuli": {
+    "felt": {
+      "model": "pd_gradient",
+      "texture": {"factor": "ground"},
+      "surface": "plate",
+      "tool": {"factor": "held"}
+    }
+  },
+  "explorations": {"stroking": {"minimum_contact_s": 1, "maximum_contact_s": 10}},
+  "blocks": {
+    "main": {
+      "crossed": ["ground"],
+      "presented": [
+        {"stimulus": "felt", "with": {"held": "ball"}, "item": "ball"},
+        {"stimulus": "felt", "with": {"held": "roll"}, "item": "roll"},
+        {"stimulus": "felt", "with": {"held": "rasp"}, "item": "rasp"}
+      ],
+      "question": {"name": "roughest", "prompt": "Which tool felt the roughest?"},
+      "exploration": "stroking"
+    }
+  },
+  "flow": [{"run": "main"}]
 }
 )";
 }

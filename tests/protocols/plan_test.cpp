@@ -352,6 +352,28 @@ TEST(Plan, BindsParametersToFactors) {
   EXPECT_EQ(items.size(), 3U);
 }
 
+TEST(Plan, GivesASurfaceTheTextureOfItsStimulusAndAToolItsOwn) {
+  const Plan plan = make_plan(read(test::example_bodies()), {1, 0});
+  ASSERT_EQ(plan.trials.size(), 2U);
+  for (const Trial& trial : plan.trials) {
+    const std::string ground = text_of(trial.factors.at("ground"));
+    for (const PlannedPresentation& planned : trial.presentations) {
+      const StimulusDescription& stimulus = planned.stimulus;
+      ASSERT_TRUE(stimulus.surface && stimulus.tool);
+      EXPECT_EQ(stimulus.surface->name, "plate");
+      EXPECT_EQ(stimulus.surface->texture, ground);
+      EXPECT_EQ(stimulus.surface->height_field, "stimuli/" + ground + ".png");
+      EXPECT_EQ(stimulus.tool->name, planned.item);
+      EXPECT_EQ(stimulus.tool->height_field.value_or("smooth"),
+                planned.item == "roll" ? "stimuli/stone.png" : "smooth");
+      EXPECT_EQ(stimulus.name, "felt_" + ground + "_pd_gradient_" + planned.item);
+    }
+  }
+  const std::string written = json_of(plan.trials.front());
+  EXPECT_NE(written.find(R"("tool":{"body":"rasp","mesh":"stimuli/rasp.mesh")"), std::string::npos)
+      << written;
+}
+
 TEST(Plan, AddingABlockDoesNotMoveTheTrialsOfThoseBeforeIt) {
   const std::string before = test::example_selection();
   const std::string after = with(before, R"({"run": "main", "break_every_trials": 3,)",

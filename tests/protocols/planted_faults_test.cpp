@@ -73,8 +73,67 @@ std::string library(std::string_view name) {
 }
 
 class PlantedInSelection : public testing::TestWithParam<Fault> {};
+class PlantedInBodies : public testing::TestWithParam<Fault> {};
 class PlantedInMatching : public testing::TestWithParam<Fault> {};
 class PlantedInRecognition : public testing::TestWithParam<Fault> {};
+
+TEST_P(PlantedInBodies, IsRefusedAtItsPlace) {
+  expect_complaint(planted(test::example_bodies(), GetParam()), GetParam());
+}
+INSTANTIATE_TEST_SUITE_P(
+    Faults, PlantedInBodies,
+    testing::Values(
+        Fault{"NoTool", R"("surface": "plate",
+      "tool": {"factor": "held"})",
+              R"("surface": "plate")", R"({
+      "model": "pd_gradient")",
+              "/stimuli/felt", R"(needs two bodies: give the stimulus what the hand holds)"},
+        Fault{"NoSurface", R"("surface": "plate",)", "", R"({
+      "model": "pd_gradient")",
+              "/stimuli/felt", "what is touched, one of the bodies, as \"surface\""},
+        Fault{"BodiesOfAModelWithoutThem", R"("model": "pd_gradient")", R"("model": "height_map")",
+              R"("surface": "plate")", "/stimuli/felt/surface", "does not touch bodies"},
+        Fault{"AnUnknownBody", R"("surface": "plate")", R"("surface": "plaet")", R"("plaet")",
+              "/stimuli/felt/surface", "did you mean \"plate\"?"},
+        Fault{"AnUnknownBodyAsALevel", R"(["ball", "roll", "rasp"])", R"(["ball", "roll", "file"])",
+              R"("file"])", "/factors/held/levels/2", "there is no body \"file\""},
+        Fault{"MeshAndShape", R"("mesh": "stimuli/rasp.mesh")",
+              R"("mesh": "stimuli/rasp.mesh", "shape": "sphere", "diameter_m": 0.01)", R"({"mesh")",
+              "/bodies/rasp", "not both"},
+        Fault{"NeitherMeshNorShape", R"({"mesh": "stimuli/rasp.mesh"})", R"({"axis": "x"})",
+              R"({"axis")", "/bodies/rasp", "either a \"mesh\""},
+        Fault{"AMeshOutsideTheStudy", "stimuli/rasp.mesh", "../rasp.mesh", R"("../rasp.mesh")",
+              "/bodies/rasp/mesh", "leaves the study"},
+        Fault{"AMeshWithASize", R"("mesh": "stimuli/rasp.mesh")",
+              R"("mesh": "stimuli/rasp.mesh", "length_m": 0.1)", R"("length_m": 0.1)",
+              "/bodies/rasp/length_m", "from its file"},
+        Fault{"AMissingSize", R"("diameter_m": 0.008, "length_m": 0.01)", R"("diameter_m": 0.008)",
+              R"({"shape": "cylinder")", "/bodies/roll", "needs \"length_m\", in metres"},
+        Fault{"ASizeOfAnotherShape", R"("diameter_m": 0.01})",
+              R"("diameter_m": 0.01, "length_m": 0.02})", R"("length_m": 0.02)",
+              "/bodies/ball/length_m", "it has \"diameter_m\""},
+        Fault{"ASizeBelowAMillimetre", R"("diameter_m": 0.01})", R"("diameter_m": 0.0005})",
+              "0.0005", "/bodies/ball/diameter_m", "0.001"},
+        Fault{"AnAxisOfAPlate", R"("size_m": [0.08, 0.06, 0.01])",
+              R"("size_m": [0.08, 0.06, 0.01], "axis": "x")", R"("axis": "x"})",
+              "/bodies/plate/axis", "is not turned"},
+        Fault{"AnUnknownReliefOnABody", R"("texture": "stone"})", R"("texture": "stoen"})",
+              R"("stoen")", "/bodies/roll/texture", "did you mean \"stone\"?"},
+        Fault{"AReliefThatCannotBeFelt", R"("texture": "stone"})", R"("texture": "rasp"})",
+              R"("rasp"})", "/bodies/roll/texture", "has no \"height_field\""},
+        Fault{"ATextureThatIsOnNoBody", R"("size_m": [0.08, 0.06, 0.01])",
+              R"("size_m": [0.08, 0.06, 0.01], "texture": "stone")", R"("metal", "stone"])",
+              "/factors/ground/levels/0", "is on neither body"},
+        Fault{"EqualForceOfBodies", R"("surface": "plate",)",
+              R"("surface": "plate", "equal_force": {"rms_N": 0.1},)", R"("pd_gradient")",
+              "/stimuli/felt/model", "cannot be made equal"},
+        Fault{"EqualForceToBodies", R"("surface": "plate",)",
+              R"("surface": "plate", "equal_force": {"to_model": "pd_gradient"},)",
+              R"("pd_gradient"})", "/stimuli/felt/equal_force/to_model", "rms_N"},
+        Fault{"AFactorThatTheBlockDoesNotSet", R"("with": {"held": "rasp"}, "item": "rasp")",
+              R"("item": "rasp")", R"({"stimulus": "felt", "item": "rasp"})",
+              "/blocks/main/presented/2", "held"}),
+    [](const auto& given) { return given.param.name; });
 
 TEST_P(PlantedInSelection, IsRefusedAtItsPlace) {
   expect_complaint(planted(test::example_selection(), GetParam()), GetParam());

@@ -67,6 +67,38 @@ TEST(ProtocolReader, CountsRecordedSpeechAmongTheFilesOfAProtocol) {
   EXPECT_EQ(files.back().place.pointer, "/environment/speech/surface_1");
 }
 
+TEST(ProtocolReader, ReadsBodiesAsMeshesAndShapes) {
+  const Protocol protocol =
+      read_protocol(test::example_bodies(), "bodies.json", test::example_models());
+  ASSERT_EQ(protocol.bodies.size(), 4U);
+  EXPECT_EQ(protocol.bodies.at("rasp").mesh, "stimuli/rasp.mesh");
+  EXPECT_FALSE(protocol.bodies.at("rasp").shape);
+  const auto* const plate = std::get_if<PlateShape>(&*protocol.bodies.at("plate").shape);
+  ASSERT_NE(plate, nullptr);
+  EXPECT_EQ(plate->size_m, glm::dvec3(0.08, 0.06, 0.01));
+  const BodyDescription& roll = protocol.bodies.at("roll");
+  const auto* const cylinder = std::get_if<CylinderShape>(&*roll.shape);
+  ASSERT_NE(cylinder, nullptr);
+  EXPECT_EQ(cylinder->diameter_m, 0.008);
+  EXPECT_EQ(cylinder->length_m, 0.01);
+  EXPECT_EQ(roll.axis, BodyAxis::x);
+  EXPECT_EQ(roll.texture, "stone");
+  EXPECT_EQ(protocol.bodies.at("ball").axis, BodyAxis::z);
+  EXPECT_EQ(protocol.stimuli.at("felt").tool.factor, "held");
+}
+
+TEST(ProtocolReader, CountsTexturedMeshesAmongTheFilesOfAProtocol) {
+  const Protocol protocol =
+      read_protocol(test::example_bodies(), "bodies.json", test::example_models());
+  const std::vector<NamedFile> files = files_of(protocol, "bodies.json");
+  const auto mesh = std::find_if(files.begin(), files.end(), [](const NamedFile& file) {
+    return file.kind == NamedFile::Kind::textured_mesh;
+  });
+  ASSERT_NE(mesh, files.end());
+  EXPECT_EQ(mesh->path, "stimuli/rasp.mesh");
+  EXPECT_EQ(mesh->place.pointer, "/bodies/rasp/mesh");
+}
+
 TEST(SpeechCues, AreTextsThatTellThemApart) {
   const std::vector<std::string> cues = speech_cues();
   EXPECT_EQ(std::set<std::string>(cues.begin(), cues.end()).size(), cues.size());

@@ -21,6 +21,10 @@ NameVeil::NameVeil(const Protocol& protocol, const Plan& plan) {
     if (texture.picture) add(*texture.picture);
   }
   for (const auto& [name, stimulus] : protocol.stimuli) add(name);
+  for (const auto& [name, body] : protocol.bodies) {
+    add(name);
+    if (body.mesh) add(*body.mesh);
+  }
   for (const Trial& trial : plan.trials) {
     for (const PlannedPresentation& surface : trial.presentations) {
       add(surface.item);
