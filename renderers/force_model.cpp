@@ -9,6 +9,7 @@
 
 #include "renderers/height_map.h"
 #include "renderers/lateral_gradient.h"
+#include "renderers/pd_gradient/pd_gradient.h"
 #include "renderers/sinusoid.h"
 #include "renderers/stochastic.h"
 
@@ -84,6 +85,7 @@ ModelRegistry built_in_models() {
   registry.add(sinusoid_model());
   registry.add(stochastic_model());
   registry.add(lateral_gradient_model());
+  registry.add(pd_gradient_model());
   return registry;
 }
 

@@ -67,7 +67,7 @@ class ModelRegistry final {
   std::vector<ForceModel> models_{};
 };
 
-/// height_map, sinusoid, stochastic, lateral_gradient.
+/// height_map, sinusoid, stochastic, lateral_gradient, pd_gradient.
 ModelRegistry built_in_models();
 
 /// Texture and friction taken out of one stimulus: the same model as a plain plate, its amplitude

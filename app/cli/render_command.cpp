@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/body_option.h"
 #include "app/cli/command.h"
 #include "app/cli/parameter_option.h"
 #include "app/height_field_files.h"
@@ -25,6 +26,31 @@ const ForceModel& model_named(const ModelRegistry& models, const std::string& id
   throw std::runtime_error(sentence);
 }
 
+/// What the hand holds and what it touches, of a model that needs both.
+void add_bodies(RendererInputs& inputs, const std::string& model, const BodyOption& surface,
+                const std::optional<std::string>& tool) {
+  if (!tool) {
+    throw std::runtime_error(
+        "the force model " + model +
+        " needs a tool: --tool FILE, sphere:D_m, disc:D_m or cylinder:D_m,L_m");
+  }
+  inputs.surface = load_body(surface);
+  inputs.tool = load_body(body_option("--tool", *tool));
+}
+
+void add_height_field(RendererInputs& inputs, const ForceModel& model, const BodyOption& surface) {
+  if (!surface.is_plain_height_field()) {
+    throw std::runtime_error("the force model " + model.declaration.id +
+                             " takes a height field, --stimulus FILE.png or plane:FILE.png, not " +
+                             surface.text);
+  }
+  inputs.height_field = load_height_field(*surface.file).field;
+  if (!model.suggested_by) return;
+  ParameterValues suggested = model.suggested_by(*inputs.height_field, inputs.material);
+  for (const auto& [name, value] : inputs.parameters) suggested[name] = value;
+  inputs.parameters = std::move(suggested);
+}
+
 }  // namespace
 
 void add_render(CLI::App& program, Job& job) {
@@ -32,6 +58,8 @@ void add_render(CLI::App& program, Job& job) {
     std::string model{};
     std::vector<std::string> parameters{};
     std::optional<std::string> stimulus{};
+    std::optional<std::string> tool{};
+    std::optional<std::string> coupling{};
     Material material{};
     std::uint64_t seed = 0;
     std::filesystem::path path{};
@@ -43,8 +71,21 @@ void add_render(CLI::App& program, Job& job) {
       program.add_subcommand("render", "Evaluate a force model along a path, without a device.");
   command->add_option("--model", options->model, "A force model; see: asperity models")->required();
   command->add_option("--param", options->parameters, "NAME=VALUE of the model's parameters");
-  command->add_option("--stimulus", options->stimulus,
-                      "A height field: FILE.png or plane:FILE.png; repeats without end");
+  command->add_option(
+      "--stimulus", options->stimulus,
+      "A height field, which repeats without end: FILE.png or plane:FILE.png. Of a "
+      "model with two bodies also a textured mesh, or box:[FILE.png,]X_m,Y_m,Z_m, "
+      "cylinder:[FILE.png,]D_m,L_m, sphere:[FILE.png,]D_m, plane:[FILE.png,]X_m,Y_m");
+  command->add_option(
+      "--tool", options->tool,
+      "What the hand holds, of a model with two bodies: a textured mesh, sphere:D_m, "
+      "disc:D_m, cylinder:D_m,L_m, or another shape as of --stimulus");
+  command
+      ->add_option("--coupling", options->coupling,
+                   "Of a model with two bodies. none: the path is the tool's own; virtual: the "
+                   "device's, to which the tool is coupled")
+      ->default_str("none")
+      ->check(CLI::IsMember({"none", "virtual"}));
   command
       ->add_option("--stiffness-n-per-m", options->material.stiffness_N_per_m,
                    "Of the surface, N/m")
@@ -71,14 +112,26 @@ void add_render(CLI::App& program, Job& job) {
       inputs.patch.extent_m = {1e3, 1e3};
       inputs.patch.edge_width_m = 1e-3;
       inputs.seed = options->seed;
+      const bool needs_bodies = model.declaration.needs_bodies;
+      if (!needs_bodies && (options->tool || options->coupling)) {
+        throw std::runtime_error("the force model " + options->model + " touches with a point; " +
+                                 (options->tool ? "--tool" : "--coupling") +
+                                 " goes with a model that has two bodies");
+      }
+      if (needs_bodies && !options->stimulus) {
+        throw std::runtime_error("the force model " + options->model +
+                                 " needs something to touch: --stimulus FILE, or a shape");
+      }
       if (options->stimulus) {
-        std::string file = *options->stimulus;
-        if (file.starts_with("plane:")) file.erase(0, 6);
-        inputs.height_field = load_height_field(file).field;
-        if (model.suggested_by) {
-          ParameterValues suggested = model.suggested_by(*inputs.height_field, inputs.material);
-          for (const auto& [name, value] : inputs.parameters) suggested[name] = value;
-          inputs.parameters = std::move(suggested);
+        const BodyOption surface = body_option("--stimulus", *options->stimulus);
+        if (needs_bodies) {
+          add_bodies(inputs, options->model, surface, options->tool);
+          if (options->coupling && inputs.parameters.contains("coupling")) {
+            throw std::runtime_error("--coupling and --param coupling say the same; give it once");
+          }
+          inputs.parameters.try_emplace("coupling", options->coupling.value_or("none"));
+        } else {
+          add_height_field(inputs, model, surface);
         }
       }
       const std::vector<ProbeState> path =

@@ -67,8 +67,7 @@ TEST(TextureForce, CountsOnlyWhatLiesInItsBand) {
 }
 
 TEST(TextureForce, OfAPlateIsNothing) {
-  const ModelRegistry registry = built_in_models();
-  for (const ForceModel& each : registry.models()) {
+  for (const ForceModel& each : point_models()) {
     EXPECT_NEAR(texture_force_rms_N(each, without_texture(each.declaration, stimulus())), 0.0,
                 1e-12)
         << each.declaration.id;
@@ -106,8 +105,7 @@ TEST(TextureForce, RefusesAPathThatIsAllDropped) {
 
 TEST(SolvedAmplitude, MakesEveryModelEquallyStrong) {
   constexpr double kTarget_N = 0.05;
-  const ModelRegistry registry = built_in_models();
-  for (const ForceModel& each : registry.models()) {
+  for (const ForceModel& each : point_models()) {
     RendererInputs inputs = stimulus();
     const SolvedAmplitude solved = solve_amplitude(each, inputs, kTarget_N);
     EXPECT_EQ(solved.parameter, *each.declaration.amplitude_parameter);

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "stimuli/solid_body.h"
 #include "tests/renderers/surfaces.h"
 
 namespace asperity {
@@ -32,13 +33,19 @@ RendererInputs any_inputs() {
   return inputs;
 }
 
-TEST(ModelRegistry, KnowsTheFourBuiltInModels) {
+TEST(ModelRegistry, KnowsTheFiveBuiltInModels) {
   const ModelRegistry registry = built_in_models();
-  for (const char* id : {"height_map", "sinusoid", "stochastic", "lateral_gradient"}) {
+  RendererInputs inputs = any_inputs();
+  inputs.surface = std::make_shared<const TexturedMesh>(
+      body_mesh(PlateShape{{0.02, 0.02, 0.01}}, inputs.height_field.get()));
+  inputs.tool =
+      std::make_shared<const TexturedMesh>(body_mesh(SphereShape{.diameter_m = 0.004}, nullptr));
+  for (const char* id :
+       {"height_map", "sinusoid", "stochastic", "lateral_gradient", "pd_gradient"}) {
     ASSERT_NE(registry.find(id), nullptr) << id;
-    EXPECT_NE(registry.make(id, any_inputs()), nullptr);
+    EXPECT_NE(registry.make(id, inputs), nullptr);
   }
-  EXPECT_EQ(registry.models().size(), 4U);
+  EXPECT_EQ(registry.models().size(), 5U);
   EXPECT_EQ(registry.find("bump_map"), nullptr);
 }
 
@@ -116,8 +123,7 @@ TEST(BuiltInModels, SuggestValuesThatTheyAccept) {
 // Material and patch are shared, so without texture and friction the models cannot be told apart:
 // what a comparison of models compares is their texture.
 TEST(BuiltInModels, AreOnePlainPlateWithoutTexture) {
-  const ModelRegistry registry = built_in_models();
-  for (const ForceModel& model : registry.models()) {
+  for (const ForceModel& model : point_models()) {
     const auto renderer = make_renderer(model, without_texture(model.declaration, any_inputs()));
     for (const ProbeState& probe : samples_of({.height_m = -0.001, .duration_s = 0.05})) {
       const RenderedTick tick = answer(*renderer, probe);
@@ -129,8 +135,7 @@ TEST(BuiltInModels, AreOnePlainPlateWithoutTexture) {
 }
 
 TEST(BuiltInModels, TouchNothingBeyondAFadingBorder) {
-  const ModelRegistry registry = built_in_models();
-  for (const ForceModel& model : registry.models()) {
+  for (const ForceModel& model : point_models()) {
     RendererInputs inputs = any_inputs();
     inputs.patch.extent_m = {0.05, 0.05};
     const auto renderer = make_renderer(model, inputs);
@@ -141,8 +146,7 @@ TEST(BuiltInModels, TouchNothingBeyondAFadingBorder) {
 }
 
 TEST(BuiltInModels, MeetTheWallOnlyBelowTheSurface) {
-  const ModelRegistry registry = built_in_models();
-  for (const ForceModel& model : registry.models()) {
+  for (const ForceModel& model : point_models()) {
     RendererInputs inputs = any_inputs();
     inputs.patch.extent_m = {0.05, 0.05};
     inputs.patch.edge = PatchEdge::wall;

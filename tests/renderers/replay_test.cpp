@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "renderers/servo_loop.h"
+#include "stimuli/solid_body.h"
 #include "tests/renderers/scripted_device.h"
 #include "tests/renderers/surfaces.h"
 
@@ -20,6 +21,10 @@ RendererInputs stimulus() {
   RendererInputs inputs;
   inputs.patch = wide_patch();
   inputs.height_field = grating();
+  inputs.surface = std::make_shared<const TexturedMesh>(
+      body_mesh(PlateShape{{0.08, 0.02, 0.01}}, grating({.pitch_m = 0.0002}).get()));
+  inputs.tool = std::make_shared<const TexturedMesh>(
+      placed(body_mesh(SphereShape{.diameter_m = 0.006}, nullptr), BodyRole::tool));
   inputs.seed = 3;
   return inputs;
 }

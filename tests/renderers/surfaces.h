@@ -45,6 +45,15 @@ inline std::shared_ptr<const HeightField> level(float height_m) {
                                              std::vector<float>(256, height_m));
 }
 
+/// The built-in models that touch a plane with a point: what compares models with each other
+/// compares these.
+inline std::vector<ForceModel> point_models() {
+  const ModelRegistry registry = built_in_models();
+  std::vector<ForceModel> models = registry.models();
+  std::erase_if(models, [](const ForceModel& model) { return model.declaration.needs_bodies; });
+  return models;
+}
+
 /// A stroke along +x at constant height and speed.
 struct Stroke {
   double from_x_m = 0.0;

@@ -110,6 +110,32 @@ std::vector<LoopRow> loop_rows(const ServoQualityRow& servo) {
   };
 }
 
+/// What a force model counts (docs/models.md), in words.
+QString limit_words(const std::string& kind) {
+  if (kind == "contact") return MeasureTables::tr("anything was touched");
+  if (kind == "folded") {
+    return MeasureTables::tr(
+        "a surface folds over seen along the contact, which leaves out a part");
+  }
+  if (kind == "window_border") {
+    return MeasureTables::tr("the deepest place lay at the border of what is looked at");
+  }
+  if (kind == "fine_detail") {
+    return MeasureTables::tr("the finest detail of the texture was too fine for the samples");
+  }
+  if (kind == "fast") {
+    return MeasureTables::tr("the tool moved more than half of the finest wave in a tick");
+  }
+  if (kind == "coarse_window") {
+    return MeasureTables::tr("a contact was too wide for the step that was asked for");
+  }
+  if (kind == "left_out") {
+    return MeasureTables::tr("there were more contacts than there is room for");
+  }
+  if (kind == "kept") return MeasureTables::tr("a contact went on although nothing was cut");
+  return text(kind).replace('_', ' ');
+}
+
 /// The page scrolls, not the table; an empty one has room for one row.
 void fill_whole(StudyTable& table, const std::vector<StudyTable::Row>& rows) {
   table.fill(rows);
@@ -170,6 +196,12 @@ MeasureTables::MeasureTables(QWidget* parent) : QScrollArea(parent) {
               {{tr("Measure"), 0, Align::text},
                {tr("Value"), 160, Align::number},
                {tr("Standing"), 160, Align::text}});
+  limits_ = add(tr("What the force model counted, in ticks"), "attempt_limits",
+                {{tr("Surface"), 88, Align::number},
+                 {tr("What"), 0, Align::text},
+                 {tr("Ticks"), 160, Align::number},
+                 {tr("Standing"), 160, Align::text}});
+  limits_heading_ = page->findChild<QLabel*>("attempt_limits_heading");
   rows->addStretch(1);
   setWidget(page);
 }
@@ -225,6 +257,23 @@ void MeasureTables::show_attempt(const AttemptDetail& detail) {
     }
   }
   fill_whole(*loop_, rows);
+  rows.clear();
+  for (const PresentationRow& surface : attempt.presentations) {
+    for (const ModelLimitRow& limit : surface.limits) {
+      // How long there was contact is what the others are a part of.
+      const bool is_limit = limit.kind != "contact";
+      add({number_cell(surface.position),
+           text_cell(limit_words(limit.kind), QVariant::fromValue(rows.size())),
+           number_cell(QString::number(limit.ticks), static_cast<double>(limit.ticks)),
+           !is_limit          ? text_cell({})
+           : limit.ticks == 0 ? state_cell(State::fine, tr("fine"))
+                              : state_cell(State::look, tr("look at it"))});
+    }
+  }
+  fill_whole(*limits_, rows);
+  // Most models count nothing.
+  limits_->setVisible(!rows.empty());
+  limits_heading_->setVisible(!rows.empty());
 }
 
 HistoryTables::HistoryTables(QWidget* parent) : QWidget(parent) {

@@ -26,6 +26,8 @@ class MeasureTables final : public QScrollArea {
   StudyTable* surfaces_ = nullptr;
   StudyTable* compliance_ = nullptr;
   StudyTable* loop_ = nullptr;
+  QLabel* limits_heading_ = nullptr;
+  StudyTable* limits_ = nullptr;
 };
 
 /// Events of the attempt, and every decision about it.

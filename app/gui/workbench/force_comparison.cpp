@@ -49,7 +49,10 @@ std::vector<Parameter> surface_parameters() {
                  "Friction along the surface over the force that presses, the same for every "
                  "model"),
           number("pressing_depth_m", "m", 0.0001, 0.009, 0.001,
-                 "How deep the probe is held below the mean height while it strokes")};
+                 "How deep the probe is held below the mean height while it strokes"),
+          number("ball_diameter_m", "m", 0.001, 0.02, 0.005,
+                 "Of the ball that a model with two bodies strokes with; the others touch with a "
+                 "point")};
 }
 
 QString name_of(const ForceModel& model) {
@@ -170,8 +173,8 @@ void ForceComparison::add_card(const ForceModel& model, QWidget* parent) {
 }
 
 void ForceComparison::set_field(std::shared_ptr<const HeightField> field) {
-  if (field == field_) return;  // a stroke over it goes on
-  field_ = std::move(field);
+  if (field_ != nullptr && field == field_->field()) return;  // a stroke over it goes on
+  field_ = field != nullptr ? std::make_shared<FieldPlate>(std::move(field)) : nullptr;
   make_renderers();
 }
 
@@ -189,8 +192,9 @@ void ForceComparison::make_renderers() {
   const Material material{.stiffness_N_per_m = number_of(surface, "stiffness_N_per_m"),
                           .friction = number_of(surface, "friction")};
   work_.ask(
-      [this, orders, material, field = field_,
-       depth_m = number_of(surface, "pressing_depth_m")]() -> NewestWork::Delivery {
+      [this, orders, material, plate = field_, depth_m = number_of(surface, "pressing_depth_m"),
+       ball_m = number_of(surface, "ball_diameter_m")]() -> NewestWork::Delivery {
+        const std::shared_ptr<const HeightField>& field = plate->field();
         auto built = std::make_shared<Built>();
         built->depth_m = depth_m;
         for (const Order& order : orders) {
@@ -202,6 +206,9 @@ void ForceComparison::make_renderers() {
             ParameterValues values = model.suggestion;
             for (const auto& [name, value] : order.given) values[name] = value;
             model.stroked = {.id = model.id, .inputs = stroke_inputs(field, material, values)};
+            if (order.model->declaration.needs_bodies) {
+              add_bodies(model.stroked.inputs, *plate, ball_m);
+            }
             model.stroked.renderer = make_renderer(*order.model, model.stroked.inputs);
           } catch (const std::invalid_argument& error) {
             model.complaint = QString::fromUtf8(error.what());
@@ -247,7 +254,7 @@ void ForceComparison::end_stroke() {
 
 void ForceComparison::stroke_across(double y_m) {
   if (field_ == nullptr) return;
-  begin_stroke(-0.45 * field_->width_m(), y_m);
+  begin_stroke(-0.45 * field_->field()->width_m(), y_m);
   across_y_m_ = y_m;
 }
 
@@ -255,7 +262,7 @@ void ForceComparison::frame() {
   const std::int64_t now_ns = clock_.nsecsElapsed();
   if (across_y_m_ && stroke_.is_going_on()) {
     // Aimed anew for every sample: the same stroke whenever the frames come.
-    const double length_m = 0.9 * field_->width_m();
+    const double length_m = 0.9 * field_->field()->width_m();
     double gone_m = 0.0;
     while (gone_m <= length_m) {
       const auto next_ns = static_cast<std::int64_t>(stroke_.path().size()) * kPeriod_ns;

@@ -87,7 +87,7 @@ class ForceComparison final : public QWidget {
   QComboBox* component_ = nullptr;
   QComboBox* heard_ = nullptr;
   QLabel* no_sound_ = nullptr;
-  std::shared_ptr<const HeightField> field_{};
+  std::shared_ptr<FieldPlate> field_{};
   ForceStroke stroke_{};
   QElapsedTimer clock_{};
   QTimer frames_{};

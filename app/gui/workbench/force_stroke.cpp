@@ -4,12 +4,14 @@
 #include <utility>
 
 #include "renderers/servo_time.h"
+#include "stimuli/solid_body.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr double kRate_Hz = 1000.0;
+constexpr double kPlateThickness_m = 0.02;  // more than the deepest hand
 constexpr std::int64_t kLongestStroke_ns = 60'000'000'000;
 
 }  // namespace
@@ -25,6 +27,20 @@ RendererInputs stroke_inputs(std::shared_ptr<const HeightField> field, const Mat
   inputs.height_field = std::move(field);
   inputs.seed = 1;
   return inputs;
+}
+
+std::shared_ptr<const TexturedMesh> FieldPlate::mesh() {
+  std::call_once(made_, [this] {
+    mesh_ = std::make_shared<const TexturedMesh>(body_mesh(
+        PlateShape{{field_->width_m(), field_->length_m(), kPlateThickness_m}}, field_.get()));
+  });
+  return mesh_;
+}
+
+void add_bodies(RendererInputs& inputs, FieldPlate& plate, double ball_diameter_m) {
+  inputs.surface = plate.mesh();
+  inputs.tool = std::make_shared<const TexturedMesh>(
+      placed(body_mesh(SphereShape{.diameter_m = ball_diameter_m}, nullptr), BodyRole::tool));
 }
 
 void ForceStroke::set_models(std::vector<StrokedModel> models, double depth_m) {

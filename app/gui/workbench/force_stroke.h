@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -25,6 +27,24 @@ struct StrokedModel {
 /// The relief without end, so that no border is felt.
 RendererInputs stroke_inputs(std::shared_ptr<const HeightField> field, const Material& material,
                              const ParameterValues& parameters);
+
+/// A field as something that a tool can touch: a plate as large as it. Made when first asked for, which
+/// takes seconds where the field is large; from any thread, and then shared.
+class FieldPlate final {
+ public:
+  explicit FieldPlate(std::shared_ptr<const HeightField> field) : field_(std::move(field)) {}
+  const std::shared_ptr<const HeightField>& field() const noexcept { return field_; }
+  /// Errors: std::invalid_argument for a field of more samples than a plate has texels.
+  std::shared_ptr<const TexturedMesh> mesh();
+
+ private:
+  std::shared_ptr<const HeightField> field_{};
+  std::once_flag made_{};
+  std::shared_ptr<const TexturedMesh> mesh_{};
+};
+
+/// What a model with two bodies needs besides: the plate, and a ball whose lowest point is the tip.
+void add_bodies(RendererInputs& inputs, FieldPlate& plate, double ball_diameter_m);
 
 /// Every model gets the same path, tick by tick, by the rule of the servo loop: the forces are those
 /// that `along_path` gives for `path()`.

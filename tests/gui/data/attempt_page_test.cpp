@@ -251,7 +251,7 @@ TEST_F(DataView, SaysWhatIsWrongWithABrokenRecordingAndShowsTheRest) {
 }
 
 /// An answered attempt that nobody recorded, in a session that was stopped.
-AttemptRow unrecorded_attempt(MadeUpStudy& made) {
+AttemptRow unrecorded_attempt(MadeUpStudy& made, std::vector<ModelLimitRow> limits = {}) {
   made.add_person("P001", "F");
   SessionRow session{};
   session.participant = "P001";
@@ -275,6 +275,7 @@ AttemptRow unrecorded_attempt(MadeUpStudy& made) {
   attempt.offset_ns = 1'000'000'000;
   attempt.presentations = {surface_of("A", "height_map", "brick")};
   attempt.presentations[0].position = 1;
+  attempt.presentations[0].limits = std::move(limits);
   ResponseRow answer{};
   answer.question = "recognised";
   answer.answer = "A";
@@ -284,6 +285,28 @@ AttemptRow unrecorded_attempt(MadeUpStudy& made) {
   study.end_segment(id, attempt.segment, attempt.offset_ns, "stopped");
   study.end_session(id, SessionState::stopped, "2026-03-02T10:00:00Z");
   return study.attempts(id).at(0);
+}
+
+TEST_F(DataView, ShowsWhatTheForceModelCountedWhereItDoes) {
+  MadeUpStudy made;
+  const AttemptRow stored =
+      unrecorded_attempt(made, {{"contact", 900}, {"fast", 12}, {"folded", 0}});
+  OpenStudy study(made.folder());
+  AttemptPage page(study);
+  show_attempt(page, stored);
+  const auto& limits = child<StudyTable>(page, "attempt_limits");
+  ASSERT_EQ(limits.shown_rows(), 3);
+  EXPECT_EQ(limits.text_at(0, 2), "900");
+  EXPECT_EQ(limits.text_at(0, 3), "");  // how long it was touched is no limit
+  EXPECT_TRUE(limits.text_at(1, 1).contains("finest wave")) << limits.text_at(1, 1).toStdString();
+  EXPECT_EQ(limits.text_at(1, 2), "12");
+  EXPECT_TRUE(limits.text_at(1, 3).contains("look at it"));
+  EXPECT_TRUE(limits.text_at(2, 3).contains("fine"));
+  EXPECT_FALSE(limits.isHidden());
+
+  AttemptPage other(*study_);
+  show_attempt(other, attempt(0));
+  EXPECT_TRUE(child<StudyTable>(other, "attempt_limits").isHidden());
 }
 
 TEST_F(DataView, ShowsAnAttemptThatWasNotRecorded) {

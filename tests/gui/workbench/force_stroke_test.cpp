@@ -19,8 +19,11 @@ std::shared_ptr<const HeightField> brick() {
 
 std::vector<StrokedModel> every_model(const ModelRegistry& registry) {
   std::vector<StrokedModel> models{};
+  FieldPlate plate(brick());
   for (const ForceModel& model : registry.models()) {
-    StrokedModel stroked{.id = model.declaration.id, .inputs = stroke_inputs(brick(), {}, {})};
+    StrokedModel stroked{.id = model.declaration.id,
+                         .inputs = stroke_inputs(plate.field(), {}, {})};
+    if (model.declaration.needs_bodies) add_bodies(stroked.inputs, plate, 0.005);
     stroked.renderer = make_renderer(model, stroked.inputs);
     models.push_back(std::move(stroked));
   }

@@ -1,0 +1,104 @@
+#include "app/cli/body_option.h"
+
+#include <array>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "app/height_field_files.h"
+#include "app/textured_mesh_files.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+struct Form {
+  BodyOption::Kind kind = BodyOption::Kind::file;
+  std::string_view prefix{};
+  std::size_t sizes = 0;
+  std::string_view meant{};
+};
+
+constexpr std::array kForms{
+    Form{BodyOption::Kind::plane, "plane:", 2, "plane:FILE.png or plane:[FILE.png,]X_m,Y_m"},
+    Form{BodyOption::Kind::box, "box:", 3, "box:[FILE.png,]X_m,Y_m,Z_m"},
+    Form{BodyOption::Kind::cylinder, "cylinder:", 2, "cylinder:[FILE.png,]D_m,L_m"},
+    Form{BodyOption::Kind::sphere, "sphere:", 1, "sphere:[FILE.png,]D_m"},
+    Form{BodyOption::Kind::disc, "disc:", 1, "disc:[FILE.png,]D_m"}};
+
+constexpr double kThickness_m = 0.01;  // of a plane: deeper than anything is pressed into it
+
+Shape shape_of(const BodyOption& body, const HeightField* field) {
+  const std::vector<double>& sizes_m = body.sizes_m;
+  switch (body.kind) {
+    case BodyOption::Kind::file:
+    case BodyOption::Kind::plane: {
+      const double x_m = sizes_m.empty() ? field->width_m() : sizes_m[0];
+      const double y_m = sizes_m.empty() ? field->length_m() : sizes_m[1];
+      return PlateShape{{x_m, y_m, kThickness_m}};
+    }
+    case BodyOption::Kind::box:
+      return BoxShape{{sizes_m[0], sizes_m[1], sizes_m[2]}};
+    case BodyOption::Kind::cylinder:
+      return CylinderShape{.diameter_m = sizes_m[0], .length_m = sizes_m[1]};
+    case BodyOption::Kind::sphere:
+      return SphereShape{.diameter_m = sizes_m[0]};
+    case BodyOption::Kind::disc:
+      return disc_of(sizes_m[0]);
+  }
+  throw std::logic_error("a body of no kind");
+}
+
+}  // namespace
+
+bool BodyOption::is_plain_height_field() const {
+  return sizes_m.empty() &&
+         (kind == Kind::plane || (kind == Kind::file && file->extension() == ".png"));
+}
+
+BodyOption body_option(const std::string& option, const std::string& text) {
+  BodyOption body{};
+  body.text = text;
+  for (const Form& form : kForms) {
+    if (!text.starts_with(form.prefix)) continue;
+    body.kind = form.kind;
+    std::string rest = text.substr(form.prefix.size());
+    // Sizes from the end; what is left in front of them is a file, whose name may hold commas.
+    while (!rest.empty()) {
+      const std::size_t comma = rest.rfind(',');
+      const std::size_t start = comma == std::string::npos ? 0 : comma + 1;
+      const std::optional<double> size_m = number_in(std::string_view(rest).substr(start));
+      if (!size_m || body.sizes_m.size() == form.sizes) break;
+      body.sizes_m.insert(body.sizes_m.begin(), *size_m);
+      rest.erase(comma == std::string::npos ? 0 : comma);
+    }
+    if (!rest.empty()) body.file = rest;
+    const bool is_whole_field =
+        form.kind == BodyOption::Kind::plane && body.sizes_m.empty() && body.file;
+    if (body.sizes_m.size() != form.sizes && !is_whole_field) {
+      throw std::runtime_error(option + ' ' + text + ": write " + std::string(form.meant) +
+                               ", with sizes in metres");
+    }
+    return body;
+  }
+  body.file = text;
+  return body;
+}
+
+std::shared_ptr<const TexturedMesh> load_body(const BodyOption& body) {
+  if (body.kind == BodyOption::Kind::file && body.file->extension() != ".png") {
+    const LoadedTexturedMesh loaded = load_textured_mesh(*body.file);
+    return {loaded.stored, &loaded.stored->mesh};
+  }
+  std::shared_ptr<const HeightField> field{};
+  if (body.file) field = load_height_field(*body.file).field;
+  try {
+    return std::make_shared<const TexturedMesh>(
+        body_mesh(shape_of(body, field.get()), field.get()));
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(body.text + ": " + error.what());
+  }
+}
+
+}  // namespace asperity
