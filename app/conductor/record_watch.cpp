@@ -84,6 +84,7 @@ void RecordWatch::take_into_bin(const TickRecord& record) {
   bin_.x_m = static_cast<float>(record.probe.position_m.x);
   bin_.y_m = static_cast<float>(record.probe.position_m.y);
   bin_.z_m = static_cast<float>(record.probe.position_m.z);
+  bin_.orientation = glm::quat(record.probe.orientation);
   bin_.touching = record.penetration_m > 0.0;
   bin_.surface = static_cast<int>(record.presentation);
 }

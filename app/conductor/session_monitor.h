@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/gtc/quaternion.hpp>
+
 #include "app/conductor/participant_scene.h"
 #include "app/phrase.h"
 #include "protocols/plan.h"
@@ -135,6 +137,7 @@ struct LiveBin {
   float x_m = 0.0F;  ///< at its end
   float y_m = 0.0F;
   float z_m = 0.0F;
+  glm::quat orientation{1.0F, 0.0F, 0.0F, 0.0F};  ///< likewise
   bool touching = false;
   int surface = 0;
 };

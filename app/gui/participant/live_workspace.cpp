@@ -9,7 +9,11 @@ namespace asperity {
 
 LiveWorkspace::LiveWorkspace(const SessionMonitor& monitor, std::filesystem::path study,
                              SurfaceLook look, QWidget* parent)
-    : QWidget(parent), monitor_(monitor), study_(std::move(study)), look_(look) {
+    : QWidget(parent),
+      monitor_(monitor),
+      study_(study),
+      look_(look),
+      builder_(no_models_, std::move(study)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   view_ = new WorkspaceView(this);
@@ -54,6 +58,7 @@ void LiveWorkspace::look_again() {
   }
   if (!bins_.empty()) {
     const LiveBin& last = bins_.back();
+    view_->set_probe_orientation(glm::dquat(last.orientation));
     view_->set_probe(last.x_m, last.y_m, last.z_m, last.touching);
   }
 }
@@ -62,6 +67,10 @@ void LiveWorkspace::show_surface(const PlannedPresentation& surface, bool mirror
   SurfacePatch patch = surface.stimulus.patch;
   if (mirrored) patch.centre_m.x = -patch.centre_m.x;  // as the session lays it out
   view_->set_mirrored(mirrored);
+  if (surface.stimulus.surface && surface.stimulus.tool) {
+    show_bodies(surface, patch);
+    return;
+  }
   const auto& path = surface.stimulus.height_field;
   if (look_ != SurfaceLook::relief || !path) {
     view_->set_object(patch, nullptr, look_);
@@ -79,6 +88,20 @@ void LiveWorkspace::show_surface(const PlannedPresentation& surface, bool mirror
       [this, patch, path = *path, wanted = shown_](LoadedHeightField loaded) {
         reliefs_[path] = loaded.field;
         if (shown_ == wanted) view_->set_object(patch, loaded.field, look_);
+      },
+      [this](const QString& what) { emit unreadable(what); });
+}
+
+void LiveWorkspace::show_bodies(const PlannedPresentation& surface, const SurfacePatch& patch) {
+  using Bodies = std::pair<LoadedBody, LoadedBody>;
+  reading_.run<Bodies>(
+      [this, felt = *surface.stimulus.surface, held = *surface.stimulus.tool](
+          const std::stop_token&, const BackgroundTask::Progress&) {
+        return Bodies{builder_.body(felt, BodyRole::surface), builder_.body(held, BodyRole::tool)};
+      },
+      [this, patch, wanted = shown_](Bodies bodies) {
+        if (shown_ != wanted) return;
+        view_->set_bodies(patch, bodies.first.mesh, bodies.second.mesh, look_);
       },
       [this](const QString& what) { emit unreadable(what); });
 }

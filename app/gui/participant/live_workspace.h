@@ -15,6 +15,7 @@
 #include <QtWidgets/QWidget>
 
 #include "app/conductor/session_monitor.h"
+#include "app/conductor/stimulus_builder.h"
 #include "app/gui/look/background_task.h"
 #include "app/gui/participant/workspace_view.h"
 #include "app/height_field_files.h"
@@ -24,7 +25,8 @@ namespace asperity {
 /// Shows the surface that is felt and the probe on it, 60 times a second while it is visible.
 ///
 /// A relief that is to be seen is read from the study in the background, once for each file; until
-/// it is there the surface is plain. Between surfaces the last one stays, without the probe.
+/// it is there the surface is plain. So are bodies, in the place of which the surface before stays
+/// until they are there. Between surfaces the last one stays, without the probe.
 class LiveWorkspace final : public QWidget {
   Q_OBJECT
  public:
@@ -44,6 +46,7 @@ class LiveWorkspace final : public QWidget {
 
  private:
   void look_again();
+  void show_bodies(const PlannedPresentation& surface, const SurfacePatch& patch);
   void show_surface(const PlannedPresentation& surface, bool mirrored);
 
   const SessionMonitor& monitor_;
@@ -55,6 +58,8 @@ class LiveWorkspace final : public QWidget {
   std::vector<LiveBin> bins_{};
   std::pair<int, int> shown_{};                                          ///< trial and surface
   std::map<std::string, std::shared_ptr<const HeightField>> reliefs_{};  ///< by path in the study
+  const ModelRegistry no_models_{};
+  StimulusBuilder builder_;  ///< of bodies, which need none
   BackgroundTask reading_{};
 };
 

@@ -5,8 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
+#include <QtGui/QPainter>
+#include <QtGui/QPolygonF>
 #include <glm/geometric.hpp>
+
+#include "app/gui/participant/body_picture.h"
 
 namespace asperity {
 
@@ -93,10 +98,7 @@ Relief prepare(const HeightField& field, const SurfacePatch& patch) {
 }
 
 glm::dvec3 lit(const glm::dvec3& normal, double openness) {
-  const double direct = std::max(0.0, glm::dot(normal, kLight));
-  // The rest of the light comes from all around, most of it from above.
-  const double around = 0.68 + 0.32 * normal.z;
-  return kSlab * ((0.33 * around + 0.69 * direct) * openness);
+  return kSlab * (workspace_light(normal) * openness);
 }
 
 class Painter final {
@@ -215,10 +217,135 @@ class Painter final {
   Relief relief_{};
 };
 
+/// The table alone, darker towards the borders of the picture.
+QImage draw_table(const WorkspaceCamera& camera, const QColor& ground,
+                  const std::stop_token& stop) {
+  const glm::dvec3 colour{linear(ground.redF()), linear(ground.greenF()), linear(ground.blueF())};
+  const double size_m = larger_extent(camera.patch());
+  QImage image(camera.size(), QImage::Format_RGB32);
+  for (int row = 0; row < image.height() && !stop.stop_requested(); ++row) {
+    auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(row));
+    for (int column = 0; column < image.width(); ++column) {
+      const glm::dvec3 at = camera.point_at({column + 0.5, row + 0.5}, -camera.thickness_m());
+      const double light = 1.0 - 0.10 * smoothstep(0.5, 1.8, glm::length(at) / size_m);
+      const double dither = dither_at(column, row);
+      pixels[column] = qRgb(level_of(colour.r * light, dither), level_of(colour.g * light, dither),
+                            level_of(colour.b * light, dither));
+    }
+  }
+  return image;
+}
+
+/// The mean over 5 × 5 pixels, three times: no corner of a box is left to see.
+QImage softened(QImage mask) {
+  constexpr int kReach = 2;
+  const int width = mask.width();
+  const int height = mask.height();
+  for (int pass = 0; pass < 6; ++pass) {
+    const bool along_rows = pass % 2 == 0;
+    QImage smoother(mask.size(), QImage::Format_Alpha8);
+    for (int row = 0; row < height; ++row) {
+      uchar* const line = smoother.scanLine(row);
+      for (int column = 0; column < width; ++column) {
+        int sum = 0;
+        for (int off = -kReach; off <= kReach; ++off) {
+          const int at_row = along_rows ? row : std::clamp(row + off, 0, height - 1);
+          const int at_column = along_rows ? std::clamp(column + off, 0, width - 1) : column;
+          sum += mask.constScanLine(at_row)[at_column];
+        }
+        line[column] = static_cast<uchar>((sum + kReach) / (2 * kReach + 1));
+      }
+    }
+    mask = std::move(smoother);
+  }
+  return mask;
+}
+
+/// Where a body keeps the lamp's light from the table, dark beneath it and faint further off.
+void draw_shadow(QPainter& painter, const WorkspaceCamera& camera,
+                 const WorkspacePicture& picture) {
+  const double table_m = camera.patch().centre_m.z - camera.thickness_m();
+  // Two lamps: the one of the picture, and the sky straight above it.
+  struct Lamp {
+    glm::dvec3 towards{};
+    double darkness = 0.0;
+    double softness = 0.0;  ///< of the shadow's edge, in patches
+  };
+  for (const Lamp& lamp : {Lamp{kLight, 0.36, 0.030}, Lamp{{0.0, 0.0, 1.0}, 0.28, 0.018}}) {
+    QImage mask(camera.size(), QImage::Format_Alpha8);
+    mask.fill(0);
+    QPainter on_mask(&mask);
+    on_mask.setPen(Qt::NoPen);
+    on_mask.setBrush(Qt::black);
+    for (const auto& triangle : picture.body->triangles) {
+      QPolygonF seen{};
+      for (const std::uint32_t corner : triangle) {
+        const glm::dvec3 point = picture.body->vertices_m[corner] + picture.body_m;
+        const double fall = (point.z - table_m) / lamp.towards.z;
+        seen << camera.project(point - fall * lamp.towards);
+      }
+      on_mask.drawPolygon(seen);
+    }
+    on_mask.end();
+    const double soft_px =
+        lamp.softness * larger_extent(camera.patch()) * camera.scale_at(camera.patch().centre_m);
+    // Softened on a smaller picture of it, where a box of five is as wide as the edge is soft.
+    const QSize small =
+        (QSizeF(mask.size()) / std::max(1.0, soft_px / 5.0)).toSize().expandedTo(QSize(1, 1));
+    mask = softened(mask.scaled(small, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                        .convertToFormat(QImage::Format_Alpha8))
+               .scaled(camera.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+               .convertToFormat(QImage::Format_Alpha8);
+    QImage shade(camera.size(), QImage::Format_ARGB32_Premultiplied);
+    shade.fill(Qt::black);
+    shade.setAlphaChannel(mask);
+    painter.setOpacity(lamp.darkness);
+    painter.drawImage(0, 0, shade);
+  }
+  painter.setOpacity(1.0);
+}
+
+QImage draw_body(const WorkspaceCamera& camera, const WorkspacePicture& picture,
+                 const std::stop_token& stop) {
+  QImage image = draw_table(camera, picture.ground, stop);
+  if (stop.stop_requested()) return {};
+  const SeenBody body(picture.body, picture.look, kSlab);
+  const SeenPose pose{.position_m = picture.body_m};
+  constexpr int kFineness = 2;
+  const QRect area = body.area(camera, pose);
+  BodyLayer layer(area, kFineness);
+  body.draw(camera, pose, layer);
+  if (stop.stop_requested()) return {};
+  QPainter painter(&image);
+  draw_shadow(painter, camera, picture);
+  painter.drawImage(area.topLeft(), layer.image());
+  return image;
+}
+
 }  // namespace
 
+double workspace_light(const glm::dvec3& normal) {
+  const double direct = std::max(0.0, glm::dot(normal, kLight));
+  // The rest of the light comes from all around, most of it from above.
+  const double around = 0.68 + 0.32 * normal.z;
+  return 0.33 * around + 0.69 * direct;
+}
+
+SeenPatch seen_patch_of(const TexturedMesh& body, const SurfacePatch& patch) {
+  const BodyBounds bounds = bounds_of(body);
+  SeenPatch seen{.patch = patch};
+  seen.patch.centre_m += glm::dvec3{0.5 * (bounds.low_m.x + bounds.high_m.x),
+                                    0.5 * (bounds.low_m.y + bounds.high_m.y), bounds.high_m.z};
+  seen.patch.extent_m = {bounds.high_m.x - bounds.low_m.x, bounds.high_m.y - bounds.low_m.y};
+  seen.thickness_m = bounds.high_m.z - bounds.low_m.z;
+  return seen;
+}
+
 WorkspaceCamera::WorkspaceCamera(const SurfacePatch& patch, QSize size)
-    : patch_(patch), size_(size) {
+    : WorkspaceCamera(patch, size, kThickness * larger_extent(patch)) {}
+
+WorkspaceCamera::WorkspaceCamera(const SurfacePatch& patch, QSize size, double thickness_m)
+    : patch_(patch), size_(size), thickness_m_(thickness_m) {
   const double extent_m = larger_extent(patch);
   eye_m_ =
       kDistance * extent_m * glm::dvec3{0.0, -std::cos(kElevation_rad), std::sin(kElevation_rad)};
@@ -226,10 +353,10 @@ WorkspaceCamera::WorkspaceCamera(const SurfacePatch& patch, QSize size)
   QRectF seen{};
   for (const double x : {-0.5, 0.5}) {
     for (const double y : {-0.5, 0.5}) {
-      for (const double z : {-kThickness, 0.22}) {
-        const QPointF at = project(
-            patch.centre_m + glm::dvec3{x * patch.extent_m.x, y * patch.extent_m.y, z * extent_m});
-        if (z > 0.0 && y < 0.0) continue;  // the tool covers the front of the slab
+      for (const double z_m : {-thickness_m_, 0.22 * extent_m}) {
+        const QPointF at =
+            project(patch.centre_m + glm::dvec3{x * patch.extent_m.x, y * patch.extent_m.y, z_m});
+        if (z_m > 0.0 && y < 0.0) continue;  // the tool covers the front of the slab
         seen = seen.isNull() ? QRectF(at, QSizeF(1e-9, 1e-9))
                              : seen.united(QRectF(at, QSizeF(1e-9, 1e-9)));
       }
@@ -240,7 +367,7 @@ WorkspaceCamera::WorkspaceCamera(const SurfacePatch& patch, QSize size)
   centre_px_ = QPointF(0.5 * size.width(), 0.5 * size.height()) - focal_px_ * seen.center();
 }
 
-double WorkspaceCamera::thickness_m() const noexcept { return kThickness * larger_extent(patch_); }
+double WorkspaceCamera::thickness_m() const noexcept { return thickness_m_; }
 
 double WorkspaceCamera::scale_at(const glm::dvec3& point_m) const noexcept {
   const glm::dvec3 from_eye = point_m - patch_.centre_m - eye_m_;
@@ -268,6 +395,7 @@ glm::dvec3 WorkspaceCamera::point_at(QPointF pixel, double z_m) const noexcept {
 
 QImage draw_workspace(const WorkspaceCamera& camera, const WorkspacePicture& picture,
                       const std::stop_token& stop) {
+  if (picture.body) return draw_body(camera, picture, stop);
   const Painter painter(camera, picture);
   QImage image(camera.size(), QImage::Format_RGB32);
   for (int row = 0; row < image.height(); ++row) {

@@ -13,6 +13,7 @@
 
 #include "stimuli/height_field.h"
 #include "stimuli/surface_patch.h"
+#include "stimuli/textured_mesh.h"
 
 namespace asperity {
 
@@ -27,10 +28,12 @@ enum class SurfaceLook {
 /// the device's frame is right in the picture, for either hand.
 ///
 /// The object is a slab as large as the patch whose upper face is the plane of the surface; it fills
-/// a picture of `size` pixels with room for the tool above it.
+/// a picture of `size` pixels with room for the tool above it. A body in its place has a patch and a
+/// thickness of its own (`seen_patch_of`).
 class WorkspaceCamera final {
  public:
   WorkspaceCamera(const SurfacePatch& patch, QSize size);
+  WorkspaceCamera(const SurfacePatch& patch, QSize size, double thickness_m);
 
   QSize size() const noexcept { return size_; }
   const SurfacePatch& patch() const noexcept { return patch_; }
@@ -47,6 +50,7 @@ class WorkspaceCamera final {
  private:
   SurfacePatch patch_{};
   QSize size_{};
+  double thickness_m_ = 0.0;
   glm::dvec3 eye_m_{};  ///< relative to the patch's centre
   double focal_px_ = 1.0;
   QPointF centre_px_{};
@@ -57,7 +61,22 @@ struct WorkspacePicture {
   std::shared_ptr<const HeightField> relief{};
   SurfaceLook look = SurfaceLook::plain;
   QColor ground{};  ///< of the page around
+  /// In the place of the slab; its own frame stands where the patch has its centre.
+  std::shared_ptr<const TexturedMesh> body{};
+  glm::dvec3 body_m{0.0};  ///< that centre, in the device's frame
 };
+
+/// A patch above the whole of a body: its centre in the plane of the body's highest point, its extent
+/// that of the body seen from above. And how far down the body goes from there.
+struct SeenPatch {
+  SurfacePatch patch{};
+  double thickness_m = 0.0;
+};
+SeenPatch seen_patch_of(const TexturedMesh& body, const SurfacePatch& patch);
+
+/// Light on a surface whose outward normal this is, in the device's frame: 1 and a little where it
+/// faces the lamp.
+double workspace_light(const glm::dvec3& normal);
 
 /// Slopes are exaggerated until they are plain to see, so that two reliefs of one shape look alike
 /// whatever their amplitude. A stop gives a null image. Some 0.4 s for 1280 × 720 with a relief, a

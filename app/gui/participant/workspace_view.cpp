@@ -23,6 +23,8 @@ constexpr double kTipRadius = 0.012;
 constexpr double kShaftRadius = 0.017;
 constexpr double kTaper = 0.10;   // from the tip to where the shaft has its full width
 constexpr double kLength = 0.62;  // of the tool
+const glm::dvec3 kToolColour{0.46, 0.49, 0.53};  // linear: of steel
+constexpr double kMostLift_m = 0.006;            // of a tool that is pressed into the surface
 // Its shadow runs away from the light (as in the picture), this far for each unit of height.
 const glm::dvec3 kShadow{0.66, -0.55, 0.0};
 
@@ -102,13 +104,48 @@ void WorkspaceView::set_object(const SurfacePatch& patch, std::shared_ptr<const 
                                SurfaceLook look) {
   // What is not to be seen is not even held.
   if (look != SurfaceLook::relief) relief = nullptr;
-  if (camera_ && picture_.look == look && picture_.relief == relief && look_alike(patch_, patch)) {
+  if (camera_ && picture_.body == nullptr && picture_.look == look && picture_.relief == relief &&
+      look_alike(patch_, patch)) {
     return;
   }
   patch_ = patch;
+  thickness_m_ = WorkspaceCamera(patch, QSize(1, 1)).thickness_m();
   picture_.relief = std::move(relief);
   picture_.look = look;
+  picture_.body = nullptr;
+  surface_.reset();
+  tool_.reset();
   draw_again();
+}
+
+void WorkspaceView::set_bodies(const SurfacePatch& patch,
+                               std::shared_ptr<const TexturedMesh> surface,
+                               std::shared_ptr<const TexturedMesh> tool, SurfaceLook look) {
+  const SurfaceLook look_of_tool =
+      look == SurfaceLook::relief ? SurfaceLook::relief : SurfaceLook::plain;
+  if (!tool_ || &tool_->mesh() != tool.get() || picture_.look != look) {
+    tool_.emplace(std::move(tool), look_of_tool, kToolColour);
+    update();
+  }
+  if (camera_ && picture_.body == surface && picture_.look == look &&
+      picture_.body_m == patch.centre_m) {
+    return;
+  }
+  const SeenPatch seen = seen_patch_of(*surface, patch);
+  patch_ = seen.patch;
+  thickness_m_ = seen.thickness_m;
+  picture_.relief = nullptr;
+  picture_.look = look;
+  picture_.body = surface;
+  picture_.body_m = patch.centre_m;
+  // Only to hide what is behind it: its relief is in the picture.
+  surface_.emplace(std::move(surface), SurfaceLook::plain, glm::dvec3{1.0});
+  draw_again();
+}
+
+void WorkspaceView::set_probe_orientation(const glm::dquat& orientation) {
+  orientation_ = orientation;
+  if (tool_) update();
 }
 
 void WorkspaceView::set_probe(double x_m, double y_m, double z_m, bool touching) {
@@ -138,16 +175,17 @@ void WorkspaceView::changeEvent(QEvent* event) {
 
 void WorkspaceView::draw_again() {
   picture_.ground = theme().ground;
-  camera_.emplace(patch_, size());
+  camera_.emplace(patch_, size(), thickness_m_);
   drawn_ = false;
   // At once: a quarter of the size, plain.
-  const WorkspaceCamera coarse(patch_, (size() / 4).expandedTo(QSize(1, 1)));
-  image_ = draw_workspace(coarse, {.ground = picture_.ground});
+  const WorkspaceCamera coarse(patch_, (size() / 4).expandedTo(QSize(1, 1)), thickness_m_);
+  image_ = draw_workspace(
+      coarse, {.ground = picture_.ground, .body = picture_.body, .body_m = picture_.body_m});
   const QSize fine = size() * devicePixelRatioF();
   task_.run<QImage>(
-      [patch = patch_, picture = picture_, fine](const std::stop_token& stop,
-                                                 const BackgroundTask::Progress&) {
-        return draw_workspace(WorkspaceCamera(patch, fine), picture, stop);
+      [patch = patch_, thickness_m = thickness_m_, picture = picture_, fine](
+          const std::stop_token& stop, const BackgroundTask::Progress&) {
+        return draw_workspace(WorkspaceCamera(patch, fine, thickness_m), picture, stop);
       },
       [this](QImage image) {
         image_ = std::move(image);
@@ -170,8 +208,61 @@ void WorkspaceView::paintEvent(QPaintEvent*) {
   }
   if (probe_ && camera_) {
     painter.setRenderHint(QPainter::Antialiasing);
-    draw_tool(painter);
+    if (tool_) {
+      draw_tool_body(painter);
+    } else {
+      draw_tool(painter);
+    }
   }
+}
+
+void WorkspaceView::draw_tool_body(QPainter& painter) const {
+  SeenPose pose{.rotation = glm::mat3_cast(orientation_), .position_m = probe_->position_m};
+  if (probe_->touching) {
+    pose.position_m.z +=
+        lift_above_m(tool_->mesh(), pose, surface_->mesh(), picture_.body_m, kMostLift_m);
+  }
+  const SeenPose surface_pose{.position_m = picture_.body_m};
+  // Where it comes down: on the object's upper side, or on the table.
+  const double patch_m = std::max(patch_.extent_m.x, patch_.extent_m.y);
+  const glm::dvec3 from_centre = pose.position_m - patch_.centre_m;
+  const bool is_over = std::abs(from_centre.x) <= 0.5 * patch_.extent_m.x &&
+                       std::abs(from_centre.y) <= 0.5 * patch_.extent_m.y;
+  const double floor_m = is_over ? 0.0 : -thickness_m_;
+  const double height_m = std::max(0.0, from_centre.z - floor_m);
+  const glm::dvec3 foot = patch_.centre_m + glm::dvec3{from_centre.x, from_centre.y, floor_m};
+  const glm::dvec3 size_m = tool_->bounds().high_m - tool_->bounds().low_m;
+  const double radius_px =
+      0.5 * std::max({size_m.x, size_m.y, 0.02 * patch_m}) * camera_->scale_at(foot);
+  const double high = std::min(1.0, height_m / (0.25 * patch_m));
+  const QPointF shadow = camera_->project(foot + height_m * kShadow);
+  const double spread_px = radius_px * (1.5 + 1.5 * high);
+  const QRect spot =
+      QRectF(shadow.x() - spread_px, shadow.y() - spread_px, 2.0 * spread_px, 2.0 * spread_px)
+          .toAlignedRect() &
+      rect();
+  if (!spot.isEmpty()) {
+    QImage dark(spot.size(), QImage::Format_ARGB32_Premultiplied);
+    dark.fill(0);
+    QPainter on_dark(&dark);
+    soft_spot(on_dark, shadow - spot.topLeft(), spread_px, 0.72, 0.50 - 0.34 * high);
+    on_dark.end();
+    if (is_over) {
+      BodyLayer surface(spot, 1);
+      surface_->hide_behind(*camera_, surface_pose, surface);
+      surface.keep_covered(dark);
+    }
+    painter.drawImage(spot.topLeft(), dark);
+  }
+
+  const QRect area = tool_->area(*camera_, pose);
+  if (area.isEmpty()) return;
+  // A tool that fills the picture would take too long twice as fine.
+  constexpr int kManyPixels = 60'000;
+  BodyLayer layer(area, area.width() * area.height() > kManyPixels ? 1 : 2);
+  surface_->hide_behind(*camera_, surface_pose, layer);
+  tool_->draw(*camera_, pose, layer);
+  painter.drawImage(area.topLeft(), layer.image());
 }
 
 void WorkspaceView::draw_tool(QPainter& painter) const {

@@ -7,9 +7,11 @@
 
 #include <QtGui/QImage>
 #include <QtWidgets/QWidget>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
 #include "app/gui/look/background_task.h"
+#include "app/gui/participant/body_picture.h"
 #include "app/gui/participant/workspace_picture.h"
 
 namespace asperity {
@@ -32,7 +34,13 @@ class WorkspaceView final : public QWidget {
   /// the one that is there is not drawn again.
   void set_object(const SurfacePatch& patch, std::shared_ptr<const HeightField> relief,
                   SurfaceLook look);
+  /// The same for two bodies: the surface's mesh with its own frame in the patch's centre, and the
+  /// tool's, whose frame is the probe's. Both show their relief, or the surface the pattern.
+  void set_bodies(const SurfacePatch& patch, std::shared_ptr<const TexturedMesh> surface,
+                  std::shared_ptr<const TexturedMesh> tool, SurfaceLook look);
   void set_probe(double x_m, double y_m, double z_m, bool touching);
+  /// How the probe is turned; seen only of a tool with a body.
+  void set_probe_orientation(const glm::dquat& orientation);
   /// The position of the probe is not known: neither it nor the tool is drawn.
   void take_probe_away();
   /// The tool is held in the left hand.
@@ -57,9 +65,14 @@ class WorkspaceView final : public QWidget {
 
   void draw_again();
   void draw_tool(QPainter& painter) const;
+  void draw_tool_body(QPainter& painter) const;
 
-  SurfacePatch patch_{};
+  SurfacePatch patch_{};  ///< of the camera
+  double thickness_m_ = 0.0;
   WorkspacePicture picture_{};
+  std::optional<SeenBody> surface_{};  ///< hides the tool where that is behind it
+  std::optional<SeenBody> tool_{};
+  glm::dquat orientation_{1.0, 0.0, 0.0, 0.0};
   bool mirrored_ = false;
   std::optional<Probe> probe_{};
   std::optional<WorkspaceCamera> camera_{};  // in the widget's own pixels

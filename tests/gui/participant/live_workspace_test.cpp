@@ -114,6 +114,32 @@ TEST_F(LiveWorkspaceTest, TheProbeFollowsTheHandAndIsGoneBetweenSurfaces) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace.grab().toImage() == empty; }));
 }
 
+TEST_F(LiveWorkspaceTest, ShowsTheBodiesOfAModelThatHasThem) {
+  BodyDescription plate{.name = "plate", .shape = PlateShape{{0.06, 0.04, 0.01}}};
+  trial_.presentations[0].stimulus.surface = plate;
+  trial_.presentations[0].stimulus.tool = {.name = "ball",
+                                           .shape = SphereShape{.diameter_m = 0.01}};
+  trial_.presentations[1].stimulus.surface = plate;
+  trial_.presentations[1].stimulus.tool = {
+      .name = "rod", .shape = CylinderShape{.diameter_m = 0.006, .length_m = 0.03}};
+  LiveWorkspace workspace(monitor_, folder(), SurfaceLook::plain);
+  workspace.resize(480, 270);
+  workspace.show();
+  begin();
+  feel(1);
+  move(0.0F);
+  const QImage ball = settled(workspace);
+  feel(2);
+  move(0.0F);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.grab().toImage() != ball; }));
+  const QImage rod = settled(workspace);
+  LiveBin turned{};
+  turned.orientation = glm::angleAxis(1.0F, glm::vec3{0.0F, 1.0F, 0.0F});
+  turned.touching = true;
+  monitor_.add_bin(turned);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace.grab().toImage() != rod; }));
+}
+
 TEST_F(LiveWorkspaceTest, AMirroredSessionLiesOnTheOtherSide) {
   trial_.presentations[0].stimulus.patch.centre_m.x = 0.05;
   LiveWorkspace workspace(monitor_, folder(), SurfaceLook::plain);

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/look/theme.h"
+#include "stimuli/solid_body.h"
 #include "tests/gui/support/screenshot.h"
 
 namespace asperity {
@@ -208,6 +209,165 @@ TEST(WorkspaceView, TakesLittleTimeForAFrame) {
   }
   std::nth_element(times_ms.begin(), times_ms.begin() + 100, times_ms.end());
   std::cout << "median of 200 frames at 1280 x 720: " << times_ms[100] << " ms\n";
+}
+
+using Mesh = std::shared_ptr<const TexturedMesh>;
+
+Mesh made(const Shape& shape, BodyAxis axis, BodyRole role, const HeightField* field) {
+  return std::make_shared<const TexturedMesh>(placed(turned(body_mesh(shape, field), axis), role));
+}
+// Made once: a cylinder takes a second.
+const Mesh& plate() {
+  static const Mesh kPlate =
+      made(PlateShape{{0.04, 0.03, 0.01}}, BodyAxis::z, BodyRole::surface, nullptr);
+  return kPlate;
+}
+const Mesh& wavy_plate() {
+  static const Mesh kPlate =
+      made(PlateShape{{0.04, 0.03, 0.01}}, BodyAxis::z, BodyRole::surface, waves().get());
+  return kPlate;
+}
+const Mesh& rod() {
+  static const Mesh kRod = made(CylinderShape{.diameter_m = 0.006, .length_m = 0.02}, BodyAxis::x,
+                                BodyRole::tool, nullptr);
+  return kRod;
+}
+
+/// A view of two bodies, drawn.
+class TwoBodies : public testing::Test {
+ protected:
+  TwoBodies() { view_.resize(480, 270); }
+  QImage seen(const Mesh& surface, const Mesh& tool, SurfaceLook look = SurfaceLook::plain) {
+    view_.set_bodies({}, surface, tool, look);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return view_.is_drawn(); }, 30000));
+    return now();
+  }
+  QImage now() { return view_.grab().toImage(); }
+
+  WorkspaceView view_{};
+};
+
+int most_levels(const QImage& one, const QImage& other) {
+  int most = 0;
+  for (int row = 0; row < one.height(); ++row) {
+    for (int column = 0; column < one.width(); ++column) {
+      most =
+          std::max(most, std::abs(qGray(one.pixel(column, row)) - qGray(other.pixel(column, row))));
+    }
+  }
+  return most;
+}
+
+// What makes it round is in its displacements, and is no relief.
+TEST_F(TwoBodies, ARoundToolThatIsSmoothLooksSmooth) {
+  seen(plate(), rod());
+  view_.set_probe(0.0, 0.0, 0.0, true);
+  const QImage plain = now();
+  EXPECT_LE(most_levels(seen(plate(), rod(), SurfaceLook::relief), plain), 6);
+}
+
+TEST_F(TwoBodies, TheToolIsSeenWhereItIsAndAsItIsTurned) {
+  const QImage empty = seen(plate(), rod());
+  view_.set_probe(-0.012, 0.0, 0.0, true);
+  const QImage left = now();
+  EXPECT_GT(difference(left, empty).pixels, 500);
+  view_.set_probe(0.012, 0.0, 0.0, true);
+  const QImage right = now();
+  EXPECT_LT(difference(left, empty).mean_column + 50, difference(right, empty).mean_column);
+  // A quarter turn about the upright axis: from along the picture to into it.
+  view_.set_probe_orientation(glm::angleAxis(0.5 * std::numbers::pi, glm::dvec3{0.0, 0.0, 1.0}));
+  EXPECT_GT(difference(now(), right).pixels, 500);
+  view_.take_probe_away();
+  EXPECT_EQ(difference(now(), empty).pixels, 0);
+}
+
+TEST_F(TwoBodies, ASurfaceShowsItsReliefOnlyWhereItIsToBeSeen) {
+  const Mesh& rough = wavy_plate();
+  const QImage relief = seen(rough, rod(), SurfaceLook::relief);
+  const QImage plain = seen(rough, rod(), SurfaceLook::plain);
+  const QImage pattern = seen(rough, rod(), SurfaceLook::pattern);
+  EXPECT_GT(difference(relief, plain).pixels, 10000);
+  EXPECT_GT(difference(pattern, plain).pixels, 20);
+  const Mesh& smooth = plate();
+  // The mesh under a relief has other triangles: at its edges some levels of grey may differ.
+  EXPECT_LE(most_levels(seen(smooth, rod(), SurfaceLook::plain), plain), 3);
+  EXPECT_LE(most_levels(seen(smooth, rod(), SurfaceLook::pattern), pattern), 8);
+}
+
+TEST_F(TwoBodies, ASurfaceInFrontHidesTheTool) {
+  const Mesh ball = made(SphereShape{.diameter_m = 0.03}, BodyAxis::z, BodyRole::surface, nullptr);
+  const QImage empty = seen(ball, rod());
+  // Beside it, and behind it: 48° from above its back is hidden.
+  view_.set_probe(0.020, 0.0, -0.015, false);
+  const int beside = difference(now(), empty).pixels;
+  view_.set_probe(0.0, 0.018, -0.028, false);
+  const int behind = difference(now(), empty).pixels;
+  EXPECT_LT(behind, beside / 2);
+}
+
+// The eye would tell the hand how soft a surface is.
+TEST_F(TwoBodies, HowDeepTheToolIsIsNotSeen) {
+  seen(plate(), rod());
+  view_.set_probe(0.005, 0.0, 0.0, true);
+  const QImage on = now();
+  view_.set_probe(0.005, 0.0, -0.002, true);
+  EXPECT_LT(difference(now(), on).pixels, 10);  // but for rounding at edges
+  view_.set_probe(0.005, 0.0, 0.010, false);
+  EXPECT_GT(difference(now(), on).pixels, 200);
+}
+
+TEST_F(TwoBodies, GiveWayToTheSlabOfAPointAndComeBack) {
+  const QImage bodies = seen(plate(), rod());
+  view_.set_object({}, nullptr, SurfaceLook::plain);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return view_.is_drawn(); }, 30000));
+  EXPECT_GT(difference(now(), bodies).pixels, 10000);
+  EXPECT_EQ(difference(seen(plate(), rod()), bodies).pixels, 0);
+}
+
+TEST_F(TwoBodies, TakeLittleTimeForAFrame) {
+  view_.resize(1280, 720);
+  QElapsedTimer clock{};
+  clock.start();
+  seen(wavy_plate(), rod(), SurfaceLook::relief);
+  std::cout << "two bodies at 1280 x 720: " << clock.elapsed() << " ms\n";
+  QImage frame(view_.size(), QImage::Format_RGB32);
+  std::vector<double> times_ms{};
+  for (int i = 0; i < 30; ++i) {
+    view_.set_probe(0.015 * std::cos(0.1 * i), 0.01 * std::sin(0.07 * i),
+                    0.004 * std::sin(0.05 * i), true);
+    clock.start();
+    view_.render(&frame);
+    times_ms.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+  }
+  std::nth_element(times_ms.begin(), times_ms.begin() + 15, times_ms.end());
+  std::cout << "median of 30 frames with two bodies at 1280 x 720: " << times_ms[15] << " ms\n";
+}
+
+TEST_F(TwoBodies, LookAsTheyShould) {
+  if (qEnvironmentVariableIsEmpty("ASPERITY_SCREENSHOTS")) GTEST_SKIP() << "nobody looks";
+  const auto field = waves(100e-6);
+  const auto shoot = [&](const Mesh& surface, const Mesh& tool, SurfaceLook look,
+                         const glm::dvec3& at, const QString& name, QSize size) {
+    view_.resize(size);
+    view_.set_probe(at.x, at.y, at.z, at.z <= 0.0);
+    seen(surface, tool, look);
+    take_screenshot(view_, name, size);
+  };
+  const Mesh rough_rod = made(CylinderShape{.diameter_m = 0.008, .length_m = 0.012}, BodyAxis::y,
+                              BodyRole::tool, field.get());
+  const Mesh ball =
+      made(SphereShape{.diameter_m = 0.03}, BodyAxis::x, BodyRole::surface, field.get());
+  const Mesh log = made(CylinderShape{.diameter_m = 0.02, .length_m = 0.05}, BodyAxis::x,
+                        BodyRole::surface, field.get());
+  const QSize large(1920, 1080);
+  const QSize small(1366, 768);
+  shoot(wavy_plate(), rough_rod, SurfaceLook::relief, {0.004, -0.002, 0.0}, "bodies-plate", large);
+  shoot(wavy_plate(), rough_rod, SurfaceLook::pattern, {-0.008, 0.0, 0.006}, "bodies-pattern",
+        small);
+  shoot(log, rod(), SurfaceLook::relief, {0.0, 0.0, 0.0}, "bodies-log", small);
+  apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::dark);
+  shoot(ball, rough_rod, SurfaceLook::relief, {0.0, 0.0, 0.0}, "bodies-ball-dark", small);
+  apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::light);
 }
 
 TEST(WorkspaceView, LooksAsItShould) {
