@@ -36,8 +36,53 @@ std::vector<DemoTexture> demo_textures() {
       {"pebbles", "sandpaper", false, 16, {{"grain_spacing_m", 0.004}, {"grain_height_m", 6e-4}}}};
 }
 
+/// A relief of `tools_matching`: felt as it is, on a tool or the plate, and seen where it has a
+/// picture.
+struct BodyRelief {
+  std::string_view name{};
+  std::string_view kind{};
+  bool has_picture = true;
+  std::size_t pixels = 256;
+  ParameterValues parameters{};
+};
+
+/// All 24 mm wide, which holds whole ridges of each and goes once around a tool.
+std::vector<BodyRelief> body_reliefs() {
+  const auto ridges = [](double spacing_m) {
+    return ParameterValues{{"spacing_m", spacing_m},
+                           {"height_m", 2e-4},
+                           {"ridge_width_m", 0.3 * spacing_m},
+                           {"flank_width_m", 0.2 * spacing_m}};
+  };
+  return {{"file_fine", "grating", true, 256, ridges(0.0010)},
+          {"file_medium", "grating", true, 256, ridges(0.0016)},
+          {"file_coarse", "grating", true, 256, ridges(0.0024)},
+          {"file_plate",
+           "cones",
+           false,
+           128,  // of coarse features, on a large plate
+           {{"spacing_m", 0.003},
+            {"height_m", 2e-4},
+            {"top_diameter_m", 6e-4},
+            {"base_diameter_m", 0.0018}}}};
+}
+
 constexpr double kWidth_m = 0.10;
 constexpr std::size_t kPixels = 1024;
+
+void make_body_relief(const BodyRelief& relief, const std::filesystem::path& folder) {
+  const SurfaceCanvas canvas{0.024, relief.pixels, 17};
+  const std::string name(relief.name);
+  const HeightField surface = make_surface(relief.kind, relief.parameters, canvas);
+  HeightFieldProvenance made{};
+  made.kind = relief.kind;
+  made.parameters = relief.parameters;
+  made.seed = canvas.seed;
+  save_height_field(folder / (name + ".png"), surface, made, Overwrite::refuse);
+  if (!relief.has_picture) return;
+  save_picture(folder / (name + "_photo.png"), synthetic_photograph(surface, {}),
+               Overwrite::refuse);
+}
 
 void make_texture(const DemoTexture& texture, const std::filesystem::path& folder) {
   const std::string name(texture.name);
@@ -82,13 +127,17 @@ void new_demo_study(const std::filesystem::path& folder,
                     const std::function<void(double)>& progress) {
   new_study(folder);
   for (const LibraryProtocol& protocol : library_protocols()) {
-    // What the demo data come from, and a session that shows what goes without sight.
-    if (!protocol.name.starts_with("chapter_") && protocol.name != "improved_selection_blindfold") {
+    // What the demo data come from, a session that shows what goes without sight, and one with tools
+    // in six degrees of freedom.
+    if (!protocol.name.starts_with("chapter_") && protocol.name != "improved_selection_blindfold" &&
+        protocol.name != "tools_matching") {
       continue;
     }
     write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,
                Overwrite::refuse);
   }
+  // First: whether the study is whole is seen by what is made last.
+  for (const BodyRelief& relief : body_reliefs()) make_body_relief(relief, folder / "stimuli");
   const std::vector<DemoTexture> textures = demo_textures();
   for (std::size_t i = 0; i < textures.size(); ++i) {
     progress(static_cast<double>(i) / static_cast<double>(textures.size()));

@@ -1,0 +1,265 @@
+// Models with two bodies in a study: checked, felt, stored, replayed, exported.
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/tasks/export_study.h"
+#include "app/tasks/new_study.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/simulation.h"
+#include "app/tasks/verify_study.h"
+#include "app/textured_mesh_files.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/sha256.h"
+#include "stimuli/solid_body.h"
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// One trial: a ball, a rough roll and a mesh, each on the same rough plate.
+constexpr const char* kProtocol = R"({
+  "format": "asperity.protocol/1",
+  "kind": "selection",
+  "design": "improved",
+  "name": "tools",
+  "version": "1.0.0",
+  "title": "Which tool is the roughest?",
+  "consent": {"version": "1.0", "statement": "I take part of my own free will."},
+  "realism_standard": "memory",
+  "surface": {"extent_m": [0.04, 0.02]},
+  "textures": {"grain": {"height_field": "stimuli/grain.png"}},
+  "factors": {"held": {"levels": ["ball", "roll", "rasp"]}},
+  "bodies": {
+    "plate": {"shape": "plate", "size_m": [0.04, 0.02, 0.01]},
+    "ball": {"shape": "sphere", "diameter_m": 0.006},
+    "roll": {"shape": "cylinder", "diameter_m": 0.006, "length_m": 0.004, "axis": "y", "texture": "grain"},
+    "rasp": {"mesh": "stimuli/rasp.mesh"}
+  },
+  "stimuli": {
+    "felt": {"model": "pd_gradient", "texture": "grain", "surface": "plate", "tool": {"factor": "held"}}
+  },
+  "explorations": {
+    "short": {"stroke_length_m": {"target": 0.02}, "speed_m_per_s": {"target": 0.04},
+              "minimum_contact_s": 0.3, "maximum_contact_s": 2}
+  },
+  "blocks": {
+    "main": {
+      "presented": [
+        {"stimulus": "felt", "with": {"held": "ball"}, "item": "ball"},
+        {"stimulus": "felt", "with": {"held": "roll"}, "item": "roll"},
+        {"stimulus": "felt", "with": {"held": "rasp"}, "item": "rasp"}
+      ],
+      "question": {"name": "roughest", "prompt": "Which tool felt the roughest?"},
+      "exploration": "short"
+    }
+  },
+  "flow": [{"run": "main"}]
+})";
+
+constexpr double kRasp_m = 0.004;
+
+/// A box that was baked elsewhere: its lowest side is the tip.
+void save_rasp(const std::filesystem::path& study, double size_m) {
+  StoredTexturedMesh stored{};
+  stored.mesh = placed(body_mesh(BoxShape{{size_m, size_m, size_m}}, nullptr), BodyRole::tool);
+  save_textured_mesh(study / "stimuli" / "rasp.mesh", stored, Overwrite::allow);
+}
+
+void make_study(const std::filesystem::path& study) {
+  make_small_study(study);
+  save_rasp(study, kRasp_m);
+  write_file(study / "protocols" / "tools.json", kProtocol, Overwrite::refuse);
+}
+
+class Bodies : public testing::Test {
+ protected:
+  Bodies() { make_study(study_); }
+
+  void replace_in_protocol(const std::string& from, const std::string& to) {
+    std::string text = read_file(protocol_);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    write_file(protocol_, text.replace(at, from.size(), to), Overwrite::allow);
+  }
+  std::vector<Diagnostic> problems() const {
+    return check_protocol(protocol_, models_, study_, {}).diagnostics;
+  }
+
+  TemporaryFolder folder_{};
+  std::filesystem::path study_ = folder_.path() / "study";
+  std::filesystem::path protocol_ = study_ / "protocols" / "tools.json";
+  ModelRegistry models_ = built_in_models();
+};
+
+TEST_F(Bodies, AreCheckedWithTheirFiles) {
+  EXPECT_THAT(problems(), IsEmpty());
+  std::filesystem::remove(study_ / "stimuli" / "rasp.mesh");
+  ASSERT_EQ(problems().size(), 1U);
+  EXPECT_EQ(problems()[0].pointer, "/bodies/rasp/mesh");
+  EXPECT_THAT(problems()[0].message, HasSubstr("stimuli/rasp.mesh is not in the study"));
+}
+
+TEST_F(Bodies, ADamagedMeshIsRefused) {
+  const std::filesystem::path file = study_ / "stimuli" / "rasp.mesh";
+  std::string bytes = read_file(file);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  write_file(file, bytes, Overwrite::allow);
+  ASSERT_EQ(problems().size(), 1U);
+  EXPECT_EQ(problems()[0].pointer, "/bodies/rasp/mesh");
+  EXPECT_THAT(problems()[0].message, HasSubstr("rasp.mesh"));
+  write_file(file, "a list of groceries\n", Overwrite::allow);
+  EXPECT_EQ(problems().size(), 1U);
+}
+
+TEST_F(Bodies, AReliefThatIsTooFineForItsShapeIsRefused) {
+  // Texels of 20 mm/128/4 = 39 µm on 1 m²: 6.6·10⁸.
+  replace_in_protocol("[0.04, 0.02, 0.01]", "[1, 1, 0.01]");
+  ASSERT_EQ(problems().size(), 1U);
+  EXPECT_EQ(problems()[0].pointer, "/bodies/plate");
+  EXPECT_THAT(problems()[0].message, HasSubstr("take a smaller shape"));
+}
+
+TEST_F(Bodies, OfTheSameMakingAreOneMeshAndOthersAreNot) {
+  StimulusBuilder builder(models_, study_);
+  BodyDescription ball{.name = "one", .shape = SphereShape{.diameter_m = 0.006}};
+  const LoadedBody first = builder.body(ball, BodyRole::tool);
+  ball.name = "another";
+  EXPECT_EQ(builder.body(ball, BodyRole::tool).mesh, first.mesh);
+  EXPECT_NE(builder.body(ball, BodyRole::surface).sha256, first.sha256);
+  ball.axis = BodyAxis::x;
+  EXPECT_NE(builder.body(ball, BodyRole::tool).sha256, first.sha256);
+  ball.axis = BodyAxis::z;
+  ball.height_field = "stimuli/grain.png";
+  EXPECT_NE(builder.body(ball, BodyRole::tool).sha256, first.sha256);
+  // As docs/formats/study.md has it.
+  EXPECT_EQ(first.sha256,
+            sha256_of(R"({"format":"asperity.shaped_body/1","role":"tool","shape":"sphere",)"
+                      R"("diameter_m":0.006,"axis":"z","height_field_sha256":null})"));
+  const LoadedBody rasp = builder.body({.mesh = "stimuli/rasp.mesh"}, BodyRole::tool);
+  EXPECT_EQ(rasp.sha256, sha256_of(read_file(study_ / "stimuli" / "rasp.mesh")));
+}
+
+/// The study after one virtual participant, the same for all tests that only look at it.
+class FeltBodies : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<TemporaryFolder>();
+    make_study(study());
+    SimulationInputs inputs{};
+    inputs.protocols = {study() / "protocols" / "tools.json"};
+    inputs.study = study();
+    inputs.recordings = Recordings::all;
+    EXPECT_EQ(simulate(inputs, built_in_models(), {}, {}, {}).sessions, 1);
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  static std::filesystem::path study() { return folder_->path() / "study"; }
+  static std::vector<std::string> found_by_replay() {
+    Study opened = Study::open(study(), Access::read_only);
+    return verify_study(opened, built_in_models(), true, {}, [](double) {}).problems;
+  }
+
+ private:
+  static inline std::unique_ptr<TemporaryFolder> folder_{};
+};
+
+TEST_F(FeltBodies, AreStoredWithWhatTheModelCounted) {
+  const Study opened = Study::open(study(), Access::read_only);
+  const SessionRow session = opened.sessions().at(0);
+  EXPECT_EQ(session.state, SessionState::completed);
+  EXPECT_TRUE(std::any_of(session.files.begin(), session.files.end(),
+                          [](const auto& file) { return file.path == "stimuli/rasp.mesh"; }));
+  const std::vector<AttemptRow> attempts = opened.attempts(session.id);
+  ASSERT_EQ(attempts.size(), 1U);
+  ASSERT_EQ(attempts[0].presentations.size(), 3U);
+  std::set<std::string> tools{};
+  for (const PresentationRow& felt : attempts[0].presentations) {
+    EXPECT_GE(felt.contact_s, 0.3) << felt.item;
+    ASSERT_TRUE(felt.surface_sha256 && felt.tool_sha256 && felt.height_field_sha256);
+    EXPECT_EQ(felt.surface_sha256, attempts[0].presentations[0].surface_sha256);
+    tools.insert(*felt.tool_sha256);
+    std::vector<std::string> kinds{};
+    for (const ModelLimitRow& limit : felt.limits) kinds.push_back(limit.kind);
+    ASSERT_THAT(kinds, ElementsAre("coarse_window", "contact", "fast", "fine_detail", "folded",
+                                   "kept", "left_out", "window_border"));
+    // It was touched for at least 0.3 s at 1 kHz.
+    EXPECT_GE(felt.limits[1].ticks, 300);
+  }
+  EXPECT_EQ(tools.size(), 3U);
+}
+
+TEST_F(FeltBodies, GiveTheRecordedHandTheRecordedForceUnlessOneWasExchanged) {
+  EXPECT_THAT(found_by_replay(), IsEmpty());
+  save_rasp(study(), 0.005);
+  EXPECT_THAT(found_by_replay(),
+              testing::Contains(HasSubstr("the body \"rasp\" is not the tool that was felt")));
+  save_rasp(study(), kRasp_m);
+}
+
+TEST_F(FeltBodies, AreColumnsOfAnExport) {
+  const Study opened = Study::open(study(), Access::read_only);
+  const ExportTables made = export_tables(opened, ExportAudience::own, {});
+  const auto table = std::find_if(made.tables.begin(), made.tables.end(),
+                                  [](const auto& each) { return each.name == "presentations"; });
+  const auto& columns = table->table.columns;
+  for (const char* name : {"surface_sha256", "tool_sha256", "limit_contact_ticks",
+                           "limit_fast_ticks", "parameter_coupling"}) {
+    EXPECT_NE(std::find(columns.begin(), columns.end(), name), columns.end()) << name;
+    EXPECT_TRUE(std::any_of(made.codebook.rows.begin(), made.codebook.rows.end(),
+                            [name](const auto& row) { return row.at(1) == Cell{name}; }))
+        << name;
+  }
+}
+
+// The library protocol on the demonstration's files, with one short trial of its main block.
+TEST(ToolsMatching, IsCheckedPlannedFeltAndAnswered) {
+  const TemporaryFolder folder{};
+  const std::filesystem::path study = folder.path() / "study";
+  new_demo_study(study, [](double) {});
+  const std::filesystem::path file = study / "protocols" / "tools_matching.json";
+  const ModelRegistry models = built_in_models();
+  const ProtocolCheck check = check_protocol(file, models, study, "simulated");
+  EXPECT_THAT(check.diagnostics, IsEmpty());
+  EXPECT_EQ(check.cost.contacts, 3 * check.cost.trials);
+
+  auto protocol = nlohmann::ordered_json::parse(read_file(file));
+  auto main = protocol["blocks"]["main"];
+  main["repetitions"] = 1;
+  main["positions"] = "shuffle";
+  protocol["blocks"] = {{"main", main}};
+  protocol["flow"] = nlohmann::ordered_json::array({{{"run", "main"}}});
+  auto& stroking = protocol["explorations"]["stroking"];
+  stroking["strokes"] = {{"target", 1}};
+  stroking["minimum_contact_s"] = 0.3;
+  write_file(file, protocol.dump(1), Overwrite::allow);
+  SimulationInputs inputs{};
+  inputs.protocols = {file};
+  inputs.study = study;
+  inputs.recordings = Recordings::none;
+  EXPECT_EQ(simulate(inputs, models, {}, {}, {}).attempts, 1);
+  const Study opened = Study::open(study, Access::read_only);
+  const AttemptRow attempt = opened.attempts(opened.sessions().at(0).id).at(0);
+  EXPECT_TRUE(attempt.valid) << attempt.invalid_reason.value_or("");
+  std::set<std::string> tools{};
+  for (const PresentationRow& felt : attempt.presentations) {
+    tools.insert(felt.tool_sha256.value_or(""));
+    EXPECT_EQ(felt.surface_sha256, attempt.presentations[0].surface_sha256);
+    EXPECT_GT(felt.achieved_texture_force_N.value_or(0.0), 0.01) << felt.item;
+  }
+  EXPECT_EQ(tools.size(), 3U);
+  ASSERT_EQ(attempt.responses.size(), 3U);
+  EXPECT_EQ(attempt.responses[0].source, "virtual_guess");  // nothing is expected of a tool
+}
+
+}  // namespace
+}  // namespace asperity
