@@ -101,6 +101,10 @@ void Meaning::check_bodies_of(const StimulusTemplate& stimulus,
       if (!protocol_.bodies.contains(name)) report(at, unknown("body", name, protocol_.bodies));
     }
   };
+  if (needs != models.end() && protocol_.patch.motion_scale != 1.0) {
+    report("/surface/motion_scale", "the model " + in_quotes((*needs)->id) +
+                                        " moves a tool as the hand moves: its scale is 1");
+  }
   check(stimulus.surface, "surface", "what is touched");
   check(stimulus.tool, "tool", "what the hand holds");
 }
