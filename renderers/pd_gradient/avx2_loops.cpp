@@ -92,11 +92,13 @@ struct Lanes {
 }  // namespace
 }  // namespace asperity
 
+#include "renderers/pd_gradient/kept_loops_of_lanes.h"
 #include "renderers/pd_gradient/sample_loops_of_lanes.h"
 #include "renderers/pd_gradient/smooth_loop_of_lanes.h"
 #include "renderers/pd_gradient/triangle_loops_of_lanes.h"
 
 namespace asperity {
-const SampleLoops kAvx2Loops{sample_surface_by_lanes, compare_by_lanes, weigh_by_lanes};
+const SampleLoops kAvx2Loops{sample_surface_by_lanes, compare_by_lanes,      weigh_by_lanes,
+                             bound_rows_by_lanes,     compare_kept_by_lanes, weigh_kept_by_lanes};
 const TriangleLoops kAvx2TriangleLoops{find_pairs_by_lanes};
 }  // namespace asperity

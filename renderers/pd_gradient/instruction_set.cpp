@@ -2,6 +2,8 @@
 
 #include "renderers/pd_gradient/instruction_set.h"
 
+#include "renderers/pd_gradient/sample_loops.h"
+
 namespace asperity {
 
 const char* name_of(InstructionSet set) noexcept {
@@ -24,6 +26,18 @@ std::vector<InstructionSet> instruction_sets_here() {
     sets.push_back(InstructionSet::avx512);
   }
   return sets;
+}
+
+const SampleLoops& loops_of(InstructionSet set) noexcept {
+  switch (set) {
+    case InstructionSet::sse2:
+      return kSse2Loops;
+    case InstructionSet::avx2:
+      return kAvx2Loops;
+    case InstructionSet::avx512:
+      return kAvx512Loops;
+  }
+  return kSse2Loops;
 }
 
 }  // namespace asperity

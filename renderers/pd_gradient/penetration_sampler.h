@@ -87,7 +87,7 @@ class PenetrationSampler final {
   std::optional<Penetration> smooth_maximum(const SmoothMaximum& law) noexcept;
   int sample(const PackedPatch& patch, const ContactFrame& frame, double outwards, Field& field);
   static HeightSamples samples_of(Field& field) noexcept;
-  Penetration deepest_at(int row, int column) const noexcept;
+  glm::dvec3 deepest_m(int row, int column) const noexcept;
   bool at_border(int row, int column) const noexcept;
   float height_m(const Field& field, int row, int column) const noexcept;
 

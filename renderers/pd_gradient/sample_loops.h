@@ -82,6 +82,8 @@ struct SurfaceTask {
   PairedTexels texels{};
   HeightSamples field{};
   BandRoom room{};
+  std::int32_t first_row = 0;  ///< of the field, its apron included; the rest stays as it is
+  std::int32_t end_row = 0;
 };
 
 /// The turned A is read between samples. Seen from A, a sample moves by turn·(y, −x) cells or back;
@@ -146,12 +148,76 @@ struct WeightedSums {
   double turn_m = 0.0;  ///< x·slope_y − y·slope_x
 };
 
+/// Kept heights are bounded by the largest of so many rows.
+inline constexpr int kBoundRows = 2;
+/// They are compared in blocks of kMostLanes columns and so many rows.
+inline constexpr int kBlockRows = 8;
+
+/// Heights outwards on a square lattice that stays with its body.
+struct KeptHeights {
+  float* height_m = nullptr;  ///< kMostLanes more than samples · stride
+  std::int32_t samples = 0;   ///< each way; a multiple of kBoundRows
+  std::int32_t stride = 0;
+  float* most_m = nullptr;  ///< of kBoundRows rows and `span` columns from here on; same stride
+  std::int32_t span = 0;    ///< 1 to 32
+};
+
+/// What bounds rows of samples that are there.
+struct BoundTask {
+  KeptHeights field{};
+  std::int32_t first_row = 0;  ///< multiples of kBoundRows
+  std::int32_t end_row = 0;
+  float* room_m = nullptr;  ///< field.stride and 3 · kMostLanes
+};
+
+/// Where in A's lattice that is which stands over a sample of the window, in cells from the first
+/// sample of each: (x, y) + column·(x, y)_per_column + row·(x, y)_per_row. Nearly the identity.
+struct KeptPlaces {
+  float x = 0.0F;
+  float y = 0.0F;
+  float x_per_column = 1.0F;
+  float x_per_row = 0.0F;
+  float y_per_column = 0.0F;
+  float y_per_row = 1.0F;
+};
+
+/// What a height h at (x, y) of A's lattice is now: per_m·h + per_x_m·x + per_y_m·y + shift_m.
+struct KeptLift {
+  float per_m = 1.0F;
+  float per_x_m = 0.0F;
+  float per_y_m = 0.0F;
+  float shift_m = 0.0F;
+};
+
+struct KeptTask {
+  KeptHeights a{};  ///< every place that is asked for has two samples around it
+  KeptHeights b{};
+  std::int32_t samples = 0;   ///< of the window, each way: a multiple of kMostLanes
+  std::int32_t b_column = 0;  ///< of B's lattice at the window's first sample
+  std::int32_t b_row = 0;     ///< a multiple of kBoundRows
+  KeptPlaces here{};
+  KeptPlaces forth{};  ///< with A turned about n
+  KeptPlaces back{};
+  KeptLift lift{};
+  std::int32_t step_cells = 0;
+  float tilt_rise_m = 0.0F;
+  float per_tau_per_m = 0.0F;
+  bool prune = true;
+  std::int32_t first_block = 0;   ///< where the deepest sample may be: saves time, changes nothing
+  float* bound_m = nullptr;       ///< one for each block
+  float* block_most_m = nullptr;  ///< kMostLanes for each block
+};
+
 /// The loops for one instruction set. Real-time: no allocation, no lock, no exception.
 struct SampleLoops {
   /// Answers at how many samples, apron included, a sheet met another one.
   std::int32_t (*sample_surface)(const SurfaceTask& task) = nullptr;
   void (*compare)(const ComparisonTask& task, ElevenMaxima& maxima) = nullptr;
   void (*weigh)(const WeighingTask& task, WeightedSums& sums) = nullptr;
+  void (*bound_rows)(const BoundTask& task) = nullptr;
+  /// As `compare` and `weigh`, of kept heights; without `covered`.
+  void (*compare_kept)(const KeptTask& task, ElevenMaxima& maxima) = nullptr;
+  void (*weigh_kept)(const KeptTask& task, WeightedSums& sums) = nullptr;
 };
 
 extern const SampleLoops kSse2Loops;

@@ -128,11 +128,12 @@ std::int32_t sample_surface_by_lanes(const SurfaceTask& task) {
   const BandRoom room = task.room;
   const PairedTexels texels = task.texels;
   const std::int32_t across_all = field.samples + 2 * field.apron;
+  const std::int32_t end = task.end_row;
   const Floats nothing = Lanes::all(0.0F);
   const Floats last_column = Lanes::all(texels.last_column);
   const Floats last_row = Lanes::all(texels.last_row);
-  for (std::int32_t band = 0; band < across_all; band += kBandRows) {
-    const std::int32_t rows = sooner(kBandRows, across_all - band);
+  for (std::int32_t band = task.first_row; band < end; band += kBandRows) {
+    const std::int32_t rows = sooner(kBandRows, end - band);
     for (std::int32_t i = 0; i < rows * field.stride; i += Lanes::kWidth) {
       Lanes::store(room.height_m + i, Lanes::all(kNoSurface_m));
     }

@@ -97,70 +97,97 @@ inline void find_rows_most(const WeighingTask& task, WeightedSums& sums) {
   sums.here_m = largest(most);
 }
 
+// Which samples count, and how much.
+struct Weighing {
+  Floats deepest_m;
+  Floats lightest_m;
+  Floats per_m;
+};
+
+inline Weighing weighing_from(float here_m, float per_tau_per_m) {
+  const float per_m = per_tau_per_m * kLog2OfE;
+  return {Lanes::all(here_m), Lanes::all(here_m + kLightest_log2 / per_m), Lanes::all(per_m)};
+}
+
+struct GatheredSums {
+  LaneSums weight;
+  LaneSums x;
+  LaneSums y;
+  LaneSums slope_x;
+  LaneSums slope_y;
+  LaneSums z_slope_x;
+  LaneSums z_slope_y;
+  LaneSums turn;
+};
+
+inline GatheredSums nothing_gathered() {
+  return {no_sums(), no_sums(), no_sums(), no_sums(), no_sums(), no_sums(), no_sums(), no_sums()};
+}
+
+// The samples at `a` and after it, with their neighbours `stride` apart; `part`: of kMostLanes.
+inline void gather_samples(const Weighing& weighing, const float* a, std::int32_t stride,
+                           const float* b, Floats x, Floats y, int part, GatheredSums& sums) {
+  const Floats outwards_m = Lanes::load(a);
+  const Floats here_m = Lanes::add(outwards_m, Lanes::load(b));
+  const Lanes::Mask heavy = Lanes::less(weighing.lightest_m, here_m);
+  if (Lanes::bits(heavy) == 0) return;
+  const Floats zero = Lanes::all(0.0F);
+  const Floats weight = Lanes::choose(
+      heavy,
+      power_of_two(Lanes::max(Lanes::mul(Lanes::sub(here_m, weighing.deepest_m), weighing.per_m),
+                              Lanes::all(kLightest_log2))),
+      zero);
+  // A's height along n is what it stands out against n, reversed; so are its slopes.
+  const Floats z_m = Lanes::sub(zero, outwards_m);
+  const Floats slope_x = Lanes::sub(zero, slope_of(a, 1));
+  const Floats slope_y = Lanes::sub(zero, slope_of(a, stride));
+  const auto gather = [&](LaneSums& into, Floats what) {
+    into.part[part] = Lanes::add(into.part[part], Lanes::mul(weight, what));
+  };
+  gather(sums.weight, Lanes::all(1.0F));
+  gather(sums.x, x);
+  gather(sums.y, y);
+  gather(sums.slope_x, slope_x);
+  gather(sums.slope_y, slope_y);
+  gather(sums.z_slope_x, Lanes::mul(z_m, slope_x));
+  gather(sums.z_slope_y, Lanes::mul(z_m, slope_y));
+  gather(sums.turn, Lanes::sub(Lanes::mul(x, slope_y), Lanes::mul(y, slope_x)));
+}
+
+inline void add_up(const GatheredSums& gathered, WeightedSums& sums) {
+  sums.weight = total(gathered.weight);
+  sums.x = total(gathered.x);
+  sums.y = total(gathered.y);
+  sums.slope_x_m = total(gathered.slope_x);
+  sums.slope_y_m = total(gathered.slope_y);
+  sums.z_slope_x_m2 = total(gathered.z_slope_x);
+  sums.z_slope_y_m2 = total(gathered.z_slope_y);
+  sums.turn_m = total(gathered.turn);
+}
+
 void weigh_by_lanes(const WeighingTask& whole_task, WeightedSums& sums) {
   const WeighingTask task = whole_task;
   find_rows_most(task, sums);
   find_deepest(task.a, task.b, task.row_most_m, sums.here_m, sums.row, sums.column);
-  const float per_m = task.per_tau_per_m * kLog2OfE;
-  const Floats lightest_m = Lanes::all(sums.here_m + kLightest_log2 / per_m);
-  const Floats deepest_m = Lanes::all(sums.here_m);
-  const Floats zero = Lanes::all(0.0F);
-  const float middle = middle_of(task.b);
-  LaneSums weights = no_sums();
-  LaneSums x_sums = no_sums();
-  LaneSums y_sums = no_sums();
-  LaneSums slopes_x = no_sums();
-  LaneSums slopes_y = no_sums();
-  LaneSums z_slopes_x = no_sums();
-  LaneSums z_slopes_y = no_sums();
-  LaneSums turns = no_sums();
+  const Weighing weighing = weighing_from(sums.here_m, task.per_tau_per_m);
+  const Floats middle = Lanes::all(middle_of(task.b));
+  GatheredSums gathered = nothing_gathered();
   for (std::int32_t row = 0; row < task.b.samples; ++row) {
-    if (Lanes::bits(Lanes::less(lightest_m, Lanes::load(task.row_most_m + row * kMostLanes))) ==
-        0) {
+    if (Lanes::bits(Lanes::less(weighing.lightest_m,
+                                Lanes::load(task.row_most_m + row * kMostLanes))) == 0) {
       continue;
     }
     const float* const a_row =
         task.a.height_m + (row + task.a.apron) * task.a.stride + task.a.apron;
     const float* const b_row = task.b.height_m + row * task.b.stride;
-    const Floats y = Lanes::all(static_cast<float>(row) - middle);
+    const Floats y = Lanes::sub(Lanes::all(static_cast<float>(row)), middle);
     for (std::int32_t column = 0; column < task.b.samples; column += Lanes::kWidth) {
-      const float* const a = a_row + column;
-      const Floats outwards_m = Lanes::load(a);
-      const Floats here_m = Lanes::add(outwards_m, Lanes::load(b_row + column));
-      const Lanes::Mask heavy = Lanes::less(lightest_m, here_m);
-      if (Lanes::bits(heavy) == 0) continue;
-      const Floats weight = Lanes::choose(
-          heavy,
-          power_of_two(Lanes::max(Lanes::mul(Lanes::sub(here_m, deepest_m), Lanes::all(per_m)),
-                                  Lanes::all(kLightest_log2))),
-          zero);
-      // A's height along n is what it stands out against n, reversed; so are its slopes.
-      const Floats z_m = Lanes::sub(zero, outwards_m);
-      const Floats slope_x = Lanes::sub(zero, slope_of(a, 1));
-      const Floats slope_y = Lanes::sub(zero, slope_of(a, task.a.stride));
-      const Floats x = Lanes::sub(Lanes::as_float(Lanes::counted_from(column)), Lanes::all(middle));
+      const Floats x = Lanes::sub(Lanes::as_float(Lanes::counted_from(column)), middle);
       const int part = column / Lanes::kWidth % (kMostLanes / Lanes::kWidth);
-      const auto gather = [&](LaneSums& into, Floats what) {
-        into.part[part] = Lanes::add(into.part[part], Lanes::mul(weight, what));
-      };
-      gather(weights, Lanes::all(1.0F));
-      gather(x_sums, x);
-      gather(y_sums, y);
-      gather(slopes_x, slope_x);
-      gather(slopes_y, slope_y);
-      gather(z_slopes_x, Lanes::mul(z_m, slope_x));
-      gather(z_slopes_y, Lanes::mul(z_m, slope_y));
-      gather(turns, Lanes::sub(Lanes::mul(x, slope_y), Lanes::mul(y, slope_x)));
+      gather_samples(weighing, a_row + column, task.a.stride, b_row + column, x, y, part, gathered);
     }
   }
-  sums.weight = total(weights);
-  sums.x = total(x_sums);
-  sums.y = total(y_sums);
-  sums.slope_x_m = total(slopes_x);
-  sums.slope_y_m = total(slopes_y);
-  sums.z_slope_x_m2 = total(z_slopes_x);
-  sums.z_slope_y_m2 = total(z_slopes_y);
-  sums.turn_m = total(turns);
+  add_up(gathered, sums);
 }
 
 }  // namespace
