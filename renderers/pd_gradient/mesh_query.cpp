@@ -47,6 +47,32 @@ void cluster(std::span<std::uint32_t> order, const std::vector<glm::dvec3>& midd
   cluster(order.subspan(half), middles);
 }
 
+/// The planes across the mean normal between which a cluster's triangles lie.
+void set_slab(TriangleCluster& cluster) {
+  const auto corner = [&cluster](std::size_t which, std::size_t lane) {
+    return glm::dvec3(cluster.corners[which][0][lane], cluster.corners[which][1][lane],
+                      cluster.corners[which][2][lane]);
+  };
+  glm::dvec3 normal(0.0);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if ((cluster.used >> lane & 1U) == 0) continue;
+    normal += glm::cross(corner(1, lane) - corner(0, lane), corner(2, lane) - corner(0, lane));
+  }
+  const double length = glm::length(normal);
+  normal = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {  // those that are not used repeat others
+    for (std::size_t which = 0; which < 3; ++which) {
+      low = std::min(low, glm::dot(normal, corner(which, lane)));
+      high = std::max(high, glm::dot(normal, corner(which, lane)));
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) cluster.slab_normal[axis] = static_cast<float>(normal[axis]);
+  cluster.slab_low_m = static_cast<float>(low);
+  cluster.slab_high_m = static_cast<float>(high);
+}
+
 /// Whether the projections on `axis` leave a gap.
 bool separates(const glm::dvec3& axis, const Corners& a, const Corners& b) noexcept {
   const auto range = [&axis](const Corners& corners) {
@@ -165,6 +191,7 @@ ClusteredMesh::ClusteredMesh(const TriangleMesh& mesh) {
       boxes.high[axis][box] = std::max(boxes.high[axis][box], highest);
     }
   }
+  for (TriangleCluster& cluster : clusters_) set_slab(cluster);
 }
 
 MeshQuery::MeshQuery(std::shared_ptr<const ClusteredMesh> a, std::shared_ptr<const ClusteredMesh> b,

@@ -18,6 +18,10 @@ struct alignas(64) TriangleCluster {
   float high[3][kClusterSize];  ///< below `low` in a lane that holds no triangle
   std::uint32_t triangles[kClusterSize];
   std::uint32_t used;  ///< bit i: lane i holds a triangle
+  // All of them lie between two planes: low ≤ normal · place ≤ high, unit length but for rounding.
+  float slab_normal[3];
+  float slab_low_m;
+  float slab_high_m;
 };
 
 /// The boxes of sixteen clusters; those that there are not are empty likewise.

@@ -176,6 +176,55 @@ inline void move(const TriangleCluster& cluster, const ClusterPose& pose, MovedC
   }
 }
 
+/// Between two planes across a unit vector.
+struct Slab {
+  float normal[3];
+  float low_m = 0.0F;
+  float high_m = 0.0F;
+};
+
+/// Of a cluster's own frame.
+inline Slab slab_of(const TriangleCluster& cluster) {
+  return {{cluster.slab_normal[0], cluster.slab_normal[1], cluster.slab_normal[2]},
+          cluster.slab_low_m,
+          cluster.slab_high_m};
+}
+
+/// Of a cluster of A, in B's frame.
+inline Slab moved_slab(const TriangleCluster& cluster, const ClusterPose& pose) {
+  Slab moved{};
+  float along = 0.0F;
+  for (int axis = 0; axis < 3; ++axis) {
+    moved.normal[axis] = 0.0F;
+    for (int from = 0; from < 3; ++from) {
+      moved.normal[axis] += pose.turn[3 * axis + from] * cluster.slab_normal[from];
+    }
+    along += moved.normal[axis] * pose.shift_m[axis];
+  }
+  moved.low_m = cluster.slab_low_m + along;
+  moved.high_m = cluster.slab_high_m + along;
+  return moved;
+}
+
+/// Which of sixteen triangles reach into a slab. What neither reaches is further apart than the
+/// tolerance, so that the axes would take it apart as well.
+inline unsigned reaching(const float (&corners)[3][3][kClusterSize], const Slab& slab,
+                         float tolerance_m) {
+  Sixteen low = all_sixteen(0.0F);
+  Sixteen high = low;
+  for (int corner = 0; corner < 3; ++corner) {
+    const Sixteen along = slab.normal[0] * sixteen_at(corners[corner][0]) +
+                          slab.normal[1] * sixteen_at(corners[corner][1]) +
+                          slab.normal[2] * sixteen_at(corners[corner][2]);
+    low = corner == 0 ? along : lesser(low, along);
+    high = corner == 0 ? along : greater(high, along);
+  }
+  const float play_m = 2.0F * tolerance_m;
+  const unsigned beside = is_less(all_sixteen(slab.high_m + play_m), low) |
+                          is_less(high, all_sixteen(slab.low_m - play_m));
+  return ~beside & 0xFFFFU;
+}
+
 /// Which of sixteen boxes meet the box of one.
 inline unsigned meeting(const float (&low)[3][kClusterSize], const float (&high)[3][kClusterSize],
                         const float* one_low, const float* one_high) {
@@ -225,12 +274,14 @@ void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
     moved_box(a.boxes[ca / kClusterSize], static_cast<int>(ca % kClusterSize), pose, box_low,
               box_high);
     bool has_moved = false;
+    Slab slab{};
     for (std::size_t group = 0; group < groups; ++group) {
       unsigned near = meeting(b.boxes[group].low, b.boxes[group].high, box_low, box_high);
       for (; near != 0; near &= near - 1) {
         const int box = __builtin_ctz(near);
         if (!has_moved) {
           move(from, pose, moved);
+          slab = moved_slab(from, pose);
           has_moved = true;
         }
         const TriangleCluster& other =
@@ -244,6 +295,10 @@ void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
         unsigned ones = meeting(moved.low, moved.high, other_low, other_high);
         // Its unused lanes hold its last triangle once more.
         ones &= from.used;
+        if (ones != 0) ones &= reaching(moved.corners, slab_of(other), pose.tolerance_m);
+        if (ones == 0) continue;
+        const unsigned others = reaching(other.corners, slab, pose.tolerance_m);
+        if (others == 0) continue;
         for (; ones != 0; ones &= ones - 1) {
           const int lane = __builtin_ctz(ones);
           float one_low[3];
@@ -252,7 +307,7 @@ void find_pairs_by_lanes(const TriangleClusters& a, const TriangleClusters& b,
             one_low[axis] = moved.low[axis][lane];
             one_high[axis] = moved.high[axis][lane];
           }
-          const unsigned lanes = meeting(other.low, other.high, one_low, one_high);
+          const unsigned lanes = meeting(other.low, other.high, one_low, one_high) & others;
           if (lanes == 0) continue;
           const Verdict verdict = compare(triangle_of(moved, lane), other, lanes, pose.tolerance_m);
           for (unsigned left = verdict.together; left != 0; left &= left - 1) {
