@@ -2838,6 +2838,50 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>Surfaces felt, by name</source>
         <translation>Gefühlte Oberflächen, mit Namen</translation>
     </message>
+    <message>
+        <source>anything was touched</source>
+        <translation>etwas wurde berührt</translation>
+    </message>
+    <message>
+        <source>a surface folds over seen along the contact, which leaves out a part</source>
+        <translation>eine Oberfläche überlappt sich in Richtung des Kontakts, ein Teil bleibt außer Acht</translation>
+    </message>
+    <message>
+        <source>the deepest place lay at the border of what is looked at</source>
+        <translation>die tiefste Stelle lag am Rand des betrachteten Ausschnitts</translation>
+    </message>
+    <message>
+        <source>the finest detail of the texture was too fine for the samples</source>
+        <translation>das feinste Detail der Textur war zu fein für die Abtastung</translation>
+    </message>
+    <message>
+        <source>the tool moved more than half of the finest wave in a tick</source>
+        <translation>das Werkzeug bewegte sich in einem Takt um mehr als die halbe feinste Welle</translation>
+    </message>
+    <message>
+        <source>a contact was too wide for the step that was asked for</source>
+        <translation>ein Kontakt war zu breit für den verlangten Schritt</translation>
+    </message>
+    <message>
+        <source>there were more contacts than there is room for</source>
+        <translation>es gab mehr Kontakte, als Platz haben</translation>
+    </message>
+    <message>
+        <source>a contact went on although nothing was cut</source>
+        <translation>ein Kontakt bestand weiter, obwohl sich nichts schnitt</translation>
+    </message>
+    <message>
+        <source>What the force model counted, in ticks</source>
+        <translation>Was das Kraftmodell gezählt hat, in Takten</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>Takte</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ModeBand</name>
