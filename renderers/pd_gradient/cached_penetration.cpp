@@ -103,10 +103,10 @@ CachedPenetration::CachedPenetration(const CachedSettings& settings)
       rows_in_a_call_(settings.rows_in_a_call),
       pruning_(settings.pruning),
       loops_(&loops_of(settings.sampler.instructions)) {
-  if (settings.most_places < 2) {
-    throw std::invalid_argument("CachedPenetration: most_places is " +
-                                std::to_string(settings.most_places) +
-                                "; one serves while another one is sampled.");
+  if (settings.most_places == 1) {
+    throw std::invalid_argument(
+        "CachedPenetration: most_places is 1; one serves while another one is sampled, so that at "
+        "least 2 are needed, or 0.");
   }
   if (rows_in_a_call_ <= 0 || rows_in_a_call_ % kStepOfWindow != 0) {
     throw std::invalid_argument(
@@ -131,9 +131,15 @@ CachedPenetration::CachedPenetration(const CachedSettings& settings)
 
   const auto area = static_cast<std::size_t>(lattice_.samples * stride_ + kMostLanes);
   const auto bounds = static_cast<std::size_t>(lattice_.samples / kBoundRows * stride_);
-  places_.resize(settings.most_places);
+  const std::size_t place_bytes = 2 * sizeof(float) * (area + bounds);
+  patch_width_m_ = settings.most_places > 0 ? lattice_.width_m
+                                            : grid.width_m + 2 * step_cells_ * grid.spacing_m();
+  if (settings.most_places > 0) {
+    places_.resize(
+        std::clamp(settings.most_bytes / place_bytes, std::size_t{2}, settings.most_places));
+  }
   for (Place& place : places_) {
-    for (Heights* heights : {&place.a, &place.b}) {
+    for (BodyHeights* heights : {&place.a, &place.b}) {
       heights->height_m.assign(area, kNoSurface_m);
       heights->most_m.assign(bounds, kNoSurface_m);
     }
@@ -148,10 +154,9 @@ CachedPenetration::CachedPenetration(const CachedSettings& settings)
   block_most_m_.assign(blocks * kMostLanes, 0.0F);
 }
 
-double CachedPenetration::patch_width_m() const noexcept { return lattice_.width_m; }
-
 std::size_t CachedPenetration::bytes() const noexcept {
-  const Heights& heights = places_.front().a;
+  if (places_.empty()) return 0;
+  const BodyHeights& heights = places_.front().a;
   return 2 * places_.size() * sizeof(float) * (heights.height_m.size() + heights.most_m.size());
 }
 
@@ -231,7 +236,8 @@ CachedPenetration::Choice CachedPenetration::choose(const PackedPatch& a, const 
       choice.fit = *found;
     }
   }
-  choice.begins = choice.fit.strain > kSoftStrain && !choice.is_coming && work_.step == Step::idle;
+  choice.begins = !places_.empty() && choice.fit.strain > kSoftStrain && !choice.is_coming &&
+                  work_.step == Step::idle;
   return choice;
 }
 
@@ -257,7 +263,7 @@ std::optional<Penetration> CachedPenetration::evaluate(const PackedPatch& a, con
   return from_place(places_[*choice.place], choice.fit, frame);
 }
 
-KeptHeights CachedPenetration::kept(Heights& heights, int span) const noexcept {
+KeptHeights CachedPenetration::kept(BodyHeights& heights, int span) const noexcept {
   return {.height_m = heights.height_m.data(),
           .samples = lattice_.samples,
           .stride = stride_,

@@ -15,8 +15,11 @@ enum class Pruning { off, on };
 
 struct CachedSettings {
   SamplerSettings sampler{};
-  /// Places at which bodies can be known at a time: a few more than contacts at a time.
-  std::size_t most_places = 4;
+  /// Places at which bodies can be known at a time: two more than contacts at a time. 0: heights are
+  /// sampled anew in every call.
+  std::size_t most_places = 12;
+  /// Fewer places, down to two, where they would take more.
+  std::size_t most_bytes = std::size_t{4} << 20;
   /// Of a body's surface, at most so many in a call; more where a contact moves so fast that its
   /// heights would come too late. A multiple of 4.
   int rows_in_a_call = 16;
@@ -41,7 +44,7 @@ struct CachedSettings {
 /// The answer is for the asked frame: the gradient is turned into its axes and divided by how little δ
 /// falls along its n, δ with it (the direction of δ·∇δ stays).
 ///
-/// Heights are sampled anew, some rows in a call, when the bodies have moved half as far as they may:
+/// BodyHeights are sampled anew, some rows in a call, when the bodies have moved half as far as they may:
 /// a quarter of the window along it, 0.03 rad of tilt, 0.13 rad of turning less the step of the
 /// differences, and 0.06 rad between the asked n and the kept one. Until they are there the kept ones
 /// serve; where none serve, PenetrationSampler does. A place that no contact comes back to is the
@@ -57,7 +60,8 @@ struct CachedSettings {
 ///
 /// Every instruction set gives the same bits.
 ///
-/// Errors: those of PenetrationSampler; fewer than two places; rows that are no positive multiple of 4.
+/// Errors: those of PenetrationSampler; one place only, since one serves
+/// while another one is sampled; rows that are no positive multiple of 4.
 ///
 /// Real-time: `evaluate` and `reset` do not allocate, lock or throw. One object serves one thread.
 class CachedPenetration final {
@@ -77,14 +81,14 @@ class CachedPenetration final {
                                       const ContactFrame& frame) noexcept;
 
   const SamplingGrid& grid() const noexcept { return sampler_.grid(); }
-  double patch_width_m() const noexcept;
+  double patch_width_m() const noexcept { return patch_width_m_; }
   std::size_t bytes() const noexcept;
   /// Since `reset`: answers from kept heights, and those for which there were none.
   std::uint64_t kept_answers() const noexcept { return kept_answers_; }
   std::uint64_t sampled_answers() const noexcept { return sampled_answers_; }
 
  private:
-  struct Heights {
+  struct BodyHeights {
     std::vector<float> height_m{};
     std::vector<float> most_m{};
   };
@@ -95,8 +99,8 @@ class CachedPenetration final {
     const PackedSurface* surface_b = nullptr;
     Pose lattice_in_a{};  // axes u, v, n and the middle, in the mesh's frame
     Pose lattice_in_b{};
-    Heights a{};
-    Heights b{};
+    BodyHeights a{};
+    BodyHeights b{};
     int covered = 0;
     int folded = 0;
     int deepest_block = 0;  // in the last answer
@@ -138,7 +142,7 @@ class CachedPenetration final {
                 const ContactFrame& frame) const noexcept;
   std::optional<Penetration> from_place(Place& place, const Fit& fit,
                                         const ContactFrame& frame) noexcept;
-  KeptHeights kept(Heights& heights, int span) const noexcept;
+  KeptHeights kept(BodyHeights& heights, int span) const noexcept;
   bool at_border(const KeptTask& task, int row, int column) const noexcept;
   void begin(const PackedPatch& a, const PackedPatch& b, const ContactFrame& frame) noexcept;
   double hurry(double strain) noexcept;
@@ -154,6 +158,7 @@ class CachedPenetration final {
   int step_cells_ = 0;
   int margin_ = 0;  // samples of the lattice around a window in its middle
   SamplingGrid lattice_{};
+  double patch_width_m_ = 0.0;
   int stride_ = 0;
   int span_of_a_ = 0;
   int rows_in_a_call_ = 0;

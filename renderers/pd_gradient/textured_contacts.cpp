@@ -83,6 +83,7 @@ void TexturedContacts::reset() noexcept {
   regions_.reset();
   contacts_.clear();
   before_.clear();
+  samplers_.reset();
   left_out_ = {};
 }
 
@@ -187,15 +188,14 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   }
   WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
   const SamplingGrid& grid = window.sampler.grid();
-  const WindowBox box{.half_width_m = WindowSamplers::half_reach_m(window),
-                      .half_height_m = contact.half_height_m};
-  const PackedPatch patch_a{
-      .surface = a_.surface(),
-      .triangles = triangles_in(a_, a, contact.frame, -1.0, box, triangles_a_),
-      .pose = a};
-  const PackedPatch patch_b{.surface = b_.surface(),
-                            .triangles = triangles_in(b_, b, contact.frame, 1.0, box, triangles_b_),
-                            .pose = b};
+  PackedPatch patch_a{.surface = a_.surface(), .pose = a};
+  PackedPatch patch_b{.surface = b_.surface(), .pose = b};
+  if (window.sampler.needs_triangles(patch_a, patch_b, contact.frame)) {
+    const WindowBox box{.half_width_m = 0.5 * window.sampler.patch_width_m(),
+                        .half_height_m = contact.half_height_m};
+    patch_a.triangles = triangles_in(a_, a, contact.frame, -1.0, box, triangles_a_);
+    patch_b.triangles = triangles_in(b_, b, contact.frame, 1.0, box, triangles_b_);
+  }
   const std::optional<Penetration> found = window.sampler.evaluate(patch_a, patch_b, contact.frame);
   if (!found && contact.is_kept) return;
   contact.penetration = found.value_or(Penetration{});

@@ -15,7 +15,7 @@ namespace {
 constexpr int kSamplesPerStep = 32;  // what the sampler's number of samples is a multiple of
 constexpr double kWholeCell = 1e-6;  // a step that is this close to whole cells is
 constexpr std::array kStepsInCells{1, 2, 4, 8};  // so that doubling the cells leaves whole ones
-constexpr int kMostApron = 8;
+constexpr std::size_t kMostPlaces = 12;
 
 /// The step of the hard maximum in cells; 1 for the smooth one, which has none.
 int cells_per_step(const WindowSampling& sampling) {
@@ -46,6 +46,7 @@ WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,
                                 " cells a window takes at least " +
                                 std::to_string(kSamplesPerStep * declared) + ".");
   }
+  const bool keeps = sampling.heights == Heights::kept;
   double cell_m = sampling.cell_m;
   double reached_m = 0.0;
   for (int doubled = 0; reached_m < widest_m; ++doubled, cell_m *= 2.0) {
@@ -61,12 +62,13 @@ WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,
          samples += multiple) {
       const double width_m = samples * cell_m;
       if (width_m <= reached_m) continue;
-      windows_.push_back(
-          {.sampler = PenetrationSampler({.grid = {.width_m = width_m, .samples = samples},
-                                          .law = law,
-                                          .most_triangles = most_triangles,
-                                          .instructions = instructions}),
-           .is_coarse = is_coarse});
+      windows_.push_back({.sampler = CachedPenetration(
+                              {.sampler = {.grid = {.width_m = width_m, .samples = samples},
+                                           .law = law,
+                                           .most_triangles = most_triangles,
+                                           .instructions = instructions},
+                               .most_places = keeps && !is_coarse ? kMostPlaces : 0}),
+                          .is_coarse = is_coarse});
       reached_m = width_m;
     }
   }
@@ -79,9 +81,8 @@ WindowSamplers::Window& WindowSamplers::window_for(double width_m) noexcept {
   return found == windows_.end() ? windows_.back() : *found;
 }
 
-double WindowSamplers::half_reach_m(const Window& window) noexcept {
-  const SamplingGrid& grid = window.sampler.grid();
-  return 0.5 * grid.width_m + kMostApron * grid.spacing_m();
+void WindowSamplers::reset() noexcept {
+  for (Window& window : windows_) window.sampler.reset();
 }
 
 }  // namespace asperity

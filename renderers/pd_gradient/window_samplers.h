@@ -6,17 +6,21 @@
 #include <optional>
 #include <vector>
 
+#include "renderers/pd_gradient/cached_penetration.h"
 #include "renderers/pd_gradient/instruction_set.h"
 #include "renderers/pd_gradient/penetration.h"
-#include "renderers/pd_gradient/penetration_sampler.h"
 
 namespace asperity {
+
+/// Whether heights stay for the next ticks, or are sampled anew in each.
+enum class Heights { kept, sampled };
 
 /// How finely a contact is sampled, whatever its width.
 struct WindowSampling {
   MaximumLaw law{};
   double cell_m = 1e-4;
   int most_samples = 256;  ///< of a window, each way
+  Heights heights = Heights::kept;
 };
 
 /// A window of the declared cell and step for every width.
@@ -35,11 +39,14 @@ struct WindowSampling {
 /// Errors: std::invalid_argument for a cell or step that is not positive, a step that is not 1, 2, 4
 /// or 8 cells, and for fewer samples than one window takes.
 ///
-/// Real-time: `evaluate` does not allocate, lock or throw.
+/// Heights are kept where the declared step is kept: a coarse window, of which there may be many
+/// samples, is sampled anew in every tick.
+///
+/// Real-time: `evaluate` and `reset` do not allocate, lock or throw.
 class WindowSamplers final {
  public:
   struct Window {
-    PenetrationSampler sampler;
+    CachedPenetration sampler;
     /// Its step (its cell, for the smooth maximum) is not the declared one.
     bool is_coarse = false;
   };
@@ -51,8 +58,8 @@ class WindowSamplers final {
   /// The narrowest window that holds that width; the widest for all wider ones.
   Window& window_for(double width_m) noexcept;
 
-  /// Half of what a sampler reads of a window: its apron included.
-  static double half_reach_m(const Window& window) noexcept;
+  /// Forgets all heights.
+  void reset() noexcept;
 
  private:
   std::vector<Window> windows_{};
