@@ -24,8 +24,9 @@ constexpr double kMostTilt = 0.03;  // sines: heights off the lattice's plane mo
 constexpr double kMostAwayFromN = 0.06;
 constexpr double kMostTurnOfLanes = 2.0 / (kMostLanes - 1);  // 3 rows hold what lies along a row
 constexpr int kStepOfWindow = 4;                             // cells: a whole number of kBoundRows
+constexpr double kHurryWithoutHeights = 0.15;  // of the work: sampling anew costs as much
 constexpr double kLittle = 1e-9;
-constexpr int kTrianglesInACall = 24;
+constexpr int kTrianglesInACall = 12;
 
 Pose after(const Pose& second, const Pose& first) noexcept {
   return {.rotation = second.rotation * first.rotation,
@@ -254,7 +255,9 @@ std::optional<Penetration> CachedPenetration::evaluate(const PackedPatch& a, con
   if (choice.place) places_[*choice.place].last_used = calls_;
   if (choice.begins) begin(a, b, frame);
   const bool serves_until_then = choice.place && (choice.begins || choice.is_coming);
-  continue_work(serves_until_then ? hurry(choice.fit.strain) : 0.0);
+  continue_work(serves_until_then ? hurry(choice.fit.strain)
+                : choice.place    ? 0.0
+                                  : kHurryWithoutHeights);
   if (!choice.place) {
     ++sampled_answers_;
     return sampler_.evaluate(a, b, frame);

@@ -19,10 +19,10 @@ struct CachedSettings {
   /// sampled anew in every call.
   std::size_t most_places = 12;
   /// Fewer places, down to two, where they would take more.
-  std::size_t most_bytes = std::size_t{4} << 20;
+  std::size_t most_bytes = std::size_t{8} << 20;
   /// Of a body's surface, at most so many in a call; more where a contact moves so fast that its
   /// heights would come too late. A multiple of 4.
-  int rows_in_a_call = 16;
+  int rows_in_a_call = 4;
   /// `off` is for tests: the answers are the same to the bit.
   Pruning pruning = Pruning::on;
 };

@@ -50,7 +50,7 @@ struct LeftOut {
 /// The contacts of a tool A and a surface B, from their poses: the whole way from meshes to depths.
 ///
 ///   pairs of triangles of the two hulls (MeshQuery) → regions with n and a window (ContactRegions)
-///   → triangles of the textured bodies in the window → δ and ∇δ (PenetrationSampler)
+///   → triangles of the textured bodies in the window → δ and ∇δ (CachedPenetration)
 ///
 /// The triangles of a contact are those that look the right way, A's against n and B's along n, and
 /// touch a box across n as wide as the window and along n, from the origin either way, half as high as

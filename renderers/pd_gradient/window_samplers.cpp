@@ -15,7 +15,8 @@ namespace {
 constexpr int kSamplesPerStep = 32;  // what the sampler's number of samples is a multiple of
 constexpr double kWholeCell = 1e-6;  // a step that is this close to whole cells is
 constexpr std::array kStepsInCells{1, 2, 4, 8};  // so that doubling the cells leaves whole ones
-constexpr std::size_t kMostPlaces = 12;
+constexpr std::size_t kMostPlaces = 12;  // ten contacts, and two of which heights are sampled
+constexpr std::size_t kMostCoarsePlaces = 3;
 
 /// The step of the hard maximum in cells; 1 for the smooth one, which has none.
 int cells_per_step(const WindowSampling& sampling) {
@@ -67,7 +68,9 @@ WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,
                                            .law = law,
                                            .most_triangles = most_triangles,
                                            .instructions = instructions},
-                               .most_places = keeps && !is_coarse ? kMostPlaces : 0}),
+                               .most_places = !keeps      ? 0
+                                              : is_coarse ? kMostCoarsePlaces
+                                                          : kMostPlaces}),
                           .is_coarse = is_coarse});
       reached_m = width_m;
     }

@@ -39,8 +39,8 @@ struct WindowSampling {
 /// Errors: std::invalid_argument for a cell or step that is not positive, a step that is not 1, 2, 4
 /// or 8 cells, and for fewer samples than one window takes.
 ///
-/// Heights are kept where the declared step is kept: a coarse window, of which there may be many
-/// samples, is sampled anew in every tick.
+/// Heights are kept for ten contacts at a time in a window of up to 128 samples, for fewer in wider
+/// ones, and for two in a coarse one; more are sampled anew in every tick.
 ///
 /// Real-time: `evaluate` and `reset` do not allocate, lock or throw.
 class WindowSamplers final {

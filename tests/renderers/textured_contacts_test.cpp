@@ -538,5 +538,31 @@ TEST(TexturedContacts, LeaveTheHeapAlone) {
   EXPECT_GT(found, 20U);
 }
 
+// Heights are kept over many ticks of a slide that also rocks and turns, and sampled anew on the way.
+TEST(TexturedContacts, FeelTheSameFromKeptHeightsAsFromNewOnes) {
+  const TexturedMesh tool = bare(ball(4e-3, 20, 30));
+  const TexturedMesh plate = grated_plate({.amplitude_m = 0.05e-3, .wavelength_m = 1.2e-3});
+  WindowSampling sampling = hard(0.1e-3);
+  TexturedContacts kept = between(tool, plate, sampling);
+  sampling.heights = Heights::sampled;
+  TexturedContacts anew = between(tool, plate, sampling);
+  double squares_N2 = 0.0;
+  double furthest_N = 0.0;
+  constexpr int kTicks = 300;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    const double phase = 0.02 * tick;
+    const Pose pose{.rotation = turn_about({1, 0, 0}, 0.05 * std::sin(0.7 * phase)) *
+                                turn_about({0, 0, 1}, 0.1 * phase),
+                    .position_m = {3e-3 * std::sin(phase), 0.5e-3, 3.8e-3}};
+    const Wrench found = wrench_about({}, kept.find(pose, {}));
+    const Wrench expected = wrench_about({}, anew.find(pose, {}));
+    ASSERT_GT(expected.force_N.z, 0.05);
+    squares_N2 += glm::dot(expected.force_N, expected.force_N);
+    furthest_N = std::max(furthest_N, glm::distance(found.force_N, expected.force_N));
+  }
+  EXPECT_GT(furthest_N, 0.0);  // they are not the same thing
+  EXPECT_LT(furthest_N, 0.1 * std::sqrt(squares_N2 / kTicks));
+}
+
 }  // namespace
 }  // namespace asperity
