@@ -16,7 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderers/pd_gradient/penetration_sampler.h"
+#include "renderers/pd_gradient/cached_penetration.h"
 #include "renderers/pd_gradient/reference_penetration.h"
 #include "tests/renderers/pd_gradient_surfaces.h"
 
@@ -24,7 +24,7 @@ namespace asperity {
 namespace {
 
 constexpr int kWarmUp = 2'000;
-constexpr int kCounted = 20'000;
+constexpr int kCounted = 10'000;
 constexpr int kCountedReference = 100;
 constexpr double kDepth_m = 0.1e-3;
 constexpr double kSlide_m = 10e-6;  // from tick to tick
@@ -114,28 +114,38 @@ Pose slid(Pose pose, int tick) {
 }
 
 constexpr HardMaximum kHard{.step_m = ContactsByChance::kShortest_m / 8.0};
+// With 96 samples a whole number of cells is a twelfth.
+constexpr HardMaximum kHardAt96{.step_m = ContactsByChance::kShortest_m / 12.0};
 constexpr SmoothMaximum kSmooth{.tau_m = 20e-6};
 
-Costs time_of_sampler(int samples, ContactKind kind, const MaximumLaw& law, InstructionSet set,
-                      double& used) {
-  ContactsByChance chance(1);
-  const ChanceContact contact = pressed(chance, kind, window_of(samples));
-  const PackedSurface a(contact.mesh_a);
-  const PackedSurface b(contact.mesh_b);
-  PenetrationSampler sampler(
-      {.grid = window_of(samples),
-       .law = law,
-       .most_triangles = std::max(a.triangles().size(), b.triangles().size()),
-       .instructions = set});
-  const bool is_hard = std::holds_alternative<HardMaximum>(law);
-  const std::string name = std::string(is_hard ? "hard/" : "smooth/") + name_of(set) + "/" +
-                           std::to_string(samples) + "/" + kind_name(kind);
+template <typename Evaluation>
+Costs time_of(Evaluation&& evaluation, const std::string& name, const ChanceContact& contact,
+              const PackedSurface& a, const PackedSurface& b, double& used) {
   return measure(name, kWarmUp, kCounted, [&](int tick) {
-    const auto found = sampler.evaluate(
+    const auto found = evaluation.evaluate(
         {.surface = a, .triangles = contact.triangles_a, .pose = slid(contact.pose_a, tick)},
         {.surface = b, .triangles = contact.triangles_b, .pose = contact.pose_b}, {});
     if (found) used += found->depth_m;
   });
+}
+
+void time_contact(int samples, ContactKind kind, const MaximumLaw& law, InstructionSet set,
+                  std::vector<Costs>& all, double& used) {
+  ContactsByChance chance(1);
+  const ChanceContact contact = pressed(chance, kind, window_of(samples));
+  const PackedSurface a(contact.mesh_a);
+  const PackedSurface b(contact.mesh_b);
+  const SamplerSettings settings{
+      .grid = window_of(samples),
+      .law = law,
+      .most_triangles = std::max(a.triangles().size(), b.triangles().size()),
+      .instructions = set};
+  const bool is_hard = std::holds_alternative<HardMaximum>(law);
+  const std::string name = std::string(is_hard ? "hard/" : "smooth/") + name_of(set) + "/" +
+                           std::to_string(samples) + "/" + kind_name(kind);
+  all.push_back(time_of(PenetrationSampler(settings), name + "/sampler", contact, a, b, used));
+  all.push_back(
+      time_of(CachedPenetration({.sampler = settings}), name + "/cached", contact, a, b, used));
 }
 
 Costs time_of_reference(int samples, double& used) {
@@ -177,12 +187,12 @@ struct Errors {
 
 // Against the same definition on a grid of 1024 × 1024, with the same step.
 std::vector<Errors> accuracy() {
-  constexpr std::array kSamples = {64, 128, 256};
+  constexpr std::array kSamples = {64, 96, 128, 256};
   std::vector<Errors> all;
   for (const int samples : kSamples) {
     const std::string at = "/" + std::to_string(samples);
-    for (const char* name :
-         {"hard/reference", "hard/sampler", "smooth/reference", "smooth/sampler"}) {
+    for (const char* name : {"hard/reference", "hard/sampler", "hard/cached", "smooth/reference",
+                             "smooth/sampler", "smooth/cached"}) {
       all.push_back({.name = name + at});
     }
   }
@@ -206,14 +216,38 @@ std::vector<Errors> accuracy() {
                       {.surface = b, .triangles = contact.triangles_b, .pose = contact.pose_b}, {})
             .value();
       };
+      // From heights that were kept when A was elsewhere: half as far as it may be.
+      const auto kept = [&](int samples, const MaximumLaw& law) {
+        CachedPenetration cached(
+            {.sampler = {.grid = window_of(samples),
+                         .law = law,
+                         .most_triangles = std::max(a.triangles().size(), b.triangles().size()),
+                         .instructions = instruction_sets_here().back()}});
+        const auto answer = [&](const Pose& pose) {
+          return cached.evaluate(
+              {.surface = a, .triangles = contact.triangles_a, .pose = pose},
+              {.surface = b, .triangles = contact.triangles_b, .pose = contact.pose_b}, {});
+        };
+        Pose before = contact.pose_a;
+        before.position_m += glm::dvec3{0.9e-3, -0.7e-3, 0.02e-3};
+        before.rotation = turn_about({1, 0, 0}, 0.012) * turn_about({0, 1, 0}, -0.01) *
+                          turn_about({0, 0, 1}, 0.03) * before.rotation;
+        while (cached.kept_answers() == 0) answer(before);
+        return answer(contact.pose_a).value();
+      };
       std::size_t row = 0;
-      const Penetration hard_truth = plain(kTruthSamples, kHard);
+      const Penetration truth_at_96 = plain(kTruthSamples, kHardAt96);
+      const Penetration truth_elsewhere = plain(kTruthSamples, kHard);
       const Penetration smooth_truth = plain(kTruthSamples, kSmooth);
       for (const int samples : kSamples) {
-        all[row++].add(plain(samples, kHard), hard_truth);
-        all[row++].add(fast(samples, kHard), hard_truth);
+        const HardMaximum& hard = samples == 96 ? kHardAt96 : kHard;
+        const Penetration& hard_truth = samples == 96 ? truth_at_96 : truth_elsewhere;
+        all[row++].add(plain(samples, hard), hard_truth);
+        all[row++].add(fast(samples, hard), hard_truth);
+        all[row++].add(kept(samples, hard), hard_truth);
         all[row++].add(plain(samples, kSmooth), smooth_truth);
         all[row++].add(fast(samples, kSmooth), smooth_truth);
+        all[row++].add(kept(samples, kSmooth), smooth_truth);
       }
     }
   }
@@ -292,8 +326,8 @@ int run(bool as_json, bool with_accuracy) {
   for (const int samples : {64, 128}) {
     for (const ContactKind kind : {ContactKind::flat, ContactKind::convex_on_flat}) {
       for (const InstructionSet set : instruction_sets_here()) {
-        all.push_back(time_of_sampler(samples, kind, kHard, set, used));
-        all.push_back(time_of_sampler(samples, kind, kSmooth, set, used));
+        time_contact(samples, kind, kHard, set, all, used);
+        time_contact(samples, kind, kSmooth, set, all, used);
       }
     }
   }

@@ -1,0 +1,677 @@
+// What a whole tick of two textured bodies costs, from poses to the wrench, and how far it is from
+// the bodies they were made of.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <sys/resource.h>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <malloc.h>
+#include <nlohmann/json.hpp>
+
+#include "bench/detailed_bodies.h"
+#include "renderers/pd_gradient/pd_gradient.h"
+#include "renderers/pd_gradient/reference_penetration.h"
+#include "stimuli/mesh_decimation.h"
+#include "stimuli/mesh_file.h"
+#include "stimuli/mesh_repair.h"
+#include "stimuli/texture_baking.h"
+
+namespace asperity {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kWave_m = 1e-3;  // the shortest of all textures
+constexpr double kRms_m = kWave_m / 20.0;
+constexpr double kDepth_m = 0.15e-3;
+constexpr double kSlide_m = 10e-6;  // from tick to tick: 0.1 m/s at 10 kHz
+constexpr double kTick_s = 1e-4;
+constexpr double kStiffness_N_per_m = 1000.0;
+constexpr int kWarmUp = 500;
+constexpr int kCounted = 5'000;
+constexpr int kPosesForErrors = 8;
+constexpr std::size_t kContactsForErrors = 3;  // of a pose, the longest
+constexpr int kTruthSamples = 256;             // at least, and twice those of the window
+
+std::int64_t context_switches() {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return usage.ru_nivcsw + usage.ru_nvcsw;
+}
+
+double peak_MiB() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+double seconds_since(Clock::time_point started) {
+  return std::chrono::duration<double>(Clock::now() - started).count();
+}
+
+struct Costs {
+  std::vector<std::int64_t> undisturbed_ns{};
+  std::int64_t preempted = 0;
+
+  nlohmann::json quantile_ns(double fraction) const {
+    if (undisturbed_ns.empty()) return nullptr;
+    const double last = static_cast<double>(undisturbed_ns.size() - 1);
+    return undisturbed_ns[static_cast<std::size_t>(std::llround(fraction * last))];
+  }
+};
+
+// Calls during which the kernel took the processor away are counted apart: they measure the machine.
+Costs measure(const std::function<void(int)>& work) {
+  Costs costs;
+  costs.undisturbed_ns.reserve(kCounted);
+  for (int i = 0; i < kWarmUp; ++i) work(i);
+  std::int64_t switches = context_switches();
+  for (int i = kWarmUp; i < kWarmUp + kCounted; ++i) {
+    const auto started = Clock::now();
+    work(i);
+    const auto took = Clock::now() - started;
+    const std::int64_t switches_after = context_switches();
+    if (switches_after == switches) {
+      costs.undisturbed_ns.push_back(
+          std::chrono::duration_cast<std::chrono::nanoseconds>(took).count());
+    } else {
+      ++costs.preempted;
+    }
+    switches = switches_after;
+  }
+  std::sort(costs.undisturbed_ns.begin(), costs.undisturbed_ns.end());
+  return costs;
+}
+
+/// A body, what it was made of, and what that took.
+struct Body {
+  std::string name{};
+  TriangleMesh original{};
+  std::shared_ptr<const TexturedMesh> textured{};
+  nlohmann::ordered_json made{};
+  bool is_given = false;
+};
+
+/// As a file holds it: what importing costs is part of baking.
+std::vector<std::byte> binary_stl(const TriangleMesh& mesh) {
+  std::vector<std::byte> bytes(84 + 50 * mesh.triangles.size());
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  std::memcpy(bytes.data() + 80, &count, sizeof(count));
+  std::byte* to = bytes.data() + 84;
+  for (const auto& corners : mesh.triangles) {
+    to += 12;  // no normal
+    for (const std::uint32_t corner : corners) {
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto place_mm = static_cast<float>(1e3 * mesh.vertices_m[corner][axis]);
+        std::memcpy(to, &place_mm, sizeof(place_mm));
+        to += sizeof(place_mm);
+      }
+    }
+    to += 2;
+  }
+  return bytes;
+}
+
+Body bake(const std::string& name, const std::vector<std::byte>& file, std::size_t triangles) {
+  const Workers workers{.jobs = std::max(1U, std::thread::hardware_concurrency())};
+  const auto started = Clock::now();
+  const std::clock_t processor = std::clock();
+  Body body{.name = name};
+  body.original = repair_mesh(decode_mesh(file, {}, name).mesh, {}, name).mesh;
+  const double imported_s = seconds_since(started);
+  const TriangleMesh simplified = decimate_mesh(body.original, triangles, name);
+  const double simplified_s = seconds_since(started);
+  BakedMesh baked = bake_texture(body.original, simplified, {}, workers);
+  const double all_s = seconds_since(started);
+  body.made = {{"name", name},
+               {"original_triangles", body.original.triangles.size()},
+               {"triangles", baked.mesh.triangles.size()},
+               {"texels", baked.mesh.atlas.values.size()},
+               {"import_s", imported_s},
+               {"simplify_s", simplified_s - imported_s},
+               {"bake_s", all_s - simplified_s},
+               {"all_s", all_s},
+               {"processor_s", static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC},
+               {"peak_memory_MiB", peak_MiB()},
+               {"plain_rms_m", baked.report.plain.rms_m},
+               {"textured_rms_m", baked.report.textured.rms_m}};
+  body.textured = std::make_shared<const TexturedMesh>(std::move(baked.mesh));
+  return body;
+}
+
+Body bake(const std::string& name, const TriangleMesh& mesh, std::size_t triangles) {
+  return bake(name, binary_stl(mesh), triangles);
+}
+
+/// A tool and a surface, and where the tool begins.
+struct Scene {
+  std::string name{};
+  const Body* tool = nullptr;
+  const Body* surface = nullptr;
+  glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
+  glm::dvec3 above_m{0.0};
+};
+
+RendererInputs inputs_of(const Scene& scene, ParameterValues parameters) {
+  RendererInputs inputs;
+  inputs.parameters = std::move(parameters);
+  inputs.material = {.stiffness_N_per_m = kStiffness_N_per_m, .friction = 0.0};
+  inputs.patch.extent_m = {1.0, 1.0};
+  inputs.tool = scene.tool->textured;
+  inputs.surface = scene.surface->textured;
+  return inputs;
+}
+
+ParameterValues sampled_by(double cell_m) { return {{"cell_m", cell_m}, {"step_m", cell_m}}; }
+
+/// To and fro over two millimetres, drifting aside, rocking and turning a little.
+ProbeState moved(const ProbeState& start, int tick) {
+  constexpr double kWay_m = 1e-3;
+  const double phase_rad = kSlide_m * tick / kWay_m;
+  ProbeState probe = start;
+  probe.position_m += glm::dvec3{kWay_m * std::sin(phase_rad), kWay_m * std::sin(0.37 * phase_rad),
+                                 0.02e-3 * std::sin(0.7 * phase_rad)};
+  probe.velocity_m_per_s.x = kSlide_m / kTick_s * std::cos(phase_rad);
+  probe.orientation = glm::angleAxis(0.03 * std::sin(0.11 * phase_rad), glm::dvec3{1, 0, 0}) *
+                      glm::angleAxis(0.05 * std::sin(0.07 * phase_rad), glm::dvec3{0, 0, 1}) *
+                      start.orientation;
+  return probe;
+}
+
+/// Lowered until it is in by the depth.
+ProbeState pressed(const Scene& scene) {
+  constexpr double kDown_m = 20e-6;
+  const auto renderer =
+      make_renderer(pd_gradient_model(), inputs_of(scene, {{"coupling", std::string("none")}}));
+  ProbeState probe{.position_m = scene.above_m, .orientation = scene.orientation};
+  renderer->reset(probe);
+  while (renderer->tick(probe, kTick_s).penetration_m < kDepth_m && probe.position_m.z > -0.05) {
+    probe.position_m.z -= kDown_m;
+  }
+  return probe;
+}
+
+/// A tool that begins inside the surface is asked in every tick whether it is out: it begins outside.
+void start_clear(ForceRenderer& renderer, const Scene& scene, const ProbeState& start) {
+  const ProbeState above{.position_m = scene.above_m, .orientation = scene.orientation};
+  renderer.reset(above);
+  renderer.tick(above, kTick_s);
+  for (int i = 0; i < 1000; ++i) renderer.tick(start, kTick_s);  // a coupled tool comes after
+}
+
+/// Sums over the contacts of many poses.
+struct Errors {
+  double depth_m2 = 0.0;
+  double force_N2 = 0.0;
+  double torque_N2_m2 = 0.0;
+
+  void add(const Penetration& found, const Penetration& truth) {
+    const Wrench one = contact_wrench(found, {}, kStiffness_N_per_m);
+    const Wrench other = contact_wrench(truth, {}, kStiffness_N_per_m);
+    const auto square = [](const glm::dvec3& v) { return glm::dot(v, v); };
+    const double depth_m = std::max(0.0, found.depth_m) - std::max(0.0, truth.depth_m);
+    depth_m2 += depth_m * depth_m;
+    force_N2 += square(one.force_N - other.force_N);
+    torque_N2_m2 += square(one.torque_N_m - other.torque_N_m);
+  }
+  nlohmann::ordered_json rms(double count) const {
+    return {{"depth_m", std::sqrt(depth_m2 / count)},
+            {"force_N", std::sqrt(force_N2 / count)},
+            {"torque_N_m", std::sqrt(torque_N2_m2 / count)}};
+  }
+};
+
+/// A mesh without texture, and which of its triangles are near a contact.
+struct PlainPatch {
+  TexturedMesh mesh{};
+  std::vector<std::uint32_t> triangles{};
+
+  explicit PlainPatch(const TriangleMesh& of) {
+    mesh.vertices_m = of.vertices_m;
+    mesh.normals.assign(of.vertices_m.size(), {0.0, 0.0, 1.0});  // moved along by nothing
+    mesh.triangles = of.triangles;
+    mesh.places.assign(of.triangles.size(), {});
+    mesh.atlas = {.rows = 1, .columns = 1, .step_m = 0.0, .values = {0}};
+  }
+  ContactPatch near(const Pose& pose, const ContactFrame& frame, double width_m) {
+    const glm::dvec3 origin_m = glm::transpose(pose.rotation) * (frame.origin_m - pose.position_m);
+    triangles.clear();
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+      double nearest_m = 1.0;
+      double size_m = 0.0;
+      const auto& corners = mesh.triangles[i];
+      for (const std::uint32_t corner : corners) {
+        nearest_m = std::min(nearest_m, glm::distance(mesh.vertices_m[corner], origin_m));
+        size_m =
+            std::max(size_m, glm::distance(mesh.vertices_m[corner], mesh.vertices_m[corners[0]]));
+      }
+      if (nearest_m < width_m + size_m) triangles.push_back(i);
+    }
+    return {.mesh = mesh, .triangles = triangles, .pose = pose};
+  }
+};
+
+TriangleMesh without_texture(const TexturedMesh& mesh) {
+  return {.vertices_m = mesh.vertices_m, .triangles = mesh.triangles};
+}
+
+/// Against the original meshes in the same windows, along the same n.
+nlohmann::ordered_json errors_of(const Scene& scene, double cell_m) {
+  ParameterValues parameters = sampled_by(cell_m);
+  parameters["most_samples"] = 512.0;  // no contact is wide enough for longer cells
+  parameters["coupling"] = std::string("none");
+  PdGradient renderer(
+      [&] {
+        RendererInputs inputs = inputs_of(scene, {});
+        inputs.parameters = complete_values(pd_gradient_model().declaration, parameters);
+        return inputs;
+      }(),
+      instruction_sets_here().back());
+  PlainPatch tool(scene.tool->original);
+  PlainPatch surface(scene.surface->original);
+  PlainPatch plain_tool(without_texture(*scene.tool->textured));
+  PlainPatch plain_surface(without_texture(*scene.surface->textured));
+  const ProbeState start = pressed(scene);
+  renderer.reset(start);
+  Errors textured;
+  Errors plain;
+  Errors whole;
+  int contacts = 0;
+  for (int i = 0; i < kPosesForErrors; ++i) {
+    const ProbeState probe = moved(start, 137 * i);
+    for (int again = 0; again < 40; ++again) renderer.tick(probe, kTick_s);
+    const Pose a{.rotation = glm::mat3_cast(probe.orientation), .position_m = probe.position_m};
+    const auto found = renderer.contacts();
+    for (const TexturedContact& contact : found.first(std::min(found.size(), kContactsForErrors))) {
+      const double step_m = cell_m;
+      const auto reference = [&](PlainPatch& of_a, PlainPatch& of_b) {
+        return reference_penetration(of_a.near(a, contact.frame, contact.grid.width_m),
+                                     of_b.near({}, contact.frame, contact.grid.width_m),
+                                     contact.frame,
+                                     {.width_m = contact.grid.width_m,
+                                      .samples = std::max(kTruthSamples, 2 * contact.grid.samples)},
+                                     HardMaximum{.step_m = step_m});
+      };
+      const auto truth = reference(tool, surface);
+      const auto bare = reference(plain_tool, plain_surface);
+      if (!truth || !bare) continue;
+      textured.add(contact.penetration, *truth);
+      plain.add(*bare, *truth);
+      whole.add({}, *truth);
+      ++contacts;
+    }
+  }
+  return {{"contacts", contacts},
+          {"truth", whole.rms(contacts)},
+          {"textured", textured.rms(contacts)},
+          {"untextured", plain.rms(contacts)},
+          {"depth", std::sqrt(textured.depth_m2 / plain.depth_m2)},
+          {"force", std::sqrt(textured.force_N2 / plain.force_N2)},
+          {"torque", std::sqrt(textured.torque_N2_m2 / plain.torque_N2_m2)}};
+}
+
+std::size_t allocated_bytes() {
+  const struct mallinfo2 heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
+/// Where the tool's mesh is while the device is there: without a coupling they are the same.
+Pose pose_of(const ProbeState& probe) {
+  return {.rotation = glm::mat3_cast(probe.orientation), .position_m = probe.position_m};
+}
+
+/// What the numbers of a case are of.
+struct Load {
+  double contacts = 0.0;
+  double pairs = 0.0;
+  double samples = 0.0;  ///< of the widest window, each way
+};
+
+Load load_of(const Scene& scene, const ProbeState& start, double cell_m) {
+  const TexturedBody a(*scene.tool->textured, 1.0);
+  const TexturedBody b(*scene.surface->textured, 1.0);
+  MeshQuery query(a.hull_clusters(), b.hull_clusters(), TexturedContacts::kMostPairs);
+  TexturedContacts contacts({*scene.tool->textured, 1.0}, {*scene.surface->textured, 1.0},
+                            {.law = HardMaximum{.step_m = cell_m}, .cell_m = cell_m},
+                            instruction_sets_here().back());
+  constexpr int kPoses = 200;
+  Load load;
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose pose = pose_of(moved(start, 10 * i));
+    const auto found = contacts.find(pose, {});
+    load.contacts += static_cast<double>(found.size()) / kPoses;
+    load.pairs += static_cast<double>(query.find(pose).size()) / kPoses;
+    for (const TexturedContact& contact : found) {
+      load.samples = std::max(load.samples, static_cast<double>(contact.grid.samples));
+    }
+  }
+  return load;
+}
+
+nlohmann::ordered_json case_of(const std::string& name, const Costs& costs, const Load& load) {
+  return {{"name", name},
+          {"unit", "ns"},
+          {"p50", costs.quantile_ns(0.5)},
+          {"p99", costs.quantile_ns(0.99)},
+          {"p99_9", costs.quantile_ns(0.999)},
+          {"count", costs.undisturbed_ns.size()},
+          {"preempted", costs.preempted},
+          {"contacts", load.contacts},
+          {"pairs", load.pairs},
+          {"window_samples", load.samples}};
+}
+
+/// The parts and the whole, over the same motion.
+void time_scene(const Scene& scene, nlohmann::ordered_json& cases, double& used) {
+  const ProbeState start = pressed(scene);
+  const InstructionSet widest = instruction_sets_here().back();
+  const TexturedBody a(*scene.tool->textured, 1.0);
+  const TexturedBody b(*scene.surface->textured, 1.0);
+  MeshQuery query(a.hull_clusters(), b.hull_clusters(), TexturedContacts::kMostPairs);
+  ContactRegions regions(a.hull(), b.hull(), TexturedContacts::kMostPairs,
+                         TexturedContacts::kMostContacts);
+  const Load at_8 = load_of(scene, start, kWave_m / 8.0);
+  cases.push_back(case_of(scene.name + "/query", measure([&](int tick) {
+                            used +=
+                                static_cast<double>(query.find(pose_of(moved(start, tick))).size());
+                          }),
+                          at_8));
+  cases.push_back(case_of(scene.name + "/query_and_regions", measure([&](int tick) {
+                            const Pose pose = pose_of(moved(start, tick));
+                            used += static_cast<double>(
+                                regions.update(query.find(pose), pose, {}).size());
+                          }),
+                          at_8));
+  struct Grid {
+    const char* name = "";
+    double cell_m = 0.0;
+  };
+  for (const Grid& grid :
+       {Grid{"8", kWave_m / 8.0}, Grid{"12", kWave_m / 12.0}, Grid{"32", kWave_m / 32.0}}) {
+    if (at_8.contacts > 1.0 && grid.cell_m < kWave_m / 12.0) continue;  // of one contact only
+    const Load load = load_of(scene, start, grid.cell_m);
+    const std::string at = scene.name + "/" + grid.name + "_samples_a_wave/";
+    for (const Heights heights : {Heights::sampled, Heights::kept}) {
+      TexturedContacts contacts(
+          {*scene.tool->textured, 1.0}, {*scene.surface->textured, 1.0},
+          {.law = HardMaximum{.step_m = grid.cell_m}, .cell_m = grid.cell_m, .heights = heights},
+          widest);
+      const char* name = heights == Heights::kept ? "contacts_kept" : "contacts_sampled";
+      cases.push_back(case_of(at + name, measure([&](int tick) {
+                                for (const TexturedContact& contact :
+                                     contacts.find(pose_of(moved(start, tick)), {})) {
+                                  used += contact.penetration.depth_m;
+                                }
+                              }),
+                              load));
+    }
+    for (const char* maximum : {"hard", "smooth"}) {
+      for (const char* coupling : {"none", "virtual"}) {
+        ParameterValues parameters = sampled_by(grid.cell_m);
+        parameters["coupling"] = std::string(coupling);
+        parameters["maximum"] = std::string(maximum);
+        const std::size_t before_bytes = allocated_bytes();
+        const auto renderer = make_renderer(pd_gradient_model(), inputs_of(scene, parameters));
+        const std::size_t bytes = allocated_bytes() - before_bytes;
+        start_clear(*renderer, scene, start);
+        cases.push_back(
+            case_of(at + "tick_" + maximum + "_coupling_" + coupling, measure([&](int tick) {
+                      used += renderer->tick(moved(start, tick), kTick_s).wrench.force_N.z;
+                    }),
+                    load));
+        cases.back()["bytes"] = bytes;
+      }
+    }
+  }
+}
+
+std::string machine() {
+  std::ifstream cpus("/proc/cpuinfo");
+  for (std::string line; std::getline(cpus, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+std::vector<std::byte> bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error(file.string() + " cannot be read.");
+  std::vector<std::byte> bytes(std::filesystem::file_size(file));
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  return bytes;
+}
+
+struct Order {
+  bool as_json = false;
+  bool with_errors = true;
+  std::size_t triangles = 300'000;
+  std::optional<std::string> only{};  ///< a scene
+  std::optional<std::filesystem::path> meshes{};
+};
+
+/// Which bodies a scene is of.
+struct Pairing {
+  const char* scene = "";
+  const char* tool = "";
+  const char* surface = "";
+};
+constexpr std::array kPairings = {
+    Pairing{"simple", "ball", "block"}, Pairing{"ten_contacts", "ten_balls", "wide_block"},
+    Pairing{"hammer", "hammer", "block"}, Pairing{"file", "file", "part"},
+    Pairing{"part", "part", "block"}};
+
+bool is_wanted(const Order& order, const std::string& body) {
+  return !order.only || std::any_of(kPairings.begin(), kPairings.end(), [&](const Pairing& each) {
+    return *order.only == each.scene && (body == each.tool || body == each.surface);
+  });
+}
+
+/// The bodies of all scenes. By pointer: scenes refer to them.
+std::vector<std::unique_ptr<const Body>> make_bodies(const Order& order) {
+  const auto waves = [](std::uint64_t seed) { return Waves(kWave_m, kRms_m, seed); };
+  const auto smooth_step = [](double from, double to, double at) {
+    const double share = std::clamp((at - from) / (to - from), 0.0, 1.0);
+    return share * share * (3.0 - 2.0 * share);
+  };
+  std::vector<std::unique_ptr<const Body>> bodies;
+  const auto add = [&](const std::string& name, const TriangleMesh& mesh, std::size_t triangles) {
+    if (!is_wanted(order, name)) return;
+    bodies.push_back(std::make_unique<const Body>(bake(name, mesh, triangles)));
+    std::fprintf(stderr, "%s\n", bodies.back()->made.dump().c_str());
+  };
+  add("block", rough_block(0.03, waves(1), order.triangles), 500);
+  add("ball", rough_ball(0.0055, waves(2), order.triangles), 600);
+  TriangleMesh balls;
+  for (int i = 0; i < 10; ++i) {
+    append(balls,
+           rough_ball(0.0035, waves(10 + static_cast<std::uint64_t>(i)), order.triangles / 10),
+           {0.011 * (i % 5 - 2), 0.011 * (i / 5 - 0.5), 0.0});
+  }
+  add("ten_balls", balls, 750);
+  add("wide_block", rough_block(0.07, waves(3), order.triangles), 500);
+  const Waves hammered = waves(4);
+  add("hammer",
+      long_body(
+          0.11,
+          [&](double z_m) {
+            const double head = smooth_step(0.025, 0.032, z_m);
+            return std::pair{0.006 + 0.012 * head, 0.006 + 0.003 * head};
+          },
+          hammered, order.triangles),
+      700);
+  const Waves grain = waves(5);
+  add("file",
+      long_body(
+          0.09,
+          [](double) {
+            return std::pair{0.007, 0.003};
+          },
+          [&](const glm::dvec3& p) {  // teeth in rows across, and grain
+            const double tooth = std::sin(2.0 * std::numbers::pi * (p.z + 0.4 * p.x) / 2e-3);
+            return 0.06e-3 * tooth + 0.5 * grain(p);
+          },
+          order.triangles),
+      600);
+  const Waves cast = waves(6);
+  add("part",
+      long_body(
+          0.06,
+          [&](double z_m) {
+            const double groove = smooth_step(0.006, 0.008, std::abs(z_m));
+            return std::pair{0.010 + 0.003 * groove, 0.010 + 0.003 * groove};
+          },
+          [&](const glm::dvec3& p) {  // traces of a cutter, and grain
+            return 0.04e-3 * std::sin(2.0 * std::numbers::pi * p.z / 1.5e-3) + 0.5 * cast(p);
+          },
+          order.triangles),
+      750);
+  if (order.meshes) {
+    for (const auto& file : std::filesystem::directory_iterator(*order.meshes)) {
+      if (!file.is_regular_file()) continue;
+      Body body = bake(file.path().stem().string(), bytes_of(file.path()), 700);
+      body.is_given = true;
+      bodies.push_back(std::make_unique<const Body>(std::move(body)));
+      std::fprintf(stderr, "%s\n", bodies.back()->made.dump().c_str());
+    }
+  }
+  return bodies;
+}
+
+/// Half the body's height about its own origin, and some room.
+double half_height_m(const TexturedMesh& mesh, const glm::dquat& orientation) {
+  double half_m = 0.0;
+  for (const glm::dvec3& vertex_m : mesh.vertices_m) {
+    half_m = std::max(half_m, std::abs((orientation * vertex_m).z));
+  }
+  return half_m;
+}
+
+std::vector<Scene> scenes_of(const std::vector<std::unique_ptr<const Body>>& bodies) {
+  const auto body = [&](const std::string& name) {
+    for (const auto& each : bodies) {
+      if (each->name == name) return each.get();
+    }
+    return static_cast<const Body*>(nullptr);
+  };
+  const glm::dquat upright{1.0, 0.0, 0.0, 0.0};
+  const glm::dquat lying = glm::angleAxis(0.5 * std::numbers::pi, glm::dvec3{0.0, 1.0, 0.0});
+  const glm::dquat across = glm::angleAxis(1.2, glm::dvec3{0.0, 0.0, 1.0}) * lying;
+  std::vector<Scene> scenes;
+  for (const Pairing& each : kPairings) {
+    const std::string name = each.scene;
+    if (body(each.tool) == nullptr || body(each.surface) == nullptr) continue;
+    scenes.push_back({.name = name,
+                      .tool = body(each.tool),
+                      .surface = body(each.surface),
+                      .orientation = name == "hammer"                   ? lying
+                                     : name == "file" || name == "part" ? across
+                                                                        : upright});
+  }
+  for (const auto& each : bodies) {
+    if (!each->is_given) continue;
+    scenes.push_back({.name = "given_" + each->name, .tool = each.get(), .surface = body("block")});
+  }
+  for (Scene& scene : scenes) {
+    scene.above_m.z = half_height_m(*scene.tool->textured, scene.orientation) + 0.002;
+    if (scene.surface->name == "part") {
+      scene.above_m.z += half_height_m(*scene.surface->textured, upright);
+    }
+  }
+  return scenes;
+}
+
+void print(const nlohmann::ordered_json& document) {
+  for (const auto& body : document["bodies"]) {
+    std::printf("%-14s %7ld -> %4ld triangles, import %.1f s, simplify %.1f s, bake %.1f s\n",
+                body["name"].get<std::string>().c_str(), body["original_triangles"].get<long>(),
+                body["triangles"].get<long>(), body["import_s"].get<double>(),
+                body["simplify_s"].get<double>(), body["bake_s"].get<double>());
+  }
+  std::printf("%-64s %8s %8s %8s %9s %6s %6s %4s\n", "case (ns)", "p50", "p99", "p99.9",
+              "preempted", "cont.", "pairs", "N");
+  for (const auto& each : document["cases"]) {
+    std::printf("%-64s %8s %8s %8s %9ld %6.1f %6.1f %4.0f\n",
+                each["name"].get<std::string>().c_str(), each["p50"].dump().c_str(),
+                each["p99"].dump().c_str(), each["p99_9"].dump().c_str(),
+                each["preempted"].get<long>(), each["contacts"].get<double>(),
+                each["pairs"].get<double>(), each["window_samples"].get<double>());
+  }
+  for (const auto& each : document["errors"]) std::printf("%s\n", each.dump().c_str());
+}
+
+int run(const Order& order) {
+  const auto bodies = make_bodies(order);
+  double used = 0.0;  // so that no work can be left out
+  nlohmann::ordered_json document{{"format", "asperity.bench/1"},
+                                  {"machine", machine()},
+                                  {"commit", ASPERITY_COMMIT},
+                                  {"isa", name_of(instruction_sets_here().back())},
+                                  {"bodies", nlohmann::ordered_json::array()},
+                                  {"cases", nlohmann::ordered_json::array()},
+                                  {"errors", nlohmann::ordered_json::array()}};
+  for (const auto& body : bodies) document["bodies"].push_back(body->made);
+  for (const Scene& scene : scenes_of(bodies)) {
+    std::fprintf(stderr, "%s\n", scene.name.c_str());
+    time_scene(scene, document["cases"], used);
+    if (!order.with_errors) continue;
+    nlohmann::ordered_json errors{{"scene", scene.name}};
+    errors.update(errors_of(scene, kWave_m / 12.0));
+    document["errors"].push_back(errors);
+  }
+  document["peak_memory_MiB"] = peak_MiB();
+  if (order.as_json) {
+    std::puts(document.dump(2).c_str());
+  } else {
+    print(document);
+  }
+  return std::isfinite(used) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+  asperity::Order order;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--json") {
+      order.as_json = true;
+    } else if (argument == "--no-errors") {
+      order.with_errors = false;
+    } else if (argument == "--triangles" && i + 1 < argc) {
+      order.triangles = static_cast<std::size_t>(std::atol(argv[++i]));
+    } else if (argument == "--scene" && i + 1 < argc) {
+      order.only = argv[++i];
+    } else if (argument == "--meshes" && i + 1 < argc) {
+      order.meshes = argv[++i];
+    } else {
+      std::fprintf(
+          stderr,
+          "usage: %s [--json] [--no-errors] [--triangles N] [--scene NAME] [--meshes DIR]\n",
+          argv[0]);
+      return 2;
+    }
+  }
+  return asperity::run(order);
+}
