@@ -44,7 +44,7 @@ struct CachedSettings {
 /// The answer is for the asked frame: the gradient is turned into its axes and divided by how little δ
 /// falls along its n, δ with it (the direction of δ·∇δ stays).
 ///
-/// BodyHeights are sampled anew, some rows in a call, when the bodies have moved half as far as they may:
+/// Heights are sampled anew, some rows in a call, when the bodies have moved half as far as they may:
 /// a quarter of the window along it, 0.03 rad of tilt, 0.13 rad of turning less the step of the
 /// differences, and 0.06 rad between the asked n and the kept one. Until they are there the kept ones
 /// serve; where none serve, PenetrationSampler does. A place that no contact comes back to is the
@@ -60,8 +60,8 @@ struct CachedSettings {
 ///
 /// Every instruction set gives the same bits.
 ///
-/// Errors: those of PenetrationSampler; one place only, since one serves
-/// while another one is sampled; rows that are no positive multiple of 4.
+/// Errors: those of PenetrationSampler; a single place, since one serves while another one is
+/// sampled; rows that are no positive multiple of 4.
 ///
 /// Real-time: `evaluate` and `reset` do not allocate, lock or throw. One object serves one thread.
 class CachedPenetration final {
