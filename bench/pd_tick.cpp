@@ -409,7 +409,7 @@ void time_scene(const Scene& scene, nlohmann::ordered_json& cases, double& used)
   };
   for (const Grid& grid :
        {Grid{"8", kWave_m / 8.0}, Grid{"12", kWave_m / 12.0}, Grid{"32", kWave_m / 32.0}}) {
-    if (at_8.contacts > 1.0 && grid.cell_m < kWave_m / 12.0) continue;  // of one contact only
+    if (at_8.contacts > 1.5 && grid.cell_m < kWave_m / 12.0) continue;  // of one contact only
     const Load load = load_of(scene, start, grid.cell_m);
     const std::string at = scene.name + "/" + grid.name + "_samples_a_wave/";
     for (const Heights heights : {Heights::sampled, Heights::kept}) {
