@@ -404,7 +404,8 @@ void CachedPenetration::continue_work(double hurry) noexcept {
                   share(rows_in_a_call_, 2 * lattice_.samples));
       if (work_.next_row < lattice_.samples) return;
       work_.step = Step::idle;
-      place.is_whole = true;
+      // Of a place without anything in it the next call wants to know whether there is something now.
+      place.is_whole = place.covered > 0;
       return;
   }
 }

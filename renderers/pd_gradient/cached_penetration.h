@@ -56,7 +56,8 @@ struct CachedSettings {
 /// samples a wavelength the force was never further from the sampler's than 0.16 of its RMS.
 ///
 /// What is found depends on the calls since `reset` and on nothing else. A place beside one without a
-/// surface has none here. `covered` and `folded` are of when the heights were sampled.
+/// surface has none here. `covered` and `folded` are of when the heights were sampled; where nothing was
+/// covered, none are kept.
 ///
 /// Every instruction set gives the same bits.
 ///
