@@ -76,9 +76,7 @@ double ChoiceData::log_likelihood(const Eigen::VectorXd& coefficients) const {
 ChoiceData::Slopes ChoiceData::slopes(const Eigen::VectorXd& coefficients,
                                       std::span<const std::size_t> clusters) const {
   const auto size = static_cast<Eigen::Index>(parameters_);
-  Slopes at{.log_likelihood = log_likelihood(coefficients),
-            .score = Eigen::VectorXd::Zero(size),
-            .information = Eigen::MatrixXd::Zero(size, size)};
+  Slopes at{.score = Eigen::VectorXd::Zero(size), .information = Eigen::MatrixXd::Zero(size, size)};
   if (!clusters.empty()) {
     const std::size_t most = *std::max_element(clusters.begin(), clusters.end());
     at.scores = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(most) + 1, size);
@@ -101,10 +99,14 @@ ChoiceData::Slopes ChoiceData::slopes(const Eigen::VectorXd& coefficients,
       weight = std::exp(weight - most);
       all += weight;
     }
+    const double log_all = most + std::log(all);
     mean.setZero();
     score.setZero();
     for (std::size_t a = range.begin; a < range.end; ++a) {
       const double p = weights[a - range.begin] / all;
+      if (counts_[a] > 0.0) {
+        at.log_likelihood += counts_[a] * (utility(a, coefficients) - log_all);
+      }
       const Range own = terms(a);
       for (std::size_t i = own.begin; i < own.end; ++i) {
         const auto row = static_cast<Eigen::Index>(terms_[i].parameter);
@@ -140,18 +142,19 @@ std::optional<ConditionalLogit> conditional_logit(const ChoiceData& data) {
     if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return std::nullopt;
     const Eigen::VectorXd move = information.solve(at.score);
     const double far = move.cwiseAbs().maxCoeff();
-    if (far < 1e-12 * (1.0 + fit.coefficients.cwiseAbs().maxCoeff())) {
+    // Newton's error is squared by a step: after one of 10⁻⁸ nothing is left to gain.
+    if (far < 1e-8 * (1.0 + fit.coefficients.cwiseAbs().maxCoeff())) {
       fit.coefficients += move;
-      fit.covariance = data.slopes(fit.coefficients)
-                           .information.ldlt()
-                           .solve(Eigen::MatrixXd::Identity(size, size));
-      fit.log_likelihood = data.log_likelihood(fit.coefficients);
+      const ChoiceData::Slopes top = data.slopes(fit.coefficients);
+      fit.covariance = top.information.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+      fit.log_likelihood = top.log_likelihood;
       return fit;
     }
+    // Near the top a whole step is right, and the gain may drown in the rounding of a long sum.
+    constexpr double kNear = 1e-3;
     double length = 1.0;
-    const double rounding = 1e-12 * (1.0 + std::abs(at.log_likelihood));
-    while (length > 1e-9 && !(data.log_likelihood(fit.coefficients + length * move) >=
-                              at.log_likelihood - rounding)) {
+    while (far > kNear && length > 1e-9 &&
+           !(data.log_likelihood(fit.coefficients + length * move) >= at.log_likelihood)) {
       length *= 0.5;
     }
     fit.coefficients += length * move;

@@ -37,20 +37,19 @@ class AllTables final {
 
   std::optional<double> tail() {
     fill(0, 0, sums_.empty() ? 0 : sums_.front(), 0.0);
-    if (counted_ > kMostTables) return std::nullopt;
+    if (steps_ > kMostSteps) return std::nullopt;
     return std::min(1.0, sum_);
   }
 
  private:
-  static constexpr std::size_t kMostTables = 20'000'000;
+  static constexpr std::size_t kMostSteps = 20'000'000;
 
   double of(std::int64_t count) const { return log_factorial_[static_cast<std::size_t>(count)]; }
 
   void fill(std::size_t column, std::size_t row, std::int64_t missing, double cells) {
-    if (counted_ > kMostTables) return;
+    if (++steps_ > kMostSteps) return;
     if (column + 1 >= sums_.size()) {  // the last column takes what is left
       for (const std::int64_t rest : left_) cells += of(rest);
-      ++counted_;
       if (cells >= cells_ - 1e-7) sum_ += std::exp(margins_ - cells);
       return;
     }
@@ -75,7 +74,7 @@ class AllTables final {
   double margins_ = 0.0;
   double cells_ = 0.0;
   double sum_ = 0.0;
-  std::size_t counted_ = 0;
+  std::size_t steps_ = 0;
 };
 
 }  // namespace

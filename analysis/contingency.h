@@ -10,7 +10,7 @@ namespace asperity {
 
 /// Fisher's exact test of a table of any size, given all margins [Freeman 1951]: the probability of
 /// all tables that are not more probable than this one, but for one part in 10⁷. Margins of 0 say
-/// nothing. Nothing where there are more than some twenty million tables to count.
+/// nothing. Nothing where counting them would take more than about a second.
 ///
 /// Throws std::invalid_argument for a negative count.
 ///

@@ -39,7 +39,7 @@ std::optional<std::size_t> decisive_choices(const DecisivePlan& plan) {
   refuse_improbable("preference", plan.preference);
   refuse_improbable("error", plan.error);
   refuse_improbable("power", plan.power);
-  constexpr std::size_t kMost = 100'000;
+  constexpr std::size_t kMost = 10'000;
   constexpr std::size_t kInARow = 7;
   std::size_t enough = 0;
   for (std::size_t n = plan.least; n < kMost + kInARow; ++n) {

@@ -11,7 +11,7 @@ namespace asperity {
 /// ½ finds the preference with the probability `power` at least, and still does with 1 to 6 more:
 /// the power of an exact test is a saw, and a number on one of its teeth is luck.
 ///
-/// Nothing when 100 000 are not enough. Throws std::invalid_argument for probabilities outside
+/// Nothing when 10 000 are not enough. Throws std::invalid_argument for probabilities outside
 /// (0, 1).
 struct DecisivePlan {
   double preference = 0.6;  ///< how often the first is chosen

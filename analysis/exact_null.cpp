@@ -63,25 +63,73 @@ IntegerDistribution sum_of(const IntegerDistribution& a, const IntegerDistributi
       sum.probability[i + j] += a.probability[i] * b.probability[j];
     }
   }
+  constexpr double kNever = 1e-300;
+  const auto probable = [](double p) { return p > kNever; };
+  std::vector<double>& p = sum.probability;
+  p.erase(std::find_if(p.rbegin(), p.rend(), probable).base(), p.end());
+  const auto first = std::find_if(p.begin(), p.end(), probable);
+  sum.lowest += first - p.begin();
+  p.erase(p.begin(), first);
   return sum;
 }
 
+IntegerDistribution repeated_sum(const IntegerDistribution& one, std::uint64_t times) {
+  IntegerDistribution sum{};
+  IntegerDistribution power = one;
+  for (; times > 0; times /= 2) {
+    if (times % 2 == 1) sum = sum_of(sum, power);
+    if (times > 1) power = sum_of(power, power);
+  }
+  return sum;
+}
+
+namespace {
+
+SignFlipTest random_sign_flips(std::span<const std::int64_t> differences, Random& random) {
+  const auto n = static_cast<double>(differences.size());
+  const int draws = static_cast<int>(std::clamp(1e8 / n, 999.0, 9999.0));
+  const std::int64_t observed =
+      std::accumulate(differences.begin(), differences.end(), std::int64_t{0});
+  int as_large = 1;
+  int as_far = 1;
+  for (int draw = 0; draw < draws; ++draw) {
+    std::int64_t sum = 0;
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+      if (i % 64 == 0) bits = random.bits();
+      sum += (bits >> (i % 64) & 1U) != 0 ? differences[i] : -differences[i];
+    }
+    as_large += sum >= observed ? 1 : 0;
+    as_far += std::abs(sum) >= std::abs(observed) ? 1 : 0;
+  }
+  return {.two_sided = as_far / (draws + 1.0), .upper = as_large / (draws + 1.0), .exact = false};
+}
+
+}  // namespace
+
 // The sum is 2·t − Σ|d| with t the part of Σ|d| whose signs are positive.
-SignFlipTest sign_flip_test(std::span<const std::int64_t> differences) {
-  IntegerDistribution positive{};
+SignFlipTest sign_flip_test(std::span<const std::int64_t> differences, Random random) {
+  constexpr double kMostSteps = 1e9;
   std::int64_t whole = 0;
   std::int64_t sum = 0;
   for (const std::int64_t difference : differences) {
-    const std::int64_t size = std::abs(difference);
+    whole += std::abs(difference);
     sum += difference;
-    whole += size;
-    std::vector<double>& p = positive.probability;
-    p.resize(p.size() + static_cast<std::size_t>(size));
+  }
+  if (static_cast<double>(whole) * static_cast<double>(differences.size()) > kMostSteps) {
+    return random_sign_flips(differences, random);
+  }
+  std::vector<double> p{1.0};  // of t
+  p.reserve(static_cast<std::size_t>(whole) + 1);
+  for (const std::int64_t difference : differences) {
+    const auto size = static_cast<std::size_t>(std::abs(difference));
+    if (size == 0) continue;
+    p.resize(p.size() + size);
     for (std::size_t t = p.size(); t-- > 0;) {
-      const auto from = static_cast<std::int64_t>(t) - size;
-      p[t] = 0.5 * p[t] + 0.5 * positive.at(from);
+      p[t] = 0.5 * p[t] + (t < size ? 0.0 : 0.5 * p[t - size]);
     }
   }
+  const IntegerDistribution positive{.lowest = 0, .probability = std::move(p)};
   SignFlipTest test{};
   test.upper = positive.upper_tail((whole + sum) / 2);
   if (sum != 0) test.two_sided = 2.0 * positive.upper_tail((whole + std::abs(sum)) / 2);
@@ -115,13 +163,14 @@ std::int64_t sum_of_squares(const CountMatrix& counts) {
 }
 
 double random_relabelling_p(const CountMatrix& counts, Random& random) {
-  constexpr int kDraws = 99'999;
+  const auto cells = static_cast<double>(counts.size());
+  const int draws = static_cast<int>(std::clamp(3e7 / cells, 199.0, 99'999.0));
   const std::int64_t observed = sum_of_squares(counts);
   const auto labels = static_cast<std::size_t>(counts.cols());
   int as_extreme = 1;
   std::vector<std::int64_t> row(labels);
   std::vector<std::int64_t> totals(labels);
-  for (int draw = 0; draw < kDraws; ++draw) {
+  for (int draw = 0; draw < draws; ++draw) {
     std::fill(totals.begin(), totals.end(), 0);
     for (Eigen::Index unit = 0; unit < counts.rows(); ++unit) {
       for (std::size_t i = 0; i < labels; ++i) row[i] = counts(unit, static_cast<Eigen::Index>(i));
@@ -132,7 +181,7 @@ double random_relabelling_p(const CountMatrix& counts, Random& random) {
         std::inner_product(totals.begin(), totals.end(), totals.begin(), std::int64_t{0});
     if (squares >= observed) ++as_extreme;
   }
-  return static_cast<double>(as_extreme) / (kDraws + 1.0);
+  return static_cast<double>(as_extreme) / (draws + 1.0);
 }
 
 }  // namespace
@@ -265,7 +314,7 @@ double kinds_of_counts(double n, double alternatives) {
 
 MultinomialTest uniform_multinomial_test(std::span<const std::uint64_t> counts) {
   if (counts.empty()) throw std::invalid_argument("counts is empty; an alternative is needed");
-  constexpr double kMostKinds = 1e7;
+  constexpr double kMostKinds = 1e6;
   const auto n =
       static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
   if (kinds_of_counts(n, static_cast<double>(counts.size())) > kMostKinds) {

@@ -24,17 +24,24 @@ struct IntegerDistribution {
   double upper_tail(std::int64_t value) const;  ///< P(X ≥ value)
   double lower_tail(std::int64_t value) const;  ///< P(X ≤ value)
 };
+/// What at either end is less probable than 10⁻³⁰⁰ is left out.
 IntegerDistribution sum_of(const IntegerDistribution& a, const IntegerDistribution& b);
+/// Of so many numbers with the same distribution.
+IntegerDistribution repeated_sum(const IntegerDistribution& one, std::uint64_t times);
 
 /// Σ s_i·d_i with every pattern of signs s_i = ±1 equally likely: what differences of one unit each
 /// (a participant's count of A minus the count of B) amount to when both labels mean the same.
 /// Holds whatever dependence there is within a unit. Differences of 0 say nothing and drop out;
-/// without any other, both p are 1. Time and memory grow with Σ|d_i|.
+/// without any other, both p are 1.
+///
+/// Exact as long as it takes less than about a second, else the share of random patterns that are as
+/// extreme, the observed one among them.
 struct SignFlipTest {
   double two_sided = 1.0;  ///< P(|Σ s_i·d_i| ≥ |Σ d_i|)
   double upper = 1.0;      ///< P(Σ s_i·d_i ≥ Σ d_i)
+  bool exact = true;
 };
-SignFlipTest sign_flip_test(std::span<const std::int64_t> differences);
+SignFlipTest sign_flip_test(std::span<const std::int64_t> differences, Random random = Random(1));
 
 /// A row per unit, a column per label; nonnegative.
 using CountMatrix = Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic>;
@@ -55,7 +62,7 @@ RelabellingTest relabelling_test(const CountMatrix& counts, Random random = Rand
 /// Counts x_1 … x_K of n independent choices against the same chance for each alternative: the
 /// probability of all counts that are not more probable than these (but for one part in 10⁷), and of
 /// all whose Pearson X² is not smaller. The two orders differ; the second is the exact version of
-/// the chi-squared test. `counted` is false, and both are 1, where there are more than some ten
+/// the chi-squared test. `counted` is false, and both are 1, where there are more than some
 /// million kinds of counts.
 struct MultinomialTest {
   double by_probability = 1.0;

@@ -71,9 +71,9 @@ double ForcedChoice::dprime(double asked) const {
     return kInfinite;
   }
   std::uintmax_t iterations = 200;
-  const auto [below, above] = boost::math::tools::toms748_solve(
-      error, -kFurthest, kFurthest, low, high, boost::math::tools::eps_tolerance<double>(50),
-      iterations);
+  const auto [below, above] =
+      boost::math::tools::toms748_solve(error, -kFurthest, kFurthest, low, high,
+                                        boost::math::tools::eps_tolerance<double>(50), iterations);
   return below + 0.5 * (above - below);
 }
 

@@ -91,7 +91,9 @@ SignedRankTest signed_rank_test(std::span<const double> differences) {
     if (signs[i] > 0.0) test.positive += ranks[i];
     twice.push_back(static_cast<std::int64_t>(2.0 * ranks[i] * signs[i]));
   }
-  test.p = test.n > kMostSignedRanks ? kNone : sign_flip_test(twice).two_sided;
+  const SignFlipTest flips = sign_flip_test(twice);
+  test.p = flips.two_sided;
+  test.exact = flips.exact;
   test.rank_biserial = test.n > 0 ? (2.0 * test.positive - all) / all : kNone;
   return test;
 }

@@ -42,18 +42,18 @@ struct FriedmanTest {
 /// Throws std::invalid_argument for fewer than two items and for a judgement that is not finite.
 FriedmanTest friedman_test(const Eigen::MatrixXd& judgements);
 
-/// Wilcoxon's signed-rank test of paired differences about 0, exact: differences of 0 are dropped,
-/// equal sizes share their ranks, and every pattern of signs is equally likely [Wilcoxon 1945].
+/// Wilcoxon's signed-rank test of paired differences about 0: differences of 0 are dropped,
+/// equal sizes share their ranks, and every pattern of signs is equally likely [Wilcoxon 1945]
+/// (`sign_flip_test`, with what it says of many).
 ///
 /// [Wilcoxon 1945] Wilcoxon: Individual comparisons by ranking methods.
 struct SignedRankTest {
   std::size_t n = 0;           ///< differences that are not 0
   double positive = 0.0;       ///< W⁺, the sum of the ranks of positive differences
   double p = 1.0;              ///< two-sided; 1 without any difference
+  bool exact = true;           ///< or of random signs
   double rank_biserial = 0.0;  ///< (W⁺ − W⁻)/(W⁺ + W⁻); NaN without any difference
 };
-/// Beyond so many differences counting takes more than a second; p is then NaN.
-inline constexpr std::size_t kMostSignedRanks = 1000;
 SignedRankTest signed_rank_test(std::span<const double> differences);
 
 }  // namespace asperity

@@ -127,7 +127,7 @@ MatchingNull::MatchingNull(const Design& design) {
     throw std::invalid_argument("assignments is 0; a null distribution needs at least one");
   }
   const IntegerDistribution one{.lowest = 0, .probability = fixed_point_distribution(design.items)};
-  for (std::size_t i = 0; i < design.assignments; ++i) sum_ = sum_of(sum_, one);
+  sum_ = repeated_sum(one, design.assignments);
 }
 
 double MatchingNull::upper_tail(std::size_t right) const {
@@ -141,16 +141,14 @@ CountInterval MatchingNull::central_interval(double confidence) const {
   }
   const double allowed = 0.5 * (1.0 - confidence);
   const std::vector<double>& p = sum_.probability;
-  CountInterval interval{.low = 0, .high = p.size() - 1};
-  double below = p[interval.low];
-  while (below <= allowed) {
-    below += p[++interval.low];
-  }
-  double above = p[interval.high];
-  while (above <= allowed) {
-    above += p[--interval.high];
-  }
-  return interval;
+  std::size_t low = 0;
+  double below = p[low];
+  while (below <= allowed) below += p[++low];
+  std::size_t high = p.size() - 1;
+  double above = p[high];
+  while (above <= allowed) above += p[--high];
+  const auto first = static_cast<std::size_t>(sum_.lowest);
+  return {.low = first + low, .high = first + high};
 }
 
 }  // namespace asperity

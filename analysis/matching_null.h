@@ -70,8 +70,7 @@ class MatchingNull final {
   };
   explicit MatchingNull(const Design& design);
 
-  /// P(k) for k = 0 … n·m.
-  const std::vector<double>& distribution() const noexcept { return sum_.probability; }
+  const IntegerDistribution& distribution() const noexcept { return sum_; }
 
   /// P(at least `right` items right): the one-sided p.
   double upper_tail(std::size_t right) const;

@@ -148,20 +148,32 @@ double cohen_h(const HitCount& count, double chance) {
   return 2.0 * std::asin(std::sqrt(proportion(count))) - 2.0 * std::asin(std::sqrt(chance));
 }
 
+// The probabilities rise to the expected count and fall beyond it, so those beyond it that are not
+// above the observed one begin at some count, found by halves.
 double binomial_test(const HitCount& count, double chance) {
   refuse_impossible(count);
   refuse_no_chance(chance);
+  const double expected = static_cast<double>(count.trials) * chance;
+  const auto hits = static_cast<double>(count.hits);
+  if (hits == expected) return 1.0;
+  if (chance == 0.0 || chance == 1.0) return 0.0;
+  if (hits > expected) {
+    return binomial_test({.hits = count.trials - count.hits, .trials = count.trials}, 1.0 - chance);
+  }
   const boost::math::binomial distribution(static_cast<double>(count.trials), chance);
   constexpr double kAsProbable = 1.0 + 1e-7;
-  const double most = boost::math::pdf(distribution, static_cast<double>(count.hits)) * kAsProbable;
-  double sum = 0.0;
-  for (std::uint64_t hits = 0; hits <= count.trials; ++hits) {
-    const double probability = boost::math::pdf(distribution, static_cast<double>(hits));
-    if (probability <= most) {
-      sum += probability;
-    }
+  const double most = boost::math::pdf(distribution, hits) * kAsProbable;
+  auto begin = static_cast<std::uint64_t>(std::ceil(expected));
+  std::uint64_t end = count.trials + 1;
+  while (begin < end) {
+    const std::uint64_t middle = begin + (end - begin) / 2;
+    const bool improbable = boost::math::pdf(distribution, static_cast<double>(middle)) <= most;
+    (improbable ? end : begin) = improbable ? middle : middle + 1;
   }
-  return std::min(1.0, sum);
+  const double above = begin > count.trials ? 0.0
+                                            : boost::math::cdf(boost::math::complement(
+                                                  distribution, static_cast<double>(begin) - 1.0));
+  return std::min(1.0, boost::math::cdf(distribution, hits) + above);
 }
 
 }  // namespace asperity

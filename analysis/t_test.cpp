@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "analysis/summary.h"
@@ -12,10 +13,13 @@
 namespace asperity {
 namespace {
 
-// Equal numbers must have no spread at all, whatever rounding does to their mean.
+// Equal numbers must have no spread at all, whatever rounding does to their mean or did to them:
+// 0.3 − 0.2 and 0.4 − 0.3 are the same difference.
 double spread_of(std::span<const double> sample) {
-  const auto [least, greatest] = std::minmax_element(sample.begin(), sample.end());
-  return *least == *greatest ? 0.0 : summary_of(sample)->sd;
+  const Summary summary = *summary_of(sample);
+  const double greatest = std::max(std::abs(summary.minimum), std::abs(summary.maximum));
+  constexpr double kRounding = 10.0 * std::numeric_limits<double>::epsilon();
+  return summary.maximum - summary.minimum <= kRounding * greatest ? 0.0 : summary.sd;
 }
 
 }  // namespace
@@ -67,8 +71,8 @@ std::optional<WelchT> welch_t(const TwoSamples& samples) {
   answer.df = (v1 + v2) * (v1 + v2) / (v1 * v1 / (n1 - 1.0) + v2 * v2 / (n2 - 1.0));
   answer.p = *two_sided_tail(TStatistic{.value = answer.t, .df = answer.df});
   answer.d = difference / pooled;
-  answer.g = answer.d * std::exp(std::lgamma(0.5 * f) - std::lgamma(0.5 * (f - 1.0))) /
-             std::sqrt(0.5 * f);
+  answer.g =
+      answer.d * std::exp(std::lgamma(0.5 * f) - std::lgamma(0.5 * (f - 1.0))) / std::sqrt(0.5 * f);
   return answer;
 }
 

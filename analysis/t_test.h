@@ -12,7 +12,7 @@ namespace asperity {
 
 /// The mean of independent numbers against `null_mean`: t = (mean − null)/(sd/√n), df = n − 1.
 /// What needs a spread is absent where there is none: for a single number, and where all are equal
-/// (`sd` is then 0), because no t exists for them.
+/// but for rounding (`sd` is then 0), because no t exists for them.
 struct OneSampleT {
   std::size_t n = 0;
   double mean = 0.0;

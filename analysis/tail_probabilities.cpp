@@ -93,8 +93,8 @@ std::optional<double> t_limit(const TLimit& limit) {
   if (!usable(limit.df)) {
     return std::nullopt;
   }
-  return boost::math::quantile(boost::math::complement(boost::math::students_t(limit.df),
-                                                       0.5 * (1.0 - limit.confidence)));
+  return boost::math::quantile(
+      boost::math::complement(boost::math::students_t(limit.df), 0.5 * (1.0 - limit.confidence)));
 }
 
 }  // namespace asperity

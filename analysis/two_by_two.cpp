@@ -104,8 +104,7 @@ double fisher_two_sided(const TwoByTwo& table) {
   const Margins margins(table);
   const std::vector<double> p = margins.probabilities(0.0);
   constexpr double kAsProbable = 1.0 + 1e-7;
-  const double most =
-      p[static_cast<std::size_t>(table.first.hits - margins.low())] * kAsProbable;
+  const double most = p[static_cast<std::size_t>(table.first.hits - margins.low())] * kAsProbable;
   double sum = 0.0;
   for (const double one : p) {
     sum += one <= most ? one : 0.0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -22,17 +23,68 @@ std::vector<double> pooled(const TwoSamples& samples) {
 
 // Twice the midrank of each number, which is whole.
 std::vector<std::size_t> twice_midranks(const std::vector<double>& numbers) {
+  std::vector<double> sorted = numbers;
+  std::sort(sorted.begin(), sorted.end());
   std::vector<std::size_t> ranks;
   for (const double number : numbers) {
-    std::size_t below = 0;
-    std::size_t equal = 0;
-    for (const double other : numbers) {
-      below += other < number ? 1 : 0;
-      equal += other == number ? 1 : 0;
-    }
-    ranks.push_back(2 * below + equal + 1);
+    const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), number);
+    ranks.push_back(
+        static_cast<std::size_t>((first - sorted.begin()) + (last - sorted.begin()) + 1));
   }
   return ranks;
+}
+
+// Twice the rank sum of n1 of these ranks that is no nearer to its mean than the observed one.
+double exact_p(const std::vector<std::size_t>& ranks, std::size_t n1, std::size_t observed) {
+  const std::size_t total = std::accumulate(ranks.begin(), ranks.end(), std::size_t{0});
+  // ways[k][s]: the probability that k of the ranks so far are in the first sample and add up to s.
+  // The (i+1)-th is in it with probability (n1 − k)/(N − i).
+  std::vector<std::vector<double>> ways(n1 + 1, std::vector<double>(total + 1, 0.0));
+  ways[0][0] = 1.0;
+  std::size_t reached = 0;
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    reached += ranks[i];
+    const auto left = static_cast<double>(ranks.size() - i);
+    for (std::size_t k = std::min(i + 1, n1) + 1; k-- > 0;) {
+      const double stays = 1.0 - static_cast<double>(n1 - k) / left;
+      const double joins = static_cast<double>(n1 - k + 1) / left;
+      for (std::size_t sum = reached + 1; sum-- > 0;) {
+        ways[k][sum] *= stays;
+        if (k > 0 && sum >= ranks[i]) {
+          ways[k][sum] += ways[k - 1][sum - ranks[i]] * joins;
+        }
+      }
+    }
+  }
+  // |s − mean| with the mean n1·total/N, in whole numbers: |N·s − n1·total|.
+  const auto distance = [&](std::size_t sum) {
+    const std::size_t a = ranks.size() * sum;
+    const std::size_t b = n1 * total;
+    return a > b ? a - b : b - a;
+  };
+  double p = 0.0;
+  for (std::size_t sum = 0; sum <= total; ++sum) {
+    p += distance(sum) >= distance(observed) ? ways[n1][sum] : 0.0;
+  }
+  return std::min(1.0, p);
+}
+
+std::optional<double> normal_p(const std::vector<std::size_t>& ranks, std::size_t n1,
+                               std::size_t observed) {
+  const auto n = static_cast<double>(ranks.size());
+  const auto first = static_cast<double>(n1);
+  const double mean =
+      static_cast<double>(std::accumulate(ranks.begin(), ranks.end(), std::size_t{0})) / n;
+  double squares = 0.0;
+  for (const std::size_t rank : ranks) {
+    squares += (static_cast<double>(rank) - mean) * (static_cast<double>(rank) - mean);
+  }
+  if (squares == 0.0) {
+    return std::nullopt;
+  }
+  const double variance = first * (n - first) / (n * (n - 1.0)) * squares;
+  const double z = std::abs(static_cast<double>(observed) - first * mean) / std::sqrt(variance);
+  return std::erfc(z / std::numbers::sqrt2);
 }
 
 }  // namespace
@@ -76,43 +128,17 @@ std::optional<double> permutation_test(const TwoSamples& samples) {
 }
 
 MannWhitney mann_whitney(const TwoSamples& samples) {
-  const std::vector<std::size_t> ranks = twice_midranks(pooled(samples));
+  const std::vector<double> numbers = pooled(samples);
+  const std::vector<std::size_t> ranks = twice_midranks(numbers);
   const std::size_t n1 = samples.first.size();
-  const std::size_t total = std::accumulate(ranks.begin(), ranks.end(), std::size_t{0});
   const std::size_t observed = std::accumulate(
       ranks.begin(), ranks.begin() + static_cast<std::ptrdiff_t>(n1), std::size_t{0});
-  // ways[k][s]: probability weight of k numbers in the first sample with the rank sum s, as shares
-  // of all splits made so far, so that nothing overflows: the (i+1)-th number is in the first
-  // sample with the probability (n1 − k)/(N − i).
-  std::vector<std::vector<double>> ways(n1 + 1, std::vector<double>(total + 1, 0.0));
-  ways[0][0] = 1.0;
-  for (std::size_t i = 0; i < ranks.size(); ++i) {
-    const auto left = static_cast<double>(ranks.size() - i);
-    for (std::size_t k = std::min(i + 1, n1) + 1; k-- > 0;) {
-      for (std::size_t sum = total + 1; sum-- > 0;) {
-        const double stays =
-            ways[k][sum] * (1.0 - static_cast<double>(n1 - k) / left);
-        const double joins =
-            k > 0 && sum >= ranks[i]
-                ? ways[k - 1][sum - ranks[i]] * static_cast<double>(n1 - k + 1) / left
-                : 0.0;
-        ways[k][sum] = stays + joins;
-      }
-    }
-  }
-  // |s − mean| with the mean n1·total/N, in whole numbers: |N·s − n1·total|.
-  const auto distance = [&](std::size_t sum) {
-    const std::size_t a = ranks.size() * sum;
-    const std::size_t b = n1 * total;
-    return a > b ? a - b : b - a;
-  };
   MannWhitney answer;
   answer.U = 0.5 * static_cast<double>(observed) - 0.5 * static_cast<double>(n1 * (n1 + 1));
-  answer.p = 0.0;
-  for (std::size_t sum = 0; sum <= total; ++sum) {
-    answer.p += distance(sum) >= distance(observed) ? ways[n1][sum] : 0.0;
+  answer.p_normal = normal_p(ranks, n1, observed);
+  if (ranks.size() <= kMostRanked) {
+    answer.p_exact = exact_p(ranks, n1, observed);
   }
-  answer.p = std::min(1.0, answer.p);
   return answer;
 }
 

@@ -17,12 +17,19 @@ inline constexpr std::size_t kMostPermuted = 24;
 /// Nothing for more than kMostPermuted numbers. Throws std::invalid_argument for an empty sample.
 std::optional<double> permutation_test(const TwoSamples& samples);
 
+/// How many numbers the exact distribution of ranks is computed for: its cost grows with the fourth
+/// power of them, and is a tenth of a second here.
+inline constexpr std::size_t kMostRanked = 120;
+
 /// Mann–Whitney: U counts the pairs in which the first sample's number is the greater, ties half.
-/// The p is exact given the ties: the distribution of the sum of midranks over all splits, those no
-/// nearer to its mean than the observed one. Throws std::invalid_argument for an empty sample.
+/// The exact p is so given the ties: from the distribution of the sum of midranks over all splits,
+/// those no nearer to its mean than the observed one. `p_normal` takes that distribution for normal,
+/// with its variance n₁n₂/(N(N−1))·Σ(R − R̄)²; absent where all numbers are equal. Throws
+/// std::invalid_argument for an empty sample.
 struct MannWhitney {
   double U = 0.0;
-  double p = 1.0;  ///< two-sided
+  std::optional<double> p_exact{};   ///< two-sided; absent above kMostRanked numbers
+  std::optional<double> p_normal{};  ///< two-sided
 };
 MannWhitney mann_whitney(const TwoSamples& samples);
 

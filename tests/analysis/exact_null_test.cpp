@@ -44,6 +44,28 @@ TEST(SignFlipTest, CountsEveryPatternOfSigns) {
   EXPECT_NEAR(test.two_sided, as_far / 128.0, 1e-15);
 }
 
+// 1500 units of 1000 each, 60 more of them positive than negative: 60/√1500 = 1.55 deviations.
+TEST(SignFlipTest, DrawsWhatIsTooMuchToCount) {
+  std::vector<std::int64_t> differences(1500, 1000);
+  for (std::size_t i = 0; i < 720; ++i) differences[i] = -1000;
+  const SignFlipTest test = sign_flip_test(differences);
+  EXPECT_FALSE(test.exact);
+  EXPECT_NEAR(test.two_sided, 0.1215, 0.02);
+  EXPECT_NEAR(test.upper, 0.0608, 0.015);
+}
+
+TEST(IntegerDistribution, RepeatsASum) {
+  const IntegerDistribution coin{.lowest = 0, .probability = {0.5, 0.5}};
+  const IntegerDistribution many = repeated_sum(coin, 4001);
+  EXPECT_NEAR(many.mean(), 2000.5, 1e-8);
+  EXPECT_NEAR(many.variance(), 1000.25, 1e-6);
+  EXPECT_GT(many.lowest, 0);  // 2⁻⁴⁰⁰¹ is no double
+  EXPECT_EQ(many.lower_tail(many.lowest - 1), 0.0);
+  EXPECT_EQ(repeated_sum(coin, 0).probability, (std::vector<double>{1.0}));
+  const IntegerDistribution three = repeated_sum(coin, 3);
+  EXPECT_EQ(three.probability, (std::vector<double>{0.125, 0.375, 0.375, 0.125}));
+}
+
 TEST(SignFlipTest, SaysNothingWhereNobodyDiffers) {
   const std::vector<std::int64_t> none{0, 0};
   EXPECT_EQ(sign_flip_test(none).two_sided, 1.0);

@@ -73,9 +73,9 @@ TEST(MatchingChance, IsOneInItemsAndOneInPermutations) {
 TEST(MatchingNull, AddsAssignmentsByConvolution) {
   const MatchingNull null({.items = 3, .assignments = 2});
   const std::vector<double> expected{4, 12, 9, 4, 6, 0, 1};
-  ASSERT_EQ(null.distribution().size(), expected.size());
+  ASSERT_EQ(null.distribution().probability.size(), expected.size());
   for (std::size_t k = 0; k < expected.size(); ++k) {
-    EXPECT_NEAR(null.distribution()[k], expected[k] / 36.0, 1e-15);
+    EXPECT_NEAR(null.distribution().at(static_cast<std::int64_t>(k)), expected[k] / 36.0, 1e-15);
   }
   EXPECT_EQ(null.upper_tail(0), 1.0);
   EXPECT_NEAR(null.upper_tail(3), 11.0 / 36.0, 1e-15);

@@ -92,16 +92,26 @@ Matching matching_in(const TidyInput& input) {
   return read;
 }
 
+/// Most trials are dealt alike, and equal ones add up by squares.
+IntegerDistribution chance_of_all(const std::vector<Trial>& trials) {
+  std::map<std::vector<double>, std::uint64_t> alike{};
+  for (const Trial& trial : trials) ++alike[trial.chance.probability];
+  IntegerDistribution sum{};
+  for (const auto& [probability, times] : alike) {
+    sum = sum_of(sum, repeated_sum({.lowest = 0, .probability = probability}, times));
+  }
+  return sum;
+}
+
 void add_totals(const Matching& read, FindingList& findings) {
   const std::size_t n = read.trials.size();
-  IntegerDistribution chance{};
+  const IntegerDistribution chance = chance_of_all(read.trials);
   std::size_t right = 0;
   std::size_t items = 0;
   std::size_t permutations = 0;
   std::size_t largest = 0;
   for (const Trial& trial : read.trials) {
     findings.count("fixed.points", trial.name, trial.right, {.n = 1, .method = "right items"});
-    chance = sum_of(chance, trial.chance);
     right += trial.right;
     items += trial.items.size();
     largest = std::max(largest, trial.items.size());

@@ -50,7 +50,7 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
                FindingList& findings) {
   std::vector<std::string> pairs{};
   std::vector<double> p{};
-  const std::string method = "exact signed-rank test of Wilcoxon, equal scores dropped";
+  const std::string method = "signed-rank test of Wilcoxon, equal scores dropped";
   for (Eigen::Index a = 0; a < scores.cols(); ++a) {
     for (Eigen::Index b = a + 1; b < scores.cols(); ++b) {
       const std::string key =
@@ -58,19 +58,12 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
       const Eigen::VectorXd differences = scores.col(a) - scores.col(b);
       const SignedRankTest test = signed_rank_test(
           std::span(differences.data(), static_cast<std::size_t>(differences.size())));
-      const Basis basis{.n = test.n, .method = method};
+      const Basis basis{.n = test.n, .method = (test.exact ? "exact " : "random signs: ") + method};
       findings.count("wilcoxon.n", key, test.n, basis);
       findings.number("wilcoxon.Wplus", key, test.positive, basis);
-      if (test.n > kMostSignedRanks) {
-        findings.word("wilcoxon.exact.p.two", key, "too_many",
-                      "the exact test is counted for " + std::to_string(kMostSignedRanks) +
-                          " differences at most",
-                      basis);
-      } else {
-        findings.number("wilcoxon.exact.p.two", key, test.p, basis);
-        pairs.push_back(key);
-        p.push_back(test.p);
-      }
+      findings.number("wilcoxon.exact.p.two", key, test.p, basis);
+      pairs.push_back(key);
+      p.push_back(test.p);
       findings.number("wilcoxon.rankbiserial", key, test.rank_biserial,
                       {.n = test.n, .method = "rank-biserial correlation"});
     }

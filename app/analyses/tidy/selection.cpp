@@ -219,7 +219,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   const auto n = static_cast<std::size_t>(counts.rows());
   std::vector<std::string> pairs{};
   std::vector<double> p{};
-  const std::string method = "exact sign flips: both labels exchanged within a participant";
+  const std::string method = "sign flips: both labels exchanged within a participant";
   for (Eigen::Index a = 0; a < counts.cols(); ++a) {
     for (Eigen::Index b = a + 1; b < counts.cols(); ++b) {
       const std::string key = both(read.renderers[static_cast<std::size_t>(a)],
@@ -234,7 +234,8 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
                       static_cast<double>(first) - static_cast<double>(second),
                       {.n = n, .method = "difference of the counts"});
       const SignFlipTest flips = sign_flip_test(differences);
-      findings.number("signflip.p.two", key, flips.two_sided, {.n = n, .method = method});
+      findings.number("signflip.p.two", key, flips.two_sided,
+                      {.n = n, .method = (flips.exact ? "exact " : "random ") + method});
       findings.number(
           "pairwise.binom.p.two", key, mcnemar_test({.only_first = first, .only_second = second}),
           {.n = first + second, .method = "exact binomial as if all choices were independent"});

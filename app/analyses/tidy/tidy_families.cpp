@@ -10,6 +10,14 @@ namespace asperity {
 namespace {
 
 constexpr std::array kFamilies{
+    TidyFamily{"group", "subject,group,correct,trials: one participant per row",
+               "groups: two names, in order; conf", group_findings},
+    TidyFamily{"magnitude",
+               "subject,probe,spacing,rep,estimate: one estimate per row, empty where there is "
+               "none; and b,s1,s2,...: resampled participants",
+               "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
+               "standard_spacing; modulus; conf",
+               magnitude_findings},
     TidyFamily{"matching",
                "subject,trial,stimulus,response and, where there are groups, group: one row per "
                "place of a trial, response empty where it was left blank",
@@ -18,14 +26,30 @@ constexpr std::array kFamilies{
                "subject,first,second,winner: the item that was put before the other, or tie, empty "
                "where nothing was judged",
                "items (all that were compared), conf", paired_findings},
+    TidyFamily{"power",
+               "id,kind,n,k,p0,p1,alpha,theta,d,f,rho,eps,probs: one plan per row; the columns "
+               "that its kind needs",
+               "", power_findings},
     TidyFamily{"proportion", "id,k,n,p0,conf: hits k of n trials each, chance p0", "",
                proportion_findings},
+    TidyFamily{"psyfit",
+               "condition,x,n,k: k right of n trials at level x; and b,k1,k2,...: resampled k of "
+               "the first condition",
+               "shape: logistic, normal, gumbel, weibull; gamma, lambda: a rate or free; "
+               "lambda_max; pt: performance at the threshold; conf",
+               psyfit_findings},
     TidyFamily{"ranking",
                "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
                "stands behind all that were ranked; an item that was not offered has no row",
                "items (all that were offered anywhere), conf", ranking_findings},
     TidyFamily{"rating", "subject,item,score: the larger the better, ties allowed",
                "items (all that were scored)", rating_findings},
+    TidyFamily{"recognition", "subject,stimulus,response: one trial per row; empty: no answer",
+               "labels: of the stimuli, in order; conf", recognition_findings},
+    TidyFamily{"rmanova", "subject,y and one column per factor: one measurement per row",
+               "within: factors with their levels; between: none or one; type: 2, 3; trend: a "
+               "factor; trend_scale: linear, log10; conf",
+               rmanova_findings},
     TidyFamily{"seedpaper",
                "three tables of margins: exp,renderer,count; exp,sex,correct,n of matching; "
                "exp,sex,correct,n of recognition",

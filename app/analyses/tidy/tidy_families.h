@@ -56,11 +56,17 @@ std::string family_names();
 /// Throws std::runtime_error with the families that there are.
 const TidyFamily& tidy_family(const std::string& name);
 
+std::vector<Finding> group_findings(const TidyInput& input);
+std::vector<Finding> magnitude_findings(const TidyInput& input);
 std::vector<Finding> matching_findings(const TidyInput& input);
 std::vector<Finding> paired_findings(const TidyInput& input);
+std::vector<Finding> power_findings(const TidyInput& input);
 std::vector<Finding> proportion_findings(const TidyInput& input);
+std::vector<Finding> psyfit_findings(const TidyInput& input);
 std::vector<Finding> ranking_findings(const TidyInput& input);
 std::vector<Finding> rating_findings(const TidyInput& input);
+std::vector<Finding> recognition_findings(const TidyInput& input);
+std::vector<Finding> rmanova_findings(const TidyInput& input);
 std::vector<Finding> seedpaper_findings(const TidyInput& input);
 std::vector<Finding> selection_findings(const TidyInput& input);
 

@@ -1,0 +1,88 @@
+// Sums of rows, columns and the diagonal.
+
+#include "analysis/confusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace asperity {
+namespace {
+
+std::uint64_t whole(double count) { return static_cast<std::uint64_t>(std::llround(count)); }
+
+}  // namespace
+
+ConfusionCounts confusion_counts(std::span<const LabelPair> trials, std::size_t labels) {
+  const auto size = static_cast<Eigen::Index>(labels);
+  ConfusionCounts counts = ConfusionCounts::Zero(size, size);
+  for (const LabelPair& trial : trials) {
+    if (trial.stimulus >= labels || trial.answer >= labels) {
+      throw std::invalid_argument("trials: label " +
+                                  std::to_string(std::max(trial.stimulus, trial.answer)) +
+                                  " is not one of " + std::to_string(labels));
+    }
+    counts(static_cast<Eigen::Index>(trial.stimulus), static_cast<Eigen::Index>(trial.answer)) +=
+        1.0;
+  }
+  return counts;
+}
+
+void refuse_impossible_counts(const ConfusionCounts& counts) {
+  if (counts.rows() != counts.cols() || counts.rows() < 2) {
+    throw std::invalid_argument("counts has " + std::to_string(counts.rows()) + " rows and " +
+                                std::to_string(counts.cols()) +
+                                " columns; confusions need a square of at least two labels");
+  }
+  if (!counts.allFinite() || counts.minCoeff() < 0.0) {
+    throw std::invalid_argument("counts: a count is negative or not finite");
+  }
+}
+
+HitCount right_answers(const ConfusionCounts& counts) {
+  refuse_impossible_counts(counts);
+  return {.hits = whole(counts.trace()), .trials = whole(counts.sum())};
+}
+
+std::optional<HitCount> recall(const ConfusionCounts& counts, std::size_t label) {
+  refuse_impossible_counts(counts);
+  const auto i = static_cast<Eigen::Index>(label);
+  const double trials = counts.row(i).sum();
+  if (trials == 0.0) {
+    return std::nullopt;
+  }
+  return HitCount{.hits = whole(counts(i, i)), .trials = whole(trials)};
+}
+
+std::optional<HitCount> precision(const ConfusionCounts& counts, std::size_t label) {
+  return recall(counts.transpose(), label);
+}
+
+std::optional<double> kappa(const ConfusionCounts& counts) {
+  refuse_impossible_counts(counts);
+  const double n = counts.sum();
+  const Eigen::VectorXd stimuli = counts.rowwise().sum();
+  const Eigen::VectorXd answers = counts.colwise().sum();
+  const double by_chance = stimuli.dot(answers) / (n * n);
+  if (!(n > 0.0) || by_chance == 1.0) {
+    return std::nullopt;
+  }
+  return (counts.trace() / n - by_chance) / (1.0 - by_chance);
+}
+
+std::optional<double> balanced_share(const ConfusionCounts& counts) {
+  refuse_impossible_counts(counts);
+  double sum = 0.0;
+  double presented = 0.0;
+  for (Eigen::Index i = 0; i < counts.rows(); ++i) {
+    const double trials = counts.row(i).sum();
+    if (trials > 0.0) {
+      sum += counts(i, i) / trials;
+      presented += 1.0;
+    }
+  }
+  return presented > 0.0 ? std::optional<double>(sum / presented) : std::nullopt;
+}
+
+}  // namespace asperity

@@ -1,0 +1,323 @@
+// Enumerations, convolutions and noncentral distributions.
+
+#include "analysis/power.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+#include <boost/math/distributions/non_central_f.hpp>
+#include <boost/math/distributions/non_central_t.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+#include "analysis/exact_null.h"
+#include "analysis/matching_null.h"
+#include "analysis/number_text.h"
+#include "analysis/proportion.h"
+#include "analysis/tail_probabilities.h"
+#include "analysis/two_by_two.h"
+
+namespace asperity {
+namespace {
+
+using boost::math::cdf;
+using boost::math::complement;
+using boost::math::quantile;
+
+void refuse_outside(double value, const char* name) {
+  if (!(value >= 0.0 && value <= 1.0)) {
+    throw std::invalid_argument(std::string(name) + " is " + number_text(value) +
+                                "; a probability lies between 0 and 1");
+  }
+}
+
+void refuse_error(double error) {
+  if (!(error > 0.0 && error < 1.0)) {
+    throw std::invalid_argument("error is " + number_text(error) +
+                                "; a test's error lies between 0 and 1");
+  }
+}
+
+void refuse_fewer(std::size_t number, std::size_t least, const char* name) {
+  if (number < least) {
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(number) +
+                                "; a plan needs at least " + std::to_string(least));
+  }
+}
+
+double binomial_probability(std::size_t trials, double p, std::size_t hits) {
+  return boost::math::pdf(boost::math::binomial(static_cast<double>(trials), p),
+                          static_cast<double>(hits));
+}
+
+// Of the sum of n independent counts, each with these probabilities of 0, 1, 2, …, from 0 on.
+std::vector<double> sum_distribution(const std::vector<double>& one, std::size_t n) {
+  IntegerDistribution sum;
+  for (std::size_t i = 0; i < n; ++i) {
+    sum = sum_of(sum, {.probability = one});
+  }
+  std::vector<double> all((one.size() - 1) * n + 1, 0.0);
+  std::copy(sum.probability.begin(), sum.probability.end(),
+            all.begin() + static_cast<std::ptrdiff_t>(sum.lowest));
+  return all;
+}
+
+// A one-sided test that rejects the counts whose upper tail under the null is at most the error.
+ExactPower upper_test(const std::vector<double>& null, const std::vector<double>& alternative,
+                      double error) {
+  ExactPower answer;
+  double tail = 0.0;
+  for (std::size_t count = null.size(); count-- > 0;) {
+    tail += null[count];
+    if (tail > error) {
+      break;
+    }
+    answer.critical = count;
+    answer.actual_error += null[count];
+    answer.power += alternative[count];
+  }
+  return answer;
+}
+
+MatchingPower matching_power(const MatchingPlan& plan, const std::vector<double>& alternative) {
+  refuse_fewer(plan.assignments, 1, "assignments");
+  refuse_error(plan.error);
+  MatchingPower answer;
+  for (std::size_t right = 0; right < alternative.size(); ++right) {
+    answer.mean_right += static_cast<double>(right) * alternative[right];
+  }
+  answer.exact =
+      upper_test(sum_distribution(fixed_point_distribution(plan.items), plan.assignments),
+                 sum_distribution(alternative, plan.assignments), plan.error);
+  return answer;
+}
+
+// Walks over all counts of `left` choices among the alternatives from `place` on.
+struct Enumeration {
+  const UniformPlan& plan;
+  UniformPower power{};
+
+  void walk(std::size_t place, std::size_t left, double log_null, double log_truth,
+            double squares) {
+    const std::size_t alternatives = plan.truth.size();
+    const double expected = static_cast<double>(plan.choices) / static_cast<double>(alternatives);
+    const bool is_last = place + 1 == alternatives;
+    for (std::size_t count = is_last ? left : 0; count <= left; ++count) {
+      const auto k = static_cast<double>(count);
+      const double ways = -std::lgamma(k + 1.0);
+      const double null = log_null + ways - k * std::log(static_cast<double>(alternatives));
+      // An alternative that is never chosen has no counts above 0; 0·ln 0 is 0.
+      const double truth = log_truth + ways + (count > 0 ? k * std::log(plan.truth[place]) : 0.0);
+      const double so_far = squares + (k - expected) * (k - expected) / expected;
+      if (!is_last) {
+        walk(place + 1, left - count, null, truth, so_far);
+      } else if (rejects(so_far)) {
+        power.actual_error += std::exp(null);
+        power.power += std::exp(truth);
+      }
+    }
+  }
+
+  bool rejects(double x2) const {
+    return *upper_tail(ChiSquaredStatistic{
+               .value = x2, .df = static_cast<double>(plan.truth.size()) - 1.0}) <= plan.error;
+  }
+};
+
+}  // namespace
+
+ExactPower binomial_power(const BinomialPlan& plan) {
+  refuse_fewer(plan.trials, 1, "trials");
+  refuse_outside(plan.chance, "chance");
+  refuse_outside(plan.truth, "truth");
+  refuse_error(plan.error);
+  ExactPower answer;
+  for (std::size_t hits = 0; hits <= plan.trials; ++hits) {
+    if (binomial_upper_tail({.hits = hits, .trials = plan.trials}, plan.chance) <= plan.error) {
+      const HitCount from{.hits = hits, .trials = plan.trials};
+      return {.critical = hits,
+              .actual_error = binomial_upper_tail(from, plan.chance),
+              .power = binomial_upper_tail(from, plan.truth)};
+    }
+  }
+  return answer;
+}
+
+ExactPower binomial_two_sided_power(const BinomialPlan& plan) {
+  refuse_fewer(plan.trials, 1, "trials");
+  refuse_outside(plan.chance, "chance");
+  refuse_outside(plan.truth, "truth");
+  refuse_error(plan.error);
+  ExactPower answer;
+  for (std::size_t hits = 0; hits <= plan.trials; ++hits) {
+    if (binomial_test({.hits = hits, .trials = plan.trials}, plan.chance) <= plan.error) {
+      answer.actual_error += binomial_probability(plan.trials, plan.chance, hits);
+      answer.power += binomial_probability(plan.trials, plan.truth, hits);
+    }
+  }
+  return answer;
+}
+
+UniformPower uniform_power(const UniformPlan& plan) {
+  refuse_fewer(plan.choices, 1, "choices");
+  refuse_fewer(plan.truth.size(), 2, "alternatives");
+  refuse_error(plan.error);
+  double sum = 0.0;
+  for (const double p : plan.truth) {
+    refuse_outside(p, "truth");
+    sum += p;
+  }
+  constexpr double kRounding = 1e-6;
+  if (std::abs(sum - 1.0) > kRounding) {
+    throw std::invalid_argument("truth: the probabilities add up to " + number_text(sum) +
+                                "; of all alternatives they must add up to 1");
+  }
+  Enumeration enumeration{.plan = plan};
+  const double ways = std::lgamma(static_cast<double>(plan.choices) + 1.0);
+  enumeration.walk(0, plan.choices, ways, ways, 0.0);
+  UniformPower answer = enumeration.power;
+  answer.power = std::min(1.0, answer.power);  // a sum of many terms, each rounded
+  const auto alternatives = static_cast<double>(plan.truth.size());
+  double noncentrality = 0.0;
+  for (const double p : plan.truth) {
+    noncentrality += static_cast<double>(plan.choices) * alternatives * (p - 1.0 / alternatives) *
+                     (p - 1.0 / alternatives);
+  }
+  const double df = alternatives - 1.0;
+  const double critical = quantile(complement(boost::math::chi_squared(df), plan.error));
+  answer.noncentral_power =
+      noncentrality > 0.0
+          ? cdf(complement(boost::math::non_central_chi_squared(df, noncentrality), critical))
+          : plan.error;
+  return answer;
+}
+
+MatchingPower mallows_power(const MatchingPlan& plan, double theta) {
+  if (!std::isfinite(theta)) {
+    throw std::invalid_argument("theta is not finite");
+  }
+  std::vector<double> alternative = fixed_point_distribution(plan.items);
+  double sum = 0.0;
+  for (std::size_t right = 0; right < alternative.size(); ++right) {
+    // Weighed against all right, so that no power overflows.
+    alternative[right] *= std::exp(theta * (static_cast<double>(right) -
+                                            (theta > 0.0 ? static_cast<double>(plan.items) : 0.0)));
+    sum += alternative[right];
+  }
+  for (double& p : alternative) {
+    p /= sum;
+  }
+  return matching_power(plan, alternative);
+}
+
+MatchingPower known_items_power(const MatchingPlan& plan, std::size_t known) {
+  if (known > plan.items) {
+    throw std::invalid_argument("known is " + std::to_string(known) + " of " +
+                                std::to_string(plan.items) + " items; at most all can be");
+  }
+  std::vector<double> alternative(known, 0.0);
+  const std::vector<double> rest =
+      known == plan.items ? std::vector<double>{1.0} : fixed_point_distribution(plan.items - known);
+  alternative.insert(alternative.end(), rest.begin(), rest.end());
+  return matching_power(plan, alternative);
+}
+
+double paired_t_power(const PairedPlan& plan) {
+  refuse_fewer(plan.pairs, 2, "pairs");
+  refuse_error(plan.error);
+  const double df = static_cast<double>(plan.pairs) - 1.0;
+  const double limit = *t_limit({.confidence = 1.0 - plan.error, .df = df});
+  const double noncentrality = plan.d * std::sqrt(static_cast<double>(plan.pairs));
+  if (noncentrality == 0.0) {
+    return plan.error;
+  }
+  const boost::math::non_central_t truth(df, noncentrality);
+  return cdf(complement(truth, limit)) + cdf(truth, -limit);
+}
+
+WithinPower within_power(const WithinPlan& plan) {
+  refuse_fewer(plan.participants, 2, "participants");
+  refuse_fewer(plan.levels, 2, "levels");
+  refuse_error(plan.error);
+  const auto n = static_cast<double>(plan.participants);
+  const auto levels = static_cast<double>(plan.levels);
+  if (!(plan.correlation < 1.0) || !(plan.epsilon > 0.0 && plan.epsilon <= 1.0)) {
+    throw std::invalid_argument("correlation is " + number_text(plan.correlation) +
+                                " and epsilon " + number_text(plan.epsilon) +
+                                "; they must be below 1, and above 0 and at most 1");
+  }
+  WithinPower answer;
+  answer.noncentrality = plan.f * plan.f * n * levels / (1.0 - plan.correlation) * plan.epsilon;
+  const double df1 = (levels - 1.0) * plan.epsilon;
+  const double df2 = (levels - 1.0) * (n - 1.0) * plan.epsilon;
+  const double critical = quantile(complement(boost::math::fisher_f(df1, df2), plan.error));
+  answer.power =
+      answer.noncentrality > 0.0
+          ? cdf(complement(boost::math::non_central_f(df1, df2, answer.noncentrality), critical))
+          : plan.error;
+  return answer;
+}
+
+ExactPower fisher_power(const TwoGroupPlan& plan) {
+  refuse_fewer(plan.first_trials, 1, "first_trials");
+  refuse_fewer(plan.second_trials, 1, "second_trials");
+  refuse_outside(plan.first_truth, "first_truth");
+  refuse_outside(plan.second_truth, "second_truth");
+  refuse_error(plan.error);
+  ExactPower answer;
+  for (std::size_t x = 0; x <= plan.first_trials; ++x) {
+    const double first = binomial_probability(plan.first_trials, plan.first_truth, x);
+    for (std::size_t y = 0; y <= plan.second_trials; ++y) {
+      const TwoByTwo table{.first = {.hits = x, .trials = plan.first_trials},
+                           .second = {.hits = y, .trials = plan.second_trials}};
+      if (fisher_two_sided(table) <= plan.error) {
+        answer.power += first * binomial_probability(plan.second_trials, plan.second_truth, y);
+        answer.actual_error +=
+            first * binomial_probability(plan.second_trials, plan.first_truth, y);
+      }
+    }
+  }
+  return answer;
+}
+
+PooledRejection pooled_rejection(const PooledPlan& plan) {
+  refuse_fewer(plan.participants, 1, "participants");
+  refuse_fewer(plan.trials_each, 1, "trials_each");
+  refuse_outside(plan.chance, "chance");
+  refuse_error(plan.error);
+  if (!(plan.truth > 0.0 && plan.truth < 1.0) ||
+      !(plan.correlation > 0.0 && plan.correlation < 1.0)) {
+    throw std::invalid_argument("truth is " + number_text(plan.truth) + " and correlation " +
+                                number_text(plan.correlation) + "; both lie between 0 and 1");
+  }
+  const double both = 1.0 / plan.correlation - 1.0;
+  const double alpha = plan.truth * both;
+  const double beta = (1.0 - plan.truth) * both;
+  const auto log_beta = [](double a, double b) {
+    return std::lgamma(a) + std::lgamma(b) - std::lgamma(a + b);
+  };
+  std::vector<double> one;
+  const auto m = static_cast<double>(plan.trials_each);
+  for (std::size_t hits = 0; hits <= plan.trials_each; ++hits) {
+    const auto k = static_cast<double>(hits);
+    one.push_back(std::exp(std::lgamma(m + 1.0) - std::lgamma(k + 1.0) - std::lgamma(m - k + 1.0) +
+                           log_beta(k + alpha, m - k + beta) - log_beta(alpha, beta)));
+  }
+  const std::vector<double> pooled = sum_distribution(one, plan.participants);
+  const std::size_t trials = plan.participants * plan.trials_each;
+  PooledRejection answer{.design_effect = 1.0 + (m - 1.0) * plan.correlation};
+  for (std::size_t hits = 0; hits <= trials; ++hits) {
+    if (binomial_upper_tail({.hits = hits, .trials = trials}, plan.chance) <= plan.error) {
+      answer.rate += pooled[hits];
+    }
+  }
+  return answer;
+}
+
+}  // namespace asperity

@@ -1,0 +1,193 @@
+// Two groups of participants and their hits.
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/mixed_logit.h"
+#include "analysis/t_test.h"
+#include "analysis/two_by_two.h"
+#include "analysis/two_samples.h"
+#include "app/analyses/tidy/finding_list.h"
+#include "app/analyses/tidy/tidy_families.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+
+struct Groups {
+  std::vector<std::string> names{};
+  std::vector<GroupedHits> participants{};
+  TwoByTwo pooled{};
+  std::vector<double> first{};  // share of each participant
+  std::vector<double> second{};
+};
+
+Groups read_groups(const TidyInput& input) {
+  Groups groups{.names = input.options.texts("groups")};
+  if (groups.names.size() != 2) {
+    throw std::runtime_error("the option \"groups\" names " + std::to_string(groups.names.size()) +
+                             " groups; it needs two");
+  }
+  const TidyTable& table = input.table();
+  const LabelColumn group = table.labels("group", groups.names);
+  const std::vector<std::uint64_t> hits = table.counts("correct");
+  const std::vector<std::uint64_t> trials = table.counts("trials");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (group.codes[row] == LabelColumn::kMissing) {
+      table.refuse(row, "group", "a participant needs a group");
+    }
+    if (trials[row] == 0 || hits[row] > trials[row]) {
+      table.refuse(row, "correct",
+                   std::to_string(hits[row]) + " correct of " + std::to_string(trials[row]) +
+                       " trials is no share; leave out who has no trials");
+    }
+    const HitCount count{.hits = hits[row], .trials = trials[row]};
+    const bool is_second = group.codes[row] == 1;
+    groups.participants.push_back({.count = count, .second_group = is_second});
+    HitCount& pooled = is_second ? groups.pooled.second : groups.pooled.first;
+    pooled.hits += count.hits;
+    pooled.trials += count.trials;
+    (is_second ? groups.second : groups.first).push_back(proportion(count));
+  }
+  return groups;
+}
+
+double mean(const std::vector<double>& numbers) { return one_sample_t(numbers).mean; }
+
+class GroupComparison final {
+ public:
+  GroupComparison(const Groups& groups, double confidence)
+      : groups_(groups), confidence_(confidence) {}
+
+  std::vector<Finding> findings() {
+    pooled();
+    participants();
+    regression();
+    return list_.take();
+  }
+
+ private:
+  Basis basis(std::string method) const {
+    return {.n = groups_.participants.size(), .method = std::move(method)};
+  }
+  void number(const char* quantity, const std::string& key, double value, std::string method) {
+    list_.number(quantity, key, value, basis(std::move(method)));
+  }
+  void number(const char* quantity, double value, std::string method) {
+    number(quantity, "", value, std::move(method));
+  }
+  void coefficients(const char* quantity, const LogitCoefficients& values,
+                    const std::string& method) {
+    number(quantity, "intercept", values.intercept, method);
+    number(quantity, groups_.names[1], values.second_group, method);
+  }
+
+  void pooled() {
+    const TwoByTwo& table = groups_.pooled;
+    const std::string independent = ", trials taken as independent";
+    for (const auto& [name, count] :
+         {std::pair{groups_.names[0], table.first}, std::pair{groups_.names[1], table.second}}) {
+      list_.count("pooled.k", name, count.hits, basis("right answers"));
+      list_.count("pooled.n", name, count.trials, basis("trials"));
+    }
+    const FisherTest fisher = fisher_test(table, confidence_);
+    number("fisher.p.two", fisher.p_two_sided, "Fisher's exact test" + independent);
+    number("fisher.p.greater", fisher.p_greater, "Fisher's exact test, one-sided" + independent);
+    number("fisher.p.less", fisher.p_less, "Fisher's exact test, one-sided" + independent);
+    Basis ratio = basis("conditional maximum likelihood, exact limits" + independent);
+    ratio.interval = fisher.interval;
+    ratio.confidence = confidence_;
+    list_.number("fisher.or.cond", "", fisher.odds_ratio, ratio);
+    number("fisher.or.lower", fisher.interval.low, "exact limit of the odds ratio");
+    number("fisher.or.upper", fisher.interval.high, "exact limit of the odds ratio");
+    const HaldaneRatio haldane = haldane_ratio(table);
+    number("or.haldane", haldane.odds_ratio, "½ added to every cell");
+    number("or.haldane.selog", haldane.log_standard_error, "of the logarithm");
+    const ShareDifference difference = newcombe_difference(table, confidence_);
+    Basis newcombe = basis("first minus second; interval of Newcombe" + independent);
+    newcombe.interval = difference.interval;
+    newcombe.confidence = confidence_;
+    list_.number("diff", "", difference.difference, newcombe);
+    number("diff.newcombe.lower", difference.interval.low, "interval of Newcombe");
+    number("diff.newcombe.upper", difference.interval.high, "interval of Newcombe");
+  }
+
+  void participants() {
+    const TwoSamples samples{.first = groups_.first, .second = groups_.second};
+    number("subj.mean", groups_.names[0], mean(groups_.first), "mean of participants' shares");
+    number("subj.mean", groups_.names[1], mean(groups_.second), "mean of participants' shares");
+    if (const std::optional<WelchT> welch = welch_t(samples)) {
+      number("welch.t", welch->t, "Welch's t over participants");
+      number("welch.df", welch->df, "Welch's degrees of freedom");
+      number("welch.p.two", welch->p, "Welch's t over participants, two-sided");
+      number("cohen.d", welch->d, "difference over the pooled standard deviation");
+      number("hedges.g", welch->g, "d without its bias, exact J");
+    } else {
+      list_.word("welch.t", "", "undefined_zero_variance",
+                 "a group has a single participant, or nobody differs: there is no t",
+                 basis("Welch's t over participants"));
+    }
+    if (const std::optional<double> p = permutation_test(samples)) {
+      number("perm.p.two", *p, "all splits of the participants, difference of means");
+    }
+    const MannWhitney ranks = mann_whitney(samples);
+    number("mannwhitney.U", groups_.names[0], ranks.U, "pairs of participants won, ties half");
+    if (ranks.p_exact) {
+      number("mannwhitney.exact.p.two", *ranks.p_exact, "exact with midranks, two-sided");
+    } else {
+      number("mannwhitney.p.two", ranks.p_normal.value_or(kUndefined),
+             "normal approximation with midranks, two-sided: too many participants for the exact");
+    }
+  }
+
+  void regression() {
+    const std::optional<FixedLogit> fixed = fixed_logit(groups_.participants);
+    if (!fixed) {
+      list_.word("glm.status", "", "separated",
+                 "a group has only right or only wrong answers: its odds have no finite estimate",
+                 basis("logistic regression"));
+      return;
+    }
+    coefficients("glm.beta", fixed->beta, "logistic regression, trials taken as independent");
+    coefficients("glm.se", fixed->standard_error, "trials taken as independent");
+    coefficients("glm.se.cluster", fixed->cluster_standard_error,
+                 "with the participant as the unit (CR0)");
+    const std::optional<MixedLogit> mixed = mixed_logit(groups_.participants);
+    const std::string method =
+        "logistic regression with a random intercept per participant, maximum likelihood";
+    list_.truth("mixed.boundary", "", !mixed,
+                basis("whether the participants' spread is estimated as 0"));
+    if (!mixed) return;
+    coefficients("mixed.beta", mixed->beta, method);
+    coefficients("mixed.se", mixed->standard_error, "observed information");
+    number("mixed.sigma", mixed->sigma, "spread of the participants' logits");
+    number("mixed.loglik", mixed->log_likelihood, "binomial coefficients included");
+    number("mixed.lr.group", mixed->likelihood_ratio, "likelihood ratio against equal groups");
+    number("mixed.lr.group.p", mixed->p.value_or(kUndefined), "χ² with one degree of freedom");
+  }
+
+  const Groups& groups_;
+  double confidence_ = 0.95;
+  FindingList list_{};
+};
+
+}  // namespace
+
+std::vector<Finding> group_findings(const TidyInput& input) {
+  const Groups groups = read_groups(input);
+  for (std::size_t i = 0; i < 2; ++i) {
+    if ((i == 0 ? groups.first : groups.second).empty()) {
+      FindingList list{};
+      list.word("status", groups.names[i], "no_data",
+                "nobody is in this group: there is nothing to compare with");
+      return list.take();
+    }
+  }
+  return GroupComparison(groups, input.options.confidence()).findings();
+}
+
+}  // namespace asperity

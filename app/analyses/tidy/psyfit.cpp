@@ -1,0 +1,263 @@
+// Psychometric functions of conditions: right answers by level.
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/psychometric_fit.h"
+#include "analysis/tail_probabilities.h"
+#include "app/analyses/tidy/finding_list.h"
+#include "app/analyses/tidy/tidy_families.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+
+using Blocks = std::vector<PsychometricBlock>;
+
+struct Condition {
+  std::string name{};
+  Blocks blocks{};
+};
+
+std::vector<Condition> read_conditions(const TidyTable& table) {
+  const LabelColumn names = table.all_labels("condition");
+  const std::vector<double> levels = table.all_numbers("x");
+  const std::vector<std::uint64_t> trials = table.counts("n");
+  const std::vector<std::uint64_t> hits = table.counts("k");
+  std::vector<Condition> conditions{};
+  for (const std::string& name : names.names) conditions.push_back({.name = name});
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (hits[row] > trials[row]) {
+      table.refuse(row, "k",
+                   "k is " + std::to_string(hits[row]) + " of n " + std::to_string(trials[row]) +
+                       "; at most all can be hits");
+    }
+    conditions[names.codes[row]].blocks.push_back(
+        {.x = levels[row], .trials = trials[row], .hits = hits[row]});
+  }
+  return conditions;
+}
+
+PsychometricShape shape_of(const std::string& name) {
+  for (const auto& [known, shape] : {std::pair{"logistic", PsychometricShape::logistic},
+                                     std::pair{"normal", PsychometricShape::normal},
+                                     std::pair{"gumbel", PsychometricShape::gumbel},
+                                     std::pair{"weibull", PsychometricShape::weibull}}) {
+    if (name == known) return shape;
+  }
+  throw std::runtime_error("the option \"shape\" is \"" + name +
+                           "\"; it must be logistic, normal, gumbel or weibull");
+}
+
+std::optional<double> rate_of(const FamilyOptions& options, const std::string& name) {
+  if (options.text(name) == "free") return std::nullopt;
+  return options.number(name);
+}
+
+PsychometricQuestion question_of(const FamilyOptions& options) {
+  return {.model = {.shape = shape_of(options.text("shape")),
+                    .gamma = rate_of(options, "gamma"),
+                    .lambda = rate_of(options, "lambda"),
+                    .greatest_lambda = options.number_or("lambda_max", 0.1)},
+          .performance = options.number("pt"),
+          .confidence = options.confidence()};
+}
+
+struct Word {
+  const char* word = "";
+  const char* sentence = "";
+};
+
+Word word_of(PsychometricStatus status) {
+  switch (status) {
+    case PsychometricStatus::ok:
+      return {"ok", "ok"};
+    case PsychometricStatus::no_data:
+      return {"no_data", "no level has trials: nothing can be said"};
+    case PsychometricStatus::all_correct:
+      return {"all_correct", "every answer is right: present weaker stimuli"};
+    case PsychometricStatus::all_wrong:
+      return {"all_wrong", "every answer is wrong: present stronger stimuli"};
+    case PsychometricStatus::one_level:
+      return {"one_level", "one level has no slope: present more"};
+    case PsychometricStatus::separated:
+      return {"separated", "a step fits perfectly: present levels within the bracket"};
+    case PsychometricStatus::quasi_separated:
+      return {"quasi_separated",
+              "all but one level are all right or all wrong: present levels "
+              "nearer to it"};
+  }
+  return {};
+}
+
+class PsychometricList final {
+ public:
+  explicit PsychometricList(PsychometricQuestion question) : question_(std::move(question)) {}
+
+  /// The fit, where there is one.
+  std::optional<PsychometricFit> condition(const Condition& condition) {
+    key_ = condition.name;
+    n_ = 0;
+    for (const PsychometricBlock& block : condition.blocks) {
+      n_ += static_cast<std::size_t>(block.trials);
+    }
+    const PsychometricJudgement judgement = judge(condition.blocks, question_.model);
+    const auto [word, sentence] = word_of(judgement.status);
+    list_.word("status", key_, word, sentence, basis("whether a function can be fitted"));
+    if (judgement.bracket) {
+      number("threshold.bracket.lower", judgement.bracket->low, "the threshold is above it");
+      number("threshold.bracket.upper", judgement.bracket->high, "the threshold is below it");
+    }
+    if (judgement.status != PsychometricStatus::ok) return std::nullopt;
+    const PsychometricFit fit = fit_psychometric(condition.blocks, question_);
+    parameters(fit);
+    threshold(fit);
+    return fit;
+  }
+
+  void same_function(const Condition& first, const Condition& second, double separate) {
+    Blocks both = first.blocks;
+    both.insert(both.end(), second.blocks.begin(), second.blocks.end());
+    const double ratio =
+        2.0 * (separate - maximise_psychometric(both, question_.model).log_likelihood);
+    key_ = first.name + '|' + second.name;
+    number("lr.same.function", ratio, "likelihood ratio against shared α and β");
+    number("lr.same.function.p",
+           upper_tail(ChiSquaredStatistic{.value = ratio, .df = 2.0}).value_or(kUndefined),
+           "χ² with two degrees of freedom");
+  }
+
+  void bootstrap(const Condition& condition,
+                 std::span<const std::vector<std::uint64_t>> resamples) {
+    const ThresholdBootstrap boot = bootstrap_threshold(condition.blocks, resamples, question_);
+    key_ = condition.name;
+    const std::string method = "resamples given as a table";
+    number("boot.slope.at.bound", static_cast<double>(boot.slopes_at_bound),
+           method + ", slope at its bound (kept)");
+    number("boot.valid", static_cast<double>(boot.valid), method + ", with a threshold");
+    constexpr std::size_t kShown = 5;
+    for (std::size_t i = 0; i < std::min(kShown, boot.thresholds.size()); ++i) {
+      list_.number("boot.threshold", std::to_string(i + 1), boot.thresholds[i].value_or(kUndefined),
+                   basis(method + ", one threshold"));
+    }
+    const ConfidenceInterval none{.low = kUndefined, .high = kUndefined};
+    const ConfidenceInterval ends = boot.percentile.value_or(none);
+    number("boot.perc.lower", ends.low, method + ", quantile of type 7");
+    number("boot.perc.upper", ends.high, method + ", quantile of type 7");
+    number("boot.se", boot.standard_error.value_or(kUndefined), method + ", their spread");
+  }
+
+  std::vector<Finding> take() { return list_.take(); }
+
+ private:
+  Basis basis(std::string method) const { return {.n = n_, .method = std::move(method)}; }
+  void number(const char* quantity, double value, std::string method) {
+    list_.number(quantity, key_, value, basis(std::move(method)));
+  }
+
+  void parameters(const PsychometricFit& fit) {
+    const std::string method = "maximum likelihood";
+    Basis alpha = basis(method + "; profile interval");
+    if (fit.profile_low && fit.profile_high) {
+      alpha.interval = ConfidenceInterval{.low = *fit.profile_low, .high = *fit.profile_high};
+      alpha.confidence = question_.confidence;
+    }
+    list_.number("fit.alpha", key_, fit.function.alpha, alpha);
+    number("fit.beta", fit.function.beta, method);
+    number("fit.gamma", fit.function.gamma, question_.model.gamma ? "fixed" : method);
+    number("fit.lambda", fit.function.lambda, question_.model.lambda ? "fixed" : method);
+    list_.truth("bound.lambda", key_, fit.lambda_at_bound, basis("whether λ is at its bound"));
+    list_.truth("bound.beta", key_, fit.beta_at_bound,
+                basis("whether the slope is at its bound: steeper than the levels can tell"));
+    number("loglik", fit.log_likelihood, "binomial coefficients included");
+    number("deviance", fit.deviance, "against one share per block");
+    number("deviance.df", fit.deviance_df, "blocks less parameters");
+    number("pearson", fit.pearson.value_or(kUndefined), "Pearson's X²");
+    number("deviance.p.chisq", fit.deviance_p.value_or(kUndefined),
+           "χ² of the deviance; indicative only");
+  }
+
+  void threshold(const PsychometricFit& fit) {
+    if (fit.beta_at_bound) {
+      number("threshold", fit.threshold, "x at the asked performance; slope at its bound");
+      return;
+    }
+    Basis estimate = basis("x at the asked performance; delta interval");
+    if (fit.precision) {
+      estimate.interval = fit.precision->threshold;
+      estimate.confidence = question_.confidence;
+    }
+    list_.number("threshold", key_, fit.threshold, estimate);
+    if (fit.precision) {
+      number("se.alpha", fit.precision->alpha_se, "observed information");
+      number("se.beta", fit.precision->beta_se, "observed information");
+      number("threshold.se", fit.precision->threshold_se, "delta method");
+      number("threshold.delta.lower", fit.precision->threshold.low, "delta interval");
+      number("threshold.delta.upper", fit.precision->threshold.high, "delta interval");
+      number("alpha.profile.lower", fit.profile_low.value_or(kUndefined), "profile interval");
+      number("alpha.profile.upper", fit.profile_high.value_or(kUndefined), "profile interval");
+    } else {
+      list_.word("se.alpha", key_, "undefined_singular_information",
+                 "the likelihood is flat at its maximum: present other levels",
+                 basis("observed information"));
+    }
+    number("slope.at.threshold", fit.function.slope(fit.threshold), "dψ/dx");
+    const PsychometricShape shape = fit.function.shape;
+    const bool symmetric =
+        shape == PsychometricShape::logistic || shape == PsychometricShape::normal;
+    if (symmetric && fit.function.gamma == 0.0) {
+      // Of F itself, without lapses.
+      const PsychometricFunction plain{
+          .shape = shape, .alpha = fit.function.alpha, .beta = fit.function.beta};
+      number("jnd", 0.5 * (plain.inverse(0.75) - plain.inverse(0.25)), "(x75 − x25)/2 of F");
+    }
+  }
+
+  PsychometricQuestion question_{};
+  FindingList list_{};
+  std::string key_{};
+  std::size_t n_ = 0;
+};
+
+/// Rows of counts, one column per block of the first condition after the column `b`.
+std::vector<std::vector<std::uint64_t>> read_resamples(const TidyTable& table, std::size_t blocks) {
+  std::vector<std::vector<std::uint64_t>> rows(table.rows());
+  for (std::size_t block = 1; block <= blocks; ++block) {
+    const std::vector<std::uint64_t> column = table.counts('k' + std::to_string(block));
+    for (std::size_t row = 0; row < rows.size(); ++row) rows[row].push_back(column[row]);
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Finding> psyfit_findings(const TidyInput& input) {
+  const std::vector<Condition> conditions = read_conditions(input.table());
+  const PsychometricQuestion question = question_of(input.options);
+  PsychometricList list(question);
+  std::vector<const Condition*> fitted{};
+  double separate = 0.0;
+  for (const Condition& condition : conditions) {
+    if (const std::optional<PsychometricFit> fit = list.condition(condition)) {
+      fitted.push_back(&condition);
+      separate += fit->log_likelihood;
+    }
+  }
+  if (fitted.size() == 2 && question.model.gamma && question.model.lambda) {
+    list.same_function(*fitted[0], *fitted[1], separate);
+  }
+  const bool has_resamples = input.tables.size() > 1;
+  if (has_resamples && !conditions.empty() && !fitted.empty() &&
+      fitted.front() == &conditions.front()) {
+    list.bootstrap(conditions.front(),
+                   read_resamples(input.table(1), conditions.front().blocks.size()));
+  }
+  return list.take();
+}
+
+}  // namespace asperity

@@ -1,0 +1,7 @@
+source("../R/case.R"); source("../R/differences.R"); source("../R/group.R")
+set.seed(21); data <- data.frame(subject = paste0("P", 1:13), group = rep(c("novice", "expert"), c(6, 7)), trials = sample(8:14, 13, TRUE))
+data$correct <- rbinom(13, data$trials, plogis(.2 + .8 * (data$group == "expert") + 1.1 * rnorm(13)))
+data <- data[, c("subject", "group", "correct", "trials")]; write_table(data, "subjects.csv")
+write_case("group", "unequal groups, unequal trials, people differ", "subjects.csv", c(groups = json_list(c("novice", "expert")), conf = "0.9"))
+group_results(data, c("novice", "expert"), .9)
+write_results()

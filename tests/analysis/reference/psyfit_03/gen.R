@@ -1,0 +1,6 @@
+source("../R/case.R"); source("../R/differences.R"); source("../R/psyfit.R")
+data <- rbind(data.frame(condition = "soft", x = c(.2, .4, .8, 1.6), n = c(20, 20, 18, 20), k = c(11, 13, 16, 20)), data.frame(condition = "hard", x = c(.2, .4, .8, 1.6), n = 20, k = c(9, 10, 14, 17)))
+write_table(data, "blocks.csv"); o <- list(shape = "weibull", gamma = .5, lambda = 0, pt = .8)
+write_case("psyfit", "weibull, two conditions compared, unequal n", "blocks.csv", c(shape = json_text("weibull"), gamma = "0.5", lambda = "0", pt = "0.8", conf = "0.95"))
+psyfit_results(data, c(o, lambda_max = .1))
+write_results()

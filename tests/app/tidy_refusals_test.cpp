@@ -1,0 +1,111 @@
+// What the families of analyses answer to tables that have no answer.
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/analyses/tidy/tidy_families.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<Finding> findings_of(const std::string& family, const std::string& table,
+                                 const std::string& options) {
+  TidyInput input{.options = FamilyOptions::of_json(options, "options")};
+  input.tables.emplace_back(table, "t.csv");
+  return tidy_family(family).findings(input);
+}
+
+std::string refusal_of(const std::string& family, const std::string& table,
+                       const std::string& options) {
+  try {
+    findings_of(family, table, options);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string word_of(const std::vector<Finding>& findings, const std::string& quantity) {
+  for (const Finding& finding : findings) {
+    if (finding.quantity == quantity) {
+      EXPECT_NE(finding.status, "ok") << quantity << " needs a sentence";
+      return finding.word;
+    }
+  }
+  return "(absent)";
+}
+
+constexpr const char* kLabels = R"({"labels": ["x", "y", "z"]})";
+constexpr const char* kMagnitude = R"({"zero_rule": "halfmin", "normalisation": "geomean"})";
+constexpr const char* kWithin = R"({"within": {"s": ["a", "b"]}})";
+constexpr const char* kGroups = R"({"groups": ["a", "b"]})";
+
+TEST(TidyRefusals, NameTheLineAndTheColumn) {
+  EXPECT_THAT(refusal_of("recognition", "subject,stimulus,response\nA,x,q\n", kLabels),
+              HasSubstr("t.csv:2:3"));
+  EXPECT_THAT(
+      refusal_of("magnitude", "subject,probe,spacing,estimate\nA,1,1,2\nA,1,2,-3\n", kMagnitude),
+      HasSubstr("t.csv:3:4"));
+  EXPECT_THAT(refusal_of("magnitude", "subject,probe,spacing,estimate\nAnna,1,1,0\n", kMagnitude),
+              HasSubstr("all estimates of Anna are 0"));
+  EXPECT_THAT(refusal_of("rmanova", "subject,s,y\nA,a,1\nA,q,2\n", kWithin),
+              HasSubstr("t.csv:3:2: \"q\" is no level of s"));
+  EXPECT_THAT(refusal_of("group", "subject,group,correct,trials\nA,a,5,4\n", kGroups),
+              HasSubstr("t.csv:2:3"));
+  EXPECT_THAT(refusal_of("power", "id,kind,n,alpha,p0\none,binom_two,9,0.05,\n", "[]"),
+              HasSubstr("t.csv:2:5: p0 is missing"));
+  EXPECT_THAT(refusal_of("power", "id,kind,n,alpha\none,luck,9,0.05\n", "[]"),
+              HasSubstr("there is no kind of plan \"luck\""));
+}
+
+TEST(TidyRefusals, SayWhichOptionIsWrong) {
+  EXPECT_THAT(refusal_of("psyfit", "condition,x,n,k\nc,1,4,2\n",
+                         R"({"shape": "cauchy", "gamma": 0, "lambda": 0, "pt": 0.5})"),
+              HasSubstr("\"shape\" is \"cauchy\""));
+  EXPECT_THAT(refusal_of("rmanova", "subject,s,y\nA,a,1\nA,b,1\nB,a,2\nB,b,4\n",
+                         R"({"within": {"s": ["a", "b"]}, "type": 1})"),
+              HasSubstr("\"type\" is 1"));
+  EXPECT_THAT(
+      refusal_of("group", "subject,group,correct,trials\nA,a,3,4\n", R"({"groups": ["a"]})"),
+      HasSubstr("it needs two"));
+}
+
+TEST(TidyRefusals, AreWordsWhereOnePersonOrNobodyAnswered) {
+  EXPECT_EQ(
+      word_of(findings_of("recognition", "subject,stimulus,response\nA,x,\n", kLabels), "status"),
+      "no_data");
+  EXPECT_EQ(
+      word_of(findings_of("recognition", "subject,stimulus,response\nA,x,x\n", kLabels), "subj.t"),
+      "undefined_one_participant");
+  EXPECT_EQ(word_of(findings_of("magnitude",
+                                "subject,probe,spacing,estimate\nA,1,1,2\nA,1,2,3\nA,1,4,5\n",
+                                kMagnitude),
+                    "status"),
+            "one_participant");
+  EXPECT_EQ(word_of(findings_of("rmanova", "subject,s,y\nA,a,1\nA,b,2\n", kWithin), "status"),
+            "too_few_participants");
+  EXPECT_EQ(
+      word_of(findings_of("group", "subject,group,correct,trials\nA,a,3,4\n", kGroups), "status"),
+      "no_data");
+}
+
+// 0.50 in a table and 0.5 in the options are one level, and the order is that of the options.
+TEST(TidyFamilies, TakeEqualNumbersForOneLevel) {
+  const std::vector<Finding> findings =
+      findings_of("rmanova", "subject,s,y\nA,0.50,1\nA,10,2\nB,0.50,3\nB,10,7\n",
+                  R"({"within": {"s": [10, 0.5]}})");
+  const auto found = std::find_if(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.quantity == "pair.diff";
+  });
+  ASSERT_NE(found, findings.end());
+  EXPECT_EQ(found->key, "s|10|0.5");
+  EXPECT_EQ(found->value, 2.5);
+}
+
+}  // namespace
+}  // namespace asperity
