@@ -37,8 +37,6 @@ SessionHeader::SessionHeader(QWidget* parent) : QWidget(parent) {
   counts_->addWidget(block_);
   counts_->addWidget(progress_, 1);
   for (QLabel* label : {trial_, elapsed_, left_}) counts_->addWidget(label);
-  states_ = new QHBoxLayout();
-  states_->setSpacing(kMargin);
   set_form(SessionForm::wide);
 }
 
@@ -97,9 +95,8 @@ void SessionHeader::set_form(SessionForm form) {
   const bool narrow = form == SessionForm::narrow;
   // Whatever stands in the grid is taken out of it first: a cell keeps what it had.
   while (QLayoutItem* item = grid_->takeAt(0)) {
-    if (item->layout() == nullptr) delete item;
+    if (item != counts_) delete item;
   }
-  for (FittedLabel* label : {now_, pending_}) states_->removeWidget(label);
   for (QLabel* label : {block_, trial_, elapsed_, left_}) {
     label->setFont(text_font(narrow ? TextSize::small : TextSize::body));
   }
@@ -115,9 +112,11 @@ void SessionHeader::set_form(SessionForm form) {
     grid_->addWidget(blindness_, 0, 2);
     grid_->addWidget(unblind_, 0, 3);
     grid_->addLayout(counts_, 1, 1, 1, 3);
-    states_->addWidget(now_, 1);
-    states_->addWidget(pending_);
-    grid_->addLayout(states_, 2, 1, 1, 3);
+    auto* states = new QHBoxLayout();
+    states->setSpacing(kMargin);
+    states->addWidget(now_, 1);
+    states->addWidget(pending_);
+    grid_->addLayout(states, 2, 1, 1, 3);
   } else {
     grid_->addWidget(title_, 0, 1, 1, 2);
     grid_->addWidget(now_, 1, 1, 1, 2);

@@ -68,7 +68,6 @@ class SessionHeader final : public QWidget {
   std::optional<SessionForm> form_{};
   QGridLayout* grid_ = nullptr;
   QHBoxLayout* counts_ = nullptr;
-  QHBoxLayout* states_ = nullptr;  ///< empty where each has a row
   QPushButton* emergency_ = nullptr;
   QLabel* title_ = nullptr;
   FittedLabel* blindness_ = nullptr;
