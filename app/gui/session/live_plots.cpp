@@ -235,13 +235,12 @@ void LivePlots::set_exploration(const std::optional<Exploration>& exploration) {
   for (std::optional<double>* value : {&d.speed.asked.minimum, &d.speed.asked.maximum}) {
     if (*value) **value *= kMillimetres;
   }
-  const auto write = [](Heading& heading, const QString& band) {
+  const auto write = [](const Heading& heading, const QString& band) {
     heading.band->show_text(band.isEmpty() ? tr("no band") : tr("band %1").arg(band));
   };
   write(d.force.heading, text_of_band(asked.normal_force_N, 1.0, tr("N")));
   write(d.speed.heading, text_of_band(asked.speed_m_per_s, kMillimetres, tr("mm/s")));
-  const QString strokes = text_of_band(asked.stroke_length_m, kMillimetres, tr("mm"));
-  d.path_heading.band->setText(strokes.isEmpty() ? tr("no band") : tr("band %1").arg(strokes));
+  write(d.path_heading, text_of_band(asked.stroke_length_m, kMillimetres, tr("mm")));
   show_band(d.force);
   show_band(d.speed);
   // Strokes about the middle of the patch: shaded is where their ends are to lie.
