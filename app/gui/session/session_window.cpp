@@ -394,6 +394,8 @@ void SessionWindow::take_snapshot() {
 
 void SessionWindow::show_exploration() {
   if (shown_.trial == explored_trial_) return;
+  // Between trials the plots have what was felt last, and the bands in which that was to be.
+  if (explored_trial_ > 0 && !is_in_trial()) return;
   explored_trial_ = shown_.trial;
   std::optional<Exploration> exploration{};
   if (const Trial* trial = trial_now()) {

@@ -222,9 +222,8 @@ TEST(SessionWindow, DrawsThePressingForceAloneWhileItIsBlind) {
   EXPECT_EQ(plots->sent_force_points(), 0);
 }
 
-TEST(SessionWindow, SaysHowMuchOfTheContactLayInTheBands) {
-  FilledMonitor session{};
-  session.answer_up_to(16);
+/// A contact of which the force lay in its band for 75 %, the speed for 80 %.
+void feel(FilledMonitor& session) {
   for (int i = 0; i < 600; ++i) {
     LiveBin bin{};
     bin.time_ns = i * 16'666'667LL;
@@ -233,9 +232,28 @@ TEST(SessionWindow, SaysHowMuchOfTheContactLayInTheBands) {
     bin.speed_minimum_m_per_s = bin.speed_maximum_m_per_s = i < 100 ? 0.020F : 0.060F;  // 0.03 on
     session.monitor.add_bin(bin);
   }
+}
+
+TEST(SessionWindow, SaysHowMuchOfTheContactLayInTheBands) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  feel(session);
   const auto window = session.window();
   EXPECT_TRUE(find<QLabel>(*window, "force_compliance").text().contains("in band 75 %"));
   EXPECT_TRUE(find<QLabel>(*window, "speed_compliance").text().contains("in band 80 %"));
+}
+
+// The trial that comes may be asked otherwise, and after the last one none comes.
+TEST(SessionWindow, HoldsAContactToItsOwnBandsUntilTheNextTrialBegins) {
+  FilledMonitor session{};
+  session.answer_up_to(16);
+  session.set_phase(SessionPhase::contact);
+  feel(session);
+  const auto window = session.window();
+  session.monitor.update([](SessionSnapshot& s) { s.trial = 0; });
+  session.set_phase(SessionPhase::feedback);
+  window->refresh();
+  EXPECT_TRUE(find<QLabel>(*window, "force_compliance").text().contains("in band 75 %"));
 }
 
 TEST(SessionWindow, HidesRightAndWrongWhileBlindButWhereTheParticipantIsTold) {
