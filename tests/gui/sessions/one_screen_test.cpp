@@ -20,7 +20,10 @@ class OneScreen : public SessionRoom {
   /// In a program of its own, whose only screen has this size: off screen there is but one size.
   static bool is_shown_on(QSize size) {
     if (QGuiApplication::primaryScreen()->size() == size) return true;
-    if (!qEnvironmentVariableIsEmpty(kInside)) return false;
+    if (!qEnvironmentVariableIsEmpty(kInside)) {
+      ADD_FAILURE() << "the screen is not as large as it was asked to be";
+      return false;
+    }
     const QTemporaryDir folder{};
     QFile screens(folder.filePath("screens.json"));
     EXPECT_TRUE(screens.open(QIODevice::WriteOnly));
