@@ -97,8 +97,9 @@ TEST_P(DeviceFault, InRealTimeLosesNothingThatIsFinished) {
     const std::vector<AttemptRow> attempts = study.attempts(session.id);
     ASSERT_EQ(attempts.size(), static_cast<std::size_t>(done));
     // The second, as in simulated time; a machine that is busy enough is still at the first.
-    ASSERT_FALSE(attempts.empty());
-    ASSERT_LE(attempts.size(), 2U);
+    if (attempts.size() != 1 || attempts[0].valid) {
+      ASSERT_EQ(attempts.size(), 2U);
+    }
     const AttemptRow& failed = attempts.back();
     EXPECT_EQ(failed.outcome, AttemptOutcome::device_fault);
     EXPECT_FALSE(failed.valid);

@@ -1,5 +1,6 @@
 #include "app/gui/participant/participant_window.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QtCore/QTimer>
@@ -64,6 +65,10 @@ void ParticipantWindow::follow() {
 
 namespace {
 
+// What the session window needs with its frame, and what is left for the participant at the least.
+constexpr int kExperimentersWidth = 682;
+constexpr int kLeastWidth = 546;
+
 /// Null: it is not there.
 QScreen* screen_of(const QString& name) {
   for (QScreen* each : QGuiApplication::screens()) {
@@ -95,7 +100,9 @@ void ParticipantWindow::stand_beside(QScreen& screen) {
   const QRect room = screen.availableGeometry();
   setScreen(&screen);
   showNormal();
-  setGeometry(room.adjusted(room.width() / 2, 0, 0, 0));
+  const int beside =
+      std::max(room.width() / 2, std::min(kExperimentersWidth, room.width() - kLeastWidth));
+  setGeometry(room.adjusted(beside, 0, 0, 0));
 }
 
 QRect ParticipantWindow::room_beside() const {

@@ -34,12 +34,13 @@ class ParticipantWindow final : public QWidget {
   ParticipantView& view() noexcept { return *view_; }
   ResponseKeys& keys() noexcept { return *keys_; }
 
-  /// Shows the window over the whole of the screen of this name; over the right half of a screen
+  /// Shows the window over the whole of the screen of this name; over the right half of a screen, a
+  /// little less of a small one,
   /// where the name is empty (both windows on one screen) or there is only one. A screen that is not
   /// there is lost (`screen_lost`).
   void open_on(const QString& screen);
   bool is_full_screen() const noexcept { return full_screen_; }
-  /// Of a window that stands on one half of its screen: the other half, for the experimenter's.
+  /// Of a window that shares its screen: the rest of the screen, for the experimenter's.
   QRect room_beside() const;
   /// To the place where it was opened, in front of other windows; the keyboard stays where it is.
   void come_back();
