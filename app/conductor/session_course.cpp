@@ -205,7 +205,9 @@ void SessionCourse::set_masking(bool on) {
   update([masking](SessionSnapshot& snapshot) { snapshot.masking = masking; });
 }
 
-bool SessionCourse::has_lost_noise() const { return plays_noise() && !links_.sound->is_running(); }
+bool SessionCourse::has_lost_noise() const {
+  return plays_noise() && links_.sound->is_heard() && !links_.sound->is_running();
+}
 
 MaskingState SessionCourse::masking_state() const {
   if (!plays_noise() || phase_ == SessionPhase::ended) return MaskingState::none;

@@ -98,7 +98,8 @@ class SessionCourse final {
   /// Does nothing where the protocol wants no noise or nothing can sound.
   void set_masking(bool on);
   bool is_masking() const noexcept { return masking_; }
-  /// The protocol wants noise, it is to be played, and it is not.
+  /// The protocol wants noise, there is a card to play it, and it does not. Without a card nothing
+  /// was heard before either: the checklist and the window say so, and there is nothing to mend.
   bool has_lost_noise() const;
   /// The noise has sounded since the session was begun or gone on with.
   bool has_masked() const noexcept { return has_masked_; }
