@@ -12,12 +12,10 @@
 #include <Eigen/Dense>
 
 #include "analysis/number_text.h"
+#include "analysis/tail_probabilities.h"
 
 namespace asperity {
 namespace {
-
-double density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
-double below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
 struct ChoiceProbabilities {
   Eigen::VectorXd p{};
@@ -33,19 +31,19 @@ ChoiceProbabilities probabilities_at(const Eigen::VectorXd& mean) {
   ChoiceProbabilities at{Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, count)};
   for (double z = mean.minCoeff() - kReach; z <= mean.maxCoeff() + kReach; z += kStep) {
     for (Eigen::Index j = 0; j < count; ++j) {
-      const double here = density(z - mean(j)) * kStep;
+      const double here = normal_density(z - mean(j)) * kStep;
       double all_below = 1.0;
       for (Eigen::Index k = 0; k < count; ++k) {
-        if (k != j) all_below *= below(z - mean(k));
+        if (k != j) all_below *= normal_below(z - mean(k));
       }
       at.p(j) += here * all_below;
       for (Eigen::Index k = 0; k < count; ++k) {
         if (k == j) continue;
         double others = 1.0;
         for (Eigen::Index l = 0; l < count; ++l) {
-          if (l != j && l != k) others *= below(z - mean(l));
+          if (l != j && l != k) others *= normal_below(z - mean(l));
         }
-        const double slope = here * density(z - mean(k)) * others;
+        const double slope = here * normal_density(z - mean(k)) * others;
         at.by_mean(j, k) -= slope;
         at.by_mean(j, j) += slope;  // moving all means together changes nothing
       }

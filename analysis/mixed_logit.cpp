@@ -31,12 +31,6 @@ double soft_plus(double x) {
   return x > 0.0 ? x + std::log1p(std::exp(-x)) : std::log1p(std::exp(x));
 }
 
-double log_choose(const HitCount& count) {
-  const auto n = static_cast<double>(count.trials);
-  const auto k = static_cast<double>(count.hits);
-  return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
-}
-
 struct Groups {
   HitCount first{};
   HitCount second{};
@@ -156,8 +150,10 @@ Likelihood likelihood_of(std::span<const GroupedHits> participants, const Parame
     const double greatest = terms.maxCoeff();
     const Eigen::ArrayXd weights = (terms - greatest).exp();
     const double sum = weights.sum();
-    answer.value += greatest + std::log(sum) + std::log(std::numbers::sqrt2 * mode.scale) -
-                    0.5 * std::log(2.0 * std::numbers::pi) + log_choose(one.count);
+    answer.value +=
+        greatest + std::log(sum) + std::log(std::numbers::sqrt2 * mode.scale) -
+        0.5 * std::log(2.0 * std::numbers::pi) +
+        log_choose(static_cast<double>(one.count.trials), static_cast<double>(one.count.hits));
     // ∇ ln∫f = E[s], ∇² ln∫f = E[h] + E[ss'] − E[s]E[s]', s and h the derivatives of ln f.
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     Eigen::Matrix3d second = Eigen::Matrix3d::Zero();

@@ -306,8 +306,8 @@ PooledRejection pooled_rejection(const PooledPlan& plan) {
   const auto m = static_cast<double>(plan.trials_each);
   for (std::size_t hits = 0; hits <= plan.trials_each; ++hits) {
     const auto k = static_cast<double>(hits);
-    one.push_back(std::exp(std::lgamma(m + 1.0) - std::lgamma(k + 1.0) - std::lgamma(m - k + 1.0) +
-                           log_beta(k + alpha, m - k + beta) - log_beta(alpha, beta)));
+    one.push_back(
+        std::exp(log_choose(m, k) + log_beta(k + alpha, m - k + beta) - log_beta(alpha, beta)));
   }
   const std::vector<double> pooled = sum_distribution(one, plan.participants);
   const std::size_t trials = plan.participants * plan.trials_each;

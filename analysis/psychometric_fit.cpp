@@ -186,7 +186,7 @@ class Problem final {
     for (const PsychometricBlock& block : blocks_) {
       const auto n = static_cast<double>(block.trials);
       const auto k = static_cast<double>(block.hits);
-      constant_ += std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
+      constant_ += log_choose(n, k);
     }
   }
 
@@ -527,7 +527,7 @@ double saturated_log_likelihood(const std::vector<PsychometricBlock>& blocks) {
   for (const PsychometricBlock& block : blocks) {
     const auto n = static_cast<double>(block.trials);
     const auto k = static_cast<double>(block.hits);
-    sum += std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
+    sum += log_choose(n, k);
     sum += k > 0.0 ? k * std::log(k / n) : 0.0;
     sum += k < n ? (n - k) * std::log((n - k) / n) : 0.0;
   }

@@ -3,6 +3,7 @@
 #include "analysis/tail_probabilities.h"
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -95,6 +96,16 @@ std::optional<double> t_limit(const TLimit& limit) {
   }
   return boost::math::quantile(
       boost::math::complement(boost::math::students_t(limit.df), 0.5 * (1.0 - limit.confidence)));
+}
+
+double normal_density(double z) {
+  return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
+}
+
+double normal_below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+
+double log_choose(double n, double k) {
+  return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// Tails and limits of the distributions by which tests are judged.
+// Tails and limits of the distributions by which tests are judged, and what these are made of.
 
 #pragma once
 
@@ -41,5 +41,12 @@ struct TLimit {
   double df = 1.0;
 };
 std::optional<double> t_limit(const TLimit& limit);
+
+/// Of the standard normal distribution: its density at z, and P(Z ≤ z).
+double normal_density(double z);
+double normal_below(double z);
+
+/// ln of n!/(k!·(n − k)!), for 0 ≤ k ≤ n.
+double log_choose(double n, double k);
 
 }  // namespace asperity

@@ -4,18 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <boost/math/distributions/normal.hpp>
 
 #include "analysis/comparison_graph.h"
+#include "analysis/tail_probabilities.h"
 
 namespace asperity {
 namespace {
-
-double below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
-double density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
 
 template <class Use>
 void for_each_pair(const Comparisons& counts, Use use) {
@@ -30,8 +27,8 @@ double log_likelihood(const Comparisons& counts, const Eigen::VectorXd& scale) {
   double sum = 0.0;
   for_each_pair(counts, [&](Eigen::Index i, Eigen::Index j, double won, double trials) {
     const double z = scale(i) - scale(j);
-    if (won > 0.0) sum += won * std::log(below(z));
-    if (won < trials) sum += (trials - won) * std::log(below(-z));
+    if (won > 0.0) sum += won * std::log(normal_below(z));
+    if (won < trials) sum += (trials - won) * std::log(normal_below(-z));
   });
   return sum;
 }
@@ -56,7 +53,7 @@ std::optional<ThurstoneLeastSquares> thurstone_least_squares(const Comparisons& 
   });
   if (!complete) return std::nullopt;
   for_each_pair(counts, [&](Eigen::Index i, Eigen::Index j, double won, double trials) {
-    const double fitted = below(result.scale(i) - result.scale(j));
+    const double fitted = normal_below(result.scale(i) - result.scale(j));
     const double apart =
         2.0 * std::asin(std::sqrt(won / trials)) - 2.0 * std::asin(std::sqrt(fitted));
     result.chi_squared += trials * apart * apart;
@@ -74,9 +71,9 @@ std::optional<ThurstoneLikelihood> thurstone_likelihood(const Comparisons& count
     Eigen::MatrixXd information = Eigen::MatrixXd::Zero(items, items);
     for_each_pair(counts, [&](Eigen::Index i, Eigen::Index j, double won, double trials) {
       const double z = scale(i) - scale(j);
-      const double steepness = density(z) / (below(z) * below(-z));
-      const double more = steepness * (won - trials * below(z));
-      const double weight = trials * density(z) * steepness;
+      const double steepness = normal_density(z) / (normal_below(z) * normal_below(-z));
+      const double more = steepness * (won - trials * normal_below(z));
+      const double weight = trials * normal_density(z) * steepness;
       score(i) += more;
       score(j) -= more;
       information(i, i) += weight;

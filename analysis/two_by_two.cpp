@@ -10,13 +10,10 @@
 
 #include <boost/math/tools/roots.hpp>
 
+#include "analysis/tail_probabilities.h"
+
 namespace asperity {
 namespace {
-
-double log_choose(std::uint64_t n, std::uint64_t k) {
-  return std::lgamma(static_cast<double>(n) + 1.0) - std::lgamma(static_cast<double>(k) + 1.0) -
-         std::lgamma(static_cast<double>(n - k) + 1.0);
-}
 
 // All tables with the margins of one, by the hits of the first group.
 class Margins final {
@@ -26,8 +23,9 @@ class Margins final {
     low_ = hits > table.second.trials ? hits - table.second.trials : 0;
     high_ = std::min(table.first.trials, hits);
     for (std::uint64_t x = low_; x <= high_; ++x) {
-      log_weight_.push_back(log_choose(table.first.trials, x) +
-                            log_choose(table.second.trials, hits - x));
+      log_weight_.push_back(
+          log_choose(static_cast<double>(table.first.trials), static_cast<double>(x)) +
+          log_choose(static_cast<double>(table.second.trials), static_cast<double>(hits - x)));
     }
   }
 

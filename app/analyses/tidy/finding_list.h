@@ -13,6 +13,9 @@
 
 namespace asperity {
 
+/// The key of a number that belongs to two things.
+inline std::string both(const std::string& a, const std::string& b) { return a + '|' + b; }
+
 /// What a number rests on.
 struct Basis {
   std::size_t n = 0;                             ///< independent units

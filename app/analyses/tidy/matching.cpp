@@ -42,8 +42,6 @@ struct Matching {
   double confidence = 0.95;
 };
 
-std::string both(const std::string& a, const std::string& b) { return a + '|' + b; }
-
 Matching matching_in(const TidyInput& input) {
   const TidyTable& table = input.table();
   const LabelColumn participants = table.all_labels("subject");

@@ -12,6 +12,7 @@
 #include "analysis/comparison_graph.h"
 #include "analysis/tail_probabilities.h"
 #include "analysis/thurstone.h"
+#include "app/analyses/tidy/finding_list.h"
 #include "app/analyses/tidy/scale_findings.h"
 #include "app/analyses/tidy/tidy_families.h"
 
@@ -27,8 +28,6 @@ struct Paired {
   Comparisons counts{};
   double confidence = 0.95;
 };
-
-std::string both(const std::string& a, const std::string& b) { return a + '|' + b; }
 
 Paired paired_in(const TidyInput& input) {
   const TidyTable& table = input.table();

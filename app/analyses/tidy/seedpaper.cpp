@@ -33,8 +33,6 @@ constexpr double kConfidence = 0.95;
 constexpr std::size_t kTextures = 4;  ///< that were matched
 constexpr std::size_t kPictures = 6;  ///< that were recognised among
 
-std::string both(const std::string& a, const std::string& b) { return a + '|' + b; }
-
 /// Share with both intervals, in the names of a table.
 void add_share(const std::string& table, const std::string& key, const HitCount& count,
                FindingList& findings) {

@@ -50,8 +50,6 @@ Choices choices_in(const TidyInput& input) {
   return read;
 }
 
-std::string both(const std::string& a, const std::string& b) { return a + '|' + b; }
-
 /// The choices of one sample, or all of them, as if they were independent. Returns the one-sided p
 /// of the target.
 double add_block(const Choices& read, const std::string& block,
