@@ -13,12 +13,21 @@ namespace asperity {
 /// A mesh of at most `triangles` triangles that lies close to the given one.
 ///
 /// Edges are collapsed one after the other into one of their ends, the cheapest first. What a
-/// collapse costs is the quadric error [Garland 1997]: the squared distances of the place that stays
-/// from the planes of all faces that were merged into it, each weighted with its area, plus a
-/// millionth of the fourth power of the edge's length, which decides where all is flat. A collapse is not done that would turn a remaining face by more than 60°, or
-/// away from what one of its corners looked like in the given mesh, or leave a needle; when the
-/// target cannot be reached so, only flips are still forbidden. Every vertex
-/// is one of the given mesh; a closed mesh stays closed, and each part keeps four faces at least.
+/// collapse costs is measured where the given mesh was: every vertex of it, weighted with its area,
+/// is kept as a sample of the surface, and the squared distances of the samples about the vertex that
+/// goes from the faces that stay are summed; to these are added a tenth of the quadric error
+/// [Garland 1997] (the squared distances of the place that stays from the planes of all faces that
+/// were merged into it), which tells how smooth surfaces bend where no sample lies, and a millionth
+/// of the fourth power of the edge's length, which decides where all is flat. Quadrics alone cut
+/// corners off rough bodies: over a few wavelengths the planes of a relief are further from the
+/// surface than the corner was.
+///
+/// A collapse is not done that would turn a remaining face by more than 60°, or away from what one of
+/// its corners looked like in the given mesh, or leave a needle. All that can go without taking a
+/// sample further than a thousandth of the body's size from the surface goes first; when that is not
+/// enough, needles and turns up to 90° are permitted, then the same again for twice the distance, and
+/// so on. Only a target that cannot be reached at any distance is tried with flips alone forbidden. Every vertex is one of the given mesh; a closed mesh stays closed, and each
+/// part keeps four faces at least.
 ///
 /// `mesh` is what repair_mesh returns. The same mesh gives the same result.
 /// `progress` is told the fraction that is done, from this thread.

@@ -2,6 +2,10 @@
 
 #include "stimuli/mesh_decimation.h"
 
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -110,6 +114,57 @@ TEST(Decimation, TurnsNoFaceOver) {
       if (glm::dot(front, corner_m) <= 0.0) ++turned;
     }
     EXPECT_EQ(turned, 0U) << "of " << triangles;
+  }
+}
+
+// A fine relief must not be dearer than a corner: the planes of its slopes, extended, are soon further from the surface
+// than a corner that is cut off.
+TEST(Decimation, KeepsTheCornersOfARoughBlock) {
+  constexpr std::uint32_t kCells = 80;
+  constexpr double kSize_m = 0.03;
+  const auto place_m = [](std::uint32_t i) { return kSize_m * (double{1} * i / kCells - 0.5); };
+  TriangleMesh block{};
+  const auto at = [](std::uint32_t row, std::uint32_t column) {
+    return row * (kCells + 1) + column;
+  };
+  for (std::uint32_t row = 0; row <= kCells; ++row) {
+    for (std::uint32_t column = 0; column <= kCells; ++column) {
+      const double x_m = place_m(column);
+      const double y_m = place_m(row);
+      const double relief_m = 0.1e-3 * (std::sin(6.3e3 * x_m + 2e3 * y_m) + std::sin(5.1e3 * y_m));
+      block.vertices_m.push_back({x_m, y_m, relief_m});
+    }
+  }
+  std::vector<std::uint32_t> rim{};  // counter-clockwise from above
+  for (std::uint32_t i = 0; i < kCells; ++i) rim.push_back(at(0, i));
+  for (std::uint32_t i = 0; i < kCells; ++i) rim.push_back(at(i, kCells));
+  for (std::uint32_t i = kCells; i > 0; --i) rim.push_back(at(kCells, i));
+  for (std::uint32_t i = kCells; i > 0; --i) rim.push_back(at(i, 0));
+  for (std::uint32_t row = 0; row < kCells; ++row) {
+    for (std::uint32_t column = 0; column < kCells; ++column) {
+      const std::uint32_t corner = at(row, column);
+      const std::uint32_t opposite = at(row + 1, column + 1);
+      block.triangles.push_back({corner, at(row, column + 1), opposite});
+      block.triangles.push_back({corner, opposite, at(row + 1, column)});
+    }
+  }
+  const auto below = static_cast<std::uint32_t>(block.vertices_m.size());
+  for (const std::uint32_t vertex : rim) {
+    block.vertices_m.push_back({block.vertices_m[vertex].x, block.vertices_m[vertex].y, -0.006});
+  }
+  block.vertices_m.push_back({0.0, 0.0, -0.006});
+  const auto middle = static_cast<std::uint32_t>(block.vertices_m.size() - 1);
+  for (std::uint32_t i = 0; i < rim.size(); ++i) {
+    const auto next = static_cast<std::uint32_t>((i + 1) % rim.size());
+    block.triangles.push_back({rim[i], below + i, below + next});
+    block.triangles.push_back({rim[i], below + next, rim[next]});
+    block.triangles.push_back({below + next, below + i, middle});
+  }
+  ASSERT_TRUE(is_closed(block));
+  const TriangleMesh simplified = decimate_mesh(block, 100, "thing");
+  const SurfaceSearch search(simplified);
+  for (const std::uint32_t corner : {at(0, 0), at(0, kCells), at(kCells, 0), at(kCells, kCells)}) {
+    EXPECT_LT(search.nearest(block.vertices_m[corner]).distance_m, 0.05e-3) << corner;
   }
 }
 
