@@ -36,6 +36,14 @@ function(asperity_add_library folder)
   asperity_configure(asperity_${folder})
 endfunction()
 
+# asperity_compile_in_groups(<target>): several sources at a time, so that what is costly in the headers of others is
+# paid for once a group. What a source keeps to itself still has to have a name of its own in the target.
+function(asperity_compile_in_groups target)
+  if(ASPERITY_COMPILE_IN_GROUPS)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 7)
+  endif()
+endfunction()
+
 # asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…])
 # Tests are discovered when ctest runs, so that building never runs a test program. The label "long" keeps
 # them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo, realtime or window.
