@@ -45,7 +45,10 @@ struct ShapeRelief {
 /// that of a cylinder or sphere of radius R lies at R + h from its axis or middle, round and not in
 /// facets. Around a cylinder and a sphere the field is stretched so that whole periods of it go
 /// around; on a sphere the relief fades between 60° and 75° of latitude, where a map is torn.
-/// Lengths along a sphere's circles of latitude shrink with their cosine.
+/// Lengths along a sphere's circles of latitude shrink with their cosine. Between texels the relief is
+/// linear and never outside what the field holds there: nothing stands out further than the field
+/// does, whether texels and waves line up or not. Ten texels a wave take up to 2.6 % of a grating's
+/// amplitude off, twenty up to 1.2 %; eight for each wave of two pitches are the default.
 ///
 /// Errors: std::invalid_argument, naming the field: a size that is not positive or above 10 m, a rim
 /// that is not positive or above a quarter of the smallest size, more than 2²⁵ texels.

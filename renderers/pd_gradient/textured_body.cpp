@@ -7,7 +7,9 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace asperity {
@@ -25,19 +27,6 @@ TriangleMesh plain(const TexturedMesh& mesh) {
   return {.vertices_m = mesh.vertices_m, .triangles = mesh.triangles};
 }
 
-/// The lowest and the highest displacement.
-struct Relief {
-  double low_m = 0.0;
-  double high_m = 0.0;
-};
-
-Relief relief_of(const DisplacementAtlas& atlas, double gain) {
-  const auto [low, high] = std::minmax_element(atlas.values.begin(), atlas.values.end());
-  const double one_m = gain * *low * atlas.step_m;
-  const double other_m = gain * *high * atlas.step_m;
-  return {.low_m = std::min(one_m, other_m), .high_m = std::max(one_m, other_m)};
-}
-
 TriangleMesh hull_of(const TexturedMesh& mesh, double outward_m) {
   TriangleMesh hull = plain(mesh);
   for (std::size_t i = 0; i < hull.vertices_m.size(); ++i) {
@@ -47,6 +36,99 @@ TriangleMesh hull_of(const TexturedMesh& mesh, double outward_m) {
 }
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+bool is_inside(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& place) {
+  bool left = true;
+  bool right = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double side = cross(corners[(i + 1) % 3] - corners[i], place - corners[i]);
+    left = left && side >= 0.0;
+    right = right && side <= 0.0;
+  }
+  return left || right;
+}
+
+/// The lowest and the highest displacement of the faces. The margin around a face continues it and may
+/// go further: the texels beyond a crest that an edge cuts off lie above it.
+class Relief final {
+ public:
+  Relief(const TexturedMesh& mesh, double gain) : atlas_(mesh.atlas), gain_(gain) {
+    for (const auto& places : mesh.places) add(places);
+  }
+  double low_m() const { return std::min(gain_ * low_m_, gain_ * high_m_); }
+  double high_m() const { return std::max(gain_ * low_m_, gain_ * high_m_); }
+
+ private:
+  // Between texels it is bilinear, without a peak inside a cell. So it is highest at a texel of the face
+  // or on its border, where it is quadratic from one line of texels to the next.
+  void add(const std::array<glm::dvec2, 3>& places) {
+    const auto first = texel(glm::ceil(glm::min(glm::min(places[0], places[1]), places[2])));
+    const auto last = texel(glm::floor(glm::max(glm::max(places[0], places[1]), places[2])));
+    for (double y = first.y; y <= last.y; y += 1.0) {
+      for (double x = first.x; x <= last.x; x += 1.0) {
+        if (is_inside(places, {x, y})) add(height_m({x, y}));
+      }
+    }
+    for (std::size_t i = 0; i < 3; ++i) add_edge(places[i], places[(i + 1) % 3]);
+  }
+  void add_edge(const glm::dvec2& from, const glm::dvec2& to) {
+    std::vector<double> parts{0.0, 1.0};  // of the way, where it meets a line of texels
+    for (const int axis : {0, 1}) {
+      const double way = to[axis] - from[axis];
+      const double last = texel(glm::floor(glm::max(from, to)))[axis];
+      for (double line = texel(glm::ceil(glm::min(from, to)))[axis]; line <= last; line += 1.0) {
+        if (way != 0.0) parts.push_back(std::clamp((line - from[axis]) / way, 0.0, 1.0));
+      }
+    }
+    std::sort(parts.begin(), parts.end());
+    const auto at = [&](double part) { return height_m(from + part * (to - from)); };
+    add(at(0.0));
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      const double begin_m = at(parts[i - 1]);
+      const double end_m = at(parts[i]);
+      const double bulge_m = at(0.5 * (parts[i - 1] + parts[i])) - 0.5 * (begin_m + end_m);
+      add(end_m);
+      // begin + (end − begin)·t + 4·bulge·t·(1 − t), level at `top`.
+      if (bulge_m == 0.0) continue;
+      const double top = 0.5 + (end_m - begin_m) / (8.0 * bulge_m);
+      if (top > 0.0 && top < 1.0) add(begin_m + 4.0 * bulge_m * top * top);
+    }
+  }
+  void add(double height_m) {
+    low_m_ = std::min(low_m_, height_m);
+    high_m_ = std::max(high_m_, height_m);
+  }
+  // The nearest place of the atlas.
+  glm::dvec2 texel(const glm::dvec2& place) const {
+    return glm::clamp(
+        place, glm::dvec2(0.0),
+        glm::dvec2(static_cast<double>(atlas_.columns - 1), static_cast<double>(atlas_.rows - 1)));
+  }
+  double height_m(const glm::dvec2& place) const {
+    const glm::dvec2 inside = texel(place);
+    const auto [column, right, x] = cell(inside.x, atlas_.columns);
+    const auto [row, below, y] = cell(inside.y, atlas_.rows);
+    const auto along = [this, from = column, to = right, share = x](std::size_t of_row) {
+      const std::int16_t* values = atlas_.values.data() + of_row * atlas_.columns;
+      return (1.0 - share) * values[from] + share * values[to];
+    };
+    return atlas_.step_m * ((1.0 - y) * along(row) + y * along(below));
+  }
+  struct Cell {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double share = 0.0;
+  };
+  static Cell cell(double place, std::size_t texels) {
+    const auto first = static_cast<std::size_t>(place);
+    return {first, std::min(first + 1, texels - 1), place - static_cast<double>(first)};
+  }
+
+  const DisplacementAtlas& atlas_;
+  double gain_ = 1.0;
+  double low_m_ = std::numeric_limits<double>::infinity();
+  double high_m_ = -std::numeric_limits<double>::infinity();
+};
 
 /// Slopes and curvatures over the texels of all faces, along the atlas's rows and its columns.
 class Roughness final {
@@ -121,16 +203,6 @@ class Roughness final {
   double height_m(std::size_t row, std::size_t column) const {
     return atlas_.step_m * atlas_.values[row * atlas_.columns + column];
   }
-  static bool is_inside(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& place) {
-    bool left = true;
-    bool right = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double side = cross(corners[(i + 1) % 3] - corners[i], place - corners[i]);
-      left = left && side >= 0.0;
-      right = right && side <= 0.0;
-    }
-    return left || right;
-  }
 
   const DisplacementAtlas& atlas_;
   std::array<Sums, 2> along_{};
@@ -145,10 +217,10 @@ double reach_m(const glm::dvec3& half_m, const glm::dvec3& axis) noexcept {
 
 TexturedBody::TexturedBody(const TexturedMesh& mesh, double gain)
     : surface_(mesh, checked_gain(gain)), plain_clusters_(plain(mesh)) {
-  const Relief relief = relief_of(mesh.atlas, gain);
-  hull_ = hull_of(mesh, std::max(0.0, relief.high_m));
+  const Relief relief(mesh, gain);
+  hull_ = hull_of(mesh, std::max(0.0, relief.high_m()));
   hull_clusters_ = std::make_shared<const ClusteredMesh>(hull_);
-  furthest_m_ = std::max(std::abs(relief.low_m), std::abs(relief.high_m));
+  furthest_m_ = std::max(std::abs(relief.low_m()), std::abs(relief.high_m()));
   finest_wave_m_ =
       gain > 0.0 ? Roughness(mesh).finest_wave_m() : std::numeric_limits<double>::infinity();
 }

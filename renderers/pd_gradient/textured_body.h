@@ -24,7 +24,8 @@ struct WindowBox {
 };
 
 /// A mesh with its displacements `gain` times as large, and its hull: the same triangles with every
-/// vertex moved outward along its normal by the largest displacement of the whole texture. The
+/// vertex moved outward along its normal by the largest displacement of all faces, margins of the
+/// atlas left out: they may go further, by up to an eighth of a grating with ten texels a wave. The
 /// textured surface lies inside the hull, so that the hulls of two bodies meet before their textures
 /// do. The distance is the same everywhere because a flat side has to stay flat: a hull that
 /// followed the texture would cut another one in many places, and each would count as a contact.

@@ -22,15 +22,44 @@ namespace {
 constexpr Grating kGrating{.amplitude_m = 0.05e-3, .wavelength_m = 1e-3};
 
 TEST(TexturedBody, HasAHullAroundItsTextureAsFarAwayEverywhere) {
-  const TexturedMesh plate = grated_plate(kGrating);
-  const TexturedBody body(plate, 2.0);
-  const auto highest = *std::max_element(plate.atlas.values.begin(), plate.atlas.values.end());
-  const double expected_m = 2.0 * highest * plate.atlas.step_m;
-  EXPECT_GT(expected_m, 2.0 * kGrating.amplitude_m);
-  for (std::size_t i = 0; i < plate.vertices_m.size(); ++i) {
-    const glm::dvec3 outward_m = body.hull().vertices_m[i] - plate.vertices_m[i];
-    EXPECT_LT(glm::length(outward_m - expected_m * plate.normals[i]), 1e-12);
+  // Texels and waves do not line up: margins in the atlas go further than the amplitude.
+  for (const double wavelength_m : {1e-3, 1.13e-3}) {
+    const Grating wave{.amplitude_m = 0.05e-3, .wavelength_m = wavelength_m};
+    const TexturedMesh plate = grated_plate(wave);
+    const auto highest = *std::max_element(plate.atlas.values.begin(), plate.atlas.values.end());
+    EXPECT_GT(highest * plate.atlas.step_m, 1.08 * wave.amplitude_m);
+    const TexturedBody body(plate, 2.0);
+    const double outward_m =
+        glm::distance(body.hull().vertices_m.front(), plate.vertices_m.front());
+    EXPECT_NEAR(body.furthest_displacement_m(), outward_m, 1e-15);
+    EXPECT_GT(outward_m, 2.0 * 0.99 * wave.amplitude_m);
+    EXPECT_LT(outward_m, 2.0 * 1.0001 * wave.amplitude_m);
+    for (std::size_t i = 0; i < plate.vertices_m.size(); ++i) {
+      const glm::dvec3 moved_m = body.hull().vertices_m[i] - plate.vertices_m[i];
+      EXPECT_LT(glm::length(moved_m - outward_m * plate.normals[i]), 1e-12);
+    }
+    // And nothing of the texture is outside: the upper side lies in z = 0.
+    double highest_m = 0.0;
+    for (std::size_t triangle = 0; triangle < plate.triangles.size(); ++triangle) {
+      for (int i = 0; i <= 40; ++i) {
+        for (int j = 0; i + j <= 40; ++j) {
+          const glm::dvec3 share = glm::dvec3{40.0 - i - j, i, j} / 40.0;
+          highest_m = std::max(highest_m, textured_point_m(plate, triangle, share).z);
+        }
+      }
+    }
+    EXPECT_LE(2.0 * highest_m, outward_m + 1e-12);
   }
+}
+
+// A saddle, x + y − 2xy in a cell, is highest on an edge between two of its lines of texels.
+TEST(TexturedBody, HasAHullAroundAnEdgeThatBulgesBetweenTexels) {
+  TexturedMesh plate = formed_plate({.size_m = {1e-3, 1e-3}}, [](double, double) { return 0.0; });
+  plate.atlas = {.rows = 2, .columns = 2, .step_m = 1e-6, .values = {0, 100, 100, 0}};
+  for (auto& places : plate.places) {
+    places = {glm::dvec2{0.1, 0.3}, glm::dvec2{0.7, 0.9}, glm::dvec2{0.5, 0.5}};
+  }
+  EXPECT_NEAR(TexturedBody(plate, 1.0).furthest_displacement_m(), 52e-6, 1e-12);
 }
 
 TEST(TexturedBody, HasAFlatHullWhereItsTextureIsHollow) {

@@ -78,6 +78,41 @@ TEST(TexturedShape, OfAPlateLiesAtTheHeightOfTheField) {
   EXPECT_GT(whole, 100U);
 }
 
+// 37 samples hold five waves, and cells of texels begin and end anywhere in them.
+TEST(TexturedShape, NeverStandsOutFurtherThanAGratingThatMeetsItsTexelsAnywhere) {
+  constexpr double kHeight_m = 5e-5;
+  constexpr std::size_t kSamples = 37;
+  std::vector<float> heights_m{};
+  for (std::size_t i = 0; i < 2 * kSamples; ++i) {
+    const double turns = 5.0 * static_cast<double>(i % kSamples) / kSamples;
+    heights_m.push_back(static_cast<float>(kHeight_m * std::sin(2.0 * std::numbers::pi * turns)));
+  }
+  const HeightField field({.rows = 2, .columns = kSamples, .pitch_m = 0.00013}, heights_m);
+  for (const double samples_per_wavelength : {2.0, 2.7, 8.0}) {
+    const TexturedMesh mesh =
+        textured_shape(PlateShape{{0.02, 0.02, 0.008}}, field,
+                       {.rim_m = 0.001, .samples_per_wavelength = samples_per_wavelength});
+    double highest_m = 0.0;
+    double furthest_m = 0.0;
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+      for (int i = 0; i <= 60; ++i) {
+        for (int j = 0; i + j <= 60; j += 7) {
+          const glm::dvec3 p_m =
+              textured_point_m(mesh, triangle, glm::dvec3{60.0 - i - j, i, j} / 60.0);
+          if (p_m.z < -0.001 || std::abs(p_m.x) > 0.0085 || std::abs(p_m.y) > 0.0085) continue;
+          highest_m = std::max(highest_m, std::abs(p_m.z));
+          const double height_m = field.sample(p_m.x, p_m.y, Tiling::repeat).height_m;
+          furthest_m = std::max(furthest_m, std::abs(p_m.z - height_m));
+        }
+      }
+    }
+    EXPECT_GT(highest_m, 0.97 * kHeight_m);
+    EXPECT_LE(highest_m, kHeight_m + 1e-8);
+    // 7.4 samples a wave, so many texels or more: (π/7.4)²/2 of straight lines at a crest.
+    EXPECT_LT(furthest_m, 0.09 * kHeight_m);
+  }
+}
+
 TEST(TexturedShape, OfABoxRisesOnEverySideAndIsBareAtItsEdges) {
   // Straight lines between texels of 125 µm round the ends of the rise off: 6 h/w²·p²/8, 1.2 µm.
   const TexturedMesh mesh = textured_shape(BoxShape{{0.03, 0.02, 0.01}}, raised(1e-4F), kCoarse);
