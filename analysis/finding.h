@@ -27,6 +27,8 @@ struct Finding {
   std::string method{};                ///< what was computed, and against which chance
   std::string status = "ok";
   std::size_t n = 0;  ///< independent units behind the value
+  std::string
+      analysis{};  ///< which of several that stand together: "choice", "position"; may be empty
 
   bool operator==(const Finding&) const = default;
 };

@@ -24,6 +24,16 @@ struct NamedTable {
   Phrase note{};  ///< how to read it, chance included; may be empty
 };
 
+/// A question that a kind of protocol asks, in words, and what the answers of people say to it.
+struct AnsweredQuestion {
+  std::string name{};   ///< fixed, for programs: "preference"
+  Phrase question{};    ///< "Is one rendering chosen more often than the others?"
+  Phrase answer{};      ///< one sentence with its interval, or why there is none
+  Phrase method{};      ///< what was computed, to be folded away
+  std::string table{};  ///< the name of the table that says more
+  Finding finding{};    ///< the number in the answer; its status says why there is none
+};
+
 /// The answers of one group to one version of one protocol, analysed.
 struct AnalysisOutcome {
   std::string protocol{};
@@ -32,7 +42,8 @@ struct AnalysisOutcome {
   std::string design{};
   AnswerGroup group = AnswerGroup::people;
   AnswerCount count{};
-  std::size_t answers = 0;  ///< attempts that the tables count
+  std::size_t answers = 0;                    ///< attempts that the tables count
+  std::vector<AnsweredQuestion> questions{};  ///< the one that the study is about first
   std::vector<NamedTable> tables{};
   std::vector<Finding> findings{};
   std::vector<Phrase> remarks{};  ///< sentences, each to be read before believing a number

@@ -85,13 +85,31 @@ Json json_of(const Finding& finding) {
           {"n", finding.n}};
 }
 
+/// One of several analyses that stand together.
+Json json_of_part(const Finding& finding) {
+  Json json = json_of(finding);
+  json["analysis"] = finding.analysis;
+  return json;
+}
+
+Json json_of(const AnsweredQuestion& question) {
+  return {{"name", question.name},
+          {"question", question.question.english()},
+          {"answer", question.answer.english()},
+          {"method", question.method.english()},
+          {"table", question.table},
+          {"finding", json_of_part(question.finding)}};
+}
+
 Json json_of(const AnalysisOutcome& outcome) {
   Json remarks = Json::array();
   for (const Phrase& remark : outcome.remarks) remarks.push_back(remark.english());
   Json tables = Json::array();
   for (const NamedTable& table : outcome.tables) tables.push_back(json_of(table));
   Json findings = Json::array();
-  for (const Finding& finding : outcome.findings) findings.push_back(json_of(finding));
+  for (const Finding& finding : outcome.findings) findings.push_back(json_of_part(finding));
+  Json questions = Json::array();
+  for (const AnsweredQuestion& question : outcome.questions) questions.push_back(json_of(question));
   return {{"protocol", outcome.protocol},
           {"protocol_version", outcome.version},
           {"kind", outcome.kind},
@@ -105,6 +123,7 @@ Json json_of(const AnalysisOutcome& outcome) {
           {"flagged", outcome.count.flagged},
           {"not_counted", outcome.count.not_counted},
           {"remarks", std::move(remarks)},
+          {"questions", std::move(questions)},
           {"tables", std::move(tables)},
           {"findings", std::move(findings)}};
 }
