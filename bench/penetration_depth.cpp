@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <functional>
@@ -186,7 +187,7 @@ struct Errors {
 };
 
 // Against the same definition on a grid of 1024 × 1024, with the same step.
-std::vector<Errors> accuracy() {
+std::vector<Errors> accuracy(std::uint64_t seed) {
   constexpr std::array kSamples = {64, 96, 128, 256};
   std::vector<Errors> all;
   for (const int samples : kSamples) {
@@ -196,7 +197,7 @@ std::vector<Errors> accuracy() {
       all.push_back({.name = name + at});
     }
   }
-  ContactsByChance chance(2);
+  ContactsByChance chance(seed);
   for (const ContactKind kind : kContactKinds) {
     for (int i = 0; i < kContactsOfAKind; ++i) {
       const ChanceContact contact = pressed(chance, kind, window_of(256));
@@ -316,9 +317,9 @@ void print_errors(const std::vector<Errors>& all, bool as_json) {
   if (as_json) std::puts(document.dump(2).c_str());
 }
 
-int run(bool as_json, bool with_accuracy) {
+int run(bool as_json, bool with_accuracy, std::uint64_t seed) {
   if (with_accuracy) {
-    print_errors(accuracy(), as_json);
+    print_errors(accuracy(seed), as_json);
     return 0;
   }
   double used = 0.0;  // so that no work can be left out
@@ -342,15 +343,18 @@ int run(bool as_json, bool with_accuracy) {
 int main(int argc, char** argv) {
   bool as_json = false;
   bool with_accuracy = false;
+  std::uint64_t seed = 2;
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--json") == 0) {
       as_json = true;
     } else if (std::strcmp(argv[i], "--accuracy") == 0) {
       with_accuracy = true;
+    } else if (std::strcmp(argv[i], "--seed") == 0 && i + 1 < argc) {
+      seed = std::strtoull(argv[++i], nullptr, 10);
     } else {
-      std::fprintf(stderr, "usage: %s [--json] [--accuracy]\n", argv[0]);
+      std::fprintf(stderr, "usage: %s [--json] [--accuracy [--seed N]]\n", argv[0]);
       return 2;
     }
   }
-  return asperity::run(as_json, with_accuracy);
+  return asperity::run(as_json, with_accuracy, seed);
 }

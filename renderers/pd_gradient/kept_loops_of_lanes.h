@@ -157,27 +157,33 @@ inline KeptRows rows_of(const KeptTask& task, const Drift& drift) {
   return Lanes::choose(Lanes::less(least, Lanes::all(kNothing_m)), Lanes::all(kNoSurface_m), now);
 }
 
-// A over a block and `around` samples either side, in kRoomColumns columns.
-inline void find_a(const KeptTask& task, const Drift& drift, std::int32_t row, std::int32_t column,
-                   std::int32_t around, float* room) {
-  const std::int32_t rows = kBlockRows + 2 * around;
+// A over a block and `around` samples either side, in kRoomColumns columns; of its rows only so many,
+// from `first` on.
+inline void find_rows_of_a(const KeptTask& task, const Drift& drift, std::int32_t row,
+                           std::int32_t column, std::int32_t around, std::int32_t first,
+                           std::int32_t rows, float* room) {
   const KeptRows kept = rows_of(task, drift);
   for (std::int32_t half = 0; half < (around > 0 ? 2 : 1); ++half) {
     RowPlaces places;
-    find_row_places(task.lift, task.here, drift, row - around, column - around + half * kMostLanes,
-                    rows, places);
+    find_row_places(task.lift, task.here, drift, row - around + first,
+                    column - around + half * kMostLanes, rows, places);
     const std::int32_t parts =
         half == 0 ? kParts : (2 * around + Lanes::kWidth - 1) / Lanes::kWidth;
     for (std::int32_t part = 0; part < parts; ++part) {
       const Floats right = drift.right[part];
       const Floats down = drift.down[part];
       const Floats lift_m = drift.lift_m[part];
-      float* to = room + half * kMostLanes + part * Lanes::kWidth;
+      float* to = room + first * kRoomColumns + half * kMostLanes + part * Lanes::kWidth;
       for (std::int32_t i = 0; i < rows; ++i, to += kRoomColumns) {
         Lanes::store(to, kept_height(kept, places, i, part, right, down, lift_m));
       }
     }
   }
+}
+
+inline void find_a(const KeptTask& task, const Drift& drift, std::int32_t row, std::int32_t column,
+                   std::int32_t around, float* room) {
+  find_rows_of_a(task, drift, row, column, around, 0, kBlockRows + 2 * around, room);
 }
 
 inline std::int32_t blocks_across(const KeptTask& task) { return task.samples / kMostLanes; }
@@ -313,6 +319,33 @@ inline void compare_block(const KeptTask& task, const Drifts& drifts, std::int32
   }
 }
 
+// The same for a block that can be the highest in tilted configurations only.
+inline void compare_block_tilted(const KeptTask& task, const Drift& drift, std::int32_t block,
+                                 KeptMaxima& most) {
+  const std::int32_t row = row_of(task, block);
+  const std::int32_t column = column_of(task, block);
+  const std::int32_t step = task.step_cells;
+  const float middle = 0.5F * static_cast<float>(task.samples - 1);
+  float room[kRoomRows * kRoomColumns];
+  find_rows_of_a(task, drift, row, column, step, step, kBlockRows, room);  // for the same bits
+  for (std::int32_t part = 0; part < kParts; ++part) {
+    const Floats rise_v =
+        Lanes::mul(Lanes::all(task.tilt_rise_m),
+                   Lanes::sub(Lanes::as_float(Lanes::counted_from(column + part * Lanes::kWidth)),
+                              Lanes::all(middle)));
+    for (std::int32_t i = 0; i < kBlockRows; ++i) {
+      const Floats rise_u = Lanes::all(task.tilt_rise_m * (static_cast<float>(row + i) - middle));
+      const float* const a = room + (step + i) * kRoomColumns + step + part * Lanes::kWidth;
+      const Floats here = Lanes::add(
+          Lanes::load(b_at(task, row + i, column + part * Lanes::kWidth)), Lanes::load(a));
+      raise(most.tilt_u[0], Lanes::sub(here, rise_u));
+      raise(most.tilt_u[1], Lanes::add(here, rise_u));
+      raise(most.tilt_v[0], Lanes::add(here, rise_v));
+      raise(most.tilt_v[1], Lanes::sub(here, rise_v));
+    }
+  }
+}
+
 inline float lower(float a, float b) { return a < b ? a : b; }
 inline float lowest_of(const Floats (&both)[2]) {
   return lower(largest(both[0]), largest(both[1]));
@@ -321,27 +354,32 @@ inline float lowest_of(const Floats (&both)[2]) {
 // What a block has to be able to exceed to matter.
 struct Reached {
   float level_m = kFarBelow_m;  // the lowest of the configurations without a tilt
-  float tilt_u_m = kFarBelow_m;
-  float tilt_v_m = kFarBelow_m;
+  float tilt_u_m[2] = {kFarBelow_m, kFarBelow_m};
+  float tilt_v_m[2] = {kFarBelow_m, kFarBelow_m};
 };
 
 inline Reached reached_by(const KeptMaxima& most) {
   return {lower(lower(largest(most.here), lowest_of(most.turn)),
                 lower(lowest_of(most.u), lowest_of(most.v))),
-          lowest_of(most.tilt_u), lowest_of(most.tilt_v)};
+          {largest(most.tilt_u[0]), largest(most.tilt_u[1])},
+          {largest(most.tilt_v[0]), largest(most.tilt_v[1])}};
 }
 
-inline bool matters(const KeptTask& task, std::int32_t block, const Reached& reached) {
+// Whether a block can be the highest in a tilted configuration.
+inline bool matters_tilted(const KeptTask& task, std::int32_t block, const Reached& reached) {
   const float middle = 0.5F * static_cast<float>(task.samples);
   const float bound_m = task.bound_m[block];
-  const auto tilted = [&](std::int32_t first, std::int32_t samples) {
-    const float half = 0.5F * static_cast<float>(samples);
-    return bound_m +
-           task.tilt_rise_m * (magnitude_of(static_cast<float>(first) + half - middle) + half);
+  // From the middle to the last of its samples, and against that way to the first.
+  const auto beyond = [&](std::int32_t first, std::int32_t samples) {
+    return bound_m + task.tilt_rise_m * (static_cast<float>(first + samples) - middle);
   };
-  return bound_m >= reached.level_m ||
-         tilted(row_of(task, block), kBlockRows) >= reached.tilt_u_m ||
-         tilted(column_of(task, block), kMostLanes) >= reached.tilt_v_m;
+  const auto before = [&](std::int32_t first) {
+    return bound_m - task.tilt_rise_m * (static_cast<float>(first) - middle);
+  };
+  const std::int32_t row = row_of(task, block);
+  const std::int32_t column = column_of(task, block);
+  return before(row) >= reached.tilt_u_m[0] || beyond(row, kBlockRows) >= reached.tilt_u_m[1] ||
+         beyond(column, kMostLanes) >= reached.tilt_v_m[0] || before(column) >= reached.tilt_v_m[1];
 }
 
 // The first sample, row by row, where both surfaces together are that high: among blocks whose
@@ -394,13 +432,15 @@ void compare_kept_by_lanes(const KeptTask& whole_task, ElevenMaxima& maxima) {
   std::int32_t since = 0;
   for (std::int32_t block = 0; block < blocks_across(task) * blocks_down(task); ++block) {
     if (block == highest || block == task.first_block) continue;
-    if (!matters(task, block, reached)) {
+    if (task.bound_m[block] >= reached.level_m) {
+      compare_block(task, drifts, block, most);
+    } else {
       for (std::int32_t i = 0; i < kMostLanes; i += Lanes::kWidth) {
         Lanes::store(task.block_most_m + block * kMostLanes + i, far_below);
       }
-      continue;
+      if (!matters_tilted(task, block, reached)) continue;
+      compare_block_tilted(task, drifts.here, block, most);
     }
-    compare_block(task, drifts, block, most);
     if (task.prune && ++since % kBlocksBetween == 1) reached = reached_by(most);
   }
   maxima.here_m = largest(most.here);

@@ -30,7 +30,7 @@ void require_sound(const MaximumLaw& law) {
 
 DifferenceSteps difference_steps(const SamplingGrid& grid, double step_m) noexcept {
   return {.along_m = step_m,
-          .tilt_rad = 0.5 * step_m / grid.width_m,
+          .tilt_rad = 2.0 * step_m / grid.width_m,
           .turn_rad = 2.0 * step_m / grid.width_m};
 }
 

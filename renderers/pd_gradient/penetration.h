@@ -34,13 +34,15 @@ using MaximumLaw = std::variant<HardMaximum, SmoothMaximum>;
 /// Throws std::invalid_argument, naming the field, for a step, τ or S that is not positive.
 void require_sound(const MaximumLaw& law);
 
-/// How far A is moved either way for the central differences, from the declared step. Turning about
-/// n moves the middle of the window's border by the step; tilting lifts it by a quarter of the step,
-/// since textures are lower than they are long.
+/// How far A is moved either way for the central differences, from the declared step: along the window
+/// by the step, and turned about u, v and n so that the middle of the window's border moves by the step.
+/// A tilt of a quarter of that would let two places that are nearly as deep as each other decide the
+/// torque by what samples miss of their peaks: levers are then off by some 5.5 % at 64 samples over eight
+/// waves, with this one by 4 %.
 struct DifferenceSteps {
   double along_m = 0.0;   ///< along u and v
-  double tilt_rad = 0.0;  ///< about u and v: along_m / (2·width)
-  double turn_rad = 0.0;  ///< about n: 2·along_m / width
+  double tilt_rad = 0.0;  ///< about u and v: 2·along_m / width
+  double turn_rad = 0.0;  ///< about n: the same
 };
 
 DifferenceSteps difference_steps(const SamplingGrid& grid, double step_m) noexcept;

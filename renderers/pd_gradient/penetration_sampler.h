@@ -45,7 +45,7 @@ struct SamplerSettings {
 /// weighs less than 2⁻³⁰ of the deepest sample is left out.
 ///
 /// Against the reference on the same grid, from rounding: δ to 10 nm, ∂δ/∂u and ∂δ/∂v of the hard
-/// maximum to 10⁻⁴. To first order only: the levers of tilts, to 2 % of their RMS, and that of
+/// maximum to 10⁻⁴. To first order only: the levers of tilts, to 3 % of their RMS, and that of
 /// turning, where interpolation shaves peaks, to 5 to 10 % at 8 samples a wavelength. The slopes of
 /// the smooth maximum are those through the samples, not those between two texels. Neither is further
 /// from the truth than the reference is (bench/penetration_depth --accuracy). Samples at the border of
