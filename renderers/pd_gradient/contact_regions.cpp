@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 namespace asperity {
 namespace {
@@ -63,16 +64,17 @@ glm::dvec3 across(const glm::dvec3& n, const glm::dvec3& wanted) noexcept {
   return glm::normalize(wanted - n * glm::dot(n, wanted));
 }
 
-/// Axes for a direction that was not there before: u along the axis of the world most across it, the
-/// first of those that are so up to rounding.
-ContactFrame first_frame(const glm::dvec3& origin_m, const glm::dvec3& n) noexcept {
+/// Axes for a direction that was not there before: u along the axis of B most across it, the first of
+/// those that are so up to rounding.
+ContactFrame first_frame(const glm::dvec3& origin_m, const glm::dvec3& n,
+                         const glm::dmat3& rotation_b) noexcept {
   constexpr double kRounding = 1e-6;
-  const glm::dvec3 size = glm::abs(n);
+  const glm::dvec3 size = glm::abs(glm::transpose(rotation_b) * n);
   const double least = std::min({size.x, size.y, size.z}) + kRounding;
   const glm::dvec3 axis = size.x <= least   ? glm::dvec3(1.0, 0.0, 0.0)
                           : size.y <= least ? glm::dvec3(0.0, 1.0, 0.0)
                                             : glm::dvec3(0.0, 0.0, 1.0);
-  const glm::dvec3 u = across(n, axis);
+  const glm::dvec3 u = across(n, rotation_b * axis);
   return {.origin_m = origin_m, .u = u, .v = glm::cross(n, u), .n = n};
 }
 
@@ -283,10 +285,10 @@ std::span<const ContactRegion> ContactRegions::update(std::span<const TrianglePa
     const glm::dvec3 origin_m = sum.middles / sum.length_m;
     const glm::dvec3 n = glm::normalize(sum.normals);
     const ContactRegion* last = before(origin_m);
-    ContactRegion region{
-        .id = last == nullptr ? next_id_++ : last->id,
-        .frame = last == nullptr ? first_frame(origin_m, n) : led_frame(last->frame, origin_m, n),
-        .pairs = sum.pairs};
+    ContactRegion region{.id = last == nullptr ? next_id_++ : last->id,
+                         .frame = last == nullptr ? first_frame(origin_m, n, b.rotation)
+                                                  : led_frame(last->frame, origin_m, n),
+                         .pairs = sum.pairs};
     const double needed_m =
         stepped_width_m(std::max(2.0 * half_extent_m(region.frame, sum.root), kSmallestWidth_m));
     const bool fits = last != nullptr && needed_m <= last->width_m &&

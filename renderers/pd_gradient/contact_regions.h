@@ -37,7 +37,7 @@ struct ContactRegion {
 ///
 /// A contact is the one of the tick before whose origin is nearest, if nearer than half its window.
 /// Its n then follows with a play of `kPlay_rad`: it stays where it is while the new one is nearer
-/// than that, and otherwise stays behind by as much. u turns with n about their common normal and
+/// than that, and otherwise stays behind by as much. u begins along an axis of B and turns with n about their common normal and
 /// about nothing else. The window's width is a power of 2^(1/4) of a millimetre, and shrinks only
 /// when two such steps smaller would do, so that the grid does not change with every tick.
 ///

@@ -107,6 +107,7 @@ TEST(ContactRegions, MovingBothBodiesMovesTheContactWithThem) {
   const ContactRegion before = still.update(pose, {})[0];
   const ContactRegion after = moving.update(moved, motion)[0];
   EXPECT_LT(glm::distance(after.frame.n, motion.rotation * before.frame.n), 1e-9);
+  EXPECT_LT(glm::distance(after.frame.u, motion.rotation * before.frame.u), 1e-9);
   EXPECT_LT(glm::distance(after.frame.origin_m,
                           motion.rotation * before.frame.origin_m + motion.position_m),
             1e-9);
