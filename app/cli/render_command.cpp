@@ -51,6 +51,15 @@ void add_height_field(RendererInputs& inputs, const ForceModel& model, const Bod
   inputs.parameters = std::move(suggested);
 }
 
+/// In how many of the ticks something was so that the force model does not promise anything for.
+void tell_limits(const ForceRenderer& renderer, std::size_t ticks) {
+  for (const NamedCount& limit : renderer.limits()) {
+    if (limit.ticks == 0 || limit.name == "contact") continue;
+    std::cerr << limit.name << " in " << limit.ticks << " of " << ticks
+              << " ticks: see \"What it counts\" in docs/models.md\n";
+  }
+}
+
 }  // namespace
 
 void add_render(CLI::App& program, Job& job) {
@@ -140,6 +149,7 @@ void add_render(CLI::App& program, Job& job) {
       const std::vector<RenderedTick> forces = along_path(*renderer, path, rate_Hz_of(path));
       write_file(options->out, forces_tsv(path, forces), overwrite);
       std::cout << options->out.string() << ": " << forces.size() << " rows\n";
+      tell_limits(*renderer, forces.size());
       return 0;
     };
   });

@@ -82,7 +82,8 @@ PdGradient::PdGradient(const RendererInputs& inputs, InstructionSet instructions
                {.name = "fast"},
                {.name = "coarse_window"},
                {.name = "left_out"},
-               {.name = "kept"}}} {
+               {.name = "kept"},
+               {.name = "wholly_inside"}}} {
   if (choice_of(inputs.parameters, "coupling") == "virtual") {
     tool_.emplace(properties_of(inputs.parameters, centre_in_tool_m_));
   }
@@ -147,7 +148,8 @@ void PdGradient::find_touches(const ProbeState& probe) noexcept {
 
 double PdGradient::friction_N_s_per_m(const Touch& touch) const noexcept {
   const Material& material = patch_.material();
-  const double normal_N = material.stiffness_N_per_m * touch.contact->penetration.depth_m;
+  const double normal_N =
+      touch.contact->share * material.stiffness_N_per_m * touch.contact->penetration.depth_m;
   const double speed_m_per_s = glm::length(across(touch.contact->frame.n, touch.velocity_m_per_s));
   return material.friction * normal_N / std::hypot(speed_m_per_s, friction_speed_m_per_s_);
 }
@@ -168,7 +170,8 @@ Wrench PdGradient::direct(const ProbeState& probe) const noexcept {
         1.0 + contact_damping_N_s_per_m_ * depth_rate_m_per_s / (stiffness_N_per_m * found.depth_m);
     const Wrench push =
         about(probe.position_m, contact.frame.origin_m,
-              contact_wrench(found, contact.frame, stiffness_N_per_m * std::max(0.0, damped)));
+              contact_wrench(found, contact.frame,
+                             contact.share * stiffness_N_per_m * std::max(0.0, damped)));
     const Wrench rub = about(
         probe.position_m, touch.deepest_m,
         {.force_N = -friction_N_s_per_m(touch) * across(contact.frame.n, touch.velocity_m_per_s)});
@@ -184,13 +187,13 @@ Wrench PdGradient::coupled(const ProbeState& probe, double dt_s) noexcept {
   for (std::size_t i = 0; i < touching_; ++i) {
     const TexturedContact& contact = *touches_[i].contact;
     const glm::dvec3 gradient = contact.frame.to_world(glm::dvec3{contact.penetration.slope, -1.0});
-    contacts[i] = {.stiffness_N_per_m = patch_.material().stiffness_N_per_m,
+    contacts[i] = {.stiffness_N_per_m = contact.share * patch_.material().stiffness_N_per_m,
                    .depth_m = contact.penetration.depth_m,
                    .depth_per_m = gradient,
                    // Turning about the centre also moves the frame's origin.
                    .depth_per_rad_m = contact.frame.to_world(contact.penetration.lever_m) +
                                       glm::cross(contact.frame.origin_m - centre_m, gradient),
-                   .damping_N_s_per_m = contact_damping_N_s_per_m_,
+                   .damping_N_s_per_m = contact.share * contact_damping_N_s_per_m_,
                    .friction_N_s_per_m = friction_N_s_per_m(touches_[i]),
                    .n = contact.frame.n,
                    .arm_m = touches_[i].deepest_m - centre_m};
@@ -223,6 +226,7 @@ void PdGradient::watch(double dt_s) noexcept {
   const LeftOut& left = contacts_.left_out();
   count(Limit::left_out, left.pairs + left.regions + left.triangles + left.depths > 0);
   count_any(Limit::kept, [](const Touch& touch) { return touch.contact->is_kept; });
+  count(Limit::wholly_inside, contacts_.is_inside());
 }
 
 namespace {
@@ -296,7 +300,7 @@ std::vector<Parameter> parameters() {
 ForceModel pd_gradient_model() {
   ModelDeclaration declaration{
       .id = "pd_gradient",
-      .version = "1",
+      .version = "2",
       .summary = "Two textured meshes in six degrees of freedom: the gradient of penetration depth",
       .source =
           "Otaduy, Jain, Sud, Lin (2004), Haptic display of interaction between textured models, "

@@ -50,7 +50,8 @@ namespace asperity {
 /// Meshes are not tiled, `tiling` has no meaning.
 ///
 /// Before the device has been clear of the surface once since `reset`, the penetration reported is
-/// never 0, also for a tool that lies wholly inside and cuts nothing, which feels no force.
+/// never 0, also for a tool that lies wholly inside and cuts nothing, which feels no force and is
+/// counted (`wholly_inside`).
 ///
 /// Errors: std::invalid_argument for meshes that are no bodies in contact (see TexturedBody), a
 /// `motion_scale` other than 1, a step that is not 1, 2, 4 or 8 cells, a patch or Material that
@@ -80,6 +81,8 @@ class PdGradient final : public ForceRenderer {
   ///   left_out       pairs, contacts or triangles were more than there is room for, or a contact
   ///                  had no direction or a doubtful depth (LeftOut)
   ///   kept           a contact went on without a curve (TexturedContacts)
+  ///   wholly_inside  a body was wholly in the other, nothing was cut and no force was felt: where the
+  ///                  tool began there, or came there within a tick (TexturedContacts::is_inside)
   std::span<const NamedCount> limits() const noexcept override { return limits_; }
 
   /// Of the last tick, for the bench and for pictures of a contact.
@@ -94,7 +97,8 @@ class PdGradient final : public ForceRenderer {
     fast,
     coarse_window,
     left_out,
-    kept
+    kept,
+    wholly_inside
   };
 
   /// A contact that is felt, and how its deepest point moves.
@@ -123,7 +127,7 @@ class PdGradient final : public ForceRenderer {
   std::span<const TexturedContact> found_{};
   std::array<Touch, TexturedContacts::kMostContacts> touches_{};
   std::size_t touching_ = 0;
-  std::array<NamedCount, 8> limits_;
+  std::array<NamedCount, 9> limits_;
 };
 
 /// Needs a tool and a surface.

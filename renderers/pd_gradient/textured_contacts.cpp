@@ -1,10 +1,13 @@
 #include "renderers/pd_gradient/textured_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -12,6 +15,7 @@ namespace asperity {
 namespace {
 
 constexpr double kAgreement = 0.5;  // cosine between the directions of what is felt as one
+constexpr double kRise = 1.0 / TexturedContacts::kBlendTicks;  // of a share, in a tick
 
 bool is_finite(const Pose& pose) noexcept {
   double sum = 0.0;
@@ -39,6 +43,18 @@ ContactFrame in_body(const Pose& pose, const ContactFrame& frame) noexcept {
           .n = back * frame.n};
 }
 
+/// The smallest side of a box around a body, along the axes of its mesh.
+double thickness_m(const TexturedBody& body) {
+  glm::dvec3 low_m{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high_m = -low_m;
+  for (const glm::dvec3& vertex_m : body.hull().vertices_m) {
+    low_m = glm::min(low_m, vertex_m);
+    high_m = glm::max(high_m, vertex_m);
+  }
+  const glm::dvec3 size_m = high_m - low_m;
+  return std::min({size_m.x, size_m.y, size_m.z});
+}
+
 /// Whether the contact at `frame` is felt in another one's window already.
 bool is_part_of(const ContactFrame& frame, const TexturedContact& other) noexcept {
   if (glm::dot(frame.n, other.frame.n) < kAgreement) return false;
@@ -46,6 +62,10 @@ bool is_part_of(const ContactFrame& frame, const TexturedContact& other) noexcep
   const double half_m = 0.5 * other.grid.width_m;
   return std::abs(way_m.x) <= half_m && std::abs(way_m.y) <= half_m &&
          std::abs(way_m.z) <= other.half_height_m;
+}
+
+glm::dvec3 deepest_m(const TexturedContact& contact) noexcept {
+  return contact.frame.origin_m + contact.frame.to_world(contact.penetration.deepest_m);
 }
 
 /// A region whose whole window lies in that of another contact.
@@ -74,7 +94,8 @@ TexturedContacts::TexturedContacts(TexturedBody a, TexturedBody b, const WindowS
       samplers_(sampling, widest_window_m(a_, b_),
                 std::min(kMostTriangles, std::max(a_.triangles(), b_.triangles())), instructions),
       triangles_a_(std::min(kMostTriangles, a_.triangles())),
-      triangles_b_(std::min(kMostTriangles, b_.triangles())) {
+      triangles_b_(std::min(kMostTriangles, b_.triangles())),
+      thinner_m_(std::min(thickness_m(a_), thickness_m(b_))) {
   contacts_.reserve(kMostContacts);
   before_.reserve(kMostContacts);
 }
@@ -85,12 +106,15 @@ void TexturedContacts::reset() noexcept {
   before_.clear();
   samplers_.reset();
   left_out_ = {};
+  is_first_ = true;
+  is_inside_ = false;
 }
 
 std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pose& b) noexcept {
   left_out_ = {};
   std::swap(before_, contacts_);
   contacts_.clear();
+  is_inside_ = is_inside_ && is_finite(a) && is_finite(b);
   if (!is_finite(a) || !is_finite(b)) return {};
   const std::span<const TrianglePair> pairs = query_.find(relative(a, b));
   left_out_.pairs = query_.count() - pairs.size();
@@ -114,8 +138,20 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
   if (regions.empty() && were_in_contact && (!pairs.empty() || hold_each_other(a, b))) {
     keep_buried(a, b);
   }
+  blend(a, b);
+  look_inside(a, b);
   b_before_ = b;
   return contacts_;
+}
+
+// Faces and their solid angles are many: not in every tick in which a tool is in the air.
+void TexturedContacts::look_inside(const Pose& a, const Pose& b) noexcept {
+  const glm::dvec3 a_in_b_m = relative(a, b).position_m;
+  const bool may_be =
+      is_first_ || is_inside_ || glm::distance(a_in_b_m, a_in_b_before_m_) > thinner_m_;
+  is_inside_ = may_be && contacts_.empty() && query_.count() == 0 && hold_each_other(a, b);
+  a_in_b_before_m_ = a_in_b_m;
+  is_first_ = false;
 }
 
 bool TexturedContacts::touch(const Pose& a, const Pose& b) noexcept {
@@ -149,19 +185,115 @@ double TexturedContacts::depth_before_m(const ContactRegion& region) const noexc
   return depth_m;
 }
 
-void TexturedContacts::keep_buried(const Pose& a, const Pose& b) noexcept {
+// Where a contact of the tick before is now, if n stays with B and the place with A.
+TexturedContact TexturedContacts::gone_on(const TexturedContact& last, const Pose& a,
+                                          const Pose& b) const noexcept {
   const glm::dmat3 turned = b.rotation * glm::transpose(b_before_.rotation);
+  return {.id = last.id,
+          .frame = {.origin_m = a.rotation * last.origin_in_a_m + a.position_m,
+                    .u = turned * last.frame.u,
+                    .v = turned * last.frame.v,
+                    .n = turned * last.frame.n},
+          .width_m = last.width_m,
+          .half_height_m = half_height_m(last.width_m, last.penetration.depth_m)};
+}
+
+void TexturedContacts::keep_buried(const Pose& a, const Pose& b) noexcept {
   for (const TexturedContact& last : before_) {
-    if (!is_felt(last)) continue;
-    add({.id = last.id,
-         .frame = {.origin_m = a.rotation * last.origin_in_a_m + a.position_m,
-                   .u = turned * last.frame.u,
-                   .v = turned * last.frame.v,
-                   .n = turned * last.frame.n},
-         .width_m = last.width_m,
-         .is_kept = true,
-         .half_height_m = half_height_m(last.width_m, last.penetration.depth_m)},
-        a, b);
+    if (!is_felt(last) || last.is_fading) continue;
+    TexturedContact kept = gone_on(last, a, b);
+    kept.is_kept = true;
+    add(kept, a, b);
+  }
+}
+
+// By its name; or else, of those in whose window it was, the one whose deepest place is nearest. As many
+// as there are contacts where none is.
+std::size_t TexturedContacts::successor_of(const TexturedContact& last) const noexcept {
+  std::size_t nearest = contacts_.size();
+  const auto away_m = [&](std::size_t i) {
+    return glm::distance(deepest_m(contacts_[i]), deepest_m(last));
+  };
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    if (contacts_[i].id == last.id) return i;
+    if (!is_part_of(last.frame, contacts_[i])) continue;
+    if (nearest == contacts_.size() || away_m(i) < away_m(nearest)) nearest = i;
+  }
+  return nearest;
+}
+
+// The contact of the tick before that goes on as this one, of those of which it is the successor. Where
+// others joined it, that is the one whose deepest place is nearest to its own; none has its share where
+// that place was in no window before.
+std::size_t TexturedContacts::heir_of(std::size_t contact,
+                                      const Successors& successors) const noexcept {
+  const TexturedContact& now = contacts_[contact];
+  std::size_t heir = kMostContacts;
+  std::size_t nearest = kMostContacts;
+  bool others_joined = false;
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    if (successors[i] != contact) continue;
+    const bool is_same = before_[i].id == now.id;
+    others_joined = others_joined || (!is_same && !before_[i].is_fading);
+    if (is_same && !before_[i].is_fading) heir = i;
+    const auto away_m = [&](std::size_t last) {
+      return glm::distance(deepest_m(before_[last]), deepest_m(now));
+    };
+    if (nearest == kMostContacts || away_m(i) < away_m(nearest)) nearest = i;
+  }
+  if (heir == kMostContacts || others_joined) heir = nearest;
+  if (heir == kMostContacts) return heir;
+  const TexturedContact& last = before_[heir];
+  const glm::dvec3 way_m = last.frame.to_frame(deepest_m(now) - last.frame.origin_m);
+  const bool was_seen = std::max(std::abs(way_m.x), std::abs(way_m.y)) <= 0.5 * last.grid.width_m;
+  return was_seen ? heir : kMostContacts;
+}
+
+// Of what was one contact, what is nearest to its deepest place has its share.
+void TexturedContacts::part(const TexturedContact& last, TexturedContact& heir) noexcept {
+  TexturedContact* nearest = &heir;
+  for (TexturedContact& contact : contacts_) {
+    if (contact.share > kRise || &contact == &heir || !is_part_of(contact.frame, last)) continue;
+    if (glm::distance(deepest_m(contact), deepest_m(last)) <
+        glm::distance(deepest_m(*nearest), deepest_m(last))) {
+      nearest = &contact;
+    }
+  }
+  std::swap(nearest->share, heir.share);
+}
+
+void TexturedContacts::blend(const Pose& a, const Pose& b) noexcept {
+  const std::size_t now = contacts_.size();
+  Successors successors{};
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    successors[i] = is_felt(before_[i]) ? successor_of(before_[i]) : now;
+  }
+  std::array<std::size_t, kMostContacts> heirs{};
+  bool parts = false;
+  for (std::size_t i = 0; i < now; ++i) {
+    heirs[i] = heir_of(i, successors);
+    const bool had_any = std::any_of(before_.begin(), before_.end(), [&](const auto& last) {
+      return is_felt(last) && (last.id == contacts_[i].id || is_part_of(contacts_[i].frame, last));
+    });
+    if (heirs[i] < kMostContacts) {
+      contacts_[i].share = std::min(1.0, before_[heirs[i]].share + kRise);
+    } else if (had_any) {
+      contacts_[i].share = kRise;
+      parts = true;
+    }
+  }
+  for (std::size_t i = 0; parts && i < now; ++i) {
+    if (heirs[i] < kMostContacts) part(before_[heirs[i]], contacts_[i]);
+  }
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    const TexturedContact& last = before_[i];
+    const bool has_successor = successors[i] < now;
+    if (has_successor ? heirs[successors[i]] == i : !(is_felt(last) && last.is_fading)) continue;
+    if (last.share <= kRise || contacts_.size() == kMostContacts) continue;
+    TexturedContact fading = gone_on(last, a, b);
+    fading.share = last.share - kRise;
+    fading.is_fading = true;
+    add(fading, a, b);
   }
 }
 
@@ -197,7 +329,7 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
     patch_b.triangles = triangles_in(b_, b, contact.frame, 1.0, box, triangles_b_);
   }
   const std::optional<Penetration> found = window.sampler.evaluate(patch_a, patch_b, contact.frame);
-  if (!found && contact.is_kept) return;
+  if (!found && (contact.is_kept || contact.is_fading)) return;
   contact.penetration = found.value_or(Penetration{});
   contact.is_doubtful = !found || found->depth_m > contact.reach_m;
   left_out_.depths += found && contact.is_doubtful ? 1 : 0;

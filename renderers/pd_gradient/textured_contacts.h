@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -26,6 +27,8 @@ struct TexturedContact {
   double width_m = 0.0;  ///< of the region
   SamplingGrid grid{};   ///< the window that was sampled, as wide or wider
   Penetration penetration{};
+  double share = 1.0;             ///< of its force that is felt; less while contacts part or join
+  bool is_fading = false;         ///< another contact took its place; its share falls to 0
   bool is_kept = false;           ///< its curve is gone; the frame goes on from the tick before
   bool is_coarse = false;         ///< sampled with a step that is longer than the declared one
   bool is_at_window = false;      ///< the deepest sample lies at the border of the window
@@ -69,10 +72,18 @@ struct LeftOut {
 /// one body holds the other, the contacts that were deep in the tick before are therefore kept: n
 /// stays with B, the origin goes on with A, the window stays, until δ is not positive any more. Limits:
 /// n is the one from before, and the deepest place of a body that is wider than the last window may
-/// lie outside it; of a body in several parts only all can be kept. A body that goes from outside to
-/// wholly inside within one tick is not noticed.
+/// lie outside it; of a body in several parts only all can be kept. A body that is wholly inside
+/// without having been felt on the way has no n and makes no contact; `is_inside` says so.
 ///
-/// Where one contact becomes two, or two one, the force jumps: each has a depth of its own.
+/// Where one contact becomes two, or two one, the sum of their forces would jump: each has a depth of
+/// its own. So a contact's force counts by its `share`, which rises or falls by 1/kBlendTicks in a tick:
+/// of contacts that become one, that goes on whose deepest place is the new one's and the others fade,
+/// each with its own window; of a contact that parts, the one that holds its deepest place goes on and
+/// the others rise. What a wider window holds beside what was felt rises likewise.
+/// The sum of the shares is never above the number of contacts on either side. For these ticks the force
+/// depends on time too: it lags, and takes energy from a hand that presses contacts together and lifts
+/// them apart. On every path that was measured energy was taken and none given
+/// (textured_contacts_test.cpp).
 ///
 /// Where the window ends before the bodies do, as of a pen that leans and is pressed deeper than its
 /// own radius, the deepest sample lies at the window's border and δ is a lower bound.
@@ -88,6 +99,7 @@ class TexturedContacts final {
   static constexpr std::size_t kMostContacts = 16;
   static constexpr std::size_t kMostTriangles = 8192;  ///< of a body in one window
   static constexpr double kReachGrowth_m = 1e-4;       ///< in a tick
+  static constexpr int kBlendTicks = 10;
 
   TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
                    InstructionSet instructions);
@@ -101,6 +113,11 @@ class TexturedContacts final {
   /// Of the last `find`.
   const LeftOut& left_out() const noexcept { return left_out_; }
 
+  /// Of the last `find`: one body was wholly in the other, nothing was cut and no contact was kept. It
+  /// is looked for where it can have come about: in the first call after `reset`, where A has moved
+  /// further than a body is thick since the call before, and from then on until it is over.
+  bool is_inside() const noexcept { return is_inside_; }
+
   /// Whether the hulls cut each other or one is in the other. Leaves the contacts alone.
   bool touch(const Pose& a, const Pose& b) noexcept;
 
@@ -112,7 +129,15 @@ class TexturedContacts final {
   double half_height_m(double width_m, double last_depth_m) const noexcept;
   double depth_before_m(const ContactRegion& region) const noexcept;
   bool hold_each_other(const Pose& a, const Pose& b) const noexcept;
+  void look_inside(const Pose& a, const Pose& b) noexcept;
   void keep_buried(const Pose& a, const Pose& b) noexcept;
+  TexturedContact gone_on(const TexturedContact& last, const Pose& a, const Pose& b) const noexcept;
+  void blend(const Pose& a, const Pose& b) noexcept;
+  /// Of each contact of the tick before, which of the present ones has its place.
+  using Successors = std::array<std::size_t, kMostContacts>;
+  std::size_t successor_of(const TexturedContact& last) const noexcept;
+  std::size_t heir_of(std::size_t contact, const Successors& successors) const noexcept;
+  void part(const TexturedContact& last, TexturedContact& heir) noexcept;
   std::span<const std::uint32_t> triangles_in(const TexturedBody& body, const Pose& pose,
                                               const ContactFrame& frame, double outwards,
                                               const WindowBox& box,
@@ -129,6 +154,10 @@ class TexturedContacts final {
   std::vector<TexturedContact> before_{};
   Pose b_before_{};
   LeftOut left_out_{};
+  double thinner_m_ = 0.0;  // the smallest extent of the smaller body
+  glm::dvec3 a_in_b_before_m_{0.0};
+  bool is_first_ = true;
+  bool is_inside_ = false;
 };
 
 }  // namespace asperity

@@ -76,6 +76,18 @@ TEST_F(RenderBodies, ABallOnAPlateIsASpring) {
   EXPECT_NEAR(last("fx_N"), 0.0, 0.002);
 }
 
+TEST_F(RenderBodies, SaysWhenThePathBeginsWhollyInside) {
+  const std::vector<std::string> bodies{"--stimulus", "box:0.02,0.02,0.02", "--tool",
+                                        "sphere:0.006"};
+  const Outcome inside = render({{.z_m = 0.0}, {.z_m = -0.0001}}, bodies);
+  EXPECT_EQ(inside.status, 0);
+  EXPECT_THAT(inside.err, HasSubstr("wholly_inside in 2 of 2 ticks"));
+  EXPECT_EQ(last("fz_N"), 0.0);
+  const Outcome above = render({{.z_m = 0.0135}, {.z_m = 0.0128}}, bodies);
+  EXPECT_GT(last("fz_N"), 0.0);
+  EXPECT_THAT(above.err, testing::Not(HasSubstr("wholly_inside")));
+}
+
 // Upright the rod of 8 mm ends above the plate while its middle is above 4 mm; on its side, above 3 mm.
 TEST_F(RenderBodies, OrientationsOfThePathTurnTheTool) {
   const std::vector<std::string> bodies{"--stimulus", "plane:0.02,0.02", "--tool",

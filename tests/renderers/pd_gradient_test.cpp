@@ -166,6 +166,33 @@ TEST(PdGradient, FeelsAContactAtTheEndOfALongToolAsATorque) {
   }
 }
 
+// While contacts join, each is felt by its share.
+TEST(PdGradient, FeelsContactsByTheirShares) {
+  RendererInputs inputs = ball_on_plate(direct({{"step_m", 0.2e-3}, {"cell_m", 0.2e-3}}));
+  inputs.parameters = complete_values(pd_gradient_model().declaration, inputs.parameters);
+  inputs.tool = shared(bare(bumpy_torus(30, 20)));
+  inputs.surface = shared(bare(box({0.1, 0.1, 0.1})));
+  PdGradient renderer(inputs, instruction_sets_here().back());
+  ProbeState probe = probe_at({});
+  probe.orientation = glm::angleAxis(0.02, glm::normalize(glm::dvec3{1.0, 0.1, 0.2}));
+  int shared_ticks = 0;
+  for (int i = 0; i < 300; ++i) {
+    probe.position_m.z = 0.05 + 0.0142 - 1e-5 * i;
+    if (i == 0) renderer.reset(probe);
+    const glm::dvec3 force_N = renderer.tick(probe, kTick_s).wrench.force_N;
+    glm::dvec3 sum_N{0.0};
+    bool is_shared = false;
+    for (const TexturedContact& contact : renderer.contacts()) {
+      if (!is_felt(contact)) continue;
+      sum_N += contact_wrench(contact.penetration, contact.frame, contact.share * 1000.0).force_N;
+      is_shared = is_shared || contact.share < 1.0;
+    }
+    ASSERT_LT(glm::distance(force_N, sum_N), 1e-9) << i;
+    shared_ticks += is_shared ? 1 : 0;
+  }
+  EXPECT_GT(shared_ticks, 10);
+}
+
 TEST(PdGradient, SharesAPressBetweenCouplingAndContact) {
   const auto renderer = renderer_of(ball_on_plate({{"texture_gain", 0.0}}));
   ProbeState probe = probe_at({0.0, 0.0, 0.5e-3});
@@ -446,6 +473,36 @@ TEST(PdGradient, CountsTheTicksInWhichAContactIsKept) {
     renderer->tick(probe, kTick_s);
   }
   EXPECT_GT(ticks_of(*renderer, "kept"), 20U);
+}
+
+TEST(PdGradient, CountsTheTicksInWhichAToolLiesWhollyInsideAndIsNotFelt) {
+  for (const char* coupling : {"none", "virtual"}) {
+    const auto renderer = renderer_of(ball_on_plate({{"coupling", std::string(coupling)}}));
+    const ProbeState inside = probe_at({0.0, 0.0, -5e-3});
+    const ProbeState above = probe_at({0.0, 0.0, 1e-3});
+    renderer->reset(inside);
+    EXPECT_EQ(held(*renderer, inside, 20).wrench.force_N, glm::dvec3(0.0)) << coupling;
+    EXPECT_EQ(ticks_of(*renderer, "wholly_inside"), 20U) << coupling;
+    EXPECT_EQ(ticks_of(*renderer, "contact"), 0U) << coupling;
+    held(*renderer, above, 300);
+    const std::uint64_t until_then = ticks_of(*renderer, "wholly_inside");
+    held(*renderer, above, 100);
+    EXPECT_EQ(ticks_of(*renderer, "wholly_inside"), until_then) << coupling;
+    // Deeper than its size in a tick; the simulated tool of a coupling does not jump.
+    renderer->reset(above);
+    held(*renderer, above, 3);
+    held(*renderer, inside, 5);
+    if (std::string(coupling) == "none") {
+      EXPECT_EQ(ticks_of(*renderer, "wholly_inside"), until_then + 5U);
+    }
+    // Pressed in from above it is felt all the way.
+    renderer->reset(above);
+    const std::uint64_t before = ticks_of(*renderer, "wholly_inside");
+    for (double z_m = 1e-3; z_m > -5e-3; z_m -= 0.05e-3) {
+      renderer->tick(probe_at({0.0, 0.0, z_m}), kTick_s);
+    }
+    EXPECT_EQ(ticks_of(*renderer, "wholly_inside"), before) << coupling;
+  }
 }
 
 TEST(PdGradient, RefusesWhatItCannotRender) {

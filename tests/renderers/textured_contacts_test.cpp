@@ -43,7 +43,8 @@ Pose moved(const Pose& motion, const Pose& pose) {
 Wrench wrench_about(const glm::dvec3& point_m, std::span<const TexturedContact> contacts) {
   Wrench sum{};
   for (const TexturedContact& contact : contacts) {
-    const Wrench one = contact_wrench(contact.penetration, contact.frame, kStiffness_N_per_m);
+    const Wrench one =
+        contact_wrench(contact.penetration, contact.frame, contact.share * kStiffness_N_per_m);
     sum.force_N += one.force_N;
     sum.torque_N_m += one.torque_N_m + glm::cross(contact.frame.origin_m - point_m, one.force_N);
   }
@@ -161,8 +162,8 @@ TEST_F(BallOnGratedPlate, FeelsTheOppositeOnceTheBodiesChangePlaces) {
             2e-6 * glm::length(on_ball.force_N));
 }
 
-// A quarter turn takes the grid's axes to one another; any other turn takes it to other samples.
-TEST_F(BallOnGratedPlate, TurnsWithTheBodiesUpToTheSampling) {
+// The grid's axes begin along the plate's and turn with it: what is left is single precision.
+TEST_F(BallOnGratedPlate, TurnsWithTheBodies) {
   const Pose ball = at({0.21e-3, 0.05e-3, -0.1e-3});
   const auto turned_error = [&](const Pose& motion) {
     TexturedContacts contacts = between(ball_, plate_, hard(25e-6, 4));
@@ -175,15 +176,12 @@ TEST_F(BallOnGratedPlate, TurnsWithTheBodiesUpToTheSampling) {
         relative(is.force_N - motion.rotation * was.force_N, was.force_N),
         glm::length(is.torque_N_m - motion.rotation * was.torque_N_m) / glm::length(was.force_N)};
   };
-  const auto [force, lever_m] = turned_error({.rotation = turn_about({0, 0, 1}, 0.5 * kPi)});
-  EXPECT_LT(force, 1e-4);
-  EXPECT_LT(lever_m, 1e-6);
   for (const glm::dvec3& axis :
        {glm::dvec3{0, 0, 1}, glm::dvec3{0.3, -0.8, 0.5}, glm::dvec3{1, 0.2, -0.1}}) {
-    const auto [any_force, any_lever_m] =
+    const auto [force, lever_m] =
         turned_error({.rotation = turn_about(axis, 1.1), .position_m = {0.1, -0.2, 0.05}});
-    EXPECT_LT(any_force, 0.01);
-    EXPECT_LT(any_lever_m, 10e-6);
+    EXPECT_LT(force, 1e-4);
+    EXPECT_LT(lever_m, 1e-6);
   }
 }
 
@@ -222,7 +220,7 @@ TEST_F(BallOnPlateWithPoints, FollowsTheArcsOfTheOffsetSurface) {
     const double along_m = std::sqrt(kRadius_m * kRadius_m - beside_m * beside_m);
     EXPECT_NEAR(found.depth_m, kHeight_m + kSunk_m - (kRadius_m - along_m),
                 0.01 * (kRadius_m - along_m));
-    EXPECT_NEAR(found.slope.x, -beside_m / along_m, 0.015 * beside_m / along_m) << x_m;
+    EXPECT_NEAR(found.slope.x, -beside_m / along_m, 0.01 * beside_m / along_m) << x_m;
   }
 }
 
@@ -295,6 +293,96 @@ TEST(TexturedContacts, AreContinuousAlongASlowPath) {
   }
   // 10 µm are 5 % of a period's phase, 0.07 of the RMS of a sine; at the crests it goes faster.
   EXPECT_LT(largest_N, 0.35 * std::sqrt(squares_N2 / kTicks));
+}
+
+// A bumpy ring that lies on a block and rocks, pressed and lifted: bumps become one contact and part.
+class RingOnABlock : public testing::Test {
+ protected:
+  static glm::dmat3 rocked(double phase) {
+    return turn_about({1, 0.1, 0.2}, 0.02 + 0.05 * std::sin(phase)) *
+           turn_about({0, 1, 0}, 0.04 * std::sin(1.7 * phase)) * turn_about({0, 0, 1}, 0.1 * phase);
+  }
+  // That much deeper than where it touches first.
+  Pose pressed(double phase, double depth_m) const {
+    const glm::dmat3 turn = rocked(phase);
+    double lowest_m = 1.0;
+    for (const glm::dvec3& vertex_m : ring_.vertices_m) {
+      lowest_m = std::min(lowest_m, (turn * vertex_m).z);
+    }
+    return {.rotation = turn, .position_m = {0.3e-3 * phase, 0.0, 0.05 - lowest_m - depth_m}};
+  }
+  const TexturedMesh ring_ = bare(bumpy_torus(30, 20));
+  const TexturedMesh block_ = bare(box({0.1, 0.1, 0.1}));
+  WindowSampling sampling_{.law = HardMaximum{.step_m = 0.2e-3}, .cell_m = 0.2e-3};
+};
+
+TEST_F(RingOnABlock, JumpsLittleWhereContactsPartAndJoin) {
+  TexturedContacts contacts = between(ring_, block_, sampling_);
+  constexpr int kTicks = 1000;
+  const auto pose = [&](int tick) {
+    const double phase = 2.0 * kPi * (0.45 + 0.5 * tick / kTicks);
+    return pressed(phase, 1e-3 + 0.8e-3 * std::sin(7.0 * phase));
+  };
+  for (int tick = 0; tick < 30; ++tick) contacts.find(pose(0), {});  // what is new rises once
+  struct Jumps {
+    glm::dvec3 before_N{0.0};
+    double largest_N = 0.0;
+    double squares_N2 = 0.0;
+    void add(const glm::dvec3& force_N, bool is_first) {
+      if (!is_first) largest_N = std::max(largest_N, glm::distance(force_N, before_N));
+      squares_N2 += glm::dot(force_N, force_N);
+      before_N = force_N;
+    }
+    double of_rms() const { return largest_N / std::sqrt(squares_N2 / kTicks); }
+  };
+  Jumps felt;
+  Jumps whole;  // as if every contact counted wholly from its first tick to its last
+  for (int tick = 0; tick < kTicks; ++tick) {
+    glm::dvec3 whole_N{0.0};
+    const auto found = contacts.find(pose(tick), {});
+    for (const TexturedContact& contact : found) {
+      EXPECT_GT(contact.share, 0.0);
+      EXPECT_LE(contact.share, 1.0);
+      if (contact.is_fading || !is_felt(contact)) continue;
+      whole_N += contact_wrench(contact.penetration, contact.frame, kStiffness_N_per_m).force_N;
+    }
+    felt.add(wrench_about({}, found).force_N, tick == 0);
+    whole.add(whole_N, tick == 0);
+  }
+  RecordProperty("jumps_of_rms",
+                 std::to_string(felt.of_rms()) + " " + std::to_string(whole.of_rms()));
+  EXPECT_GT(whole.of_rms(), 0.5);
+  EXPECT_LT(felt.of_rms(), 0.2);
+}
+
+// Net over gross work of pressing and lifting without rocking. The shares lag, and less the slower it goes.
+TEST_F(RingOnABlock, TakesALittleEnergyFromAHandThatPressesAndLifts) {
+  const auto net_over_gross = [&](int ticks) {
+    TexturedContacts contacts = between(ring_, block_, sampling_);
+    const auto pose = [&](int tick) {
+      return pressed(0.0, 1e-3 - 0.8e-3 * std::cos(2.0 * kPi * tick / ticks));
+    };
+    double net_J = 0.0;
+    double gross_J = 0.0;
+    for (int tick = 0; tick < ticks; ++tick) {
+      const Pose from = pose(tick);
+      const Pose to = pose(tick + 1);
+      const Pose half{.rotation = from.rotation,
+                      .position_m = 0.5 * (from.position_m + to.position_m)};
+      const double work_J = glm::dot(wrench_about({}, contacts.find(half, {})).force_N,
+                                     to.position_m - from.position_m);
+      net_J += work_J;
+      gross_J += std::abs(work_J);
+    }
+    return net_J / gross_J;
+  };
+  const double fast = net_over_gross(400);
+  const double slow = net_over_gross(1600);
+  RecordProperty("net_over_gross", std::to_string(fast) + " " + std::to_string(slow));
+  EXPECT_LT(fast, 0.0);
+  EXPECT_GT(fast, -0.15);
+  EXPECT_LT(slow, 0.0);
+  EXPECT_GT(slow, 0.6 * fast);
 }
 
 TEST(TexturedContacts, OfABoxThatLiesOnAPlateAreOne) {
@@ -440,6 +528,32 @@ TEST(TexturedContacts, LetGoOfAKeptBodyThatLeavesTheOther) {
   for (double z_m = 5.5e-3; z_m > 3e-3; z_m -= 50e-6) contacts.find(at({0.0, 0.0, z_m}), {});
   contacts.reset();
   EXPECT_TRUE(contacts.find(at({0.0, 0.0, 3e-3}), {}).empty());
+}
+
+TEST(TexturedContacts, SayThatABodyIsInsideWithoutHavingBeenFelt) {
+  const TexturedMesh tool = bare(ball(1e-3, 12, 16));
+  const TexturedMesh block = bare(box({0.01, 0.01, 0.01}));
+  TexturedContacts contacts = between(tool, block, hard(0.1e-3));
+  const auto is_inside = [&](const glm::dvec3& place_m) {
+    contacts.find(at(place_m), {});
+    return contacts.is_inside();
+  };
+  EXPECT_TRUE(is_inside({0.0, 0.0, 0.0}));  // in the first call
+  EXPECT_TRUE(is_inside({0.0, 0.0, 0.1e-3}));
+  EXPECT_FALSE(is_inside({0.0, 0.0, 8e-3}));
+  EXPECT_FALSE(is_inside({0.02, 0.0, 0.0}));
+  EXPECT_TRUE(is_inside({0.0, 0.0, 0.0}));  // from outside in one call
+  EXPECT_FALSE(is_inside({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}));
+  contacts.reset();
+  for (double z_m = 6.5e-3; z_m > 0.0; z_m -= 50e-6) {  // kept on the way in
+    EXPECT_FALSE(is_inside({0.0, 0.0, z_m})) << z_m;
+  }
+  contacts.reset();
+  EXPECT_TRUE(is_inside({0.0, 0.0, 0.0}));
+  // The tool may be the larger one.
+  TexturedContacts around = between(block, tool, hard(0.1e-3));
+  around.find({}, {});
+  EXPECT_TRUE(around.is_inside());
 }
 
 TEST(TexturedContacts, SayWhetherBodiesTouchOrHoldEachOther) {

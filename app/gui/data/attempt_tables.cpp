@@ -133,6 +133,9 @@ QString limit_words(const std::string& kind) {
     return MeasureTables::tr("there were more contacts than there is room for");
   }
   if (kind == "kept") return MeasureTables::tr("a contact went on although nothing was cut");
+  if (kind == "wholly_inside") {
+    return MeasureTables::tr("the tool lay wholly inside the surface, where nothing is felt");
+  }
   return text(kind).replace('_', ' ');
 }
 
