@@ -134,11 +134,15 @@ ContactRegions::ContactRegions(const TriangleMesh& a, const TriangleMesh& b,
     : a_(a), b_(b), maximum_regions_(maximum_regions) {
   segments_.reserve(maximum_pairs);
   parents_.reserve(maximum_pairs);
-  order_.reserve(maximum_pairs);
+  before_it_.resize(maximum_pairs);
+  last_with_a_.assign(a_.triangles.size(), kNone);
+  last_with_b_.assign(b_.triangles.size(), kNone);
   sum_of_root_.reserve(maximum_pairs);
   sums_.reserve(maximum_pairs);
+  half_extents_m_.reserve(maximum_regions);
   kept_.reserve(maximum_regions);
   before_.reserve(maximum_regions);
+  lasts_.reserve(maximum_regions);
   taken_.reserve(maximum_regions);
 }
 
@@ -160,30 +164,24 @@ void ContactRegions::join(std::uint32_t one, std::uint32_t other) noexcept {
 // A curve goes from one pair to the next through an edge or a corner of one mesh, while the triangle
 // of the other mesh stays the same.
 void ContactRegions::join_neighbours(std::span<const TrianglePair> pairs) noexcept {
-  const auto join_groups = [&](auto same, auto neighbours) {
-    for (std::size_t begin = 0; begin < order_.size();) {
-      std::size_t end = begin + 1;
-      while (end < order_.size() && same(order_[begin], order_[end])) ++end;
-      for (std::size_t i = begin; i < end; ++i) {
-        for (std::size_t j = i + 1; j < end; ++j) {
-          if (neighbours(order_[i], order_[j])) join(order_[i], order_[j]);
-        }
+  const auto join_sharing = [&](std::uint32_t TrianglePair::*shared,
+                                std::vector<std::uint32_t>& last, auto neighbours) {
+    for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+      std::uint32_t& last_with_it = last[pairs[i].*shared];
+      for (std::uint32_t j = last_with_it; j != kNone; j = before_it_[j]) {
+        if (neighbours(pairs[i], pairs[j])) join(i, j);
       }
-      begin = end;
+      before_it_[i] = last_with_it;
+      last_with_it = i;
     }
+    for (const TrianglePair& pair : pairs) last[pair.*shared] = kNone;
   };
-  std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return std::pair(pairs[i].a, i) < std::pair(pairs[j].a, j);
+  join_sharing(&TrianglePair::a, last_with_a_, [this](const auto& one, const auto& other) {
+    return b_.are_neighbours(one.b, other.b);
   });
-  join_groups(
-      [&](std::uint32_t i, std::uint32_t j) { return pairs[i].a == pairs[j].a; },
-      [&](std::uint32_t i, std::uint32_t j) { return b_.are_neighbours(pairs[i].b, pairs[j].b); });
-  std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return std::pair(pairs[i].b, i) < std::pair(pairs[j].b, j);
+  join_sharing(&TrianglePair::b, last_with_b_, [this](const auto& one, const auto& other) {
+    return a_.are_neighbours(one.a, other.a);
   });
-  join_groups(
-      [&](std::uint32_t i, std::uint32_t j) { return pairs[i].b == pairs[j].b; },
-      [&](std::uint32_t i, std::uint32_t j) { return a_.are_neighbours(pairs[i].a, pairs[j].a); });
 }
 
 void ContactRegions::add_up() noexcept {
@@ -233,17 +231,23 @@ const ContactRegion* ContactRegions::before(const glm::dvec3& origin_m) noexcept
   return &before_[nearest];
 }
 
-double ContactRegions::half_extent_m(const ContactFrame& frame, std::uint32_t root) noexcept {
-  double extent_m = 0.0;
+// Of all regions that are kept, along u or v from their origins.
+void ContactRegions::find_half_extents() noexcept {
+  half_extents_m_.assign(kept_.size(), 0.0);
+  // The regions are in the order of their sums; what was left out has none.
+  sum_of_root_.assign(segments_.size(), kNone);
+  for (std::uint32_t i = 0; i < sums_.size(); ++i) sum_of_root_[sums_[i].root] = i;
   for (std::uint32_t pair = 0; pair < segments_.size(); ++pair) {
-    if (root_of(pair) != root || segments_[pair].length_m == 0.0) continue;
+    const std::uint32_t region = sum_of_root_[root_of(pair)];
+    if (region == kNone || segments_[pair].length_m == 0.0) continue;
+    const ContactFrame& frame = kept_[region].frame;
+    double& extent_m = half_extents_m_[region];
     for (const glm::dvec3& end : segments_[pair].ends_m) {
       const glm::dvec3 way = end - frame.origin_m;
       extent_m =
           std::max({extent_m, std::abs(glm::dot(frame.u, way)), std::abs(glm::dot(frame.v, way))});
     }
   }
-  return extent_m;
 }
 
 std::span<const ContactRegion> ContactRegions::update(std::span<const TrianglePair> pairs,
@@ -277,24 +281,27 @@ std::span<const ContactRegion> ContactRegions::update(std::span<const TrianglePa
   }
   parents_.resize(pairs.size());
   std::iota(parents_.begin(), parents_.end(), 0U);
-  order_ = parents_;
   join_neighbours(pairs);
   add_up();
   keep_longest();
+  lasts_.clear();
   for (const Sum& sum : sums_) {
     const glm::dvec3 origin_m = sum.middles / sum.length_m;
     const glm::dvec3 n = glm::normalize(sum.normals);
     const ContactRegion* last = before(origin_m);
-    ContactRegion region{.id = last == nullptr ? next_id_++ : last->id,
-                         .frame = last == nullptr ? first_frame(origin_m, n, b.rotation)
-                                                  : led_frame(last->frame, origin_m, n),
-                         .pairs = sum.pairs};
-    const double needed_m =
-        stepped_width_m(std::max(2.0 * half_extent_m(region.frame, sum.root), kSmallestWidth_m));
+    lasts_.push_back(last);
+    kept_.push_back({.id = last == nullptr ? next_id_++ : last->id,
+                     .frame = last == nullptr ? first_frame(origin_m, n, b.rotation)
+                                              : led_frame(last->frame, origin_m, n),
+                     .pairs = sum.pairs});
+  }
+  find_half_extents();
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    const double needed_m = stepped_width_m(std::max(2.0 * half_extents_m_[i], kSmallestWidth_m));
+    const ContactRegion* last = lasts_[i];
     const bool fits = last != nullptr && needed_m <= last->width_m &&
                       last->width_m <= needed_m * kWidthStep * kWidthStep * 1.0001;
-    region.width_m = fits ? last->width_m : needed_m;
-    kept_.push_back(region);
+    kept_[i].width_m = fits ? last->width_m : needed_m;
   }
   return kept_;
 }

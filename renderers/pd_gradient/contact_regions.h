@@ -96,7 +96,7 @@ class ContactRegions final {
   void add_up() noexcept;
   void keep_longest() noexcept;
   const ContactRegion* before(const glm::dvec3& origin_m) noexcept;
-  double half_extent_m(const ContactFrame& frame, std::uint32_t root) noexcept;
+  void find_half_extents() noexcept;
 
   Body a_;
   Body b_;
@@ -104,12 +104,17 @@ class ContactRegions final {
   // As long as the pairs of the last update; reserved before.
   std::vector<Segment> segments_{};
   std::vector<std::uint32_t> parents_{};
-  std::vector<std::uint32_t> order_{};
+  std::vector<std::uint32_t> before_it_{};  // the pair before with the same triangle
   std::vector<std::uint32_t> sum_of_root_{};
   std::vector<Sum> sums_{};
   std::vector<ContactRegion> kept_{};
   std::vector<ContactRegion> before_{};
   std::vector<bool> taken_{};
+  std::vector<const ContactRegion*> lasts_{};  // of those kept, what they were in the tick before
+  std::vector<double> half_extents_m_{};
+  // Of every triangle, the last pair with it while pairs are joined.
+  std::vector<std::uint32_t> last_with_a_{};
+  std::vector<std::uint32_t> last_with_b_{};
   std::uint64_t next_id_ = 0;
   std::size_t left_out_ = 0;
 };

@@ -216,6 +216,8 @@ std::size_t TexturedContacts::successor_of(const TexturedContact& last) const no
   };
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     if (contacts_[i].id == last.id) return i;
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
     if (!is_part_of(last.frame, contacts_[i])) continue;
     if (nearest == contacts_.size() || away_m(i) < away_m(nearest)) nearest = i;
   }
