@@ -83,6 +83,9 @@ class Meaning final {
   bool brings_its_relief(const StimulusTemplate& stimulus, const std::string& pointer);
   bool is_on_a_body(const StimulusTemplate& stimulus, const std::string& texture,
                     const std::string& pointer);
+  /// What values contradict together, that were acceptable one by one.
+  void check_together(const ModelDeclaration& model, const ParameterValues& given,
+                      const std::string& pointer);
   void check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer);
   void check_flow();
   void check_block(const Protocol::Block& block, const std::string& pointer);
@@ -92,7 +95,7 @@ class Meaning final {
   void check_criterion(const Protocol::Block& block, const std::string& pointer);
   void check_size();
   void check_trials();
-  Protocol with_every_possible_trial();
+  void check_draws();
   void check_expectation(const Trial& trial, const std::string& pointer);
 
   /// The texts that a binding can stand for, each with the place to complain at.

@@ -49,6 +49,7 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Protocol::Pr
   const StimulusTemplate& source = protocol.stimuli.at(presented.stimulus);
   PlannedPresentation planned{};
   planned.role = presented.role;
+  planned.stimulus_template = source.name;
   planned.stimulus.model = resolved(source.model, factors, presented.with);
   planned.stimulus.texture = resolved(source.texture, factors, presented.with);
   planned.stimulus.name = source.name;
@@ -357,6 +358,32 @@ std::vector<std::size_t> Planner::counterbalanced(const std::string& factor,
 
 Plan make_plan(const Protocol& protocol, const Allocation& allocation) {
   return Planner(protocol, allocation).make();
+}
+
+std::vector<Trial> possible_trials(const Protocol& protocol) {
+  Protocol every = protocol;
+  for (auto& [name, block] : every.blocks) {
+    block.order = Block::Order::fixed;
+    block.positions = Block::Positions::as_listed;
+    block.repetitions = 1;
+    block.maximum_in_a_row.clear();
+    block.until.reset();
+    if (block.listed.empty()) {
+      block.crossed.insert(block.crossed.end(), block.drawn.begin(), block.drawn.end());
+    }
+    for (const std::string& factor : block.drawn) {
+      std::vector<FactorLevels> longer{};
+      for (const FactorLevels& row : block.listed) {
+        for (const Level& level : protocol.factors.at(factor).levels) {
+          longer.push_back(row);
+          longer.back()[factor] = level;
+        }
+      }
+      block.listed = std::move(longer);
+    }
+    block.drawn.clear();
+  }
+  return make_plan(every, Allocation{}).trials;
 }
 
 int counterbalance_rows(const Protocol& protocol) {

@@ -20,6 +20,7 @@ struct PlannedPresentation {
   std::string role{};  ///< "alternative", "target"
   std::string item{};  ///< what it is an instance of: the model (selection) or texture it shows
   std::string code{};  ///< what blinded people see of it: "A" for the first position, then "B", …
+  std::string stimulus_template{};  ///< that the stimulus fills in, as the protocol calls it
   StimulusDescription stimulus{};
   std::optional<EqualForce> equal_force{};
 };
@@ -85,6 +86,10 @@ struct Allocation {
 /// Errors: std::runtime_error when a constraint on the order cannot be met (a protocol that passed
 /// `read_protocol` has been tried and does not throw).
 Plan make_plan(const Protocol& protocol, const Allocation& allocation);
+
+/// Every trial that a session can have, whatever is drawn: each combination once, in no order that
+/// anybody is asked in.
+std::vector<Trial> possible_trials(const Protocol& protocol);
 
 /// Number of rows after which the counterbalancing repeats; 1 without counterbalancing.
 int counterbalance_rows(const Protocol& protocol);

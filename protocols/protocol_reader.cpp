@@ -31,6 +31,12 @@ Diagnostic place_of_body(const Protocol& protocol, const std::string& file_name,
   return JsonDocument(protocol.source, file_name).at_key(pointer_to("/bodies", body), "");
 }
 
+Diagnostic place_of_stimulus(const Protocol& protocol, const std::string& file_name,
+                             const std::string& stimulus_template) {
+  return JsonDocument(protocol.source, file_name)
+      .at_key(pointer_to("/stimuli", stimulus_template), "");
+}
+
 std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name) {
   const JsonDocument document(protocol.source, file_name);
   std::vector<NamedFile> files{};

@@ -37,6 +37,9 @@ struct NamedFile {
 /// Where the body of that name stands; filled but for its message.
 Diagnostic place_of_body(const Protocol& protocol, const std::string& file_name,
                          const std::string& body);
+/// Likewise of the template of stimuli of that name.
+Diagnostic place_of_stimulus(const Protocol& protocol, const std::string& file_name,
+                             const std::string& stimulus_template);
 std::vector<NamedFile> files_of(const Protocol& protocol, const std::string& file_name);
 
 }  // namespace asperity

@@ -95,7 +95,36 @@ void Meaning::check_stimulus(const StimulusTemplate& stimulus, const std::string
       }
     }
   }
+  // What a factor stands for is looked at in the trials in which it does.
+  ParameterValues constants{};
+  for (const auto& [name, binding] : stimulus.parameters) {
+    if (binding.value) constants.emplace(name, *binding.value);
+  }
+  if (constants.size() == stimulus.parameters.size()) {
+    for (const ModelDeclaration* const model : models) check_together(*model, constants, pointer);
+  }
   if (stimulus.equal_force) check_equal_force(stimulus, pointer);
+}
+
+void Meaning::check_together(const ModelDeclaration& model, const ParameterValues& given,
+                             const std::string& pointer) {
+  if (!model.conflict_among) return;
+  ParameterValues complete{};
+  for (const Parameter& declared : model.parameters) {
+    const auto found = given.find(declared.name);
+    const ParameterValue& value = found == given.end() ? declared.default_value : found->second;
+    if (complaint_about(declared, value)) return;  // said at its own place
+    complete.emplace(declared.name, value);
+  }
+  const std::optional<ParameterConflict> conflict = model.conflict_among(complete);
+  if (!conflict) return;
+  const auto changeable =
+      std::find_if(conflict->parameters.begin(), conflict->parameters.end(),
+                   [&given](const std::string& name) { return given.contains(name); });
+  report(changeable == conflict->parameters.end()
+             ? pointer
+             : pointer_to(pointer + "/parameters", *changeable),
+         conflict->message);
 }
 
 void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer) {
@@ -128,7 +157,9 @@ void Meaning::check_equal_force(const StimulusTemplate& stimulus, const std::str
     // its own would make it the only one of another strength.
     if (model->second->needs_bodies) {
       report(at, "the texture force of the model " + in_quotes(id) +
-                     ", which depends on two bodies, cannot be made equal to another");
+                     ", which depends on two bodies, cannot be made equal to another; leave "
+                     "\"equal_force\" out and state the strength as " +
+                     in_quotes(model->second->amplitude_parameter.value_or("parameters")));
     } else if (!model->second->amplitude_parameter) {
       if (id == equal.to_model) continue;
       report(at, "the model " + in_quotes(id) +

@@ -36,14 +36,8 @@ void Meaning::check_expectation(const Trial& trial, const std::string& pointer) 
   }
 }
 
-Protocol Meaning::with_every_possible_trial() {
-  Protocol every = protocol_;
-  for (auto& [name, block] : every.blocks) {
-    block.order = Block::Order::fixed;
-    block.positions = Block::Positions::as_listed;
-    block.repetitions = 1;
-    block.maximum_in_a_row.clear();
-    block.until.reset();
+void Meaning::check_draws() {
+  for (const auto& [name, block] : protocol_.blocks) {
     std::size_t combinations = row_count(protocol_, block);
     for (const std::string& factor : block.drawn) {
       combinations =
@@ -53,31 +47,14 @@ Protocol Meaning::with_every_possible_trial() {
       report(pointer_to("/blocks", name) + "/drawn",
              "more than " + std::to_string(kMaximumSessionTrials) +
                  " different trials could be drawn; draw fewer factors or levels");
-      continue;
     }
-    if (block.listed.empty()) {
-      block.crossed.insert(block.crossed.end(), block.drawn.begin(), block.drawn.end());
-    }
-    for (const std::string& factor : block.drawn) {
-      std::vector<FactorLevels> longer{};
-      for (const FactorLevels& row : block.listed) {
-        for (const Level& level : protocol_.factors.at(factor).levels) {
-          longer.push_back(row);
-          longer.back()[factor] = level;
-        }
-      }
-      block.listed = std::move(longer);
-    }
-    block.drawn.clear();
   }
-  return every;
 }
 
 void Meaning::check_trials() {
-  const Protocol every = with_every_possible_trial();
+  check_draws();
   if (!found_.empty()) return;
-  const Plan plan = make_plan(every, Allocation{});
-  for (const Trial& trial : plan.trials) {
+  for (const Trial& trial : possible_trials(protocol_)) {
     const std::string pointer = pointer_to("/blocks", trial.block);
     const std::string presented = pointer + "/presented";
     std::set<std::string> items{};
@@ -88,6 +65,10 @@ void Meaning::check_trials() {
       } else if (!items.insert(planned.item).second) {
         report(presented, "two surfaces of a trial count as " + in_quotes(planned.item) +
                               " in the answers; give each an \"item\" of its own");
+      }
+      if (const auto model = models_.find(planned.stimulus.model); model != models_.end()) {
+        check_together(*model->second, planned.stimulus.parameters,
+                       pointer_to("/stimuli", planned.stimulus_template));
       }
     }
     const std::string& texture = trial.presentations.front().stimulus.texture;

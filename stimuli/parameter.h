@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -39,6 +40,12 @@ struct Parameter {
   std::string meaning{};
 };
 
+/// Values that are acceptable one by one, and not together.
+struct ParameterConflict {
+  std::vector<std::string> parameters{};  ///< any of which could be changed, the likeliest first
+  std::string message{};                  ///< the values, and what would be right
+};
+
 /// A force model as everybody but the servo knows it.
 struct ModelDeclaration {
   std::string id{};       ///< `[a-z][a-z0-9_]*`, used in protocols and on the command line
@@ -54,6 +61,9 @@ struct ModelDeclaration {
   /// instruction set or maths library. On the same machine a replay is exact.
   double replay_tolerance_N = 1e-9;
   std::vector<Parameter> parameters{};
+  /// What is wrong with complete values, each of them acceptable, together; empty for a model whose
+  /// values never contradict each other.
+  std::function<std::optional<ParameterConflict>(const ParameterValues&)> conflict_among{};
 };
 
 /// What is wrong with one value, as a sentence; nothing when it is acceptable.

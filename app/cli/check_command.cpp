@@ -61,7 +61,11 @@ void add_check(CLI::App& program, Job& job) {
                                   {"protocols", nlohmann::ordered_json::array()}};
       bool acceptable = true;
       for (const std::string& file : options->files) {
-        const ProtocolCheck check = check_protocol(file, models, options->study, options->device);
+        ProtocolCheck check = check_protocol(file, models, options->study, options->device);
+        if (options->study && check.protocol && check.diagnostics.empty()) {
+          StimulusBuilder builder(models, *options->study);
+          check.diagnostics = rehearse(*check.protocol, check.file, builder);
+        }
         acceptable = acceptable && check.diagnostics.empty();
         for (const Diagnostic& diagnostic : check.diagnostics) say(text_of(diagnostic));
         if (options->json) {

@@ -160,7 +160,17 @@ ParameterValues StimulusBuilder::parameters_for(const ForceModel& model,
 }
 
 PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentation, Study& study) {
-  const StimulusDescription& description = presentation.stimulus;
+  PreparedStimulus prepared = unmatched(presentation.stimulus);
+  if (presentation.equal_force) match(prepared, *presentation.equal_force, study);
+  return prepared;
+}
+
+void StimulusBuilder::require_renderer(const StimulusDescription& stimulus) {
+  const PreparedStimulus prepared = unmatched(stimulus);
+  (void)make_renderer(*prepared.model, prepared.inputs);
+}
+
+PreparedStimulus StimulusBuilder::unmatched(const StimulusDescription& description) {
   PreparedStimulus prepared{};
   prepared.model = models_.find(description.model);
   if (prepared.model == nullptr) {
@@ -190,7 +200,6 @@ PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentatio
     prepare_body(description.tool, BodyRole::tool, inputs.tool, prepared.tool_sha256);
   }
   inputs.parameters = parameters_for(*prepared.model, prepared, description.parameters);
-  if (presentation.equal_force) match(prepared, *presentation.equal_force, study);
   return prepared;
 }
 

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/random.h"
+#include "app/parameter_json.h"
 #include "device/simulated_device.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
@@ -89,8 +90,8 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
 std::vector<Diagnostic> problems_of_shapes(const Protocol& protocol, const std::string& file_name,
                                            StimulusBuilder& builder) {
   std::map<std::pair<std::string, std::string>, const BodyDescription*> bodies{};
-  const Plan plan = make_plan(protocol, {1, 0});
-  for (const Trial& trial : plan.trials) {
+  const std::vector<Trial> trials = possible_trials(protocol);
+  for (const Trial& trial : trials) {
     for (const PlannedPresentation& planned : trial.presentations) {
       for (const auto* const body : {&planned.stimulus.surface, &planned.stimulus.tool}) {
         if (*body && (*body)->shape) {
@@ -109,6 +110,15 @@ std::vector<Diagnostic> problems_of_shapes(const Protocol& protocol, const std::
     }
   }
   return problems;
+}
+
+/// Everything that a stimulus of two bodies is rendered from, as a name.
+std::string name_of_making(const StimulusDescription& stimulus) {
+  std::string name = stimulus.model + json_text_of(stimulus.parameters);
+  for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
+    if (*body) name += ' ' + (*body)->name + ' ' + (*body)->height_field.value_or("");
+  }
+  return name;
 }
 
 std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::string& file_name,
@@ -144,8 +154,32 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
   Protocol protocol = load_protocol(file, builder.models(), study);
   std::vector<Diagnostic> problems =
       problems_of_files(protocol, found_file(file, study).string(), study, builder);
+  if (problems.empty()) {
+    problems = rehearse(protocol, found_file(file, study).string(), builder);
+  }
   if (!problems.empty()) throw ProtocolError(std::move(problems));
   return protocol;
+}
+
+std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
+                                 StimulusBuilder& builder) {
+  std::set<std::string> made{};
+  std::vector<Diagnostic> problems{};
+  for (const Trial& trial : possible_trials(protocol)) {
+    for (const PlannedPresentation& planned : trial.presentations) {
+      const StimulusDescription& stimulus = planned.stimulus;
+      if (!stimulus.surface || !stimulus.tool) continue;
+      if (!made.insert(name_of_making(stimulus)).second) continue;
+      try {
+        builder.require_renderer(stimulus);
+      } catch (const std::exception& error) {
+        problems.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
+        problems.back().message =
+            "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + error.what();
+      }
+    }
+  }
+  return problems;
 }
 
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,

@@ -28,12 +28,19 @@ std::vector<ModelDeclaration> declarations_of(const ModelRegistry& models);
 Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                        const std::optional<std::filesystem::path>& study);
 
-/// The same for a protocol that is about to run: the files that it names are looked at as well.
+/// The same for a protocol that is about to run: the files that it names are looked at as well, and
+/// its stimuli are rehearsed.
 ///
 /// Errors: ProtocolError with every file that is not there, not in the study (a link may lead out
-/// of it), no height field, no picture or no WAV; otherwise as above.
+/// of it), no height field, no picture or no WAV, or else with what `rehearse` finds; otherwise as
+/// above.
 Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
                               StimulusBuilder& builder);
+
+/// What a session would be refused at a trial: every stimulus of two bodies is made once as in a
+/// session and let go, which takes a second or two. The files have been looked at.
+std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
+                                 StimulusBuilder& builder);
 
 /// Every problem of one file, and what its plan amounts to when there is none.
 struct ProtocolCheck {

@@ -309,7 +309,10 @@ ForceModel pd_gradient_model() {
       .amplitude_parameter = "texture_gain",
       // Where two places are as deep as each other, the last digit decides between two gradients.
       .replay_tolerance_N = 0.01,
-      .parameters = parameters()};
+      .parameters = parameters(),
+      .conflict_among = [](const ParameterValues& values) {
+        return conflict_in(sampling_of(values));
+      }};
   const auto make = [](const RendererInputs& inputs) -> std::unique_ptr<ForceRenderer> {
     return std::make_unique<PdGradient>(inputs, instruction_sets_here().back());
   };

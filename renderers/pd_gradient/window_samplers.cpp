@@ -18,35 +18,58 @@ constexpr std::array kStepsInCells{1, 2, 4, 8};  // so that doubling the cells l
 constexpr std::size_t kMostPlaces = 12;  // ten contacts, and two of which heights are sampled
 constexpr std::size_t kMostCoarsePlaces = 3;
 
-/// The step of the hard maximum in cells; 1 for the smooth one, which has none.
-int cells_per_step(const WindowSampling& sampling) {
-  if (!(sampling.cell_m > 0.0) || !std::isfinite(sampling.cell_m)) {
-    throw std::invalid_argument("cell_m is " + number_text(sampling.cell_m) +
-                                "; it has to be positive.");
-  }
-  require_sound(sampling.law);
+/// The step of the hard maximum in cells; 1 for the smooth one, which has none. Nothing where it is
+/// no number of cells that a window can have.
+std::optional<int> cells_per_step(const WindowSampling& sampling) {
   const auto* hard = std::get_if<HardMaximum>(&sampling.law);
   if (hard == nullptr) return 1;
   const double cells = hard->step_m / sampling.cell_m;
   for (const int whole : kStepsInCells) {
     if (std::abs(cells - whole) < kWholeCell) return whole;
   }
-  throw std::invalid_argument("step_m is " + number_text(hard->step_m) + " and cell_m " +
-                              number_text(sampling.cell_m) +
-                              "; the step has to be 1, 2, 4 or 8 cells.");
+  return std::nullopt;
+}
+
+/// "0.0001, 0.0002, 0.0004 or 0.0008"
+std::string whole_steps_m(double cell_m) {
+  std::string list = number_text(cell_m);
+  for (std::size_t i = 1; i < kStepsInCells.size(); ++i) {
+    list +=
+        (i + 1 == kStepsInCells.size() ? " or " : ", ") + number_text(kStepsInCells[i] * cell_m);
+  }
+  return list;
 }
 
 }  // namespace
 
+std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling) {
+  if (!(sampling.cell_m > 0.0) || !std::isfinite(sampling.cell_m)) {
+    throw std::invalid_argument("cell_m is " + number_text(sampling.cell_m) +
+                                "; it has to be positive.");
+  }
+  require_sound(sampling.law);
+  const std::optional<int> cells = cells_per_step(sampling);
+  if (!cells) {
+    return ParameterConflict{
+        .parameters = {"step_m", "cell_m"},
+        .message = "step_m is " + number_text(std::get<HardMaximum>(sampling.law).step_m) +
+                   " and cell_m " + number_text(sampling.cell_m) +
+                   "; the step has to be 1, 2, 4 or 8 cells, with this cell_m " +
+                   whole_steps_m(sampling.cell_m) + "."};
+  }
+  const int least = kSamplesPerStep * *cells;
+  if (sampling.most_samples >= least) return std::nullopt;
+  return ParameterConflict{.parameters = {"most_samples", "step_m", "cell_m"},
+                           .message = "most_samples is " + std::to_string(sampling.most_samples) +
+                                      "; with a step of " + std::to_string(*cells) +
+                                      " cells a window takes at least " + std::to_string(least) +
+                                      "."};
+}
+
 WindowSamplers::WindowSamplers(const WindowSampling& sampling, double widest_m,
                                std::size_t most_triangles, InstructionSet instructions) {
-  const int declared = cells_per_step(sampling);
-  if (sampling.most_samples < kSamplesPerStep * declared) {
-    throw std::invalid_argument("most_samples is " + std::to_string(sampling.most_samples) +
-                                "; with a step of " + std::to_string(declared) +
-                                " cells a window takes at least " +
-                                std::to_string(kSamplesPerStep * declared) + ".");
-  }
+  if (const auto conflict = conflict_in(sampling)) throw std::invalid_argument(conflict->message);
+  const int declared = cells_per_step(sampling).value();
   const bool keeps = sampling.heights == Heights::kept;
   double cell_m = sampling.cell_m;
   double reached_m = 0.0;

@@ -9,6 +9,7 @@
 #include "renderers/pd_gradient/cached_penetration.h"
 #include "renderers/pd_gradient/instruction_set.h"
 #include "renderers/pd_gradient/penetration.h"
+#include "stimuli/parameter.h"
 
 namespace asperity {
 
@@ -23,6 +24,11 @@ struct WindowSampling {
   Heights heights = Heights::kept;
 };
 
+/// What of a sampling cannot be together, by the names of its fields: a step that is not 1, 2, 4 or 8
+/// cells, or fewer samples than one window takes with it. Errors: std::invalid_argument for a cell,
+/// step or τ that is not positive.
+std::optional<ParameterConflict> conflict_in(const WindowSampling& sampling);
+
 /// A window of the declared cell and step for every width.
 ///
 /// Cell and step are lengths and stay what they are; what grows with a contact is the number of
@@ -36,8 +42,8 @@ struct WindowSampling {
 /// 4.5 % in tilts and 12 % about n (bench/penetration_depth --accuracy) and keeps 90 % of a grating's
 /// tangential force. With λ/12 it keeps 95 %.
 ///
-/// Errors: std::invalid_argument for a cell or step that is not positive, a step that is not 1, 2, 4
-/// or 8 cells, and for fewer samples than one window takes.
+/// Errors: std::invalid_argument for a cell or step that is not positive, and for what
+/// `conflict_in` finds.
 ///
 /// Heights are kept for ten contacts at a time in a window of up to 128 samples, for fewer in wider
 /// ones, and for two in a coarse one; more are sampled anew in every tick.

@@ -129,6 +129,46 @@ TEST_F(Bodies, AReliefThatIsTooFineForItsShapeIsRefused) {
   EXPECT_THAT(problems()[0].message, HasSubstr("take a smaller shape"));
 }
 
+TEST_F(Bodies, WithAStepOfThreeCellsAreRefusedWithWhatWouldBeRight) {
+  replace_in_protocol(R"("model": "pd_gradient",)",
+                      R"("model": "pd_gradient", "parameters": {"step_m": 0.0003},)");
+  ASSERT_EQ(problems().size(), 1U);
+  EXPECT_EQ(problems()[0].pointer, "/stimuli/felt/parameters/step_m");
+  EXPECT_EQ(problems()[0].message,
+            "step_m is 3e-04 and cell_m 1e-04; the step has to be 1, 2, 4 or 8 cells, with this "
+            "cell_m 1e-04, 2e-04, 4e-04 or 8e-04.");
+  replace_in_protocol(R"("step_m": 0.0003)", R"("step_m": 0.0003, "maximum": "smooth")");
+  EXPECT_THAT(problems(), IsEmpty());
+  replace_in_protocol(R"("step_m": 0.0003, "maximum": "smooth")",
+                      R"("step_m": 0.0008, "most_samples": 128)");
+  ASSERT_EQ(problems().size(), 1U);
+  EXPECT_EQ(problems()[0].pointer, "/stimuli/felt/parameters/most_samples");
+  EXPECT_THAT(problems()[0].message, HasSubstr("at least 256"));
+}
+
+// A texture of more columns than a renderer can address: nothing but building one tells.
+TEST_F(Bodies, ThatNoRendererTakesAreRefusedBeforeASession) {
+  StoredTexturedMesh stored{};
+  stored.mesh = placed(body_mesh(BoxShape{{kRasp_m, kRasp_m, kRasp_m}}, nullptr), BodyRole::tool);
+  DisplacementAtlas& atlas = stored.mesh.atlas;
+  atlas = {.rows = atlas.rows,
+           .columns = 32001,
+           .step_m = atlas.step_m,
+           .values = std::vector<std::int16_t>(atlas.rows * 32001)};
+  save_textured_mesh(study_ / "stimuli" / "rasp.mesh", stored, Overwrite::allow);
+  StimulusBuilder builder(models_, study_);
+  try {
+    load_protocol_to_run(protocol_, study_, builder);
+    FAIL() << "it was not refused";
+  } catch (const ProtocolError& error) {
+    ASSERT_EQ(error.diagnostics().size(), 1U);
+    EXPECT_EQ(error.diagnostics()[0].pointer, "/stimuli/felt");
+    EXPECT_GT(error.diagnostics()[0].line, 1);
+    EXPECT_THAT(error.diagnostics()[0].message, HasSubstr("\"felt_grain_pd_gradient_rasp\""));
+    EXPECT_THAT(error.diagnostics()[0].message, HasSubstr("at most 32000 each way"));
+  }
+}
+
 TEST_F(Bodies, OfTheSameMakingAreOneMeshAndOthersAreNot) {
   StimulusBuilder builder(models_, study_);
   BodyDescription ball{.name = "one", .shape = SphereShape{.diameter_m = 0.006}};

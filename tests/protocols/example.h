@@ -44,6 +44,15 @@ inline std::vector<ModelDeclaration> example_models() {
   ModelDeclaration two_bodies{};
   two_bodies.id = "pd_gradient";
   two_bodies.needs_bodies = true;
+  two_bodies.amplitude_parameter = "texture_gain";
+  two_bodies.parameters = {number("texture_gain", 0.0, 10.0, 1.0), number("step", 1.0, 9.0, 2.0),
+                           number("cell", 1.0, 9.0, 2.0)};
+  two_bodies.conflict_among = [](const ParameterValues& values) {
+    return std::get<double>(values.at("step")) < std::get<double>(values.at("cell"))
+               ? std::optional(ParameterConflict{.parameters = {"step", "cell"},
+                                                 .message = "a step is at least a cell"})
+               : std::nullopt;
+  };
   return {height_map, sinusoid, stochastic, plain, two_bodies};
 }
 
