@@ -96,7 +96,8 @@ class Meaning final {
   void check_size();
   void check_trials();
   void check_draws();
-  void check_expectation(const Trial& trial, const std::string& pointer);
+  void check_expectation(const Trial& trial, const std::set<std::string, std::less<>>& on_bodies,
+                         const std::string& pointer);
 
   /// The texts that a binding can stand for, each with the place to complain at.
   std::vector<std::pair<std::string, std::string>> texts_of(const Binding<std::string>& binding,

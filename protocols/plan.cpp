@@ -386,6 +386,25 @@ std::vector<Trial> possible_trials(const Protocol& protocol) {
   return make_plan(every, Allocation{}).trials;
 }
 
+std::map<std::string, StimulusDescription, std::less<>> stimuli_on_bodies(
+    const std::vector<Trial>& possible, const std::set<std::string, std::less<>>& body_models) {
+  std::map<std::string, StimulusDescription, std::less<>> found{};
+  std::set<std::string> elsewhere{};
+  for (const Trial& trial : possible) {
+    for (const PlannedPresentation& planned : trial.presentations) {
+      const StimulusDescription& stimulus = planned.stimulus;
+      if (body_models.contains(stimulus.model)) {
+        found.emplace(stimulus.texture, stimulus);
+      } else {
+        elsewhere.insert(stimulus.texture);
+      }
+    }
+  }
+  for (const std::string& texture : elsewhere) found.erase(texture);
+  found.erase("");
+  return found;
+}
+
 int counterbalance_rows(const Protocol& protocol) {
   std::size_t rows = 1;
   for (const std::string& factor : iterated_factors(protocol)) {

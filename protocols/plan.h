@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -90,6 +91,11 @@ Plan make_plan(const Protocol& protocol, const Allocation& allocation);
 /// Every trial that a session can have, whatever is drawn: each combination once, in no order that
 /// anybody is asked in.
 std::vector<Trial> possible_trials(const Protocol& protocol);
+
+/// What virtual participants take a texture for that is felt on bodies only: for each such texture
+/// the first of the stimuli that show it. `body_models` are the ids of the models that need bodies.
+std::map<std::string, StimulusDescription, std::less<>> stimuli_on_bodies(
+    const std::vector<Trial>& possible, const std::set<std::string, std::less<>>& body_models);
 
 /// Number of rows after which the counterbalancing repeats; 1 without counterbalancing.
 int counterbalance_rows(const Protocol& protocol);

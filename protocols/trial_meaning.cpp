@@ -9,7 +9,9 @@ namespace asperity {
 
 using Block = Protocol::Block;
 
-void Meaning::check_expectation(const Trial& trial, const std::string& pointer) {
+void Meaning::check_expectation(const Trial& trial,
+                                const std::set<std::string, std::less<>>& on_bodies,
+                                const std::string& pointer) {
   using Expectation = ObserverDeclaration::Expectation;
   if (protocol_.observer.expectation == Expectation::none) return;
   std::set<std::string> expected{};
@@ -21,10 +23,11 @@ void Meaning::check_expectation(const Trial& trial, const std::string& pointer) 
   expected.erase("");
   for (const std::string& name : expected) {
     const Texture& texture = protocol_.textures.at(name);
-    if (protocol_.observer.expectation == Expectation::true_surface && !texture.true_height_field) {
+    if (protocol_.observer.expectation == Expectation::true_surface && !texture.true_height_field &&
+        !on_bodies.contains(name)) {
       report(pointer_to("/textures", name),
              "the observer expects the true surface of this texture: give it a "
-             "\"true_height_field\"");
+             "\"true_height_field\", or a stimulus that shows it on bodies");
     }
     if (protocol_.observer.expectation == Expectation::prior && !texture.prior) {
       report(pointer_to("/textures", name),
@@ -54,7 +57,16 @@ void Meaning::check_draws() {
 void Meaning::check_trials() {
   check_draws();
   if (!found_.empty()) return;
-  for (const Trial& trial : possible_trials(protocol_)) {
+  const std::vector<Trial> possible = possible_trials(protocol_);
+  std::set<std::string, std::less<>> body_models{};
+  for (const auto& [id, model] : models_) {
+    if (model->needs_bodies) body_models.insert(id);
+  }
+  std::set<std::string, std::less<>> on_bodies{};
+  for (const auto& [texture, stimulus] : stimuli_on_bodies(possible, body_models)) {
+    on_bodies.insert(texture);
+  }
+  for (const Trial& trial : possible) {
     const std::string pointer = pointer_to("/blocks", trial.block);
     const std::string presented = pointer + "/presented";
     std::set<std::string> items{};
@@ -110,7 +122,7 @@ void Meaning::check_trials() {
         }
         break;
     }
-    check_expectation(trial, pointer);
+    check_expectation(trial, on_bodies, pointer);
   }
 }
 

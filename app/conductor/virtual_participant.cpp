@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -52,39 +53,80 @@ std::size_t option_with(const TrialQuestion& question, const std::string& value)
 
 }  // namespace
 
+namespace {
+
+/// What is felt of a texture where its heights are known: a plate that has them.
+struct Sample {
+  const ForceModel* model = nullptr;
+  RendererInputs inputs{};
+};
+
+Sample plate_with(const std::string& height_field, const Protocol& protocol,
+                  StimulusBuilder& builder) {
+  const ForceModel* model = builder.models().find("height_map");
+  if (model == nullptr) throw std::logic_error("there is no model height_map");
+  Sample sample{.model = model};
+  sample.inputs.parameters = complete_values(model->declaration, {});
+  sample.inputs.material = protocol.material;
+  sample.inputs.patch = protocol.patch;
+  const std::optional<double> cutoff_m = protocol.observer.gaussian_wavelength_m;
+  sample.inputs.height_field =
+      cutoff_m ? builder.height_field_without_long_wavelengths(height_field, *cutoff_m)
+               : builder.height_field(height_field).field;
+  return sample;
+}
+
+Sample bodies_of(StimulusDescription stimulus, StimulusBuilder& builder) {
+  stimulus.parameters.clear();
+  PreparedStimulus prepared = builder.unmatched(stimulus);
+  return {.model = prepared.model, .inputs = std::move(prepared.inputs)};
+}
+
+std::set<std::string, std::less<>> body_models_of(const ModelRegistry& models) {
+  std::set<std::string, std::less<>> ids{};
+  for (const ForceModel& model : models.models()) {
+    if (model.declaration.needs_bodies) ids.insert(model.declaration.id);
+  }
+  return ids;
+}
+
+Expectations true_surfaces(const Protocol& protocol, StimulusBuilder& builder,
+                           const Random& random) {
+  const auto on_bodies =
+      stimuli_on_bodies(possible_trials(protocol), body_models_of(builder.models()));
+  const HandHabits habits = protocol.explorations.empty()
+                                ? HandHabits{}
+                                : habits_for(protocol.explorations.begin()->second, protocol.patch);
+  Expectations expectations{};
+  for (const auto& [name, texture] : protocol.textures) {
+    const auto stimulus = on_bodies.find(name);
+    if (stimulus == on_bodies.end() && !texture.true_height_field) continue;
+    const Sample sample = stimulus == on_bodies.end()
+                              ? plate_with(*texture.true_height_field, protocol, builder)
+                              : bodies_of(stimulus->second, builder);
+    expectations[name] = felt_once(*sample.model, sample.inputs, protocol, habits,
+                                   random.split("expectation").split(name));
+  }
+  return expectations;
+}
+
+}  // namespace
+
 Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
                              const Random& random) {
   Expectations expectations{};
   using Source = ObserverDeclaration::Expectation;
-  for (const auto& [name, texture] : protocol.textures) {
-    switch (protocol.observer.expectation) {
-      case Source::none:
-        break;
-      case Source::prior:
+  switch (protocol.observer.expectation) {
+    case Source::none:
+      break;
+    case Source::prior:
+      for (const auto& [name, texture] : protocol.textures) {
         if (texture.prior) expectations[name] = *texture.prior;
-        break;
-      case Source::true_surface: {
-        if (!texture.true_height_field) break;
-        const ForceModel* model = builder.models().find("height_map");
-        if (model == nullptr) throw std::logic_error("there is no model height_map");
-        RendererInputs inputs{};
-        inputs.parameters = complete_values(model->declaration, {});
-        inputs.material = protocol.material;
-        inputs.patch = protocol.patch;
-        const std::string& file = *texture.true_height_field;
-        const std::optional<double> cutoff_m = protocol.observer.gaussian_wavelength_m;
-        inputs.height_field = cutoff_m
-                                  ? builder.height_field_without_long_wavelengths(file, *cutoff_m)
-                                  : builder.height_field(file).field;
-        const HandHabits habits =
-            protocol.explorations.empty()
-                ? HandHabits{}
-                : habits_for(protocol.explorations.begin()->second, protocol.patch);
-        expectations[name] =
-            felt_once(*model, inputs, protocol, habits, random.split("expectation").split(name));
-        break;
       }
-    }
+      break;
+    case Source::true_surface:
+      expectations = true_surfaces(protocol, builder, random);
+      break;
   }
   return expectations;
 }

@@ -23,8 +23,13 @@ using Expectations = std::map<std::string, ForceFeatures, std::less<>>;
 /// on another stroke with another seed, through the plain law of `height_map` at its defaults:
 /// never through a renderer of the session. Where the declaration gives a `gaussian_wavelength_m`,
 /// the long waves are taken from the true heights first, as a photograph's heights lack them; the
-/// expectation knows that band, and nothing else of how a texture was made. For `prior` they are
-/// those stated in the protocol.
+/// expectation knows that band, and nothing else of how a texture was made.
+///
+/// A texture that is felt on bodies only has no heights that would say what it feels like without
+/// them: there the first stimulus that shows it is felt once, likewise by another hand with another
+/// seed, its bodies whole, through its own model at that model's defaults.
+///
+/// For `prior` they are those stated in the protocol.
 Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
                              const Random& random);
 

@@ -298,7 +298,7 @@ TEST(ToolsMatching, IsCheckedPlannedFeltAndAnswered) {
   }
   EXPECT_EQ(tools.size(), 3U);
   ASSERT_EQ(attempt.responses.size(), 3U);
-  EXPECT_EQ(attempt.responses[0].source, "virtual_guess");  // nothing is expected of a tool
+  EXPECT_EQ(attempt.responses[0].source, "virtual");  // it was expected as it feels
 }
 
 }  // namespace

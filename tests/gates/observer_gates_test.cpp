@@ -30,6 +30,12 @@ TEST(DeafObserver, AnswersByChanceInEveryKind) {
   EXPECT_EQ(recognition.trials, 200U);
   expect_by_chance("recognised", {recognition.right, recognition.trials}, 1.0 / 6.0, kNoMargin);
   expect_all_marked_as_guesses(recognition);
+
+  const GateCounts tools =
+      study.run({"tools_matching", GateObserver::deaf, 6, 1, {107}, kFewStrokes});
+  EXPECT_EQ(tools.trials, 6U);
+  expect_items_by_chance(tools, 3, kNoMargin);
+  expect_all_marked_as_guesses(tools);
 }
 
 TEST(NoiselessObserver, GetsMostItemsRightOnTexturesWithKnownHeights) {
@@ -38,6 +44,10 @@ TEST(NoiselessObserver, GetsMostItemsRightOnTexturesWithKnownHeights) {
       "matched", study.run({"improved_matching", GateObserver::noiseless, 24, 2, {104}, {}}));
   expect_most_items_right(
       "recognised", study.run({"improved_recognition", GateObserver::noiseless, 10, 5, {105}, {}}));
+  // Expected are the same bodies, felt by another hand.
+  expect_most_items_right(
+      "matched tools",
+      study.run({"tools_matching", GateObserver::noiseless, 3, 1, {106}, kFewStrokes}));
 }
 
 }  // namespace
