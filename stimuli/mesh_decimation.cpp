@@ -25,6 +25,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "analysis/number_text.h"
+#include "stimuli/mesh_handles.h"
 #include "stimuli/surface_search.h"
 
 namespace asperity {
@@ -39,13 +41,7 @@ struct MeshTraits : OpenMesh::DefaultTraits {
 };
 using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
 using Decimater = OpenMesh::Decimater::DecimaterT<HalfEdgeMesh>;
-
-using CollapseInfo = OpenMesh::Decimater::CollapseInfoT<HalfEdgeMesh>;
-using Module = OpenMesh::Decimater::ModBaseT<HalfEdgeMesh>;
-
-constexpr std::size_t kFewestTriangles = 4;  // a tetrahedron
-
-glm::dvec3 place_of(const Vec3d& point) { return {point[0], point[1], point[2]}; }
+using Quadric = OpenMesh::Geometry::Quadricd;
 
 /// A place of the given surface, and how much of it that place stands for.
 struct Sample {
@@ -53,35 +49,21 @@ struct Sample {
   double area = 0.0;
 };
 
-/// What a vertex remembers of the given surface.
-struct Memory {
-  OpenMesh::Geometry::Quadricd quadric{};  ///< of the planes that were merged into it
-  std::vector<Sample> samples{};           ///< of the surface about it
+/// What a vertex keeps while the mesh around it changes.
+struct VertexPast {
+  std::uint32_t origin = 0;       ///< the vertex of the given mesh whose very coordinates it has
+  Vec3d normal{0.0};              ///< of the given mesh: of the faces around, by their angles
+  Quadric quadric{};              ///< of the planes that were merged into it
+  std::vector<Sample> samples{};  ///< of the given surface about it
 };
-using Memories = OpenMesh::VPropHandleT<Memory>;
+using PastProperty = OpenMesh::VPropHandleT<VertexPast>;
 
-/// Each vertex stands for itself, with a third of the area of its faces.
-void remember_surface(HalfEdgeMesh& mesh, Memories memories) {
-  for (const auto vertex : mesh.vertices()) {
-    mesh.property(memories, vertex).samples.push_back({.place = place_of(mesh.point(vertex))});
-  }
-  for (const auto face : mesh.faces()) {
-    std::array<HalfEdgeMesh::VertexHandle, 3> corners;
-    std::size_t next = 0;
-    for (const auto corner : mesh.fv_range(face)) corners[next++] = corner;
-    const Vec3d origin = mesh.point(corners[0]);
-    Vec3d normal = (mesh.point(corners[1]) - origin) % (mesh.point(corners[2]) - origin);
-    const double doubled_area = normal.norm();
-    if (doubled_area <= 0.0) continue;
-    normal /= doubled_area;
-    OpenMesh::Geometry::Quadricd quadric(normal[0], normal[1], normal[2], -(normal | origin));
-    quadric *= 0.5 * doubled_area;
-    for (const auto corner : corners) {
-      mesh.property(memories, corner).quadric += quadric;
-      mesh.property(memories, corner).samples.front().area += doubled_area / 6.0;
-    }
-  }
-}
+using CollapseInfo = OpenMesh::Decimater::CollapseInfoT<HalfEdgeMesh>;
+using Module = OpenMesh::Decimater::ModBaseT<HalfEdgeMesh>;
+
+constexpr std::size_t kFewestTriangles = 4;  // a tetrahedron
+
+glm::dvec3 place_of(const Vec3d& point) { return {point[0], point[1], point[2]}; }
 
 /// What a collapse costs.
 ///
@@ -94,7 +76,7 @@ class CollapseCost final : public Module {
 
   explicit CollapseCost(HalfEdgeMesh& mesh) : Module(mesh, false) {}
 
-  void set_memories(Memories memories) { memories_ = memories; }
+  void set_pasts(PastProperty pasts) { pasts_ = pasts; }
   /// A collapse that takes a sample further from the surface is not done.
   void set_furthest(double distance) { squared_furthest_ = distance * distance; }
 
@@ -102,26 +84,26 @@ class CollapseCost final : public Module {
     constexpr double kQuadricWeight = 0.1;
     constexpr double kEdgeWeight = 1e-6;
     gather_faces(collapse);
-    const Memory& memory = mesh().property(memories_, collapse.v0);
+    const VertexPast& past = mesh().property(pasts_, collapse.v0);
     double cost = 0.0;
-    for (const Sample& sample : memory.samples) {
+    for (const Sample& sample : past.samples) {
       const double squared = nearest(sample.place).second;
       if (squared > squared_furthest_) return ILLEGAL_COLLAPSE;
       cost += sample.area * squared;
     }
     cost += kQuadricWeight *
-            std::max(0.0, memory.quadric(collapse.p1) +
-                              mesh().property(memories_, collapse.v1).quadric(collapse.p1));
+            std::max(0.0, past.quadric(collapse.p1) +
+                              mesh().property(pasts_, collapse.v1).quadric(collapse.p1));
     const double squared_length = (collapse.p1 - collapse.p0).sqrnorm();
     return static_cast<float>(cost + kEdgeWeight * squared_length * squared_length);
   }
 
   void preprocess_collapse(const CollapseInfo& collapse) override {
     gather_faces(collapse);
-    const Memory memory = std::move(mesh().property(memories_, collapse.v0));
-    mesh().property(memories_, collapse.v0) = {};
-    mesh().property(memories_, collapse.v1).quadric += memory.quadric;
-    for (const Sample& sample : memory.samples) keep(sample, keeper_of(sample, collapse));
+    const VertexPast past = std::move(mesh().property(pasts_, collapse.v0));
+    mesh().property(pasts_, collapse.v0) = {};
+    mesh().property(pasts_, collapse.v1).quadric += past.quadric;
+    for (const Sample& sample : past.samples) keep(sample, keeper_of(sample, collapse));
   }
 
  private:
@@ -175,7 +157,7 @@ class CollapseCost final : public Module {
 
   void keep(const Sample& sample, HalfEdgeMesh::VertexHandle keeper) {
     constexpr std::size_t kMostSamples = 32;
-    std::vector<Sample>& samples = mesh().property(memories_, keeper).samples;
+    std::vector<Sample>& samples = mesh().property(pasts_, keeper).samples;
     samples.push_back(sample);
     if (samples.size() <= kMostSamples) return;
     // Every second one, which then stands for two.
@@ -188,7 +170,7 @@ class CollapseCost final : public Module {
     samples.resize(kept);
   }
 
-  Memories memories_{};
+  PastProperty pasts_{};
   double squared_furthest_ = 0.0;
   std::vector<Face> faces_{};
 };
@@ -204,10 +186,10 @@ class NormalControl final : public Module {
 
   void set_strictness(Strictness strictness) { strictness_ = strictness; }
 
-  /// Of the mesh that it begins with; vertices keep theirs to the end.
-  void set_normals(OpenMesh::VPropHandleT<Vec3d> normals) { normals_ = normals; }
+  void set_pasts(PastProperty pasts) { pasts_ = pasts; }
 
   float collapse_priority(const CollapseInfo& collapse) override {
+    constexpr double kLeastLikeness = 0.1;  // the cosine of 84°
     for (const auto half : mesh().voh_range(collapse.v0)) {
       const auto face = mesh().face_handle(half);
       if (!face.is_valid() || face == collapse.fl || face == collapse.fr) continue;
@@ -219,7 +201,8 @@ class NormalControl final : public Module {
       // Turns add up, collapse by collapse; what a vertex once looked like does not change.
       const Vec3d front = doubled_area(after);
       for (const auto vertex : {HalfEdgeMesh::VertexHandle(collapse.v1), one, other}) {
-        if ((front | mesh().property(normals_, vertex)) <= 0.0) return ILLEGAL_COLLAPSE;
+        const Vec3d& look = mesh().property(pasts_, vertex).normal;
+        if ((front | look) <= kLeastLikeness * front.norm() * look.norm()) return ILLEGAL_COLLAPSE;
       }
     }
     return LEGAL_COLLAPSE;
@@ -255,7 +238,7 @@ class NormalControl final : public Module {
   }
 
   Strictness strictness_ = Strictness::turn_and_shape;
-  OpenMesh::VPropHandleT<Vec3d> normals_{};
+  PastProperty pasts_{};
 };
 
 class Watch final : public OpenMesh::Decimater::Observer {
@@ -297,10 +280,142 @@ Place place_of(const TriangleMesh& mesh) {
   return {0.5 * (low_m + high_m), glm::length(high_m - low_m)};
 }
 
+/// A mesh on its way from the given one to the simple one, about the origin and of a size of one.
+class Simplification final {
+ public:
+  explicit Simplification(const TriangleMesh& mesh) : place_(place_of(mesh)), mesh_(mesh) {
+    for (glm::dvec3& point : mesh_.vertices_m) point = (point - place_.centre_m) / place_.size_m;
+    pasts_.resize(mesh_.vertices_m.size());
+    for (std::uint32_t i = 0; i < pasts_.size(); ++i) pasts_[i].origin = i;
+    for (std::uint32_t i = 0; i < pasts_.size(); ++i) {
+      pasts_[i].samples.push_back({.place = mesh_.vertices_m[i]});
+    }
+    for (const std::array<std::uint32_t, 3>& triangle : mesh_.triangles) remember(triangle);
+  }
+
+  std::size_t triangles() const { return mesh_.triangles.size(); }
+
+  /// `furthest`: in parts of the size.
+  void collapse(std::size_t triangles, Strictness strictness, double furthest, Watch& watch,
+                const std::string& name) {
+    HalfEdgeMesh half_edges{};
+    PastProperty pasts{};
+    half_edges.add_property(pasts);
+    fill(half_edges, pasts, name);
+    Decimater decimater(half_edges);
+    CollapseCost::Handle cost{};
+    NormalControl::Handle control{};
+    decimater.add(cost);
+    decimater.add(control);
+    decimater.module(cost).set_pasts(pasts);
+    decimater.module(cost).set_furthest(furthest);
+    decimater.module(control).set_strictness(strictness);
+    decimater.module(control).set_pasts(pasts);
+    decimater.set_observer(&watch);
+    decimater.initialize();
+    decimater.decimate_to_faces(0, triangles);
+    half_edges.garbage_collection();
+    take(half_edges, pasts);
+  }
+
+  /// Handles that are narrower than the side of a face where there are `triangles` of them.
+  void cut_handles(std::size_t triangles, SimplifiedMesh& result) {
+    const double side = std::sqrt(4.0 * area_ / (std::sqrt(3.0) * static_cast<double>(triangles)));
+    const HandleCuts cuts = cut_narrow_handles(mesh_, side);
+    for (const std::uint32_t copied : cuts.copies) {
+      VertexPast copy = pasts_[copied];
+      copy.samples.clear();  // the surface has not become larger
+      pasts_.push_back(std::move(copy));
+    }
+    result.handles_cut += cuts.handles;
+    result.widest_handle_m = std::max(result.widest_handle_m, place_.size_m * cuts.widest_m);
+  }
+
+  TriangleMesh with_vertices_of(const TriangleMesh& given) const {
+    TriangleMesh result{.vertices_m = {}, .triangles = mesh_.triangles};
+    for (const VertexPast& past : pasts_) {
+      result.vertices_m.push_back(given.vertices_m[past.origin]);
+    }
+    return result;
+  }
+
+ private:
+  Vec3d point(std::uint32_t vertex) const {
+    const glm::dvec3& at = mesh_.vertices_m[vertex];
+    return {at.x, at.y, at.z};
+  }
+
+  Vec3d doubled_area(const std::array<std::uint32_t, 3>& triangle) const {
+    const Vec3d origin = point(triangle[0]);
+    return (point(triangle[1]) - origin) % (point(triangle[2]) - origin);
+  }
+
+  /// A vertex stands for a third of the faces around it, and looks as they do by their angles: by area, a corner
+  /// between a large face and a small one would look like the large one alone.
+  void remember(const std::array<std::uint32_t, 3>& triangle) {
+    const Vec3d area = doubled_area(triangle);
+    const double size = area.norm();
+    if (size <= 0.0) return;
+    area_ += 0.5 * size;
+    const Vec3d normal = area / size;
+    Quadric quadric(normal[0], normal[1], normal[2], -(normal | point(triangle[0])));
+    quadric *= 0.5 * size;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3d one = point(triangle[(i + 1) % 3]) - point(triangle[i]);
+      const Vec3d other = point(triangle[(i + 2) % 3]) - point(triangle[i]);
+      VertexPast& past = pasts_[triangle[i]];
+      past.quadric += quadric;
+      past.samples.front().area += size / 6.0;
+      past.normal += std::atan2((one % other).norm(), one | other) * normal;
+    }
+  }
+
+  /// Leaves nothing here: of millions of faces one copy is enough.
+  void fill(HalfEdgeMesh& half_edges, PastProperty pasts, const std::string& name) {
+    half_edges.reserve(mesh_.vertices_m.size(), 3 * mesh_.triangles.size() / 2,
+                       mesh_.triangles.size());
+    for (std::uint32_t i = 0; i < mesh_.vertices_m.size(); ++i) {
+      half_edges.property(pasts, half_edges.add_vertex(point(i))) = std::move(pasts_[i]);
+    }
+    for (const std::array<std::uint32_t, 3>& triangle : mesh_.triangles) {
+      const auto corner = [&](std::size_t i) { return half_edges.vertex_handle(triangle[i]); };
+      if (!half_edges.add_face(corner(0), corner(1), corner(2)).is_valid()) {
+        throw std::invalid_argument(name +
+                                    " has a surface that no half-edges can follow, at vertex " +
+                                    std::to_string(half_edges.property(pasts, corner(0)).origin) +
+                                    "; its repair has not seen it.");
+      }
+    }
+    mesh_ = {};
+    pasts_ = {};
+  }
+
+  void take(HalfEdgeMesh& half_edges, PastProperty pasts) {
+    for (const auto vertex : half_edges.vertices()) {
+      const Vec3d& at = half_edges.point(vertex);
+      mesh_.vertices_m.emplace_back(at[0], at[1], at[2]);
+      pasts_.push_back(std::move(half_edges.property(pasts, vertex)));
+    }
+    for (const auto face : half_edges.faces()) {
+      std::array<std::uint32_t, 3> triangle{};
+      std::size_t next = 0;
+      for (const auto vertex : half_edges.fv_range(face)) {
+        triangle[next++] = static_cast<std::uint32_t>(vertex.idx());
+      }
+      mesh_.triangles.push_back(triangle);
+    }
+  }
+
+  Place place_{};
+  TriangleMesh mesh_{};
+  std::vector<VertexPast> pasts_{};
+  double area_ = 0.0;
+};
+
 }  // namespace
 
-TriangleMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles, const std::string& name,
-                           const std::function<void(double)>& progress) {
+SimplifiedMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles,
+                             const std::string& name, const std::function<void(double)>& progress) {
   if (triangles < kFewestTriangles) {
     throw std::invalid_argument(name + " cannot have " + std::to_string(triangles) +
                                 " triangles; a closed mesh has at least 4.");
@@ -310,83 +425,52 @@ TriangleMesh decimate_mesh(const TriangleMesh& mesh, std::size_t triangles, cons
                                 " triangles: it has only " + std::to_string(mesh.triangles.size()) +
                                 '.');
   }
-  if (triangles == mesh.triangles.size()) return mesh;
+  SimplifiedMesh result{};
+  if (triangles == mesh.triangles.size()) {
+    result.mesh = mesh;
+    return result;
+  }
   omerr().disable();  // what it would print is said below, in a sentence
-  const Place place = place_of(mesh);
-  HalfEdgeMesh half_edges{};
-  half_edges.reserve(mesh.vertices_m.size(), 3 * mesh.triangles.size() / 2, mesh.triangles.size());
-  // Which vertex of `mesh` it is: the result has its very coordinates.
-  OpenMesh::VPropHandleT<std::uint32_t> origin{};
-  half_edges.add_property(origin);
-  for (std::uint32_t i = 0; i < mesh.vertices_m.size(); ++i) {
-    const glm::dvec3 point = (mesh.vertices_m[i] - place.centre_m) / place.size_m;
-    half_edges.property(origin, half_edges.add_vertex(Vec3d(point.x, point.y, point.z))) = i;
-  }
-  for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
-    const auto corner = [&](std::size_t i) { return half_edges.vertex_handle(triangle[i]); };
-    if (!half_edges.add_face(corner(0), corner(1), corner(2)).is_valid()) {
-      throw std::invalid_argument(name +
-                                  " has a surface that no half-edges can follow, at vertex " +
-                                  std::to_string(triangle[0]) + "; its repair has not seen it.");
-    }
-  }
-  OpenMesh::VPropHandleT<Vec3d> normals{};
-  half_edges.add_property(normals);
-  for (const auto vertex : half_edges.vertices()) half_edges.property(normals, vertex) = Vec3d(0.0);
-  for (const auto face : half_edges.faces()) {
-    // By angle: by area, a corner between a large face and a small one would look like the large one alone.
-    const Vec3d front = half_edges.calc_face_normal(face);
-    for (const auto half : half_edges.fh_range(face)) {
-      half_edges.property(normals, half_edges.to_vertex_handle(half)) +=
-          half_edges.calc_sector_angle(half) * front;
-    }
-  }
   Watch watch((mesh.triangles.size() - triangles) / 2, progress);
-  Memories memories{};
-  half_edges.add_property(memories);
-  remember_surface(half_edges, memories);
-  const auto collapse_all = [&](Strictness strictness, double furthest) {
-    if (half_edges.n_faces() <= triangles) return;
-    Decimater decimater(half_edges);
-    CollapseCost::Handle cost{};
-    NormalControl::Handle control{};
-    decimater.add(cost);
-    decimater.add(control);
-    decimater.module(cost).set_memories(memories);
-    decimater.module(cost).set_furthest(furthest);
-    decimater.module(control).set_strictness(strictness);
-    decimater.module(control).set_normals(normals);
-    decimater.set_observer(&watch);
-    watch.begin_after((mesh.triangles.size() - half_edges.n_faces()) / 2);
-    decimater.initialize();
-    decimater.decimate_to_faces(0, triangles);
-    half_edges.garbage_collection();
+  Simplification simple(mesh);
+  const auto collapse = [&](std::size_t wanted, Strictness strictness, double furthest) {
+    if (simple.triangles() <= wanted) return;
+    watch.begin_after(
+        (mesh.triangles.size() - std::min(mesh.triangles.size(), simple.triangles())) / 2);
+    simple.collapse(wanted, strictness, furthest, watch, name);
   };
   constexpr double kFurthest = 1.0;  // nothing is as far from a mesh as it is long
-  for (double furthest = 0.001; furthest < kFurthest; furthest *= 2.0) {
-    collapse_all(Strictness::turn_and_shape, furthest);
-    collapse_all(Strictness::look, furthest);
+  const auto collapse_to = [&](std::size_t wanted) {
+    for (double furthest = 0.001; furthest < kFurthest; furthest *= 2.0) {
+      collapse(wanted, Strictness::turn_and_shape, furthest);
+      collapse(wanted, Strictness::look, furthest);
+    }
+  };
+  // A handle can neither close nor open, and takes ever more of the faces that are left: it goes when
+  // the faces around have become as large as it is.
+  const bool has_handles = handles_of(mesh) > 0;
+  for (const std::size_t times : {32U, 16U, 8U, 4U, 2U}) {
+    if (!has_handles || simple.triangles() <= times * triangles) continue;
+    collapse_to(times * triangles);
+    simple.cut_handles(triangles, result);
   }
-  collapse_all(Strictness::flip_only, kFurthest);
-  if (half_edges.n_faces() > triangles) {
+  collapse_to(triangles);
+  collapse(triangles, Strictness::flip_only, kFurthest);
+  if (simple.triangles() > triangles) {
     throw std::invalid_argument(
         name + " cannot be simplified to " + std::to_string(triangles) + " triangles: at " +
-        std::to_string(half_edges.n_faces()) +
+        std::to_string(simple.triangles()) +
         " no edge can go any more without a face turning over or a part or handle closing up.");
   }
-  TriangleMesh result{};
-  for (const auto vertex : half_edges.vertices()) {
-    result.vertices_m.push_back(mesh.vertices_m[half_edges.property(origin, vertex)]);
-  }
-  for (const auto face : half_edges.faces()) {
-    std::array<std::uint32_t, 3> triangle{};
-    std::size_t next = 0;
-    for (const auto vertex : half_edges.fv_range(face)) {
-      triangle[next++] = static_cast<std::uint32_t>(vertex.idx());
-    }
-    result.triangles.push_back(triangle);
-  }
+  result.mesh = simple.with_vertices_of(mesh);
   return result;
+}
+
+std::optional<std::string> sentence_of(const SimplifiedMesh& simplified) {
+  if (simplified.handles_cut == 0) return std::nullopt;
+  return "Handles and tunnels cut because they were narrower than a face, up to " +
+         fixed(1e3 * simplified.widest_handle_m, 3) +
+         " mm around: " + std::to_string(simplified.handles_cut) + '.';
 }
 
 }  // namespace asperity

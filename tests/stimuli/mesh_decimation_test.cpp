@@ -2,6 +2,7 @@
 
 #include "stimuli/mesh_decimation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "stimuli/mesh_error.h"
+#include "stimuli/mesh_handles.h"
 #include "tests/stimuli/made_mesh.h"
 
 namespace asperity::test {
@@ -34,11 +36,12 @@ std::string refusal(const TriangleMesh& mesh, std::size_t triangles) {
 TEST(Decimation, ReachesItsTargetAndStaysClosed) {
   const TriangleMesh mesh = ring(60, 24, 0.0003);  // 2880 triangles
   for (const std::size_t triangles : {2880U, 1000U, 301U, 64U}) {
-    const TriangleMesh simplified = decimate_mesh(mesh, triangles, "thing");
+    const TriangleMesh simplified = decimate_mesh(mesh, triangles, "thing").mesh;
     EXPECT_LE(simplified.triangles.size(), triangles);
     EXPECT_GE(simplified.triangles.size(), triangles - 1);
     EXPECT_TRUE(is_closed(simplified));
-    EXPECT_NEAR(volume_m3(simplified), volume_m3(mesh), 0.3 * volume_m3(mesh));
+    // Inside the chords of 64 faces a ring has lost a third.
+    EXPECT_NEAR(volume_m3(simplified), volume_m3(mesh), 0.35 * volume_m3(mesh));
   }
 }
 
@@ -47,7 +50,7 @@ TEST(Decimation, ReachesItsTargetAndStaysClosed) {
 TEST(Decimation, OfABallLiesAsCloseAsItsTrianglesPermit) {
   constexpr double kRadius_m = 0.02;
   const TriangleMesh mesh = smooth_ball(5, kRadius_m);
-  const double error_m = rms_error_m(mesh, decimate_mesh(mesh, 512, "thing"));
+  const double error_m = rms_error_m(mesh, decimate_mesh(mesh, 512, "thing").mesh);
   EXPECT_LT(error_m, 0.01 * kRadius_m);
   EXPECT_GT(error_m, 0.002 * kRadius_m);
 }
@@ -96,7 +99,7 @@ TEST(Decimation, LeavesNothingOfAFinelyDividedBoxButItsCorners) {
     welded.triangles.push_back(triangle);
   }
   ASSERT_EQ(welded.triangles.size(), 12U * 64U);
-  const TriangleMesh simplified = decimate_mesh(welded, 12, "thing");
+  const TriangleMesh simplified = decimate_mesh(welded, 12, "thing").mesh;
   EXPECT_EQ(simplified.triangles.size(), 12U);
   EXPECT_NEAR(volume_m3(simplified), 8.0 * 0.01 * 0.02 * 0.03, 1e-12);
 }
@@ -105,7 +108,7 @@ TEST(Decimation, LeavesNothingOfAFinelyDividedBoxButItsCorners) {
 TEST(Decimation, TurnsNoFaceOver) {
   const TriangleMesh mesh = bumpy_ball(5, 0.02, 0.0015, 14.0);
   for (const std::size_t triangles : {2000U, 500U, 100U}) {
-    const TriangleMesh simplified = decimate_mesh(mesh, triangles, "thing");
+    const TriangleMesh simplified = decimate_mesh(mesh, triangles, "thing").mesh;
     std::size_t turned = 0;
     for (const auto& [a, b, c] : simplified.triangles) {
       const glm::dvec3& corner_m = simplified.vertices_m[a];
@@ -161,7 +164,7 @@ TEST(Decimation, KeepsTheCornersOfARoughBlock) {
     block.triangles.push_back({below + next, below + i, middle});
   }
   ASSERT_TRUE(is_closed(block));
-  const TriangleMesh simplified = decimate_mesh(block, 100, "thing");
+  const TriangleMesh simplified = decimate_mesh(block, 100, "thing").mesh;
   const SurfaceSearch search(simplified);
   for (const std::uint32_t corner : {at(0, 0), at(0, kCells), at(kCells, 0), at(kCells, kCells)}) {
     EXPECT_LT(search.nearest(block.vertices_m[corner]).distance_m, 0.05e-3) << corner;
@@ -170,15 +173,15 @@ TEST(Decimation, KeepsTheCornersOfARoughBlock) {
 
 TEST(Decimation, UsesVerticesOfTheOriginal) {
   const TriangleMesh mesh = bumpy_ball(3, 0.02, 0.001, 5.0);
-  for (const glm::dvec3& vertex : decimate_mesh(mesh, 100, "thing").vertices_m) {
+  for (const glm::dvec3& vertex : decimate_mesh(mesh, 100, "thing").mesh.vertices_m) {
     EXPECT_THAT(mesh.vertices_m, testing::Contains(vertex));
   }
 }
 
 TEST(Decimation, GivesTheSameAgain) {
   const TriangleMesh mesh = ring(40, 20, 0.0003);
-  const TriangleMesh one = decimate_mesh(mesh, 200, "thing");
-  const TriangleMesh two = decimate_mesh(mesh, 200, "thing");
+  const TriangleMesh one = decimate_mesh(mesh, 200, "thing").mesh;
+  const TriangleMesh two = decimate_mesh(mesh, 200, "thing").mesh;
   EXPECT_EQ(one.triangles, two.triangles);
   EXPECT_TRUE(one.vertices_m == two.vertices_m);
 }
@@ -200,6 +203,94 @@ TEST(Decimation, TellsHowFarItIs) {
     last = fraction;
   });
   EXPECT_GT(last, 0.7);
+}
+
+/// A tube of three sides between two faces, which it replaces.
+void join(TriangleMesh& mesh, std::size_t one, std::size_t other) {
+  const auto a = mesh.triangles[one];
+  const std::array<std::uint32_t, 3> b{mesh.triangles[other][0], mesh.triangles[other][2],
+                                       mesh.triangles[other][1]};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    mesh.triangles.push_back({a[i], a[next], b[next]});
+    mesh.triangles.push_back({a[i], b[next], b[i]});
+  }
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(std::max(one, other)));
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(std::min(one, other)));
+}
+
+/// Where a face looks straight along `direction`.
+std::size_t face_towards(const TriangleMesh& mesh, const glm::dvec3& direction) {
+  const auto reach = [&](const std::array<std::uint32_t, 3>& triangle) {
+    glm::dvec3 sum_m{0.0};
+    for (const std::uint32_t corner : triangle) sum_m += mesh.vertices_m[corner];
+    return glm::dot(sum_m, direction);
+  };
+  const auto furthest = std::max_element(
+      mesh.triangles.begin(), mesh.triangles.end(),
+      [&](const auto& each, const auto& another) { return reach(each) < reach(another); });
+  return static_cast<std::size_t>(furthest - mesh.triangles.begin());
+}
+
+/// A ball with a tunnel straight through it.
+TriangleMesh pierced_ball() {
+  TriangleMesh mesh = smooth_ball(4, 0.02);
+  join(mesh, face_towards(mesh, {1, 2, 3}), face_towards(mesh, {-1, -2, -3}));
+  return mesh;
+}
+
+TEST(NarrowHandles, AreCountedAndCutWhereTheyAreNarrowerThanAsked) {
+  TriangleMesh mesh = pierced_ball();
+  ASSERT_TRUE(is_closed(mesh));
+  EXPECT_EQ(handles_of(smooth_ball(2, 0.02)), 0U);
+  EXPECT_EQ(handles_of(ring(20, 10, 0.0)), 1U);
+  EXPECT_EQ(handles_of(mesh), 1U);
+  // Sides of a ball's 2048 triangles: √(4·4πR²/(√3·2048)) = 2.4 mm, three of them 7 mm.
+  EXPECT_EQ(cut_narrow_handles(mesh, 0.003).handles, 0U);
+  const HandleCuts cuts = cut_narrow_handles(mesh, 0.01);
+  EXPECT_EQ(cuts.handles, 1U);
+  EXPECT_NEAR(cuts.widest_m, 0.007, 0.0015);
+  EXPECT_EQ(cuts.copies.size(), 3U);
+  EXPECT_EQ(handles_of(mesh), 0U);
+  EXPECT_TRUE(is_closed(mesh));
+}
+
+// The neck is the narrowest way around of all, and nothing but the neck holds the two balls together.
+TEST(NarrowHandles, AreNoNecks) {
+  TriangleMesh mesh = pierced_ball();
+  TriangleMesh small = smooth_ball(3, 0.005);
+  const std::size_t neck = face_towards(small, {-1, 0.1, 0.2}) + mesh.triangles.size();
+  const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
+  for (const glm::dvec3& vertex : small.vertices_m) {
+    mesh.vertices_m.push_back(vertex + glm::dvec3{0.03, 0.0, 0.0});
+  }
+  for (const auto& [a, b, c] : small.triangles) {
+    mesh.triangles.push_back({a + first, b + first, c + first});
+  }
+  join(mesh, face_towards(pierced_ball(), {1, 0.1, -0.1}), neck);
+  ASSERT_EQ(handles_of(mesh), 1U);
+  const HandleCuts cuts = cut_narrow_handles(mesh, 0.01);
+  EXPECT_EQ(cuts.handles, 1U);
+  EXPECT_GT(cuts.widest_m, 0.005);  // around the neck it is less than 4 mm
+  EXPECT_TRUE(is_closed(mesh));
+  EXPECT_EQ(handles_of(mesh), 0U);
+}
+
+TEST(Decimation, CutsWhatIsNarrowerThanAFaceAndKeepsARingARing) {
+  const TriangleMesh mesh = pierced_ball();
+  // Sides of 200 faces: 7.6 mm.
+  const SimplifiedMesh simplified = decimate_mesh(mesh, 200, "thing");
+  EXPECT_EQ(simplified.handles_cut, 1U);
+  EXPECT_GT(simplified.widest_handle_m, 0.0);
+  EXPECT_LT(simplified.widest_handle_m, 0.0076);
+  EXPECT_EQ(handles_of(simplified.mesh), 0U);
+  EXPECT_TRUE(is_closed(simplified.mesh));
+  EXPECT_NEAR(volume_m3(simplified.mesh), volume_m3(smooth_ball(4, 0.02)), 3e-6);
+  EXPECT_THAT(sentence_of(simplified).value(), HasSubstr("around: 1."));
+  const SimplifiedMesh whole = decimate_mesh(ring(60, 24, 0.0003), 300, "thing");
+  EXPECT_EQ(whole.handles_cut, 0U);
+  EXPECT_EQ(handles_of(whole.mesh), 1U);
+  EXPECT_EQ(sentence_of(whole), std::nullopt);
 }
 
 }  // namespace

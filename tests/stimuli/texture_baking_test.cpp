@@ -19,7 +19,8 @@ constexpr BakeSettings kQuick{.error_samples = 5000};
 
 BakedMesh baked(const TriangleMesh& original, std::size_t triangles, unsigned jobs = 1,
                 const BakeSettings& settings = kQuick) {
-  return bake_texture(original, decimate_mesh(original, triangles, "thing"), settings, {jobs, {}});
+  return bake_texture(original, decimate_mesh(original, triangles, "thing").mesh, settings,
+                      {jobs, {}});
 }
 
 int texels_along(const TexturedMesh& mesh, std::size_t triangle) {
@@ -180,7 +181,7 @@ TEST(Baking, CountsRaysThatMeetNothingAndGoesOnFromTheirNeighbours) {
   const TriangleMesh whole = smooth_ball(5, 0.02);
   TriangleMesh open = whole;
   std::erase_if(open.triangles, [&](const auto& t) { return whole.vertices_m[t[0]].z > 0.0185; });
-  const BakedMesh result = bake_texture(open, decimate_mesh(whole, 200, "thing"), kQuick, {});
+  const BakedMesh result = bake_texture(open, decimate_mesh(whole, 200, "thing").mesh, kQuick, {});
   EXPECT_GT(result.report.missed, 0U);
   EXPECT_LT(result.report.missed, result.report.samples / 4);
   for (std::size_t triangle = 0; triangle < result.mesh.triangles.size(); ++triangle) {

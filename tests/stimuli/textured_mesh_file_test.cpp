@@ -19,7 +19,7 @@ using testing::HasSubstr;
 StoredTexturedMesh made() {
   const TriangleMesh original = bumpy_ball(3, 0.02, 0.0005, 9.0);
   BakedMesh baked =
-      bake_texture(original, decimate_mesh(original, 60, "thing"), {.error_samples = 100}, {});
+      bake_texture(original, decimate_mesh(original, 60, "thing").mesh, {.error_samples = 100}, {});
   return {std::move(baked.mesh),
           baked.report.plain,
           baked.report.textured,
