@@ -192,7 +192,11 @@ std::int64_t MeshText::integer_in(std::string_view word) const {
 }
 
 void MeshText::refuse(const std::string& sentence) const {
-  throw std::invalid_argument(name_ + ':' + std::to_string(number_) + ": " + sentence);
+  // What stands in a damaged file would do more to a terminal than be read.
+  std::string readable = sentence;
+  std::replace_if(
+      readable.begin(), readable.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  throw std::invalid_argument(name_ + ':' + std::to_string(number_) + ": " + readable);
 }
 
 GrowingMesh::GrowingMesh(const MeshReading& reading, std::string name)

@@ -184,6 +184,17 @@ TEST(MeshRepair, LeavesOutDebrisAndWhatEnclosesNothing) {
   EXPECT_EQ(result.mesh.triangles.size(), 12U);
 }
 
+TEST(MeshRepair, LeavesASurfaceThatPassesThroughItselfAsItLies) {
+  TriangleMesh mesh = box({0.01, 0.01, 0.01});
+  const TriangleMesh other = box({0.01, 0.01, 0.01}, {0.005, 0.004, 0.003});
+  for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({a + 8, b + 8, c + 8});
+  mesh.vertices_m.insert(mesh.vertices_m.end(), other.vertices_m.begin(), other.vertices_m.end());
+  const RepairedMesh result = repair_mesh(mesh, {}, "thing");
+  EXPECT_TRUE(is_closed(result.mesh));
+  EXPECT_EQ(result.mesh.triangles.size(), 24U);
+  EXPECT_EQ(result.found.parts, 2U);
+}
+
 TEST(MeshRepair, RefusesWhatHasNoInside) {
   EXPECT_THAT(refusal({{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}}}), HasSubstr("flat"));
   EXPECT_THAT(refusal(box({0.01, 0.01, 0.0})), HasSubstr("flat"));

@@ -97,6 +97,25 @@ TEST(TexturedMeshFile, OfAnotherKindOrVersionIsRefused) {
   EXPECT_THAT(refusal(newer), HasSubstr("asperity.textured_mesh/2"));
 }
 
+TEST(TexturedMeshFile, WithTheTextureOfAnotherMeshIsRefused) {
+  StoredTexturedMesh other = made();
+  for (glm::dvec3& vertex : other.mesh.vertices_m) vertex *= 2.0;
+  const std::string one = text_of(made());
+  const std::string another = text_of(other);
+  const std::string mixed =
+      one.substr(0, one.find('\n') + 66) + another.substr(another.find('\n') + 66);
+  EXPECT_THAT(refusal(mixed), testing::StartsWith("thing "));
+  // With the right digest it still is no texture of this mesh: it has other faces.
+  BakedMesh coarse = bake_texture(bumpy_ball(3, 0.02, 0.0005, 9.0),
+                                  decimate_mesh(bumpy_ball(3, 0.02, 0.0005, 9.0), 40, "thing").mesh,
+                                  {.error_samples = 100}, {});
+  EXPECT_THAT(refusal_of_changed([&coarse](auto& stored) {
+                stored.mesh.atlas = coarse.mesh.atlas;
+                stored.mesh.places = coarse.mesh.places;
+              }),
+              HasSubstr("as many places"));
+}
+
 // With the right digest, since anybody can write one.
 TEST(TexturedMeshFile, ThatSaysWhatCannotBeIsRefused) {
   EXPECT_THAT(refusal_of_changed([](auto& s) { s.mesh.triangles[3][1] = 99999; }),
