@@ -481,7 +481,11 @@ constexpr std::array kPairings = {
     Pairing{"hammer", "hammer", "block"}, Pairing{"file", "file", "part"},
     Pairing{"part", "part", "block"}};
 
+/// What bodies that are given are drawn over.
+constexpr const char* kGround = "block";
+
 bool is_wanted(const Order& order, const std::string& body) {
+  if (order.meshes && body == kGround) return true;
   return !order.only || std::any_of(kPairings.begin(), kPairings.end(), [&](const Pairing& each) {
     return *order.only == each.scene && (body == each.tool || body == each.surface);
   });
@@ -546,13 +550,21 @@ std::vector<std::unique_ptr<const Body>> make_bodies(const Order& order) {
           },
           order.triangles),
       750);
+  std::vector<std::filesystem::path> files;
   if (order.meshes) {
     for (const auto& file : std::filesystem::directory_iterator(*order.meshes)) {
-      if (!file.is_regular_file()) continue;
-      Body body = bake(file.path().stem().string(), bytes_of(file.path()), 700);
+      if (file.is_regular_file()) files.push_back(file.path());
+    }
+    std::sort(files.begin(), files.end());
+  }
+  for (const std::filesystem::path& file : files) {
+    try {
+      Body body = bake("given_" + file.stem().string(), bytes_of(file), 700);
       body.is_given = true;
       bodies.push_back(std::make_unique<const Body>(std::move(body)));
       std::fprintf(stderr, "%s\n", bodies.back()->made.dump().c_str());
+    } catch (const std::exception& error) {  // one file of many
+      std::fprintf(stderr, "left out: %s\n", error.what());
     }
   }
   return bodies;
@@ -590,7 +602,7 @@ std::vector<Scene> scenes_of(const std::vector<std::unique_ptr<const Body>>& bod
   }
   for (const auto& each : bodies) {
     if (!each->is_given) continue;
-    scenes.push_back({.name = "given_" + each->name, .tool = each.get(), .surface = body("block")});
+    scenes.push_back({.name = each->name, .tool = each.get(), .surface = body(kGround)});
   }
   for (Scene& scene : scenes) {
     scene.above_m.z = half_height_m(*scene.tool->textured, scene.orientation) + 0.002;
@@ -673,5 +685,10 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  return asperity::run(order);
+  try {
+    return asperity::run(order);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
 }
