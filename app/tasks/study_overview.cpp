@@ -2,18 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <exception>
+#include <fstream>
 #include <map>
 #include <set>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "analysis/random.h"
 #include "app/conductor/session_setup.h"
+#include "app/conductor/stimulus_builder.h"
 #include "app/height_field_files.h"
 #include "app/tasks/unfinished_session.h"
+#include "app/textured_mesh_files.h"
 #include "device/simulated_device.h"
 #include "protocols/protocol_reader.h"
 #include "results_schema/atomic_file.h"
@@ -122,35 +129,88 @@ void count_progress(ProtocolOverview& overview, const std::vector<SessionRow>& s
 }
 
 /// Which protocols of the study name each file.
-std::map<std::string, std::vector<std::string>> users_of_files(const std::filesystem::path& study,
-                                                               const ModelRegistry& models) {
-  std::map<std::string, std::vector<std::string>> users{};
+struct ProtocolFile {
+  std::filesystem::path file{};
+  Protocol protocol{};
+};
+
+/// Those without a fault: what is wrong with the others is said where protocols are listed.
+std::vector<ProtocolFile> sound_protocols(const std::filesystem::path& study,
+                                          const ModelRegistry& models) {
+  std::vector<ProtocolFile> protocols{};
   for (const std::filesystem::path& file : files_in(study / "protocols")) {
     if (file.extension() != ".json") continue;
     try {
-      const Protocol protocol = load_protocol(file, models, study);
-      std::set<std::string> named{};
-      for (const NamedFile& each : files_of(protocol, file.string())) named.insert(each.path);
-      for (const std::string& path : named) users[path].push_back(protocol.name);
+      protocols.push_back({file, load_protocol(file, models, study)});
     } catch (const std::exception&) {
-      // What is wrong with it is said where protocols are listed.
+      continue;
     }
+  }
+  return protocols;
+}
+
+std::map<std::string, std::vector<std::string>> users_of_files(
+    const std::vector<ProtocolFile>& protocols) {
+  std::map<std::string, std::vector<std::string>> users{};
+  for (const auto& [file, protocol] : protocols) {
+    std::set<std::string> named{};
+    for (const NamedFile& each : files_of(protocol, file.string())) named.insert(each.path);
+    for (const std::string& path : named) users[path].push_back(protocol.name);
   }
   return users;
 }
 
-bool is_picture_name(const std::filesystem::path& file) {
+/// Protocols and the names of their bodies that are shapes.
+std::vector<std::pair<const Protocol*, std::string>> shapes_of(
+    const std::vector<ProtocolFile>& protocols) {
+  std::vector<std::pair<const Protocol*, std::string>> shapes{};
+  for (const ProtocolFile& each : protocols) {
+    for (const auto& [name, body] : each.protocol.bodies) {
+      if (body.shape) shapes.emplace_back(&each.protocol, name);
+    }
+  }
+  return shapes;
+}
+
+std::string lower_ending(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+/// By its name, or by how it begins.
+bool is_textured_mesh(const std::filesystem::path& file) {
+  if (lower_ending(file) == ".mesh") return true;
+  std::array<char, 64> begin{};
+  std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
+  return std::string_view(begin.data(), begin.size()).find("asperity.textured_mesh/") !=
+         std::string_view::npos;
+}
+
+bool is_picture_name(const std::filesystem::path& file) {
+  const std::string ending = lower_ending(file);
   constexpr std::array<std::string_view, 7> kEndings = {".png",  ".jpg", ".jpeg", ".tif",
                                                         ".tiff", ".bmp", ".webp"};
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
+void look_at(StimulusOverview& stimulus, const TexturedMesh& body) {
+  stimulus.triangles = body.triangles.size();
+  stimulus.rows = body.atlas.rows;
+  stimulus.columns = body.atlas.columns;
+  glm::dvec3 low_m = body.vertices_m.front();
+  glm::dvec3 high_m = low_m;
+  for (const glm::dvec3& vertex : body.vertices_m) {
+    low_m = glm::min(low_m, vertex);
+    high_m = glm::max(high_m, vertex);
+  }
+  stimulus.size_m = high_m - low_m;
+}
+
 void look_into(StimulusOverview& stimulus, const std::filesystem::path& file,
                std::size_t relief_rows) {
-  if (!stimulus.is_height_field) {
+  if (stimulus.kind == StimulusOverview::Kind::picture) {
     const std::string bytes = read_file(file);
     const PictureFacts facts = inspect_picture(std::as_bytes(std::span(bytes)), stimulus.path);
     stimulus.rows = facts.rows;
@@ -316,33 +376,69 @@ SessionDetail session_detail(const Study& study, std::int64_t session_id) {
   return detail;
 }
 
-int count_stimuli(const std::filesystem::path& study) {
+int count_stimuli(const std::filesystem::path& study, const ModelRegistry& models) {
   const std::vector<std::filesystem::path> files = files_in(study / "stimuli");
-  return static_cast<int>(std::count_if(files.begin(), files.end(), is_picture_name));
+  const auto listed = std::count_if(files.begin(), files.end(), [](const auto& file) {
+    return is_picture_name(file) || is_textured_mesh(file);
+  });
+  return static_cast<int>(listed) +
+         static_cast<int>(shapes_of(sound_protocols(study, models)).size());
 }
 
 std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& study,
                                                  const ModelRegistry& models,
                                                  std::size_t relief_rows,
-                                                 const std::stop_token& stop) {
-  const auto users = users_of_files(study, models);
+                                                 const std::stop_token& stop, const BodySeen& see) {
+  const std::vector<ProtocolFile> protocols = sound_protocols(study, models);
+  const auto users = users_of_files(protocols);
   std::vector<StimulusOverview> overviews{};
-  for (const std::filesystem::path& file : files_in(study / "stimuli")) {
-    if (stop.stop_requested()) break;
-    if (!is_picture_name(file)) continue;
-    StimulusOverview stimulus{};
-    stimulus.path = "stimuli/" + file.filename().string();
-    std::error_code ignored{};
-    stimulus.is_height_field = std::filesystem::exists(sidecar_of(file), ignored);
-    if (const auto found = users.find(stimulus.path); found != users.end()) {
-      stimulus.used_by = found->second;
-    }
+  // `look` answers the body, where it is one.
+  const auto add = [&](StimulusOverview stimulus, auto look) {
     try {
-      look_into(stimulus, file, relief_rows);
+      const std::shared_ptr<const TexturedMesh> body = look(stimulus);
+      if (body) look_at(stimulus, *body);
+      if (body && see) see(overviews.size(), body);
     } catch (const std::exception& error) {
       stimulus.problem = error.what();
     }
     overviews.push_back(std::move(stimulus));
+  };
+  using Kind = StimulusOverview::Kind;
+  for (const std::filesystem::path& file : files_in(study / "stimuli")) {
+    if (stop.stop_requested()) break;
+    const bool is_picture = is_picture_name(file);
+    if (!is_picture && !is_textured_mesh(file)) continue;
+    StimulusOverview stimulus{};
+    stimulus.path = "stimuli/" + file.filename().string();
+    std::error_code ignored{};
+    stimulus.kind = !is_picture                                          ? Kind::textured_mesh
+                    : std::filesystem::exists(sidecar_of(file), ignored) ? Kind::height_field
+                                                                         : Kind::picture;
+    if (const auto found = users.find(stimulus.path); found != users.end()) {
+      stimulus.used_by = found->second;
+    }
+    add(std::move(stimulus), [&](StimulusOverview& own) -> std::shared_ptr<const TexturedMesh> {
+      if (own.kind != Kind::textured_mesh) {
+        look_into(own, file, relief_rows);
+        return {};
+      }
+      const LoadedTexturedMesh loaded = load_textured_mesh(file);
+      own.source_name = loaded.stored->provenance.source_name;
+      return {loaded.stored, &loaded.stored->mesh};
+    });
+  }
+  for (const auto& [protocol, name] : shapes_of(protocols)) {
+    if (stop.stop_requested()) break;
+    BodyDescription body = protocol->bodies.at(name);
+    if (body.texture) body.height_field = protocol->textures.at(*body.texture).height_field;
+    StimulusOverview stimulus{};
+    stimulus.path = protocol->name + '/' + name;
+    stimulus.kind = Kind::shape;
+    stimulus.shape = body.shape;
+    stimulus.used_by = {protocol->name};
+    add(std::move(stimulus), [&](StimulusOverview&) {
+      return StimulusBuilder(models, study).body(body, BodyRole::tool).mesh;
+    });
   }
   return overviews;
 }

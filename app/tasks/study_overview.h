@@ -4,17 +4,23 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "app/tasks/protocol_files.h"
 #include "device/device_capability.h"
 #include "renderers/force_model.h"
 #include "results_schema/study.h"
 #include "stimuli/grey_image.h"
+#include "stimuli/textured_mesh.h"
+#include "stimuli/textured_shape.h"
 
 namespace asperity {
 
@@ -106,11 +112,18 @@ struct SessionDetail {
 };
 SessionDetail session_detail(const Study& study, std::int64_t session_id);
 
-/// A file of the study's `stimuli/`.
+/// A file of the study's `stimuli/`, or a body that a protocol makes of a shape.
 struct StimulusOverview {
-  std::string path{};  ///< study-relative
-  bool is_height_field = false;
-  std::size_t rows = 0;
+  enum class Kind {
+    picture,
+    height_field,
+    textured_mesh,
+    shape,
+  };
+  /// Study-relative; of a shape the protocol's name and the body's, "tools_matching/fine".
+  std::string path{};
+  Kind kind = Kind::picture;
+  std::size_t rows = 0;  ///< of a picture, a height field or the texture of a mesh
   std::size_t columns = 0;
   // Of a height field:
   std::string made_from{};  ///< "photograph", or the kind of a synthetic surface
@@ -120,17 +133,27 @@ struct StimulusOverview {
   double rms_m = 0.0;
   double range_m = 0.0;
   GreyImage relief{};  ///< small, lit from the upper left
+  // Of a textured mesh and a shape:
+  std::size_t triangles = 0;
+  glm::dvec3 size_m{0.0};     ///< of the box around it
+  std::string source_name{};  ///< of a mesh: the file that it was baked from
+  std::optional<Shape> shape{};
 
   std::vector<std::string> used_by{};  ///< names of protocols
   std::string problem{};               ///< why it cannot be used; empty when it can
 };
-/// How many there are; looks into none.
-int count_stimuli(const std::filesystem::path& study);
-/// By path. Files that are neither height fields nor pictures are left out.
+/// Told of every body while it is in memory, and its place in the list: textures of many bodies are too
+/// much to be kept.
+using BodySeen = std::function<void(std::size_t, const std::shared_ptr<const TexturedMesh>&)>;
+/// How many there are; looks into no picture and makes no body.
+int count_stimuli(const std::filesystem::path& study, const ModelRegistry& models);
+/// Files by path, then shapes by protocol and name, of protocols without a fault. Files that are
+/// neither pictures nor height fields nor textured meshes are left out.
 std::vector<StimulusOverview> stimulus_overviews(const std::filesystem::path& study,
                                                  const ModelRegistry& models,
                                                  std::size_t relief_rows,
-                                                 const std::stop_token& stop);
+                                                 const std::stop_token& stop,
+                                                 const BodySeen& see = {});
 
 /// The devices that this program can run a session on.
 std::vector<DeviceCapability> device_overviews();

@@ -1,6 +1,7 @@
 // Models with two bodies in a study: checked, felt, stored, replayed, exported.
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -12,6 +13,7 @@
 #include "app/tasks/new_study.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation.h"
+#include "app/tasks/study_overview.h"
 #include "app/tasks/verify_study.h"
 #include "app/textured_mesh_files.h"
 #include "results_schema/atomic_file.h"
@@ -187,6 +189,38 @@ TEST_F(Bodies, OfTheSameMakingAreOneMeshAndOthersAreNot) {
                       R"("diameter_m":0.006,"axis":"z","height_field_sha256":null})"));
   const LoadedBody rasp = builder.body({.mesh = "stimuli/rasp.mesh"}, BodyRole::tool);
   EXPECT_EQ(rasp.sha256, sha256_of(read_file(study_ / "stimuli" / "rasp.mesh")));
+}
+
+TEST_F(Bodies, AreListedAmongTheStimuli) {
+  write_file(study_ / "stimuli" / "torn.mesh", "a list of groceries\n", Overwrite::refuse);
+  std::map<std::size_t, std::shared_ptr<const TexturedMesh>> bodies{};
+  const auto stimuli =
+      stimulus_overviews(study_, models_, 32, {},
+                         [&bodies](std::size_t place, const auto& body) { bodies[place] = body; });
+  EXPECT_EQ(count_stimuli(study_, models_), static_cast<int>(stimuli.size()));
+  const auto named = [&stimuli](const std::string& path) {
+    const auto found = std::find_if(stimuli.begin(), stimuli.end(),
+                                    [&path](const auto& each) { return each.path == path; });
+    return found == stimuli.end() ? StimulusOverview{} : *found;
+  };
+  const StimulusOverview rasp = named("stimuli/rasp.mesh");
+  EXPECT_EQ(rasp.kind, StimulusOverview::Kind::textured_mesh);
+  EXPECT_GT(rasp.triangles, 11U);
+  EXPECT_NEAR(rasp.size_m.y, kRasp_m, 1e-12);
+  EXPECT_THAT(rasp.used_by, ElementsAre("tools"));
+  const StimulusOverview roll = named("tools/roll");
+  EXPECT_EQ(roll.kind, StimulusOverview::Kind::shape);
+  EXPECT_TRUE(std::holds_alternative<CylinderShape>(roll.shape.value()));
+  EXPECT_NEAR(roll.size_m.y, 0.004, 1e-12);  // along its axis
+  EXPECT_THAT(roll.used_by, ElementsAre("tools"));
+  EXPECT_THAT(named("stimuli/torn.mesh").problem, HasSubstr("torn.mesh"));
+  EXPECT_GT(named("tools/ball").triangles, 100U);
+  // Each was seen once, at its place.
+  EXPECT_EQ(bodies.size(), 4U);
+  for (const auto& [place, body] : bodies) {
+    EXPECT_EQ(stimuli.at(place).triangles, body->triangles.size());
+    EXPECT_EQ(stimuli.at(place).columns, body->atlas.columns);
+  }
 }
 
 /// The study after one virtual participant, the same for all tests that only look at it.

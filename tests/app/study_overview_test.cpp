@@ -141,13 +141,13 @@ TEST(StimulusOverviews, SayWhatAReliefIsAndWhatIsWrongWithAFile) {
   write_file(study / "stimuli" / "notes.txt", std::string("not listed"), Overwrite::refuse);
   const auto stimuli = stimulus_overviews(study, built_in_models(), 32, {});
   ASSERT_EQ(stimuli.size(), 3U);
-  EXPECT_EQ(count_stimuli(study), 3);
+  EXPECT_EQ(count_stimuli(study, built_in_models()), 3);
   EXPECT_EQ(stimuli[0].path, "stimuli/grain.png");
-  EXPECT_TRUE(stimuli[0].is_height_field);
+  EXPECT_EQ(stimuli[0].kind, StimulusOverview::Kind::height_field);
   EXPECT_EQ(stimuli[0].problem, "");
   EXPECT_GT(stimuli[0].rms_m, 0.0);
   EXPECT_EQ(stimuli[0].relief.rows, 32U);
-  EXPECT_FALSE(stimuli[1].is_height_field);
+  EXPECT_EQ(stimuli[1].kind, StimulusOverview::Kind::picture);
   EXPECT_EQ(stimuli[1].columns, 2U);
   EXPECT_THAT(stimuli[2].problem, HasSubstr("torn.png"));
 }

@@ -296,6 +296,16 @@ QRect SeenBody::area(const WorkspaceCamera& camera, const SeenPose& pose) const 
   return area.toAlignedRect().adjusted(-1, -1, 1, 1) & QRect({0, 0}, camera.size());
 }
 
+QImage picture_of_body(const std::shared_ptr<const TexturedMesh>& mesh, int side_px) {
+  const SeenBody::Colour kStone{0.80, 0.775, 0.735};
+  const SeenPatch seen = seen_patch_of(*mesh, SurfacePatch{});
+  const QSize size(side_px, side_px);
+  const WorkspaceCamera camera(seen.patch, size, seen.thickness_m);
+  BodyLayer layer(QRect(QPoint(0, 0), size), 2);
+  SeenBody(mesh, SurfaceLook::relief, kStone).draw(camera, {}, layer);
+  return layer.image();
+}
+
 double lift_above_m(const TexturedMesh& tool, const SeenPose& tool_pose,
                     const TexturedMesh& surface, const glm::dvec3& surface_m, double most_m) {
   std::vector<glm::dvec3> corners_m{};

@@ -92,6 +92,9 @@ class SeenBody final {
   double exaggeration_ = 0.0;
 };
 
+/// A body by itself for a list, seen as in the workspace; transparent around it. Some 20 ms.
+QImage picture_of_body(const std::shared_ptr<const TexturedMesh>& mesh, int side_px);
+
 /// How far a tool has to be raised so that none of its corners lies below the surface's upper side, at
 /// most `most_m`: more is no contact that gives way but a tool at another side, and stays as it is.
 double lift_above_m(const TexturedMesh& tool, const SeenPose& tool_pose,

@@ -1,6 +1,9 @@
 #include "app/gui/study/stimuli_page.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <variant>
 
 #include <QtCore/QFileSystemWatcher>
 #include <QtGui/QImageReader>
@@ -8,6 +11,7 @@
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLineEdit>
 
+#include "app/gui/participant/body_picture.h"
 #include "app/gui/study/study_table.h"
 
 namespace asperity {
@@ -29,12 +33,77 @@ QImage image_of(const GreyImage& grey) {
   return image;
 }
 
+/// Of a file that is no body.
 QImage picture_of(const std::filesystem::path& study, const StimulusOverview& stimulus) {
   if (!stimulus.problem.empty()) return {};
-  if (stimulus.is_height_field) return image_of(stimulus.relief);
+  if (stimulus.kind == StimulusOverview::Kind::height_field) return image_of(stimulus.relief);
   QImageReader reader(QString::fromStdString((study / stimulus.path).string()));
   reader.setScaledSize(reader.size().scaled(2 * kPicture, 2 * kPicture, Qt::KeepAspectRatio));
   return reader.read();
+}
+
+std::vector<StimuliPage::Shown> stimuli_of(const std::filesystem::path& study,
+                                           const ModelRegistry& models,
+                                           const std::stop_token& stop) {
+  std::map<std::size_t, QImage> bodies{};
+  const auto see = [&bodies](std::size_t place, const std::shared_ptr<const TexturedMesh>& body) {
+    bodies[place] = picture_of_body(body, 2 * kPicture);
+  };
+  std::vector<StimuliPage::Shown> shown{};
+  for (StimulusOverview& stimulus : stimulus_overviews(study, models, 2 * kPicture, stop, see)) {
+    const auto body = bodies.find(shown.size());
+    QImage picture = body != bodies.end() ? body->second : picture_of(study, stimulus);
+    shown.push_back({std::move(stimulus), std::move(picture)});
+  }
+  return shown;
+}
+
+bool is_body(const StimulusOverview& stimulus) {
+  return stimulus.kind == StimulusOverview::Kind::textured_mesh ||
+         stimulus.kind == StimulusOverview::Kind::shape;
+}
+
+QString shape_name(const Shape& shape) {
+  struct Name {
+    QString operator()(const PlateShape&) const { return StimuliPage::tr("plate"); }
+    QString operator()(const BoxShape&) const { return StimuliPage::tr("box"); }
+    QString operator()(const CylinderShape&) const { return StimuliPage::tr("cylinder"); }
+    QString operator()(const SphereShape&) const { return StimuliPage::tr("ball"); }
+  };
+  return std::visit(Name{}, shape);
+}
+
+QString kind_of(const StimulusOverview& stimulus) {
+  using Kind = StimulusOverview::Kind;
+  const QString triangles = QString::number(stimulus.triangles);
+  switch (stimulus.kind) {
+    case Kind::picture:
+      break;
+    case Kind::height_field:
+      return StimuliPage::tr("height field (%1)").arg(QString::fromStdString(stimulus.made_from));
+    case Kind::textured_mesh:
+      return StimuliPage::tr("mesh of %1 triangles").arg(triangles);
+    case Kind::shape:
+      return StimuliPage::tr("%1 of %2 triangles").arg(shape_name(*stimulus.shape), triangles);
+  }
+  return StimuliPage::tr("picture");
+}
+
+/// "100 × 60", or "100 × 60 × 10" of a body.
+QStandardItem* size_cell(const StimulusOverview& stimulus) {
+  const auto millimetres = [](double size_m) { return QString::number(1e3 * size_m, 'g', 3); };
+  if (is_body(stimulus)) {
+    const glm::dvec3& size_m = stimulus.size_m;
+    return number_cell(
+        StimuliPage::tr("%1 × %2 × %3")
+            .arg(millimetres(size_m.x), millimetres(size_m.y), millimetres(size_m.z)),
+        size_m.x * size_m.y);
+  }
+  if (stimulus.kind != StimulusOverview::Kind::height_field) return empty_number_cell();
+  return number_cell(
+      StimuliPage::tr("%1 × %2").arg(QString::number(1e3 * stimulus.width_m, 'g', 4),
+                                     QString::number(1e3 * stimulus.length_m, 'g', 4)),
+      stimulus.width_m * stimulus.length_m);
 }
 
 QStandardItem* maybe_number_cell(bool there, double value, int decimals) {
@@ -46,11 +115,13 @@ QStandardItem* maybe_number_cell(bool there, double value, int decimals) {
 StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
     : StudyPage(study, tr("Stimuli"), parent) {
   setObjectName("stimuli_page");
-  set_empty_state(new EmptyState(
-      tr("No stimuli yet"),
-      tr("Stimuli are pictures and height fields in the study's folder \"stimuli\". Make one from "
-         "a photograph on the page Workbench, or copy files there: they appear here at once."),
-      this));
+  set_empty_state(new EmptyState(tr("No stimuli yet"),
+                                 tr("Stimuli are pictures, height fields and textured meshes in "
+                                    "the study's folder \"stimuli\", "
+                                    "and the bodies of its protocols. Make one from a photograph "
+                                    "on the page Workbench, or copy "
+                                    "files there: they appear here at once."),
+                                 this));
   filter_ = new QLineEdit(this);
   filter_->setObjectName("stimuli_filter");
   filter_->setPlaceholderText(tr("Filter"));
@@ -59,7 +130,7 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
   head().addWidget(filter_);
 
   using Align = StudyTable::Align;
-  table_ = new StudyTable({{tr("File"), 208, Align::text},
+  table_ = new StudyTable({{tr("Name"), 208, Align::text},
                            {tr("What it is"), 184, Align::text},
                            {tr("Size, mm"), 112, Align::number},
                            {tr("Pixels"), 104, Align::number},
@@ -79,18 +150,14 @@ StimuliPage::StimuliPage(OpenStudy& study, QWidget* parent)
   connect(watcher_, &QFileSystemWatcher::directoryChanged, this, &StimuliPage::refresh);
   read_with<int>(
       Need::always,
-      [](const Study& own, const std::stop_token&) { return count_stimuli(own.folder()); },
+      [&models = study.models()](const Study& own, const std::stop_token&) {
+        return count_stimuli(own.folder(), models);
+      },
       [this](const int& count) { emit counted(QString::number(count)); });
   read_with<std::vector<Shown>>(
       Need::when_shown,
       [&models = study.models()](const Study& own, const std::stop_token& stop) {
-        std::vector<Shown> shown{};
-        for (StimulusOverview& stimulus :
-             stimulus_overviews(own.folder(), models, 2 * kPicture, stop)) {
-          QImage picture = picture_of(own.folder(), stimulus);
-          shown.push_back({std::move(stimulus), std::move(picture)});
-        }
-        return shown;
+        return stimuli_of(own.folder(), models, stop);
       },
       [this](const std::vector<Shown>& stimuli) { show_stimuli(stimuli); });
 }
@@ -99,33 +166,29 @@ void StimuliPage::show_stimuli(const std::vector<Shown>& stimuli) {
   std::vector<StudyTable::Row> rows{};
   for (const auto& [stimulus, picture] : stimuli) {
     const QString path = QString::fromStdString(stimulus.path);
+    // A shape has no file; its protocol stands under "Used by".
     QStandardItem* name = text_cell(path.mid(path.indexOf('/') + 1));
     if (!picture.isNull()) name->setIcon(QIcon(QPixmap::fromImage(picture)));
-    QString what = tr("picture");
-    if (stimulus.is_height_field) {
-      what = tr("height field (%1)").arg(QString::fromStdString(stimulus.made_from));
+    QStandardItem* kind = text_cell(kind_of(stimulus));
+    if (!stimulus.source_name.empty()) {
+      kind->setToolTip(tr("Made from %1.").arg(QString::fromStdString(stimulus.source_name)));
     }
-    QStandardItem* kind = text_cell(what);
     if (!stimulus.problem.empty()) {
       kind = text_cell(tr("▲ %1").arg(QString::fromStdString(stimulus.problem)));
       kind->setForeground(theme().look);
     }
     QStringList users{};
     for (const std::string& user : stimulus.used_by) users.append(QString::fromStdString(user));
-    const bool is_relief = stimulus.is_height_field && stimulus.problem.empty();
-    QStandardItem* size = empty_number_cell();
-    if (is_relief) {
-      size = number_cell(tr("%1 × %2").arg(QString::number(1e3 * stimulus.width_m, 'g', 4),
-                                           QString::number(1e3 * stimulus.length_m, 'g', 4)),
-                         stimulus.width_m * stimulus.length_m);
-    }
-    rows.push_back({path,
-                    {name, kind, size,
-                     number_cell(tr("%1 × %2").arg(stimulus.columns).arg(stimulus.rows),
-                                 static_cast<double>(stimulus.columns * stimulus.rows)),
-                     maybe_number_cell(is_relief, 1e6 * stimulus.pitch_m, 1),
-                     maybe_number_cell(is_relief, 1e6 * stimulus.rms_m, 1),
-                     text_cell(users.isEmpty() ? tr("no protocol") : users.join(", "))}});
+    const bool is_relief =
+        stimulus.kind == StimulusOverview::Kind::height_field && stimulus.problem.empty();
+    rows.push_back(
+        {path,
+         {name, kind, stimulus.problem.empty() ? size_cell(stimulus) : empty_number_cell(),
+          number_cell(tr("%1 × %2").arg(stimulus.columns).arg(stimulus.rows),
+                      static_cast<double>(stimulus.columns * stimulus.rows)),
+          maybe_number_cell(is_relief, 1e6 * stimulus.pitch_m, 1),
+          maybe_number_cell(is_relief, 1e6 * stimulus.rms_m, 1),
+          text_cell(users.isEmpty() ? tr("no protocol") : users.join(", "))}});
   }
   table_->fill(rows);
   show_empty(stimuli.empty());

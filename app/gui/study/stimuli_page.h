@@ -1,4 +1,4 @@
-// The study's height fields and pictures.
+// The study's height fields, pictures, textured meshes and shaped bodies.
 
 #pragma once
 

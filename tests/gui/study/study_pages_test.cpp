@@ -1,6 +1,8 @@
 // The pages of a study: what they list, how it sorts, what can be done from there.
 
 #include <fstream>
+#include <string>
+#include <utility>
 
 #include <QtCore/QPointer>
 #include <QtCore/QRegularExpression>
@@ -26,6 +28,8 @@
 #include "app/gui/study/study_table.h"
 #include "app/gui/study/study_window.h"
 #include "app/gui/study/trials_page.h"
+#include "protocols/library_protocols.h"
+#include "results_schema/atomic_file.h"
 #include "tests/gui/study/lively_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
@@ -468,6 +472,42 @@ TEST_F(StudyPages, ShowStimuliWithWhatUsesThem) {
   EXPECT_EQ(table.text_at(1, 1), "picture");
   std::filesystem::remove(window_.study()->folder() / "stimuli" / "brick.png");
   EXPECT_TRUE(eventually([&] { return table.shown_rows() == 15; }));
+}
+
+TEST_F(StudyPages, ShowTheBodiesOfProtocolsWithAPicture) {
+  open_demo();
+  std::string protocol{};
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (each.name == "tools_matching") protocol = each.text;
+  }
+  const std::pair<std::string, std::string> reliefs[] = {{"file_fine", "metal"},
+                                                         {"file_medium", "stone"},
+                                                         {"file_coarse", "wood"},
+                                                         {"file_plate", "brick"}};
+  for (const auto& [theirs, ours] : reliefs) {
+    for (std::size_t at = 0; (at = protocol.find(theirs)) != std::string::npos;) {
+      protocol.replace(at, theirs.size(), ours);
+    }
+  }
+  write_file(window_.study()->folder() / "protocols" / "tools.json", protocol, Overwrite::refuse);
+  const StudyTable& table = table_of("stimuli", "stimuli_table", 20);
+  const auto row_of = [&table](const QString& name) {
+    int row = 0;
+    while (row < table.shown_rows() && table.text_at(row, 0) != name) ++row;
+    return row;
+  };
+  const int fine = row_of("fine");
+  ASSERT_LT(fine, 20);
+  EXPECT_TRUE(table.text_at(fine, 1).startsWith("cylinder of "));
+  EXPECT_EQ(table.text_at(fine, 2), "7.64 × 8 × 7.64");
+  EXPECT_EQ(table.text_at(fine, 6), "tools_matching");
+  EXPECT_TRUE(table.text_at(row_of("studded_plate"), 1).startsWith("plate of "));
+  const QIcon icon = table.model()->index(fine, 0).data(Qt::DecorationRole).value<QIcon>();
+  const QImage picture = icon.pixmap(72, 72).toImage();
+  // The body in the middle, nothing around it.
+  EXPECT_GT(picture.pixelColor(picture.width() / 2, picture.height() / 2).alpha(), 200);
+  EXPECT_EQ(picture.pixelColor(1, 1).alpha(), 0);
+  take_screenshot(window_, "study-stimuli-bodies");
 }
 
 TEST_F(StudyPages, CountInTheNavigation) {
