@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include <CLI/CLI.hpp>
@@ -93,6 +95,15 @@ void add_bake(CLI::App& program, Job& job) {
       ->capture_default_str();
   command->add_option("--fill-holes-m", order.widest_hole_m,
                       "Widest hole that is closed (default: a tenth of the mesh's diagonal)");
+  const std::map<std::string, BodyRole> kRoles{{"surface", BodyRole::surface},
+                                               {"tool", BodyRole::tool}};
+  command
+      ->add_option(
+          "--for", order.role,
+          "Move it to where a surface or a tool is expected: its middle over the origin, its "
+          "highest or lowest point in the plane z = 0 (default: it keeps its frame)")
+      ->transform(CLI::CheckedTransformer(kRoles))
+      ->option_text("surface|tool");
   command->add_option("--jobs", order.jobs, "Threads; changes no result")
       ->check(CLI::Range(1, 256));
   command->add_flag("--json", options->json, "Print the figures as JSON");

@@ -4,6 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include <glm/common.hpp>
+
+#include "analysis/number_text.h"
 #include "app/height_field_files.h"
 #include "app/textured_mesh_files.h"
 #include "results_schema/sha256.h"
@@ -53,6 +56,24 @@ Original read_original(const BakeOrder& order) {
   return original;
 }
 
+/// See BakeOrder::role. What was done is said in the provenance.
+void place(TexturedMesh& mesh, BodyRole role, TexturedMeshProvenance& provenance) {
+  glm::dvec3 low_m = mesh.vertices_m.front();
+  glm::dvec3 high_m = low_m;
+  for (const glm::dvec3& vertex : mesh.vertices_m) {
+    low_m = glm::min(low_m, vertex);
+    high_m = glm::max(high_m, vertex);
+  }
+  const bool is_tool = role == BodyRole::tool;
+  const glm::dvec3 to_m{-0.5 * (low_m.x + high_m.x), -0.5 * (low_m.y + high_m.y),
+                        is_tool ? -low_m.z : -high_m.z};
+  for (glm::dvec3& vertex : mesh.vertices_m) vertex += to_m;
+  provenance.findings.push_back("Moved by " + fixed(1e3 * to_m.x, 3) + ", " +
+                                fixed(1e3 * to_m.y, 3) + ", " + fixed(1e3 * to_m.z, 3) +
+                                " mm: its middle lies over the origin, its " +
+                                (is_tool ? "lowest" : "highest") + " point in the plane z = 0.");
+}
+
 }  // namespace
 
 BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>& progress) {
@@ -77,6 +98,7 @@ BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>&
   }
   const TriangleMesh& simplified = simple.mesh;
   BakedMesh baked = bake_texture(original.mesh, simplified, {}, {order.jobs, part(0.5, 0.98)});
+  if (order.role) place(baked.mesh, *order.role, original.provenance);
   BakeOutcome outcome{original.provenance.source_triangles,
                       simplified.triangles.size(),
                       original.diagonal_m,

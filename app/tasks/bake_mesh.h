@@ -11,6 +11,7 @@
 
 #include "results_schema/atomic_file.h"
 #include "stimuli/mesh_file.h"
+#include "stimuli/solid_body.h"
 #include "stimuli/texture_baking.h"
 
 namespace asperity {
@@ -21,6 +22,9 @@ struct BakeOrder {
   std::size_t triangles = 0;
   MeshReading reading{};
   std::optional<double> widest_hole_m{};  ///< of what is closed; a tenth of the diagonal by default
+  /// What the mesh is for: it is moved so that the middle of its box lies over the origin and its
+  /// highest (a surface) or lowest point (a tool) in the plane z = 0. Not given: it keeps its frame.
+  std::optional<BodyRole> role{};
   unsigned jobs = 1;
   Overwrite overwrite = Overwrite::refuse;
 };

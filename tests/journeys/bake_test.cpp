@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/textured_mesh_files.h"
+#include "results_schema/table.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
 #include "tests/stimuli/made_mesh.h"
@@ -118,6 +119,27 @@ TEST(Bake, RefusesBadMeshesInASentenceAndWritesNothing) {
   EXPECT_THAT(missing.err, HasSubstr("nowhere.obj"));
   EXPECT_EQ(asperity({"bake", place / "many.obj", "--triangles", "3", "--out", place / "x"}).status,
             2);
+}
+
+TEST(Bake, PutsAToolOnItsTip) {
+  const TemporaryFolder place{};
+  TriangleMesh ball = original();
+  for (glm::dvec3& vertex : ball.vertices_m) vertex += glm::dvec3{100.0, 7.0, -30.0};
+  write_text(place / "ball.obj", obj_of(ball));
+  const Outcome outcome = asperity({"bake", place / "ball.obj", "--triangles", "150", "--out",
+                                    place / "ball.mesh", "--for", "tool"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Moved by -"));
+  EXPECT_THAT(outcome.out, HasSubstr("its lowest point in the plane z = 0"));
+  // Its tip on a plate: in contact as soon as the path is below the plane.
+  write_text(place / "path.tsv", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0.01\n0.001\t0\t0\t-0.001\n");
+  ASSERT_EQ(
+      asperity({"render", "--model", "pd_gradient", "--stimulus", "plane:0.02,0.02", "--tool",
+                place / "ball.mesh", "--path", place / "path.tsv", "--out", place / "forces.tsv"})
+          .status,
+      0);
+  const Tsv forces = tsv(text_of(place / "forces.tsv"));
+  EXPECT_NEAR(number_in(forces.column("penetration_m").back()).value(), 0.001, 0.0005);
 }
 
 TEST(Bake, ClosesAWideHoleWhenItIsAskedTo) {
