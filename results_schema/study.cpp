@@ -109,6 +109,10 @@ Study::Store::Store(std::filesystem::path study_folder, Access study_access)
   connect();
 }
 
+Study::Store::~Store() {
+  if (seal && database) seal->seal_again(*database);
+}
+
 void Study::Store::connect() {
   if (access == Access::read_only) {
     connect_for_reading();
@@ -116,6 +120,7 @@ void Study::Store::connect() {
   }
   database = std::make_unique<Database>(folder, database_in(folder), Database::Mode::read_write);
   check_identity();
+  seal.emplace(folder, *database);
   if (schema_version < kSchemaVersion) bring_up_to_date();
 }
 

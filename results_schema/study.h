@@ -154,8 +154,9 @@ class Study final {
   /// Everything that does not hold: constraints, hashes of files and recordings, rows that
   /// contradict each other.
   std::vector<std::string> verify(const std::function<void(double)>& progress) const;
-  /// Files that no row vouches for: what a program that died was writing. They contradict nothing,
-  /// and whether they are of use is for a person to decide.
+  /// Files that nothing vouches for: what a program that died was writing, the database itself while
+  /// it is written to (docs/formats/study.md, "Checksum"). They contradict nothing, and whether they
+  /// are of use is for a person to decide.
   std::vector<std::string> leftovers() const;
 
  private:

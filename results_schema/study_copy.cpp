@@ -9,6 +9,7 @@
 #include <sqlite3.h>
 
 #include "results_schema/file_system.h"
+#include "results_schema/seal.h"
 #include "results_schema/sha256_stream.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
@@ -114,6 +115,12 @@ void Study::copy_to(const std::filesystem::path& folder) const {
     throw ResultsError("a study cannot be copied into itself, to " + folder.string(), folder,
                        EINVAL);
   }
+  if (seal_of(from) == Seal::broken) {
+    throw ResultsError("the study " + from.string() +
+                           " cannot be copied: its study.sqlite is not what it was when Asperity "
+                           "last closed it (its SHA-256 is not that in study.sqlite.sha256)",
+                       from);
+  }
   // Under another name until it is whole, so that nobody takes a part for a copy.
   std::filesystem::path part = to;
   part += ".part";
@@ -128,6 +135,7 @@ void Study::copy_to(const std::filesystem::path& folder) const {
       return true;
     });
     copy_files(from, part);
+    seal_new(part);
     if (!rename_to_free_name(part, to)) fail_on_file(to, "made", EEXIST);
   } catch (...) {
     std::filesystem::remove_all(part, error);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "results_schema/seal.h"
 #include "results_schema/sqlite.h"
 #include "results_schema/study.h"
 
@@ -25,6 +26,9 @@ struct Study::Store {
   };
 
   Store(std::filesystem::path study_folder, Access study_access);
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
 
   /// The connection, for writing. Throws when the study was opened for reading.
   Database& writable();
@@ -53,6 +57,7 @@ struct Study::Store {
   std::filesystem::path folder;
   Access access = Access::read_only;
   std::unique_ptr<Database> database{};
+  std::optional<SealBreaker> seal{};  ///< of a writer
   /// Set while the file, or a copy of it in memory, is read without locks.
   std::optional<Stamp> immutable_since{};
   int schema_version = 0;  ///< of the file

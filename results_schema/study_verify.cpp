@@ -5,6 +5,7 @@
 
 #include "results_schema/file_system.h"
 #include "results_schema/recording.h"
+#include "results_schema/seal.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
@@ -38,6 +39,15 @@ void check_database(Database& database, Findings& findings) {
     findings.push_back("study.sqlite: a row of " + table + " refers to a row of " + parent +
                        " that is not there");
   }
+}
+
+void check_seal(const std::filesystem::path& study, Findings& findings) {
+  if (seal_of(study) != Seal::broken) return;
+  findings.emplace_back(
+      "study.sqlite: it is not what it was when Asperity last closed it (its SHA-256 is not that "
+      "in "
+      "study.sqlite.sha256); restore both from a copy, or remove study.sqlite.sha256 if somebody "
+      "changed the study on purpose with another tool");
 }
 
 void check_protocols(const Study& study, Findings& findings) {
@@ -138,6 +148,7 @@ std::vector<std::string> Study::verify(const std::function<void(double)>& progre
   const std::vector<VouchedFile> files = store_->read([&](Database& database) {
     findings.clear();
     try {
+      check_seal(store_->folder, findings);
       check_database(database, findings);
       check_protocols(*this, findings);
       check_rows(database, findings);
@@ -179,6 +190,19 @@ std::vector<std::string> Study::leftovers() const {
                           ": a recording that belongs to no attempt, being written now or "
                           "left by a program that died");
     }
+  }
+  switch (seal_of(study)) {
+    case Seal::absent:
+    case Seal::in_use:
+      leftovers.push_back(
+          "study.sqlite: no checksum vouches for the whole file: it is being written, was left by "
+          "a "
+          "program that died, or was changed by another tool. Whoever writes to the study next "
+          "leaves one");
+      break;
+    case Seal::holds:
+    case Seal::broken:
+      break;
   }
   std::sort(leftovers.begin(), leftovers.end());
   return leftovers;

@@ -10,6 +10,7 @@
 #include "app/program.h"
 #include "app/tasks/recorded_attempt.h"
 #include "renderers/offline/replay.h"
+#include "results_schema/atomic_file.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -88,6 +89,38 @@ void check_answers(const SessionRow& session, const Trial& trial, const AttemptR
   }
 }
 
+/// A file in protocols/ may be changed by anybody at any time, and what sessions ran is in the
+/// database. But nobody changes a single byte on purpose.
+void check_protocol_files(const Study& study, VerifyResult& result) {
+  const std::vector<ProtocolRow> stored = study.protocols();
+  std::error_code none{};
+  std::set<std::filesystem::path> files{};
+  for (const auto& entry :
+       std::filesystem::directory_iterator(study.folder() / "protocols", none)) {
+    if (entry.is_regular_file()) files.insert(entry.path());
+  }
+  for (const std::filesystem::path& file : files) {
+    const std::string text = read_file(file);
+    const std::string name = "protocols/" + file.filename().string();
+    const ProtocolRow* nearly = nullptr;
+    std::size_t byte = 0;
+    bool is_stored = false;
+    for (const ProtocolRow& row : stored) {
+      if (row.source.size() != text.size()) continue;
+      const auto [here, there] = std::mismatch(text.begin(), text.end(), row.source.begin());
+      is_stored = is_stored || here == text.end();
+      if (here == text.end() || !std::equal(here + 1, text.end(), there + 1)) continue;
+      nearly = &row;
+      byte = static_cast<std::size_t>(here - text.begin());
+    }
+    if (is_stored || nearly == nullptr) continue;
+    result.problems.push_back(name + ": its byte " + std::to_string(byte) +
+                              " is not what it was when sessions ran " + nearly->name + " " +
+                              nearly->version +
+                              "; restore the file, or give it another version if that was meant");
+  }
+}
+
 }  // namespace
 
 VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay_too,
@@ -97,6 +130,7 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   const double store_share = replay_too ? 0.3 : 0.9;
   result.problems = study.verify([&](double fraction) { progress(store_share * fraction); });
   result.remarks = study.leftovers();
+  check_protocol_files(study, result);
   const std::vector<SessionRow> sessions = study.sessions();
   StimulusBuilder builder(models, study.folder());
   const ProgramIdentity program = this_program();

@@ -1,5 +1,8 @@
 // A copy is whole, of one moment, and checked; verify finds what does not hold.
 
+#include <algorithm>
+#include <random>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -74,6 +77,91 @@ TEST(StudyCopy, HoldsWhatTheStudyHolds) {
   EXPECT_FALSE(std::filesystem::exists(folder / "new" / "copy.part"));
 }
 
+/// The same on disk, closed: nobody writes to it.
+std::filesystem::path closed_study(const TemporaryFolder& folder) {
+  recorded_study(folder / "s");
+  return folder / "s";
+}
+
+/// Everything that is said against a study of which one bit is another; what cannot even be opened
+/// says so.
+std::vector<std::string> said_after_a_flip(const std::filesystem::path& study,
+                                           const std::filesystem::path& file, std::size_t byte,
+                                           int bit) {
+  const std::string before = read_file(file);
+  std::string after = before;
+  after[byte] = static_cast<char>(after[byte] ^ (1 << bit));
+  write_file(file, after, Overwrite::allow);
+  std::vector<std::string> said;
+  try {
+    said = Study::open(study, Access::read_only).verify({});
+  } catch (const ResultsError& error) {
+    said = {error.what()};
+  }
+  write_file(file, before, Overwrite::allow);
+  return said;
+}
+
+// Free space, unused bytes and the digits of numbers included: nothing but the checksum sees those.
+TEST(StudyVerify, FindsOneFlippedBitAnywhere) {
+  const TemporaryFolder folder;
+  const std::filesystem::path study = closed_study(folder);
+  std::mt19937_64 random(20240611);
+  for (const char* const name :
+       {"study.sqlite", "study.sqlite.sha256", "stimuli/metal.png", "recordings/P01/a.asprec"}) {
+    const std::size_t bytes = std::filesystem::file_size(study / name);
+    const int flips = name == std::string("study.sqlite") ? 100 : 20;
+    for (int i = 0; i < flips; ++i) {
+      const std::size_t byte = random() % bytes;
+      const int bit = static_cast<int>(random() % 8);
+      EXPECT_FALSE(said_after_a_flip(study, study / name, byte, bit).empty())
+          << name << ", byte " << byte << ", bit " << bit;
+    }
+  }
+  const Study whole = Study::open(study, Access::read_only);
+  EXPECT_THAT(whole.verify({}), IsEmpty());
+  EXPECT_THAT(whole.leftovers(), IsEmpty());
+}
+
+TEST(StudyVerify, LetsNoWriterVouchForDamageThatWasThereBefore) {
+  const TemporaryFolder folder;
+  const std::filesystem::path study = closed_study(folder);
+  std::string content = read_file(study / "study.sqlite");
+  const std::size_t place = content.find("some study");
+  ASSERT_NE(place, std::string::npos);
+  content[place] = 'S';
+  write_file(study / "study.sqlite", content, Overwrite::allow);
+  Study::open(study, Access::read_write).add_participant(some_participant("P02"));
+  EXPECT_THAT(Study::open(study, Access::read_only).verify({}),
+              Contains(HasSubstr("study.sqlite.sha256")));
+  EXPECT_THROW(Study::open(study, Access::read_only).copy_to(folder / "copy"), ResultsError);
+}
+
+TEST(StudyVerify, FindsADatabaseWrittenToSealedByTheLastToClose) {
+  const TemporaryFolder folder;
+  const std::filesystem::path study = closed_study(folder);
+  const auto says_unsealed = [&] {
+    const std::vector<std::string> left = Study::open(study, Access::read_only).leftovers();
+    return std::any_of(left.begin(), left.end(), [](const std::string& sentence) {
+      return sentence.find("no checksum") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(says_unsealed());
+  {
+    Study first = Study::open(study, Access::read_write);
+    {
+      Study second = Study::open(study, Access::read_write);
+      second.add_participant(some_participant("P02"));
+    }
+    EXPECT_TRUE(says_unsealed());
+    first.add_participant(some_participant("P03"));
+  }
+  EXPECT_FALSE(says_unsealed());
+  EXPECT_THAT(Study::open(study, Access::read_only).verify({}), IsEmpty());
+  std::filesystem::remove(study / "study.sqlite.sha256");
+  EXPECT_TRUE(says_unsealed());
+}
+
 TEST(StudyCopy, IsAStudyThatGoesOn) {
   const TemporaryFolder folder;
   const auto [study, session_id] = recorded_study(folder / "s");
@@ -144,7 +232,8 @@ TEST(StudyVerify, FindsWhatACrashLeft) {
   EXPECT_THAT(study.leftovers(),
               ElementsAre(HasSubstr("recordings/P01/b.asprec: a recording that belongs to no"),
                           HasSubstr("recordings/c.asprec.part: an unfinished file"),
-                          HasSubstr("stimuli/d.png.1-0.tmp: an unfinished file")));
+                          HasSubstr("stimuli/d.png.1-0.tmp: an unfinished file"),
+                          HasSubstr("study.sqlite: no checksum vouches for the whole file")));
 }
 
 TEST(StudyVerify, FindsRowsThatContradictEachOther) {

@@ -1,0 +1,129 @@
+#include "results_schema/seal.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <optional>
+#include <unistd.h>
+#include <vector>
+
+#include <sqlite3.h>
+
+#include "results_schema/atomic_file.h"
+#include "results_schema/file_system.h"
+#include "results_schema/sha256_stream.h"
+#include "results_schema/study.h"
+#include "results_schema/study_store.h"
+
+namespace asperity {
+namespace {
+
+std::filesystem::path beside_database(const std::filesystem::path& study, const char* ending) {
+  std::filesystem::path path = database_in(study);
+  path += ending;
+  return path;
+}
+
+bool log_is_empty(const std::filesystem::path& study) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(beside_database(study, "-wal"), error);
+  return error || bytes == 0;
+}
+
+std::string seal_text_of(Database& database) {
+  constexpr sqlite3_int64 kPiece_bytes = 1 << 20;
+  sqlite3_file* file = nullptr;
+  int code = sqlite3_file_control(database.handle(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
+  if (code != SQLITE_OK || file == nullptr) database.fail(code, "cannot be read");
+  sqlite3_int64 bytes = 0;
+  code = file->pMethods->xFileSize(file, &bytes);
+  if (code != SQLITE_OK) database.fail(code, "cannot be read");
+  Sha256Stream sha256;
+  std::vector<char> piece(static_cast<std::size_t>(std::min(kPiece_bytes, bytes)));
+  for (sqlite3_int64 at = 0; at < bytes; at += kPiece_bytes) {
+    const auto count = static_cast<int>(std::min(kPiece_bytes, bytes - at));
+    code = file->pMethods->xRead(file, piece.data(), count, at);
+    if (code != SQLITE_OK) database.fail(code, "cannot be read");
+    sha256.add(piece.data(), static_cast<std::size_t>(count));
+  }
+  return sha256.hexadecimal() + "  study.sqlite\n";
+}
+
+/// Nothing when there is none, also when it went away just now.
+std::optional<std::string> seal_text_in(const std::filesystem::path& seal) {
+  try {
+    if (std::filesystem::exists(seal)) return read_file(seal);
+  } catch (const ResultsError&) {
+    if (std::filesystem::exists(seal)) throw;
+  }
+  return std::nullopt;
+}
+
+struct flock whole_file(short type) {
+  struct flock lock {};
+  lock.l_type = type;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
+}  // namespace
+
+Seal seal_of(const std::filesystem::path& study) {
+  const std::filesystem::path seal = beside_database(study, ".sha256");
+  const std::optional<std::string> text = seal_text_in(seal);
+  if (!text) return Seal::absent;
+  if (!log_is_empty(study)) return Seal::in_use;
+  Database database(study, database_in(study), Database::Mode::immutable);
+  if (seal_text_of(database) == *text) return Seal::holds;
+  // Somebody may have begun to write meanwhile, and takes the seal away before that.
+  if (!std::filesystem::exists(seal)) return Seal::absent;
+  return log_is_empty(study) ? Seal::broken : Seal::in_use;
+}
+
+void seal_new(const std::filesystem::path& study) {
+  Database database(study, database_in(study), Database::Mode::immutable);
+  write_file(beside_database(study, ".sha256"), seal_text_of(database), Overwrite::refuse);
+}
+
+SealBreaker::SealBreaker(const std::filesystem::path& study, Database& database) : study_(study) {
+  const std::filesystem::path path = study / "locks" / "writers.lock";
+  if (network_file_system_at(study).empty()) {
+    lock_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    struct flock shared = whole_file(F_RDLCK);
+    int result = lock_ < 0 ? 0 : -1;
+    while (result != 0) {  // waits for whoever is sealing
+      result = ::fcntl(lock_, F_OFD_SETLKW, &shared);
+      if (result == 0 || errno == EINTR) continue;
+      ::close(lock_);
+      lock_ = -1;
+      break;
+    }
+  }
+  const std::filesystem::path seal = beside_database(study, ".sha256");
+  const std::optional<std::string> text = seal_text_in(seal);
+  if (!text || (log_is_empty(study) && *text != seal_text_of(database))) return;
+  std::error_code error;
+  std::filesystem::remove(seal, error);
+  if (error) fail_on_file(seal, "removed", error.value());
+  sync_folder(study);
+}
+
+SealBreaker::~SealBreaker() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void SealBreaker::seal_again(Database& database) noexcept {
+  if (lock_ < 0) return;
+  struct flock alone = whole_file(F_WRLCK);
+  if (::fcntl(lock_, F_OFD_SETLK, &alone) != 0) return;  // the next to close will
+  try {
+    const std::filesystem::path seal = beside_database(study_, ".sha256");
+    if (std::filesystem::exists(seal)) return;
+    sqlite3_busy_timeout(database.handle(), 0);
+    database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+    if (log_is_empty(study_)) write_file(seal, seal_text_of(database), Overwrite::refuse);
+  } catch (const std::exception&) {
+  }
+}
+
+}  // namespace asperity

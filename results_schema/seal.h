@@ -1,0 +1,53 @@
+// The checksum of a study's whole database file, while nobody writes to it. Seen by this folder only.
+
+#pragma once
+
+#include <filesystem>
+
+#include "results_schema/sqlite.h"
+
+namespace asperity {
+
+/// How `study.sqlite` stands to the SHA-256 that the last writer left beside it, in
+/// `study.sqlite.sha256` (what `sha256sum` writes and checks).
+///
+/// Constraints and SQLite's own check see a page's structure, not a digit of a number, and nothing
+/// of what is free in a page. The checksum sees every byte.
+enum class Seal {
+  absent,  ///< no checksum: a program died, wrote with other tools, or writes now
+  in_use,  ///< what was written last is still in the log
+  holds,
+  broken,
+};
+
+/// Reads the file through SQLite: a descriptor of our own would, when closed, take the locks of
+/// this process's other connections with it. Errors: ResultsError.
+Seal seal_of(const std::filesystem::path& study);
+
+/// Seals a database that nobody else knows of yet. Errors: ResultsError.
+void seal_new(const std::filesystem::path& study);
+
+/// One writer's part in the seal: opening for writing breaks it, the last one to close makes a new
+/// one. A seal that did not hold stays as it is for ever, so that no writer vouches for damage that
+/// was there before it.
+///
+/// Writers know of each other by a lock on `locks/writers.lock`. Where there can be none (a network
+/// file system, no permission) there is no seal afterwards.
+class SealBreaker final {
+ public:
+  /// `database` is the writer's, before anything is written through it.
+  SealBreaker(const std::filesystem::path& study, Database& database);
+  SealBreaker(const SealBreaker&) = delete;
+  SealBreaker& operator=(const SealBreaker&) = delete;
+  ~SealBreaker();
+
+  /// To be called with nothing left to write, before `database` is closed. Failing to is no error:
+  /// it is the seal that is missing then.
+  void seal_again(Database& database) noexcept;
+
+ private:
+  std::filesystem::path study_{};
+  int lock_ = -1;
+};
+
+}  // namespace asperity
