@@ -9,7 +9,12 @@
 #include <locale.h>
 #include <stdlib.h>
 
+#include "results_schema/atomic_file.h"
+#include "results_schema/sav_file.h"
+#include "results_schema/sha256.h"
 #include "results_schema/study.h"
+#include "results_schema/table_file.h"
+#include "tests/results_schema/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -109,6 +114,55 @@ TEST(NumberText, DoesNotHeedTheLocale) {
   EXPECT_EQ(number_in("1.5"), 1.5);
   ::setlocale(LC_ALL, before.c_str());
   ::unsetenv("LOCPATH");
+}
+
+TEST(TableFile, WritesWhatReadsBackAndMarksWhatWouldBeAFormula) {
+  const TemporaryFolder folder;
+  TableFile file(folder / "a.tsv", TableFile::Format::tsv, {"text", "number"});
+  file.add({Cell{"=1+1"}, Cell{-1.5}});
+  file.add({Cell{"'quoted'"}, Cell{std::int64_t{-3}}});
+  file.add({Cell{"n/a"}, Cell{}});
+  file.add({Cell{"two\nlines"}, Cell{0.1}});
+  const WrittenTable written = file.finish();
+  EXPECT_EQ(read_file(folder / "a.tsv"),
+            "text\tnumber\n'=1+1\t-1.5\n''quoted'\t-3\n'n/a\tn/a\ntwo lines\t0.1\n");
+  EXPECT_EQ(written.rows, 4U);
+  EXPECT_EQ(written.marked_cells, 3U);
+  EXPECT_EQ(written.spaced_cells, 1U);
+  EXPECT_EQ(written.sha256, sha256_of_file(folder / "a.tsv"));
+  EXPECT_THROW(TableFile(folder / "a.tsv", TableFile::Format::tsv, {"text"}), ResultsError);
+}
+
+TEST(TableFile, WritesCsvByTheRules) {
+  const TemporaryFolder folder;
+  TableFile file(folder / "a.csv", TableFile::Format::csv, {"a", "b, c"});
+  file.add({Cell{"say \"x\"\nand y"}, Cell{}});
+  file.add({Cell{""}, Cell{"@home"}});
+  EXPECT_EQ(file.finish().marked_cells, 1U);
+  EXPECT_EQ(read_file(folder / "a.csv"),
+            "a,\"b, c\"\r\n\"say \"\"x\"\"\nand y\",\r\n\"\",'@home\r\n");
+  EXPECT_THROW(file.add({Cell{}}), std::invalid_argument);
+}
+
+TEST(SavFile, GivesNamesThatSpssTakes) {
+  const std::string long_name(80, 'x');
+  EXPECT_EQ(sav_names({"a b", "A_b", "with", "1st", "", long_name, long_name + "y"}),
+            (std::vector<std::string>{"a_b", "A_b_2", "v_with", "v_1st", "v", std::string(64, 'x'),
+                                      std::string(62, 'x') + "_2"}));
+}
+
+TEST(SavFile, CutsOnlyWhatSpssCannotHoldAndSaysSo) {
+  const TemporaryFolder folder;
+  SavFile file(
+      folder / "a.sav",
+      {{.name = "words", .label = std::string(400, 'l'), .is_text = true, .width_bytes = 40'000}},
+      2, "a title");
+  file.add({Cell{std::string(40'000, 'w')}});
+  file.add({Cell{std::string(32'000, 'w')}});
+  EXPECT_EQ(file.finish().cut_cells, 1U);
+  const std::string bytes = read_file(folder / "a.sav");
+  EXPECT_EQ(bytes.substr(0, 4), "$FL2");
+  EXPECT_EQ(bytes.substr(92, 17), "01 Jan 7000:00:00");
 }
 
 }  // namespace
