@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "results_schema/rows.h"
@@ -29,6 +30,13 @@ class ResultsError final : public std::runtime_error {
 };
 
 enum class Access { read_only, read_write };
+
+/// The names and values that differ from study to study, each once, sorted.
+struct StudyWords {
+  std::vector<std::string> factors_json{};                          ///< of planned trials
+  std::vector<std::pair<std::string, std::string>> parameters{};    ///< model, parameters_json
+  std::vector<std::pair<std::string, std::string>> model_limits{};  ///< kind, model that watches it
+};
 
 /// A study on disk: `study.sqlite`, `protocols/`, `stimuli/`, `recordings/`.
 ///
@@ -103,6 +111,9 @@ class Study final {
   std::vector<int> counterbalance_counts(const std::string& protocol_name, int rows) const;
   std::vector<int> counterbalance_counts(const std::string& protocol_name, int rows,
                                          SessionMode mode) const;
+
+  /// What all plans and presentations together speak of.
+  StudyWords words() const;
 
   /// A stretch of uninterrupted running. `time_ns` on the session's clock.
   int begin_segment(std::int64_t session_id, std::int64_t time_ns);

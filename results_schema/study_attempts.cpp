@@ -336,6 +336,28 @@ std::optional<AttemptRow> Study::attempt(std::int64_t id) const {
   });
 }
 
+StudyWords Study::words() const {
+  return store_->read([](Database& database) {
+    StudyWords words;
+    Statement factors(database, "SELECT DISTINCT factors_json FROM trial ORDER BY 1");
+    while (factors.step()) factors.read(words.factors_json.emplace_back());
+    const auto pairs = [&database](const char* sql, auto& into) {
+      Statement statement(database, sql);
+      while (statement.step()) {
+        auto& [first, second] = into.emplace_back();
+        statement.read(first, second);
+      }
+    };
+    pairs("SELECT DISTINCT model, parameters_json FROM presentation ORDER BY 1, 2",
+          words.parameters);
+    pairs(
+        "SELECT DISTINCT kind, model FROM model_limit JOIN presentation USING (attempt_id, "
+        "position) ORDER BY 1, 2",
+        words.model_limits);
+    return words;
+  });
+}
+
 std::int64_t Study::session_of(std::int64_t attempt_id) const {
   return store_->read([attempt_id](Database& database) {
     Statement statement(database, "SELECT session_id FROM attempt WHERE id = ?");

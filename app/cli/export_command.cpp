@@ -1,15 +1,61 @@
 // asperity export: a study as tidy tables.
 
+#include <algorithm>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/tasks/export_study.h"
 
 namespace asperity {
+
+namespace {
+
+/// "wide,sav" and so on; "all" adds everything there is, "none" is only the tables.
+std::set<ExportFormat> formats_in(const std::vector<std::string>& names) {
+  if (names.empty()) return usual_export_formats();
+  std::set<ExportFormat> formats{};
+  for (const std::string& name : names) {
+    if (name == "none") continue;
+    for (const ExportFormat format : {ExportFormat::wide, ExportFormat::sav, ExportFormat::bids,
+                                      ExportFormat::psychds, ExportFormat::physio}) {
+      if (name == "all" || name == name_of(format)) formats.insert(format);
+    }
+  }
+  return formats;
+}
+
+/// Of the files of a dataset, which has one for each session, only how many there are.
+void say_what_was_written(const std::string& out, const std::vector<ExportedFile>& files) {
+  std::map<std::string, std::size_t> of_dataset{};
+  for (const ExportedFile& file : files) {
+    const auto at = std::min(file.name.find("bids/"), file.name.find("psychds/"));
+    if (at != std::string::npos) {
+      ++of_dataset[file.name.substr(0, file.name.find('/', at) + 1)];
+    } else {
+      say(out + "/" + file.name + (file.rows ? ": " + std::to_string(*file.rows) + " rows" : ""));
+    }
+    const auto remark = [&file](std::size_t cells, const char* what) {
+      if (cells > 0) say(file.name + ": in " + std::to_string(cells) + " cells " + what);
+    };
+    remark(file.spaced_cells, "tabs or line breaks became spaces, which TSV cannot hold");
+    remark(file.marked_cells,
+           "an apostrophe keeps a text from being taken for a formula (README.txt)");
+    remark(file.cut_cells, "a text was cut at 32 000 bytes, the most that SPSS takes");
+  }
+  for (const auto& [name, count] : of_dataset) {
+    say(out + "/" + name + ": " + std::to_string(count) + " files");
+  }
+}
+
+}  // namespace
 
 void add_export(CLI::App& program, Job& job) {
   struct Options {
@@ -17,26 +63,45 @@ void add_export(CLI::App& program, Job& job) {
     std::string out{};
     bool published = false;
     bool force = false;
+    std::vector<std::string> formats{};
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("export", "Write a study as tables (TSV) with a codebook.");
+  CLI::App* command = program.add_subcommand(
+      "export", "Write a study as tables (TSV) with a codebook, and for other programs.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("--out", options->out, "New folder for the tables")->required();
   command->add_flag("--public", options->published, "Leave out dates and free text");
   command->add_flag("--force", options->force, "Replace an earlier export");
+  command
+      ->add_option("--formats", options->formats,
+                   "What to write beside the tables, with commas between: wide (CSV, one row per "
+                   "participant), sav (SPSS, JASP), bids, psychds, physio (the recordings, in the "
+                   "BIDS dataset); all; none. Without it all but physio")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"wide", "sav", "bids", "psychds", "physio", "all", "none"}));
   command->callback([options, &job] {
     job = [options] {
       const Study study = Study::open(options->study, Access::read_only);
-      const std::vector<ExportedFile> files = export_study(
-          study, options->out, options->published ? ExportAudience::published : ExportAudience::own,
-          options->force ? Overwrite::allow : Overwrite::refuse);
-      for (const ExportedFile& file : files) {
-        say(options->out + "/" + file.name + ": " + std::to_string(file.rows) + " rows");
-        if (file.replaced_cells > 0) {
-          say(file.name + ": in " + std::to_string(file.replaced_cells) +
-              " cells tabs or line breaks became spaces, which TSV cannot hold");
-        }
+      const InterruptWatch interrupt;
+      const ModelRegistry models = built_in_models();
+      ExportOptions wanted{};
+      wanted.audience = options->published ? ExportAudience::published : ExportAudience::own;
+      wanted.overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
+      wanted.formats = formats_in(options->formats);
+      std::vector<ExportedFile> files{};
+      {
+        Progress progress("exporting");
+        files = export_study(study, models, options->out, wanted, interrupt.token(),
+                             [&progress](double fraction) { progress.show(fraction); });
+      }
+      if (interrupt.token().stop_requested()) {
+        say("asperity: stopped before everything was written; nothing is left of it");
+        return 1;
+      }
+      say_what_was_written(options->out, files);
+      const auto has = [&](ExportFormat format) { return wanted.formats.contains(format); };
+      if (has(ExportFormat::bids) && !has(ExportFormat::physio)) {
+        say("the recordings were left out; --formats all adds them");
       }
       return 0;
     };

@@ -1,18 +1,23 @@
-// A walk through a study in the order of its keys, and a folder that appears whole.
+// A walk through a study in the order of its keys, past everything that is written of it.
 
 #include "app/tasks/export_study.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
-#include <system_error>
-#include <unistd.h>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "results_schema/sha256.h"
+#include "app/exports/bids.h"
+#include "app/exports/import_scripts.h"
+#include "app/exports/psych_ds.h"
+#include "app/exports/sav_table.h"
+#include "app/exports/vocabulary.h"
+#include "app/exports/wide_table.h"
 
 namespace asperity {
 
@@ -21,128 +26,217 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kCodebook = "codebook.tsv";
-constexpr const char* kManifest = "MANIFEST.tsv";
 
-/// What a protocol says of the factors and questions that its rows use.
-void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabulary) {
-  const nlohmann::json source = nlohmann::json::parse(protocol.source, nullptr, false);
-  if (!source.is_object()) return;
-  const auto text = [](const nlohmann::json& object, const char* key) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-  };
-  const nlohmann::json factors = source.value("factors", nlohmann::json::object());
-  for (const auto& [name, declaration] : factors.items()) {
-    const auto factor = vocabulary.factors.find(name);
-    if (factor == vocabulary.factors.end() || !declaration.is_object()) continue;
-    factor->second.meaning = text(declaration, "meaning");
-    factor->second.unit = text(declaration, "unit");
-  }
-  const nlohmann::json questions = source.value("questions", nlohmann::json::object());
-  for (const auto& [name, declaration] : questions.items()) {
-    if (!declaration.is_object()) continue;
-    const bool free_text = text(declaration, "form") == "text";
-    const auto [question, is_new] =
-        vocabulary.questions.insert({name, {text(declaration, "prompt"), free_text}});
-    if (!is_new && free_text) question->second.free_text = true;
-  }
+std::vector<std::string> names_of(const std::vector<ExportColumn>& columns) {
+  std::vector<std::string> names{};
+  for (const ExportColumn& column : columns) names.push_back(column.name);
+  return names;
 }
 
-void learn_factors(const PlannedTrialRow& trial, StudyVocabulary& vocabulary) {
-  const nlohmann::json factors = nlohmann::json::parse(trial.factors_json);
-  for (const auto& [name, level] : factors.items()) {
-    StudyVocabulary::FactorMeaning& factor = vocabulary.factors[name];
-    if (!level.is_number()) factor.numeric = false;
-    std::string word = level.is_string() ? level.get<std::string>() : level.dump();
-    if (level.is_number_float()) word = text_of_number(level.get<double>());
-    if (std::find(factor.levels.begin(), factor.levels.end(), word) == factor.levels.end()) {
-      factor.levels.push_back(std::move(word));
-    }
+/// What codebook.tsv and MANIFEST.tsv say of themselves.
+std::vector<ExportColumn> columns_about_columns() {
+  constexpr std::array<std::pair<const char*, const char*>, 11> kMeanings{
+      {{"file", "file within the folder; * stands for anything"},
+       {"column", "name of the column"},
+       {"description", "what a cell of it is"},
+       {"type", "text, integer, number, boolean (1 or 0), utc_time or json"},
+       {"unit", "unit, spelt as SI spells it; 1 for a pure number"},
+       {"levels", "what a cell can be, with | between"},
+       {"minimum", "smallest value that is declared or met"},
+       {"maximum", "largest value that is declared or met"},
+       {"missing", "when a cell is missing"},
+       {"publication", "what becomes of it in an export for the public"},
+       {"source", "who says so: the program, a force model, a place in a protocol"}}};
+  std::vector<ExportColumn> columns{};
+  for (const auto& [name, meaning] : kMeanings) {
+    ExportColumn& column = columns.emplace_back();
+    column.name = name;
+    column.description = meaning;
+    column.type = "text";
   }
+  return columns;
 }
 
-void sort_levels(StudyVocabulary::FactorMeaning& factor) {
-  std::sort(factor.levels.begin(), factor.levels.end(),
-            [&factor](const std::string& a, const std::string& b) {
-              if (!factor.numeric) return a < b;
-              return number_in(a).value_or(0.0) < number_in(b).value_or(0.0);
-            });
+std::vector<ExportColumn> manifest_columns() {
+  std::vector<ExportColumn> columns(4);
+  columns[0].name = "file";
+  columns[0].description = "file within the folder";
+  columns[0].type = "text";
+  columns[1].name = "rows";
+  columns[1].description = "rows of a table, without the names of the columns";
+  columns[1].type = "integer";
+  columns[1].missing = "the file is no table";
+  columns[2].name = "sha256";
+  columns[2].description = "SHA-256 of the file";
+  columns[2].type = "text";
+  columns[3].name = "left_out";
+  columns[3].description = "columns that the public does not get";
+  columns[3].type = "text";
+  columns[3].missing = "none";
+  return columns;
 }
 
-StudyVocabulary vocabulary_of(const Study& study, const std::vector<SessionRow>& sessions,
-                              const std::stop_token& stop) {
-  StudyVocabulary vocabulary{};
-  for (const SessionRow& session : sessions) {
-    if (stop.stop_requested()) break;
-    for (const PlannedTrialRow& trial : study.plan(session.id)) learn_factors(trial, vocabulary);
-    for (const AttemptRow& attempt : study.attempts(session.id)) {
-      for (const PresentationRow& presentation : attempt.presentations) {
-        const nlohmann::json parameters = nlohmann::json::parse(presentation.parameters_json);
-        for (const auto& [name, value] : parameters.items()) {
-          StudyVocabulary::ParameterMeaning& parameter = vocabulary.parameters[name];
-          parameter.models.insert(presentation.model);
-          if (value.is_string()) parameter.levels.insert(value.get<std::string>());
-        }
-        for (const ModelLimitRow& limit : presentation.limits) {
-          vocabulary.limits[limit.kind].insert(presentation.model);
-        }
-      }
-    }
-  }
-  for (auto& [name, factor] : vocabulary.factors) sort_levels(factor);
-  for (const ParticipantRow& participant : study.participants()) {
-    const nlohmann::json answers = nlohmann::json::parse(participant.answers_json);
-    for (const auto& [name, value] : answers.items()) vocabulary.participant_answers.insert(name);
-  }
-  for (const ProtocolRow& protocol : study.protocols()) learn_from_protocol(protocol, vocabulary);
-  return vocabulary;
-}
-
-/// The tables while they grow, row by row.
-class Tables final {
+/// Rows about columns, as the codebook has them.
+class Codebook final {
  public:
-  Tables(const StudyVocabulary& vocabulary, ExportAudience audience)
-      : files_(export_files(vocabulary)), audience_(audience) {
-    made_.codebook.columns = codebook_columns();
-    for (ExportFile& file : files_) {
-      ExportTable& table = made_.tables.emplace_back();
-      table.name = file.name;
-      const auto is_left_out = [audience](const ExportColumn& column) {
-        return audience == ExportAudience::published && column.publication == Publication::dropped;
-      };
-      for (const ExportColumn& column : file.columns) {
-        if (is_left_out(column)) table.left_out.push_back(column.name);
-      }
-      std::erase_if(file.columns, is_left_out);
-      for (const ExportColumn& column : file.columns) {
-        table.table.columns.push_back(column.name);
-        made_.codebook.rows.push_back(codebook_row(file.name + ".tsv", column));
-      }
-    }
+  void add(const std::string& file, const std::vector<ExportColumn>& columns) {
+    for (const ExportColumn& column : columns) rows_.push_back(codebook_row(file, column));
   }
-
-  void add(const std::string& name, const ExportPlace& at) {
-    for (std::size_t i = 0; i < files_.size(); ++i) {
-      if (files_[i].name != name) continue;
-      std::vector<Cell>& row = made_.tables[i].table.rows.emplace_back();
-      for (const ExportColumn& column : files_[i].columns) {
-        const bool hidden = audience_ == ExportAudience::published &&
-                            column.publication == Publication::without_free_text &&
-                            at.response_is_free_text;
-        Cell cell = hidden ? Cell{} : column.cell(at);
-        const auto* text = std::get_if<std::string>(&cell);
-        if (text != nullptr && text->empty()) cell = Cell{};
-        row.push_back(std::move(cell));
-      }
-    }
+  void write(ExportFolder& folder) {
+    add(kCodebook, columns_about_columns());
+    add("MANIFEST.tsv", manifest_columns());
+    TableFile file(folder.path_of(kCodebook), TableFile::Format::tsv, codebook_columns());
+    for (const std::vector<Cell>& row : rows_) file.add(row);
+    folder.add(kCodebook, file.finish());
   }
-
-  ExportTables take() { return std::move(made_); }
 
  private:
-  std::vector<ExportFile> files_;
-  ExportAudience audience_;
-  ExportTables made_{};
+  std::vector<std::vector<Cell>> rows_{};
+};
+
+/// One of the tables that hold everything.
+struct GrowingTable {
+  std::string name{};
+  std::vector<std::string> left_out{};
+  std::vector<ExportColumn> columns{};
+  TableFile file;
+};
+
+enum class Group { run, pilot, virtual_people };
+
+std::string folder_of(Group group) {
+  switch (group) {
+    case Group::run:
+      return "";
+    case Group::pilot:
+      return "pilot/";
+    case Group::virtual_people:
+      return "virtual/";
+  }
+  return "";
+}
+
+Group group_of(const ParticipantRow& participant, const SessionRow& session) {
+  if (participant.is_virtual || session.mode == SessionMode::simulate) return Group::virtual_people;
+  return session.mode == SessionMode::pilot ? Group::pilot : Group::run;
+}
+
+/// What is written of the sessions of one group, in the formats that are wanted.
+class GroupFiles final {
+ public:
+  GroupFiles(ExportFolder& folder, Group group, const std::string& study_name,
+             const StudyVocabulary& vocabulary, const ExportOptions& options)
+      : folder_(folder), root_(folder_of(group)), title_(study_name), options_(options) {
+    const auto wants = [&](ExportFormat format) { return options.formats.contains(format); };
+    if (wants(ExportFormat::wide) || wants(ExportFormat::sav)) {
+      wide_.emplace(vocabulary, options.audience);
+    }
+    columns_ = columns_for(options.audience, answered_trial_columns(vocabulary), left_out_);
+    if (wants(ExportFormat::sav)) trials_.emplace(columns_, folder.path_of(""));
+    recordings_ = wants(ExportFormat::physio) ? BidsDataset::Recordings::written
+                                              : BidsDataset::Recordings::left_out;
+    if (wants(ExportFormat::bids) || wants(ExportFormat::physio)) {
+      bids_.emplace(folder, root_ + "bids/", study_name, vocabulary, options.audience, recordings_);
+    }
+    if (wants(ExportFormat::psychds)) {
+      psych_.emplace(folder, root_ + "psychds/", study_name, vocabulary, options.audience);
+    }
+  }
+
+  void begin_participant(const ExportPlace& at) {
+    if (wide_) wide_->begin_participant(at);
+    if (bids_) bids_->add_participant(at);
+  }
+
+  void begin_session(const ExportPlace& at) {
+    if (bids_) bids_->begin_session(at);
+    if (psych_) psych_->begin_session(at);
+  }
+
+  void end_session() {
+    if (bids_) bids_->end_session();
+    if (psych_) psych_->end_session();
+  }
+
+  void add_session_answer(const ExportPlace& at) {
+    if (wide_) wide_->add_session_answer(at);
+  }
+
+  void begin_attempt(const Study& study, const ExportPlace& at) {
+    if (bids_) bids_->add_attempt(study, at);
+  }
+
+  /// With a response, or without where the attempt has none.
+  void add_row(const ExportPlace& at) {
+    if (wide_ && at.response != nullptr) wide_->add_answer(at);
+    if (bids_) bids_->add_row(at);
+    if (psych_) psych_->add_row(at);
+    if (!trials_) return;
+    std::vector<Cell> row{};
+    row.reserve(columns_.size());
+    for (const ExportColumn& column : columns_) {
+      row.push_back(cell_for(options_.audience, column, at));
+    }
+    trials_->add(std::move(row));
+  }
+
+  void finish(const StudyVocabulary& vocabulary, Codebook& codebook) {
+    if (wide_) finish_wide(codebook);
+    if (trials_) {
+      const std::string name = root_ + "trials.sav";
+      folder_.add(name, trials_->write(folder_.path_of(name), title_), left_out_);
+      codebook.add(name, renamed(columns_, trials_->names()));
+    }
+    std::vector<std::string> ignored{};
+    if (bids_) {
+      bids_->finish();
+      codebook.add(root_ + "bids/participants.tsv",
+                   BidsDataset::participant_columns(vocabulary, options_.audience, ignored));
+      codebook.add(root_ + "bids/sub-*/ses-*/beh/*_beh.tsv",
+                   BidsDataset::beh_columns(vocabulary, options_.audience, recordings_, ignored));
+    }
+    if (psych_) {
+      psych_->finish();
+      codebook.add(root_ + "psychds/data/*_data.csv", columns_);
+    }
+  }
+
+ private:
+  static std::vector<ExportColumn> renamed(std::vector<ExportColumn> columns,
+                                           const std::vector<std::string>& names) {
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].name = names[i];
+    return columns;
+  }
+
+  void finish_wide(Codebook& codebook) {
+    const WideTable::Made made = wide_->make();
+    if (options_.formats.contains(ExportFormat::wide)) {
+      const std::string name = root_ + "wide.csv";
+      TableFile file(folder_.path_of(name), TableFile::Format::csv, names_of(made.columns));
+      for (const std::vector<Cell>& row : made.rows) file.add(row);
+      folder_.add(name, file.finish(), made.left_out);
+      codebook.add(name, made.columns);
+    }
+    if (options_.formats.contains(ExportFormat::sav)) {
+      const std::string name = root_ + "wide.sav";
+      SavTable file(made.columns, folder_.path_of(""));
+      for (const std::vector<Cell>& row : made.rows) file.add(row);
+      folder_.add(name, file.write(folder_.path_of(name), title_), made.left_out);
+      codebook.add(name, renamed(made.columns, file.names()));
+    }
+  }
+
+  ExportFolder& folder_;
+  std::string root_{};
+  std::string title_{};
+  ExportOptions options_{};
+  std::vector<ExportColumn> columns_{};
+  std::vector<std::string> left_out_{};
+  BidsDataset::Recordings recordings_ = BidsDataset::Recordings::left_out;
+  std::optional<WideTable> wide_{};
+  std::optional<SavTable> trials_{};
+  std::optional<BidsDataset> bids_{};
+  std::optional<PsychDataset> psych_{};
 };
 
 void sort_responses(std::vector<ResponseRow>& responses) {
@@ -151,188 +245,236 @@ void sort_responses(std::vector<ResponseRow>& responses) {
   });
 }
 
-void add_attempt(Tables& tables, ExportPlace at, AttemptRow attempt) {
-  at.attempt = &attempt;
-  tables.add("attempts", at);
-  for (const PresentationRow& presentation : attempt.presentations) {
-    ExportPlace here = at;
-    here.presentation = &presentation;
-    tables.add("presentations", here);
-  }
-  sort_responses(attempt.responses);
-  for (const ResponseRow& response : attempt.responses) {
-    ExportPlace here = at;
-    here.response = &response;
-    tables.add("responses", here);
-  }
-  if (attempt.servo) {
-    ExportPlace here = at;
-    here.servo = &*attempt.servo;
-    tables.add("servo_quality", here);
-  }
-  std::sort(attempt.compliance.begin(), attempt.compliance.end(),
-            [](const ComplianceRow& a, const ComplianceRow& b) {
-              return std::pair(a.position, a.quantity) < std::pair(b.position, b.quantity);
-            });
-  for (const ComplianceRow& compliance : attempt.compliance) {
-    ExportPlace here = at;
-    here.compliance = &compliance;
-    tables.add("compliance", here);
-  }
-}
-
-void add_session(Tables& tables, const Study& study, const StudyVocabulary& vocabulary,
-                 ExportPlace at) {
-  tables.add("sessions", at);
-  std::vector<ResponseRow> answers = study.session_answers(at.session->id);
-  sort_responses(answers);
-  for (const ResponseRow& answer : answers) {
-    ExportPlace here = at;
-    here.response = &answer;
-    const auto question = vocabulary.questions.find(answer.question);
-    here.response_is_free_text =
-        question == vocabulary.questions.end() || question->second.free_text;
-    tables.add("responses", here);
-  }
-  std::map<int, std::vector<AttemptRow>> attempts_by_trial{};
-  for (AttemptRow& attempt : study.attempts(at.session->id)) {
-    attempts_by_trial[attempt.trial].push_back(std::move(attempt));
-  }
-  for (const PlannedTrialRow& trial : study.plan(at.session->id)) {
-    at.trial = &trial;
-    tables.add("trials", at);
-    for (AttemptRow& attempt : attempts_by_trial[trial.trial]) {
-      add_attempt(tables, at, std::move(attempt));
+class StudyExport final {
+ public:
+  StudyExport(const Study& study, const ModelRegistry& models, ExportFolder& folder,
+              const ExportOptions& options)
+      : study_(study),
+        folder_(folder),
+        options_(options),
+        vocabulary_(vocabulary_of(study, models)),
+        study_name_(study.name()) {
+    for (ExportFile& file : export_files(vocabulary_)) {
+      std::vector<std::string> left_out{};
+      std::vector<ExportColumn> columns =
+          columns_for(options.audience, std::move(file.columns), left_out);
+      const std::string name = file.name + ".tsv";
+      TableFile table(folder.path_of(name), TableFile::Format::tsv, names_of(columns));
+      codebook_.add(name, columns);
+      tables_.push_back({file.name, std::move(left_out), std::move(columns), std::move(table)});
     }
   }
-}
 
-/// What stands in the way of writing into `folder`, as the end of a sentence.
-std::optional<std::string> obstacle_in(const fs::path& folder, Overwrite overwrite,
-                                       const std::set<std::string>& own_files) {
-  if (!fs::exists(folder)) return std::nullopt;
-  if (!fs::is_directory(folder)) return "exists and is not a folder";
-  if (fs::is_empty(folder)) return std::nullopt;
-  if (overwrite == Overwrite::refuse) {
-    return "is not empty; choose another folder, or replace an earlier export with --force";
+  /// False: it was asked to stop.
+  bool walk(const std::stop_token& stop, const std::function<void(double)>& progress) {
+    const std::vector<SessionRow> sessions = study_.sessions();
+    std::map<std::string, std::vector<const SessionRow*>> sessions_of{};
+    for (const SessionRow& session : sessions) sessions_of[session.participant].push_back(&session);
+    for (const ProtocolRow& protocol : study_.protocols()) protocols_[protocol.id] = protocol;
+    std::size_t done = 0;
+    for (const ParticipantRow& participant : study_.participants()) {
+      const std::vector<const SessionRow*>& own = sessions_of[participant.label];
+      std::string mode{};
+      for (const SessionRow* session : own) {
+        const std::string word = text_of(session->mode);
+        mode = mode.empty() || mode == word ? word : "mixed";
+      }
+      const nlohmann::json answers = nlohmann::json::parse(participant.answers_json);
+      ExportPlace at{};
+      at.participant = &participant;
+      at.participant_mode = &mode;
+      at.answers = &answers;
+      add("participants", at);
+      std::set<Group> begun{};
+      for (const SessionRow* session : own) {
+        if (stop.stop_requested()) return false;
+        if (progress) progress(static_cast<double>(done++) / static_cast<double>(sessions.size()));
+        const Group group = group_of(participant, *session);
+        if (begun.insert(group).second) files_of(group).begin_participant(at);
+        ExportPlace here = at;
+        here.session = session;
+        here.protocol = &protocols_.at(session->protocol_id);
+        add_session(here, files_of(group));
+      }
+    }
+    return !stop.stop_requested();
   }
-  std::set<std::string> others{};
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (!own_files.contains(name)) others.insert(name);
-  }
-  if (others.empty()) return std::nullopt;
-  return "holds \"" + *others.begin() +
-         "\", which no export wrote and which would be lost; choose another folder";
-}
 
-/// A folder next to the one that is to be, which takes its place when all is written.
-class FolderInTheMaking final {
- public:
-  explicit FolderInTheMaking(const fs::path& target)
-      : target_(target), path_(target.string() + ".part-" + std::to_string(::getpid())) {
-    fs::remove_all(path_);
-    if (target_.has_parent_path()) fs::create_directories(target_.parent_path());
-    fs::create_directory(path_);
-  }
-  FolderInTheMaking(const FolderInTheMaking&) = delete;
-  FolderInTheMaking& operator=(const FolderInTheMaking&) = delete;
-  ~FolderInTheMaking() {
-    std::error_code ignored{};
-    fs::remove_all(path_, ignored);
-  }
-
-  const fs::path& path() const noexcept { return path_; }
-
-  void take_place() {
-    const fs::path old = target_.string() + ".old-" + std::to_string(::getpid());
-    const bool replaces = fs::exists(target_);
-    if (replaces) fs::rename(target_, old);
-    fs::rename(path_, target_);
-    if (replaces) fs::remove_all(old);
+  void finish() {
+    for (GrowingTable& table : tables_) {
+      folder_.add(table.name + ".tsv", table.file.finish(), table.left_out);
+    }
+    for (auto& [group, files] : groups_) files->finish(vocabulary_, codebook_);
+    codebook_.write(folder_);
   }
 
  private:
-  fs::path target_;
-  fs::path path_;
+  GroupFiles& files_of(Group group) {
+    std::unique_ptr<GroupFiles>& files = groups_[group];
+    if (!files) {
+      files = std::make_unique<GroupFiles>(folder_, group, study_name_, vocabulary_, options_);
+    }
+    return *files;
+  }
+
+  void add(std::string_view name, const ExportPlace& at) {
+    for (GrowingTable& table : tables_) {
+      if (table.name != name) continue;
+      row_.clear();
+      for (const ExportColumn& column : table.columns) {
+        row_.push_back(cell_for(options_.audience, column, at));
+      }
+      table.file.add(row_);
+    }
+  }
+
+  void add_session(ExportPlace at, GroupFiles& files) {
+    add("sessions", at);
+    files.begin_session(at);
+    std::vector<ResponseRow> answers = study_.session_answers(at.session->id);
+    sort_responses(answers);
+    for (const ResponseRow& answer : answers) {
+      ExportPlace here = at;
+      here.response = &answer;
+      const auto question = vocabulary_.questions.find(answer.question);
+      here.response_is_free_text =
+          question == vocabulary_.questions.end() || question->second.free_text;
+      add("responses", here);
+      files.add_session_answer(here);
+    }
+    std::map<int, std::vector<AttemptRow>> attempts_by_trial{};
+    for (AttemptRow& attempt : study_.attempts(at.session->id)) {
+      attempts_by_trial[attempt.trial].push_back(std::move(attempt));
+    }
+    for (const PlannedTrialRow& trial : study_.plan(at.session->id)) {
+      const nlohmann::json factors = nlohmann::json::parse(trial.factors_json);
+      at.trial = &trial;
+      at.factors = &factors;
+      add("trials", at);
+      for (AttemptRow& attempt : attempts_by_trial[trial.trial]) add_attempt(at, attempt, files);
+    }
+    files.end_session();
+  }
+
+  void add_attempt(ExportPlace at, AttemptRow& attempt, GroupFiles& files) {
+    at.attempt = &attempt;
+    add("attempts", at);
+    for (const PresentationRow& presentation : attempt.presentations) {
+      const nlohmann::json parameters = nlohmann::json::parse(presentation.parameters_json);
+      ExportPlace here = at;
+      here.presentation = &presentation;
+      here.parameters = &parameters;
+      add("presentations", here);
+    }
+    files.begin_attempt(study_, at);
+    sort_responses(attempt.responses);
+    for (const ResponseRow& response : attempt.responses) {
+      ExportPlace here = at;
+      here.response = &response;
+      add("responses", here);
+      files.add_row(here);
+    }
+    if (attempt.responses.empty()) files.add_row(at);
+    if (attempt.servo) {
+      ExportPlace here = at;
+      here.servo = &*attempt.servo;
+      add("servo_quality", here);
+    }
+    std::sort(attempt.compliance.begin(), attempt.compliance.end(),
+              [](const ComplianceRow& a, const ComplianceRow& b) {
+                return std::pair(a.position, a.quantity) < std::pair(b.position, b.quantity);
+              });
+    for (const ComplianceRow& compliance : attempt.compliance) {
+      ExportPlace here = at;
+      here.compliance = &compliance;
+      add("compliance", here);
+    }
+  }
+
+  const Study& study_;
+  ExportFolder& folder_;
+  ExportOptions options_;
+  StudyVocabulary vocabulary_;
+  std::string study_name_;
+  std::map<std::int64_t, ProtocolRow> protocols_{};
+  std::vector<GrowingTable> tables_{};
+  std::map<Group, std::unique_ptr<GroupFiles>> groups_{};
+  Codebook codebook_{};
+  std::vector<Cell> row_{};
 };
+
+/// For whoever finds the folder.
+std::string readme(const ExportOptions& options) {
+  std::string text =
+      "A study, written by Asperity for other programs.\n\n"
+      "codebook.tsv says what every column of every file means; MANIFEST.tsv has the "
+      "SHA-256 of every file.\n"
+      "import.R and import.py load everything with the right types.\n\n";
+  if (options.audience == ExportAudience::published) {
+    text +=
+        "This is the form for the public: dates and what was typed freely are left out "
+        "(MANIFEST.tsv says which columns).\n\n";
+  }
+  return text +
+         "The .tsv files of this folder hold everything, also what does not count, what was "
+         "excluded, pilots and virtual\n"
+         "participants; the columns virtual, mode, phase, valid, excluded and flagged say so. All "
+         "other files of this\n"
+         "folder hold people's sessions alone. Pilots are in pilot/, virtual participants in "
+         "virtual/. Rows that do not\n"
+         "count are marked there too, but for wide.csv and wide.sav, which count only what "
+         "counts.\n\n"
+         "Spreadsheets: a text that begins with = + - or @ would be taken for a formula. In every "
+         ".tsv and .csv file such a\n"
+         "text has an apostrophe before it; so has a text that itself begins with an apostrophe or "
+         "is exactly n/a.\n"
+         "Take one apostrophe away from every text that begins with one, and the texts are as they "
+         "were typed: import.R and\n"
+         "import.py do. Numbers are never touched. The .sav files have the texts as they were "
+         "typed.\n"
+         "Tabs and line breaks within a text are spaces in a .tsv file; the program said in how "
+         "many cells.\n\n"
+         "Missing is n/a in .tsv, empty in .csv. Times in seconds count from the beginning of the "
+         "session. Labels of\n"
+         "participants and seeds are texts, even if they look like numbers.\n";
+}
 
 }  // namespace
 
-ExportTables export_tables(const Study& study, ExportAudience audience, const std::stop_token& stop,
-                           const std::function<void(double)>& progress) {
-  const std::vector<SessionRow> sessions = study.sessions();
-  const StudyVocabulary vocabulary = vocabulary_of(study, sessions, stop);
-  Tables tables(vocabulary, audience);
-  std::map<std::string, std::vector<const SessionRow*>> sessions_of{};
-  for (const SessionRow& session : sessions) sessions_of[session.participant].push_back(&session);
-  std::size_t done = 0;
-  for (const ParticipantRow& participant : study.participants()) {
-    ExportPlace at{};
-    at.participant = &participant;
-    const std::vector<const SessionRow*>& own = sessions_of[participant.label];
-    std::string mode{};
-    for (const SessionRow* session : own) {
-      const std::string word = text_of(session->mode);
-      mode = mode.empty() || mode == word ? word : "mixed";
-    }
-    at.participant_mode = &mode;
-    tables.add("participants", at);
-    for (const SessionRow* session : own) {
-      if (stop.stop_requested()) return tables.take();
-      if (progress) progress(static_cast<double>(done++) / static_cast<double>(sessions.size()));
-      const ProtocolRow protocol = study.protocol(session->protocol_id);
-      ExportPlace here = at;
-      here.session = session;
-      here.protocol = &protocol;
-      add_session(tables, study, vocabulary, here);
-    }
+const char* name_of(ExportFormat format) noexcept {
+  switch (format) {
+    case ExportFormat::wide:
+      return "wide";
+    case ExportFormat::sav:
+      return "sav";
+    case ExportFormat::bids:
+      return "bids";
+    case ExportFormat::psychds:
+      return "psychds";
+    case ExportFormat::physio:
+      return "physio";
   }
-  return tables.take();
+  return "";
 }
 
-std::vector<ExportedFile> export_study(const Study& study, const fs::path& folder,
-                                       ExportAudience audience, Overwrite overwrite,
+std::set<ExportFormat> usual_export_formats() {
+  return {ExportFormat::wide, ExportFormat::sav, ExportFormat::bids, ExportFormat::psychds};
+}
+
+std::vector<ExportedFile> export_study(const Study& study, const ModelRegistry& models,
+                                       const fs::path& folder, const ExportOptions& options,
                                        const std::stop_token& stop,
                                        const std::function<void(double)>& progress) {
-  fs::path target = fs::absolute(folder).lexically_normal();
-  if (!target.has_filename()) target = target.parent_path();  // a slash at the end
-  const ExportTables made = export_tables(study, audience, stop, progress);
-  if (stop.stop_requested()) return {};
-  std::set<std::string> own_files{kCodebook, kManifest};
-  for (const ExportTable& table : made.tables) own_files.insert(table.name + ".tsv");
-  std::vector<ExportedFile> written{};
-  Table manifest{{"file", "rows", "sha256", "left_out"}, {}};
-  try {
-    if (const auto obstacle = obstacle_in(target, overwrite, own_files)) {
-      throw ResultsError("the folder " + target.string() + " " + *obstacle, target);
-    }
-    FolderInTheMaking making(target);
-    const auto write = [&](const std::string& name, const Table& table,
-                           const std::vector<std::string>& left_out) {
-      ExportedFile& file = written.emplace_back();
-      file.name = name;
-      file.rows = table.rows.size();
-      const std::string text = tsv_of(table, &file.replaced_cells);
-      write_file(making.path() / name, text, Overwrite::refuse);
-      std::string names{};
-      for (const std::string& column : left_out) names += (names.empty() ? "" : " ") + column;
-      manifest.rows.push_back({name, static_cast<std::int64_t>(file.rows), sha256_of(text),
-                               names.empty() ? Cell{} : Cell{names}});
-    };
-    for (const ExportTable& table : made.tables) {
-      write(table.name + ".tsv", table.table, table.left_out);
-    }
-    write(kCodebook, made.codebook, {});
-    write_file(making.path() / kManifest, tsv_of(manifest), Overwrite::refuse);
-    written.push_back({.name = kManifest, .rows = manifest.rows.size()});
-    making.take_place();
-  } catch (const fs::filesystem_error& error) {
-    throw ResultsError(
-        "the export cannot be written to " + target.string() + ": " + error.code().message(),
-        target, error.code().value());
+  ExportFolder making(folder, options.overwrite);
+  {
+    StudyExport walk(study, models, making, options);
+    if (!walk.walk(stop, progress)) return {};
+    walk.finish();
   }
-  return written;
+  making.write("README.txt", readme(options));
+  making.write("import.R", import_script_for_r());
+  making.write("import.py", import_script_for_python());
+  return making.take_place();
 }
 
 }  // namespace asperity

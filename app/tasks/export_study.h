@@ -1,58 +1,56 @@
-// A study as tidy tables, for any program that reads text.
+// A study as files for other programs: tables, datasets, and scripts that load them.
 
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/tasks/export_columns.h"
-#include "results_schema/atomic_file.h"
+#include "app/exports/columns.h"
+#include "app/exports/export_folder.h"
+#include "renderers/force_model.h"
 #include "results_schema/study.h"
-#include "results_schema/table.h"
 
 namespace asperity {
 
-/// `published`: without dates and without anything that somebody typed freely.
-enum class ExportAudience { own, published };
-
-struct ExportTable {
-  std::string name{};  ///< of the file, without ".tsv"
-  Table table{};
-  std::vector<std::string> left_out{};  ///< columns that this audience does not get
+enum class ExportFormat {
+  wide,     ///< wide.csv: one row per participant
+  sav,      ///< trials.sav and wide.sav, for SPSS, PSPP, JASP and jamovi
+  bids,     ///< Brain Imaging Data Structure
+  psychds,  ///< Psych-DS
+  physio,   ///< the recordings, tick by tick, in the BIDS dataset
 };
 
-struct ExportTables {
-  std::vector<ExportTable> tables{};
-  Table codebook{};
+/// "wide", "sav", …, as the command line spells them.
+const char* name_of(ExportFormat format) noexcept;
+/// All but the recordings, which are larger than everything else together.
+std::set<ExportFormat> usual_export_formats();
+
+struct ExportOptions {
+  ExportAudience audience = ExportAudience::own;
+  Overwrite overwrite = Overwrite::refuse;
+  /// Beside the tables and their codebook, which are always written.
+  std::set<ExportFormat> formats = usual_export_formats();
 };
 
-/// Every table of the study and the codebook. Rows are ordered by natural keys and carry no row
-/// ids, so that two simulations that did the same export the same bytes. Nothing is left out for
-/// being invalid, flagged, virtual or of a pilot: columns say so.
+/// Writes a study into `folder`, which appears complete or not at all: docs/formats/export.md says
+/// which files. Returns every file in it, by name; when asked to stop, none, and leaves nothing
+/// behind. `progress` is told 0 to 1.
 ///
-/// When asked to stop, what there is by then. `progress` is told 0 to 1.
-ExportTables export_tables(const Study& study, ExportAudience audience,
-                           const std::stop_token& stop = {},
-                           const std::function<void(double)>& progress = {});
-
-struct ExportedFile {
-  std::string name{};
-  std::size_t rows = 0;            ///< without the one that names the columns
-  std::size_t replaced_cells = 0;  ///< text with tabs or line breaks, which became spaces
-};
-
-/// Writes the tables, codebook.tsv and MANIFEST.tsv (rows and SHA-256 of each) into `folder`, which
-/// appears complete or not at all. Returns every file in it; when asked to stop, none, and leaves
-/// nothing behind.
+/// Rows are ordered by natural keys and carry no row ids, so that two simulations that did the same
+/// export the same bytes. From the tables nothing is left out for being invalid, excluded, flagged,
+/// virtual or of a pilot: columns say so. What is meant to be analysed as it is (the wide table, the
+/// SPSS files, the datasets) has people's sessions at the top; those of a pilot are in `pilot/`,
+/// those of virtual participants in `virtual/`.
 ///
-/// Errors: ResultsError when `folder` exists and is not empty; with Overwrite::allow only when it
-/// holds something that no export wrote, because it would be lost.
-std::vector<ExportedFile> export_study(const Study& study, const std::filesystem::path& folder,
-                                       ExportAudience audience, Overwrite overwrite,
+/// Memory: what one session needs, and the wide table. Errors: as ExportFolder's.
+std::vector<ExportedFile> export_study(const Study& study, const ModelRegistry& models,
+                                       const std::filesystem::path& folder,
+                                       const ExportOptions& options,
                                        const std::stop_token& stop = {},
                                        const std::function<void(double)>& progress = {});
 

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
+#include <map>
 #include <stop_token>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/tasks/export_study.h"
-#include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
-#include "tests/app/made_up_study.h"
+#include "tests/app/exported_study.h"
 
 namespace asperity {
 namespace {
@@ -21,89 +19,32 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kProtocol = R"({
-  "factors": {"spacing_m": {"levels": [0.001, 0.01], "meaning": "distance of the ridges",
-                            "unit": "m"}},
-  "questions": {"comment": {"prompt": "Anything else?", "form": "text"},
-                "hand": {"prompt": "Which hand?", "form": "choice", "options": ["left", "right"]}}
-})";
-
-MadeUpTrial some_trial() {
-  MadeUpTrial trial{};
-  trial.factors_json = R"({"spacing_m": 0.01, "order": "first"})";
-  trial.surfaces = {surface_of("stone", "height_map", "stone"),
-                    surface_of("sinusoid", "sinusoid", "stone")};
-  trial.surfaces[0].parameters_json = R"({"stiffness_N_per_m": 500.0})";
-  trial.surfaces[1].parameters_json = R"({"stiffness_N_per_m": 500.0, "amplitude_m": 0.0001})";
-  trial.answers = {"stone"};
-  trial.right = {"stone"};
-  trial.options = {"stone", "wood"};
-  return trial;
-}
-
-ResponseRow session_answer(const std::string& question, const std::string& answer) {
-  ResponseRow response{};
-  response.question = question;
-  response.answer = answer;
-  response.time_ns = 5'500'000'000;
-  response.source = "keyboard";
-  return response;
-}
-
-/// A person and a virtual participant, with a session each.
-void fill(MadeUpStudy& made) {
-  ParticipantRow person{};
-  person.label = "anna";
-  person.sex = "F";
-  person.answers_json = R"({"comment": "my name is Anna", "hand": "left"})";
-  person.created_utc = "2001-02-03T04:05:06Z";
-  made.study().add_participant(person);
-  made.add_virtual("virtual0001", "M");
-  const std::int64_t protocol = made.add_protocol("recognition", "recognition", kProtocol);
-  const std::int64_t session = made.add_session("anna", protocol, {some_trial(), some_trial()});
-  made.study().add_session_answer(session, session_answer("comment", "=SUM(A1)"));
-  made.study().add_session_answer(session, session_answer("hand", "left"));
-  made.add_session("virtual0001", protocol, {some_trial()}, SessionMode::simulate);
-}
-
-const ExportTable& table_of(const ExportTables& made, const std::string& name) {
-  for (const ExportTable& table : made.tables) {
-    if (table.name == name) return table;
-  }
-  throw std::runtime_error("no table " + name);
-}
-
-Cell cell_of(const Table& table, std::size_t row, const std::string& column) {
-  const auto found = std::find(table.columns.begin(), table.columns.end(), column);
-  if (found == table.columns.end()) throw std::runtime_error("no column " + column);
-  return table.rows.at(row).at(static_cast<std::size_t>(found - table.columns.begin()));
-}
-
-std::set<std::string> names_in(const std::filesystem::path& folder) {
-  std::set<std::string> names{};
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    names.insert(entry.path().filename().string());
-  }
-  return names;
-}
-
-std::set<std::pair<std::string, std::string>> columns_in_codebook(const Table& codebook) {
-  std::set<std::pair<std::string, std::string>> columns{};
-  for (const std::vector<Cell>& row : codebook.rows) {
-    columns.insert({std::get<std::string>(row[0]), std::get<std::string>(row[1])});
-  }
-  return columns;
-}
-
-TEST(Export, WritesTheTablesThatAreDocumented) {
+TEST(Export, WritesTheFilesThatAreDocumented) {
   MadeUpStudy made;
   fill(made);
-  export_study(made.study(), made.beside("out"), ExportAudience::own, Overwrite::refuse);
-  EXPECT_THAT(names_in(made.beside("out")),
-              ElementsAre("MANIFEST.tsv", "attempts.tsv", "codebook.tsv", "compliance.tsv",
-                          "participants.tsv", "presentations.tsv", "responses.tsv",
-                          "servo_quality.tsv", "sessions.tsv", "trials.tsv"));
+  export_to(made, made.beside("out"));
+  EXPECT_THAT(
+      names_in(made.beside("out")),
+      ElementsAre("MANIFEST.tsv", "README.txt", "attempts.tsv", "bids", "codebook.tsv",
+                  "compliance.tsv", "import.R", "import.py", "participants.tsv",
+                  "presentations.tsv", "psychds", "responses.tsv", "servo_quality.tsv",
+                  "sessions.tsv", "trials.sav", "trials.tsv", "virtual", "wide.csv", "wide.sav"));
+  EXPECT_THAT(names_in(made.beside("out") / "virtual"),
+              ElementsAre("bids", "psychds", "trials.sav", "wide.csv", "wide.sav"));
   EXPECT_THAT(names_in(made.beside("")), ElementsAre("out", "study"));
+}
+
+TEST(Export, WritesWhatIsAskedForBesideTheTables) {
+  MadeUpStudy made;
+  fill(made);
+  const Exported tables(made);
+  EXPECT_EQ(names_in(tables.folder()).size(), 13U);
+  EXPECT_THAT(names_in(tables.folder()), Not(Contains("wide.csv")));
+  ExportOptions wide{};
+  wide.formats = {ExportFormat::wide};
+  export_to(made, made.beside("wide"), wide);
+  EXPECT_THAT(names_in(made.beside("wide")), Contains("wide.csv"));
+  EXPECT_THAT(names_in(made.beside("wide")), Not(Contains("wide.sav")));
 }
 
 TEST(Export, NamesEveryFileThatItWroteWithItsRows) {
@@ -111,13 +52,13 @@ TEST(Export, NamesEveryFileThatItWroteWithItsRows) {
   fill(made);
   const std::filesystem::path out = made.beside("out");
   std::vector<std::string> named{};
-  for (const ExportedFile& file :
-       export_study(made.study(), out, ExportAudience::own, Overwrite::refuse)) {
+  for (const ExportedFile& file : export_to(made, out)) {
     named.push_back(file.name);
-    EXPECT_EQ(file.rows, read_tsv(read_file(out / file.name), file.name).rows.size()) << file.name;
+    if (!file.name.ends_with(".tsv")) continue;
+    EXPECT_EQ(file.rows, table_in(out, file.name).rows.size()) << file.name;
   }
   std::sort(named.begin(), named.end());
-  const auto there = names_in(out);
+  const auto there = files_in(out);
   EXPECT_EQ(named, std::vector<std::string>(there.begin(), there.end()));
 }
 
@@ -130,118 +71,102 @@ TEST(Export, LeavesNothingBehindWhenItIsStopped) {
     EXPECT_LT(fraction, 1.0);
     stop.request_stop();
   };
-  EXPECT_TRUE(export_study(made.study(), made.beside("out"), ExportAudience::own, Overwrite::refuse,
+  EXPECT_TRUE(export_study(made.study(), built_in_models(), made.beside("out"), {},
                            stop.get_token(), progress)
                   .empty());
   EXPECT_TRUE(stop.stop_requested()) << "it tells how far it is";
   EXPECT_THAT(names_in(made.beside("")), ElementsAre("study"));
 }
 
-TEST(Export, DescribesEveryColumnInTheCodebookAndNoOther) {
-  MadeUpStudy made;
-  fill(made);
-  for (const ExportAudience audience : {ExportAudience::own, ExportAudience::published}) {
-    const std::filesystem::path out =
-        made.beside(audience == ExportAudience::own ? "own" : "published");
-    export_study(made.study(), out, audience, Overwrite::refuse);
-    const Table codebook = read_tsv(read_file(out / "codebook.tsv"), "codebook.tsv");
-    std::set<std::pair<std::string, std::string>> columns{};
-    for (const std::string& name : names_in(out)) {
-      if (name == "codebook.tsv" || name == "MANIFEST.tsv") continue;
-      for (const std::string& column : read_tsv(read_file(out / name), name).columns) {
-        columns.insert({name, column});
-      }
-    }
-    EXPECT_EQ(columns_in_codebook(codebook), columns);
-    EXPECT_EQ(codebook.rows.size(), columns.size());
-  }
-}
-
 TEST(Export, LeavesNoCellEmptyAndMissesNoneThatTheCodebookPromises) {
   MadeUpStudy made;
   fill(made);
-  const ExportTables tables = export_tables(made.study(), ExportAudience::own);
+  const Exported tables(made);
   std::size_t described = 0;
-  for (const ExportTable& table : tables.tables) {
-    for (const std::string& column : table.table.columns) {
-      const std::vector<Cell>& description = tables.codebook.rows.at(described++);
-      for (std::size_t row = 0; row < table.table.rows.size(); ++row) {
-        const Cell cell = cell_of(table.table, row, column);
-        EXPECT_NE(cell, Cell{""}) << column;
-        if (description[8] == Cell{"never"}) {
-          EXPECT_NE(cell, Cell{}) << column;
-        }
+  for (const std::vector<Cell>& row : tables.codebook().rows) {
+    const std::string& file = std::get<std::string>(row[0]);
+    const std::string& column = std::get<std::string>(row[1]);
+    if (file == "codebook.tsv") continue;
+    ++described;
+    const Table table = table_in(tables.folder(), file);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      const Cell cell = cell_of(table, i, column);
+      EXPECT_NE(cell, Cell{""}) << column;
+      if (row[8] == Cell{"never"}) {
+        EXPECT_NE(cell, Cell{}) << column;
       }
     }
   }
-  EXPECT_EQ(described, tables.codebook.rows.size());
+  EXPECT_GT(described, 100U);
 }
 
 TEST(Export, BeginsEveryTableWithItsKeysAndSaysWhoIsVirtual) {
   MadeUpStudy made;
   fill(made);
-  const ExportTables tables = export_tables(made.study(), ExportAudience::own);
+  const Exported tables(made);
   const std::vector<std::string> keys{"participant", "session", "trial", "attempt"};
   const std::map<std::string, std::size_t> depth{
       {"participants", 1},  {"sessions", 2},  {"trials", 3},        {"attempts", 4},
       {"presentations", 4}, {"responses", 4}, {"servo_quality", 4}, {"compliance", 4}};
-  for (const ExportTable& table : tables.tables) {
-    std::vector<std::string> expected(
-        keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(depth.at(table.name)));
+  for (const auto& [name, keys_of_table] : depth) {
+    std::vector<std::string> expected(keys.begin(),
+                                      keys.begin() + static_cast<std::ptrdiff_t>(keys_of_table));
     expected.insert(expected.end(), {"virtual", "mode"});
-    const std::vector<std::string>& columns = table.table.columns;
+    const std::vector<std::string> columns = tables.table(name).columns;
     ASSERT_GE(columns.size(), expected.size());
-    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), columns.begin())) << table.name;
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), columns.begin())) << name;
   }
-  const Table& sessions = table_of(tables, "sessions").table;
-  EXPECT_EQ(cell_of(sessions, 0, "virtual"), Cell{std::int64_t{0}});
+  const Table sessions = tables.table("sessions");
+  EXPECT_EQ(cell_of(sessions, 0, "virtual"), Cell{"0"});
   EXPECT_EQ(cell_of(sessions, 0, "mode"), Cell{"run"});
-  EXPECT_EQ(cell_of(sessions, 1, "virtual"), Cell{std::int64_t{1}});
+  EXPECT_EQ(cell_of(sessions, 1, "virtual"), Cell{"1"});
   EXPECT_EQ(cell_of(sessions, 1, "mode"), Cell{"simulate"});
 }
 
 TEST(Export, HasOneRowPerThing) {
   MadeUpStudy made;
   fill(made);
-  const ExportTables tables = export_tables(made.study(), ExportAudience::own);
-  std::map<std::string, std::size_t> rows{};
-  for (const ExportTable& table : tables.tables) rows[table.name] = table.table.rows.size();
+  const Exported tables(made);
   const std::map<std::string, std::size_t> expected{
       {"participants", 2},  {"sessions", 2},  {"trials", 3},        {"attempts", 3},
       {"presentations", 6}, {"responses", 5}, {"servo_quality", 0}, {"compliance", 0}};
-  EXPECT_EQ(rows, expected);
+  for (const auto& [name, rows] : expected) EXPECT_EQ(tables.table(name).rows.size(), rows) << name;
 }
 
 TEST(Export, GivesEachFactorAColumnWithTheProtocolsWords) {
   MadeUpStudy made;
   fill(made);
-  const ExportTables tables = export_tables(made.study(), ExportAudience::own);
-  const Table& trials = table_of(tables, "trials").table;
-  EXPECT_EQ(cell_of(trials, 0, "factor_spacing_m"), Cell{0.01});
+  const Exported tables(made);
+  const Table trials = tables.table("trials");
+  EXPECT_EQ(cell_of(trials, 0, "factor_spacing_m"), Cell{"0.01"});
   EXPECT_EQ(cell_of(trials, 0, "factor_order"), Cell{"first"});
+  const Table codebook = tables.codebook();
   const auto row = std::find_if(
-      tables.codebook.rows.begin(), tables.codebook.rows.end(),
+      codebook.rows.begin(), codebook.rows.end(),
       [](const std::vector<Cell>& cells) { return cells[1] == Cell{"factor_spacing_m"}; });
-  ASSERT_NE(row, tables.codebook.rows.end());
+  ASSERT_NE(row, codebook.rows.end());
   EXPECT_EQ((*row)[2], Cell{"distance of the ridges"});
   EXPECT_EQ((*row)[3], Cell{"number"});
   EXPECT_EQ((*row)[4], Cell{"m"});
   EXPECT_EQ((*row)[5], Cell{"0.01"});
+  EXPECT_EQ((*row)[6], Cell{"0.01"});
+  EXPECT_EQ((*row)[10], Cell{"protocol recognition 1: /factors/spacing_m"});
 }
 
 TEST(Export, GivesEachParameterOfAModelAColumn) {
   MadeUpStudy made;
   fill(made);
-  const ExportTables tables = export_tables(made.study(), ExportAudience::own);
-  const Table& surfaces = table_of(tables, "presentations").table;
+  const Exported tables(made);
+  const Table surfaces = tables.table("presentations");
   EXPECT_EQ(cell_of(surfaces, 0, "parameter_amplitude_m"), Cell{});
-  EXPECT_EQ(cell_of(surfaces, 1, "parameter_amplitude_m"), Cell{0.0001});
-  EXPECT_EQ(cell_of(surfaces, 0, "parameter_stiffness_N_per_m"), Cell{500.0});
-  const auto row = std::find_if(tables.codebook.rows.begin(), tables.codebook.rows.end(),
-                                [](const std::vector<Cell>& cells) {
-                                  return cells[1] == Cell{"parameter_stiffness_N_per_m"};
-                                });
-  ASSERT_NE(row, tables.codebook.rows.end());
+  EXPECT_EQ(cell_of(surfaces, 1, "parameter_amplitude_m"), Cell{"1e-04"});
+  EXPECT_EQ(cell_of(surfaces, 0, "parameter_stiffness_N_per_m"), Cell{"500"});
+  const Table codebook = tables.codebook();
+  const auto row =
+      std::find_if(codebook.rows.begin(), codebook.rows.end(), [](const std::vector<Cell>& cells) {
+        return cells[1] == Cell{"parameter_stiffness_N_per_m"};
+      });
+  ASSERT_NE(row, codebook.rows.end());
   EXPECT_EQ((*row)[2], Cell{"parameter of the force model as rendered; of: height_map, sinusoid"});
   EXPECT_EQ((*row)[4], Cell{"N/m"});
 }
@@ -250,22 +175,22 @@ TEST(Export, GivesEachParameterOfAModelAColumn) {
 TEST(Export, CountsTimeFromTheBeginningOfTheSession) {
   MadeUpStudy made;
   fill(made);
-  const ExportTables tables = export_tables(made.study(), ExportAudience::own);
-  EXPECT_EQ(cell_of(table_of(tables, "attempts").table, 0, "onset_s"), Cell{1.0});
-  EXPECT_EQ(cell_of(table_of(tables, "responses").table, 0, "time_s"), Cell{0.5});
+  const Exported tables(made);
+  EXPECT_EQ(cell_of(tables.table("attempts"), 0, "onset_s"), Cell{"1"});
+  EXPECT_EQ(cell_of(tables.table("responses"), 0, "time_s"), Cell{"0.5"});
 }
 
 TEST(Export, PutsAnswersToTheSessionsQuestionsAmongTheResponses) {
   MadeUpStudy made;
   fill(made);
-  const ExportTables tables = export_tables(made.study(), ExportAudience::own);
-  const Table& responses = table_of(tables, "responses").table;
+  const Exported tables(made);
+  const Table responses = tables.table("responses");
   EXPECT_EQ(cell_of(responses, 0, "question"), Cell{"comment"});
   EXPECT_EQ(cell_of(responses, 0, "trial"), Cell{});
   EXPECT_EQ(cell_of(responses, 0, "attempt"), Cell{});
-  // Data stay as they are, even where a spreadsheet would take them for a formula.
-  EXPECT_EQ(cell_of(responses, 0, "answer"), Cell{"=SUM(A1)"});
-  EXPECT_EQ(cell_of(responses, 2, "trial"), Cell{std::int64_t{1}});
+  // One apostrophe more than was typed keeps a spreadsheet from taking it for a formula.
+  EXPECT_EQ(cell_of(responses, 0, "answer"), Cell{"'=SUM(A1)"});
+  EXPECT_EQ(cell_of(responses, 2, "trial"), Cell{"1"});
 }
 
 TEST(Export, IsOrderedByNaturalKeysWhateverTheOrderOfWriting) {
@@ -276,27 +201,39 @@ TEST(Export, IsOrderedByNaturalKeysWhateverTheOrderOfWriting) {
     const std::vector<std::string> labels =
         forwards ? std::vector<std::string>{"a", "b"} : std::vector<std::string>{"b", "a"};
     for (const std::string& label : labels) made->add_person(label, "F");
-    const std::int64_t protocol = made->add_protocol("recognition", "recognition", kProtocol);
+    const std::int64_t protocol =
+        made->add_protocol("recognition", "recognition", kExportedProtocol);
     for (const std::string& label : labels) made->add_session(label, protocol, {some_trial()});
-    export_study(made->study(), made->beside("out"), ExportAudience::own, Overwrite::refuse);
+    export_to(*made, made->beside("out"));
   }
-  for (const std::string& name : names_in(first.beside("out"))) {
+  for (const std::string& name : files_in(first.beside("out"))) {
     EXPECT_EQ(read_file(first.beside("out") / name), read_file(second.beside("out") / name))
         << name;
   }
 }
 
-TEST(Export, TellsThePublicNeitherDatesNorFreeText) {
+TEST(Export, TellsThePublicNeitherDatesNorFreeTextInAnyFile) {
   MadeUpStudy made;
   fill(made);
-  const std::filesystem::path out = made.beside("out");
-  export_study(made.study(), out, ExportAudience::published, Overwrite::refuse);
-  for (const std::string& name : names_in(out)) {
-    const std::string text = read_file(out / name);
-    EXPECT_THAT(text, Not(HasSubstr("2001-02-03"))) << name;
-    EXPECT_THAT(text, Not(HasSubstr("my name is"))) << name;
-    EXPECT_THAT(text, Not(HasSubstr("=SUM"))) << name;
+  const std::vector<std::string> private_words{"2001-02-03", "my name is", "SUM(A1)",
+                                               "made up to be flagged"};
+  std::map<std::string, int> told{};
+  for (const ExportAudience audience : {ExportAudience::own, ExportAudience::published}) {
+    ExportOptions options = options_of(audience);
+    options.formats.insert(ExportFormat::physio);
+    const std::filesystem::path out = made.beside(audience == ExportAudience::own ? "own" : "out");
+    export_to(made, out, options);
+    for (const std::string& name : files_in(out)) {
+      const std::string text = read_file(out / name);
+      for (const std::string& word : private_words) {
+        if (text.find(word) == std::string::npos) continue;
+        ++told[word];
+        EXPECT_EQ(audience, ExportAudience::own) << name << " tells " << word;
+      }
+    }
   }
+  EXPECT_EQ(told.size(), private_words.size()) << "each of them is somewhere to be found";
+  const std::filesystem::path out = made.beside("out");
   const Table responses = read_tsv(read_file(out / "responses.tsv"), "responses.tsv");
   EXPECT_EQ(cell_of(responses, 0, "answer"), Cell{});
   EXPECT_EQ(cell_of(responses, 1, "answer"), Cell{"left"});
@@ -309,24 +246,25 @@ TEST(Export, SaysInTheManifestWhatIsThereAndWhatThePublicDoesNotGet) {
   MadeUpStudy made;
   fill(made);
   const std::filesystem::path out = made.beside("out");
-  export_study(made.study(), out, ExportAudience::published, Overwrite::refuse);
+  export_to(made, out, options_of(ExportAudience::published));
   const Table manifest = read_tsv(read_file(out / "MANIFEST.tsv"), "MANIFEST.tsv");
-  ASSERT_EQ(manifest.rows.size(), 9u);
+  EXPECT_EQ(manifest.rows.size() + 1, files_in(out).size());
   for (const std::vector<Cell>& row : manifest.rows) {
     const std::string& name = std::get<std::string>(row[0]);
     EXPECT_EQ(row[2], Cell{sha256_of(read_file(out / name))}) << name;
+    if (name == "participants.tsv") {
+      EXPECT_EQ(row[3], Cell{"created_utc answer_comment answer_years"});
+    }
   }
-  EXPECT_EQ(cell_of(manifest, 0, "left_out"), Cell{"created_utc answer_comment"});
 }
 
 TEST(Export, RefusesAFolderThatHoldsSomething) {
   MadeUpStudy made;
   fill(made);
   const std::filesystem::path out = made.beside("out");
-  export_study(made.study(), out, ExportAudience::own, Overwrite::refuse);
-  EXPECT_THROW(export_study(made.study(), out, ExportAudience::own, Overwrite::refuse),
-               ResultsError);
-  export_study(made.study(), out, ExportAudience::published, Overwrite::allow);
+  export_to(made, out);
+  EXPECT_THROW(export_to(made, out), ResultsError);
+  export_to(made, out, options_of(ExportAudience::published, Overwrite::allow));
   EXPECT_THAT(read_file(out / "sessions.tsv"), Not(HasSubstr("started_utc")));
 }
 
@@ -337,7 +275,7 @@ TEST(Export, NeverThrowsAwayAFileThatNoExportWrote) {
   std::filesystem::create_directory(out);
   write_file(out / "thesis.txt", "years of work", Overwrite::refuse);
   try {
-    export_study(made.study(), out, ExportAudience::own, Overwrite::allow);
+    export_to(made, out, options_of(ExportAudience::own, Overwrite::allow));
     FAIL() << "nothing was refused";
   } catch (const ResultsError& error) {
     EXPECT_THAT(error.what(), HasSubstr("thesis.txt"));
@@ -346,13 +284,24 @@ TEST(Export, NeverThrowsAwayAFileThatNoExportWrote) {
   EXPECT_THAT(names_in(made.beside("")), ElementsAre("out", "study"));
 }
 
+TEST(Export, ReplacesAnEarlierExportOnlyWhenToldTo) {
+  MadeUpStudy made;
+  fill(made);
+  const std::filesystem::path out = made.beside("out");
+  export_to(made, out);
+  export_to(made, out, options_of(ExportAudience::own, Overwrite::allow));
+  write_file(out / "virtual" / "notes.txt", "years of work", Overwrite::refuse);
+  EXPECT_THROW(export_to(made, out, options_of(ExportAudience::own, Overwrite::allow)),
+               ResultsError);
+  EXPECT_EQ(read_file(out / "virtual" / "notes.txt"), "years of work");
+}
+
 TEST(Export, TakesAnEmptyFolderAndOneWithASlashAtItsEnd) {
   MadeUpStudy made;
   fill(made);
   std::filesystem::create_directory(made.beside("empty"));
-  export_study(made.study(), made.beside("empty"), ExportAudience::own, Overwrite::refuse);
-  export_study(made.study(), made.beside("deep") / "er" / "", ExportAudience::own,
-               Overwrite::refuse);
+  export_to(made, made.beside("empty"));
+  export_to(made, made.beside("deep") / "er" / "");
   EXPECT_THAT(names_in(made.beside("empty")), Contains("trials.tsv"));
   EXPECT_THAT(names_in(made.beside("deep") / "er"), Contains("trials.tsv"));
 }
@@ -361,8 +310,8 @@ TEST(Export, ReadsAStudyThatMayNotBeWritten) {
   MadeUpStudy made;
   fill(made);
   const Study reader = Study::open(made.folder(), Access::read_only);
-  const ExportTables tables = export_tables(reader, ExportAudience::own);
-  EXPECT_EQ(table_of(tables, "participants").table.rows.size(), 2u);
+  export_study(reader, built_in_models(), made.beside("out"), {});
+  EXPECT_EQ(table_in(made.beside("out"), "participants.tsv").rows.size(), 2u);
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ struct MadeUpTrial {
   AttemptOutcome outcome = AttemptOutcome::answered;
   bool valid = true;
   bool flagged = false;
+  std::optional<RecordingRow> recording{};
 };
 
 PresentationRow surface_of(const std::string& item, const std::string& model,

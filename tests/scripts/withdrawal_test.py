@@ -17,7 +17,7 @@ def asperity(*arguments):
 
 
 def exported(study, tables):
-    asperity("export", study, "--out", tables)
+    asperity("export", study, "--out", tables, "--formats", "none")
     return {path.name: path.read_text(encoding="utf-8").splitlines() for path in tables.glob("*.tsv")}
 
 
@@ -45,6 +45,10 @@ with tempfile.TemporaryDirectory() as folder:
         kept = [row for row in rows if not row.startswith(GONE + "\t")]
         assert after[name] == kept, name
     assert len(before["sessions.tsv"]) == len(after["sessions.tsv"]) + 1
+    sys.path.insert(0, str(folder / "after"))
+    sys.dont_write_bytecode = True
+    rows = __import__("import").read_rows("attempts.tsv")
+    assert len(rows) == len(after["attempts.tsv"]) - 1 and all(row["virtual"] is True and row["session"] == 1 for row in rows)
     try:
         sqlite3.connect(rest / "study.sqlite").execute("DELETE FROM event")
         sys.exit("the rules of the store have not come back")

@@ -6,7 +6,9 @@
 #include <variant>
 
 #include <QtGui/QStandardItemModel>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QFileDialog>
+#include <QtWidgets/QGridLayout>
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QListWidget>
 #include <QtWidgets/QScrollArea>
@@ -485,17 +487,32 @@ void AnalysisPage::ask_where_to_export() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setOption(QFileDialog::DontUseNativeDialog);
   dialog->selectFile("tables");
-  connect(dialog, &QFileDialog::fileSelected, this, &AnalysisPage::export_to);
+  auto* for_public = new QCheckBox(tr("For the public: without dates and free text"), dialog);
+  for_public->setObjectName("export_public");
+  auto* recordings = new QCheckBox(tr("With the recordings, tick by tick; they are large"), dialog);
+  recordings->setObjectName("export_recordings");
+  if (auto* grid = qobject_cast<QGridLayout*>(dialog->layout())) {
+    for (QCheckBox* const option : {for_public, recordings}) {
+      grid->addWidget(option, grid->rowCount(), 0, 1, grid->columnCount());
+    }
+  }
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, for_public, recordings](const QString& folder) {
+            ExportOptions options{};
+            if (for_public->isChecked()) options.audience = ExportAudience::published;
+            if (recordings->isChecked()) options.formats.insert(ExportFormat::physio);
+            export_to(folder, options);
+          });
   dialog->open();
 }
 
-void AnalysisPage::export_to(const QString& folder) {
+void AnalysisPage::export_to(const QString& folder, const ExportOptions& options) {
   writing_->set_words(tr("Writing the tables to %1 …").arg(folder));
   exporting_.run<std::size_t>(
-      [study = study_.folder(), to = std::filesystem::path(folder.toStdString())](
+      [study = study_.folder(), to = std::filesystem::path(folder.toStdString()), options](
           const std::stop_token& stop, const BackgroundTask::Progress& progress) {
-        return export_study(Study::open(study, Access::read_only), to, ExportAudience::own,
-                            Overwrite::refuse, stop, progress)
+        return export_study(Study::open(study, Access::read_only), built_in_models(), to, options,
+                            stop, progress)
             .size();
       },
       [this, folder](std::size_t files) {

@@ -20,6 +20,7 @@ namespace asperity {
 
 class Banner;
 class OpenStudy;
+struct ExportOptions;
 class TaskLine;
 
 /// One entry per protocol, version and group of participants; the groups never mix. Read anew
@@ -52,7 +53,7 @@ class AnalysisPage final : public QWidget {
   void show_outcome(int index);
   void select_wanted();
   void ask_where_to_export();
-  void export_to(const QString& folder);
+  void export_to(const QString& folder, const ExportOptions& options);
 
   OpenStudy& study_;
   bool outdated_ = true;

@@ -1,5 +1,6 @@
 #include "app/gui/data/analysis_page.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <QtCore/QTranslator>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
@@ -20,6 +22,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/study/open_study.h"
+#include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/gui/support/screenshot.h"
 
@@ -162,11 +165,36 @@ TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
   auto* banner = page.findChild<Banner*>();
   ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 10000));
   EXPECT_TRUE(std::filesystem::exists(made.beside("tables") / "responses.tsv"));
-  const auto files = std::distance(std::filesystem::directory_iterator(made.beside("tables")),
-                                   std::filesystem::directory_iterator());
+  const auto files = std::count_if(
+      std::filesystem::recursive_directory_iterator(made.beside("tables")),
+      std::filesystem::recursive_directory_iterator(),
+      [](const std::filesystem::directory_entry& entry) { return !entry.is_directory(); });
   EXPECT_TRUE(banner->text().startsWith(QString("%1 files").arg(files)))
       << banner->text().toStdString();
   EXPECT_TRUE(banner->text().contains("codebook.tsv")) << banner->text().toStdString();
+}
+
+TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
+  MadeUpStudy made;
+  add_choices(made, 10);
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(10000));
+  page.findChild<QPushButton*>("export_tables")->click();
+  auto* dialog = page.findChild<QFileDialog*>("export_dialog");
+  ASSERT_NE(dialog, nullptr);
+  take_screenshot(*dialog, "data-export-dialog", {800, 500});
+  EXPECT_FALSE(dialog->findChild<QCheckBox*>("export_recordings")->isChecked());
+  auto* for_public = dialog->findChild<QCheckBox*>("export_public");
+  EXPECT_TRUE(for_public->isVisibleTo(dialog));
+  for_public->click();
+  emit dialog->fileSelected(QString::fromStdString(made.beside("tables").string()));
+  auto* banner = page.findChild<Banner*>();
+  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 10000));
+  EXPECT_EQ(read_file(made.beside("tables") / "sessions.tsv").find("started_utc"),
+            std::string::npos);
 }
 
 TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {

@@ -7,7 +7,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "results_schema/rows.h"
 #include "results_schema/table.h"
@@ -25,9 +28,16 @@ struct ExportPlace {
   const PresentationRow* presentation = nullptr;
   const ResponseRow* response = nullptr;
   bool response_is_free_text = false;
+  /// The JSON of those rows, read once.
+  const nlohmann::json* answers = nullptr;     ///< of the participant
+  const nlohmann::json* factors = nullptr;     ///< of the trial
+  const nlohmann::json* parameters = nullptr;  ///< of the presentation
   const ServoQualityRow* servo = nullptr;
   const ComplianceRow* compliance = nullptr;
 };
+
+/// `published`: without dates and without anything that somebody typed freely.
+enum class ExportAudience { own, published };
 
 /// What becomes of a column in an export for the public.
 enum class Publication {
@@ -45,7 +55,8 @@ struct ExportColumn {
   std::vector<std::string> levels{};
   std::optional<double> minimum{};
   std::optional<double> maximum{};
-  std::string missing = "never";  ///< when the cell is n/a
+  std::string missing = "never";   ///< when the cell is n/a
+  std::string source = "program";  ///< who says so: the program, a protocol, a force model
   Publication publication = Publication::kept;
   std::function<Cell(const ExportPlace&)> cell{};
 };
@@ -55,21 +66,31 @@ struct ExportFile {
   std::vector<ExportColumn> columns{};
 };
 
-/// What differs from study to study: the names that its rows and protocols use.
+/// What differs from study to study: the names that its rows and protocols use, with what the
+/// protocols and the force models declare of them.
 struct StudyVocabulary {
   struct FactorMeaning {
     std::string meaning{};
     std::string unit{};
+    std::string source = "plans of the trials";
     std::vector<std::string> levels{};
     bool numeric = true;
   };
   struct ParameterMeaning {
-    std::set<std::string> models{};  ///< that have it
-    std::set<std::string> levels{};  ///< of one that is no number
+    std::set<std::string> models{};    ///< that have it
+    std::set<std::string> levels{};    ///< of one that is no number
+    std::set<std::string> meanings{};  ///< as they declare it
+    std::optional<std::string> unit{};
+    std::optional<double> minimum{};
+    std::optional<double> maximum{};
   };
   struct AnswerMeaning {
     std::string prompt{};
     bool free_text = true;  ///< unless a protocol declares a choice or a number
+    std::vector<std::string> options{};
+    std::optional<double> minimum{};
+    std::optional<double> maximum{};
+    std::string source{};
   };
   std::map<std::string, FactorMeaning> factors{};
   std::map<std::string, ParameterMeaning> parameters{};
@@ -80,6 +101,19 @@ struct StudyVocabulary {
 
 /// Every table of an export, in the order in which they are documented.
 std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary);
+
+/// One row per answer to a trial's question, and one for an attempt without any: what the trial was,
+/// how the attempt went, what was felt and answered.
+std::vector<ExportColumn> answered_trial_columns(const StudyVocabulary& vocabulary);
+
+/// The cell of one column, as this audience gets it. Empty text counts as missing.
+Cell cell_for(ExportAudience audience, const ExportColumn& column, const ExportPlace& at);
+/// Without those that this audience does not get; their names go to `left_out`.
+std::vector<ExportColumn> columns_for(ExportAudience audience, std::vector<ExportColumn> columns,
+                                      std::vector<std::string>& left_out);
+
+/// The unit at the end of a name, spelt as the codebook spells it.
+std::optional<std::string> unit_at_end_of(std::string_view name);
 
 /// The columns of codebook.tsv itself.
 const std::vector<std::string>& codebook_columns();

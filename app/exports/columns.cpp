@@ -1,8 +1,9 @@
 // Table by table: what an exported column is called, what it means and where it comes from.
 
-#include "app/tasks/export_columns.h"
+#include "app/exports/columns.h"
 
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -28,7 +29,7 @@ Cell integer(std::int64_t value) { return value; }
 
 /// On the clock of the session, whose zero is at started_utc.
 Cell seconds_in_session(const Place& at, std::int64_t time_ns) {
-  return static_cast<double>(time_ns - at.session->clock_zero_ns) * 1e-9;
+  return static_cast<double>(time_ns - at.session->clock_zero_ns) / 1e9;
 }
 
 Cell seconds_in_session(const Place& at, const std::optional<std::int64_t>& time_ns) {
@@ -44,10 +45,9 @@ Cell cell_of(const nlohmann::json& value) {
   return value.dump();
 }
 
-Cell member_of(const std::string& object_json, const std::string& name) {
-  const nlohmann::json object = nlohmann::json::parse(object_json);
-  const auto found = object.find(name);
-  return found == object.end() ? Cell{} : cell_of(*found);
+Cell member_of(const nlohmann::json* object, const std::string& name) {
+  const auto found = object->find(name);
+  return found == object->end() ? Cell{} : cell_of(*found);
 }
 
 ExportColumn column(std::string name, std::string type, std::string unit, std::string description,
@@ -86,29 +86,6 @@ ExportColumn missing(std::string when, ExportColumn made) {
 ExportColumn dropped(ExportColumn made) {
   made.publication = Publication::dropped;
   return made;
-}
-
-/// Names end in their unit; a longer ending stands before a shorter one that it contains.
-std::optional<std::string> unit_at_end_of(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, const char*>, 14> kUnits{
-      {{"_N_s_per_m", "N s/m"},
-       {"_N_per_m", "N/m"},
-       {"_N_m", "N m"},
-       {"_m_per_s2", "m/s2"},
-       {"_m_per_s", "m/s"},
-       {"_rad_per_s", "rad/s"},
-       {"_per_m", "1/m"},
-       {"_per_s", "1/s"},
-       {"_rad", "rad"},
-       {"_kg", "kg"},
-       {"_Hz", "Hz"},
-       {"_N", "N"},
-       {"_m", "m"},
-       {"_s", "s"}}};
-  for (const auto& [ending, unit] : kUnits) {
-    if (name.ends_with(ending)) return unit;
-  }
-  return std::nullopt;
 }
 
 enum class Key { participant, session, trial, attempt };
@@ -171,12 +148,18 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
   for (const std::string& name : vocabulary.participant_answers) {
     const auto question = vocabulary.questions.find(name);
     const bool known = question != vocabulary.questions.end();
-    ExportColumn answer = missing(
-        "not asked or not answered",
-        column("answer_" + name, "text", "",
-               "answer to: " + (known ? question->second.prompt : "\"" + name + "\""),
-               [name](const Place& at) { return member_of(at.participant->answers_json, name); }));
+    ExportColumn answer =
+        missing("not asked or not answered",
+                column("answer_" + name, "text", "",
+                       "answer to: " + (known ? question->second.prompt : "\"" + name + "\""),
+                       [name](const Place& at) { return member_of(at.answers, name); }));
     if (!known || question->second.free_text) answer.publication = Publication::dropped;
+    if (known) {
+      answer.levels = question->second.options;
+      answer.minimum = question->second.minimum;
+      answer.maximum = question->second.maximum;
+      answer.source = question->second.source;
+    }
     columns.push_back(std::move(answer));
   }
   return columns;
@@ -284,8 +267,13 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
                factor.unit.empty() && factor.numeric ? unit_at_end_of(name).value_or("1")
                                                      : factor.unit,
                factor.meaning.empty() ? "level of the factor \"" + name + "\"" : factor.meaning,
-               [name = name](const Place& at) { return member_of(at.trial->factors_json, name); }));
+               [name = name](const Place& at) { return member_of(at.factors, name); }));
     made.levels = factor.levels;
+    made.source = factor.source;
+    if (factor.numeric && !factor.levels.empty()) {
+      made.minimum = number_in(factor.levels.front());
+      made.maximum = number_in(factor.levels.back());
+    }
     columns.push_back(std::move(made));
   }
   return columns;
@@ -428,20 +416,24 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   for (const auto& [name, parameter] : vocabulary.parameters) {
     const std::string of = listed(parameter.models);
     const bool numeric = parameter.levels.empty();
-    ExportColumn made = missing("the model does not have this parameter",
-                                column("parameter_" + name, numeric ? "number" : "text",
-                                       numeric ? unit_at_end_of(name).value_or("1") : "",
-                                       "parameter of the force model as rendered; of: " + of,
-                                       [name = name](const Place& at) {
-                                         return member_of(at.presentation->parameters_json, name);
-                                       }));
+    std::string meaning{};
+    for (const std::string& each : parameter.meanings) meaning += each + "; ";
+    ExportColumn made =
+        missing("the model does not have this parameter",
+                column("parameter_" + name, numeric ? "number" : "text",
+                       numeric ? parameter.unit.value_or(unit_at_end_of(name).value_or("1")) : "",
+                       meaning + "parameter of the force model as rendered; of: " + of,
+                       [name = name](const Place& at) { return member_of(at.parameters, name); }));
+    made.source = parameter.meanings.empty() ? "what was rendered" : "force model";
+    made.minimum = parameter.minimum;
+    made.maximum = parameter.maximum;
     made.levels.assign(parameter.levels.begin(), parameter.levels.end());
     columns.push_back(std::move(made));
   }
   return columns;
 }
 
-Columns response_columns() {
+Columns response_columns(const StudyVocabulary& vocabulary) {
   Columns columns = keys_to(Key::attempt);
   for (ExportColumn& made : columns) {
     if (made.name == "trial" || made.name == "attempt") {
@@ -454,7 +446,16 @@ Columns response_columns() {
   add(at_least(1, column("item", "integer", "",
                          "1 for a choice; the position of the surface for an assignment",
                          [](const Place& at) { return integer(at.response->item); })));
-  add(column("answer", "text", "", "the answer, by the name it has in the protocol",
+  std::string questions{};
+  for (const auto& [name, question] : vocabulary.questions) {
+    questions += (questions.empty() ? "; " : " · ") + name + ": " + question.prompt;
+    std::string options{};
+    for (const std::string& option : question.options) {
+      options += (options.empty() ? " (" : " | ") + option;
+    }
+    if (!options.empty()) questions += options + ")";
+  }
+  add(column("answer", "text", "", "the answer, by the name it has in the protocol" + questions,
              [](const Place& at) { return at.response->answer; }));
   columns.back().publication = Publication::without_free_text;
   columns.back().missing = "never, but for what was typed freely in an export for the public";
@@ -579,21 +580,115 @@ const char* text_of(Publication publication) {
 
 }  // namespace
 
+std::optional<std::string> unit_at_end_of(std::string_view name) {
+  // A longer ending stands before a shorter one that it contains.
+  static constexpr std::array<std::pair<std::string_view, const char*>, 14> kUnits{
+      {{"_N_s_per_m", "N s/m"},
+       {"_N_per_m", "N/m"},
+       {"_N_m", "N m"},
+       {"_m_per_s2", "m/s2"},
+       {"_m_per_s", "m/s"},
+       {"_rad_per_s", "rad/s"},
+       {"_per_m", "1/m"},
+       {"_per_s", "1/s"},
+       {"_rad", "rad"},
+       {"_kg", "kg"},
+       {"_Hz", "Hz"},
+       {"_N", "N"},
+       {"_m", "m"},
+       {"_s", "s"}}};
+  for (const auto& [ending, unit] : kUnits) {
+    if (name.ends_with(ending)) return unit;
+  }
+  return std::nullopt;
+}
+
 std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary) {
   return {{"participants", participant_columns(vocabulary)},
           {"sessions", session_columns()},
           {"trials", trial_columns(vocabulary)},
           {"attempts", attempt_columns()},
           {"presentations", presentation_columns(vocabulary)},
-          {"responses", response_columns()},
+          {"responses", response_columns(vocabulary)},
           {"servo_quality", servo_columns()},
           {"compliance", compliance_columns()}};
 }
 
+Columns answered_trial_columns(const StudyVocabulary& vocabulary) {
+  Columns columns = keys_to(Key::attempt);
+  const std::size_t keys_of_attempt = columns.size();
+  const auto append = [&columns](Columns more, std::size_t from) {
+    std::move(more.begin() + static_cast<std::ptrdiff_t>(from), more.end(),
+              std::back_inserter(columns));
+  };
+  append(trial_columns(vocabulary), keys_of_attempt - 1);  // without the key "attempt"
+  append(attempt_columns(), keys_of_attempt);
+  columns.push_back(column("surfaces_json", "json", "",
+                           "what was felt, in its order: position, role, item, stimulus, "
+                           "model and texture of each surface",
+                           [](const Place& at) -> Cell {
+                             nlohmann::json surfaces = nlohmann::json::array();
+                             for (const PresentationRow& row : at.attempt->presentations) {
+                               surfaces.push_back({{"position", row.position},
+                                                   {"role", row.role},
+                                                   {"item", row.item},
+                                                   {"stimulus", row.stimulus},
+                                                   {"model", row.model},
+                                                   {"texture", row.texture}});
+                             }
+                             return surfaces.dump();
+                           }));
+  const auto servo = [&columns](const char* name, const char* description,
+                                std::int64_t ServoQualityRow::*member) {
+    columns.push_back(missing(
+        "the attempt has no servo quality",
+        at_least(0, column(name, "integer", "1", description, [member](const Place& at) -> Cell {
+                   if (!at.attempt->servo) return {};
+                   return integer((*at.attempt->servo).*member);
+                 }))));
+  };
+  servo("missed_deadlines", "ticks that came too late", &ServoQualityRow::missed_deadlines);
+  servo("saturated_ticks", "ticks with a force shortened to the limit",
+        &ServoQualityRow::saturated_ticks);
+  servo("lost_records", "tick records that were lost", &ServoQualityRow::lost_records);
+  Columns answers = response_columns(vocabulary);
+  for (std::size_t i = keys_of_attempt; i < answers.size(); ++i) {
+    ExportColumn& made = answers[i];
+    made.missing = made.missing == "never" ? "the attempt has no answer"
+                                           : "the attempt has no answer, or " + made.missing;
+    made.cell = [of_answer = std::move(made.cell)](const Place& at) {
+      return at.response == nullptr ? Cell{} : of_answer(at);
+    };
+    columns.push_back(std::move(made));
+  }
+  return columns;
+}
+
+Cell cell_for(ExportAudience audience, const ExportColumn& column, const ExportPlace& at) {
+  const bool hidden = audience == ExportAudience::published && at.response_is_free_text &&
+                      column.publication == Publication::without_free_text;
+  Cell cell = hidden ? Cell{} : column.cell(at);
+  const auto* text = std::get_if<std::string>(&cell);
+  return text != nullptr && text->empty() ? Cell{} : cell;
+}
+
+Columns columns_for(ExportAudience audience, Columns columns, std::vector<std::string>& left_out) {
+  if (audience == ExportAudience::own) return columns;
+  Columns kept{};
+  for (ExportColumn& column : columns) {
+    if (column.publication == Publication::dropped) {
+      left_out.push_back(column.name);
+    } else {
+      kept.push_back(std::move(column));
+    }
+  }
+  return kept;
+}
+
 const std::vector<std::string>& codebook_columns() {
-  static const std::vector<std::string> kColumns{"file",    "column",     "description", "type",
-                                                 "unit",    "levels",     "minimum",     "maximum",
-                                                 "missing", "publication"};
+  static const std::vector<std::string> kColumns{"file",    "column",      "description", "type",
+                                                 "unit",    "levels",      "minimum",     "maximum",
+                                                 "missing", "publication", "source"};
   return kColumns;
 }
 
@@ -609,7 +704,8 @@ std::vector<Cell> codebook_row(const std::string& file, const ExportColumn& colu
           optional_cell(column.minimum),
           optional_cell(column.maximum),
           column.missing,
-          std::string(text_of(column.publication))};
+          std::string(text_of(column.publication)),
+          column.source};
 }
 
 }  // namespace asperity

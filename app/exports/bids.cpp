@@ -1,0 +1,237 @@
+#include "app/exports/bids.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/program.h"
+#include "app/tasks/attempt_detail.h"
+#include "results_schema/recording.h"
+
+namespace asperity {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kBidsVersion = "1.8.0";
+
+std::string two_digits(std::int64_t number) {
+  const std::string digits = std::to_string(number);
+  return digits.size() < 2 ? "0" + digits : digits;
+}
+
+/// What a sidecar says of a column.
+Json described(const ExportColumn& column) {
+  Json json{};
+  json["Description"] = column.description;
+  if (!column.unit.empty() && column.unit != "1") json["Units"] = column.unit;
+  if (column.type == "boolean") {
+    json["Levels"] = Json{{"0", "no"}, {"1", "yes"}};
+  } else if (!column.levels.empty() && column.type == "text") {
+    Json levels = Json::object();
+    for (const std::string& level : column.levels) levels[level] = level;
+    json["Levels"] = std::move(levels);
+  }
+  if (column.minimum) json["Minimum"] = *column.minimum;
+  if (column.maximum) json["Maximum"] = *column.maximum;
+  if (column.missing != "never") json["MissingWhen"] = column.missing;
+  return json;
+}
+
+std::string text_of(const Json& json) { return json.dump(2) + "\n"; }
+
+std::vector<std::string> names_of(const std::vector<ExportColumn>& columns) {
+  std::vector<std::string> names{};
+  for (const ExportColumn& column : columns) names.push_back(column.name);
+  return names;
+}
+
+}  // namespace
+
+std::vector<ExportColumn> BidsDataset::beh_columns(const StudyVocabulary& vocabulary,
+                                                   ExportAudience audience, Recordings recordings,
+                                                   std::vector<std::string>& left_out) {
+  std::vector<ExportColumn> columns =
+      columns_for(audience, answered_trial_columns(vocabulary), left_out);
+  if (recordings == Recordings::left_out) return columns;
+  ExportColumn run{};
+  run.name = "run";
+  run.type = "integer";
+  run.description = "the run whose _physio.tsv.gz has the ticks of this attempt";
+  run.minimum = 1.0;
+  run.missing = "the attempt was not recorded";
+  columns.push_back(std::move(run));
+  return columns;
+}
+
+std::vector<ExportColumn> BidsDataset::participant_columns(const StudyVocabulary& vocabulary,
+                                                           ExportAudience audience,
+                                                           std::vector<std::string>& left_out) {
+  std::vector<ExportColumn> columns =
+      columns_for(audience, export_files(vocabulary).front().columns, left_out);
+  ExportColumn& label = columns.front();
+  label.name = "participant_id";
+  label.description = "\"sub-\" and the label of the participant";
+  label.cell = [](const ExportPlace& at) { return "sub-" + at.participant->label; };
+  for (ExportColumn& column : columns) {
+    if (column.name == "age_years") column.name = "age";
+  }
+  return columns;
+}
+
+BidsDataset::BidsDataset(ExportFolder& folder, std::string root, const std::string& study_name,
+                         const StudyVocabulary& vocabulary, ExportAudience audience,
+                         Recordings recordings)
+    : folder_(folder),
+      root_(std::move(root)),
+      study_name_(study_name),
+      audience_(audience),
+      recordings_(recordings),
+      columns_(beh_columns(vocabulary, audience, recordings, left_out_)),
+      participant_columns_(participant_columns(vocabulary, audience, participants_left_out_)) {}
+
+std::string BidsDataset::task_of(const std::string& protocol) {
+  const auto known = tasks_.find(protocol);
+  if (known != tasks_.end()) return known->second;
+  std::string label{};
+  for (const char letter : protocol) {
+    if (std::isalnum(static_cast<unsigned char>(letter)) != 0) label += letter;
+  }
+  if (label.empty()) label = "task";
+  const auto is_taken = [this](const std::string& candidate) {
+    return std::any_of(tasks_.begin(), tasks_.end(),
+                       [&](const auto& task) { return task.second == candidate; });
+  };
+  std::string free = label;
+  for (int number = 2; is_taken(free); ++number) free = label + std::to_string(number);
+  return tasks_[protocol] = free;
+}
+
+void BidsDataset::add_participant(const ExportPlace& at) {
+  std::vector<Cell>& row = participants_.emplace_back();
+  for (const ExportColumn& column : participant_columns_) {
+    row.push_back(cell_for(audience_, column, at));
+  }
+}
+
+void BidsDataset::begin_session(const ExportPlace& at) {
+  const std::string participant = "sub-" + at.participant->label;
+  const std::string session = "ses-" + two_digits(at.session->session);
+  start_ = root_ + participant + "/" + session + "/beh/" + participant + "_" + session + "_task-" +
+           task_of(at.protocol->name);
+  task_name_ = at.protocol->name;
+  run_ = 0;
+  const std::string name = start_ + "_beh.tsv";
+  beh_.emplace(folder_.path_of(name), TableFile::Format::tsv, names_of(columns_));
+  Json sidecar{};
+  sidecar["TaskName"] = task_name_;
+  const nlohmann::json source = nlohmann::json::parse(at.protocol->source, nullptr, false);
+  if (source.is_object()) {
+    const auto title = source.find("title");
+    if (title != source.end() && title->is_string()) sidecar["TaskDescription"] = *title;
+  }
+  sidecar["StimulusPresentation"] = Json{{"OperatingSystem", at.session->os},
+                                         {"SoftwareName", "Asperity"},
+                                         {"SoftwareVersion", at.session->program_version}};
+  for (const ExportColumn& column : columns_) sidecar[column.name] = described(column);
+  folder_.write(start_ + "_beh.json", text_of(sidecar));
+}
+
+void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
+  attempt_is_recorded_ = recordings_ == Recordings::written && at.attempt->recording.has_value();
+  if (!attempt_is_recorded_) return;
+  ++run_;
+  const Recording recording = recording_of(study.folder(), *at.attempt->recording);
+  const std::string name = start_ + "_run-" + two_digits(run_) + "_recording-haptic_physio";
+  std::vector<std::string> columns{"time_s"};
+  Json described_columns{};
+  described_columns["time_s"] =
+      Json{{"Description", "time of the tick since the session began"}, {"Units", "s"}};
+  for (const RecordingColumn& column : recording.header.columns) {
+    columns.push_back(column.name);
+    described_columns[column.name] = Json{{"Description", column.meaning}, {"Units", column.unit}};
+  }
+  TableFile file(folder_.path_of(name + ".tsv.gz"), TableFile::Format::bare_tsv_gz, columns);
+  const double rate_Hz = recording.header.rate_Hz;
+  const auto seconds = [&at](std::int64_t time_ns) {
+    return static_cast<double>(time_ns - at.session->clock_zero_ns) / 1e9;
+  };
+  std::vector<float> row(recording.columns.size());
+  const std::vector<Cell> gap(columns.size());
+  for (std::size_t i = 0; i < recording.time_ns.size(); ++i) {
+    if (i > 0) {
+      const double periods =
+          static_cast<double>(recording.time_ns[i] - recording.time_ns[i - 1]) * 1e-9 * rate_Hz;
+      for (auto missing = std::llround(periods) - 1; missing > 0; --missing) file.add(gap);
+    }
+    for (std::size_t column = 0; column < recording.columns.size(); ++column) {
+      row[column] = recording.columns[column][i];
+    }
+    file.add(seconds(recording.time_ns[i]), row);
+  }
+  folder_.add(name + ".tsv.gz", file.finish());
+  Json sidecar{};
+  sidecar["SamplingFrequency"] = rate_Hz;
+  sidecar["StartTime"] = recording.time_ns.empty() ? 0.0 : seconds(recording.time_ns.front());
+  sidecar["Columns"] = columns;
+  sidecar["TaskName"] = task_name_;
+  sidecar["Manufacturer"] = at.session->device;
+  for (const auto& [column, description] : described_columns.items()) {
+    sidecar[column] = description;
+  }
+  folder_.write(name + ".json", text_of(sidecar));
+}
+
+void BidsDataset::add_row(const ExportPlace& at) {
+  std::vector<Cell> row{};
+  row.reserve(columns_.size());
+  for (const ExportColumn& column : columns_) {
+    if (column.name != "run") {
+      row.push_back(cell_for(audience_, column, at));
+      continue;
+    }
+    Cell run{};
+    if (attempt_is_recorded_) run = run_;
+    row.push_back(std::move(run));
+  }
+  beh_->add(row);
+}
+
+void BidsDataset::end_session() {
+  folder_.add(start_ + "_beh.tsv", beh_->finish(), left_out_);
+  beh_.reset();
+}
+
+void BidsDataset::finish() {
+  TableFile participants(folder_.path_of(root_ + "participants.tsv"), TableFile::Format::tsv,
+                         names_of(participant_columns_));
+  Json sidecar{};
+  for (const ExportColumn& column : participant_columns_) {
+    sidecar[column.name] = described(column);
+    if (column.name == "age") sidecar[column.name]["Units"] = "year";
+  }
+  for (const std::vector<Cell>& row : participants_) participants.add(row);
+  folder_.add(root_ + "participants.tsv", participants.finish(), participants_left_out_);
+  folder_.write(root_ + "participants.json", text_of(sidecar));
+  Json description{};
+  description["Name"] = study_name_;
+  description["BIDSVersion"] = kBidsVersion;
+  description["DatasetType"] = "raw";
+  description["GeneratedBy"] =
+      Json::array({Json{{"Name", "Asperity"}, {"Version", this_program().version}}});
+  folder_.write(root_ + "dataset_description.json", text_of(description));
+  folder_.write(
+      root_ + "README",
+      "Answers about haptic textures, by session (_beh.tsv), with the meaning of every "
+      "column in the .json file beside it.\n\n"
+      "Rows say whether they count: an analysis uses phase \"main\", valid 1, excluded 0; "
+      "flagged 1 counts, but is worth a look.\n"
+      "A text that a spreadsheet would take for a formula has an apostrophe before it, "
+      "and so has a text that begins with an apostrophe: take one away.\n");
+}
+
+}  // namespace asperity

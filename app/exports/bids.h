@@ -1,0 +1,72 @@
+// The answers of one kind of sessions as a dataset of the Brain Imaging Data Structure (BIDS 1.8.0).
+
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/exports/columns.h"
+#include "app/exports/export_folder.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+/// Writes below `root` of an export: dataset_description.json, README, participants.tsv and .json,
+/// per session `sub-…/ses-…/beh/sub-…_ses-…_task-…_beh.tsv` and .json, and, where recordings are
+/// wanted, per recorded attempt `…_run-…_recording-haptic_physio.tsv.gz` and .json.
+///
+/// BIDS wants one regular stream of a recording. An attempt is one, at the rate of the servo loop;
+/// between attempts there is none. So an attempt is a run. Ticks that are not in the recording are
+/// rows of n/a, and the first column has the time of each tick as it was, since the session began:
+/// what StartTime and `_beh.tsv` count from.
+///
+/// The task is the protocol's name without what is no letter or digit.
+class BidsDataset final {
+ public:
+  enum class Recordings { left_out, written };
+
+  BidsDataset(ExportFolder& folder, std::string root, const std::string& study_name,
+              const StudyVocabulary& vocabulary, ExportAudience audience, Recordings recordings);
+
+  /// The columns of `_beh.tsv`, for the codebook: those of an answered trial, and `run`.
+  static std::vector<ExportColumn> beh_columns(const StudyVocabulary& vocabulary,
+                                               ExportAudience audience, Recordings recordings,
+                                               std::vector<std::string>& left_out);
+  static std::vector<ExportColumn> participant_columns(const StudyVocabulary& vocabulary,
+                                                       ExportAudience audience,
+                                                       std::vector<std::string>& left_out);
+
+  void add_participant(const ExportPlace& at);
+  void begin_session(const ExportPlace& at);
+  /// With a response, or without where the attempt has none.
+  void add_row(const ExportPlace& at);
+  /// The recording of an attempt, if it has one; before its rows.
+  void add_attempt(const Study& study, const ExportPlace& at);
+  void end_session();
+  void finish();
+
+ private:
+  std::string task_of(const std::string& protocol);
+  std::string session_start(const ExportPlace& at);
+
+  ExportFolder& folder_;
+  std::string root_{};
+  std::string study_name_{};
+  ExportAudience audience_;
+  Recordings recordings_;
+  std::vector<std::string> left_out_{};
+  std::vector<std::string> participants_left_out_{};
+  std::vector<ExportColumn> columns_{};
+  std::vector<ExportColumn> participant_columns_{};
+  std::vector<std::vector<Cell>> participants_{};
+  std::map<std::string, std::string> tasks_{};  ///< protocol → label
+  std::string start_{};                         ///< of the names of this session's files
+  std::string task_name_{};
+  std::optional<TableFile> beh_{};
+  std::int64_t run_ = 0;
+  bool attempt_is_recorded_ = false;
+};
+
+}  // namespace asperity

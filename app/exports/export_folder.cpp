@@ -1,0 +1,155 @@
+#include "app/exports/export_folder.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <set>
+#include <unistd.h>
+#include <utility>
+
+#include "results_schema/sha256.h"
+#include "results_schema/study.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kManifest = "MANIFEST.tsv";
+
+/// What an earlier export says that it wrote.
+std::set<std::string> files_of_export_in(const fs::path& folder) {
+  if (!fs::exists(folder / kManifest)) return {};
+  std::set<std::string> files{kManifest};
+  for (const std::vector<Cell>& row : read_tsv(read_file(folder / kManifest), kManifest).rows) {
+    if (const auto* name = std::get_if<std::string>(&row.front())) files.insert(*name);
+  }
+  return files;
+}
+
+/// What stands in the way of writing into `folder`, as the end of a sentence.
+std::optional<std::string> obstacle_in(const fs::path& folder, Overwrite overwrite) {
+  if (!fs::exists(folder)) return std::nullopt;
+  if (!fs::is_directory(folder)) return "exists and is not a folder";
+  if (fs::is_empty(folder)) return std::nullopt;
+  if (overwrite == Overwrite::refuse) {
+    return "is not empty; choose another folder, or replace an earlier export with --force";
+  }
+  const std::set<std::string> own_files = files_of_export_in(folder);
+  std::set<std::string> others{};
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = fs::relative(entry.path(), folder).generic_string();
+    if (!entry.is_directory() && !own_files.contains(name)) others.insert(name);
+  }
+  if (others.empty()) return std::nullopt;
+  return "holds \"" + *others.begin() +
+         "\", which no export wrote and which would be lost; choose another folder";
+}
+
+/// On disk, all at once: one file after another would take a disk's time for each.
+void sync_file_system_of(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int result = descriptor < 0 ? -1 : ::syncfs(descriptor);
+  const int error_number = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (result == 0) return;
+  throw fs::filesystem_error("sync", folder,
+                             std::error_code(error_number, std::generic_category()));
+}
+
+[[noreturn]] void fail(const fs::path& target, const fs::filesystem_error& error) {
+  throw ResultsError(
+      "the export cannot be written to " + target.string() + ": " + error.code().message(), target,
+      error.code().value());
+}
+
+}  // namespace
+
+ExportFolder::ExportFolder(const fs::path& folder, Overwrite overwrite)
+    : target_(fs::absolute(folder).lexically_normal()) {
+  if (!target_.has_filename()) target_ = target_.parent_path();  // a slash at the end
+  path_ = target_.string() + ".part-" + std::to_string(::getpid());
+  try {
+    if (const auto obstacle = obstacle_in(target_, overwrite)) {
+      throw ResultsError("the folder " + target_.string() + " " + *obstacle, target_);
+    }
+    fs::remove_all(path_);
+    if (target_.has_parent_path()) fs::create_directories(target_.parent_path());
+    fs::create_directory(path_);
+  } catch (const fs::filesystem_error& error) {
+    fail(target_, error);
+  }
+}
+
+ExportFolder::~ExportFolder() {
+  std::error_code ignored{};
+  fs::remove_all(path_, ignored);
+}
+
+fs::path ExportFolder::path_of(const std::string& name) const {
+  const fs::path path = path_ / name;
+  try {
+    fs::create_directories(path.parent_path());
+  } catch (const fs::filesystem_error& error) {
+    fail(target_, error);
+  }
+  return path;
+}
+
+void ExportFolder::write(const std::string& name, std::string_view text) {
+  // Neither synced nor renamed: the folder is, as a whole.
+  std::ofstream out(path_of(name), std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) {
+    throw ResultsError(
+        "the export cannot be written to " + target_.string() + ": " + std::strerror(errno),
+        target_, errno);
+  }
+  ExportedFile& file = files_.emplace_back();
+  file.name = name;
+  file.sha256 = sha256_of(text);
+}
+
+void ExportFolder::add(const std::string& name, const WrittenTable& written,
+                       std::vector<std::string> left_out) {
+  files_.push_back({.name = name,
+                    .rows = written.rows,
+                    .marked_cells = written.marked_cells,
+                    .spaced_cells = written.spaced_cells,
+                    .cut_cells = written.cut_cells,
+                    .sha256 = written.sha256,
+                    .left_out = std::move(left_out)});
+}
+
+std::vector<ExportedFile> ExportFolder::take_place() {
+  std::sort(files_.begin(), files_.end(),
+            [](const ExportedFile& a, const ExportedFile& b) { return a.name < b.name; });
+  Table manifest{{"file", "rows", "sha256", "left_out"}, {}};
+  for (const ExportedFile& file : files_) {
+    std::string names{};
+    for (const std::string& column : file.left_out) names += (names.empty() ? "" : " ") + column;
+    manifest.rows.push_back({file.name,
+                             file.rows ? Cell{static_cast<std::int64_t>(*file.rows)} : Cell{},
+                             file.sha256, names.empty() ? Cell{} : Cell{names}});
+  }
+  write(kManifest, tsv_of(manifest));
+  files_.back().rows = manifest.rows.size();
+  try {
+    sync_file_system_of(path_);
+    const fs::path old = target_.string() + ".old-" + std::to_string(::getpid());
+    const bool replaces = fs::exists(target_);
+    if (replaces) fs::rename(target_, old);
+    fs::rename(path_, target_);
+    if (replaces) fs::remove_all(old);
+  } catch (const fs::filesystem_error& error) {
+    fail(target_, error);
+  }
+  return std::move(files_);
+}
+
+}  // namespace asperity

@@ -1,0 +1,37 @@
+// The answers of one kind of sessions as a dataset of Psych-DS.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/exports/columns.h"
+#include "app/exports/export_folder.h"
+
+namespace asperity {
+
+/// Writes below `root` of an export: dataset_description.json, which describes every column, and
+/// per session `data/subject-…_session-…_task-…_data.csv`.
+class PsychDataset final {
+ public:
+  PsychDataset(ExportFolder& folder, std::string root, const std::string& study_name,
+               const StudyVocabulary& vocabulary, ExportAudience audience);
+
+  void begin_session(const ExportPlace& at);
+  void add_row(const ExportPlace& at);
+  void end_session();
+  void finish();
+
+ private:
+  ExportFolder& folder_;
+  std::string root_{};
+  std::string study_name_{};
+  ExportAudience audience_;
+  std::vector<std::string> left_out_{};
+  std::vector<ExportColumn> columns_{};
+  std::string file_{};
+  std::optional<TableFile> table_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,219 @@
+#include "app/exports/wide_table.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "results_schema/sav_file.h"
+
+namespace asperity {
+
+namespace {
+
+/// Columns of the table of participants that are of no use beside answers.
+bool is_about_the_person(const ExportColumn& column) { return column.type != "utc_time"; }
+
+ExportColumn number_column(std::string name, std::string type, std::string description,
+                           std::optional<double> minimum, std::optional<double> maximum,
+                           std::string missing) {
+  ExportColumn made{};
+  made.name = std::move(name);
+  made.type = std::move(type);
+  made.unit = "1";
+  made.description = std::move(description);
+  made.minimum = minimum;
+  made.maximum = maximum;
+  made.missing = std::move(missing);
+  return made;
+}
+
+}  // namespace
+
+WideTable::WideTable(const StudyVocabulary& vocabulary, ExportAudience audience)
+    : audience_(audience), questions_(vocabulary.questions) {
+  std::vector<ExportColumn> all = export_files(vocabulary).front().columns;
+  about_ = columns_for(audience, std::move(all), left_out_);
+  std::erase_if(about_, [](const ExportColumn& column) { return !is_about_the_person(column); });
+}
+
+void WideTable::begin_participant(const ExportPlace& at) {
+  Person& person = people_.emplace_back();
+  for (const ExportColumn& column : about_) {
+    person.about.push_back(cell_for(audience_, column, at));
+  }
+}
+
+void WideTable::add_answer(const ExportPlace& at) {
+  if (at.trial->phase != "main") return;
+  Person& person = people_.back();
+  if (!at.attempt->valid || at.attempt->excluded) {
+    ++person.left_out;
+    return;
+  }
+  ++person.answers;
+  if (at.attempt->flagged) ++person.flagged;
+  Condition condition{};
+  for (const auto& [name, level] : at.factors->items()) {
+    const bool is_number = level.is_number();
+    const double value = is_number ? level.get<double>() : 0.0;
+    condition.emplace_back(name, Level{value, is_number           ? text_of_number(value)
+                                              : level.is_string() ? level.get<std::string>()
+                                                                  : level.dump()});
+  }
+  const ResponseRow& response = *at.response;
+  Tally& tally = person.tallies[{at.protocol->name, response.question}][condition];
+  ++tally.answers;
+  ++tally.chosen[response.answer];
+  if (response.answer_number) {
+    ++tally.numbers;
+    tally.sum += *response.answer_number;
+  }
+  if (response.correct) {
+    ++tally.judged;
+    tally.right += *response.correct ? 1 : 0;
+  }
+}
+
+void WideTable::add_session_answer(const ExportPlace& at) {
+  if (audience_ == ExportAudience::published && at.response_is_free_text) return;
+  const ResponseRow& response = *at.response;
+  people_.back().said[response.question] =
+      response.answer_number ? Cell{*response.answer_number} : Cell{response.answer};
+}
+
+WideTable::Made WideTable::make() const {
+  Made made{};
+  made.columns = about_;
+  made.left_out = left_out_;
+  for (const Person& person : people_) made.rows.push_back(person.about);
+  const auto add = [&](ExportColumn column, const auto& cell_of) {
+    made.columns.push_back(std::move(column));
+    for (std::size_t i = 0; i < people_.size(); ++i) made.rows[i].push_back(cell_of(people_[i]));
+  };
+  const auto count = [&](const char* name, const char* description, std::int64_t Person::*member) {
+    add(number_column(name, "integer", description, 0.0, std::nullopt, "never"),
+        [member](const Person& person) { return Cell{person.*member}; });
+  };
+  count("answers", "answers that are counted in the columns of conditions", &Person::answers);
+  count("answers_flagged", "of these: of attempts that were flagged", &Person::flagged);
+  count("answers_left_out",
+        "answers of main trials that are not counted, because the attempt is not valid or was "
+        "excluded",
+        &Person::left_out);
+
+  // Every condition that anybody met, and what its answers are.
+  std::map<Asked, std::map<Condition, Tally>> met{};
+  std::map<std::string, bool> said_is_number{};
+  for (const Person& person : people_) {
+    for (const auto& [asked, tallies] : person.tallies) {
+      for (const auto& [condition, tally] : tallies) {
+        Tally& all = met[asked][condition];
+        all.answers += tally.answers;
+        all.numbers += tally.numbers;
+        all.judged += tally.judged;
+        for (const auto& [option, times] : tally.chosen) all.chosen[option] += times;
+      }
+    }
+    for (const auto& [question, cell] : person.said) {
+      const bool is_number = std::holds_alternative<double>(cell);
+      const auto [known, is_new] = said_is_number.insert({question, is_number});
+      if (!is_new) known->second = known->second && is_number;
+    }
+  }
+  for (const auto& [question, is_number] : said_is_number) {
+    ExportColumn column{};
+    const auto meaning = questions_.find(question);
+    column.name = "session_" + question;
+    column.type = is_number ? "number" : "text";
+    column.description = "answer to the session's question " + question;
+    column.missing = "not asked or not answered";
+    if (meaning != questions_.end()) {
+      column.description += ": " + meaning->second.prompt;
+      if (!is_number) column.levels = meaning->second.options;
+      column.minimum = meaning->second.minimum;
+      column.maximum = meaning->second.maximum;
+      column.source = meaning->second.source;
+    }
+    add(std::move(column), [&question = question](const Person& person) {
+      const auto found = person.said.find(question);
+      return found == person.said.end() ? Cell{} : found->second;
+    });
+  }
+  for (const auto& [asked, conditions] : met) {
+    std::map<std::string, std::set<Level>> levels{};
+    std::set<std::string> options{};
+    bool numbers = true;
+    bool judged = false;
+    for (const auto& [condition, tally] : conditions) {
+      for (const auto& [factor, level] : condition) levels[factor].insert(level);
+      for (const auto& [option, times] : tally.chosen) options.insert(option);
+      numbers = numbers && tally.numbers == tally.answers;
+      judged = judged || tally.judged > 0;
+    }
+    const auto meaning = questions_.find(asked.question);
+    const std::string prompt =
+        meaning == questions_.end() ? asked.question : "\"" + meaning->second.prompt + "\"";
+    for (const auto& condition_and_tally : conditions) {
+      const Condition& condition = condition_and_tally.first;
+      std::string name = asked.protocol + "_" + asked.question;
+      std::string when{};
+      for (const auto& [factor, level] : condition) {
+        if (levels.at(factor).size() < 2) continue;
+        name += "_" + level.second;
+        when += (when.empty() ? " where " : ", ") + factor + " = " + level.second;
+      }
+      const std::string of = " of " + asked.protocol + ", " + prompt + when;
+      const auto tally_of = [asked = asked, condition](const Person& person) -> const Tally* {
+        const auto of_question = person.tallies.find(asked);
+        if (of_question == person.tallies.end()) return nullptr;
+        const auto found = of_question->second.find(condition);
+        return found == of_question->second.end() ? nullptr : &found->second;
+      };
+      const auto share = [&](std::string column, std::string description, const auto& part) {
+        add(number_column(std::move(column), "number", std::move(description), 0.0, 1.0,
+                          "no such answer"),
+            [&](const Person& person) {
+              const Tally* const tally = tally_of(person);
+              if (tally == nullptr) return Cell{};
+              const auto [hits, all] = part(*tally);
+              return all == 0 ? Cell{} : Cell{static_cast<double>(hits) / static_cast<double>(all)};
+            });
+      };
+      if (numbers) {
+        add(number_column(name + "_mean", "number", "mean answer" + of, std::nullopt, std::nullopt,
+                          "no such answer"),
+            [&](const Person& person) {
+              const Tally* const tally = tally_of(person);
+              if (tally == nullptr) return Cell{};
+              return Cell{tally->sum / static_cast<double>(tally->numbers)};
+            });
+      } else if (judged) {
+        share(name + "_correct", "proportion of right answers" + of,
+              [](const Tally& tally) { return std::pair(tally.right, tally.judged); });
+      } else {
+        for (const std::string& option : options) {
+          share(name + "_" + option, "proportion of answers \"" + option + "\"" + of,
+                [&option](const Tally& tally) {
+                  const auto found = tally.chosen.find(option);
+                  return std::pair(found == tally.chosen.end() ? 0 : found->second, tally.answers);
+                });
+        }
+      }
+      add(number_column(name + "_n", "integer", "number of answers" + of, 0.0, std::nullopt,
+                        "never"),
+          [&](const Person& person) {
+            const Tally* const tally = tally_of(person);
+            return Cell{tally == nullptr ? std::int64_t{0} : tally->answers};
+          });
+    }
+  }
+  std::vector<std::string> names{};
+  for (const ExportColumn& column : made.columns) names.push_back(column.name);
+  names = sav_names(names);
+  for (std::size_t i = 0; i < names.size(); ++i) made.columns[i].name = names[i];
+  return made;
+}
+
+}  // namespace asperity

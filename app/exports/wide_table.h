@@ -1,0 +1,72 @@
+// One row per participant: what programs want that compare means of columns.
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/exports/columns.h"
+
+namespace asperity {
+
+/// A table of one row per participant with, for each condition of each protocol and each question
+/// of a trial, one column for what can be averaged: the mean of answers that are numbers, else the
+/// proportion of right answers where answers are right or wrong, else for each option the
+/// proportion of answers that chose it; and how many answers those are of.
+///
+/// A condition is a combination of levels of the factors that have more than one level in the main
+/// trials of the protocol. Counted are answers of the main phase that are valid and not excluded;
+/// how many were flagged, and how many were left out, are columns.
+class WideTable final {
+ public:
+  WideTable(const StudyVocabulary& vocabulary, ExportAudience audience);
+
+  /// `at` with participant.
+  void begin_participant(const ExportPlace& at);
+  /// `at` with session, trial, attempt and one of its responses.
+  void add_answer(const ExportPlace& at);
+  /// `at` with session and an answer to one of its own questions; the last one stays.
+  void add_session_answer(const ExportPlace& at);
+
+  struct Made {
+    std::vector<ExportColumn> columns{};  ///< without the functions that make cells
+    std::vector<std::string> left_out{};
+    std::vector<std::vector<Cell>> rows{};
+  };
+  Made make() const;
+
+ private:
+  using Level = std::pair<double, std::string>;  ///< numbers in their order, names in theirs
+  using Condition = std::vector<std::pair<std::string, Level>>;  ///< by name of the factor
+  struct Asked {
+    std::string protocol{};
+    std::string question{};
+    auto operator<=>(const Asked&) const = default;
+  };
+  struct Tally {
+    std::int64_t answers = 0;
+    std::int64_t numbers = 0;
+    double sum = 0.0;
+    std::int64_t judged = 0;
+    std::int64_t right = 0;
+    std::map<std::string, std::int64_t> chosen{};
+  };
+  struct Person {
+    std::vector<Cell> about{};
+    std::map<Asked, std::map<Condition, Tally>> tallies{};
+    std::map<std::string, Cell> said{};  ///< answers to questions of the session
+    std::int64_t answers = 0;
+    std::int64_t flagged = 0;
+    std::int64_t left_out = 0;
+  };
+
+  ExportAudience audience_;
+  std::vector<ExportColumn> about_{};
+  std::vector<std::string> left_out_{};
+  std::map<std::string, StudyVocabulary::AnswerMeaning> questions_{};
+  std::vector<Person> people_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,423 @@
+// What leaves a study for other programs: each format held to the rules of its specification.
+
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <regex>
+
+#include <fnmatch.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <readstat.h>
+#include <zlib.h>
+
+#include "results_schema/recording.h"
+#include "tests/app/exported_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// RFC 4180, taken at its word: CR LF, quotes doubled.
+Rows csv(const std::string& text) {
+  Rows rows(1, {""});
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+      rows.back().back() += text[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && c == ',') {
+      rows.back().emplace_back();
+    } else if (!quoted && c == '\r') {
+      EXPECT_EQ(text.substr(i, 2), "\r\n");
+      ++i;
+      if (i + 1 < text.size()) rows.push_back({""});
+    } else {
+      EXPECT_TRUE(quoted || c != '\n');
+      rows.back().back() += c;
+    }
+  }
+  EXPECT_FALSE(quoted);
+  return rows;
+}
+
+std::string unpacked(const std::filesystem::path& path) {
+  const gzFile file = gzopen(path.c_str(), "rb");
+  std::string text(1 << 20, '\0');
+  const int bytes = gzread(file, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(file);
+  text.resize(static_cast<std::size_t>(std::max(bytes, 0)));
+  return text;
+}
+
+/// An SPSS file as ReadStat reads it back.
+struct Sav {
+  struct Variable {
+    std::string name{};
+    std::string label{};
+    std::string labels{};
+    readstat_measure_t measure{};
+    int missing_ranges = 0;
+  };
+  std::vector<Variable> variables{};
+  std::vector<std::map<std::string, std::string>> rows{};  ///< "." for missing
+  std::map<std::string, std::map<double, std::string>> value_labels{};
+};
+
+Sav sav(const std::filesystem::path& path) {
+  Sav read{};
+  readstat_parser_t* const parser = readstat_parser_init();
+  readstat_set_variable_handler(
+      parser, [](int, readstat_variable_t* variable, const char* labels, void* context) -> int {
+        const auto text = [](const char* words) {
+          return std::string(words == nullptr ? "" : words);
+        };
+        static_cast<Sav*>(context)->variables.push_back(
+            {text(readstat_variable_get_name(variable)),
+             text(readstat_variable_get_label(variable)), text(labels),
+             readstat_variable_get_measure(variable),
+             readstat_variable_get_missing_ranges_count(variable)});
+        return READSTAT_HANDLER_OK;
+      });
+  readstat_set_value_label_handler(
+      parser, [](const char* set, readstat_value_t value, const char* label, void* context) -> int {
+        static_cast<Sav*>(context)->value_labels[set][readstat_double_value(value)] = label;
+        return READSTAT_HANDLER_OK;
+      });
+  readstat_set_value_handler(
+      parser,
+      [](int row, readstat_variable_t* variable, readstat_value_t value, void* context) -> int {
+        Sav& into = *static_cast<Sav*>(context);
+        into.rows.resize(std::max(into.rows.size(), static_cast<std::size_t>(row) + 1));
+        std::string text = ".";
+        if (readstat_value_type_class(value) == READSTAT_TYPE_CLASS_STRING) {
+          const char* const words = readstat_string_value(value);
+          text = words == nullptr ? "" : words;
+        } else if (!readstat_value_is_system_missing(value)) {
+          text = text_of_number(readstat_double_value(value));
+        }
+        into.rows.back()[readstat_variable_get_name(variable)] = text;
+        return READSTAT_HANDLER_OK;
+      });
+  EXPECT_EQ(readstat_parse_sav(parser, path.c_str(), &read), READSTAT_OK);
+  readstat_parser_free(parser);
+  return read;
+}
+
+const Sav::Variable& variable_of(const Sav& file, const std::string& name) {
+  for (const Sav::Variable& variable : file.variables) {
+    if (variable.name == name) return variable;
+  }
+  throw std::runtime_error("no variable " + name);
+}
+
+nlohmann::json json_in(const std::filesystem::path& path) {
+  return nlohmann::json::parse(read_file(path));
+}
+
+/// A tick at 6.000, 6.001, 6.002 and, two of them lost, 6.005 s.
+RecordingRow record(MadeUpStudy& made) {
+  RecordingWriter writer(made.folder(), "recordings/anna/a.rec",
+                         {.rate_Hz = 1000.0,
+                          .columns = {{.name = "x_m", .unit = "m", .meaning = "position"},
+                                      {.name = "fz_N", .unit = "N", .meaning = "force"}}});
+  for (const std::int64_t tick : {0, 1, 2, 5}) {
+    const float values[] = {0.1F, -0.5F};
+    writer.append(6'000'000'000 + tick * 1'000'000, values);
+  }
+  return writer.finish();
+}
+
+/// `fill`, with a recorded trial, an unanswered one, a pilot, and what is awkward in a text.
+void fill_all(MadeUpStudy& made) {
+  fill(made);
+  made.add_person("ben", "M");
+  const std::int64_t protocol = made.add_protocol("a_selection", "selection", R"({
+      "title": "Which one?",
+      "factors": {"texture": {"levels": ["metal", "wood"], "meaning": "what is shown"}},
+      "blocks": {"main": {"question": {"name": "which", "prompt": "Which was it, \"a\" or b?"}}}})");
+  const auto trial = [](const std::string& texture, const std::string& answer) {
+    MadeUpTrial made_trial = some_trial();
+    made_trial.factors_json = R"({"texture": ")" + texture + "\"}";
+    made_trial.answers = {answer};
+    made_trial.right = {};
+    return made_trial;
+  };
+  MadeUpTrial recorded = trial("metal", "=1+1, \"or\"\nmore");
+  recorded.recording = record(made);
+  MadeUpTrial silent = trial("wood", "");
+  silent.answers = {};
+  silent.outcome = AttemptOutcome::skipped;
+  silent.valid = false;
+  made.add_session("anna", protocol, {recorded, trial("wood", "stone"), silent});
+  made.add_session("ben", protocol, {trial("metal", "stone")}, SessionMode::pilot);
+}
+
+ExportOptions everything() {
+  ExportOptions options{};
+  options.formats.insert(ExportFormat::physio);
+  return options;
+}
+
+class ExportFormats : public testing::Test {
+ protected:
+  ExportFormats() {
+    fill_all(made_);
+    export_to(made_, out_, everything());
+  }
+  MadeUpStudy made_{};
+  std::filesystem::path out_ = made_.beside("out");
+};
+
+// Columns of every file: the names in its first line, or in its sidecar, or in its head.
+std::vector<std::string> columns_of(const std::filesystem::path& file) {
+  const std::string name = file.filename();
+  if (name.ends_with(".csv")) return csv(read_file(file)).front();
+  if (name.ends_with(".tsv")) return read_tsv(read_file(file), name).columns;
+  std::vector<std::string> columns{};
+  if (name.ends_with(".sav")) {
+    for (const Sav::Variable& variable : sav(file).variables) columns.push_back(variable.name);
+  }
+  return columns;
+}
+
+TEST_F(ExportFormats, DescribeEveryColumnOfEveryFileInTheCodebookAndNoOther) {
+  for (const ExportAudience audience : {ExportAudience::own, ExportAudience::published}) {
+    const std::filesystem::path out =
+        made_.beside(audience == ExportAudience::own ? "own" : "published");
+    ExportOptions options = everything();
+    options.audience = audience;
+    export_to(made_, out, options);
+    std::set<std::pair<std::string, std::string>> unused{};
+    for (const auto& entry : columns_in_codebook(table_in(out, "codebook.tsv"))) {
+      EXPECT_TRUE(unused.insert(entry).second) << entry.first << " " << entry.second;
+    }
+    const auto described = unused;
+    std::size_t columns = 0;
+    for (const std::string& name : files_in(out)) {
+      for (const std::string& column : columns_of(out / name)) {
+        ++columns;
+        bool found = false;
+        for (const auto& [file, of_file] : described) {
+          if (of_file != column || fnmatch(file.c_str(), name.c_str(), 0) != 0) continue;
+          found = true;
+          unused.erase({file, of_file});
+        }
+        EXPECT_TRUE(found) << name << ": " << column;
+      }
+    }
+    EXPECT_GT(columns, 700U);
+    EXPECT_TRUE(unused.empty()) << unused.begin()->first << ": " << unused.begin()->second;
+  }
+}
+
+TEST_F(ExportFormats, GiveTheSameBytesForTheSameStudy) {
+  export_to(made_, made_.beside("again"), everything());
+  const auto files = files_in(out_);
+  EXPECT_EQ(files_in(made_.beside("again")), files);
+  for (const std::string& name : files) {
+    EXPECT_TRUE(read_file(out_ / name) == read_file(made_.beside("again") / name)) << name;
+  }
+}
+
+TEST_F(ExportFormats, KeepPilotsAndVirtualParticipantsApart) {
+  const auto people = [this](const std::string& name) {
+    std::vector<std::string> labels{};
+    for (const std::vector<std::string>& row : csv(read_file(out_ / name))) {
+      labels.push_back(row[0]);
+    }
+    return labels;
+  };
+  EXPECT_THAT(people("wide.csv"), ElementsAre("participant", "anna"));
+  EXPECT_THAT(people("pilot/wide.csv"), ElementsAre("participant", "ben"));
+  EXPECT_THAT(people("virtual/wide.csv"), ElementsAre("participant", "virtual0001"));
+  for (const std::string& name : files_in(out_)) {
+    const bool is_apart = name.starts_with("pilot/") || name.starts_with("virtual/");
+    const bool is_of_all = name.ends_with(".tsv") && !name.starts_with("bids/");
+    if (is_apart || is_of_all) continue;
+    EXPECT_THAT(read_file(out_ / name), Not(HasSubstr("virtual0001"))) << name;
+    EXPECT_THAT(name, Not(HasSubstr("ben"))) << name;
+  }
+}
+
+// A spreadsheet takes a cell for a formula by its first character, quoted or not.
+TEST_F(ExportFormats, LeaveNoTextThatASpreadsheetTakesForAFormula) {
+  std::size_t marked = 0;
+  for (const std::string& name : files_in(out_)) {
+    Rows rows{};
+    if (name.ends_with(".csv")) rows = csv(read_file(out_ / name));
+    if (name.ends_with(".tsv")) {
+      std::istringstream text(read_file(out_ / name));
+      for (std::string line; std::getline(text, line);) {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, '\t');) rows.back().push_back(cell);
+      }
+    }
+    for (const std::vector<std::string>& row : rows) {
+      for (const std::string& cell : row) {
+        if (!cell.empty() && cell.front() == '\'') ++marked;
+        const bool looks_like_one = !cell.empty() && std::string("=+-@").find(cell[0]) < 4;
+        EXPECT_TRUE(!looks_like_one || number_in(cell)) << name << ": " << cell;
+      }
+    }
+  }
+  EXPECT_GE(marked, 4U);  // the answer and the comment, in each form
+}
+
+TEST_F(ExportFormats, KeepATextAsItWasTypedWhereTheFormatCan) {
+  const Rows rows =
+      csv(read_file(out_ / "psychds/data/subject-anna_session-02_task-aselection_data.csv"));
+  const auto column = static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), "answer") -
+                                               rows[0].begin());
+  EXPECT_EQ(rows[1][column], "'=1+1, \"or\"\nmore");
+  const Sav trials = sav(out_ / "trials.sav");
+  EXPECT_TRUE(std::any_of(trials.rows.begin(), trials.rows.end(), [](const auto& row) {
+    return row.at("answer") == "=1+1, \"or\"\nmore";
+  }));
+}
+
+TEST_F(ExportFormats, CountInTheWideTableWhatEachConditionGave) {
+  const Rows rows = csv(read_file(out_ / "wide.csv"));
+  std::map<std::string, std::string> anna{};
+  ASSERT_EQ(rows.size(), 2U);
+  for (std::size_t i = 0; i < rows[0].size(); ++i) anna[rows[0][i]] = rows[1][i];
+  EXPECT_EQ(anna.at("recognition_which_correct"), "1");
+  EXPECT_EQ(anna.at("recognition_which_n"), "2");
+  EXPECT_EQ(anna.at("a_selection_which_wood_stone"), "1");
+  EXPECT_EQ(anna.at("a_selection_which_metal_stone"), "0");
+  EXPECT_EQ(anna.at("a_selection_which_metal_n"), "1");
+  EXPECT_EQ(anna.at("answers"), "4");
+  EXPECT_EQ(anna.at("answers_flagged"), "1");
+  EXPECT_EQ(anna.at("session_hand"), "left");
+  const Sav same = sav(out_ / "wide.sav");
+  ASSERT_EQ(same.rows.size(), 1U);
+  EXPECT_EQ(same.rows[0].at("recognition_which_correct"), "1");
+}
+
+TEST_F(ExportFormats, TellSpssWhatItsNumbersMean) {
+  const Sav trials = sav(out_ / "trials.sav");
+  ASSERT_EQ(trials.rows.size(), 5U);
+  for (const Sav::Variable& variable : trials.variables) {
+    EXPECT_FALSE(variable.label.empty()) << variable.name;
+    EXPECT_LE(variable.label.size(), 256U) << variable.name;
+    EXPECT_NE(variable.measure, READSTAT_MEASURE_UNKNOWN) << variable.name;
+  }
+  const Sav::Variable& texture = variable_of(trials, "factor_texture");
+  EXPECT_EQ(texture.measure, READSTAT_MEASURE_NOMINAL);
+  EXPECT_EQ(texture.label, "what is shown");
+  EXPECT_EQ(trials.value_labels.at(texture.labels).at(1.0), "metal");
+  EXPECT_EQ(trials.value_labels.at(texture.labels).at(-1.0), "the trial does not have this factor");
+  EXPECT_EQ(texture.missing_ranges, 1);
+  EXPECT_EQ(variable_of(trials, "from_cue_s").measure, READSTAT_MEASURE_SCALE);
+  EXPECT_THAT(variable_of(trials, "from_cue_s").label, HasSubstr("[s]"));
+  const Sav::Variable& valid = variable_of(trials, "valid");
+  EXPECT_EQ(trials.value_labels.at(valid.labels).at(1.0), "yes");
+  std::multiset<std::string> textures{};
+  for (const auto& row : trials.rows) textures.insert(row.at("factor_texture"));
+  EXPECT_EQ(textures, (std::multiset<std::string>{"-1", "-1", "1", "2", "2"}));
+  EXPECT_EQ(trials.rows.back().at("answer"), "");
+  EXPECT_EQ(trials.rows.back().at("from_cue_s"), ".");
+}
+
+// [BIDS 1.8.0]: names of entities in their order, columns that have to come first, sidecars.
+TEST_F(ExportFormats, FollowTheRulesOfBids) {
+  const std::regex beh(
+      "sub-([0-9A-Za-z]+)/ses-([0-9A-Za-z]+)/beh/sub-\\1_ses-\\2_task-[0-9A-Za-z]+"
+      "(_beh\\.(tsv|json)|(_run-[0-9]+)_recording-[0-9A-Za-z]+_physio\\.(tsv\\.gz|json))");
+  const std::set<std::string> at_top{"README", "dataset_description.json", "participants.json",
+                                     "participants.tsv"};
+  for (const char* const root : {"bids", "pilot/bids", "virtual/bids"}) {
+    const std::filesystem::path bids = out_ / root;
+    const nlohmann::json description = json_in(bids / "dataset_description.json");
+    EXPECT_TRUE(description.at("Name").is_string());
+    EXPECT_EQ(description.at("BIDSVersion"), "1.8.0");
+    EXPECT_EQ(description.at("DatasetType"), "raw");
+    const Table participants = table_in(bids, "participants.tsv");
+    ASSERT_EQ(participants.columns.front(), "participant_id");
+    std::set<std::string> listed{};
+    for (const auto& row : participants.rows) listed.insert(std::get<std::string>(row[0]));
+    std::set<std::string> there{};
+    for (const std::string& name : files_in(bids)) {
+      EXPECT_TRUE(at_top.contains(name) || std::regex_match(name, beh)) << name;
+      if (!at_top.contains(name)) there.insert(name.substr(0, name.find('/')));
+      if (!name.ends_with("_beh.tsv")) continue;
+      const nlohmann::json sidecar = json_in(bids / (name.substr(0, name.size() - 4) + ".json"));
+      EXPECT_TRUE(sidecar.at("TaskName").is_string());
+      std::string task = sidecar.at("TaskName");
+      std::erase_if(task, [](char letter) { return std::isalnum(letter) == 0; });
+      EXPECT_THAT(name, HasSubstr("_task-" + task + "_"));
+      const Table rows = table_in(bids, name);
+      for (const std::string& column : rows.columns) {
+        EXPECT_TRUE(sidecar.at(column).at("Description").is_string()) << column;
+        EXPECT_TRUE(std::regex_match(column, std::regex("[a-zA-Z0-9_]+"))) << column;
+      }
+      EXPECT_GT(rows.rows.size(), 0U);
+      for (const auto& row : rows.rows) EXPECT_EQ(row.size(), rows.columns.size());
+    }
+    EXPECT_EQ(listed, there);
+    const nlohmann::json about = json_in(bids / "participants.json");
+    for (const std::string& column : participants.columns) {
+      EXPECT_TRUE(about.contains(column)) << column;
+    }
+  }
+}
+
+TEST_F(ExportFormats, WriteARecordingAsOneRegularStream) {
+  const std::filesystem::path folder = out_ / "bids/sub-anna/ses-02/beh";
+  const std::string start = "sub-anna_ses-02_task-aselection_run-01_recording-haptic_physio";
+  const nlohmann::json sidecar = json_in(folder / (start + ".json"));
+  EXPECT_EQ(sidecar.at("SamplingFrequency"), 1000.0);
+  EXPECT_EQ(sidecar.at("StartTime"), 1.0);  // the session's clock begins at 5 s
+  EXPECT_THAT(sidecar.at("Columns").get<std::vector<std::string>>(),
+              ElementsAre("time_s", "x_m", "fz_N"));
+  EXPECT_EQ(sidecar.at("fz_N").at("Units"), "N");
+  EXPECT_EQ(unpacked(folder / (start + ".tsv.gz")),
+            "1\t0.1\t-0.5\n1.001\t0.1\t-0.5\n1.002\t0.1\t-0.5\nn/a\tn/a\tn/a\nn/a\tn/a\tn/a\n"
+            "1.005\t0.1\t-0.5\n");
+  const std::string head = read_file(folder / (start + ".tsv.gz")).substr(0, 8);
+  EXPECT_EQ(head.substr(3, 5), std::string(5, '\0')) << "no name and no time";
+  const Table rows = table_in(folder, "sub-anna_ses-02_task-aselection_beh.tsv");
+  EXPECT_EQ(cell_of(rows, 0, "run"), Cell{"1"});
+  EXPECT_EQ(cell_of(rows, 1, "run"), Cell{});
+}
+
+// The specification's rules for names, for the description and for what it has to describe.
+TEST_F(ExportFormats, FollowTheRulesOfPsychDs) {
+  const std::regex data_file("data/([a-z]+-[0-9A-Za-z]+)(_[a-z]+-[0-9A-Za-z]+)*_data\\.csv");
+  for (const char* const root : {"psychds", "pilot/psychds", "virtual/psychds"}) {
+    const nlohmann::json description = json_in(out_ / root / "dataset_description.json");
+    EXPECT_THAT(description.at("@context").get<std::string>(), HasSubstr("schema.org"));
+    EXPECT_EQ(description.at("@type"), "Dataset");
+    EXPECT_TRUE(description.at("name").is_string());
+    EXPECT_TRUE(description.at("description").is_string());
+    std::set<std::string> measured{};
+    for (const nlohmann::json& variable : description.at("variableMeasured")) {
+      EXPECT_EQ(variable.at("@type"), "PropertyValue");
+      EXPECT_TRUE(measured.insert(variable.at("name")).second);
+    }
+    std::size_t files = 0;
+    for (const std::string& name : files_in(out_ / root)) {
+      if (name == "dataset_description.json") continue;
+      ++files;
+      EXPECT_TRUE(std::regex_match(name, data_file)) << name;
+      const Rows rows = csv(read_file(out_ / root / name));
+      EXPECT_EQ(std::set<std::string>(rows[0].begin(), rows[0].end()), measured);
+      for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size()) << name;
+    }
+    EXPECT_GT(files, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace asperity
