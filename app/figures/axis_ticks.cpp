@@ -1,0 +1,80 @@
+#include "app/figures/axis_ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+
+#include <qcustomplot.h>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+/// With the sign of mathematics, which is as broad as a digit.
+std::string label_of(double value) {
+  return value < 0.0 ? "−" + number_text(-value) : number_text(value);
+}
+
+std::vector<AxisTick> linear_ticks(const FigureAxis& axis, int labels) {
+  QCPAxisTicker ticker{};
+  ticker.setTickCount(labels);
+  QVector<double> values{};
+  ticker.generate({axis.low, axis.high}, QLocale::c(), 'g', 6, values, nullptr, nullptr);
+  // The library goes a step beyond both ends, and its sums leave 0.30000000000000004.
+  const double room = 1e-9 * (axis.high - axis.low);
+  std::vector<AxisTick> ticks{};
+  for (const double value : values) {
+    if (value < axis.low - room || value > axis.high + room) continue;
+    const double round =
+        std::abs(value) < room ? 0.0 : std::stod(QString::number(value, 'g', 10).toStdString());
+    ticks.push_back({.value = round, .label = label_of(round)});
+  }
+  return ticks;
+}
+
+/// What 1, 2, … 9 times powers of ten are labelled: a longer list where a shorter one gives too few.
+constexpr std::array<std::initializer_list<int>, 4> kLabelled{
+    std::initializer_list<int>{1}, std::initializer_list<int>{1, 3},
+    std::initializer_list<int>{1, 2, 5}, std::initializer_list<int>{1, 2, 3, 4, 5, 6, 8}};
+
+std::vector<AxisTick> log_ticks(const FigureAxis& axis) {
+  constexpr std::size_t kEnough = 3;
+  std::vector<AxisTick> ticks{};
+  for (const std::initializer_list<int>& labelled : kLabelled) {
+    ticks.clear();
+    std::size_t labels = 0;
+    const int last = static_cast<int>(std::floor(std::log10(axis.high)));
+    for (int power = static_cast<int>(std::floor(std::log10(axis.low))); power <= last; ++power) {
+      for (int digit = 1; digit <= 9; ++digit) {
+        // Powers of negative exponents are no whole numbers: 2 / 10, not 2 · 0.1.
+        const double scale = std::pow(10.0, std::abs(power));
+        const double value = power < 0 ? digit / scale : digit * scale;
+        if (value < axis.low * (1.0 - 1e-9) || value > axis.high * (1.0 + 1e-9)) continue;
+        const bool has_label = std::count(labelled.begin(), labelled.end(), digit) > 0;
+        labels += has_label ? 1 : 0;
+        ticks.push_back(
+            {.value = value, .label = has_label ? Phrase(number_text(value)) : Phrase()});
+      }
+    }
+    if (labels >= kEnough) break;
+  }
+  return ticks;
+}
+
+}  // namespace
+
+std::vector<AxisTick> ticks_of(const FigureAxis& axis, int labels) {
+  if (!axis.places.empty()) {
+    std::vector<AxisTick> ticks{};
+    for (const Phrase& place : axis.places) {
+      ticks.push_back({.value = static_cast<double>(ticks.size()), .label = place});
+    }
+    return ticks;
+  }
+  return axis.scale == AxisScale::log10 ? log_ticks(axis) : linear_ticks(axis, labels);
+}
+
+}  // namespace asperity

@@ -1,0 +1,21 @@
+// Where an axis has its ticks, and what is written at them.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/figures/figure.h"
+
+namespace asperity {
+
+struct AxisTick {
+  double value = 0.0;
+  Phrase label{};  ///< empty: a tick between those that are labelled
+};
+
+/// About `labels` of them on a linear axis, at round numbers; on a logarithmic one at 1 to 9 times
+/// powers of ten, of which so many are labelled that there are three or more; on places one each.
+std::vector<AxisTick> ticks_of(const FigureAxis& axis, int labels);
+
+}  // namespace asperity

@@ -1,0 +1,429 @@
+#include "app/figures/draw_figure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QtGui/QFontMetricsF>
+#include <QtGui/QPainter>
+#include <QtGui/QPolygonF>
+
+#include "app/figures/figure_layout.h"
+
+namespace asperity {
+
+namespace {
+
+enum class Shape { disc, square, triangle, diamond, lower_triangle, cross };
+
+/// A colour of Okabe and Ito, a shape and a stroke; one of the three is enough to tell them apart.
+struct Style {
+  const char* color = "";
+  Shape shape = Shape::disc;
+  std::array<double, 4> dashes{};  ///< in widths of the pen; zeros: a whole line
+};
+
+constexpr std::array kStyles{Style{"#0072B2", Shape::disc, {}},
+                             Style{"#E69F00", Shape::square, {5, 2, 5, 2}},
+                             Style{"#009E73", Shape::triangle, {5, 2, 1, 2}},
+                             Style{"#CC79A7", Shape::diamond, {2, 2, 2, 2}},
+                             Style{"#56B4E9", Shape::lower_triangle, {8, 2, 8, 2}},
+                             Style{"#D55E00", Shape::cross, {1, 2, 1, 2}}};
+
+const Style& style_of(const FigureSeries& series) {
+  return kStyles[static_cast<std::size_t>(series.style) % kStyles.size()];
+}
+
+/// On a dark ground the dark ones are made lighter.
+QColor color_of(const FigureSeries& series, const FigureLook& look) {
+  constexpr int kHalf = 128;
+  constexpr int kLighter = 130;  // percent
+  const QColor color(style_of(series).color);
+  return look.colors.ground.lightness() < kHalf ? color.lighter(kLighter) : color;
+}
+
+enum class Across { left, centre, right };
+enum class Along { top, middle, bottom };
+
+class FigureDrawing final {
+ public:
+  FigureDrawing(const Figure& figure, const FigureLayout& layout, QPainter& painter,
+                const FigureLook& look)
+      : figure_(figure), layout_(layout), painter_(painter), look_(look) {}
+
+  void draw() {
+    painter_.setFont(layout_.font());
+    if (!figure_.is_drawn()) {
+      text(layout_.sentence(), {0.5 * letters(), 0.5 * letters()}, Across::left, Along::top,
+           look_.colors.text);
+      return;
+    }
+    cells();
+    axes();
+    names();
+    references();
+    for (const FigureSeries& series : figure_.series) lines(series);
+    for (const FigureSeries& series : figure_.series) intervals(series);
+    for (const FigureSeries& series : figure_.series) points(series);
+    labels();
+    key();
+  }
+
+ private:
+  double letters() const { return layout_.letters(); }
+  double thin() const { return letters() * 0.07; }
+  QPointF at(double x, double y) const { return {layout_.x_of(x), layout_.y_of(y)}; }
+
+  /// Lines of text with `anchor` at that edge of them.
+  void text(const TextLines& block, const QPointF& anchor, Across across, Along along,
+            const QColor& color) {
+    const QFontMetricsF metrics(layout_.font());
+    painter_.setPen(color);
+    double top = anchor.y();
+    if (along == Along::middle) top -= block.height / 2.0;
+    if (along == Along::bottom) top -= block.height;
+    for (const QString& line : block.lines) {
+      const double width = metrics.horizontalAdvance(line);
+      double left = anchor.x();
+      if (across == Across::centre) left -= width / 2.0;
+      if (across == Across::right) left -= width;
+      painter_.drawText(QPointF(left, top + metrics.ascent()), line);
+      top += metrics.height();
+    }
+  }
+  void text(const QString& words, const QPointF& anchor, Across across, Along along,
+            const QColor& color) {
+    text({.lines = {words}, .height = QFontMetricsF(layout_.font()).height()}, anchor, across,
+         along, color);
+  }
+  /// The same, read from below.
+  void upright_text(const TextLines& block, const QPointF& anchor, Across across, Along along,
+                    const QColor& color) {
+    painter_.save();
+    painter_.translate(anchor);
+    painter_.rotate(-90.0);
+    text(block, {0.0, 0.0}, across, along, color);
+    painter_.restore();
+  }
+
+  void line(const QPointF& from, const QPointF& to, const QColor& color, double width) {
+    painter_.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap));
+    painter_.drawLine(from, to);
+  }
+
+  void axes() {
+    const QRectF& plot = layout_.plot();
+    const bool cells = !figure_.cells.empty();
+    const bool rows = !figure_.y.places.empty();
+    const double tick = 0.35 * letters();
+    const double gap = tick + 0.25 * letters();
+    for (const LaidTick& one : layout_.x_ticks()) {
+      const bool labelled = !one.label.lines.isEmpty();
+      if (!cells) {
+        if (rows && labelled) {
+          line({one.at, plot.top()}, {one.at, plot.bottom()}, look_.colors.line, thin());
+        }
+        line({one.at, plot.bottom()}, {one.at, plot.bottom() + (labelled ? tick : tick / 2.0)},
+             look_.colors.muted, thin());
+      }
+      if (layout_.has_upright_x_labels()) {
+        upright_text(one.label, {one.at, plot.bottom() + gap}, Across::right, Along::middle,
+                     look_.colors.text);
+      } else {
+        text(one.label, {one.at, plot.bottom() + gap}, Across::centre, Along::top,
+             look_.colors.text);
+      }
+    }
+    for (const LaidTick& one : layout_.y_ticks()) {
+      const bool labelled = !one.label.lines.isEmpty();
+      if (!cells && !rows) {
+        if (figure_.shape == FigureShape::wide && labelled) {
+          line({plot.left(), one.at}, {plot.right(), one.at}, look_.colors.line, thin());
+        }
+        line({plot.left() - (labelled ? tick : tick / 2.0), one.at}, {plot.left(), one.at},
+             look_.colors.muted, thin());
+      }
+      text(one.label, {plot.left() - gap - 0.1 * letters(), one.at}, Across::right, Along::middle,
+           look_.colors.text);
+    }
+    if (cells) return;
+    line(plot.bottomLeft(), plot.bottomRight(), look_.colors.muted, thin());
+    if (!rows) line(plot.topLeft(), plot.bottomLeft(), look_.colors.muted, thin());
+  }
+
+  void names() {
+    const QRectF& plot = layout_.plot();
+    const double bottom = layout_.shades().isNull() ? layout_.height() - 0.5 * letters()
+                                                    : layout_.shades().top() - letters() -
+                                                          QFontMetricsF(layout_.font()).height();
+    text(layout_.x_name(), {plot.center().x(), bottom}, Across::centre, Along::bottom,
+         look_.colors.text);
+    upright_text(layout_.y_name(), {0.5 * letters(), plot.center().y()}, Across::centre, Along::top,
+                 look_.colors.text);
+    if (!layout_.shades().isNull()) shades();
+  }
+
+  QColor shade(double share) const {
+    const QColor& from = look_.colors.ground;
+    const QColor& to = look_.colors.strong;
+    const auto mixed = [share](float a, float b) {
+      return a + static_cast<float>(share) * (b - a);
+    };
+    return QColor::fromRgbF(mixed(from.redF(), to.redF()), mixed(from.greenF(), to.greenF()),
+                            mixed(from.blueF(), to.blueF()));
+  }
+
+  /// Whichever of two has more contrast on a shade [WCAG 2.1].
+  QColor text_on(const QColor& shade) const {
+    const auto linear = [](double value) {
+      return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    const double luminance = 0.2126 * linear(shade.redF()) + 0.7152 * linear(shade.greenF()) +
+                             0.0722 * linear(shade.blueF());
+    constexpr double kEqual = 0.179;  // black and white have the same contrast
+    return luminance > kEqual ? QColor("#000000") : QColor("#FFFFFF");
+  }
+
+  void cells() {
+    if (figure_.cells.empty()) return;
+    const QRectF& plot = layout_.plot();
+    const double width = plot.width() / static_cast<double>(figure_.x.places.size());
+    const double height = plot.height() / static_cast<double>(figure_.y.places.size());
+    const QFontMetricsF metrics(layout_.font());
+    const auto place = [&](const FigureCell& cell) {
+      return QRectF(plot.left() + static_cast<double>(cell.column) * width,
+                    plot.top() + static_cast<double>(cell.row) * height, width, height);
+    };
+    for (const FigureCell& cell : figure_.cells) {
+      const QColor color = cell.shade ? shade(*cell.shade) : look_.colors.ground;
+      painter_.setPen(QPen(look_.colors.line, thin()));
+      painter_.setBrush(color);
+      painter_.drawRect(place(cell));
+      const QString words = QString::fromStdString(cell.text);
+      if (metrics.horizontalAdvance(words) > width || metrics.height() > 1.3 * height) continue;
+      text(words, place(cell).center(), Across::centre, Along::middle,
+           cell.shade ? text_on(color) : look_.colors.muted);
+    }
+    painter_.setBrush(Qt::NoBrush);
+    for (const FigureCell& cell : figure_.cells) {
+      if (!cell.framed) continue;
+      const double inside = 1.2 * thin();
+      painter_.setPen(
+          QPen(look_.colors.text, 2.0 * thin(), Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+      painter_.drawRect(place(cell).adjusted(inside, inside, -inside, -inside));
+    }
+  }
+
+  void shades() {
+    const QRectF& bar = layout_.shades();
+    constexpr int kSteps = 20;  // a gradient would be a picture in some programs
+    painter_.setPen(Qt::NoPen);
+    for (int i = 0; i < kSteps; ++i) {
+      painter_.setBrush(shade((i + 0.5) / kSteps));
+      painter_.drawRect(QRectF(bar.left() + bar.width() * i / kSteps, bar.top(),
+                               bar.width() / kSteps, bar.height()));
+    }
+    painter_.setBrush(Qt::NoBrush);
+    painter_.setPen(QPen(look_.colors.line, thin()));
+    painter_.drawRect(bar);
+    text(layout_.words(figure_.shade_name), bar.topLeft() - QPointF(0.0, 0.2 * letters()),
+         Across::left, Along::bottom, look_.colors.text);
+    const double below = bar.bottom() + 0.2 * letters();
+    text("0 %", {bar.left(), below}, Across::left, Along::top, look_.colors.text);
+    text("100 %", {bar.right(), below}, Across::right, Along::top, look_.colors.text);
+  }
+
+  void references() {
+    const QRectF& plot = layout_.plot();
+    for (const FigureReference& one : figure_.references) {
+      const bool across = one.at == FigureReference::At::y;
+      QPen pen(look_.colors.muted, 1.4 * thin(), Qt::CustomDashLine, Qt::FlatCap);
+      pen.setDashPattern({4.0, 3.0});
+      painter_.setPen(pen);
+      const QString words = layout_.words(one.label);
+      if (across) {
+        const double y = layout_.y_of(one.value);
+        painter_.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+        text(words, {plot.right(), y - 0.1 * letters()}, Across::right, Along::bottom,
+             look_.colors.muted);
+        continue;
+      }
+      const double x = layout_.x_of(one.value);
+      painter_.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+      text(words, {x, plot.top()}, Across::centre, Along::bottom, look_.colors.muted);
+    }
+  }
+
+  QPen pen_of(const FigureSeries& series, double width) const {
+    const Style& style = style_of(series);
+    QPen pen(color_of(series, look_), width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    if (style.dashes[0] > 0.0) {
+      pen.setDashPattern({style.dashes[0], style.dashes[1], style.dashes[2], style.dashes[3]});
+    }
+    return pen;
+  }
+
+  /// Lines to outlined points lead the eye and no more.
+  void lines(const FigureSeries& series) {
+    painter_.setPen(pen_of(series, (series.hollow ? 1.0 : 1.8) * thin()));
+    painter_.setBrush(Qt::NoBrush);
+    for (const std::vector<FigurePlace>& one : series.lines) {
+      QPolygonF polyline{};
+      for (const FigurePlace& place : one) polyline << at(place.x, place.y);
+      painter_.drawPolyline(polyline);
+    }
+  }
+
+  void intervals(const FigureSeries& series) {
+    painter_.setPen(QPen(color_of(series, look_), 1.8 * thin(), Qt::SolidLine, Qt::FlatCap));
+    const double cap = 0.25 * letters();
+    for (const FigurePoint& point : series.points) {
+      if (point.x_interval) {
+        const double y = layout_.y_of(point.y);
+        const double low = layout_.x_of(point.x_interval->low);
+        const double high = layout_.x_of(point.x_interval->high);
+        painter_.drawLine(QPointF(low, y), QPointF(high, y));
+        for (const double end : {low, high}) {
+          painter_.drawLine(QPointF(end, y - cap), QPointF(end, y + cap));
+        }
+      }
+      if (point.y_interval) {
+        const double x = layout_.x_of(point.x);
+        const double low = layout_.y_of(point.y_interval->low);
+        const double high = layout_.y_of(point.y_interval->high);
+        painter_.drawLine(QPointF(x, low), QPointF(x, high));
+        for (const double end : {low, high}) {
+          painter_.drawLine(QPointF(x - cap, end), QPointF(x + cap, end));
+        }
+      }
+    }
+  }
+
+  double half_width(const FigurePoint& point) const { return 0.34 * letters() * point.size; }
+
+  void mark(const FigureSeries& series, const QPointF& middle, double half) {
+    const QColor color = color_of(series, look_);
+    painter_.setPen(QPen(color, 1.8 * thin(), Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter_.setBrush(series.hollow ? look_.colors.ground : color);
+    const auto corner = [&](double x, double y) {
+      return QPointF(middle.x() + x * half, middle.y() + y * half);
+    };
+    switch (style_of(series).shape) {
+      case Shape::disc:
+        painter_.drawEllipse(middle, half, half);
+        break;
+      case Shape::square:
+        painter_.drawRect(QRectF(corner(-0.9, -0.9), corner(0.9, 0.9)));
+        break;
+      case Shape::triangle:
+        painter_.drawPolygon(
+            QPolygonF({corner(0.0, -1.15), corner(1.1, 0.85), corner(-1.1, 0.85)}));
+        break;
+      case Shape::diamond:
+        painter_.drawPolygon(QPolygonF(
+            {corner(0.0, -1.25), corner(1.25, 0.0), corner(0.0, 1.25), corner(-1.25, 0.0)}));
+        break;
+      case Shape::lower_triangle:
+        painter_.drawPolygon(
+            QPolygonF({corner(0.0, 1.15), corner(1.1, -0.85), corner(-1.1, -0.85)}));
+        break;
+      case Shape::cross:
+        painter_.drawLine(corner(-0.9, -0.9), corner(0.9, 0.9));
+        painter_.drawLine(corner(-0.9, 0.9), corner(0.9, -0.9));
+        break;
+    }
+    painter_.setBrush(Qt::NoBrush);
+  }
+
+  void points(const FigureSeries& series) {
+    for (const FigurePoint& point : series.points) {
+      mark(series, at(point.x, point.y), half_width(point));
+    }
+  }
+
+  /// Beside their points, where they cover no other point and no label.
+  void labels() {
+    std::vector<QRectF> taken{};
+    for (const FigureSeries& series : figure_.series) {
+      for (const FigurePoint& point : series.points) {
+        const double half = 1.3 * half_width(point);
+        taken.push_back(
+            QRectF(at(point.x, point.y) - QPointF(half, half), QSizeF(2 * half, 2 * half)));
+      }
+    }
+    const QFontMetricsF metrics(layout_.font());
+    const QRectF& plot = layout_.plot();
+    for (const FigureSeries& series : figure_.series) {
+      for (const FigurePoint& point : series.points) {
+        const QString words = layout_.words(point.label);
+        if (words.isEmpty()) continue;
+        const QPointF middle = at(point.x, point.y);
+        const double gap = half_width(point) + 0.3 * letters();
+        const QSizeF size(metrics.horizontalAdvance(words), metrics.height());
+        const std::array candidates{
+            QRectF(QPointF(middle.x() + gap, middle.y() - size.height() / 2.0), size),
+            QRectF(QPointF(middle.x() - gap - size.width(), middle.y() - size.height() / 2.0),
+                   size),
+            QRectF(QPointF(middle.x() - size.width() / 2.0, middle.y() - gap - size.height()),
+                   size),
+            QRectF(QPointF(middle.x() - size.width() / 2.0, middle.y() + gap), size)};
+        const auto is_free = [&](const QRectF& place) {
+          return plot.contains(place) &&
+                 std::none_of(taken.begin(), taken.end(),
+                              [&place](const QRectF& other) { return other.intersects(place); });
+        };
+        const auto* found = std::find_if(candidates.begin(), candidates.end(), is_free);
+        const QRectF place = found == candidates.end() ? candidates.front() : *found;
+        taken.push_back(place);
+        text(words, place.topLeft(), Across::left, Along::top, look_.colors.text);
+      }
+    }
+  }
+
+  void key() {
+    for (const KeyItem& item : layout_.key()) {
+      const FigureSeries& series = figure_.series[item.series];
+      const double length = 2.6 * letters();
+      if (!series.lines.empty()) {
+        painter_.setPen(pen_of(series, 1.8 * thin()));
+        painter_.drawLine(item.at, item.at + QPointF(length, 0.0));
+      }
+      if (!series.points.empty()) {
+        mark(series, item.at + QPointF(length / 2.0, 0.0), 0.34 * letters());
+      }
+      text(item.name, item.at + QPointF(length + 0.5 * letters(), 0.0), Across::left, Along::middle,
+           look_.colors.text);
+    }
+  }
+
+  const Figure& figure_;
+  const FigureLayout& layout_;
+  QPainter& painter_;
+  const FigureLook& look_;
+};
+
+}  // namespace
+
+FigureColors print_colors() {
+  return {.ground = QColor("#FFFFFF"),
+          .text = QColor("#000000"),
+          .muted = QColor("#4A4A4A"),
+          .line = QColor("#D9D9D9"),
+          .strong = QColor("#08306B")};
+}
+
+double figure_height(const Figure& figure, double width, const FigureLook& look) {
+  return FigureLayout(figure, width, look).height();
+}
+
+void draw_figure(const Figure& figure, QPainter& painter, const QRectF& into,
+                 const FigureLook& look) {
+  const FigureLayout layout(figure, into.width(), look);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(into.topLeft());
+  FigureDrawing(figure, layout, painter, look).draw();
+  painter.restore();
+}
+
+}  // namespace asperity

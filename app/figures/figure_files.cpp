@@ -1,0 +1,177 @@
+#include "app/figures/figure_files.h"
+
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include <QtCore/QBuffer>
+#include <QtCore/QByteArray>
+#include <QtGui/QFontDatabase>
+#include <QtGui/QGuiApplication>
+#include <QtGui/QImage>
+#include <QtGui/QPageSize>
+#include <QtGui/QPainter>
+#include <QtGui/QPdfWriter>
+#include <QtSvg/QSvgGenerator>
+
+#include "app/figures/draw_figure.h"
+#include "app/figures/figure_layout.h"
+
+namespace asperity {
+
+namespace {
+
+// Files are laid out in hundredths of a millimetre, so that sizes of letters and sheets are whole
+// numbers of them.
+constexpr double kUnitsPerMillimetre = 100.0;
+constexpr double kMillimetresPerInch = 25.4;
+constexpr int kUnitsPerInch = 2540;
+constexpr double kLetters_pt = 8.0;
+constexpr double kPointsPerInch = 72.0;
+constexpr double kPngDotsPerInch = 300.0;
+
+struct Sheet {
+  FigureLook look{};
+  double width = 0.0;  ///< in units
+  double height = 0.0;
+
+  double width_mm() const { return width / kUnitsPerMillimetre; }
+  double height_mm() const { return height / kUnitsPerMillimetre; }
+};
+
+Sheet sheet_of(const Figure& figure, const FigurePrint& print) {
+  Sheet sheet{};
+  sheet.look.letters = kLetters_pt / kPointsPerInch * kUnitsPerInch;
+  sheet.look.look_up = print.look_up;
+  sheet.width = std::round(print.width_mm * kUnitsPerMillimetre);
+  sheet.height = std::ceil(figure_height(figure, sheet.width, sheet.look));
+  return sheet;
+}
+
+QString words_of(const Phrase& phrase, const FigurePrint& print) {
+  return QString::fromStdString(print.look_up ? phrase.translated(print.look_up)
+                                              : phrase.english());
+}
+
+std::string text_of(const QByteArray& bytes) {
+  return std::string(bytes.constData(), static_cast<std::size_t>(bytes.size()));
+}
+
+/// Programs without the family that Qt found take another one without serifs.
+void name_any_sans(QByteArray& svg, const FigureLayout& layout) {
+  const QByteArray family = layout.font().family().toUtf8();
+  svg.replace("font-family=\"" + family + '"', "font-family=\"" + family + ", sans-serif\"");
+}
+
+/// The same length without the moment at which it was made: the places of a PDF's objects are
+/// counted in bytes.
+void take_out_the_date(QByteArray& pdf) {
+  const QByteArray key = "/CreationDate (";
+  const auto begin = pdf.indexOf(key);
+  if (begin < 0) return;
+  const auto end = pdf.indexOf(')', begin);
+  for (auto i = begin; i <= end; ++i) pdf[i] = ' ';
+}
+
+}  // namespace
+
+std::string svg_of(const Figure& figure, const FigurePrint& print) {
+  const Sheet sheet = sheet_of(figure, print);
+  QByteArray bytes{};
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  QSvgGenerator svg{};
+  svg.setOutputDevice(&buffer);
+  svg.setResolution(kUnitsPerInch);
+  svg.setSize({static_cast<int>(sheet.width), static_cast<int>(sheet.height)});
+  svg.setViewBox(QRectF(0.0, 0.0, sheet.width, sheet.height));
+  svg.setTitle(words_of(figure.title, print));
+  svg.setDescription(words_of(figure.note, print));
+  QPainter painter(&svg);
+  draw_figure(figure, painter, QRectF(0.0, 0.0, sheet.width, sheet.height), sheet.look);
+  painter.end();
+  name_any_sans(bytes, FigureLayout(figure, sheet.width, sheet.look));
+  return text_of(bytes);
+}
+
+std::string png_of(const Figure& figure, const FigurePrint& print) {
+  const Sheet sheet = sheet_of(figure, print);
+  const double dots = kPngDotsPerInch / kUnitsPerInch;
+  QImage image(static_cast<int>(std::lround(sheet.width * dots)),
+               static_cast<int>(std::ceil(sheet.height * dots)), QImage::Format_RGB32);
+  image.fill(sheet.look.colors.ground);
+  const int per_metre = static_cast<int>(std::lround(kPngDotsPerInch / kMillimetresPerInch * 1e3));
+  image.setDotsPerMeterX(per_metre);
+  image.setDotsPerMeterY(per_metre);
+  QPainter painter(&image);
+  painter.scale(dots, dots);
+  draw_figure(figure, painter, QRectF(0.0, 0.0, sheet.width, sheet.height), sheet.look);
+  painter.end();
+  QByteArray bytes{};
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return text_of(bytes);
+}
+
+std::string pdf_of(const Figure& figure, const FigurePrint& print) {
+  const Sheet sheet = sheet_of(figure, print);
+  QByteArray bytes{};
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter pdf(&buffer);
+  pdf.setResolution(kUnitsPerInch);
+  pdf.setPageSize(QPageSize(QSizeF(sheet.width_mm(), sheet.height_mm()), QPageSize::Millimeter, {},
+                            QPageSize::ExactMatch));
+  pdf.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
+  pdf.setTitle(words_of(figure.title, print));
+  QPainter painter(&pdf);
+  draw_figure(figure, painter, QRectF(0.0, 0.0, sheet.width, sheet.height), sheet.look);
+  painter.end();
+  take_out_the_date(bytes);
+  return text_of(bytes);
+}
+
+void write_svg(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
+               Overwrite overwrite) {
+  write_file(path, svg_of(figure, print), overwrite);
+}
+
+void write_png(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
+               Overwrite overwrite) {
+  write_file(path, png_of(figure, print), overwrite);
+}
+
+void write_pdf(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
+               Overwrite overwrite) {
+  write_file(path, pdf_of(figure, print), overwrite);
+}
+
+void write_figure(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
+                  Overwrite overwrite) {
+  const std::string ending = path.extension().string();
+  if (ending == ".svg") return write_svg(path, figure, print, overwrite);
+  if (ending == ".png") return write_png(path, figure, print, overwrite);
+  if (ending == ".pdf") return write_pdf(path, figure, print, overwrite);
+  throw std::invalid_argument("a figure is written as .svg, .png or .pdf; \"" +
+                              path.filename().string() + "\" ends otherwise");
+}
+
+struct LettersWithoutWindows::Application {
+  int count = 1;
+  char name[9] = "asperity";
+  char* arguments[2] = {name, nullptr};
+  QGuiApplication application;
+
+  Application() : application(count, arguments) {}
+};
+
+LettersWithoutWindows::LettersWithoutWindows() {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  application_ = std::make_unique<Application>();
+}
+
+LettersWithoutWindows::~LettersWithoutWindows() = default;
+
+}  // namespace asperity

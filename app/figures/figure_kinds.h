@@ -1,0 +1,50 @@
+// The kinds of figures, each made of what one analysis found. Only figures_of.cpp asks for them.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/analyses/analysis_outcome.h"
+#include "app/analyses/tidy/tidy_families.h"
+#include "app/figures/figure.h"
+#include "app/figures/found_numbers.h"
+
+namespace asperity {
+
+/// Shares with intervals, a row each, and chance as a line; where it differs from row to row, as a
+/// mark in each.
+std::vector<Figure> table_forests(const std::vector<NamedTable>& tables);
+Figure proportion_forest(const TidyInput& input, const FoundNumbers& found);
+Figure selection_forest(const FoundNumbers& found);
+Figure matching_forest(const FoundNumbers& found);
+Figure recognition_forest(const FoundNumbers& found);
+std::vector<Figure> seedpaper_forests(const FoundNumbers& found);
+
+/// Items along a scale with intervals, the greatest on top. `quantities`: the first of which there
+/// are findings is shown; `status`: that of the fit.
+struct ScaleChoice {
+  std::vector<std::string> quantities{};
+  std::string status{};
+  Phrase title{};
+  Phrase axis{};  ///< with a place for the confidence, in percent
+};
+Figure scale_figure(const std::string& name, const ScaleChoice& choice, const FoundNumbers& found);
+
+/// What was felt down, what was answered across: counts as numbers, shares of a row as shades.
+Figure confusion_figure(const FoundNumbers& found);
+Figure confusion_figure(const NamedTable& table);
+
+/// Who is confused with whom, as a tree and as a map.
+Figure dendrogram(const FoundNumbers& found);
+Figure similarity_map(const FoundNumbers& found);
+
+/// Estimates by spacing on logarithmic axes, a curve per probe, with the fitted parabola and its
+/// peak. `unit`: of the spacings; empty where it is not known.
+Figure roughness_figure(const FoundNumbers& found, const std::string& unit);
+
+/// Shares of right answers by level, the fitted function and its threshold. `unit`: of the levels.
+Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
+                           const std::string& unit);
+
+}  // namespace asperity

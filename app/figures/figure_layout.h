@@ -1,0 +1,89 @@
+// Where the parts of a figure stand, and where its numbers do.
+
+#pragma once
+
+#include <vector>
+
+#include <QtCore/QRectF>
+#include <QtCore/QStringList>
+#include <QtGui/QFont>
+
+#include "app/figures/axis_ticks.h"
+#include "app/figures/draw_figure.h"
+
+namespace asperity {
+
+/// Text broken into lines, and the room that they take.
+struct TextLines {
+  QStringList lines{};
+  double width = 0.0;
+  double height = 0.0;
+};
+
+struct LaidTick {
+  double at = 0.0;  ///< along its axis, in units of the painter
+  TextLines label{};
+};
+
+/// A sample of a style with its name.
+struct KeyItem {
+  std::size_t series = 0;  ///< of the figure, the first of that name
+  QPointF at{};            ///< the left end of the sample, at half its height
+  QString name{};
+};
+
+/// Lays a figure out into a width, from 0 0 at the top left. All lengths are in units of the painter
+/// and go by the size of letters: the same figure on a wider sheet has more room, not larger letters.
+class FigureLayout final {
+ public:
+  FigureLayout(const Figure& figure, double width, const FigureLook& look);
+
+  double height() const noexcept { return height_; }
+  /// What the axes enclose.
+  const QRectF& plot() const noexcept { return plot_; }
+  double x_of(double value) const;
+  /// Numbers rise upwards, places go down.
+  double y_of(double value) const;
+
+  const std::vector<LaidTick>& x_ticks() const noexcept { return x_ticks_; }
+  const std::vector<LaidTick>& y_ticks() const noexcept { return y_ticks_; }
+  const TextLines& x_name() const noexcept { return x_name_; }
+  const TextLines& y_name() const noexcept { return y_name_; }
+  bool has_upright_x_labels() const noexcept { return upright_x_labels_; }
+  const std::vector<KeyItem>& key() const noexcept { return key_; }
+  /// The scale of the shades of cells; empty without cells.
+  const QRectF& shades() const noexcept { return shades_; }
+  const TextLines& sentence() const noexcept { return sentence_; }
+
+  double letters() const noexcept { return letters_; }
+  const QFont& font() const noexcept { return font_; }
+  QString words(const Phrase& phrase) const;
+
+ private:
+  TextLines broken(const QString& whole, double width) const;
+  void lay_key();
+  void lay_labels();
+  void lay_rows();
+  void lay_names();
+  void place_ticks();
+
+  const Figure& figure_;
+  const FigureLook& look_;
+  double width_ = 0.0;
+  double letters_ = 0.0;
+  QFont font_{};
+  double height_ = 0.0;
+  double key_height_ = 0.0;
+  QRectF plot_{};
+  QRectF shades_{};
+  bool upright_x_labels_ = false;
+  std::vector<double> row_middles_{};  ///< of the places of the vertical axis
+  std::vector<LaidTick> x_ticks_{};
+  std::vector<LaidTick> y_ticks_{};
+  TextLines x_name_{};
+  TextLines y_name_{};
+  TextLines sentence_{};
+  std::vector<KeyItem> key_{};
+};
+
+}  // namespace asperity

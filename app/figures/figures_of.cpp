@@ -1,0 +1,88 @@
+#include "app/figures/figures_of.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "app/figures/figure_kinds.h"
+
+namespace asperity {
+
+namespace {
+
+ScaleChoice bradley_terry() {
+  return {.quantities = {"bt.ability.sumzero", "bt.firth.ability"},
+          .status = "bt.status",
+          .title = phrase("Figures", "Scale of preference (Bradley–Terry)"),
+          .axis = phrase("Figures", "preference, log odds, with its %1 % interval")};
+}
+
+ScaleChoice plackett_luce() {
+  return {.quantities = {"pl.logworth.sumzero"},
+          .status = "pl.status",
+          .title = phrase("Figures", "Scale of preference (Plackett–Luce)"),
+          .axis = phrase("Figures", "preference, log odds, with its %1 % interval")};
+}
+
+/// Of several analyses that stand together, that one.
+std::vector<Finding> part_of(const std::vector<Finding>& findings, const std::string& analysis) {
+  std::vector<Finding> part{};
+  std::copy_if(findings.begin(), findings.end(), std::back_inserter(part),
+               [&analysis](const Finding& finding) { return finding.analysis == analysis; });
+  return part;
+}
+
+std::vector<Figure> confused(Figure forest, const FoundNumbers& found) {
+  std::vector<Figure> figures{};
+  figures.push_back(std::move(forest));
+  figures.push_back(confusion_figure(found));
+  return figures;
+}
+
+std::vector<Figure> recognised(const FoundNumbers& found) {
+  std::vector<Figure> figures = confused(recognition_forest(found), found);
+  figures.push_back(dendrogram(found));
+  figures.push_back(similarity_map(found));
+  return figures;
+}
+
+}  // namespace
+
+std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
+  std::vector<Figure> figures = table_forests(outcome.tables);
+  for (const NamedTable& table : outcome.tables) {
+    if (table.name == kConfusion) figures.push_back(confusion_figure(table));
+  }
+  const std::vector<Finding> scale = part_of(outcome.findings, "scale");
+  if (!scale.empty()) {
+    const FoundNumbers found(scale);
+    const bool of_pairs = !found.all("bt.ability").empty() || found.find("bt.status") != nullptr;
+    figures.push_back(scale_figure("scale", of_pairs ? bradley_terry() : plackett_luce(), found));
+    figures.back().table = "scale";
+  }
+  const std::vector<Finding> similarity = part_of(outcome.findings, "similarity");
+  if (!similarity.empty()) {
+    const FoundNumbers found(similarity);
+    figures.push_back(dendrogram(found));
+    figures.back().table = "tree";
+    figures.push_back(similarity_map(found));
+    figures.back().table = "map";
+  }
+  return figures;
+}
+
+std::vector<Figure> figures_of(const std::string& family, const TidyInput& input,
+                               std::span<const Finding> findings, const std::string& level_unit) {
+  const FoundNumbers found(findings);
+  if (family == "proportion") return {proportion_forest(input, found)};
+  if (family == "selection") return {selection_forest(found)};
+  if (family == "matching") return confused(matching_forest(found), found);
+  if (family == "recognition") return recognised(found);
+  if (family == "paired") return {scale_figure("preference", bradley_terry(), found)};
+  if (family == "ranking") return {scale_figure("preference", plackett_luce(), found)};
+  if (family == "magnitude") return {roughness_figure(found, level_unit)};
+  if (family == "psyfit") return {psychometric_figure(input, found, level_unit)};
+  if (family == "seedpaper") return seedpaper_forests(found);
+  return {};
+}
+
+}  // namespace asperity

@@ -1,0 +1,351 @@
+// Shares with their intervals, a row below the other.
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "analysis/number_text.h"
+#include "app/figures/figure_kinds.h"
+
+namespace asperity {
+
+namespace {
+
+/// `kind`: rows of one kind have one style, and one name in the key.
+struct ForestRow {
+  Phrase label{};
+  std::optional<double> share{};
+  std::optional<FigureSpan> interval{};
+  std::optional<double> chance{};
+  int kind = 0;
+};
+
+struct ForestKind {
+  Phrase name{};
+  bool is_part = false;  ///< of what stands in other rows: outlined
+};
+
+Phrase counted(const Phrase& label, std::size_t hits, std::size_t of) {
+  return phrase("Figures", "%1 (%2 of %3)").with(label, std::to_string(hits), std::to_string(of));
+}
+
+Phrase share_axis(const std::string& percent) {
+  return phrase("Figures", "share, with its %1 % interval").with(percent);
+}
+
+/// Fills the axes and marks of `figure`.
+void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>& kinds,
+              const Phrase& axis, Figure& figure) {
+  figure.shape = FigureShape::rows;
+  figure.x = {.name = axis, .low = 0.0, .high = 1.0};
+  std::set<double> chances{};
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    figure.series.push_back(
+        {.name = kinds[kind].name, .style = static_cast<int>(kind), .hollow = kinds[kind].is_part});
+  }
+  FigureSeries by_chance{.name = phrase("Figures", "chance"), .style = 5};
+  for (const ForestRow& row : rows) {
+    const auto place = static_cast<double>(figure.y.places.size());
+    figure.y.places.push_back(row.label);
+    if (row.chance) {
+      chances.insert(*row.chance);
+      by_chance.points.push_back({.x = *row.chance, .y = place});
+    }
+    if (!row.share) continue;
+    figure.series[static_cast<std::size_t>(row.kind)].points.push_back(
+        {.x = *row.share, .y = place, .x_interval = row.interval});
+    if (!row.interval) continue;  // one by t may reach beyond what a share can be
+    figure.x.low = std::min(figure.x.low, row.interval->low);
+    figure.x.high = std::max(figure.x.high, row.interval->high);
+  }
+  const bool has_points =
+      std::any_of(figure.series.begin(), figure.series.end(),
+                  [](const FigureSeries& series) { return !series.points.empty(); });
+  if (!has_points) {
+    figure.instead = phrase("Figures", "There is no answer that a share could be taken of.");
+    return;
+  }
+  std::erase_if(figure.series, [](const FigureSeries& series) { return series.points.empty(); });
+  if (chances.size() == 1) {
+    figure.references.push_back({.value = *chances.begin(), .label = phrase("Figures", "chance")});
+  } else if (chances.size() > 1) {
+    if (figure.series.front().name.empty()) figure.series.front().name = phrase("Figures", "share");
+    figure.series.push_back(std::move(by_chance));
+  }
+}
+
+std::optional<double> number_of(const Cell& cell) {
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
+  if (const auto* number = std::get_if<double>(&cell)) return *number;
+  return {};
+}
+
+/// The program's own words among the names of a table.
+Phrase word_of(const Cell& cell) {
+  if (const auto* number = std::get_if<std::int64_t>(&cell)) return std::to_string(*number);
+  const auto* text = std::get_if<std::string>(&cell);
+  if (text == nullptr) return "–";
+  if (*text == "all") return phrase("Figures", "all");
+  if (*text == "Total") return phrase("Figures", "all persons");
+  if (*text == "Female") return phrase("Figures", "women");
+  if (*text == "Male") return phrase("Figures", "men");
+  if (*text == "Other or not told") return phrase("Figures", "other or not told");
+  return *text;
+}
+
+/// Whether a row of a table counts what other rows of it count in parts.
+bool is_part(const NamedTable& table, const std::vector<Cell>& row, std::size_t keys) {
+  for (std::size_t i = 0; i < keys; ++i) {
+    const std::string& column = table.table.columns[i];
+    if (column != "column" && column != "person") continue;
+    const auto* word = std::get_if<std::string>(&row[i]);
+    if (word == nullptr || (*word != "all" && *word != "Total")) return true;
+  }
+  return false;
+}
+
+std::optional<Figure> table_forest(const NamedTable& table) {
+  const std::vector<std::string>& columns = table.table.columns;
+  const auto place = [&columns](const char* name) -> std::optional<std::size_t> {
+    const auto found = std::find(columns.begin(), columns.end(), name);
+    if (found == columns.end()) return {};
+    return static_cast<std::size_t>(found - columns.begin());
+  };
+  const auto share = place("share");
+  const auto of = place("of");
+  const auto low = place("wilson_low");
+  const auto high = place("wilson_high");
+  const auto chance = place("chance");
+  if (!share || !of || *of == 0 || !low || !high) return {};
+  const std::size_t hits = *of - 1;  // and before it the names of the row
+  std::vector<ForestRow> rows{};
+  for (const std::vector<Cell>& cells : table.table.rows) {
+    ForestRow row{};
+    for (std::size_t i = 0; i < hits; ++i) {
+      const Phrase word = word_of(cells[i]);
+      row.label = row.label.empty() ? word : phrase("Figures", "%1 · %2").with(row.label, word);
+    }
+    row.label = counted(row.label, static_cast<std::size_t>(number_of(cells[hits]).value_or(0.0)),
+                        static_cast<std::size_t>(number_of(cells[*of]).value_or(0.0)));
+    row.share = number_of(cells[*share]);
+    const auto from = number_of(cells[*low]);
+    const auto to = number_of(cells[*high]);
+    if (from && to) row.interval = FigureSpan{.low = *from, .high = *to};
+    if (chance) row.chance = number_of(cells[*chance]);
+    row.kind = is_part(table, cells, hits) ? 1 : 0;
+    rows.push_back(std::move(row));
+  }
+  Figure figure{.name = table.name + "_forest",
+                .table = table.name,
+                .title = table.title,
+                .note = phrase("Figures",
+                               "Points are shares of all answers of a row, bars their 95 % "
+                               "intervals by Wilson; outlined points are parts of the full ones.")};
+  add_rows(rows, {{}, {.is_part = true}}, share_axis("95"), figure);
+  for (FigureSeries& series : figure.series) {
+    // One colour: a part is an outline of the same.
+    if (series.style == 1) series.style = 0;
+  }
+  return figure;
+}
+
+/// Means of the persons' own shares.
+std::optional<Figure> people_forest(const NamedTable& table) {
+  const std::vector<std::string>& columns = table.table.columns;
+  const auto place = [&columns](const char* name) {
+    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
+                                    columns.begin());
+  };
+  const std::size_t persons = place("persons");
+  const std::size_t mean = place("mean");
+  const std::size_t low = place("mean_low");
+  const std::size_t high = place("mean_high");
+  if (persons == 0 || std::max({persons, mean, low, high}) >= columns.size()) return {};
+  std::vector<ForestRow> rows{};
+  for (const std::vector<Cell>& cells : table.table.rows) {
+    const auto people = static_cast<std::size_t>(number_of(cells[persons]).value_or(0.0));
+    ForestRow row{.label = phrase("Figures", "%1 (mean of %2)")
+                               .with(word_of(cells.front()), std::to_string(people)),
+                  .share = number_of(cells[mean])};
+    const auto from = number_of(cells[low]);
+    const auto to = number_of(cells[high]);
+    if (from && to) row.interval = FigureSpan{.low = *from, .high = *to};
+    rows.push_back(std::move(row));
+  }
+  Figure figure{.name = table.name + "_forest",
+                .table = table.name,
+                .title = table.title,
+                .note = phrase("Figures",
+                               "Squares are means of the persons' own shares, bars their 95 % "
+                               "intervals by t: a person is the unit.")};
+  add_rows(rows, {{}}, phrase("Figures", "mean share, with its 95 % interval"), figure);
+  for (FigureSeries& series : figure.series) series.style = 1;
+  return figure;
+}
+
+/// Rows of the findings of `quantity`, labelled with the parts of their keys.
+std::vector<ForestRow> rows_of(const FoundNumbers& found, const std::string& quantity) {
+  std::vector<ForestRow> rows{};
+  for (const Finding* finding : found.all(quantity)) {
+    ForestRow row{.share = finding->value, .interval = interval_of(*finding)};
+    for (const std::string& part : parts_of(finding->key)) {
+      const Phrase word = part == "POOLED" ? phrase("Figures", "all together") : Phrase(part);
+      row.label = row.label.empty() ? word : phrase("Figures", "%1 · %2").with(row.label, word);
+    }
+    if (finding->value) {
+      const double hits = *finding->value * static_cast<double>(finding->n);
+      row.label = counted(row.label, static_cast<std::size_t>(std::llround(hits)), finding->n);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// The mean of the participants' own shares, whose interval takes them as the unit.
+void add_mean_of_people(const FoundNumbers& found, std::optional<double> chance,
+                        std::vector<ForestRow>& rows) {
+  for (const Finding* mean : found.all("subj.mean")) {
+    if (!mean->value) continue;
+    const Phrase of = phrase("Figures", "mean of %1 participants").with(std::to_string(mean->n));
+    rows.push_back(
+        {.label = mean->key.empty() ? of : phrase("Figures", "%1 · %2").with(Phrase(mean->key), of),
+         .share = mean->value,
+         .interval = interval_of(*mean),
+         .chance = chance,
+         .kind = 1});
+  }
+}
+
+const std::vector<ForestKind>& pooled_and_people() {
+  static const std::vector<ForestKind> kKinds{
+      {.name = phrase("Figures", "share of the answers (Wilson)")},
+      {.name = phrase("Figures", "mean over participants (t)")}};
+  return kKinds;
+}
+
+}  // namespace
+
+std::vector<Figure> table_forests(const std::vector<NamedTable>& tables) {
+  std::vector<Figure> figures{};
+  for (const NamedTable& table : tables) {
+    if (std::optional<Figure> figure = table_forest(table)) figures.push_back(std::move(*figure));
+    if (std::optional<Figure> figure = people_forest(table)) figures.push_back(std::move(*figure));
+  }
+  return figures;
+}
+
+Figure proportion_forest(const TidyInput& input, const FoundNumbers& found) {
+  Figure figure{.name = "proportions",
+                .title = phrase("Figures", "Shares with their intervals"),
+                .note = phrase("Figures", "Points are shares, bars their intervals by Wilson.")};
+  std::vector<ForestRow> rows = rows_of(found, "phat");
+  const TidyTable& table = input.table();
+  const std::vector<std::uint64_t> trials = table.counts("n");
+  const std::vector<double> chances = table.all_numbers("p0");
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < trials.size() && row < rows.size(); ++i) {
+    if (trials[i] > 0) rows[row++].chance = chances[i];  // without trials there is no share
+  }
+  add_rows(rows, {{}}, share_axis(percent_of(found.all("phat"))), figure);
+  return figure;
+}
+
+Figure selection_forest(const FoundNumbers& found) {
+  Figure figure{
+      .name = "choices",
+      .title = phrase("Figures", "How often each was chosen"),
+      .note = phrase("Figures",
+                     "Circles are shares of the choices of a row with intervals by Wilson; where "
+                     "a participant chose more than once those of all choices together are too "
+                     "narrow. Squares are means of the participants' own shares with t "
+                     "intervals.")};
+  std::vector<ForestRow> rows = rows_of(found, "prop");
+  std::set<std::string> alternatives{};
+  for (const Finding* one : found.all("prop")) alternatives.insert(parts_of(one->key).back());
+  std::optional<double> chance{};
+  if (!alternatives.empty()) chance = 1.0 / static_cast<double>(alternatives.size());
+  for (ForestRow& row : rows) row.chance = chance;
+  add_mean_of_people(found, chance, rows);
+  add_rows(rows, pooled_and_people(), share_axis(percent_of(found.all("prop"))), figure);
+  return figure;
+}
+
+Figure matching_forest(const FoundNumbers& found) {
+  Figure figure{.name = "textures_matched",
+                .title = phrase("Figures", "How often each texture was matched to its picture"),
+                .note = phrase("Figures",
+                               "Shares of the trials with that texture, with intervals by Wilson; "
+                               "the rows of one trial depend on each other.")};
+  std::vector<ForestRow> rows = rows_of(found, "texture.prop");
+  // Keys "n=4;k=0", "n=4;k=1", … up to all items.
+  const std::size_t outcomes = found.all("null.pmf").size();
+  for (ForestRow& row : rows) {
+    if (outcomes > 1) row.chance = 1.0 / static_cast<double>(outcomes - 1);
+  }
+  add_rows(rows, {{}}, share_axis(percent_of(found.all("texture.prop"))), figure);
+  return figure;
+}
+
+Figure recognition_forest(const FoundNumbers& found) {
+  Figure figure{
+      .name = "recognised",
+      .title = phrase("Figures", "How often each was recognised"),
+      .note = phrase("Figures",
+                     "Circles are shares of the trials with that stimulus, with intervals by "
+                     "Wilson that take trials as independent. The square is the mean of the "
+                     "participants' own shares with a t interval.")};
+  std::vector<ForestRow> rows{};
+  for (const Finding* recall : found.all("recall")) {
+    // Its n are participants; the trials stand in the row of the confusions.
+    double trials = 0.0;
+    for (const Finding* one : found.all("confusion")) {
+      if (parts_of(one->key).front() == recall->key) trials += one->value.value_or(0.0);
+    }
+    const double hits = found.number("confusion", recall->key + '|' + recall->key).value_or(0.0);
+    rows.push_back({.label = counted(recall->key, static_cast<std::size_t>(hits),
+                                     static_cast<std::size_t>(trials)),
+                    .share = recall->value,
+                    .interval = interval_of(*recall)});
+  }
+  const std::optional<double> chance =
+      rows.empty() ? std::nullopt : std::optional(1.0 / static_cast<double>(rows.size()));
+  if (const Finding* pc = found.find("pc")) {
+    rows.push_back(
+        {.label = counted(phrase("Figures", "all together"),
+                          static_cast<std::size_t>(found.number("correct").value_or(0.0)),
+                          static_cast<std::size_t>(found.number("n").value_or(0.0))),
+         .share = pc->value,
+         .interval = interval_of(*pc)});
+  }
+  for (ForestRow& row : rows) row.chance = chance;
+  add_mean_of_people(found, chance, rows);
+  add_rows(rows, pooled_and_people(), share_axis(percent_of(found.all("pc"))), figure);
+  return figure;
+}
+
+std::vector<Figure> seedpaper_forests(const FoundNumbers& found) {
+  std::vector<Figure> figures{};
+  const Phrase note = phrase("Figures",
+                             "Shares with intervals by Wilson, one choice per person "
+                             "and experiment; all together: as if independent.");
+  figures.push_back({.name = "table_1",
+                     .title = phrase("Figures", "Chosen as the most realistic"),
+                     .note = note});
+  std::vector<ForestRow> choices = rows_of(found, "t1.prop");
+  std::set<std::string> renderers{};
+  for (const Finding* one : found.all("t1.prop")) renderers.insert(parts_of(one->key).back());
+  for (ForestRow& row : choices) row.chance = 1.0 / static_cast<double>(renderers.size());
+  add_rows(choices, {{}}, share_axis("95"), figures.back());
+  for (const auto& [table, title] :
+       {std::pair{std::string("t2"), phrase("Figures", "Textures matched to their pictures")},
+        std::pair{std::string("t3"), phrase("Figures", "Textures recognised")}}) {
+    Figure& figure = figures.emplace_back(
+        Figure{.name = "table_" + table.substr(1), .title = title, .note = note});
+    add_rows(rows_of(found, table + ".prop"), {{}}, share_axis("95"), figure);
+  }
+  return figures;
+}
+
+}  // namespace asperity

@@ -1,0 +1,122 @@
+// Right answers by level, and the function that was fitted to them.
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/number_text.h"
+#include "analysis/psychometric_fit.h"
+#include "app/figures/figure_kinds.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSteps = 100;     // of a fitted curve
+constexpr double kRoom = 0.06;  // beyond the outermost levels, as a share of their range
+
+std::optional<PsychometricShape> shape_of(const std::string& name) {
+  if (name == "logistic") return PsychometricShape::logistic;
+  if (name == "normal") return PsychometricShape::normal;
+  if (name == "gumbel") return PsychometricShape::gumbel;
+  if (name == "weibull") return PsychometricShape::weibull;
+  return {};
+}
+
+std::optional<PsychometricFunction> function_of(const TidyInput& input, const FoundNumbers& found,
+                                                const std::string& condition) {
+  const auto shape = shape_of(input.options.text("shape"));
+  const auto alpha = found.number("fit.alpha", condition);
+  const auto beta = found.number("fit.beta", condition);
+  const auto gamma = found.number("fit.gamma", condition);
+  const auto lambda = found.number("fit.lambda", condition);
+  if (!shape || !alpha || !beta || !gamma || !lambda) return {};
+  return PsychometricFunction{
+      .shape = *shape, .alpha = *alpha, .beta = *beta, .gamma = *gamma, .lambda = *lambda};
+}
+
+}  // namespace
+
+Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
+                           const std::string& unit) {
+  const double performance = input.options.number("pt");
+  Figure figure{
+      .name = "psychometric",
+      .title = phrase("Figures", "Right answers by level"),
+      .note = phrase("Figures",
+                     "Full marks: shares of right answers, larger for more trials. Curves: the "
+                     "likeliest function. Outlined marks: thresholds, the level of %1 % right "
+                     "answers, with %2 % intervals by the delta method.")
+                  .with(number_text(100.0 * performance), percent_of(found.all("threshold")))};
+  const TidyTable& table = input.table();
+  const LabelColumn conditions = table.all_labels("condition");
+  const std::vector<double> levels = table.all_numbers("x");
+  const std::vector<std::uint64_t> trials = table.counts("n");
+  const std::vector<std::uint64_t> hits = table.counts("k");
+  std::uint64_t most = 0;
+  double low = 0.0;
+  double high = 0.0;
+  for (std::size_t row = 0; row < levels.size(); ++row) {
+    if (trials[row] == 0) continue;
+    low = most == 0 ? levels[row] : std::min(low, levels[row]);
+    high = most == 0 ? levels[row] : std::max(high, levels[row]);
+    most = std::max(most, trials[row]);
+  }
+  if (most == 0) {
+    figure.instead = phrase("Figures", "No level has trials: there is nothing to show.");
+    return figure;
+  }
+  const double room = high > low ? kRoom * (high - low) : 0.5;
+  // Levels of magnitudes do not go below nothing.
+  const double from = low >= 0.0 ? std::max(0.0, low - room) : low - room;
+  const double to = high + room;
+
+  std::vector<FigureSeries> thresholds{};
+  for (std::size_t i = 0; i < conditions.names.size(); ++i) {
+    const std::string& name = conditions.names[i];
+    FigureSeries& series =
+        figure.series.emplace_back(FigureSeries{.name = name, .style = static_cast<int>(i)});
+    for (std::size_t row = 0; row < levels.size(); ++row) {
+      if (conditions.codes[row] != i || trials[row] == 0) continue;
+      const double share = static_cast<double>(hits[row]) / static_cast<double>(trials[row]);
+      const double weight = static_cast<double>(trials[row]) / static_cast<double>(most);
+      series.points.push_back(
+          {.x = levels[row], .y = share, .size = std::max(0.5, 1.2 * std::sqrt(weight))});
+    }
+    const auto function = function_of(input, found, name);
+    if (!function) continue;
+    std::vector<FigurePlace>& curve = series.lines.emplace_back();
+    for (int step = 0; step <= kSteps; ++step) {
+      const double x = std::lerp(from, to, static_cast<double>(step) / kSteps);
+      curve.push_back({.x = x, .y = function->value(x)});
+    }
+    const Finding* threshold = found.find("threshold", name);
+    if (threshold == nullptr || !threshold->value) continue;
+    const double x = *threshold->value;
+    if (x < from || x > to) continue;
+    FigurePoint mark{.x = x, .y = performance, .size = 1.3};
+    if (const auto interval = interval_of(*threshold)) {
+      mark.x_interval =
+          FigureSpan{.low = std::max(interval->low, from), .high = std::min(interval->high, to)};
+    }
+    thresholds.push_back({.style = static_cast<int>(i),
+                          .hollow = true,
+                          .points = {mark},
+                          .lines = {{{.x = x, .y = performance}, {.x = x, .y = 0.0}}}});
+  }
+  figure.series.insert(figure.series.end(), thresholds.begin(), thresholds.end());
+  if (conditions.names.size() == 1) figure.series.front().name = {};
+  if (input.options.text("gamma") != "free" && input.options.number("gamma") > 0.0) {
+    figure.references.push_back({.at = FigureReference::At::y,
+                                 .value = input.options.number("gamma"),
+                                 .label = phrase("Figures", "chance")});
+  }
+  figure.x = {.name = unit.empty() ? phrase("Figures", "level, in the unit of the table")
+                                   : phrase("Figures", "level"),
+              .unit = unit,
+              .low = from,
+              .high = to};
+  figure.y = {.name = phrase("Figures", "share of right answers"), .low = 0.0, .high = 1.0};
+  return figure;
+}
+
+}  // namespace asperity

@@ -1,0 +1,114 @@
+// Estimated roughness by the spacing of a texture.
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/figures/figure_kinds.h"
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSteps = 60;      // of a fitted curve
+constexpr double kRoom = 1.12;  // beyond the outermost marks, as a factor
+
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+
+  void hold(double value) {
+    low = low > 0.0 ? std::min(low, value) : value;
+    high = std::max(high, value);
+  }
+};
+
+}  // namespace
+
+Figure roughness_figure(const FoundNumbers& found, const std::string& unit) {
+  Figure figure{.name = "roughness",
+                .title = phrase("Figures", "Estimated roughness by spacing"),
+                .note = phrase("Figures",
+                               "Full marks: geometric means of normalised estimates with %1 % t "
+                               "intervals over participants. Curves: mean parabolas of the "
+                               "logarithms. Outlined marks: their peaks within the tested "
+                               "spacings, with intervals by the delta method.")
+                            .with(percent_of(found.all("geomean")))};
+  Range x{};
+  Range y{};
+  std::vector<std::string> probes{};
+  std::vector<FigureSeries> peaks{};
+  const auto series_of = [&](const std::string& probe) -> FigureSeries& {
+    const auto at = std::find(probes.begin(), probes.end(), probe) - probes.begin();
+    if (at == static_cast<std::ptrdiff_t>(probes.size())) {
+      probes.push_back(probe);
+      figure.series.push_back(
+          {.name = phrase("Figures", "probe %1").with(probe), .style = static_cast<int>(at)});
+    }
+    return figure.series[static_cast<std::size_t>(at)];
+  };
+  for (const Finding* mean : found.all("geomean")) {
+    const std::vector<std::string> parts = parts_of(mean->key);
+    const auto spacing = number_in(parts.back());
+    if (parts.size() != 2 || !spacing || !mean->value || !(*mean->value > 0.0)) continue;
+    const auto interval = interval_of(*mean);
+    series_of(parts.front())
+        .points.push_back({.x = *spacing, .y = *mean->value, .y_interval = interval});
+    x.hold(*spacing);
+    y.hold(*mean->value);
+    if (interval && interval->low > 0.0) {
+      y.hold(interval->low);
+      y.hold(interval->high);
+    }
+  }
+  if (probes.empty()) {
+    const Finding* status = found.find("status");
+    figure.instead = status != nullptr
+                         ? phrase("Figures", "There is no curve: %1.").with(status->status)
+                         : phrase("Figures", "There is no curve: nothing was estimated.");
+    return figure;
+  }
+  const double first = std::log10(x.low);
+  const double last = std::log10(x.high);
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const auto a = found.number("quad.coef", probes[i] + "|a");
+    const auto b = found.number("quad.coef", probes[i] + "|b");
+    const auto c = found.number("quad.coef", probes[i] + "|c");
+    if (!a || !b || !c) continue;
+    std::vector<FigurePlace>& curve = figure.series[i].lines.emplace_back();
+    for (int step = 0; step <= kSteps; ++step) {
+      const double at = std::lerp(first, last, static_cast<double>(step) / kSteps);
+      const double roughness = std::pow(10.0, *a + *b * at + *c * at * at);
+      curve.push_back({.x = std::pow(10.0, at), .y = roughness});
+      y.hold(roughness);
+    }
+    const Finding* peak = found.find("peak", probes[i]);
+    const auto height = found.number("peak.height", probes[i]);
+    const Finding* status = found.find("peak.status", probes[i]);
+    if (peak == nullptr || !peak->value || !height || status == nullptr || status->word != "ok") {
+      continue;
+    }
+    FigurePoint mark{.x = *peak->value, .y = *height, .size = 1.4};
+    // What reaches beyond the tested spacings ends at them.
+    if (const auto interval = interval_of(*peak)) {
+      mark.x_interval = FigureSpan{.low = std::max(interval->low, x.low / kRoom),
+                                   .high = std::min(interval->high, x.high * kRoom)};
+    }
+    peaks.push_back({.style = static_cast<int>(i), .hollow = true, .points = {mark}});
+  }
+  figure.series.insert(figure.series.end(), peaks.begin(), peaks.end());
+  if (probes.size() == 1) figure.series.front().name = {};
+  figure.x = {.name = unit.empty() ? phrase("Figures", "spacing, in the unit of the table")
+                                   : phrase("Figures", "spacing"),
+              .unit = unit,
+              .scale = AxisScale::log10,
+              .low = x.low / kRoom,
+              .high = x.high * kRoom};
+  figure.y = {.name = phrase("Figures", "roughness, normalised estimate"),
+              .scale = AxisScale::log10,
+              .low = y.low / kRoom,
+              .high = y.high * kRoom};
+  return figure;
+}
+
+}  // namespace asperity

@@ -1,0 +1,142 @@
+// How unlike stimuli are by their confusions: a tree and a map.
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/dissimilarity.h"
+#include "analysis/number_text.h"
+#include "app/figures/figure_kinds.h"
+
+namespace asperity {
+
+namespace {
+
+struct Distances {
+  std::vector<std::string> names{};
+  Dissimilarities matrix{};
+};
+
+/// Nothing where a pair has none, or there are fewer than two items.
+std::optional<Distances> distances_of(const FoundNumbers& found, const std::string& quantity) {
+  Distances read{};
+  const std::vector<const Finding*> pairs = found.all(quantity);
+  const auto place = [&read](const std::string& name) {
+    const auto at = std::find(read.names.begin(), read.names.end(), name);
+    return static_cast<Eigen::Index>(at - read.names.begin());
+  };
+  for (const Finding* pair : pairs) {
+    const std::vector<std::string> parts = parts_of(pair->key);
+    if (parts.size() != 2 || !pair->value) return {};
+    for (const std::string& name : parts) {
+      if (place(name) == static_cast<Eigen::Index>(read.names.size())) read.names.push_back(name);
+    }
+  }
+  const auto items = static_cast<Eigen::Index>(read.names.size());
+  if (items < 2) return {};
+  read.matrix = Dissimilarities::Zero(items, items);
+  for (const Finding* pair : pairs) {
+    const std::vector<std::string> parts = parts_of(pair->key);
+    const Eigen::Index a = place(parts[0]);
+    const Eigen::Index b = place(parts[1]);
+    read.matrix(a, b) = *pair->value;
+    read.matrix(b, a) = *pair->value;
+  }
+  return read;
+}
+
+Phrase dissimilarity_axis() { return phrase("Figures", "dissimilarity, −ln η (Shepard)"); }
+
+/// Items that have joined, in the order in which they are drawn.
+struct Cluster {
+  std::vector<std::size_t> items{};
+  double height = 0.0;
+  double place = 0.0;
+};
+
+}  // namespace
+
+Figure dendrogram(const FoundNumbers& found) {
+  Figure figure{.name = "similarity_tree",
+                .title = phrase("Figures", "Which were taken for one another"),
+                .note = phrase("Figures",
+                               "Clusters by average linkage: the further left two join, the more "
+                               "often they are confused."),
+                .shape = FigureShape::rows};
+  const std::optional<Distances> read = distances_of(found, "hclust.shepard.average.cophenetic");
+  if (!read) {
+    figure.instead = phrase("Figures", "There are no confusions that a tree could be made of.");
+    return figure;
+  }
+  // Heights at which items first stand together are a tree already; single linkage reads it off.
+  const Tree tree = agglomerate(read->matrix, Linkage::single);
+  std::vector<Cluster> clusters(read->names.size());
+  for (std::size_t i = 0; i < clusters.size(); ++i) clusters[i].items = {i};
+  for (const Tree::Join& join : tree.joins) {
+    std::vector<std::size_t>& items = clusters[join.first].items;
+    const std::vector<std::size_t> other = std::move(clusters[join.second].items);
+    items.insert(items.end(), other.begin(), other.end());
+  }
+  const std::vector<std::size_t> order = clusters.front().items;
+  for (std::size_t row = 0; row < order.size(); ++row) {
+    figure.y.places.push_back(read->names[order[row]]);
+    clusters[order[row]] = {.place = static_cast<double>(row)};
+  }
+  FigureSeries joins{};
+  double highest = 0.0;
+  for (const Tree::Join& join : tree.joins) {
+    Cluster& first = clusters[join.first];
+    const Cluster& second = clusters[join.second];
+    joins.lines.push_back({{.x = first.height, .y = first.place},
+                           {.x = join.height, .y = first.place},
+                           {.x = join.height, .y = second.place},
+                           {.x = second.height, .y = second.place}});
+    first.place = 0.5 * (first.place + second.place);
+    first.height = join.height;
+    highest = std::max(highest, join.height);
+  }
+  if (!(highest > 0.0)) {
+    figure.instead = phrase("Figures", "All were confused alike: a tree would have no heights.");
+    return figure;
+  }
+  figure.x = {.name = dissimilarity_axis(), .low = 0.0, .high = 1.05 * highest};
+  figure.series.push_back(std::move(joins));
+  return figure;
+}
+
+Figure similarity_map(const FoundNumbers& found) {
+  Figure figure{.name = "similarity_map",
+                .title = phrase("Figures", "How near they feel to one another"),
+                .shape = FigureShape::square};
+  const std::optional<Distances> read = distances_of(found, "mds.shepard.dist2d");
+  if (!read || !(read->matrix.maxCoeff() > 0.0)) {
+    figure.instead =
+        phrase("Figures", "There is no one map of these confusions: the distances fit many.");
+    return figure;
+  }
+  figure.note = phrase("Figures",
+                       "Classical scaling in two dimensions: only distances mean something, "
+                       "not directions. The plane holds %1 % of the distances.")
+                    .with(fixed(100.0 * found.number("mds.shepard.gof1").value_or(0.0), 0));
+  // Distances in a plane are known to the last digit but for its turning: scaling them gives places.
+  const Eigen::MatrixXd places = classical_scaling(read->matrix).points;
+  const Eigen::RowVector2d middle =
+      0.5 * (places.colwise().minCoeff() + places.colwise().maxCoeff());
+  const double reach =
+      1.25 *
+      std::max(0.5 * (places.colwise().maxCoeff() - places.colwise().minCoeff()).maxCoeff(), 1e-9);
+  FigureSeries points{};
+  for (std::size_t i = 0; i < read->names.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    points.points.push_back({.x = places(row, 0), .y = places(row, 1), .label = read->names[i]});
+  }
+  figure.x = {.name = phrase("Figures", "first dimension of dissimilarity"),
+              .low = middle(0) - reach,
+              .high = middle(0) + reach};
+  figure.y = {.name = phrase("Figures", "second dimension"),
+              .low = middle(1) - reach,
+              .high = middle(1) + reach};
+  figure.series.push_back(std::move(points));
+  return figure;
+}
+
+}  // namespace asperity

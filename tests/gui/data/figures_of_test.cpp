@@ -1,0 +1,289 @@
+// Figures show the numbers of findings and tables, each at its place.
+
+#include "app/figures/figures_of.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "app/analyses/tidy/reference_case.h"
+
+namespace asperity {
+namespace {
+
+struct Analysed {
+  ReferenceCase read;
+  std::vector<Finding> findings{};
+  std::vector<Figure> figures{};
+
+  double number(const std::string& quantity, const std::string& key) const {
+    for (const Finding& finding : findings) {
+      if (finding.quantity == quantity && finding.key == key) return finding.value.value();
+    }
+    ADD_FAILURE() << quantity << ' ' << key << " is missing";
+    return 0.0;
+  }
+  const Figure& figure(const std::string& name) const {
+    const auto found = std::find_if(figures.begin(), figures.end(),
+                                    [&name](const Figure& one) { return one.name == name; });
+    if (found == figures.end()) throw std::runtime_error("no figure " + name);
+    return *found;
+  }
+};
+
+Analysed analysed(const std::string& name) {
+  Analysed all{read_reference_case(std::filesystem::path(ASPERITY_SOURCE_DIR) /
+                                   "tests/analysis/reference" / name)};
+  all.findings = tidy_family(all.read.family).findings(all.read.input);
+  all.figures = figures_of(all.read.family, all.read.input, all.findings, "mm");
+  return all;
+}
+
+std::vector<std::string> places_of(const FigureAxis& axis) {
+  std::vector<std::string> names{};
+  for (const Phrase& place : axis.places) names.push_back(place.english());
+  return names;
+}
+
+TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
+  AnalysisOutcome outcome{};
+  outcome.tables.push_back(
+      {.name = "shares",
+       .table = {{"column", "item", "chosen", "of", "persons", "share", "wilson_low", "wilson_high",
+                  "chance"},
+                 {{std::string("1"), std::string("wave"), std::int64_t{3}, std::int64_t{10},
+                   std::int64_t{10}, 0.3, 0.11, 0.6, 0.5},
+                  {std::string("all"), std::string("wave"), std::int64_t{12}, std::int64_t{20},
+                   std::int64_t{10}, 0.6, 0.39, 0.78, 0.5}}}});
+  const std::vector<Figure> figures = figures_of(outcome);
+  ASSERT_EQ(figures.size(), 1U);
+  const Figure& figure = figures.front();
+  EXPECT_TRUE(figure.is_drawn());
+  EXPECT_EQ(figure.table, "shares");
+  EXPECT_EQ(places_of(figure.y),
+            (std::vector<std::string>{"1 · wave (3 of 10)", "all · wave (12 of 20)"}));
+  ASSERT_EQ(figure.series.size(), 2U);
+  EXPECT_FALSE(figure.series[0].hollow);  // all columns
+  EXPECT_TRUE(figure.series[1].hollow);   // a part
+  const FigurePoint& all = figure.series[0].points.front();
+  EXPECT_EQ(all.x, 0.6);
+  EXPECT_EQ(all.y, 1.0);
+  EXPECT_EQ(all.x_interval->low, 0.39);
+  EXPECT_EQ(all.x_interval->high, 0.78);
+  ASSERT_EQ(figure.references.size(), 1U);
+  EXPECT_EQ(figure.references.front().value, 0.5);
+}
+
+TEST(FiguresOf, MarkChanceInEachRowWhereItDiffers) {
+  const Analysed all = analysed("proportion_01");
+  const Figure& figure = all.figure("proportions");
+  EXPECT_TRUE(figure.references.empty());
+  const FigureSeries& chances = figure.series.back();
+  EXPECT_EQ(chances.name.english(), "chance");
+  EXPECT_GT(chances.points.size(), 2U);
+}
+
+TEST(FiguresOf, CountTheAnswersOfARowAndNotItsParticipants) {
+  const Analysed all = analysed("recognition_01");
+  const Figure& figure = all.figure("recognised");
+  const std::string first = figure.y.places.front().english();
+  const Figure& confusions = all.figure("confusions");
+  double trials = 0.0;
+  for (const FigureCell& cell : confusions.cells) {
+    if (cell.row == 0) trials += std::stod(cell.text);
+  }
+  EXPECT_NE(first.find("of " + std::to_string(static_cast<int>(trials)) + ")"), std::string::npos)
+      << first;
+}
+
+TEST(FiguresOf, ShadeConfusionsByTheirShareOfARow) {
+  const Analysed all = analysed("recognition_01");
+  const Figure& figure = all.figure("confusions");
+  const auto labels = all.read.input.options.texts("labels");
+  EXPECT_EQ(places_of(figure.x), labels);
+  EXPECT_EQ(places_of(figure.y), labels);
+  ASSERT_EQ(figure.cells.size(), labels.size() * labels.size());
+  std::map<std::size_t, double> sums{};
+  for (const FigureCell& cell : figure.cells) {
+    const std::string key = labels[cell.row] + '|' + labels[cell.column];
+    EXPECT_EQ(std::stod(cell.text), all.number("confusion", key)) << key;
+    EXPECT_EQ(cell.framed, cell.row == cell.column) << key;
+    sums[cell.row] += cell.shade.value();
+  }
+  for (const auto& [row, sum] : sums) EXPECT_NEAR(sum, 1.0, 1e-12) << labels[row];
+}
+
+TEST(FiguresOf, JoinBranchesAtTheHeightsOfTheirClusters) {
+  const Analysed all = analysed("recognition_01");
+  const Figure& figure = all.figure("similarity_tree");
+  ASSERT_TRUE(figure.is_drawn());
+  const auto& joins = figure.series.front().lines;
+  ASSERT_EQ(joins.size(), figure.y.places.size() - 1);
+  std::multiset<double> heights{};
+  for (const auto& join : joins) {
+    ASSERT_EQ(join.size(), 4U);
+    EXPECT_EQ(join[1].x, join[2].x);
+    heights.insert(join[1].x);
+  }
+  std::multiset<double> expected{};
+  for (std::size_t i = 1; i <= joins.size(); ++i) {
+    expected.insert(all.number("hclust.shepard.average.height", std::to_string(i)));
+  }
+  ASSERT_EQ(heights.size(), expected.size());
+  for (auto a = heights.begin(), b = expected.begin(); a != heights.end(); ++a, ++b) {
+    EXPECT_NEAR(*a, *b, 1e-9);
+  }
+  EXPECT_GT(figure.x.high, *heights.rbegin());
+}
+
+TEST(FiguresOf, KeepTheDistancesOfAMap) {
+  const Analysed all = analysed("recognition_01");
+  const Figure& figure = all.figure("similarity_map");
+  ASSERT_TRUE(figure.is_drawn());
+  const std::vector<FigurePoint>& points = figure.series.front().points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = i + 1; j < points.size(); ++j) {
+      const std::string key = points[i].label.english() + '|' + points[j].label.english();
+      EXPECT_NEAR(std::hypot(points[i].x - points[j].x, points[i].y - points[j].y),
+                  all.number("mds.shepard.dist2d", key), 1e-9)
+          << key;
+    }
+  }
+  EXPECT_NEAR(figure.x.high - figure.x.low, figure.y.high - figure.y.low, 1e-12);
+}
+
+TEST(FiguresOf, OrderAScaleFromTheTopDown) {
+  const Analysed all = analysed("paired_01");
+  const Figure& figure = all.figure("preference");
+  const std::vector<FigurePoint>& points = figure.series.front().points;
+  const std::vector<std::string> items = places_of(figure.y);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(points[i].y, static_cast<double>(i));
+    EXPECT_EQ(points[i].x, all.number("bt.ability.sumzero", items[i]));
+    if (i > 0) {
+      EXPECT_LE(points[i].x, points[i - 1].x);
+    }
+    ASSERT_TRUE(points[i].x_interval);
+    EXPECT_LT(figure.x.low, points[i].x_interval->low);
+    EXPECT_GT(figure.x.high, points[i].x_interval->high);
+  }
+}
+
+TEST(FiguresOf, DrawRoughnessByProbeWithItsCurveAndPeak) {
+  const Analysed all = analysed("magnitude_01");
+  const Figure& figure = all.figure("roughness");
+  EXPECT_EQ(figure.x.scale, AxisScale::log10);
+  EXPECT_EQ(figure.y.scale, AxisScale::log10);
+  EXPECT_EQ(figure.x.unit, "mm");
+  const FigureSeries& first = figure.series.front();
+  EXPECT_EQ(first.name.english(), "probe 1.5");
+  const FigurePoint& point = first.points.front();
+  EXPECT_EQ(point.x, 0.4);
+  EXPECT_EQ(point.y, all.number("geomean", "1.5|0.4"));
+  EXPECT_EQ(point.y_interval->low, all.number("geomean.ci.lower", "1.5|0.4"));
+  EXPECT_EQ(point.y_interval->high, all.number("geomean.ci.upper", "1.5|0.4"));
+  const auto peak = std::find_if(figure.series.begin(), figure.series.end(),
+                                 [](const FigureSeries& series) { return series.hollow; });
+  ASSERT_NE(peak, figure.series.end());
+  EXPECT_EQ(peak->points.front().x, all.number("peak", "1.5"));
+  EXPECT_EQ(peak->points.front().y, all.number("peak.height", "1.5"));
+  // Nothing of the curve is higher, and it comes within a step of it.
+  double highest = 0.0;
+  for (const FigurePlace& place : first.lines.front()) highest = std::max(highest, place.y);
+  EXPECT_LE(highest, peak->points.front().y * (1.0 + 1e-9));
+  EXPECT_GT(highest, peak->points.front().y * 0.995);
+}
+
+TEST(FiguresOf, DrawSharesByLevelWithTheFunctionThroughItsThreshold) {
+  const Analysed all = analysed("psyfit_01");
+  const Figure& figure = all.figure("psychometric");
+  const TidyTable& table = all.read.input.table();
+  const auto hits = table.counts("k");
+  const auto trials = table.counts("n");
+  const FigureSeries& data = figure.series.front();
+  ASSERT_EQ(data.points.size(), trials.size());
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    EXPECT_EQ(data.points[i].x, table.all_numbers("x")[i]);
+    EXPECT_EQ(data.points[i].y, static_cast<double>(hits[i]) / static_cast<double>(trials[i]));
+  }
+  const FigureSeries& threshold = figure.series.back();
+  ASSERT_TRUE(threshold.hollow);
+  const FigurePoint& mark = threshold.points.front();
+  const std::string condition{table.texts("condition").front()};
+  EXPECT_EQ(mark.x, all.number("threshold", condition));
+  EXPECT_EQ(mark.y, all.read.input.options.number("pt"));
+  EXPECT_EQ(mark.x_interval->low, all.number("threshold.delta.lower", condition));
+  const std::vector<FigurePlace>& curve = data.lines.front();
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    if (curve[i - 1].x > mark.x || curve[i].x < mark.x) continue;
+    EXPECT_LE(curve[i - 1].y, mark.y);
+    EXPECT_GE(curve[i].y, mark.y);
+  }
+  ASSERT_EQ(figure.references.size(), 1U);
+  EXPECT_EQ(figure.references.front().value, all.read.input.options.number("gamma"));
+}
+
+TEST(FiguresOf, HoldEveryMarkWithinTheAxesForEveryCase) {
+  for (const auto& entry : std::filesystem::directory_iterator(
+           std::filesystem::path(ASPERITY_SOURCE_DIR) / "tests/analysis/reference")) {
+    if (!std::filesystem::exists(entry.path() / "case.json")) continue;
+    for (const Figure& figure : analysed(entry.path().filename()).figures) {
+      const std::string name = entry.path().filename().string() + ' ' + figure.name;
+      if (!figure.is_drawn()) continue;
+      EXPECT_FALSE(figure.series.empty() && figure.cells.empty()) << name;
+      const auto holds = [](const FigureAxis& axis, double value) {
+        if (!axis.places.empty()) {
+          return value >= 0.0 && value <= static_cast<double>(axis.places.size() - 1);
+        }
+        return value >= axis.low && value <= axis.high;
+      };
+      for (const FigureSeries& series : figure.series) {
+        for (const FigurePoint& point : series.points) {
+          EXPECT_TRUE(holds(figure.x, point.x) && holds(figure.y, point.y)) << name;
+          for (const auto& [span, axis] :
+               {std::pair{point.x_interval, &figure.x}, std::pair{point.y_interval, &figure.y}}) {
+            if (!span) continue;
+            EXPECT_TRUE(holds(*axis, span->low) && holds(*axis, span->high)) << name;
+          }
+        }
+        for (const auto& line : series.lines) {
+          for (const FigurePlace& place : line) {
+            EXPECT_TRUE(holds(figure.x, place.x) && holds(figure.y, place.y)) << name;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(FiguresOf, SayASentenceWhereThereIsNothingToDraw) {
+  // Never compared in both directions: the scale has no finite places.
+  EXPECT_NE(analysed("paired_05").figure("preference").instead.english().find("There is no scale"),
+            std::string::npos);
+  TidyInput input{};
+  input.tables.emplace_back("condition,x,n,k\na,1,0,0\n", "blocks.csv");
+  for (const char* option : {"shape=logistic", "gamma=0.5", "lambda=0", "pt=0.75"}) {
+    const std::string text(option);
+    input.options.add(text.substr(0, text.find('=')), text.substr(text.find('=') + 1));
+  }
+  input.tables.emplace_back("id,k,n,p0\nnobody,0,0,0.5\n", "counts.csv");
+  for (const char* family : {"selection", "matching", "recognition", "paired", "ranking",
+                             "magnitude", "psyfit", "seedpaper"}) {
+    for (const Figure& figure : figures_of(family, input, {})) {
+      EXPECT_FALSE(figure.is_drawn()) << family << ' ' << figure.name;
+    }
+  }
+  TidyInput counts{};
+  counts.tables.emplace_back("id,k,n,p0\nnobody,0,0,0.5\n", "counts.csv");
+  for (const Figure& figure : figures_of("proportion", counts, {})) {
+    EXPECT_FALSE(figure.is_drawn());
+  }
+  EXPECT_TRUE(figures_of(AnalysisOutcome{}).empty());
+}
+
+}  // namespace
+}  // namespace asperity
