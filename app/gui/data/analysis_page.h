@@ -19,6 +19,7 @@ class QStackedWidget;
 namespace asperity {
 
 class Banner;
+class FigureSaver;
 class OpenStudy;
 struct ExportOptions;
 class TaskLine;
@@ -65,14 +66,11 @@ class AnalysisPage final : public QWidget {
   QListWidget* list_ = nullptr;
   QScrollArea* area_ = nullptr;
   QPushButton* export_ = nullptr;
+  FigureSaver* figure_saver_ = nullptr;
   TaskLine* analysing_ = nullptr;
   TaskLine* writing_ = nullptr;
   BackgroundTask analysis_{};
   BackgroundTask exporting_{};
 };
-
-/// The answer of a table of shares in one sentence, from its row over everything: empty for a table
-/// of another kind.
-QString sentence_of(const NamedTable& table);
 
 }  // namespace asperity

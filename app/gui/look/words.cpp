@@ -4,10 +4,14 @@
 
 namespace asperity {
 
-QString words_of(const Phrase& phrase) {
-  return QString::fromStdString(phrase.translated([](const char* context, const char* words) {
+Phrase::LookUp language_of_windows() {
+  return [](const char* context, const char* words) {
     return QCoreApplication::translate(context, words).toStdString();
-  }));
+  };
+}
+
+QString words_of(const Phrase& phrase) {
+  return QString::fromStdString(phrase.translated(language_of_windows()));
 }
 
 }  // namespace asperity

@@ -8,6 +8,9 @@
 
 namespace asperity {
 
+/// What finds the words of the windows' language. Any thread.
+Phrase::LookUp language_of_windows();
+
 /// Any thread.
 QString words_of(const Phrase& phrase);
 

@@ -6,19 +6,24 @@
 #include <memory>
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QMimeData>
 #include <QtCore/QTranslator>
+#include <QtGui/QClipboard>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QListWidget>
+#include <QtWidgets/QMenu>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QTableView>
 #include <gtest/gtest.h>
-#include <qcustomplot.h>
 
 #include "app/gui/data/analysis_words.h"
+#include "app/gui/data/figure_view.h"
+#include "app/gui/data/outcome_view.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/study/open_study.h"
@@ -68,7 +73,7 @@ TEST(AnalysisPage, SaysTheAnswerInASentenceAboveItsTables) {
   EXPECT_TRUE(answer->text().contains("chance is 50 %")) << answer->text().toStdString();
   ASSERT_GE(page.findChildren<QTableView*>().size(), 2);
   // In the order of the analysis: whatever a header could sort by.
-  const QAbstractItemModel* counts = page.findChildren<QTableView*>().first()->model();
+  const QAbstractItemModel* counts = page.findChild<QTableView*>("table_table_1")->model();
   EXPECT_EQ(counts->index(0, 0).data().toString(), "height_map");
   take_screenshot(page, "data-analysis");
 }
@@ -81,18 +86,148 @@ TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
   ASSERT_TRUE(refreshed.wait(10000));
-  auto* plot = page.findChild<QCustomPlot*>();
-  ASSERT_NE(plot, nullptr);
-  auto* bars = qobject_cast<QCPErrorBars*>(plot->plottable(1));
-  ASSERT_NE(bars, nullptr);
-  const auto points = plot->graph(0)->data();
-  ASSERT_EQ(bars->data()->size(), points->size());
-  for (int i = 0; i < points->size(); ++i) {
-    const double share = points->at(i)->value;
-    if (share != 0.75) continue;  // 15 of 20: (0.5313, 0.8881)
-    EXPECT_NEAR(share - (*bars->data())[i].errorMinus, 0.5313, 1e-4);
-    EXPECT_NEAR(share + (*bars->data())[i].errorPlus, 0.8881, 1e-4);
+  const auto* view = page.findChild<FigureView*>("figure_shares_forest");
+  ASSERT_NE(view, nullptr);
+  const FigureSeries& all = view->figure().series.front();
+  const auto point = std::find_if(all.points.begin(), all.points.end(),
+                                  [](const FigurePoint& one) { return one.x == 0.75; });
+  ASSERT_NE(point, all.points.end());  // 15 of 20: (0.5313, 0.8881)
+  EXPECT_NEAR(point->x_interval->low, 0.5313, 1e-4);
+  EXPECT_NEAR(point->x_interval->high, 0.8881, 1e-4);
+  // The whole figure is in sight: as high as it needs for its width.
+  const auto* canvas = view->findChild<QWidget*>("canvas");
+  ASSERT_NE(canvas, nullptr);
+  page.resize(1366, 768);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [canvas] {
+        return canvas->width() > 600 && canvas->height() == canvas->heightForWidth(canvas->width());
+      },
+      10000));
+  // It goes with the answer: above every table.
+  for (const QTableView* table : page.findChildren<QTableView*>()) {
+    EXPECT_LT(view->mapTo(&page, QPoint()).y(), table->mapTo(&page, QPoint()).y());
   }
+  EXPECT_FALSE(canvas->accessibleName().isEmpty());
+}
+
+TEST(AnalysisPage, ShowsEachQuestionWithItsAnswerAndFoldsTheMethodAway) {
+  AnalysisOutcome outcome{};
+  outcome.protocol = "which_is_real";
+  outcome.questions = {{.name = "preference",
+                        .question = "Is one chosen more often?",
+                        .answer = "height_map was chosen in 15 of 20.",
+                        .method = "Sign flips over persons.",
+                        .table = "shares"},
+                       {.name = "position",
+                        .question = "Does the position matter?",
+                        .answer = "The first was chosen in 9 of 20.",
+                        .method = "Positions as items.",
+                        .table = "nothing_of_this_name"}};
+  outcome.tables = {{.name = "table_1", .title = "Counts", .table = {{"item"}, {{"wave"}}}},
+                    {.name = "shares", .title = "Shares", .table = {{"item"}, {{"wave"}}}}};
+  const std::unique_ptr<QWidget> page(make_outcome(outcome, {}));
+  page->show();
+  EXPECT_EQ(page->findChild<QLabel*>("answer")->text(), "height_map was chosen in 15 of 20.");
+  EXPECT_EQ(page->findChild<QLabel*>("further_answer")->text(), "The first was chosen in 9 of 20.");
+  QStringList shown{};
+  QStringList hidden{};
+  for (const QLabel* label : page->findChildren<QLabel*>()) {
+    (label->isVisible() ? shown : hidden) << label->text();
+  }
+  EXPECT_TRUE(shown.contains("Does the position matter?"));
+  EXPECT_TRUE(hidden.contains("Sign flips over persons."));
+  EXPECT_EQ(shown.count("Shares"), 1);
+  EXPECT_EQ(shown.count("Counts"), 1);
+  // The table that says more stands with its question, before the others.
+  EXPECT_LT(shown.indexOf("Shares"), shown.indexOf("Does the position matter?"));
+  EXPECT_LT(shown.indexOf("Shares"), shown.indexOf("Counts"));
+}
+
+TEST(AnalysisPage, SavesAFigureAndReplacesAFileOnlyWhenToldTo) {
+  MadeUpStudy made;
+  add_choices(made, 15);
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(10000));
+  auto* view = page.findChild<FigureView*>("figure_shares_forest");
+  ASSERT_NE(view, nullptr);
+  auto* banner = page.findChild<Banner*>();
+  const auto save_as = [&](const std::string& name) {
+    QMenu* widths = view->findChild<QPushButton*>("save_figure")->menu();
+    widths->actions().front()->trigger();
+    auto* dialog = page.findChild<QFileDialog*>("figure_dialog");
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_TRUE(dialog->selectedFiles().front().endsWith("which_is_real_1_shares_forest.svg"))
+        << dialog->selectedFiles().front().toStdString();
+    dialog->setObjectName("asked");
+    emit dialog->fileSelected(QString::fromStdString(made.beside(name).string()));
+    dialog->close();
+  };
+  for (const std::string name : {"shares.svg", "shares.pdf", "shares.png"}) {
+    save_as(name);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return banner->text().contains(QString::fromStdString(name)); }, 10000));
+    EXPECT_GT(std::filesystem::file_size(made.beside(name)), 1000U);
+  }
+  EXPECT_NE(read_file(made.beside("shares.svg")).find("width=\"85mm\""), std::string::npos);
+  write_file(made.beside("shares.svg"), std::string_view("another"), Overwrite::allow);
+  save_as("shares.svg");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->text().contains("already"); }, 10000));
+  EXPECT_EQ(read_file(made.beside("shares.svg")), "another");
+  for (QPushButton* button : banner->findChildren<QPushButton*>()) {
+    if (button->text().startsWith("Replace")) button->click();
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->text().contains("figure is in"); }, 10000));
+  EXPECT_NE(read_file(made.beside("shares.svg")), "another");
+}
+
+TEST(AnalysisPage, CopiesAFigureAsAPictureAndAsSvg) {
+  MadeUpStudy made;
+  add_choices(made, 15);
+  OpenStudy study(made.folder());
+  AnalysisPage page(study);
+  QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+  page.show();
+  ASSERT_TRUE(refreshed.wait(10000));
+  QGuiApplication::clipboard()->clear();
+  auto* copy =
+      page.findChild<FigureView*>("figure_shares_forest")->findChild<QPushButton*>("copy_figure");
+  copy->setFocus();
+  QTest::keyClick(copy, Qt::Key_Space);
+  auto* banner = page.findChild<Banner*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return banner->text().contains("clipboard"); }, 10000));
+  const QMimeData* content = QGuiApplication::clipboard()->mimeData();
+  EXPECT_TRUE(content->hasImage());
+  EXPECT_TRUE(content->data("image/svg+xml").contains("<svg"));
+}
+
+TEST(AnalysisPage, LooksTheSameInTheDark) {
+  apply_theme(*qApp, ThemeChoice::dark);
+  {
+    MadeUpStudy made;
+    add_choices(made, 15);
+    OpenStudy study(made.folder());
+    AnalysisPage page(study);
+    QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
+    page.show();
+    EXPECT_TRUE(refreshed.wait(10000));
+    auto* view = page.findChild<FigureView*>("figure_shares_forest");
+    ASSERT_NE(view, nullptr);
+    // Light letters on the dark card.
+    const QImage picture = view->grab().toImage();
+    EXPECT_LT(QColor(picture.pixel(8, 8)).lightness(), 80);
+    int light = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) {
+        light += QColor(picture.pixel(x, y)).lightness() > 180 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(light, 500);
+    take_screenshot(page, "data-analysis-dark");
+  }
+  apply_theme(*qApp, ThemeChoice::light);
 }
 
 /// A language in which every word of an analysis stands in angle brackets.
@@ -125,7 +260,7 @@ TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
       EXPECT_TRUE(heading.startsWith("<")) << heading.toStdString();
     }
   }
-  const auto* counts = page.findChildren<QTableView*>().first()->model();
+  const auto* counts = page.findChild<QTableView*>("table_table_1")->model();
   EXPECT_EQ(counts->index(0, 0).data().toString(), "height_map");
   // Where the program's own word can stand only: a study may name its pictures as it likes.
   EXPECT_EQ(AnalysisWords::of_cell("person", "Total"), "<Total>");

@@ -1,0 +1,334 @@
+#include "app/gui/data/outcome_view.h"
+
+#include <algorithm>
+#include <set>
+#include <variant>
+
+#include <QtGui/QStandardItemModel>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QScrollBar>
+#include <QtWidgets/QTableView>
+
+#include "analysis/number_text.h"
+#include "app/analyses/reading_table.h"
+#include "app/figures/figures_of.h"
+#include "app/gui/data/analysis_page.h"
+#include "app/gui/data/analysis_words.h"
+#include "app/gui/data/figure_view.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kTextWidth = 900;  // longer lines are hard to follow
+
+/// A table whose rows are shares with an interval: where its columns are.
+struct ShareColumns {
+  std::size_t keys = 0;  ///< the first so many columns say what the row is about
+  std::size_t hits = 0;
+  std::size_t of = 0;
+  std::size_t share = 0;
+  std::optional<std::size_t> low{};  ///< of the share's own interval; the high end is beside it
+  std::optional<std::size_t> chance{};
+};
+
+std::optional<std::size_t> column_of(const Table& table, const std::string& name) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+  if (found == table.columns.end()) return {};
+  return static_cast<std::size_t>(found - table.columns.begin());
+}
+
+std::optional<ShareColumns> share_columns(const Table& table) {
+  const auto share = column_of(table, "share");
+  const auto of = column_of(table, "of");
+  if (!share || !of || *of == 0) return {};
+  ShareColumns columns{};
+  columns.hits = *of - 1;
+  columns.keys = columns.hits;
+  columns.of = *of;
+  columns.share = *share;
+  columns.low = column_of(table, "wilson_low");
+  columns.chance = column_of(table, "chance");
+  return columns;
+}
+
+/// What stands in a column of this name.
+QString text_of(const std::string& column, const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) {
+    return AnalysisWords::of_cell(column, *text);
+  }
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return QString::number(*whole);
+  if (const auto* number = std::get_if<double>(&cell)) {
+    return QString::fromStdString(number_text(*number));
+  }
+  return "–";
+}
+
+std::optional<double> number_of(const Cell& cell) {
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
+  if (const auto* number = std::get_if<double>(&cell)) return *number;
+  return {};
+}
+
+QString percent(const Cell& cell) {
+  const auto share = number_of(cell);
+  return share ? QString::fromStdString(fixed(100.0 * *share, 0)) + " %" : "–";
+}
+
+/// A name or a level, also one that is written as a number ("1", then "all"), as opposed to a quantity.
+bool holds_words(const Table& table, const std::string& column) {
+  const auto at = column_of(table, column);
+  return at && !table.rows.empty() && std::holds_alternative<std::string>(table.rows.front()[*at]);
+}
+
+QTableView* make_table(const NamedTable& table, QWidget* parent) {
+  const Table reading = reading_table(table.table);
+  auto* view = new QTableView(parent);
+  view->setObjectName(QString::fromStdString("table_" + table.name));
+  auto* model = new QStandardItemModel(view);
+  QStringList headings{};
+  for (const std::string& column : reading.columns) {
+    headings << AnalysisWords::of_heading(table, column);
+  }
+  model->setHorizontalHeaderLabels(headings);
+  for (const std::vector<Cell>& row : reading.rows) {
+    QList<QStandardItem*> items{};
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      auto* item = new QStandardItem(text_of(reading.columns[i], row[i]));
+      item->setTextAlignment(
+          (holds_words(table.table, reading.columns[i]) ? Qt::AlignLeft : Qt::AlignRight) |
+          Qt::AlignVCenter);
+      items << item;
+    }
+    model->appendRow(items);
+  }
+  for (int column = 0; column < model->columnCount(); ++column) {
+    const bool words = holds_words(table.table, reading.columns[static_cast<std::size_t>(column)]);
+    model->horizontalHeaderItem(column)->setTextAlignment((words ? Qt::AlignLeft : Qt::AlignRight) |
+                                                          Qt::AlignVCenter);
+  }
+  style_table(*view);
+  view->setSortingEnabled(false);  // rows belong together: parts, then totals
+  view->setModel(model);
+  view->resizeColumnsToContents();
+  for (int column = 0; column < model->columnCount(); ++column) {
+    view->setColumnWidth(column, view->columnWidth(column) + kMargin);
+  }
+  view->horizontalHeader()->setStretchLastSection(false);
+  view->setMaximumWidth(view->horizontalHeader()->length() + 4);
+  // The page scrolls, not the table.
+  view->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  view->setFixedHeight(view->horizontalHeader()->sizeHint().height() +
+                       kControlHeight * model->rowCount() +
+                       view->horizontalScrollBar()->sizeHint().height() / 2 + 4);
+  return view;
+}
+
+/// Left-bound and no wider than is good to read. In a row of its own, because a column asks how high
+/// a text is at its whole width, whatever the text's maximum.
+void add_narrow(QWidget* text, QVBoxLayout& column) {
+  text->setMaximumWidth(kTextWidth);
+  auto* row = new QHBoxLayout();
+  row->addWidget(text, 1000);
+  row->addStretch(1);
+  column.addLayout(row);
+}
+
+/// A line to press that shows or hides what is under it.
+void add_folded(const QString& words, const QString& text, QVBoxLayout& layout, QWidget* parent) {
+  QPushButton* fold = make_button("▸ " + words, ButtonRole::link, parent);
+  fold->setCheckable(true);
+  QLabel* note = make_text(text, parent, true);
+  note->hide();
+  QObject::connect(fold, &QPushButton::toggled, note, [fold, note, words](bool open) {
+    fold->setText((open ? "▾ " : "▸ ") + words);
+    note->setVisible(open);
+  });
+  layout.addWidget(fold, 0, Qt::AlignLeft);
+  add_narrow(note, layout);
+}
+
+QString people_text(int count) {
+  return count == 1 ? AnalysisPage::tr("1 participant")
+                    : AnalysisPage::tr("%n participants", nullptr, count);
+}
+
+QString question_of(const AnalysisOutcome& outcome) {
+  if (outcome.kind == "selection") {
+    return AnalysisPage::tr("Which rendering was chosen as the most realistic?");
+  }
+  if (outcome.kind == "matching") {
+    return AnalysisPage::tr("Were felt textures matched to their pictures?");
+  }
+  if (outcome.kind == "recognition") {
+    return AnalysisPage::tr("Was the felt texture recognised among the pictures?");
+  }
+  return QString::fromStdString(outcome.kind);
+}
+
+/// The answer of a table of shares in one sentence, from its row over everything: empty for a table
+/// of another kind.
+QString sentence_of(const NamedTable& table) {
+  const auto columns = share_columns(table.table);
+  if (!columns || !columns->low || table.table.rows.empty()) return {};
+  // Rows over everything come last. Where the shares are of different things, the greatest speaks.
+  std::vector<Cell> row{};
+  QString what{};
+  for (const std::vector<Cell>& candidate : table.table.rows) {
+    QStringList words{};
+    bool is_part = false;
+    for (std::size_t i = 0; i < columns->keys; ++i) {
+      const std::string& name = table.table.columns[i];
+      const auto* word = std::get_if<std::string>(&candidate[i]);
+      if (word != nullptr && (*word == "all" || *word == "Total")) continue;
+      if (name == "column" || name == "person") is_part = true;
+      words << text_of(name, candidate[i]);
+    }
+    const auto share = number_of(candidate[columns->share]);
+    if (is_part || !share) continue;
+    if (row.empty() || *share >= number_of(row[columns->share]).value_or(0.0)) {
+      row = candidate;
+      what = words.isEmpty() ? AnalysisPage::tr("In all") : words.join(" ");
+    }
+  }
+  if (row.empty()) return {};
+  const QString numbers = AnalysisPage::tr("%1 of %2 (%3; 95 % interval %4 to %5)")
+                              .arg(text_of({}, row[columns->hits]), text_of({}, row[columns->of]),
+                                   percent(row[columns->share]), percent(row[*columns->low]),
+                                   percent(row[*columns->low + 1]));
+  const QString chance = columns->chance ? percent(row[*columns->chance]) : QString();
+  if (chance.isEmpty()) return AnalysisPage::tr("%1: %2.").arg(what, numbers);
+  return AnalysisPage::tr("%1: %2, where chance is %3.").arg(what, numbers, chance);
+}
+
+/// The first table that has one.
+QString sentence_of(const AnalysisOutcome& outcome) {
+  for (const NamedTable& table : outcome.tables) {
+    const QString sentence = sentence_of(table);
+    if (!sentence.isEmpty()) return sentence;
+  }
+  return {};
+}
+
+/// What belongs to an outcome, one under the other.
+class OutcomeColumn final {
+ public:
+  OutcomeColumn(const AnalysisOutcome& outcome, const FigureWishes& wishes, QWidget* page)
+      : outcome_(outcome), wishes_(wishes), figures_(figures_of(outcome)), page_(page) {
+    layout_ = new QVBoxLayout(page);
+    layout_->setContentsMargins(kMargin, 0, kMargin, kMargin);
+    layout_->setSpacing(kGrid);
+  }
+
+  void fill() {
+    if (outcome_.group != AnswerGroup::people) {
+      auto* band = new ModeBand(page_);
+      band->set_mode(outcome_.group == AnswerGroup::pilot ? SessionMode::pilot
+                                                          : SessionMode::simulate);
+      layout_->addWidget(band);
+    }
+    if (outcome_.questions.empty()) {
+      say(question_of(outcome_), sentence_of(outcome_));
+      about();
+      if (!figures_.empty()) add_table(figures_.front().table);
+    }
+    for (const AnsweredQuestion& question : outcome_.questions) {
+      const bool is_first = &question == &outcome_.questions.front();
+      if (!is_first) layout_->addSpacing(kGroupGap);
+      say(words_of(question.question), words_of(question.answer));
+      if (is_first) about();
+      add_table(question.table);
+      if (question.method.empty()) continue;
+      add_folded(AnalysisPage::tr("How it was computed"), words_of(question.method), *layout_,
+                 page_);
+    }
+    for (const NamedTable& table : outcome_.tables) add_table(table.name);
+    for (const Figure& figure : figures_) {
+      if (figure.table.empty()) add_figure(figure);
+    }
+    layout_->addStretch(1);
+  }
+
+ private:
+  void say(const QString& question, const QString& answer) {
+    const bool is_first = layout_->count() <= 1;
+    QLabel* title = is_first ? make_title(question, page_) : make_heading(question, page_);
+    title->setWordWrap(true);
+    add_narrow(title, *layout_);
+    if (answer.isEmpty()) return;
+    QLabel* sentence = is_first ? make_heading(answer, page_) : make_text(answer, page_);
+    sentence->setWordWrap(true);
+    sentence->setObjectName(is_first ? "answer" : "further_answer");
+    add_narrow(sentence, *layout_);
+  }
+
+  /// Who answered, and what is to be known before a number is believed.
+  void about() {
+    layout_->addWidget(
+        make_text(AnalysisPage::tr("%1 %2 · %3 · %4 counted")
+                      .arg(QString::fromStdString(outcome_.protocol),
+                           QString::fromStdString(outcome_.version),
+                           people_text(static_cast<int>(outcome_.count.participants)),
+                           answers_text(static_cast<int>(outcome_.answers))),
+                  page_, true));
+    for (const Phrase& remark : outcome_.remarks) {
+      auto* line = new StateLabel(page_);
+      line->set_state(State::look, words_of(remark));
+      add_narrow(line, *layout_);
+    }
+  }
+
+  /// Once, with its figures above it.
+  void add_table(const std::string& name) {
+    if (!shown_.insert(name).second) return;
+    for (const NamedTable& table : outcome_.tables) {
+      if (table.name != name) continue;
+      layout_->addSpacing(kMargin);
+      layout_->addWidget(make_heading(words_of(table.title), page_));
+      for (const Figure& figure : figures_) {
+        if (figure.table == name) add_figure(figure);
+      }
+      layout_->addWidget(make_table(table, page_));
+      if (table.note.empty()) continue;
+      add_folded(AnalysisPage::tr("How it was computed"), words_of(table.note), *layout_, page_);
+    }
+  }
+
+  void add_figure(const Figure& figure) {
+    if (figure.table.empty()) {
+      layout_->addSpacing(kMargin);
+      layout_->addWidget(make_heading(words_of(figure.title), page_));
+    }
+    auto* view = new FigureView(figure, page_);
+    view->setObjectName(QString::fromStdString("figure_" + figure.name));
+    QObject::connect(
+        view, &FigureView::saveWanted, view,
+        [wishes = wishes_, view](double width_mm) { wishes.save(view->figure(), width_mm); });
+    QObject::connect(view, &FigureView::copyWanted, view,
+                     [wishes = wishes_, view] { wishes.copy(view->figure()); });
+    add_narrow(view, *layout_);
+  }
+
+  const AnalysisOutcome& outcome_;
+  const FigureWishes& wishes_;
+  std::vector<Figure> figures_{};
+  std::set<std::string> shown_{};
+  QWidget* page_ = nullptr;
+  QVBoxLayout* layout_ = nullptr;
+};
+
+}  // namespace
+
+QString answers_text(int count) {
+  return count == 1 ? AnalysisPage::tr("1 answer") : AnalysisPage::tr("%n answers", nullptr, count);
+}
+
+QWidget* make_outcome(const AnalysisOutcome& outcome, const FigureWishes& wishes) {
+  auto* page = new QWidget();
+  OutcomeColumn(outcome, wishes, page).fill();
+  return page;
+}
+
+}  // namespace asperity
