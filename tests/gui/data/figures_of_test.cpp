@@ -78,6 +78,19 @@ TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
   EXPECT_EQ(figure.references.front().value, 0.5);
 }
 
+TEST(FiguresOf, GiveRoomToAnIntervalThatReachesBeyondAllOrNothing) {
+  AnalysisOutcome outcome{};
+  outcome.tables.push_back({.name = "persons",
+                            .table = {{"answers", "persons", "mean", "mean_low", "mean_high"},
+                                      {{std::string("all"), std::int64_t{5}, 0.9, 0.7, 1.1}}}});
+  const std::vector<Figure> figures = figures_of(outcome);
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_EQ(places_of(figures.front().y), (std::vector<std::string>{"all (mean of 5)"}));
+  EXPECT_EQ(figures.front().series.front().points.front().x_interval->high, 1.1);
+  EXPECT_EQ(figures.front().x.high, 1.1);
+  EXPECT_EQ(figures.front().x.low, 0.0);
+}
+
 TEST(FiguresOf, MarkChanceInEachRowWhereItDiffers) {
   const Analysed all = analysed("proportion_01");
   const Figure& figure = all.figure("proportions");
@@ -191,7 +204,15 @@ TEST(FiguresOf, DrawRoughnessByProbeWithItsCurveAndPeak) {
   ASSERT_NE(peak, figure.series.end());
   EXPECT_EQ(peak->points.front().x, all.number("peak", "1.5"));
   EXPECT_EQ(peak->points.front().y, all.number("peak.height", "1.5"));
-  // Nothing of the curve is higher, and it comes within a step of it.
+  for (const FigurePlace& place : first.lines.front()) {
+    const double x = std::log10(place.x);
+    const double log10_roughness = all.number("quad.coef", "1.5|a") +
+                                   all.number("quad.coef", "1.5|b") * x +
+                                   all.number("quad.coef", "1.5|c") * x * x;
+    EXPECT_NEAR(std::log10(place.y), log10_roughness, 1e-9);
+  }
+  EXPECT_NEAR(first.lines.front().front().x, 0.4, 1e-9);
+  // Nothing of the curve is higher than its peak, and it comes within a step of it.
   double highest = 0.0;
   for (const FigurePlace& place : first.lines.front()) highest = std::max(highest, place.y);
   EXPECT_LE(highest, peak->points.front().y * (1.0 + 1e-9));
