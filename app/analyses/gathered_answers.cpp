@@ -16,11 +16,6 @@ namespace {
 
 constexpr const char* kMainPhase = "main";
 
-AnswerGroup group_of(const ParticipantRow& participant, const SessionRow& session) {
-  if (participant.is_virtual) return AnswerGroup::virtual_participants;
-  return session.mode == SessionMode::pilot ? AnswerGroup::pilot : AnswerGroup::people;
-}
-
 std::string column_of(const PlannedTrialRow& trial) {
   const nlohmann::json factors = nlohmann::json::parse(trial.factors_json);
   const auto level = factors.find(kColumnFactor);
@@ -92,6 +87,11 @@ const char* text_of(AnswerGroup group) noexcept {
       return "virtual";
   }
   return "";
+}
+
+AnswerGroup group_of(const ParticipantRow& participant, const SessionRow& session) {
+  if (participant.is_virtual) return AnswerGroup::virtual_participants;
+  return session.mode == SessionMode::pilot ? AnswerGroup::pilot : AnswerGroup::people;
 }
 
 std::vector<GatheredAnswers> gather_answers(const Study& study,

@@ -23,6 +23,8 @@ enum class AnswerGroup {
 
 /// "people", "pilot", "virtual".
 const char* text_of(AnswerGroup group) noexcept;
+/// Of the answers that a participant gives in a session.
+AnswerGroup group_of(const ParticipantRow& participant, const SessionRow& session);
 
 /// One surface that was felt before the answer.
 struct FeltSurface {

@@ -1,15 +1,12 @@
 // Findings of tables as a person reads them: keys down, quantities across.
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <set>
 #include <string_view>
 #include <utility>
 
-#include "analysis/number_text.h"
+#include "app/analyses/reading_number.h"
 #include "app/cli/analysis_output.h"
 #include "app/cli/terminal.h"
 
@@ -17,19 +14,6 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kLineWidth = 100;
-constexpr int kDigits = 4;
-
-/// Four digits, whole numbers whole, very small ones in powers of ten.
-std::string reading_number(double value) {
-  if (value == std::round(value) && std::abs(value) < 1e9) return fixed(value, 0);
-  std::array<char, 32> text{};
-  const bool small = std::abs(value) < 1e-3 || std::abs(value) >= 1e9;
-  const auto result = small ? std::to_chars(text.data(), text.data() + text.size(), value,
-                                            std::chars_format::scientific, 1)
-                            : std::to_chars(text.data(), text.data() + text.size(), value,
-                                            std::chars_format::general, kDigits);
-  return {text.data(), result.ptr};
-}
 
 std::string reading_value(const Finding& finding) {
   return finding.value ? reading_number(*finding.value) : finding.word;

@@ -1,0 +1,142 @@
+#include "app/tasks/report_facts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/tasks/study_overview.h"
+#include "app/tasks/unfinished_session.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kMainPhase = "main";
+
+void count_servo(const ServoQualityRow& row, ReportedServo& servo) {
+  ++servo.attempts;
+  servo.ticks += row.ticks;
+  servo.lateness_p50_s.push_back(row.lateness_p50_s);
+  servo.lateness_p99_s.push_back(row.lateness_p99_s);
+  servo.lateness_maximum_s.push_back(row.lateness_maximum_s);
+  servo.period_p99_s.push_back(row.period_p99_s);
+  servo.execution_p99_s.push_back(row.execution_p99_s);
+  servo.missed_deadlines.add(row.missed_deadlines);
+  servo.lost_records.add(row.lost_records);
+  servo.saturated.add(row.saturated_ticks);
+  servo.slew_limited.add(row.slew_limited_ticks);
+  servo.not_finite.add(row.not_finite_ticks);
+  if (row.fault != "none") ++servo.faults[row.fault];
+}
+
+void count_compliance(const ComplianceRow& row, ReportFacts& facts) {
+  ReportedBand& band = facts.bands[{row.quantity, row.minimum, row.maximum}];
+  band.means.push_back(row.mean);
+  if (row.fraction_in_band) band.fractions.push_back(*row.fraction_in_band);
+  if (!row.passed) return;
+  ++band.judged;
+  if (*row.passed) ++band.passed;
+}
+
+/// As `gather_answers` counts.
+void count_fate(const AttemptRow& attempt, ReportFacts& facts) {
+  ++facts.attempts;
+  if (!attempt.valid || attempt.responses.empty()) {
+    const std::string outcome = text_of(attempt.outcome);
+    ++facts.not_counted[outcome == "answered" ? "answered but invalid" : outcome]
+                       [attempt.invalid_reason.value_or("")];
+  } else if (attempt.excluded) {
+    ++facts.not_counted["excluded"][*attempt.excluded];
+  } else {
+    ++facts.counted;
+    if (attempt.flagged) ++facts.flagged[attempt.flag_reason.value_or("")];
+  }
+}
+
+void count_attempt(const AttemptRow& attempt, bool is_main, ReportFacts& facts) {
+  if (is_main) {
+    count_fate(attempt, facts);
+  } else {
+    ++facts.other_attempts;
+  }
+  if (attempt.servo) count_servo(*attempt.servo, facts.servo);
+  for (const ComplianceRow& row : attempt.compliance) count_compliance(row, facts);
+  for (const PresentationRow& surface : attempt.presentations) {
+    facts.models.insert(surface.model + ' ' + surface.model_version);
+    for (const ModelLimitRow& limit : surface.limits) {
+      facts.limits[{surface.model, limit.kind}].add(limit.ticks);
+    }
+  }
+  if (attempt.outcome == AttemptOutcome::answered) {
+    facts.surfaces.insert(attempt.presentations.size());
+  }
+  for (const ResponseRow& response : attempt.responses) {
+    facts.answer_sources.insert(response.source);
+  }
+}
+
+void count_session(const Study& study, const SessionRow& row, ReportFacts& facts) {
+  ReportedSession& session = facts.sessions.emplace_back();
+  session.row = row;
+  session.is_running = is_running(study, row);
+  session.decisions = study.decisions(row.id);
+  std::set<int> main_trials{};
+  const std::vector<PlannedTrialRow> plan = study.plan(row.id);
+  session.planned_trials = static_cast<int>(plan.size());
+  for (const PlannedTrialRow& trial : plan) {
+    if (trial.phase == kMainPhase) main_trials.insert(trial.trial);
+  }
+  session.main_trials = static_cast<int>(main_trials.size());
+  const std::vector<AttemptRow> attempts = study.attempts(row.id);
+  session.done_trials = static_cast<int>(trials_done(attempts, session.decisions).size());
+  for (const AttemptRow& attempt : attempts) {
+    count_attempt(attempt, main_trials.contains(attempt.trial), facts);
+  }
+}
+
+}  // namespace
+
+void ReportedCount::add(std::int64_t count) {
+  total += count;
+  worst = std::max(worst, count);
+  if (count > 0) ++affected;
+  ++of;
+}
+
+bool ReportFacts::is_running() const {
+  return std::any_of(sessions.begin(), sessions.end(),
+                     [](const ReportedSession& session) { return session.is_running; });
+}
+
+std::vector<ReportFacts> report_facts(const Study& study,
+                                      const std::optional<std::string>& protocol,
+                                      const std::stop_token& stop,
+                                      const std::function<void(double)>& progress) {
+  std::map<std::int64_t, ProtocolRow> protocols{};
+  for (ProtocolRow& row : study.protocols()) protocols[row.id] = std::move(row);
+  std::map<std::string, ParticipantRow> people{};
+  for (ParticipantRow& row : study.participants()) people[row.label] = std::move(row);
+
+  std::map<std::tuple<std::string, std::string, AnswerGroup>, ReportFacts> groups{};
+  const std::vector<SessionRow> sessions = study.sessions();
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    if (stop.stop_requested()) break;
+    if (progress) progress(static_cast<double>(i) / static_cast<double>(sessions.size()));
+    const ProtocolRow& of = protocols.at(sessions[i].protocol_id);
+    if (protocol && of.name != *protocol) continue;
+    const ParticipantRow& person = people.at(sessions[i].participant);
+    const AnswerGroup group = group_of(person, sessions[i]);
+    ReportFacts& facts = groups[{of.name, of.version, group}];
+    if (facts.sources.empty()) facts.protocol = of;
+    facts.group = group;
+    facts.sources.insert(of.source_sha256);
+    if (facts.participants.empty() || facts.participants.back().label != person.label) {
+      facts.participants.push_back(person);
+    }
+    count_session(study, sessions[i], facts);
+  }
+  std::vector<ReportFacts> all{};
+  for (auto& [key, facts] : groups) all.push_back(std::move(facts));
+  return all;
+}
+
+}  // namespace asperity

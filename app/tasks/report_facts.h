@@ -1,0 +1,97 @@
+// What a chapter of a report is written from, counted in one walk over the study.
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "app/analyses/gathered_answers.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+struct ReportedSession {
+  SessionRow row{};
+  int planned_trials = 0;
+  int done_trials = 0;  ///< see `trials_done`
+  int main_trials = 0;  ///< of the planned ones
+  bool is_running = false;
+  std::vector<DecisionRow> decisions{};
+};
+
+/// Something counted in ticks or records, over attempts or presentations.
+struct ReportedCount {
+  std::int64_t total = 0;
+  std::int64_t worst = 0;    ///< of one
+  std::size_t affected = 0;  ///< of those, how many have any
+  std::size_t of = 0;
+
+  void add(std::int64_t count);
+};
+
+struct ReportedServo {
+  std::size_t attempts = 0;
+  std::int64_t ticks = 0;
+  std::vector<double> lateness_p50_s{};  ///< of each attempt, and so on
+  std::vector<double> lateness_p99_s{};
+  std::vector<double> lateness_maximum_s{};
+  std::vector<double> period_p99_s{};
+  std::vector<double> execution_p99_s{};
+  ReportedCount missed_deadlines{};
+  ReportedCount lost_records{};
+  ReportedCount saturated{};
+  ReportedCount slew_limited{};
+  ReportedCount not_finite{};
+  std::map<std::string, std::size_t> faults{};  ///< other than none
+};
+
+/// One quantity with one band, over all presentations that were held against it.
+struct ReportedBand {
+  std::vector<double> means{};
+  std::vector<double> fractions{};  ///< of the contact time inside the band
+  std::size_t passed = 0;
+  std::size_t judged = 0;
+};
+
+/// Attempts with the same fate, by their reasons.
+using ReasonCounts = std::map<std::string, std::size_t>;
+
+struct ReportFacts {
+  ProtocolRow protocol{};           ///< the first of its files
+  std::set<std::string> sources{};  ///< SHA-256 of all files of this name and version
+  AnswerGroup group = AnswerGroup::people;
+  std::vector<ParticipantRow> participants{};  ///< by label
+  std::vector<ReportedSession> sessions{};     ///< by participant, session
+
+  std::size_t attempts = 0;        ///< of the main phase
+  std::size_t counted = 0;         ///< of those: answered, valid and not excluded
+  std::size_t other_attempts = 0;  ///< of familiarisation and practice
+  std::map<std::string, ReasonCounts> not_counted{};  ///< by fate, then reason
+  ReasonCounts flagged{};                             ///< of those that count
+
+  ReportedServo servo{};                                                  ///< of every attempt
+  std::map<std::pair<std::string, std::string>, ReportedCount> limits{};  ///< (model, kind) → ticks
+  /// (quantity, minimum, maximum) →
+  std::map<std::tuple<std::string, std::optional<double>, std::optional<double>>, ReportedBand>
+      bands{};
+  std::set<std::string> models{};          ///< with their versions: "height_map 1"
+  std::set<std::size_t> surfaces{};        ///< how many were felt in an answered attempt
+  std::set<std::string> answer_sources{};  ///< "keyboard"
+
+  bool is_running() const;
+};
+
+/// By protocol, version and group, as `gather_answers` has them. Errors: ResultsError.
+std::vector<ReportFacts> report_facts(const Study& study,
+                                      const std::optional<std::string>& protocol,
+                                      const std::stop_token& stop,
+                                      const std::function<void(double)>& progress);
+
+}  // namespace asperity

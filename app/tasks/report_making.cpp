@@ -1,0 +1,143 @@
+// What somebody needs to do it again: program, device, files, seeds, session by session.
+
+#include <map>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "app/analyses/reading_number.h"
+#include "app/tasks/report_sections.h"
+#include "app/tasks/study_overview.h"
+
+namespace asperity {
+
+namespace {
+
+/// Different values in the order of the sessions' keys, each with how many sessions have it where
+/// they differ.
+class Values final {
+ public:
+  void add(const std::string& value) {
+    if (!value.empty()) ++sessions_[value];
+  }
+  std::string text() const {
+    if (sessions_.empty()) return "not stored";
+    if (sessions_.size() == 1) return sessions_.begin()->first;
+    std::string text{};
+    for (const auto& [value, sessions] : sessions_) {
+      text += (text.empty() ? "" : "; ") + value + " (" + reading_count(sessions) +
+              (sessions == 1 ? " session)" : " sessions)");
+    }
+    return text;
+  }
+
+ private:
+  std::map<std::string, std::size_t> sessions_{};
+};
+
+/// The first eight digits, as the windows show them.
+std::string seed_text(const SessionRow& session) {
+  return session.seed.empty() ? "–" : session.seed;
+}
+
+std::string began_text(const SessionRow& session) {
+  if (has_made_up_dates(session)) return "simulated clock";
+  return session.started_utc.substr(0, 16);
+}
+
+std::string observer_text(const std::string& observer_json) {
+  const nlohmann::json observer = nlohmann::json::parse(observer_json, nullptr, false);
+  if (!observer.is_object()) return {};
+  std::string text{};
+  for (const auto& [name, value] : observer.items()) {
+    std::string words = name;
+    for (char& letter : words) {
+      if (letter == '_') letter = ' ';
+    }
+    text += (text.empty() ? "" : ", ") + words + ' ' +
+            (value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  return text;
+}
+
+}  // namespace
+
+ReportSection making_section(const ReportFacts& facts) {
+  ReportSection section{"What it was made with", {}};
+  Values program{};
+  Values instructions{};
+  Values os{};
+  Values device{};
+  Values pacing{};
+  Values generator{};
+  Values observer{};
+  std::map<std::string, std::string> files{};
+  std::size_t mirrored = 0;
+  for (const ReportedSession& session : facts.sessions) {
+    const SessionRow& row = session.row;
+    program.add("asperity " + row.program_version + ", commit " + row.program_commit + ", " +
+                row.program_build);
+    instructions.add(row.instruction_set);
+    os.add(row.os);
+    device.add(row.device);
+    pacing.add(row.pacing + ", scheduling " + row.scheduling + ", " + reading_number(row.rate_Hz) +
+               " Hz");
+    generator.add(row.generator);
+    observer.add(observer_text(row.observer_json));
+    if (row.mirrored) ++mirrored;
+    for (const StimulusFileRow& file : row.files) files[file.path + ' ' + file.sha256] = file.path;
+  }
+  ReportTable table{};
+  table.title = "Program, device and protocol";
+  table.columns = {{"what", false}, {"as stored with the sessions", false}};
+  const auto add = [&table](const std::string& what, const std::string& value) {
+    table.rows.push_back({what, value});
+  };
+  add("program", program.text());
+  add("instruction set", instructions.text());
+  add("operating system", os.text());
+  add("device", device.text());
+  add("pacing", pacing.text());
+  add("random numbers", generator.text());
+  add("protocol", facts.protocol.name + ' ' + facts.protocol.version);
+  for (const std::string& sha256 : facts.sources) add("SHA-256 of the protocol’s file", sha256);
+  if (facts.group == AnswerGroup::virtual_participants) add("virtual observer", observer.text());
+  if (mirrored > 0) {
+    add("laid out for a left hand", reading_count(mirrored) +
+                                        (mirrored == 1 ? " session" : " sessions") + " of " +
+                                        reading_count(facts.sessions.size()));
+  }
+  section.parts.emplace_back(std::move(table));
+  if (!files.empty()) {
+    section.parts.emplace_back(ReportText{
+        reading_count(files.size()) +
+        (files.size() == 1 ? " stimulus file was" : " stimulus files were") +
+        " used; sessions.tsv of an export has the SHA-256 of each. Every session has a seed of its "
+        "own, which the list of sessions gives: with the protocol, the files and the program it "
+        "determines the order of everything."});
+  }
+  return section;
+}
+
+ReportSection sessions_section(const ReportFacts& facts) {
+  ReportSection section{"Every session", {}};
+  ReportTable table{};
+  table.is_reference = true;
+  table.title = "Sessions, with the seed of each";
+  table.columns = {{"participant", false}, {"session", true},     {"began (UTC)", false},
+                   {"state", false},       {"trials done", true}, {"row of the order", true},
+                   {"seed", true}};
+  for (const ReportedSession& session : facts.sessions) {
+    const SessionRow& row = session.row;
+    std::string state = session.is_running ? "running" : text_of(row.state);
+    if (row.excluded) state += ", excluded";
+    table.rows.push_back(
+        {row.participant, std::to_string(row.session), began_text(row), state,
+         std::to_string(session.done_trials) + " of " + std::to_string(session.planned_trials),
+         std::to_string(row.counterbalance_row), seed_text(row)});
+  }
+  section.parts.emplace_back(std::move(table));
+  return section;
+}
+
+}  // namespace asperity

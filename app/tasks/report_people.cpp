@@ -1,0 +1,305 @@
+// Who took part, and what became of their sessions and attempts.
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "analysis/number_text.h"
+#include "analysis/summary.h"
+#include "app/analyses/reading_number.h"
+#include "app/conductor/reason.h"
+#include "app/tasks/report_sections.h"
+
+namespace asperity {
+
+namespace {
+
+/// "10 female", with those who have not told left out; nothing where nobody has.
+std::string counts_of(const std::map<std::string, std::size_t>& counts,
+                      const std::vector<std::pair<std::string, std::string>>& words,
+                      std::size_t told, std::size_t all) {
+  std::vector<std::string> parts{};
+  for (const auto& [stored, shown] : words) {
+    const auto found = counts.find(stored);
+    if (found != counts.end()) parts.push_back(reading_count(found->second) + ' ' + shown);
+  }
+  if (told < all) parts.push_back(reading_count(all - told) + " not told");
+  return listed(parts);
+}
+
+std::string ages_text(const ReportFacts& facts) {
+  std::vector<double> ages{};
+  for (const ParticipantRow& person : facts.participants) {
+    if (person.age_years) ages.push_back(*person.age_years);
+  }
+  const std::optional<Summary> summary = summary_of(ages);
+  if (!summary) return "No age is stored.";
+  std::string text = "Age: ";
+  if (summary->n == 1) {
+    text += reading_number(summary->mean) + " years";
+  } else {
+    text += "mean " + fixed(summary->mean, 1) + " years, SD " + fixed(summary->sd, 1) + ", range " +
+            reading_number(summary->minimum) + " to " + reading_number(summary->maximum);
+  }
+  if (summary->n < facts.participants.size()) {
+    text += " (" + reading_count(summary->n) + " of " + reading_count(facts.participants.size()) +
+            " told)";
+  }
+  return text + '.';
+}
+
+/// What excludes a session now, if anything does.
+std::optional<DecisionRow> exclusion_of(const ReportedSession& session) {
+  std::optional<DecisionRow> standing{};
+  for (const DecisionRow& decision : session.decisions) {
+    if (decision.trial) continue;
+    if (decision.verdict == Verdict::exclude) standing = decision;
+    if (decision.verdict == Verdict::include) standing.reset();
+  }
+  return standing;
+}
+
+std::string name_of(const ReportedSession& session) {
+  return "session " + std::to_string(session.row.session) + " of " + session.row.participant;
+}
+
+std::string state_text(const ReportedSession& session) {
+  const std::string done = " after " + std::to_string(session.done_trials) + " of " +
+                           std::to_string(session.planned_trials) + " trials";
+  if (session.is_running)
+    return "is running (" + std::to_string(session.done_trials) + " of " +
+           std::to_string(session.planned_trials) + " trials done)";
+  switch (session.row.state) {
+    case SessionState::open:
+      return "was left open" + done;
+    case SessionState::completed:
+      return "was completed";
+    case SessionState::stopped:
+      return "was stopped" + done;
+    case SessionState::crashed:
+      return "broke off" + done;
+  }
+  return {};
+}
+
+/// What became of attempts that do not count, in words of their own.
+std::string fate_text(const std::string& fate) {
+  static const std::map<std::string, std::string> kWords{
+      {"aborted", "broken off"},
+      {"answered but invalid", "answered, but not valid"},
+      {"device_fault", "stopped by a fault"},
+      {"excluded", "excluded"},
+      {"not_compliant", "not explored as asked"},
+      {"skipped", "skipped"},
+      {"timed_out", "not answered in time"}};
+  const auto found = kWords.find(fate);
+  return found == kWords.end() ? fate : found->second;
+}
+
+std::string reason_text(const std::string& stored) {
+  return stored.empty() ? "no reason stored" : read_reason(stored).english();
+}
+
+ReportTable fates_table(const ReportFacts& facts) {
+  ReportTable table{};
+  table.title = "Attempts of the main phase that do not count, and flagged ones that do";
+  table.columns = {{"attempts", true}, {"what became of them", false}, {"reason", false}};
+  const auto add = [&table](const std::string& fate, const ReasonCounts& reasons) {
+    std::vector<std::pair<std::string, std::size_t>> by_count(reasons.begin(), reasons.end());
+    std::stable_sort(by_count.begin(), by_count.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    for (const auto& [reason, count] : by_count) {
+      table.rows.push_back({reading_count(count), fate, reason_text(reason)});
+    }
+  };
+  for (const auto& [fate, reasons] : facts.not_counted) add(fate_text(fate), reasons);
+  add("flagged, counts", facts.flagged);
+  return table;
+}
+
+std::size_t sum_of(const ReasonCounts& reasons) {
+  std::size_t sum = 0;
+  for (const auto& [reason, count] : reasons) sum += count;
+  return sum;
+}
+
+ReportText sessions_text(const ReportFacts& facts) {
+  const auto completed = static_cast<std::size_t>(std::count_if(
+      facts.sessions.begin(), facts.sessions.end(),
+      [](const ReportedSession& each) { return each.row.state == SessionState::completed; }));
+  std::string text = capitalised(persons_text(facts.group, facts.participants.size())) + " began " +
+                     count_in_words(facts.sessions.size()) +
+                     (facts.sessions.size() == 1 ? " session" : " sessions");
+  if (completed == facts.sessions.size()) {
+    text +=
+        facts.sessions.size() == 1 ? ", which was completed." : ", all of which were completed.";
+  } else {
+    text += ", of which " + count_in_words(completed) +
+            (completed == 1 ? " was completed." : " were completed.");
+  }
+  return {text};
+}
+
+ReportText attempts_text(const ReportFacts& facts) {
+  if (facts.attempts == 0) return {"No attempt at a trial of the main phase is stored."};
+  std::string text =
+      reading_count(facts.attempts) +
+      (facts.attempts == 1 ? " attempt at a trial" : " attempts at trials") +
+      " of the main phase " + (facts.attempts == 1 ? "is" : "are") + " stored; " +
+      (facts.counted == facts.attempts
+           ? std::string(facts.attempts == 1 ? "it counts" : "all of them count")
+           : reading_count(facts.counted) + (facts.counted == 1 ? " counts" : " count"));
+  std::vector<std::string> fates{};
+  for (const auto& [fate, reasons] : facts.not_counted) {
+    const std::size_t count = sum_of(reasons);
+    fates.push_back(count_in_words(count) + (count == 1 ? " was " : " were ") + fate_text(fate));
+  }
+  if (!fates.empty()) text += ": " + listed(fates);
+  text += '.';
+  const std::size_t flagged = sum_of(facts.flagged);
+  if (flagged > 0) {
+    text += " Of those that count " + count_in_words(flagged) + (flagged == 1 ? " is" : " are") +
+            " flagged: something was noticed, and they stay.";
+  }
+  if (facts.other_attempts > 0) {
+    text += ' ' + capitalised(count_in_words(facts.other_attempts)) +
+            (facts.other_attempts == 1 ? " attempt belongs" : " attempts belong") +
+            " to familiarisation or practice and is in no result.";
+  }
+  return {text};
+}
+
+}  // namespace
+
+std::string persons_text(AnswerGroup group, std::size_t count) {
+  const std::string number = count_in_words(count);
+  if (group == AnswerGroup::virtual_participants) {
+    return number + (count == 1 ? " virtual participant" : " virtual participants");
+  }
+  return number + (count == 1 ? " person" : " persons");
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  }
+  return text;
+}
+
+ReportSection participants_section(const ReportFacts& facts) {
+  ReportSection section{"Participants", {}};
+  const std::size_t all = facts.participants.size();
+  std::map<std::string, std::size_t> sexes{};
+  std::map<std::string, std::size_t> hands{};
+  for (const ParticipantRow& person : facts.participants) {
+    if (person.sex) ++sexes[*person.sex];
+    if (person.handedness) ++hands[*person.handedness];
+  }
+  const auto told = [](const std::map<std::string, std::size_t>& counts) {
+    std::size_t sum = 0;
+    for (const auto& [answer, count] : counts) sum += count;
+    return sum;
+  };
+  std::string text{};
+  const std::string who = capitalised(persons_text(facts.group, all));
+  switch (facts.group) {
+    case AnswerGroup::people:
+      text = who + " took part.";
+      break;
+    case AnswerGroup::pilot:
+      text = who + " took part in pilot sessions.";
+      break;
+    case AnswerGroup::virtual_participants:
+      text = who + (all == 1 ? " stands" : " stand") +
+             " in for people: a virtual hand and arithmetic in the place of judgement. No person "
+             "took part.";
+      break;
+  }
+  if (!sexes.empty()) {
+    text += " Sex: " +
+            counts_of(sexes, {{"F", "female"}, {"M", "male"}, {"X", "neither"}}, told(sexes), all) +
+            '.';
+  } else {
+    text += " No sex is stored.";
+  }
+  text += ' ' + ages_text(facts);
+  if (!hands.empty()) {
+    text +=
+        " Handedness: " +
+        counts_of(
+            hands,
+            {{"right", "right-handed"}, {"left", "left-handed"}, {"ambidextrous", "ambidextrous"}},
+            told(hands), all) +
+        '.';
+  } else {
+    text += " No handedness is stored.";
+  }
+  section.parts.emplace_back(ReportText{text});
+
+  if (facts.group != AnswerGroup::virtual_participants) {
+    std::set<std::string> versions{};
+    std::set<std::string> without{};
+    for (const ReportedSession& session : facts.sessions) {
+      if (session.row.consent_version) {
+        versions.insert(*session.row.consent_version);
+      } else {
+        without.insert(session.row.participant);
+      }
+    }
+    if (!versions.empty()) {
+      section.parts.emplace_back(ReportText{"They consented to the protocol's statement, version " +
+                                            listed({versions.begin(), versions.end()}) +
+                                            ", before anything of them was stored."});
+    }
+    if (!without.empty()) {
+      section.parts.emplace_back(
+          ReportText{"No consent is stored of " + listed({without.begin(), without.end()}) + '.',
+                     ReportText::Tone::notice});
+    }
+  }
+  return section;
+}
+
+ReportSection exclusions_section(const ReportFacts& facts) {
+  ReportSection section{"Sessions and exclusions", {}};
+  section.parts.emplace_back(sessions_text(facts));
+  ReportList unfinished{};
+  ReportList excluded{};
+  for (const ReportedSession& session : facts.sessions) {
+    if (session.row.state != SessionState::completed) {
+      unfinished.items.push_back(capitalised(name_of(session)) + ' ' + state_text(session) + '.');
+    }
+    if (const std::optional<DecisionRow> decision = exclusion_of(session)) {
+      excluded.items.push_back(
+          capitalised(name_of(session)) + ": " + decision->reason +
+          (decision->decided_by.empty() ? "" : " (decided by " + decision->decided_by + ')') + '.');
+    }
+  }
+  if (!unfinished.items.empty()) section.parts.emplace_back(std::move(unfinished));
+  if (excluded.items.empty()) {
+    section.parts.emplace_back(ReportText{"No session was excluded."});
+  } else {
+    const std::size_t count = excluded.items.size();
+    section.parts.emplace_back(
+        ReportText{capitalised(count_in_words(count)) +
+                   (count == 1 ? " session was excluded:" : " sessions were excluded:")});
+    section.parts.emplace_back(std::move(excluded));
+  }
+  section.parts.emplace_back(attempts_text(facts));
+  ReportTable fates = fates_table(facts);
+  if (!fates.rows.empty()) section.parts.emplace_back(std::move(fates));
+  return section;
+}
+
+}  // namespace asperity

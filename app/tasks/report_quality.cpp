@@ -1,0 +1,231 @@
+// Whether the forces came in time and as they were meant, and whether hands did what they were asked.
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "analysis/summary.h"
+#include "app/analyses/reading_number.h"
+#include "app/tasks/report_sections.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kStepped = "stepped";  // by a simulated clock
+
+using Row = std::vector<std::string>;
+
+/// Median over the attempts, and the worst of them.
+Row time_row(const std::string& what, const std::vector<double>& values_s) {
+  const std::optional<Summary> summary = summary_of(values_s);
+  if (!summary) return {what, "–", "–"};
+  return {what, reading_quantity(summary->p50, "s"), reading_quantity(summary->maximum, "s")};
+}
+
+std::uint64_t whole(std::int64_t count) {
+  return count < 0 ? 0 : static_cast<std::uint64_t>(count);
+}
+
+Row count_row(const std::string& what, const ReportedCount& count, const std::string& of) {
+  return {what, reading_count(whole(count.total)),
+          reading_count(count.affected) + " of " + reading_count(count.of) + ' ' + of,
+          reading_count(whole(count.worst))};
+}
+
+/// The end of a quantity's name is its unit: "speed_m_per_s" → "speed", "m/s".
+struct NamedQuantity {
+  std::string name{};
+  std::string unit{};
+};
+
+NamedQuantity named(const std::string& quantity) {
+  for (const auto& [ending, unit] : {std::pair("_m_per_s", "m/s"), std::pair("_N", "N"),
+                                     std::pair("_s", "s"), std::pair("_m", "m")}) {
+    const std::string_view suffix = ending;
+    if (!quantity.ends_with(suffix)) continue;
+    std::string name = quantity.substr(0, quantity.size() - suffix.size());
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return {name == "contact" ? "time in contact" : name, unit};
+  }
+  return {quantity, ""};
+}
+
+std::string band_text(const std::optional<double>& minimum, const std::optional<double>& maximum,
+                      const std::string& unit) {
+  if (minimum && maximum) {
+    return reading_quantity(*minimum, unit) + " to " + reading_quantity(*maximum, unit);
+  }
+  if (minimum) return "at least " + reading_quantity(*minimum, unit);
+  if (maximum) return "at most " + reading_quantity(*maximum, unit);
+  return "none";
+}
+
+std::string times(const ReportedCount& count, const std::string& none, const std::string& some) {
+  if (count.total == 0) return none;
+  return reading_count(whole(count.total)) + ' ' + some + " in " + count_in_words(count.affected) +
+         (count.affected == 1 ? " attempt" : " attempts");
+}
+
+/// "12 ticks of one attempt"
+std::string ticks_of(const ReportedCount& count) {
+  return reading_count(whole(count.total)) + (count.total == 1 ? " tick of " : " ticks of ") +
+         count_in_words(count.affected) + (count.affected == 1 ? " attempt" : " attempts");
+}
+
+ReportText timing_text(const ReportFacts& facts) {
+  std::set<std::string> pacings{};
+  std::set<double> rates{};
+  for (const ReportedSession& session : facts.sessions) {
+    pacings.insert(session.row.pacing);
+    rates.insert(session.row.rate_Hz);
+  }
+  std::vector<std::string> rate_texts{};
+  for (const double rate : rates) rate_texts.push_back(reading_number(rate));
+  std::string text = "The servo loop ran at " + listed(rate_texts) + " Hz, for " +
+                     reading_count(whole(facts.servo.ticks)) + " ticks in " +
+                     reading_count(facts.servo.attempts) +
+                     (facts.servo.attempts == 1 ? " attempt" : " attempts") +
+                     ", familiarisation and practice included.";
+  if (pacings == std::set<std::string>{kStepped}) {
+    return {
+        text +
+        " It was stepped on a simulated clock, where no tick can be late: its times say nothing "
+        "about a device."};
+  }
+  const std::optional<Summary> lateness = summary_of(facts.servo.lateness_p99_s);
+  if (lateness) {
+    text += " In the median attempt 99 % of its ticks began at most " +
+            reading_quantity(lateness->p50, "s") + " late, in the worst " +
+            reading_quantity(lateness->maximum, "s") + '.';
+  }
+  if (pacings.contains(kStepped)) {
+    text += " Some sessions were stepped on a simulated clock, where no tick can be late.";
+  }
+  return {text};
+}
+
+ReportText losses_text(const ReportFacts& facts) {
+  const ReportedServo& servo = facts.servo;
+  std::string text = capitalised(
+      listed({times(servo.missed_deadlines, "no deadline was missed", "deadlines were missed"),
+              times(servo.lost_records, "no tick record was lost", "tick records were lost")}) +
+      ". ");
+  std::vector<std::string> limited{};
+  if (servo.saturated.total > 0) {
+    limited.push_back("the limiter shortened the force in " + ticks_of(servo.saturated));
+  }
+  if (servo.slew_limited.total > 0) {
+    limited.push_back("the limiter slowed its change in " + ticks_of(servo.slew_limited));
+  }
+  if (servo.not_finite.total > 0) {
+    limited.push_back("a force that was no number became zero in " + ticks_of(servo.not_finite));
+  }
+  text +=
+      limited.empty() ? "The force limiter never had to act." : capitalised(listed(limited)) + '.';
+  for (const auto& [fault, count] : servo.faults) {
+    std::string words = fault;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    text += " In " + count_in_words(count) + (count == 1 ? " attempt" : " attempts") +
+            " a fault stopped the forces: " + words + '.';
+  }
+  return {text};
+}
+
+ReportTable times_table(const ReportedServo& servo) {
+  ReportTable table{};
+  table.title = "Timing of the servo loop";
+  table.columns = {{"of an attempt", false}, {"median attempt", true}, {"worst attempt", true}};
+  table.rows = {time_row("lateness, median", servo.lateness_p50_s),
+                time_row("lateness, 99th percentile", servo.lateness_p99_s),
+                time_row("lateness, latest tick", servo.lateness_maximum_s),
+                time_row("period, 99th percentile", servo.period_p99_s),
+                time_row("duration of a tick, 99th percentile", servo.execution_p99_s)};
+  table.note =
+      "Lateness: how long after its deadline a tick began. Each attempt has one number per row; "
+      "given are the median of these numbers over the attempts and the largest.";
+  return table;
+}
+
+ReportTable counts_table(const ReportFacts& facts) {
+  const ReportedServo& servo = facts.servo;
+  ReportTable table{};
+  table.title = "Forces that did not come as they were meant";
+  table.columns = {{"what", false}, {"ticks in all", true}, {"in", true}, {"most in one", true}};
+  table.rows = {count_row("missed deadlines", servo.missed_deadlines, "attempts"),
+                count_row("lost records", servo.lost_records, "attempts"),
+                count_row("force shortened to the limit", servo.saturated, "attempts"),
+                count_row("change of force slowed", servo.slew_limited, "attempts"),
+                count_row("force that was no number", servo.not_finite, "attempts")};
+  for (const auto& [limit, count] : facts.limits) {
+    std::string kind = limit.second;
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    table.rows.push_back(
+        count_row("beyond a limit of " + limit.first + ": " + kind, count, "surfaces"));
+  }
+  return table;
+}
+
+}  // namespace
+
+ReportSection presentation_section(const ReportFacts& facts) {
+  ReportSection section{"Presentation", {}};
+  if (facts.servo.attempts == 0) {
+    section.parts.emplace_back(ReportText{"No attempt has a record of how the servo loop ran."});
+    return section;
+  }
+  section.parts.emplace_back(timing_text(facts));
+  section.parts.emplace_back(losses_text(facts));
+  const bool is_timed =
+      std::any_of(facts.sessions.begin(), facts.sessions.end(),
+                  [](const ReportedSession& session) { return session.row.pacing != kStepped; });
+  if (is_timed) section.parts.emplace_back(times_table(facts.servo));
+  section.parts.emplace_back(counts_table(facts));
+  return section;
+}
+
+ReportSection exploration_section(const ReportFacts& facts) {
+  ReportSection section{"Exploration", {}};
+  ReportTable table{};
+  table.title = "What was asked of the hand, and what it did";
+  table.columns = {{"quantity", false},   {"asked for", false}, {"surfaces", true}, {"mean", true},
+                   {"5 % to 95 %", true}, {"in band", true},    {"passed", true}};
+  std::vector<std::string> guided{};
+  for (const auto& [key, band] : facts.bands) {
+    const auto& [quantity, minimum, maximum] = key;
+    const NamedQuantity words = named(quantity);
+    const std::optional<Summary> means = summary_of(band.means);
+    const std::optional<Summary> fractions = summary_of(band.fractions);
+    if (!means) continue;
+    const bool judged = band.judged > 0;
+    table.rows.push_back(
+        {words.name, band_text(minimum, maximum, words.unit), reading_count(band.means.size()),
+         reading_quantity(means->mean, words.unit),
+         reading_quantity(means->p05, words.unit) + " to " +
+             reading_quantity(means->p95, words.unit),
+         fractions && (minimum || maximum) ? reading_percent(fractions->mean) : "–",
+         judged ? reading_count(band.passed) + " of " + reading_count(band.judged) : "–"});
+    if (judged && (minimum || maximum)) {
+      const double share = static_cast<double>(band.passed) / static_cast<double>(band.judged);
+      guided.push_back(words.name + " (" + band_text(minimum, maximum, words.unit) + ") on " +
+                       reading_count(band.passed) + " of " + reading_count(band.judged) +
+                       " surfaces (" + reading_percent(share) + ')');
+    }
+  }
+  if (table.rows.empty()) {
+    section.parts.emplace_back(ReportText{"Nothing was measured of how surfaces were explored."});
+    return section;
+  }
+  section.parts.emplace_back(
+      guided.empty()
+          ? ReportText{"The protocol asks for no way of exploring; what hands did is below."}
+          : ReportText{"Surfaces were explored as the protocol asks: " + listed(guided) + '.'});
+  table.note =
+      "Over the surfaces that were felt, in every attempt: the mean of their means, the range of "
+      "the middle 90 % of these means, the mean fraction of the contact time inside the band, and "
+      "how many were explored as asked.";
+  section.parts.emplace_back(std::move(table));
+  return section;
+}
+
+}  // namespace asperity

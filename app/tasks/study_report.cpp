@@ -1,0 +1,188 @@
+#include "app/tasks/study_report.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "app/analyses/analyze_study.h"
+#include "app/analyses/reading_number.h"
+#include "app/program.h"
+#include "app/tasks/report_sections.h"
+#include "app/tasks/study_overview.h"
+
+namespace asperity {
+
+namespace {
+
+// Of the time that a report takes; the rest is looking once more at every answer.
+constexpr double kFactsShare = 0.6;
+
+std::string mark_of(AnswerGroup group) {
+  switch (group) {
+    case AnswerGroup::people:
+      return {};
+    case AnswerGroup::pilot:
+      return "PILOT: not study data";
+    case AnswerGroup::virtual_participants:
+      return "SIMULATED: no person";
+  }
+  return {};
+}
+
+std::string group_text(AnswerGroup group) {
+  switch (group) {
+    case AnswerGroup::people:
+      return "people";
+    case AnswerGroup::pilot:
+      return "people, in pilot sessions";
+    case AnswerGroup::virtual_participants:
+      return "virtual participants";
+  }
+  return {};
+}
+
+std::string chapter_heading(const ReportFacts& facts) {
+  return facts.protocol.name + ' ' + facts.protocol.version + ": " + group_text(facts.group);
+}
+
+/// "Data from 2026-03-02 to 2026-04-17 (UTC)." What a simulated clock says is no date.
+std::string dates_text(const std::vector<ReportFacts>& all) {
+  std::set<std::string> days{};
+  bool made_up = false;
+  for (const ReportFacts& facts : all) {
+    for (const ReportedSession& session : facts.sessions) {
+      if (has_made_up_dates(session.row)) {
+        made_up = true;
+      } else {
+        days.insert(session.row.started_utc.substr(0, 10));
+      }
+    }
+  }
+  if (days.empty()) return made_up ? "Data of a simulated clock, which has no date" : "No data yet";
+  std::string text = days.size() == 1 ? "Data of " + *days.begin()
+                                      : "Data of " + *days.begin() + " to " + *days.rbegin();
+  return text + (made_up ? " (UTC), and of a simulated clock, which has no date" : " (UTC)");
+}
+
+ReportChapter overview_chapter(const std::vector<ReportFacts>& all) {
+  ReportChapter chapter{"What is in this study", {}, AnswerGroup::people, {}};
+  ReportSection& section = chapter.sections.emplace_back(ReportSection{"Overview", {}});
+  if (all.empty()) {
+    section.parts.emplace_back(
+        ReportText{"The study has no sessions yet: there is nothing to report."});
+    return chapter;
+  }
+  ReportTable table{};
+  table.title = "Protocols and who did them";
+  table.columns = {{"protocol", false},    {"kind", false},          {"who", false},
+                   {"participants", true}, {"sessions", true},       {"completed", true},
+                   {"attempts", true},     {"answers counted", true}};
+  std::set<AnswerGroup> groups{};
+  for (const ReportFacts& facts : all) {
+    groups.insert(facts.group);
+    const auto completed = std::count_if(facts.sessions.begin(), facts.sessions.end(),
+                                         [](const ReportedSession& session) {
+                                           return session.row.state == SessionState::completed;
+                                         });
+    table.rows.push_back({facts.protocol.name + ' ' + facts.protocol.version,
+                          facts.protocol.kind + ", " + facts.protocol.design,
+                          group_text(facts.group), reading_count(facts.participants.size()),
+                          reading_count(facts.sessions.size()), std::to_string(completed),
+                          reading_count(facts.attempts), reading_count(facts.counted)});
+  }
+  table.note = "Attempts and answers: of the main phase.";
+  std::string text = "The study has answers to " + count_in_words(all.size()) +
+                     (all.size() == 1 ? " set of sessions" : " sets of sessions") +
+                     ", one for each version of a protocol and each group of participants. They "
+                     "never mix: each has a chapter of its own, and the heading of every page says "
+                     "whose data it shows.";
+  section.parts.emplace_back(ReportText{text});
+  section.parts.emplace_back(std::move(table));
+  if (groups.contains(AnswerGroup::virtual_participants)) {
+    // The page names them, so it says so as well, even beside people.
+    chapter.group = AnswerGroup::virtual_participants;
+    chapter.mark = groups.size() == 1 ? mark_of(chapter.group) : "includes SIMULATED data";
+  } else if (groups.contains(AnswerGroup::pilot)) {
+    chapter.group = AnswerGroup::pilot;
+    chapter.mark = groups.size() == 1 ? mark_of(chapter.group) : "includes PILOT data";
+  }
+  return chapter;
+}
+
+const AnalysisOutcome* outcome_of(const std::vector<AnalysisOutcome>& outcomes,
+                                  const ReportFacts& facts) {
+  const auto found =
+      std::find_if(outcomes.begin(), outcomes.end(), [&facts](const AnalysisOutcome& outcome) {
+        return outcome.protocol == facts.protocol.name &&
+               outcome.version == facts.protocol.version && outcome.group == facts.group;
+      });
+  return found == outcomes.end() ? nullptr : &*found;
+}
+
+ReportChapter chapter_of(const ReportFacts& facts, const AnalysisOutcome* outcome,
+                         const FiguresOfOutcome& figures_of) {
+  ReportChapter chapter{chapter_heading(facts), mark_of(facts.group), facts.group, {}};
+  chapter.sections.push_back(design_section(facts));
+  chapter.sections.push_back(participants_section(facts));
+  chapter.sections.push_back(exclusions_section(facts));
+  const bool is_held_back = facts.group == AnswerGroup::people && facts.is_running();
+  if (is_held_back) {
+    chapter.sections.push_back(
+        {"Results",
+         {ReportText{"A session of this protocol is running, and whoever runs it is blind: the "
+                     "results by name are in a report that is made when it is over.",
+                     ReportText::Tone::notice}}});
+  } else if (outcome != nullptr) {
+    const std::vector<Figure> figures = figures_of ? figures_of(*outcome) : std::vector<Figure>{};
+    chapter.sections.push_back(results_section(*outcome, figures));
+  }
+  chapter.sections.push_back(exploration_section(facts));
+  chapter.sections.push_back(presentation_section(facts));
+  chapter.sections.push_back(making_section(facts));
+  chapter.sections.push_back(sessions_section(facts));
+  if (!is_held_back && outcome != nullptr) chapter.sections.push_back(numbers_section(*outcome));
+  return chapter;
+}
+
+void number_parts(Report& report) {
+  int tables = 0;
+  int figures = 0;
+  for (ReportChapter& chapter : report.chapters) {
+    for (ReportSection& section : chapter.sections) {
+      for (ReportPart& part : section.parts) {
+        if (auto* table = std::get_if<ReportTable>(&part)) table->number = ++tables;
+        if (auto* figure = std::get_if<ReportFigure>(&part)) {
+          if (figure->figure.is_drawn()) figure->number = ++figures;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
+                    const std::optional<std::string>& protocol, const std::stop_token& stop,
+                    const std::function<void(double)>& progress) {
+  Report report{};
+  report.title = study.name();
+  report.program = version_line();
+  const std::vector<ReportFacts> all =
+      report_facts(study, protocol, stop, [&progress](double fraction) {
+        if (progress) progress(kFactsShare * fraction);
+      });
+  if (stop.stop_requested()) return report;
+  const std::vector<AnalysisOutcome> outcomes = analyze_study(study, protocol, stop);
+  if (stop.stop_requested()) return report;
+  report.subtitle = dates_text(all);
+  report.chapters.push_back(overview_chapter(all));
+  for (const ReportFacts& facts : all) {
+    if (stop.stop_requested()) return report;
+    report.chapters.push_back(chapter_of(facts, outcome_of(outcomes, facts), figures_of));
+  }
+  number_parts(report);
+  if (progress) progress(1.0);
+  return report;
+}
+
+}  // namespace asperity

@@ -1,0 +1,513 @@
+// What a report says, read as a value.
+
+#include "app/tasks/study_report.h"
+
+#include <algorithm>
+#include <memory>
+#include <stop_token>
+#include <variant>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/analyses/analyze_study.h"
+#include "app/analyses/reading_number.h"
+#include "app/tasks/report_sections.h"
+#include "app/tasks/report_tests.h"
+#include "app/tasks/simulation.h"
+#include "results_schema/atomic_file.h"
+#include "tests/app/made_up_study.h"
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Every word of a section, a line per part or row.
+std::string words_of(const ReportSection& section) {
+  std::string text = section.heading + '\n';
+  for (const ReportPart& part : section.parts) {
+    if (const auto* words = std::get_if<ReportText>(&part)) text += words->text + '\n';
+    if (const auto* list = std::get_if<ReportList>(&part)) {
+      for (const std::string& item : list->items) text += item + '\n';
+    }
+    if (const auto* table = std::get_if<ReportTable>(&part)) {
+      text += table->title + '\n';
+      for (const std::vector<std::string>& row : table->rows) {
+        for (const std::string& cell : row) text += cell + " | ";
+        text += '\n';
+      }
+      text += table->note + '\n';
+    }
+  }
+  return text;
+}
+
+std::string words_of(const ReportChapter& chapter) {
+  std::string text = chapter.heading + '\n';
+  for (const ReportSection& section : chapter.sections) text += words_of(section);
+  return text;
+}
+
+const ReportSection& section(const ReportChapter& chapter, const std::string& heading) {
+  const auto found =
+      std::find_if(chapter.sections.begin(), chapter.sections.end(),
+                   [&heading](const ReportSection& each) { return each.heading == heading; });
+  if (found == chapter.sections.end()) throw std::runtime_error("no section " + heading);
+  return *found;
+}
+
+/// A choice of one of two models.
+MadeUpTrial choice(const std::string& chosen) {
+  MadeUpTrial trial{};
+  trial.options = {"height_map", "sinusoid"};
+  for (const std::string& model : trial.options) {
+    trial.surfaces.push_back(surface_of(model, model, "brick"));
+  }
+  trial.answers = {chosen};
+  return trial;
+}
+
+std::vector<MadeUpTrial> choices(int hits, int of) {
+  std::vector<MadeUpTrial> trials{};
+  for (int i = 0; i < of; ++i) trials.push_back(choice(i < hits ? "height_map" : "sinusoid"));
+  return trials;
+}
+
+void add_person(MadeUpStudy& made, const std::string& label, std::optional<double> age_years,
+                const std::string& sex, const std::string& handedness) {
+  ParticipantRow person{};
+  person.label = label;
+  person.age_years = age_years;
+  if (!sex.empty()) person.sex = sex;
+  if (!handedness.empty()) person.handedness = handedness;
+  person.created_utc = "2001-02-03T04:05:06Z";
+  made.study().add_participant(person);
+}
+
+TEST(StudyReport, SaysOfAnEmptyStudyThatThereIsNothing) {
+  MadeUpStudy made;
+  const Report report = study_report(made.study(), {});
+  ASSERT_EQ(report.chapters.size(), 1U);
+  EXPECT_THAT(words_of(report.chapters[0]), HasSubstr("no sessions yet"));
+  EXPECT_EQ(report.chapters[0].mark, "");
+}
+
+TEST(StudyReport, CountsPeopleByAgeSexAndHandednessAsTheyAreStored) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("which", "selection");
+  add_person(made, "p1", 20.0, "F", "right");
+  add_person(made, "p2", 24.0, "F", "left");
+  add_person(made, "p3", 28.0, "M", "right");
+  add_person(made, "p4", {}, "", "");
+  for (const char* label : {"p1", "p2", "p3", "p4"}) {
+    made.add_session(label, protocol, choices(1, 2));
+  }
+  const Report report = study_report(made.study(), {});
+  const std::string words = words_of(section(report.chapters.at(1), "Participants"));
+  EXPECT_THAT(words, HasSubstr("Four persons took part."));
+  EXPECT_THAT(words, HasSubstr("Sex: 2 female, 1 male and 1 not told."));
+  // Mean of 20, 24 and 28; the squares of their distances are 16, 0 and 16, over 2: SD 4.
+  EXPECT_THAT(words, HasSubstr("Age: mean 24.0 years, SD 4.0, range 20 to 28 (3 of 4 told)."));
+  EXPECT_THAT(words, HasSubstr("2 right-handed, 1 left-handed and 1 not told."));
+  EXPECT_THAT(words, HasSubstr("No consent is stored of p1, p2, p3 and p4."));
+}
+
+TEST(StudyReport, SaysOfOneParticipantWhatItCan) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("which", "selection");
+  add_person(made, "p1", 31.0, "X", "");
+  made.add_session("p1", protocol, choices(1, 1));
+  const Report report = study_report(made.study(), {});
+  const std::string words = words_of(report.chapters.at(1));
+  EXPECT_THAT(words, HasSubstr("One person took part."));
+  EXPECT_THAT(words, HasSubstr("Age: 31 years."));
+  EXPECT_THAT(words, HasSubstr("One person began one session, which was completed."));
+  EXPECT_THAT(words, HasSubstr("1 attempt at a trial of the main phase is stored; it counts."));
+}
+
+TEST(StudyReport, NamesSessionsThatWereExcludedOrNotFinishedAndWhy) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("which", "selection");
+  for (const char* label : {"p1", "p2", "p3"}) made.add_person(label, "F");
+  made.add_session("p1", protocol, choices(1, 3));
+  const std::int64_t second = made.add_session("p2", protocol, choices(1, 3));
+  made.study().add_decision(
+      second,
+      {.verdict = Verdict::exclude, .reason = "fell asleep <twice> & left", .decided_by = "ab"});
+  const std::int64_t once = made.add_session("p3", protocol, choices(1, 3));
+  made.study().add_decision(once, {.verdict = Verdict::exclude, .reason = "by mistake"});
+  made.study().add_decision(once, {.verdict = Verdict::include, .reason = "taken back"});
+  SessionRow stopped = made.study().session(once);
+  stopped.session = 0;
+  stopped.ended_utc.reset();
+  stopped.state = SessionState::open;
+  PlannedTrialRow trial{};
+  trial.trial = 1;
+  trial.block = "only";
+  trial.block_ordinal = 1;
+  trial.phase = "main";
+  const std::int64_t unfinished = made.study().add_session(stopped, {trial});
+  made.study().end_session(unfinished, SessionState::stopped, "2001-02-03T05:05:06Z");
+
+  const Report report = study_report(made.study(), {});
+  const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
+  EXPECT_THAT(words,
+              HasSubstr("Three persons began four sessions, of which three were completed."));
+  EXPECT_THAT(words, HasSubstr("Session 2 of p3 was stopped after 0 of 1 trials."));
+  EXPECT_THAT(words, HasSubstr("One session was excluded:\nSession 1 of p2: fell asleep <twice> & "
+                               "left (decided by ab)."));
+  EXPECT_THAT(words, Not(HasSubstr("by mistake")));
+  EXPECT_THAT(words, HasSubstr("9 attempts at trials of the main phase are stored; 6 count: three "
+                               "were excluded."));
+}
+
+TEST(StudyReport, SaysWhatBecameOfAttemptsThatDoNotCountAndWhichAreFlagged) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("which", "selection");
+  made.add_person("p1", "F");
+  std::vector<MadeUpTrial> trials = choices(2, 4);
+  trials[1].flagged = true;
+  trials[2].valid = false;
+  trials[3].phase = "practice";
+  made.add_session("p1", protocol, trials);
+  const Report report = study_report(made.study(), {});
+  const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
+  EXPECT_THAT(words,
+              HasSubstr("3 attempts at trials of the main phase are stored; 2 count: one was "
+                        "answered, but not valid."));
+  EXPECT_THAT(words, HasSubstr("Of those that count one is flagged"));
+  EXPECT_THAT(words, HasSubstr("One attempt belongs to familiarisation or practice"));
+  EXPECT_THAT(words, HasSubstr("1 | answered, but not valid | made up to be invalid"));
+  EXPECT_THAT(words, HasSubstr("1 | flagged, counts | made up to be flagged"));
+}
+
+TEST(StudyReport, SaysSoWhereNothingOfTheMainPhaseWasAnswered) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("which", "selection");
+  made.add_person("p1", "F");
+  std::vector<MadeUpTrial> trials = choices(1, 1);
+  trials[0].phase = "practice";
+  made.add_session("p1", protocol, trials);
+  const Report report = study_report(made.study(), {});
+  EXPECT_THAT(words_of(report.chapters.at(1)), HasSubstr("There is no answer to count yet."));
+  EXPECT_THAT(words_of(report.chapters.at(1)), HasSubstr("The analysis has come to no numbers."));
+}
+
+TEST(StudyReport, GivesPeoplePilotsAndVirtualOnesMarkedChaptersOfTheirOwn) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("which", "selection");
+  made.add_person("p1", "F");
+  made.add_person("p2", "M");
+  made.add_virtual("virtual0001", "F");
+  made.add_session("p1", protocol, choices(1, 1));
+  made.add_session("p2", protocol, choices(1, 1), SessionMode::pilot);
+  made.add_session("virtual0001", protocol, choices(1, 1), SessionMode::simulate);
+  const Report report = study_report(made.study(), {});
+  std::vector<std::string> marks{};
+  for (const ReportChapter& chapter : report.chapters) marks.push_back(chapter.mark);
+  EXPECT_THAT(marks, ElementsAre("includes SIMULATED data", "", "PILOT: not study data",
+                                 "SIMULATED: no person"));
+  EXPECT_THAT(words_of(report.chapters.at(1)), Not(HasSubstr("virtual")));
+  EXPECT_THAT(words_of(report.chapters.at(1)), Not(HasSubstr("p2")));
+  EXPECT_THAT(words_of(report.chapters.at(3)), HasSubstr("No person took part."));
+}
+
+TEST(StudyReport, HoldsResultsBackWhileAPersonIsRunThroughTheProtocol) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("which", "selection");
+  made.add_person("p1", "F");
+  made.add_person("p2", "F");
+  made.add_session("p1", protocol, choices(2, 3));
+  EXPECT_THAT(words_of(study_report(made.study(), {}).chapters.at(1)), HasSubstr("2 chosen of 3"));
+  SessionRow running = made.study().sessions().front();
+  running.participant = "p2";
+  running.session = 0;
+  running.state = SessionState::open;
+  running.ended_utc.reset();
+  made.study().add_session(running, {});
+  const auto lock = std::make_unique<StudyLock>(made.folder(), Study::session_lock_name("p2"));
+  const std::string words = words_of(study_report(made.study(), {}).chapters.at(1));
+  EXPECT_THAT(words, HasSubstr("whoever runs it is blind"));
+  EXPECT_THAT(words, Not(HasSubstr("height_map:")));
+  EXPECT_THAT(words, Not(HasSubstr("share chosen")));
+}
+
+TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("which", "selection");
+  made.add_person("p1", "F");
+  const std::int64_t id = made.add_session("p1", protocol, {});
+  SessionRow row = made.study().session(id);
+  row.session = 0;
+  row.state = SessionState::open;
+  row.ended_utc.reset();
+  row.pacing = "real_time";
+  std::vector<PlannedTrialRow> plan(2);
+  for (int i = 0; i < 2; ++i) {
+    plan[static_cast<std::size_t>(i)].trial = i + 1;
+    plan[static_cast<std::size_t>(i)].block = "only";
+    plan[static_cast<std::size_t>(i)].block_ordinal = 1;
+    plan[static_cast<std::size_t>(i)].phase = "main";
+  }
+  const std::int64_t session = made.study().add_session(row, plan);
+  const int segment = made.study().begin_segment(session, row.clock_zero_ns);
+  for (int i = 0; i < 2; ++i) {
+    AttemptRow attempt{};
+    attempt.trial = i + 1;
+    attempt.attempt = 1;
+    attempt.segment = segment;
+    attempt.outcome = AttemptOutcome::skipped;
+    attempt.valid = false;
+    attempt.invalid_reason = "skipped";
+    attempt.onset_ns = row.clock_zero_ns + 10 * (i + 1);
+    attempt.offset_ns = attempt.onset_ns + 5;
+    PresentationRow surface = surface_of("a", "pd_gradient", "brick");
+    surface.position = 1;
+    surface.limits = {{"too_deep", i == 0 ? 7 : 0}};
+    attempt.presentations = {surface};
+    ServoQualityRow servo{};
+    servo.rate_Hz = 1000.0;
+    servo.ticks = 6000;
+    servo.lateness_p99_s = i == 0 ? 20e-6 : 40e-6;
+    servo.missed_deadlines = i == 0 ? 0 : 3;
+    servo.saturated_ticks = i == 0 ? 12 : 0;
+    attempt.servo = servo;
+    ComplianceRow force{};
+    force.position = 1;
+    force.quantity = "normal_force_N";
+    force.minimum = 0.5;
+    force.maximum = 1.5;
+    force.mean = i == 0 ? 1.0 : 2.0;
+    force.fraction_in_band = i == 0 ? 1.0 : 0.5;
+    force.passed = i == 0;
+    attempt.compliance = {force};
+    made.study().add_attempt(session, attempt);
+  }
+  const Report report = study_report(made.study(), {});
+  const std::string words = words_of(section(report.chapters.at(1), "Presentation"));
+  EXPECT_THAT(words, HasSubstr("at most 30 µs late, in the worst 40 µs"));
+  EXPECT_THAT(words,
+              HasSubstr("3 deadlines were missed in one attempt and no tick record was lost."));
+  EXPECT_THAT(words, HasSubstr("The limiter shortened the force in 12 ticks of one attempt."));
+  EXPECT_THAT(words, HasSubstr("missed deadlines | 3 | 1 of 2 attempts | 3 |"));
+  EXPECT_THAT(words,
+              HasSubstr("beyond a limit of pd_gradient: too deep | 7 | 1 of 2 surfaces | 7 |"));
+  const std::string hands = words_of(section(report.chapters.at(1), "Exploration"));
+  EXPECT_THAT(hands, HasSubstr("normal force (0.5 N to 1.5 N) on 1 of 2 surfaces (50 %)"));
+  EXPECT_THAT(hands, HasSubstr("normal force | 0.5 N to 1.5 N | 2 | 1.5 N |"));
+  EXPECT_THAT(hands, HasSubstr("| 75 % | 1 of 2 |"));
+}
+
+/// A study that `simulate` has made: two virtual participants, three trials each.
+const TemporaryFolder& simulated() {
+  static const std::unique_ptr<TemporaryFolder> kFolder = [] {
+    auto folder = std::make_unique<TemporaryFolder>();
+    make_small_study(folder->path() / "study");
+    write_file(folder->path() / "study" / "protocols" / "small.json", small_protocol(),
+               Overwrite::refuse);
+    SimulationInputs inputs{};
+    inputs.protocols = {folder->path() / "study" / "protocols" / "small.json"};
+    inputs.study = folder->path() / "study";
+    inputs.participants = 2;
+    inputs.seed = 5;
+    inputs.recordings = Recordings::none;
+    simulate(inputs, built_in_models(), {}, {}, {});
+    return folder;
+  }();
+  return *kFolder;
+}
+
+TEST(StudyReport, HasEveryNumberOfTheAnalysis) {
+  const Study study = Study::open(simulated().path() / "study", Access::read_only);
+  const Report report = study_report(study, {});
+  ASSERT_EQ(report.chapters.size(), 2U);
+  const ReportSection& all = section(report.chapters[1], "Every number of the analysis");
+  const auto& table = std::get<ReportTable>(all.parts.at(0));
+  const std::vector<AnalysisOutcome> outcomes = analyze_study(study);
+  const std::vector<Finding>& findings = outcomes.at(0).findings;
+  ASSERT_GT(findings.size(), 5U);
+  ASSERT_EQ(table.rows.size(), findings.size());
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    if (!findings[i].value) continue;
+    std::string cells{};
+    for (const std::string& cell : table.rows[i]) cells += cell + '|';
+    EXPECT_THAT(cells, HasSubstr(reading_number(*findings[i].value)));
+  }
+}
+
+TEST(StudyReport, TellsDesignAndMakingOfARealStudy) {
+  const Study study = Study::open(simulated().path() / "study", Access::read_only);
+  const Report report = study_report(study, {});
+  EXPECT_EQ(report.subtitle, "Data of a simulated clock, which has no date");
+  const std::string design = words_of(section(report.chapters[1], "Design"));
+  EXPECT_THAT(design, HasSubstr("A few short trials"));
+  EXPECT_THAT(design, HasSubstr("chose the most realistic one"));
+  EXPECT_THAT(design,
+              HasSubstr("A session has 3 trials that count. Two surfaces were felt in each."));
+  EXPECT_THAT(design, HasSubstr("“Which felt more like the picture?”"));
+  EXPECT_THAT(design, HasSubstr("felt for 500 ms to 2 s"));
+  const std::string made = words_of(section(report.chapters[1], "What it was made with"));
+  EXPECT_THAT(made, HasSubstr(study.protocols().front().source_sha256));
+  EXPECT_THAT(made, HasSubstr(study.sessions().front().program_commit));
+  const std::string sessions = words_of(section(report.chapters[1], "Every session"));
+  for (const SessionRow& session : study.sessions()) EXPECT_THAT(sessions, HasSubstr(session.seed));
+}
+
+TEST(StudyReport, IsTheSameOfTheSameStudyAndNumbersItsTables) {
+  const Study study = Study::open(simulated().path() / "study", Access::read_only);
+  const Report once = study_report(study, {});
+  const Report again = study_report(study, {});
+  int number = 0;
+  for (std::size_t i = 0; i < once.chapters.size(); ++i) {
+    EXPECT_EQ(words_of(once.chapters[i]), words_of(again.chapters.at(i)));
+    for (const ReportSection& each : once.chapters[i].sections) {
+      for (const ReportPart& part : each.parts) {
+        if (const auto* table = std::get_if<ReportTable>(&part)) {
+          EXPECT_EQ(table->number, ++number);
+          for (const auto& row : table->rows) EXPECT_EQ(row.size(), table->columns.size());
+        }
+      }
+    }
+  }
+  EXPECT_GT(number, 5);
+}
+
+TEST(StudyReport, EndsEarlyWhenItIsAskedTo) {
+  const Study study = Study::open(simulated().path() / "study", Access::read_only);
+  std::stop_source source{};
+  source.request_stop();
+  EXPECT_TRUE(study_report(study, {}, {}, source.get_token()).chapters.empty());
+}
+
+TEST(StudyReport, RefusesAProtocolThatTheStudyHasNoSessionOf) {
+  const Study study = Study::open(simulated().path() / "study", Access::read_only);
+  EXPECT_THROW(study_report(study, {}, "another"), ResultsError);
+}
+
+Finding found(const std::string& quantity, const std::string& key, double value,
+              const std::string& method = "") {
+  Finding finding{};
+  finding.quantity = quantity;
+  finding.key = key;
+  finding.value = value;
+  finding.method = method;
+  finding.n = 20;
+  return finding;
+}
+
+TEST(ReportTests, PutsStatisticDegreesAndAdjustedPTogether) {
+  const std::vector<Finding> findings{
+      found("chisq", "exp1", 9.1), found("chisq.df", "exp1", 2.0),
+      found("chisq.p", "exp1", 0.0105672, "Pearson's X² against equal shares"),
+      found("chisq.p.holm", "exp1", 0.0317016)};
+  const std::vector<ReportedTest> tests = tests_among(findings);
+  ASSERT_EQ(tests.size(), 1U);
+  EXPECT_EQ(
+      sentence_of(tests[0]),
+      "For exp1, Pearson's X² against equal shares: χ²(2) = 9.10, p = .011, Holm-adjusted p = "
+      ".032 (n = 20).");
+}
+
+TEST(ReportTests, TakesNothingFromAnotherKeyOrAnalysis) {
+  std::vector<Finding> findings{found("chisq", "a", 5.0), found("chisq", "b", 7.0),
+                                found("chisq.p", "b", 0.5, "a test")};
+  findings[1].analysis = "other";
+  const std::vector<ReportedTest> tests = tests_among(findings);
+  ASSERT_EQ(tests.size(), 1U);
+  EXPECT_EQ(tests[0].statistic, nullptr);
+}
+
+TEST(ReportTests, GivesAnFBothItsDegreesOfFreedom) {
+  const std::vector<Finding> findings{found("df1", "spacing", 4.0), found("df2", "spacing", 44.0),
+                                      found("F", "spacing", 20.5267),
+                                      found("p", "spacing", 1.3e-9, "analysis of variance")};
+  const std::vector<ReportedTest> tests = tests_among(findings);
+  ASSERT_EQ(tests.size(), 1U);
+  EXPECT_EQ(sentence_of(tests[0]),
+            "For spacing, analysis of variance: F(4, 44) = 20.53, p < .001 (n = 20).");
+}
+
+TEST(ReportTests, TellsWholesFromTheirParts) {
+  const std::vector<Finding> findings{found("p", "column=1 item=a", 0.2, "a test"),
+                                      found("p", "column=all item=a", 0.1, "a test"),
+                                      found("p", "texture=brick item=a", 0.3, "a test")};
+  const std::vector<ReportedTest> tests = tests_among(findings);
+  ASSERT_EQ(tests.size(), 3U);
+  EXPECT_FALSE(tests[0].is_of_whole);
+  EXPECT_TRUE(tests[1].is_of_whole);
+  EXPECT_TRUE(tests[2].is_of_whole) << "there is no whole of its kind";
+  EXPECT_EQ(words_of_key("column=all item=a"), "a (all columns)");
+  EXPECT_EQ(words_of_key("column=1 person=Other or not told"), "column 1, Other or not told");
+}
+
+TEST(ReportResults, SaysRefusalsAsSentences) {
+  AnalysisOutcome outcome{};
+  Finding refused{};
+  refused.quantity = "p";
+  refused.key = "item=a";
+  refused.status = "chance differs between the trials, so that one test of all would be wrong";
+  outcome.findings = {refused};
+  EXPECT_THAT(
+      words_of(results_section(outcome, {})),
+      HasSubstr("P of a: chance differs between the trials, so that one test of all would be "
+                "wrong."));
+  EXPECT_THAT(words_of(numbers_section(outcome)), HasSubstr("chance differs between the trials"));
+}
+
+TEST(ReportResults, AnswersTheQuestionsOfAnAnalysisFirst) {
+  AnalysisOutcome outcome{};
+  outcome.questions.push_back({"preference",
+                               Phrase("Is one chosen more often?"),
+                               Phrase("Yes: 15 of 20 times"),
+                               Phrase("by counting"),
+                               "",
+                               {}});
+  const ReportSection results = results_section(outcome, {});
+  const auto& first = std::get<ReportText>(results.parts.at(0));
+  EXPECT_EQ(first.text, "Is one chosen more often? Yes: 15 of 20 times.");
+  EXPECT_EQ(first.tone, ReportText::Tone::lead);
+}
+
+TEST(ReportResults, PutsAFigureBesideItsTableAndOthersFirst) {
+  AnalysisOutcome outcome{};
+  outcome.tables = {{"one", Phrase("One"), {{"a"}, {}}, {}},
+                    {"two", Phrase("Two"), {{"a"}, {}}, {}}};
+  Figure of_two{};
+  of_two.name = "of_two";
+  of_two.table = "two";
+  Figure free{};
+  free.name = "free";
+  const std::vector<Figure> figures{of_two, free};
+  const ReportSection results = results_section(outcome, figures);
+  ASSERT_EQ(results.parts.size(), 4U);
+  EXPECT_EQ(std::get<ReportFigure>(results.parts[0]).figure.name, "free");
+  EXPECT_EQ(std::get<ReportTable>(results.parts[1]).title, "One");
+  EXPECT_EQ(std::get<ReportFigure>(results.parts[2]).figure.name, "of_two");
+  EXPECT_EQ(std::get<ReportTable>(results.parts[3]).title, "Two");
+}
+
+TEST(ReadingNumber, HasTheDigitsThatMeanSomething) {
+  EXPECT_EQ(reading_number(0.60412345), "0.6041");
+  EXPECT_EQ(reading_number(47.0), "47");
+  EXPECT_EQ(reading_number(2.51e-23), "2.5e-23");
+  EXPECT_EQ(reading_p(0.0112), "p = .011");
+  EXPECT_EQ(reading_p(0.0004), "p < .001");
+  EXPECT_EQ(reading_p(1.0), "p = 1.000");
+  EXPECT_EQ(reading_percent(0.7833), "78 %");
+  EXPECT_EQ(reading_percent(0.002), "0.2 %") << "not nothing";
+  EXPECT_EQ(reading_percent(0.998), "99.8 %") << "not all";
+  EXPECT_EQ(reading_quantity(31e-6, "s"), "31 µs");
+  EXPECT_EQ(reading_quantity(0.05, "m/s"), "50 mm/s");
+  EXPECT_EQ(reading_quantity(0.8, "N"), "0.8 N");
+  EXPECT_EQ(reading_quantity(0.0, "s"), "0 s");
+  EXPECT_EQ(reading_count(9999), "9999");
+  EXPECT_EQ(count_in_words(3), "three");
+  EXPECT_EQ(count_in_words(12), "12");
+}
+
+}  // namespace
+}  // namespace asperity
