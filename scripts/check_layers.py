@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Fails when a source file includes a folder that its own folder may not know.
 
-The table is the architecture (docs/architecture.md). Qt is allowed in app/gui and app/figures only.
+The table is the architecture (docs/architecture.md). Qt is allowed in app/gui, app/figures and
+app/report only.
 """
 import pathlib
 import re
@@ -18,6 +19,7 @@ MAY_INCLUDE = {
 }
 EVERYTHING = set(MAY_INCLUDE) | {"tests", "bench"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]')
+WITH_QT = ("app/gui/", "app/figures/", "app/report/")
 QT = re.compile(r"^(Q[A-Z]|Qt)")
 
 
@@ -35,8 +37,8 @@ def complaints(root: pathlib.Path):
                 first = target.split("/")[0]
                 if first in EVERYTHING and first != folder and first not in MAY_INCLUDE[folder]:
                     yield f"{relative}:{number}: {folder}/ may not include {first}/ ({target})"
-                if QT.match(target) and not relative.startswith(("app/gui/", "app/figures/")):
-                    yield f"{relative}:{number}: Qt belongs in app/gui/ and app/figures/ ({target})"
+                if QT.match(target) and not relative.startswith(WITH_QT):
+                    yield f"{relative}:{number}: Qt belongs in {', '.join(WITH_QT)} ({target})"
 
 
 def main() -> int:

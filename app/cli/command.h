@@ -23,6 +23,8 @@ void add_models(CLI::App& program, Job& job);
 void add_new(CLI::App& program, Job& job);
 void add_render(CLI::App& program, Job& job);
 void add_replay(CLI::App& program, Job& job);
+/// Absent without Qt.
+void add_report(CLI::App& program, Job& job);
 void add_run(CLI::App& program, Job& job);
 void add_simulate(CLI::App& program, Job& job);
 void add_synth(CLI::App& program, Job& job);

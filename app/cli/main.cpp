@@ -63,6 +63,9 @@ int main(int argc, char** argv) {
   add_run(program, job);
   add_simulate(program, job);
   add_analyze(program, job);
+#ifdef ASPERITY_WITH_WINDOWS
+  add_report(program, job);
+#endif
   add_export(program, job);
   add_models(program, job);
   add_render(program, job);

@@ -138,7 +138,7 @@ void add_band(const std::string& name, const Band& band, const std::string& unit
   std::string text = name;
   if (band.minimum) text += " from " + reading_quantity(*band.minimum, unit);
   if (band.maximum) text += " up to " + reading_quantity(*band.maximum, unit);
-  if (band.target) text += " (best " + reading_quantity(*band.target, unit) + ')';
+  if (band.target) text += " (aiming at " + reading_quantity(*band.target, unit) + ')';
   bands.push_back(text);
 }
 
@@ -253,12 +253,11 @@ ReportSection design_section(const ReportFacts& facts) {
                    ReportText::Tone::notice});
   }
   if (!check.protocol) {
-    section.parts.emplace_back(ReportText{
+    section.parts.emplace_back(ReportText{stopped(
         "The protocol " + row.name + ", version " + row.version + ", is a " + row.kind + " (" +
         row.design + "). This program cannot read its file, which is stored in the study: " +
         (check.diagnostics.empty() ? std::string("it says nothing")
-                                   : check.diagnostics.front().message) +
-        '.'});
+                                   : check.diagnostics.front().message))});
     section.parts.emplace_back(ReportText{trials_text(facts)});
     return section;
   }

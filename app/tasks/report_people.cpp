@@ -197,6 +197,11 @@ std::string capitalised(std::string text) {
   return text;
 }
 
+std::string stopped(std::string text) {
+  if (!text.ends_with('.')) text += '.';
+  return text;
+}
+
 ReportSection participants_section(const ReportFacts& facts) {
   ReportSection section{"Participants", {}};
   const std::size_t all = facts.participants.size();
@@ -281,9 +286,10 @@ ReportSection exclusions_section(const ReportFacts& facts) {
       unfinished.items.push_back(capitalised(name_of(session)) + ' ' + state_text(session) + '.');
     }
     if (const std::optional<DecisionRow> decision = exclusion_of(session)) {
+      const std::string by =
+          decision->decided_by.empty() ? "" : " (decided by " + decision->decided_by + ')';
       excluded.items.push_back(
-          capitalised(name_of(session)) + ": " + decision->reason +
-          (decision->decided_by.empty() ? "" : " (decided by " + decision->decided_by + ')') + '.');
+          stopped(capitalised(name_of(session)) + ": " + decision->reason + by));
     }
   }
   if (!unfinished.items.empty()) section.parts.emplace_back(std::move(unfinished));

@@ -67,9 +67,11 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
       if (answer.keys.back() == "all" || answer.keys.back() == "Total") whole_places.insert(i);
       key += (key.empty() ? "" : " ") + table.columns[i] + '=' + answer.keys.back();
     }
-    answer.text = capitalised(words_of_key(key)) + ": " + text_of_cell(row[hits]) + ' ' +
-                  table.columns[hits] + " of " + text_of_cell(row[*of]) + " (" +
-                  reading_percent(*value) + "; 95 % interval " +
+    const std::string about = words_of_key(key);
+    // Names stay as the study has them.
+    answer.text = (about.starts_with("all ") ? capitalised(about) : about) + ": " +
+                  text_of_cell(row[hits]) + ' ' + table.columns[hits] + " of " +
+                  text_of_cell(row[*of]) + " (" + reading_percent(*value) + "; 95 % interval " +
                   reading_percent(number_of(row[*low]).value_or(0.0)) + " to " +
                   reading_percent(number_of(row[*low + 1]).value_or(1.0)) + ')';
     if (chance) {
@@ -217,9 +219,7 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
       same.resize(kMostKeys);
       same.push_back(reading_count(more) + " more");
     }
-    std::string text = capitalised(listed(same)) + ": " + reason;
-    if (!text.ends_with('.')) text += '.';
-    sentences.push_back(text);
+    sentences.push_back(stopped(capitalised(listed(same)) + ": " + reason));
   }
   return sentences;
 }

@@ -37,7 +37,9 @@ std::string persons_text(AnswerGroup group, std::size_t count);
 /// "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& words);
 
-/// Standing by itself: with a capital letter.
+/// With a capital letter. Not for what a study has named.
 std::string capitalised(std::string text);
+/// With a full stop, unless it has one.
+std::string stopped(std::string text);
 
 }  // namespace asperity

@@ -1,0 +1,58 @@
+// asperity report: a study in words, tables and figures, for people.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/signals.h"
+#include "app/cli/terminal.h"
+#include "app/figures/figure_files.h"
+#include "app/report/report_file.h"
+
+namespace asperity {
+
+void add_report(CLI::App& program, Job& job) {
+  struct Options {
+    std::string study{};
+    std::string out{};
+    std::optional<std::string> protocol{};
+    bool force = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "report", "Write a report of a study: methods, tables, tests and figures, for people.");
+  command->add_option("STUDY", options->study, "Folder of the study")->required();
+  command->add_option("--out", options->out, "New file, by its ending .pdf or .html")->required();
+  command->add_option("--protocol", options->protocol, "Only the protocol of this name");
+  command->add_flag("--force", options->force, "Replace an existing file");
+  command->callback([options, &job] {
+    job = [options] {
+      const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
+      try {
+        require_report_path(options->out, overwrite);
+      } catch (const std::invalid_argument& error) {
+        throw WrongUsage(error.what());
+      }
+      const InterruptWatch interrupt;
+      const Study study = Study::open(options->study, Access::read_only);
+      const LettersWithoutWindows letters;
+      bool written = false;
+      {
+        Progress progress("writing the report");
+        written = write_report(study, options->out, overwrite, options->protocol, interrupt.token(),
+                               [&progress](double fraction) { progress.show(fraction); });
+      }
+      if (!written) {
+        say("asperity: stopped; no report was written");
+        return 1;
+      }
+      say("the report is in " + options->out);
+      return 0;
+    };
+  });
+}
+
+}  // namespace asperity

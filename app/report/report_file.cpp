@@ -1,0 +1,55 @@
+#include "app/report/report_file.h"
+
+#include <stdexcept>
+#include <vector>
+
+#include "app/figures/figures_of.h"
+#include "app/report/html_report.h"
+#include "app/report/pdf_report.h"
+#include "app/tasks/study_report.h"
+
+namespace asperity {
+
+namespace {
+
+// Of the time that it takes with few answers and many pages.
+constexpr double kReadingShare = 0.5;
+
+bool is_pdf(const std::filesystem::path& path) {
+  if (path.extension() == ".pdf") return true;
+  if (path.extension() == ".html") return false;
+  throw std::invalid_argument("a report is a .pdf or an .html, which \"" + path.string() +
+                              "\" does not end with");
+}
+
+}  // namespace
+
+void require_report_path(const std::filesystem::path& path, Overwrite overwrite) {
+  is_pdf(path);
+  if (overwrite == Overwrite::refuse && std::filesystem::exists(path)) {
+    throw ResultsError("the file " + path.string() +
+                           " exists already; choose another name, or replace it with --force",
+                       path);
+  }
+}
+
+bool write_report(const Study& study, const std::filesystem::path& path, Overwrite overwrite,
+                  const std::optional<std::string>& protocol, const std::stop_token& stop,
+                  const std::function<void(double)>& progress) {
+  require_report_path(path, overwrite);
+  const auto told = [&progress](double from, double to) {
+    return [&progress, from, to](double fraction) {
+      if (progress) progress(from + (to - from) * fraction);
+    };
+  };
+  const Report report = study_report(
+      study, [](const AnalysisOutcome& outcome) { return figures_of(outcome); }, protocol, stop,
+      told(0.0, kReadingShare));
+  const std::string bytes = is_pdf(path) ? pdf_of(report, stop, told(kReadingShare, 1.0))
+                                         : html_of(report, stop, told(kReadingShare, 1.0));
+  if (stop.stop_requested()) return false;
+  write_file(path, bytes, overwrite);
+  return true;
+}
+
+}  // namespace asperity

@@ -1,0 +1,67 @@
+// report: from a simulated study to a file that a person reads, without a screen.
+
+#include <gtest/gtest.h>
+
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+class Report : public testing::Test {
+ protected:
+  Report() {
+    if (asperity(simulate_arguments(small_, small_.study(), 2, 3)).status != 0) {
+      throw std::runtime_error("nothing was simulated");
+    }
+  }
+  Outcome report(const fs::path& out, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"report", small_.study(), "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return asperity(arguments);
+  }
+  fs::path file(const std::string& name) const { return small_.place() / name; }
+
+  SmallStudy small_{1};
+};
+
+TEST_F(Report, IsAFileThatSaysWhatIsInTheStudy) {
+  const std::map<std::string, std::string> before = contents_of(small_.study());
+  const Outcome html = report(file("report.html"));
+  ASSERT_EQ(html.status, 0) << html.err;
+  EXPECT_EQ(html.out, "");
+  EXPECT_NE(html.err.find("100 %"), std::string::npos) << "how far it is";
+  const std::string text = text_of(file("report.html"));
+  for (const char* words : {"small_selection 1.0.0: virtual participants", "SIMULATED: no person",
+                            "Two virtual participants stand in for people", "small_recognition",
+                            "Every number of the analysis"}) {
+    EXPECT_NE(text.find(words), std::string::npos) << words;
+  }
+  ASSERT_EQ(report(file("again.html")).status, 0);
+  EXPECT_TRUE(text_of(file("again.html")) == text) << "the same study, the same bytes";
+  const Outcome pdf = report(file("report.pdf"), {"--protocol", "small_selection"});
+  ASSERT_EQ(pdf.status, 0) << pdf.err;
+  EXPECT_EQ(text_of(file("report.pdf")).substr(0, 5), "%PDF-");
+  EXPECT_TRUE(contents_of(small_.study()) == before) << "the study was written to";
+}
+
+TEST_F(Report, IsNotWrittenWhereSomethingStandsInItsWay) {
+  write_text(file("mine.pdf"), "precious");
+  const Outcome there = report(file("mine.pdf"));
+  EXPECT_EQ(there.status, 1);
+  EXPECT_NE(there.err.find("exists already"), std::string::npos) << there.err;
+  EXPECT_EQ(text_of(file("mine.pdf")), "precious");
+  EXPECT_EQ(report(file("mine.pdf"), {"--force"}).status, 0);
+  EXPECT_EQ(text_of(file("mine.pdf")).substr(0, 5), "%PDF-");
+
+  EXPECT_EQ(report(file("report.docx")).status, 2);
+  EXPECT_EQ(report(file("nowhere") / "report.pdf").status, 1);
+  EXPECT_EQ(report(file("report.pdf"), {"--protocol", "another"}).status, 1);
+  EXPECT_EQ(asperity({"report", file("no-study"), "--out", file("report.pdf")}).status, 1);
+  EXPECT_EQ(asperity({"report", small_.study()}).status, 2);
+  EXPECT_FALSE(fs::exists(file("report.pdf")));
+  EXPECT_FALSE(fs::exists(file("report.docx")));
+}
+
+}  // namespace
+}  // namespace asperity::test
