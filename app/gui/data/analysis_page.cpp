@@ -14,6 +14,7 @@
 #include "app/analyses/analyze_study.h"
 #include "app/gui/data/figure_saver.h"
 #include "app/gui/data/outcome_view.h"
+#include "app/gui/data/report_saving.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
 #include "app/gui/study/open_study.h"
@@ -47,11 +48,14 @@ AnalysisPage::AnalysisPage(OpenStudy& study, QWidget* parent) : QWidget(parent),
   header->addWidget(make_title(tr("Analysis"), this), 1);
   export_ = make_button(tr("Export the tables…"), ButtonRole::plain, this);
   export_->setObjectName("export_tables");
+  banner_ = new Banner(this);
+  report_ = new ReportSaving(study, *banner_, this);
+  header->addWidget(report_);
   header->addWidget(export_);
   layout->addLayout(header);
-  banner_ = new Banner(this);
   layout->addWidget(banner_);
   figure_saver_ = new FigureSaver(*banner_, *this);
+  layout->addWidget(report_->line());
   analysing_ = new TaskLine(analysis_, this);
   analysing_->setObjectName("analysing");
   analysing_->set_words(tr("Counting the answers…"));
@@ -150,6 +154,7 @@ void AnalysisPage::show_analysis(Analysis analysis) {
 }
 
 void AnalysisPage::show_whether_exportable() {
+  report_->set_any(!outcomes_.empty());
   export_->setEnabled(!outcomes_.empty() && !exporting_.is_running());
   export_->setToolTip(outcomes_.empty()         ? tr("There are no sessions to export yet.")
                       : exporting_.is_running() ? tr("The tables are being written.")

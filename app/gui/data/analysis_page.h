@@ -21,8 +21,9 @@ namespace asperity {
 class Banner;
 class FigureSaver;
 class OpenStudy;
-struct ExportOptions;
+class ReportSaving;
 class TaskLine;
+struct ExportOptions;
 
 /// One entry per protocol, version and group of participants; the groups never mix. Read anew
 /// whenever the study changes while the page is seen.
@@ -65,6 +66,7 @@ class AnalysisPage final : public QWidget {
   QStackedWidget* stack_ = nullptr;
   QListWidget* list_ = nullptr;
   QScrollArea* area_ = nullptr;
+  ReportSaving* report_ = nullptr;
   QPushButton* export_ = nullptr;
   FigureSaver* figure_saver_ = nullptr;
   TaskLine* analysing_ = nullptr;
