@@ -22,6 +22,9 @@ p.lead { font-weight: 600; }
 p.notice { border-left: 4px solid #b36b00; padding: .1rem 0 .1rem .8rem; }
 nav ul { list-style: none; padding-left: 1.2rem; margin: 0; }
 nav > ul { padding-left: 0; margin-bottom: 1rem; }
+nav > ul > li { margin-top: .5rem; }
+nav ul ul li { display: inline; font-size: .9rem; }
+nav ul ul li + li::before { content: " · "; }
 a { color: #0b57a4; }
 .mark { display: inline-block; font-size: .8rem; font-weight: 600; line-height: 1; padding: .3rem .5rem; border-radius: 3px; vertical-align: middle; white-space: nowrap; }
 .pilot .mark { background: #ffd47a; color: #1a1a1a; }
