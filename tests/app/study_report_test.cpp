@@ -415,10 +415,12 @@ TEST(ReportTests, PutsStatisticDegreesAndAdjustedPTogether) {
 TEST(ReportTests, TakesNothingFromAnotherKeyOrAnalysis) {
   std::vector<Finding> findings{found("chisq", "a", 5.0), found("chisq", "b", 7.0),
                                 found("chisq.p", "b", 0.5, "a test")};
-  findings[1].analysis = "other";
+  findings[2].analysis = "other";
   const std::vector<ReportedTest> tests = tests_among(findings);
   ASSERT_EQ(tests.size(), 1U);
-  EXPECT_EQ(tests[0].statistic, nullptr);
+  EXPECT_EQ(tests[0].statistic, nullptr) << "a stranger's";
+  findings[1].analysis = "other";
+  EXPECT_EQ(tests_among(findings)[0].statistic, &findings[1]);
 }
 
 TEST(ReportTests, GivesAnFBothItsDegreesOfFreedom) {
