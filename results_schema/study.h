@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "results_schema/rows.h"
+#include "results_schema/session_answers.h"
 
 namespace asperity {
 
@@ -134,6 +136,12 @@ class Study final {
   /// Attempts of a session in order, with everything that hangs on them.
   std::vector<AttemptRow> attempts(std::int64_t session_id) const;
   std::optional<AttemptRow> attempt(std::int64_t id) const;
+  /// Of the attempts of a session what analyses count, which is read much faster than `attempts`.
+  SessionAnswers answers(std::int64_t session_id) const;
+  /// Of every session, by its id: without reading what hangs on attempts.
+  std::map<std::int64_t, SessionCounts> session_counts() const;
+  /// Of one session.
+  SessionCounts session_counts(std::int64_t session_id) const;
   /// The session of an attempt.
   std::int64_t session_of(std::int64_t attempt_id) const;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <unordered_map>
 
 #include "results_schema/study.h"
@@ -154,6 +155,23 @@ TidyTable::TidyTable(std::string_view text, std::string name) : name_(std::move(
   }
 }
 
+TidyTable::TidyTable(std::vector<Column> columns, std::string name) : name_(std::move(name)) {
+  for (Column& column : columns) {
+    const std::vector<std::size_t>& codes = column.labels.codes;
+    const bool is_whole = made_.empty() || codes.size() == made_.front().codes.size();
+    const bool has_names = std::all_of(codes.begin(), codes.end(), [&column](std::size_t code) {
+      return code < column.labels.names.size() || code == LabelColumn::kMissing;
+    });
+    if (!is_whole || !has_names) {
+      throw std::invalid_argument(
+          "the column " + column.name + " of " + name_ +
+          (is_whole ? " has a code without a name" : " is not as long as the first one"));
+    }
+    columns_.push_back(std::move(column.name));
+    made_.push_back(std::move(column.labels));
+  }
+}
+
 bool TidyTable::has(std::string_view column) const noexcept {
   return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
 }
@@ -170,13 +188,18 @@ std::size_t TidyTable::index_of(std::string_view column) const {
 }
 
 std::string_view TidyTable::cell(std::size_t row, std::size_t column) const {
+  if (!made_.empty()) {
+    const std::size_t code = made_[column].codes[row];
+    return code == LabelColumn::kMissing ? std::string_view{} : made_[column].names[code];
+  }
   const std::string_view text = cells_[row * columns_.size() + column];
   return is_missing(text) ? std::string_view{} : text;
 }
 
 void TidyTable::refuse(std::size_t row, std::string_view column,
                        const std::string& sentence) const {
-  throw ResultsError(name_ + ':' + std::to_string(lines_[row]) + ':' +
+  const std::size_t line = made_.empty() ? lines_[row] : row + 2;
+  throw ResultsError(name_ + ':' + std::to_string(line) + ':' +
                          std::to_string(index_of(column) + 1) + ": " + sentence,
                      name_);
 }
@@ -229,8 +252,25 @@ std::vector<std::uint64_t> TidyTable::counts(std::string_view column) const {
   return counts;
 }
 
+LabelColumn TidyTable::made_labels(const LabelColumn& made) const {
+  LabelColumn labels{};
+  labels.codes.resize(made.codes.size(), LabelColumn::kMissing);
+  std::vector<std::size_t> code_of(made.names.size(), LabelColumn::kMissing);
+  for (std::size_t row = 0; row < made.codes.size(); ++row) {
+    if (made.codes[row] == LabelColumn::kMissing) continue;
+    std::size_t& code = code_of[made.codes[row]];
+    if (code == LabelColumn::kMissing) {
+      code = labels.names.size();
+      labels.names.push_back(made.names[made.codes[row]]);
+    }
+    labels.codes[row] = code;
+  }
+  return labels;
+}
+
 LabelColumn TidyTable::labels(std::string_view column) const {
   const std::size_t index = index_of(column);
+  if (!made_.empty()) return made_labels(made_[index]);
   LabelColumn labels{};
   labels.codes.resize(rows(), LabelColumn::kMissing);
   std::unordered_map<std::string_view, std::size_t> code_of{};

@@ -33,11 +33,21 @@ class TidyTable final {
  public:
   /// `name` is what messages call the file.
   TidyTable(std::string_view text, std::string name);
+  /// Made, not read: named columns with a code for each row, in the place of text. Rows are counted
+  /// as lines from 2, as if they stood in a file. Throws std::invalid_argument for columns of
+  /// different lengths and for a code beyond its names.
+  struct Column {
+    std::string name{};
+    LabelColumn labels{};
+  };
+  TidyTable(std::vector<Column> columns, std::string name);
   TidyTable(TidyTable&&) = default;
   TidyTable& operator=(TidyTable&&) = default;
 
   const std::string& name() const noexcept { return name_; }
-  std::size_t rows() const noexcept { return lines_.size(); }
+  std::size_t rows() const noexcept {
+    return made_.empty() ? lines_.size() : made_.front().codes.size();
+  }
   bool has(std::string_view column) const noexcept;
 
   /// The columns below throw a sentence with the columns that there are when theirs is not there.
@@ -62,6 +72,7 @@ class TidyTable final {
 
  private:
   std::size_t index_of(std::string_view column) const;
+  LabelColumn made_labels(const LabelColumn& made) const;
   std::string_view cell(std::size_t row, std::size_t column) const;
 
   std::vector<char> text_{};  // a vector, because the characters of a moved string may move
@@ -69,6 +80,7 @@ class TidyTable final {
   std::vector<std::string> columns_{};
   std::vector<std::string_view> cells_{};
   std::vector<std::uint32_t> lines_{};
+  std::vector<LabelColumn> made_{};  // as columns_, where the table was made
 };
 
 }  // namespace asperity

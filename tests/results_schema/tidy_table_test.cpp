@@ -2,6 +2,8 @@
 
 #include "results_schema/tidy_table.h"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 #include "results_schema/study.h"
@@ -112,6 +114,26 @@ TEST(TidyTable, MayBeMovedWithItsCells) {
   std::vector<TidyTable> tables{};
   for (int i = 0; i < 8; ++i) tables.push_back(table_of("a\nx\n"));
   EXPECT_EQ(tables.front().texts("a"), (std::vector<std::string_view>{"x"}));
+}
+
+TEST(TidyTable, IsMadeOfColumnsAsIfItHadBeenRead) {
+  std::vector<TidyTable::Column> columns{
+      {"who", {.names = {"NA", "b", "c"}, .codes = {2, 0, 2}}},
+      {"what", {.names = {"x"}, .codes = {0, LabelColumn::kMissing, 0}}}};
+  const TidyTable table(columns, "made");
+  EXPECT_EQ(table.rows(), 3U);
+  const LabelColumn who = table.all_labels("who");  // a name is a name, whatever it looks like
+  EXPECT_EQ(who.names, (std::vector<std::string>{"c", "NA"}));
+  EXPECT_EQ(who.codes, (std::vector<std::size_t>{0, 1, 0}));
+  EXPECT_EQ(table.texts("what")[1], "");
+  try {
+    table.all_labels("what");
+    FAIL() << "nothing was refused";
+  } catch (const ResultsError& error) {
+    EXPECT_STREQ(error.what(), "made:3:2: what is missing");
+  }
+  columns[1].labels.codes.pop_back();
+  EXPECT_THROW(TidyTable(columns, "made"), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,73 @@
+// What was answered in a session, as analyses count it.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "results_schema/rows.h"
+
+namespace asperity {
+
+/// The few columns of a session's attempts that an analysis counts. A study may have a million
+/// attempts, so that each word stands once, in `words`, and is told by its place there.
+struct SessionAnswers {
+  struct Trial {
+    int trial = 0;
+    std::uint32_t phase = 0;
+    std::uint32_t factors_json = 0;
+  };
+  struct Surface {
+    std::uint32_t item = 0;
+    std::uint32_t model = 0;
+    std::uint32_t texture = 0;
+    std::optional<double> matched_texture_force_N{};
+    std::optional<double> achieved_texture_force_N{};
+  };
+  struct Reply {
+    int item = 1;  ///< as ResponseRow::item
+    std::uint32_t answer = 0;
+    std::uint32_t options_json = 0;
+    std::optional<bool> correct{};
+  };
+  struct Attempt {
+    int trial = 0;
+    AttemptOutcome outcome = AttemptOutcome::answered;
+    bool valid = true;      ///< and not set aside
+    bool excluded = false;  ///< it, or its session
+    bool flagged = false;
+    std::size_t first_surface = 0;
+    std::size_t surfaces = 0;
+    std::size_t first_reply = 0;
+    std::size_t replies = 0;
+  };
+
+  std::vector<std::string> words{};
+  std::vector<Trial> trials{};      ///< the plan, in order
+  std::vector<Attempt> attempts{};  ///< by trial, attempt
+  std::vector<Surface> surfaces{};  ///< of an attempt together, by position
+  std::vector<Reply> replies{};     ///< of an attempt together, by item
+
+  std::span<const Surface> surfaces_of(const Attempt& attempt) const {
+    return std::span(surfaces).subspan(attempt.first_surface, attempt.surfaces);
+  }
+  std::span<const Reply> replies_of(const Attempt& attempt) const {
+    return std::span(replies).subspan(attempt.first_reply, attempt.replies);
+  }
+};
+
+/// How far a session has come.
+struct SessionCounts {
+  int planned_trials = 0;
+  int done_trials = 0;  ///< with an attempt that is valid, or skipped and not set aside since
+  int attempts = 0;
+  int notes = 0;
+  /// From the first to the last attempt of each stretch of uninterrupted running.
+  double running_s = 0.0;
+};
+
+}  // namespace asperity

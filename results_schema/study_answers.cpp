@@ -1,0 +1,237 @@
+// What a study with a million attempts is read by: the answers that analyses count, and how far every
+// session has come.
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "results_schema/attempt_rows.h"
+#include "results_schema/study.h"
+#include "results_schema/study_store.h"
+
+namespace asperity {
+namespace {
+
+/// Words by their places.
+class WordPlaces {
+ public:
+  explicit WordPlaces(std::vector<std::string>& words) : words_(words) {}
+  std::uint32_t place(const std::string& word) {
+    const auto [found, is_new] =
+        places_.try_emplace(word, static_cast<std::uint32_t>(words_.size()));
+    if (is_new) words_.push_back(word);
+    return found->second;
+  }
+
+ private:
+  std::vector<std::string>& words_;
+  std::unordered_map<std::string, std::uint32_t> places_{};
+};
+
+constexpr const char* kOfSession =
+    " WHERE attempt_id IN (SELECT id FROM attempt WHERE session_id = ?1) ";
+
+void read_plan(Database& database, std::int64_t session_id, SessionAnswers& answers,
+               WordPlaces& words) {
+  Statement statement(
+      database, "SELECT trial, phase, factors_json FROM trial WHERE session_id = ? ORDER BY trial");
+  statement.bind(session_id);
+  std::string phase;
+  std::string factors_json;
+  while (statement.step()) {
+    SessionAnswers::Trial& trial = answers.trials.emplace_back();
+    statement.read(trial.trial, phase, factors_json);
+    trial.phase = words.place(phase);
+    trial.factors_json = words.place(factors_json);
+  }
+}
+
+/// Attempts by their ids, and the rows that hang on them as these are read, attempt after attempt.
+using Places = std::unordered_map<std::int64_t, SessionAnswers::Attempt*>;
+
+void read_surfaces(Database& database, std::int64_t session_id, SessionAnswers& answers,
+                   const Places& attempts, WordPlaces& words) {
+  Statement statement(database, std::string("SELECT attempt_id, item, model, texture, "
+                                            "matched_texture_force_N, achieved_texture_force_N "
+                                            "FROM presentation") +
+                                    kOfSession + "ORDER BY attempt_id, position");
+  statement.bind(session_id);
+  std::string item;
+  std::string model;
+  std::string texture;
+  while (statement.step()) {
+    std::int64_t id = 0;
+    SessionAnswers::Surface surface{};
+    statement.read(id, item, model, texture, surface.matched_texture_force_N,
+                   surface.achieved_texture_force_N);
+    surface.item = words.place(item);
+    surface.model = words.place(model);
+    surface.texture = words.place(texture);
+    SessionAnswers::Attempt& attempt = *attempts.at(id);
+    if (attempt.surfaces++ == 0) attempt.first_surface = answers.surfaces.size();
+    answers.surfaces.push_back(surface);
+  }
+}
+
+void read_replies(Database& database, std::int64_t session_id, SessionAnswers& answers,
+                  const Places& attempts, WordPlaces& words) {
+  Statement statement(database, std::string("SELECT attempt_id, item, answer, correct, "
+                                            "options_json FROM response") +
+                                    kOfSession + "ORDER BY attempt_id, item, id");
+  statement.bind(session_id);
+  std::string answer;
+  std::string options_json;
+  while (statement.step()) {
+    std::int64_t id = 0;
+    SessionAnswers::Reply reply{};
+    statement.read(id, reply.item, answer, reply.correct, options_json);
+    reply.answer = words.place(answer);
+    reply.options_json = words.place(options_json);
+    SessionAnswers::Attempt& attempt = *attempts.at(id);
+    if (attempt.replies++ == 0) attempt.first_reply = answers.replies.size();
+    answers.replies.push_back(reply);
+  }
+}
+
+/// What is counted of a session while the attempts of all are read in whatever order.
+struct Counting {
+  SessionCounts counts{};
+  std::vector<bool> done{};  ///< by trial
+  struct Stretch {
+    std::int64_t first_ns = std::numeric_limits<std::int64_t>::max();
+    std::int64_t last_ns = std::numeric_limits<std::int64_t>::min();
+  };
+  std::map<int, Stretch> stretches{};  ///< by segment
+};
+
+using SetAside = std::set<std::tuple<std::int64_t, int, int>>;  // session, trial, attempt
+
+SetAside those_set_aside(Database& database) {
+  Statement statement(
+      database, "SELECT session_id, trial, attempt FROM decision WHERE verdict = 'set_aside'");
+  SetAside set_aside{};
+  while (statement.step()) {
+    std::int64_t session = 0;
+    int trial = 0;
+    int attempt = 0;
+    statement.read(session, trial, attempt);
+    set_aside.emplace(session, trial, attempt);
+  }
+  return set_aside;
+}
+
+/// Of all sessions, or of one.
+using Which = std::optional<std::int64_t>;
+
+void count_attempts(Database& database, const Which& which,
+                    std::map<std::int64_t, Counting>& sessions) {
+  const SetAside set_aside = those_set_aside(database);
+  Statement statement(database, std::string("SELECT session_id, trial, attempt, segment, "
+                                            "valid OR outcome = 'skipped', onset_ns, offset_ns "
+                                            "FROM attempt") +
+                                    (which ? " WHERE session_id = ?" : ""));
+  if (which) statement.bind(*which);
+  std::int64_t last = 0;
+  Counting* counting = nullptr;
+  while (statement.step()) {
+    std::int64_t session = 0;
+    int trial = 0;
+    int attempt = 0;
+    int segment = 0;
+    bool does_its_trial = false;
+    std::int64_t onset_ns = 0;
+    std::int64_t offset_ns = 0;
+    statement.read(session, trial, attempt, segment, does_its_trial, onset_ns, offset_ns);
+    if (counting == nullptr || session != last) counting = &sessions[session];
+    last = session;
+    ++counting->counts.attempts;
+    Counting::Stretch& stretch = counting->stretches[segment];
+    stretch.first_ns = std::min(stretch.first_ns, onset_ns);
+    stretch.last_ns = std::max(stretch.last_ns, offset_ns);
+    if (!does_its_trial || set_aside.contains({session, trial, attempt})) continue;
+    const auto place = static_cast<std::size_t>(trial);
+    if (counting->done.size() <= place) counting->done.resize(place + 1);
+    if (!counting->done[place]) ++counting->counts.done_trials;
+    counting->done[place] = true;
+  }
+}
+
+void count_notes(Database& database, const Which& which,
+                 std::map<std::int64_t, Counting>& sessions) {
+  Statement statement(database, std::string("SELECT session_id FROM event WHERE kind = 'note'") +
+                                    (which ? " AND session_id = ?" : ""));
+  if (which) statement.bind(*which);
+  while (statement.step()) {
+    std::int64_t session = 0;
+    statement.read(session);
+    ++sessions[session].counts.notes;
+  }
+}
+
+std::map<std::int64_t, SessionCounts> counts_in(Database& database, const Which& which) {
+  std::map<std::int64_t, Counting> sessions{};
+  // Trials are numbered from 1 without gaps: the last one is found without reading the others.
+  Statement statement(
+      database, std::string("SELECT id, coalesce((SELECT max(trial) FROM trial WHERE session_id = "
+                            "session.id), 0) FROM session") +
+                    (which ? " WHERE id = ?" : ""));
+  if (which) statement.bind(*which);
+  while (statement.step()) {
+    std::int64_t id = 0;
+    int trials = 0;
+    statement.read(id, trials);
+    sessions[id].counts.planned_trials = trials;
+  }
+  count_attempts(database, which, sessions);
+  count_notes(database, which, sessions);
+  std::map<std::int64_t, SessionCounts> counts{};
+  for (auto& [id, counting] : sessions) {
+    for (const auto& [segment, stretch] : counting.stretches) {
+      counting.counts.running_s += static_cast<double>(stretch.last_ns - stretch.first_ns) * 1e-9;
+    }
+    counts.emplace(id, counting.counts);
+  }
+  return counts;
+}
+
+}  // namespace
+
+SessionAnswers Study::answers(std::int64_t session_id) const {
+  return store_->read([session_id](Database& database) {
+    SessionAnswers answers{};
+    WordPlaces words(answers.words);
+    read_plan(database, session_id, answers, words);
+    const Attempts attempts = read_bare_attempts(database, "session_id = ?1", session_id);
+    answers.attempts.reserve(attempts.rows().size());
+    Places places{};
+    for (const AttemptRow& row : attempts.rows()) {
+      answers.attempts.push_back({.trial = row.trial,
+                                  .outcome = row.outcome,
+                                  .valid = row.valid,
+                                  .excluded = row.excluded.has_value(),
+                                  .flagged = row.flagged});
+      places.emplace(row.id, &answers.attempts.back());
+    }
+    read_surfaces(database, session_id, answers, places, words);
+    read_replies(database, session_id, answers, places, words);
+    // Those of a trial stand in the order of their attempts already.
+    std::stable_sort(answers.attempts.begin(), answers.attempts.end(),
+                     [](const auto& a, const auto& b) { return a.trial < b.trial; });
+    return answers;
+  });
+}
+
+std::map<std::int64_t, SessionCounts> Study::session_counts() const {
+  return store_->read([](Database& database) { return counts_in(database, std::nullopt); });
+}
+
+SessionCounts Study::session_counts(std::int64_t session_id) const {
+  return store_->read(
+      [session_id](Database& database) { return counts_in(database, session_id)[session_id]; });
+}
+
+}  // namespace asperity
