@@ -1,7 +1,9 @@
 #include "analysis/bradley_terry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -60,27 +62,29 @@ PairData pair_data(const Comparisons& counts, bool with_ties) {
   return made;
 }
 
-/// A stratum per comparison without a tie; `order`: with an advantage of the first.
-ChoiceData trial_data(std::span<const Comparison> comparisons, std::size_t items, bool order) {
+/// Comparisons without a tie, a stratum for each participant, first and second item; `order`: with
+/// an advantage of the first. Those of a stratum have the same probabilities.
+struct ByParticipant {
   ChoiceData data{};
+  std::vector<std::size_t> clusters{};
+};
+ByParticipant by_participant(std::span<const Comparison> comparisons, std::size_t items,
+                             bool order) {
+  std::map<std::array<std::size_t, 3>, std::array<double, 2>> counts{};
   for (const Comparison& one : comparisons) {
     if (!one.winner) continue;
-    const bool first = *one.winner == one.first;
-    data.begin_stratum();
-    data.add(
-        first ? 1.0 : 0.0,
-        terms_of({{one.first, 1.0}}, order ? std::optional(Term{items - 1, 1.0}) : std::nullopt));
-    data.add(first ? 0.0 : 1.0, terms_of({{one.second, 1.0}}));
+    counts[{one.participant, one.first, one.second}][*one.winner == one.first ? 0 : 1] +=
+        static_cast<double>(one.times);
   }
-  return data;
-}
-
-std::vector<std::size_t> clusters_of(std::span<const Comparison> comparisons) {
-  std::vector<std::size_t> clusters{};
-  for (const Comparison& one : comparisons) {
-    if (one.winner) clusters.push_back(one.participant);
+  ByParticipant made{};
+  for (const auto& [of, won] : counts) {
+    made.data.begin_stratum();
+    made.clusters.push_back(of[0]);
+    made.data.add(won[0], terms_of({{of[1], 1.0}},
+                                   order ? std::optional(Term{items - 1, 1.0}) : std::nullopt));
+    made.data.add(won[1], terms_of({{of[2], 1.0}}));
   }
-  return clusters;
+  return made;
 }
 
 }  // namespace
@@ -97,13 +101,14 @@ Comparisons count_comparisons(std::span<const Comparison> comparisons, std::size
     }
     const auto a = static_cast<Eigen::Index>(one.first);
     const auto b = static_cast<Eigen::Index>(one.second);
+    const auto times = static_cast<double>(one.times);
     if (!one.winner) {
-      counts.ties(a, b) += 1.0;
-      counts.ties(b, a) += 1.0;
+      counts.ties(a, b) += times;
+      counts.ties(b, a) += times;
     } else if (*one.winner == one.first) {
-      counts.wins(a, b) += 1.0;
+      counts.wins(a, b) += times;
     } else {
-      counts.wins(b, a) += 1.0;
+      counts.wins(b, a) += times;
     }
   }
   return counts;
@@ -139,11 +144,11 @@ std::optional<BradleyTerry> bradley_terry(std::span<const Comparison> comparison
   result.df = pairs.pairs - (items - 1);
   const double equal = pairs.data.log_likelihood(Eigen::VectorXd::Zero(size - 1));
   result.likelihood_ratio = 2.0 * (fit->log_likelihood - equal);
+  const ByParticipant judgements = by_participant(comparisons, items, false);
   const Eigen::MatrixXd clustered =
-      clustered_covariance(*fit, trial_data(comparisons, items, false), clusters_of(comparisons));
-  result.clustered_standard_error =
-      abilities_of(fit->coefficients, clustered, size).standard_error();
-  if (const auto with_order = conditional_logit(trial_data(comparisons, items, true))) {
+      clustered_covariance(*fit, judgements.data, judgements.clusters);
+  result.clustered = abilities_of(fit->coefficients, clustered, size);
+  if (const auto with_order = conditional_logit(by_participant(comparisons, items, true).data)) {
     result.order = {.advantage = with_order->coefficients(size - 1),
                     .standard_error = std::sqrt(with_order->covariance(size - 1, size - 1)),
                     .likelihood_ratio = 2.0 * (with_order->log_likelihood - fit->log_likelihood)};

@@ -17,6 +17,7 @@ struct Comparison {
   std::size_t first = 0;  ///< presented first
   std::size_t second = 0;
   std::optional<std::size_t> winner{};  ///< nothing for a tie
+  std::size_t times = 1;                ///< how often the participant judged so
 };
 
 /// How often each of K items won against each other one, and how often they tied.
@@ -47,9 +48,9 @@ struct Abilities {
 
 struct BradleyTerry {
   Abilities abilities{};
-  Eigen::VectorXd clustered_standard_error{};  ///< participants as clusters, 0 for the first item
-  double deviance = 0.0;                       ///< against a probability for each pair
-  std::size_t df = 0;                          ///< compared pairs − (K − 1)
+  Abilities clustered{};          ///< the same; their covariance with participants as clusters
+  double deviance = 0.0;          ///< against a probability for each pair
+  std::size_t df = 0;             ///< compared pairs − (K − 1)
   double likelihood_ratio = 0.0;  ///< against equal abilities, K − 1 degrees of freedom
   /// The log odds that being presented first adds; nothing where it cannot be told from abilities.
   struct Order {

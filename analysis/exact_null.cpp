@@ -64,8 +64,11 @@ IntegerDistribution sum_of(const IntegerDistribution& a, const IntegerDistributi
     }
   }
   constexpr double kNever = 1e-300;
-  const auto probable = [](double p) { return p > kNever; };
+  constexpr double kNeverOfMany = 1e-40;
+  constexpr std::size_t kMany = 10'000;
   std::vector<double>& p = sum.probability;
+  const double least = p.size() > kMany ? kNeverOfMany : kNever;
+  const auto probable = [least](double one) { return one > least; };
   p.erase(std::find_if(p.rbegin(), p.rend(), probable).base(), p.end());
   const auto first = std::find_if(p.begin(), p.end(), probable);
   sum.lowest += first - p.begin();

@@ -24,7 +24,8 @@ struct IntegerDistribution {
   double upper_tail(std::int64_t value) const;  ///< P(X ≥ value)
   double lower_tail(std::int64_t value) const;  ///< P(X ≤ value)
 };
-/// What at either end is less probable than 10⁻³⁰⁰ is left out.
+/// What at either end is less probable than 10⁻³⁰⁰ is left out; in sums of more than some ten
+/// thousand values, where that would take long, what is less probable than 10⁻⁴⁰.
 IntegerDistribution sum_of(const IntegerDistribution& a, const IntegerDistribution& b);
 /// Of so many numbers with the same distribution.
 IntegerDistribution repeated_sum(const IntegerDistribution& one, std::uint64_t times);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -76,14 +75,15 @@ std::size_t fixed_points(MatchingTrial trial) noexcept {
 }
 
 bool is_permutation(MatchingTrial trial) {
-  std::set<std::size_t> felt{};
-  std::set<std::size_t> chosen{};
-  for (const MatchedItem& item : trial) {
-    if (!item.chosen) return false;
-    felt.insert(item.felt);
-    chosen.insert(*item.chosen);
+  for (std::size_t i = 0; i < trial.size(); ++i) {
+    bool is_chosen = false;
+    for (std::size_t j = 0; j < trial.size(); ++j) {
+      if (j != i && trial[j].felt == trial[i].felt) return false;
+      is_chosen = is_chosen || trial[j].chosen == trial[i].felt;
+    }
+    if (!is_chosen) return false;  // as many answers as items: each of them once
   }
-  return felt.size() == trial.size() && felt == chosen;
+  return true;
 }
 
 IntegerDistribution chance_matches(MatchingTrial trial) {
@@ -135,19 +135,23 @@ double MatchingNull::upper_tail(std::size_t right) const {
 }
 
 CountInterval MatchingNull::central_interval(double confidence) const {
+  return asperity::central_interval(sum_, confidence);
+}
+
+CountInterval central_interval(const IntegerDistribution& distribution, double confidence) {
   if (!(confidence > 0.0 && confidence < 1.0)) {
     throw std::invalid_argument("confidence is " + number_text(confidence) +
                                 "; it must lie between 0 and 1");
   }
   const double allowed = 0.5 * (1.0 - confidence);
-  const std::vector<double>& p = sum_.probability;
+  const std::vector<double>& p = distribution.probability;
   std::size_t low = 0;
   double below = p[low];
   while (below <= allowed) below += p[++low];
   std::size_t high = p.size() - 1;
   double above = p[high];
   while (above <= allowed) above += p[--high];
-  const auto first = static_cast<std::size_t>(sum_.lowest);
+  const auto first = static_cast<std::size_t>(distribution.lowest);
   return {.low = first + low, .high = first + high};
 }
 

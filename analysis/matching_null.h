@@ -60,6 +60,10 @@ struct CountInterval {
   std::size_t high = 0;
 };
 
+/// The narrowest counts that leave at most (1 − confidence)/2 outside on each side. Throws
+/// std::invalid_argument unless 0 < confidence < 1.
+CountInterval central_interval(const IntegerDistribution& distribution, double confidence);
+
 /// The number of items right in all of n independent random assignments of m items: the n-fold
 /// convolution of `fixed_point_distribution`.
 class MatchingNull final {
@@ -75,8 +79,7 @@ class MatchingNull final {
   /// P(at least `right` items right): the one-sided p.
   double upper_tail(std::size_t right) const;
 
-  /// The narrowest counts that leave at most (1 − confidence)/2 outside on each side. Throws
-  /// std::invalid_argument unless 0 < confidence < 1.
+  /// Of the distribution; see the function.
   CountInterval central_interval(double confidence) const;
 
  private:

@@ -1,8 +1,10 @@
 #include "analysis/plackett_luce.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "analysis/comparison_graph.h"
 #include "analysis/conditional_logit.h"
@@ -39,35 +41,49 @@ RankingCounts count_stages(std::span<const Ranking> rankings, std::size_t items)
                                   std::to_string(items));
     }
   }
-  for_each_stage(
-      rankings, [&counts](const Ranking&, std::size_t taken, const std::vector<std::size_t>& left) {
-        ++counts.stages;
-        for (const std::size_t item : left) {
-          if (item == taken) continue;
-          counts.wins(static_cast<Eigen::Index>(taken), static_cast<Eigen::Index>(item)) += 1.0;
-        }
-      });
+  for_each_stage(rankings, [&counts](const Ranking& ranking, std::size_t taken,
+                                     const std::vector<std::size_t>& left) {
+    counts.stages += ranking.times;
+    for (const std::size_t item : left) {
+      if (item == taken) continue;
+      counts.wins(static_cast<Eigen::Index>(taken), static_cast<Eigen::Index>(item)) +=
+          static_cast<double>(ranking.times);
+    }
+  });
   return counts;
 }
 
 std::optional<PlackettLuce> plackett_luce(std::span<const Ranking> rankings, std::size_t items) {
   const RankingCounts counts = count_stages(rankings, items);
   if (items < 2 || !strongly_connected(counts.wins)) return std::nullopt;
-  ChoiceData data{};
-  std::vector<std::size_t> clusters{};
+  // Choices of one participant from the same set add up: they have the same probabilities.
+  std::map<std::pair<std::size_t, std::vector<std::size_t>>, std::vector<double>> choices{};
+  std::pair<std::size_t, std::vector<std::size_t>> set{};
   for_each_stage(rankings, [&](const Ranking& ranking, std::size_t taken,
                                const std::vector<std::size_t>& left) {
+    set.first = ranking.participant;
+    set.second = left;
+    std::sort(set.second.begin(), set.second.end());
+    std::vector<double>& times = choices[set];
+    times.resize(left.size());
+    const auto place = std::lower_bound(set.second.begin(), set.second.end(), taken);
+    times[static_cast<std::size_t>(place - set.second.begin())] +=
+        static_cast<double>(ranking.times);
+  });
+  ChoiceData data{};
+  std::vector<std::size_t> clusters{};
+  for (const auto& [of, times] : choices) {
     data.begin_stratum();
-    clusters.push_back(ranking.participant);
-    for (const std::size_t item : left) {
-      const double count = item == taken ? 1.0 : 0.0;
+    clusters.push_back(of.first);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const std::size_t item = of.second[i];
       if (item == 0) {
-        data.add(count, {});
+        data.add(times[i], {});
       } else {
-        data.add(count, {{item - 1, 1.0}});
+        data.add(times[i], {{item - 1, 1.0}});
       }
     }
-  });
+  }
   const std::optional<ConditionalLogit> fit = conditional_logit(data);
   if (!fit) return std::nullopt;
   const auto size = static_cast<Eigen::Index>(items);
@@ -80,8 +96,8 @@ std::optional<PlackettLuce> plackett_luce(std::span<const Ranking> rankings, std
                                      .covariance = with_first(fit->covariance)},
                       .log_likelihood = fit->log_likelihood};
   result.log_worths.value.tail(size - 1) = fit->coefficients;
-  result.clustered_standard_error =
-      with_first(clustered_covariance(*fit, data, clusters)).diagonal().cwiseMax(0.0).cwiseSqrt();
+  result.clustered = {.value = result.log_worths.value,
+                      .covariance = with_first(clustered_covariance(*fit, data, clusters))};
   result.equal_log_likelihood = data.log_likelihood(Eigen::VectorXd::Zero(size - 1));
   return result;
 }

@@ -17,6 +17,7 @@ struct Ranking {
   std::size_t participant = 0;
   std::vector<std::size_t> ranked{};  ///< items, the best first
   std::vector<std::size_t> behind{};  ///< offered and not ranked: behind every ranked one
+  std::size_t times = 1;              ///< how often the participant ranked so
 };
 
 /// A ranking is a series of choices of the best among what is left, each with the probability
@@ -25,8 +26,8 @@ struct Ranking {
 ///
 /// [Plackett 1975] Plackett: The analysis of permutations.
 struct PlackettLuce {
-  Abilities log_worths{};                      ///< ln w, 0 for the first item
-  Eigen::VectorXd clustered_standard_error{};  ///< participants as clusters
+  Abilities log_worths{};  ///< ln w, 0 for the first item
+  Abilities clustered{};   ///< the same worths; their covariance with participants as clusters
   double log_likelihood = 0.0;
   double equal_log_likelihood = 0.0;  ///< of equal worths
 };

@@ -165,5 +165,35 @@ TEST(TidyFamilies, AnswerTablesWithoutARowOrRefuseThem) {
       rating_findings(input_of("subject,item,score\n", R"({"items": ["a", "b"]})")).empty());
 }
 
+double value_of(const std::vector<Finding>& findings, const std::string& quantity,
+                const std::string& key) {
+  for (const Finding& finding : findings) {
+    if (finding.quantity == quantity && finding.key == key) return finding.value.value();
+  }
+  throw std::runtime_error("no finding " + quantity);
+}
+
+// A table of counts says what a table of single trials says.
+TEST(TidyFamilies, TakeRowsThatStandForSeveral) {
+  const char* options = R"({"items": ["a", "b"]})";
+  const auto single = paired_findings(input_of(
+      "subject,first,second,winner\nx,a,b,a\nx,a,b,a\nx,b,a,b\ny,a,b,tie\ny,b,a,a\n", options));
+  const auto counted = paired_findings(
+      input_of("subject,first,second,winner,times\nx,a,b,a,2\nx,b,a,b,1\ny,a,b,tie,1\ny,b,a,a,1\n",
+               options));
+  for (const char* quantity : {"bt.ability", "bt.se.cluster"}) {
+    EXPECT_NEAR(value_of(counted, quantity, "b"), value_of(single, quantity, "b"), 1e-12);
+  }
+  const std::string trials = "x,1,p,p,2\nx,1,q,r,2\nx,1,r,q,2\ny,1,p,p,1\ny,1,q,q,1\ny,1,r,r,1\n";
+  const auto goes =
+      matching_findings(input_of("subject,trial,stimulus,response,times\n" + trials, "[]"));
+  EXPECT_EQ(value_of(goes, "n.trials", ""), 3.0);
+  EXPECT_EQ(value_of(goes, "total.correct", ""), 5.0);
+  EXPECT_EQ(value_of(goes, "confusion", "q|r"), 2.0);
+  // A permutation of three has 0, 1 or 3 right in 2, 3 and 1 of 6 orders. Five or more of three goes:
+  // two 3 at least (16 of 216), or one 3 and twice 1 (27 of 216).
+  EXPECT_NEAR(value_of(goes, "exact.p.greater", ""), 43.0 / 216.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace asperity

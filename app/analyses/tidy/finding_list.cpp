@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/summary.h"
+
 namespace asperity {
 
 Finding& FindingList::add(std::string quantity, std::string key, Basis&& basis) {
@@ -46,6 +48,15 @@ void FindingList::word(std::string quantity, std::string key, std::string word, 
   Finding& finding = add(std::move(quantity), std::move(key), std::move(basis));
   finding.word = std::move(word);
   finding.status = std::move(status);
+}
+
+void add_spread(const std::string& key, std::span<const double> shares, FindingList& findings) {
+  const std::optional<Summary> summary = summary_of(shares);
+  if (!summary) return;
+  const Basis basis{.n = summary->n, .method = "of the participants' own shares"};
+  findings.number("subj.minimum", key, summary->minimum, basis);
+  findings.number("subj.median", key, summary->p50, basis);
+  findings.number("subj.maximum", key, summary->maximum, basis);
 }
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,5 +44,9 @@ class FindingList final {
   Finding& add(std::string quantity, std::string key, Basis&& basis);
   std::vector<Finding> findings_{};
 };
+
+/// How the participants' own shares spread: `subj.minimum`, `subj.median`, `subj.maximum`. Nothing
+/// for nobody.
+void add_spread(const std::string& key, std::span<const double> shares, FindingList& findings);
 
 }  // namespace asperity

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -12,6 +16,7 @@
 #include "analysis/mallows.h"
 #include "analysis/matching_null.h"
 #include "analysis/proportion.h"
+#include "analysis/t_test.h"
 #include "analysis/tail_probabilities.h"
 #include "analysis/two_samples.h"
 #include "app/analyses/tidy/finding_list.h"
@@ -21,99 +26,168 @@ namespace asperity {
 namespace {
 
 struct Trial {
-  std::string name{};  ///< participant:trial
   std::size_t participant = 0;
-  std::vector<MatchedItem> items{};
+  std::size_t name = 0;
+  std::size_t first_item = 0;
+  std::size_t items = 0;
   std::size_t right = 0;
+  std::size_t chance = 0;  ///< which of the chances
+  std::size_t times = 1;   ///< how many trials it stands for
   bool permutation = false;
-  IntegerDistribution chance{};
 
-  bool whole() const { return permutation && right == items.size(); }
+  bool whole() const { return permutation && right == items; }
 };
 
 struct Matching {
   std::vector<std::string> labels{};  ///< felt first, then what was only chosen
   std::vector<std::string> participants{};
+  std::vector<std::string> trial_names{};
   std::vector<std::string> groups{};  ///< by participant; empty where there is none
+  std::vector<MatchedItem> matched{};
   std::vector<Trial> trials{};
-  std::vector<std::size_t> felt{};  ///< labels that were felt, by name
-  std::size_t items = 0;            ///< of the first trial
+  std::vector<IntegerDistribution> chances{};  ///< of one trial's right items; all different
+  std::vector<std::size_t> felt{};             ///< labels that were felt, by name
+  std::size_t items = 0;                       ///< of the first trial
   bool equal_size = true;
   double confidence = 0.95;
+
+  std::size_t trials_in_all() const {
+    std::size_t sum = 0;
+    for (const Trial& trial : trials) sum += trial.times;
+    return sum;
+  }
+  MatchingTrial items_of(const Trial& trial) const {
+    return std::span(matched).subspan(trial.first_item, trial.items);
+  }
 };
 
-Matching matching_in(const TidyInput& input) {
-  const TidyTable& table = input.table();
+/// Sorts rows into trials, in the order in which trials first stand.
+void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) {
   const LabelColumn participants = table.all_labels("subject");
   const LabelColumn trials = table.all_labels("trial");
-  const LabelColumn felt = table.all_labels("stimulus");
   const LabelColumn chosen = table.labels("response");
-  const std::vector<std::string_view> groups =
-      table.has("group") ? table.texts("group") : std::vector<std::string_view>(table.rows());
-  Matching read{.labels = felt.names, .participants = participants.names};
-  read.confidence = input.options.confidence();
-  read.groups.resize(participants.names.size());
+  read.participants = participants.names;
+  read.trial_names = trials.names;
   std::vector<std::size_t> label_of(chosen.names.size());
   for (std::size_t i = 0; i < chosen.names.size(); ++i) {
     const auto found = std::find(read.labels.begin(), read.labels.end(), chosen.names[i]);
     label_of[i] = static_cast<std::size_t>(found - read.labels.begin());
     if (found == read.labels.end()) read.labels.push_back(chosen.names[i]);
   }
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> place{};
+  std::unordered_map<std::size_t, std::size_t> place{};
+  std::vector<std::size_t> trial_of(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::size_t participant = participants.codes[row];
-    const auto [found, first] =
-        place.emplace(std::pair{participant, trials.codes[row]}, read.trials.size());
+    const std::size_t name = participants.codes[row] * trials.names.size() + trials.codes[row];
+    const auto [found, first] = place.emplace(name, read.trials.size());
     if (first) {
-      read.trials.push_back(
-          {.name = participants.names[participant] + ':' + trials.names[trials.codes[row]],
-           .participant = participant});
+      read.trials.push_back({.participant = participants.codes[row], .name = trials.codes[row]});
     }
-    MatchedItem item{.felt = felt.codes[row]};
-    if (chosen.codes[row] != LabelColumn::kMissing) item.chosen = label_of[chosen.codes[row]];
-    read.trials[found->second].items.push_back(item);
-    if (read.groups[participant].empty()) read.groups[participant] = groups[row];
+    trial_of[row] = found->second;
+    ++read.trials[found->second].items;
   }
-  if (read.trials.empty()) throw std::runtime_error(table.name() + " has no row: no trial");
+  std::size_t next = 0;
   for (Trial& trial : read.trials) {
-    trial.right = fixed_points(trial.items);
-    trial.permutation = is_permutation(trial.items);
-    trial.chance = chance_matches(trial.items);
+    trial.first_item = next;
+    next += trial.items;
+    trial.items = 0;
   }
-  read.items = read.trials.front().items.size();
-  read.equal_size =
-      std::all_of(read.trials.begin(), read.trials.end(),
-                  [&read](const Trial& trial) { return trial.items.size() == read.items; });
+  const std::vector<std::uint64_t> times =
+      table.has("times") ? table.counts("times") : std::vector<std::uint64_t>(table.rows(), 1);
+  read.matched.resize(table.rows());
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    Trial& trial = read.trials[trial_of[row]];
+    MatchedItem& item = read.matched[trial.first_item + trial.items++];
+    item.felt = felt.codes[row];
+    trial.times = times[row];
+    if (chosen.codes[row] != LabelColumn::kMissing) item.chosen = label_of[chosen.codes[row]];
+  }
+  read.groups.resize(participants.names.size());
+  if (!table.has("group")) return;
+  const std::vector<std::string_view> groups = table.texts("group");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    std::string& group = read.groups[participants.codes[row]];
+    if (group.empty()) group = groups[row];
+  }
+}
+
+/// Most trials are dealt alike: all permutations of a size.
+void find_chances(Matching& read) {
+  std::map<std::size_t, std::size_t> of_permutations{};  // by size
+  std::map<std::vector<double>, std::size_t> of_probabilities{};
+  for (Trial& trial : read.trials) {
+    const MatchingTrial items = read.items_of(trial);
+    trial.right = fixed_points(items);
+    trial.permutation = is_permutation(items);
+    if (trial.permutation) {
+      const auto known = of_permutations.find(trial.items);
+      if (known != of_permutations.end()) {
+        trial.chance = known->second;
+        continue;
+      }
+    }
+    IntegerDistribution chance = chance_matches(items);
+    const auto [found, first] = of_probabilities.emplace(chance.probability, read.chances.size());
+    if (first) read.chances.push_back(std::move(chance));
+    trial.chance = found->second;
+    if (trial.permutation) of_permutations.emplace(trial.items, trial.chance);
+  }
+}
+
+Matching matching_in(const TidyInput& input) {
+  const TidyTable& table = input.table();
+  const LabelColumn felt = table.all_labels("stimulus");
+  Matching read{.labels = felt.names};
+  read.confidence = input.options.confidence();
+  read_rows(table, felt, read);
+  std::erase_if(read.trials, [](const Trial& trial) { return trial.times == 0; });
+  if (read.trials.empty()) throw std::runtime_error(table.name() + " has no row: no trial");
+  find_chances(read);
+  read.items = read.trials.front().items;
+  read.equal_size = std::all_of(read.trials.begin(), read.trials.end(),
+                                [&read](const Trial& trial) { return trial.items == read.items; });
   for (std::size_t i = 0; i < felt.names.size(); ++i) read.felt.push_back(i);
   std::sort(read.felt.begin(), read.felt.end(),
             [&read](std::size_t a, std::size_t b) { return read.labels[a] < read.labels[b]; });
   return read;
 }
 
-/// Most trials are dealt alike, and equal ones add up by squares.
-IntegerDistribution chance_of_all(const std::vector<Trial>& trials) {
-  std::map<std::vector<double>, std::uint64_t> alike{};
-  for (const Trial& trial : trials) ++alike[trial.chance.probability];
+/// How often each chance stands.
+using Times = std::vector<std::uint64_t>;
+
+IntegerDistribution chance_of(const Matching& read, const Times& times) {
   IntegerDistribution sum{};
-  for (const auto& [probability, times] : alike) {
-    sum = sum_of(sum, repeated_sum({.lowest = 0, .probability = probability}, times));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] > 0) sum = sum_of(sum, repeated_sum(read.chances[i], times[i]));
   }
   return sum;
 }
 
+IntegerDistribution chance_of_all(const Matching& read) {
+  Times times(read.chances.size());
+  for (const Trial& trial : read.trials) times[trial.chance] += trial.times;
+  return chance_of(read, times);
+}
+
+void add_fixed_points(const Matching& read, FindingList& findings) {
+  for (const Trial& trial : read.trials) {
+    findings.count("fixed.points",
+                   read.participants[trial.participant] + ':' + read.trial_names[trial.name],
+                   trial.right, {.n = 1, .method = "right items"});
+  }
+}
+
 void add_totals(const Matching& read, FindingList& findings) {
-  const std::size_t n = read.trials.size();
-  const IntegerDistribution chance = chance_of_all(read.trials);
+  const std::size_t n = read.trials_in_all();
+  const IntegerDistribution chance = chance_of_all(read);
   std::size_t right = 0;
   std::size_t items = 0;
   std::size_t permutations = 0;
   std::size_t largest = 0;
   for (const Trial& trial : read.trials) {
-    findings.count("fixed.points", trial.name, trial.right, {.n = 1, .method = "right items"});
-    right += trial.right;
-    items += trial.items.size();
-    largest = std::max(largest, trial.items.size());
-    permutations += trial.permutation ? 1 : 0;
+    right += trial.right * trial.times;
+    items += trial.items * trial.times;
+    largest = std::max(largest, trial.items);
+    permutations += trial.permutation ? trial.times : 0;
   }
   const auto number = [&](const char* quantity, double value, const std::string& method) {
     findings.number(quantity, "", value, {.n = n, .method = method});
@@ -126,19 +200,23 @@ void add_totals(const Matching& read, FindingList& findings) {
   number("n.trials.permutation", static_cast<double>(permutations),
          "trials in which every item was assigned once");
   number("total.correct", static_cast<double>(right), "");
+  number("total.items", static_cast<double>(items), "");
   number("mean.correct", static_cast<double>(right) / static_cast<double>(n), "per trial");
   number("null.mean", chance.mean(), "of the total, by chance");
   number("null.sd", sd, "of the total, by chance");
+  const CountInterval usual = central_interval(chance, read.confidence);
+  const std::string holds = "the narrowest totals that hold the confidence of chance";
+  number("null.lower", static_cast<double>(usual.low), holds);
+  number("null.upper", static_cast<double>(usual.high), holds);
   number("exact.p.greater", chance.upper_tail(total), "exact, one-sided: " + method);
   number("exact.midp.greater", chance.upper_tail(total + 1) + 0.5 * chance.at(total),
          "exact mid-p, one-sided: " + method);
   number("exact.p.less", chance.lower_tail(total), "exact, one-sided: " + method);
   number("z", (static_cast<double>(right) - chance.mean()) / sd, method);
   for (std::size_t k = 0; k <= largest; ++k) {
-    const auto trials = std::count_if(read.trials.begin(), read.trials.end(),
-                                      [k](const Trial& trial) { return trial.right == k; });
-    findings.count("trials.with.k", std::to_string(k), static_cast<std::uint64_t>(trials),
-                   {.n = n});
+    std::uint64_t trials = 0;
+    for (const Trial& trial : read.trials) trials += trial.right == k ? trial.times : 0;
+    findings.count("trials.with.k", std::to_string(k), trials, {.n = n});
   }
   const std::vector<double> one = fixed_point_distribution(read.items);
   for (std::size_t k = 0; k < one.size(); ++k) {
@@ -151,8 +229,8 @@ void add_totals(const Matching& read, FindingList& findings) {
 void add_whole(const Matching& read, FindingList& findings) {
   HitCount whole{};
   for (const Trial& trial : read.trials) {
-    whole.trials += trial.permutation ? 1 : 0;
-    whole.hits += trial.whole() ? 1 : 0;
+    whole.trials += trial.permutation ? trial.times : 0;
+    whole.hits += trial.whole() ? trial.times : 0;
   }
   Basis basis{.n = whole.trials, .method = "permutation trials that are wholly right"};
   if (whole.trials > 0) {
@@ -171,22 +249,34 @@ void add_whole(const Matching& read, FindingList& findings) {
        .method = "exact binomial, one-sided against 1/" + std::to_string(read.items) + "!"});
 }
 
+/// Answers by what was felt and what was chosen, both as labels.
+struct ItemCounts {
+  std::vector<HitCount> hits{};  ///< by felt label, permutation trials only
+  std::vector<std::map<std::size_t, std::uint64_t>> trials_by_size{};  ///< the same trials
+  std::vector<std::uint64_t> chosen{};  ///< felt × chosen, all trials
+
+  explicit ItemCounts(const Matching& read)
+      : hits(read.labels.size()),
+        trials_by_size(read.labels.size()),
+        chosen(read.labels.size() * read.labels.size()) {
+    for (const Trial& trial : read.trials) {
+      for (const MatchedItem& item : read.items_of(trial)) {
+        if (item.chosen) chosen[item.felt * read.labels.size() + *item.chosen] += trial.times;
+        if (!trial.permutation) continue;
+        hits[item.felt].trials += trial.times;
+        hits[item.felt].hits += item.chosen == item.felt ? trial.times : 0;
+        trials_by_size[item.felt][trial.items] += trial.times;
+      }
+    }
+  }
+};
+
 /// Single textures. In trials of different sizes their chances differ, and the hits of chance are a
 /// sum of unequal coins.
 void add_textures(const Matching& read, FindingList& findings) {
+  const ItemCounts counts(read);
   for (const std::size_t label : read.felt) {
-    HitCount count{};
-    IntegerDistribution chance{};
-    for (const Trial& trial : read.trials) {
-      if (!trial.permutation) continue;
-      for (const MatchedItem& item : trial.items) {
-        if (item.felt != label) continue;
-        ++count.trials;
-        count.hits += item.chosen == label ? 1 : 0;
-        const double p = item_chance(trial.items.size());
-        if (!read.equal_size) chance = sum_of(chance, {.lowest = 0, .probability = {1.0 - p, p}});
-      }
-    }
+    const HitCount& count = counts.hits[label];
     if (count.trials == 0) continue;
     const std::string& name = read.labels[label];
     findings.count("texture.hits", name, count.hits,
@@ -196,6 +286,12 @@ void add_textures(const Matching& read, FindingList& findings) {
                      .method = "permutation trials only; interval of Wilson",
                      .interval = wilson_interval(count, read.confidence),
                      .confidence = read.confidence});
+    IntegerDistribution chance{};
+    for (const auto& [size, trials] : counts.trials_by_size[label]) {
+      if (read.equal_size) break;
+      const double p = item_chance(size);
+      chance = sum_of(chance, repeated_sum({.lowest = 0, .probability = {1.0 - p, p}}, trials));
+    }
     const double p = read.equal_size ? binomial_upper_tail(count, item_chance(read.items))
                                      : chance.upper_tail(static_cast<std::int64_t>(count.hits));
     findings.number("texture.p.greater", name, p,
@@ -205,14 +301,9 @@ void add_textures(const Matching& read, FindingList& findings) {
   }
   for (const std::size_t felt : read.felt) {
     for (const std::size_t chosen : read.felt) {
-      std::uint64_t count = 0;
-      for (const Trial& trial : read.trials) {
-        for (const MatchedItem& item : trial.items) {
-          count += item.felt == felt && item.chosen == chosen ? 1U : 0U;
-        }
-      }
-      findings.count("confusion", both(read.labels[felt], read.labels[chosen]), count,
-                     {.n = read.trials.size(), .method = "felt | chosen, all trials"});
+      findings.count("confusion", both(read.labels[felt], read.labels[chosen]),
+                     counts.chosen[felt * read.labels.size() + chosen],
+                     {.n = read.trials_in_all(), .method = "felt | chosen, all trials"});
     }
   }
 }
@@ -220,7 +311,9 @@ void add_textures(const Matching& read, FindingList& findings) {
 void add_mallows(const Matching& read, FindingList& findings) {
   std::vector<std::size_t> right{};
   for (const Trial& trial : read.trials) {
-    if (trial.permutation && trial.items.size() == read.items) right.push_back(trial.right);
+    if (trial.permutation && trial.items == read.items) {
+      right.insert(right.end(), trial.times, trial.right);
+    }
   }
   if (right.empty()) return;
   Basis basis{.n = right.size(), .method = "Mallows model with Hamming distance; chance is 0"};
@@ -264,27 +357,49 @@ void add_groups(const Matching& read, const std::vector<double>& means, FindingL
                   {.n = means.size(), .method = "exact permutation of participants, two-sided"});
 }
 
+/// The participant as the unit: the share of right items of each, over the participants.
+void add_shares_of_participants(std::span<const HitCount> own, double confidence,
+                                FindingList& findings) {
+  std::vector<double> shares{};
+  for (const HitCount& count : own) shares.push_back(proportion(count));
+  const OneSampleT t = one_sample_t(shares, {.confidence = confidence});
+  Basis mean{.n = t.n, .method = "mean of the participants' shares of right items; t interval"};
+  if (t.test) {
+    mean.interval = t.test->interval;
+    mean.confidence = confidence;
+  }
+  findings.number("subj.mean", "", t.mean, mean);
+  findings.number("subj.sd", "", t.sd.value_or(std::numeric_limits<double>::quiet_NaN()),
+                  {.n = t.n, .method = "of the participants' shares"});
+  add_spread("", shares, findings);
+}
+
 void add_participants(const Matching& read, FindingList& findings) {
-  std::vector<std::size_t> right(read.participants.size());
+  std::vector<HitCount> own(read.participants.size());
   std::vector<std::size_t> trials(read.participants.size());
-  std::vector<IntegerDistribution> chance(read.participants.size());
+  std::vector<Times> times(read.participants.size(), Times(read.chances.size()));
   for (const Trial& trial : read.trials) {
-    right[trial.participant] += trial.right;
-    ++trials[trial.participant];
-    chance[trial.participant] = sum_of(chance[trial.participant], trial.chance);
+    own[trial.participant].hits += trial.right * trial.times;
+    own[trial.participant].trials += trial.items * trial.times;
+    trials[trial.participant] += trial.times;
+    times[trial.participant][trial.chance] += trial.times;
   }
   std::vector<double> means{};
-  for (std::size_t person = 0; person < right.size(); ++person) {
-    means.push_back(static_cast<double>(right[person]) / static_cast<double>(trials[person]));
+  for (std::size_t person = 0; person < own.size(); ++person) {
+    means.push_back(static_cast<double>(own[person].hits) / static_cast<double>(trials[person]));
     findings.number("subject.mean", read.participants[person], means.back(),
                     {.n = 1, .method = "right items per trial"});
   }
-  for (std::size_t person = 0; person < right.size(); ++person) {
+  std::map<Times, IntegerDistribution> chances{};  // most participants have the same trials
+  for (std::size_t person = 0; person < own.size(); ++person) {
+    const auto [chance, is_new] = chances.try_emplace(times[person]);
+    if (is_new) chance->second = chance_of(read, times[person]);
     findings.number(
         "subject.p.greater", read.participants[person],
-        chance[person].upper_tail(static_cast<std::int64_t>(right[person])),
+        chance->second.upper_tail(static_cast<std::int64_t>(own[person].hits)),
         {.n = trials[person], .method = "exact, one-sided, against random orders of the answers"});
   }
+  add_shares_of_participants(own, read.confidence, findings);
   add_groups(read, means, findings);
 }
 
@@ -292,8 +407,15 @@ void add_participants(const Matching& read, FindingList& findings) {
 
 std::vector<Finding> matching_findings(const TidyInput& input) {
   const Matching read = matching_in(input);
+  const std::string parts = input.options.text_or("parts", "all");
+  if (parts != "all" && parts != "summary" && parts != "totals") {
+    throw std::runtime_error("the option \"parts\" is \"" + parts +
+                             "\"; it must be all, summary (no number of a single trial) or totals");
+  }
   FindingList findings{};
+  if (parts == "all") add_fixed_points(read, findings);
   add_totals(read, findings);
+  if (parts == "totals") return findings.take();
   add_whole(read, findings);
   add_textures(read, findings);
   add_mallows(read, findings);

@@ -43,11 +43,14 @@ Paired paired_in(const TidyInput& input) {
   const LabelColumn winner = table.labels("winner", outcomes);
   read.participants = participants.names;
   read.confidence = input.options.confidence();
+  const std::vector<std::uint64_t> times =
+      table.has("times") ? table.counts("times") : std::vector<std::uint64_t>(table.rows(), 1);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (winner.codes[row] == LabelColumn::kMissing) continue;
     Comparison one{.participant = participants.codes[row],
                    .first = first.codes[row],
-                   .second = second.codes[row]};
+                   .second = second.codes[row],
+                   .times = times[row]};
     if (one.first == LabelColumn::kMissing || one.second == LabelColumn::kMissing ||
         one.first == one.second) {
       table.refuse(row, "second", "a judgement needs two different items");
@@ -86,12 +89,18 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
   add_scale(read.items, fit.abilities, named(read, "bt.ability", "bt.se", from_first), findings);
   add_scale(read.items, fit.abilities.about_mean(),
             named(read, "bt.ability.sumzero", "bt.se.sumzero", method + ", mean 0"), findings);
+  if (n > 1) {
+    add_scale(read.items, fit.clustered.about_mean(),
+              named(read, "bt.ability.sumzero.cluster", "bt.se.sumzero.cluster",
+                    method + ", mean 0, participants as clusters (CR0)"),
+              findings);
+  }
+  const Eigen::VectorXd clustered = fit.clustered.standard_error();
   const Eigen::VectorXd worth = fit.abilities.worth();
   for (Eigen::Index i = 0; i < items; ++i) {
     const std::string& item = read.items[static_cast<std::size_t>(i)];
     number("bt.worth", item, worth(i), method + ", sum 1");
-    number("bt.se.cluster", item, fit.clustered_standard_error(i),
-           from_first + ", participants as clusters (CR0)");
+    number("bt.se.cluster", item, clustered(i), from_first + ", participants as clusters (CR0)");
   }
   const auto df = static_cast<double>(fit.df);
   number("bt.deviance", "", fit.deviance, method);
@@ -184,14 +193,16 @@ void add_consistency(const Paired& read, FindingList& findings) {
     const std::vector<Comparison>& own_judgements = by_participant[person];
     std::set<std::pair<std::size_t, std::size_t>> pairs{};
     std::vector<std::size_t> wins(items);
+    std::size_t judged = 0;
     bool tied = false;
     for (const Comparison& one : own_judgements) {
       pairs.insert(std::minmax(one.first, one.second));
+      judged += one.times;
       tied = tied || !one.winner;
       if (one.winner) ++wins[*one.winner];
     }
     const std::size_t all = items * (items - 1) / 2;
-    if (tied || own_judgements.size() != all || pairs.size() != all) continue;
+    if (tied || judged != all || pairs.size() != all) continue;
     const Consistency own = consistency(wins);
     const Basis basis{.n = 1, .method = "Kendall's circular triads"};
     findings.number("circular.triads", read.participants[person], own.circular_triads, basis);

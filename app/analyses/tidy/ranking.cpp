@@ -61,6 +61,8 @@ Rankings rankings_in(const TidyInput& input) {
   const LabelColumn trials = table.all_labels("trial");
   const LabelColumn items = table.labels("item", read.items);
   const std::vector<std::optional<double>> ranks = table.numbers("rank");
+  const std::vector<std::uint64_t> times =
+      table.has("times") ? table.counts("times") : std::vector<std::uint64_t>(table.rows(), 1);
   read.participants = participants.names;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> place{};
   std::vector<std::pair<std::size_t, std::vector<OfferedItem>>> offers{};
@@ -72,19 +74,24 @@ Rankings rankings_in(const TidyInput& input) {
     offers[found->second].second.push_back({row, items.codes[row], ranks[row]});
   }
   bool whole = !offers.empty();
+  std::size_t trials_in_all = 0;
   for (auto& [participant, offered] : offers) {
     read.rankings.push_back(ranking_of(table, offered));
     read.rankings.back().participant = participant;
+    read.rankings.back().times = times[offered.front().row];
+    trials_in_all += read.rankings.back().times;
     whole = whole && read.rankings.back().ranked.size() == read.items.size();
   }
   if (whole) {
-    read.ranks.resize(static_cast<Eigen::Index>(offers.size()),
+    read.ranks.resize(static_cast<Eigen::Index>(trials_in_all),
                       static_cast<Eigen::Index>(read.items.size()));
+    Eigen::Index next = 0;
     for (std::size_t trial = 0; trial < offers.size(); ++trial) {
+      const auto rows = static_cast<Eigen::Index>(read.rankings[trial].times);
       for (const OfferedItem& one : offers[trial].second) {
-        read.ranks(static_cast<Eigen::Index>(trial), static_cast<Eigen::Index>(one.item)) =
-            *one.rank;
+        read.ranks.block(next, static_cast<Eigen::Index>(one.item), rows, 1).setConstant(*one.rank);
       }
+      next += rows;
     }
   }
   return read;
@@ -107,12 +114,22 @@ void add_plackett_luce(const Rankings& read, const PlackettLuce& fit, FindingLis
              .n = n,
              .confidence = read.confidence},
             findings);
+  if (n > 1) {
+    add_scale(read.items, fit.clustered.about_mean(),
+              {.value = "pl.logworth.sumzero.cluster",
+               .error = "pl.se.sumzero.cluster",
+               .method = "Plackett–Luce, mean 0, participants as clusters (CR0)",
+               .n = n,
+               .confidence = read.confidence},
+              findings);
+  }
+  const Eigen::VectorXd clustered = fit.clustered.standard_error();
   const Eigen::VectorXd worth = fit.log_worths.worth();
   for (std::size_t i = 0; i < read.items.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
     findings.number("pl.worth", read.items[i], worth(index),
                     {.n = n, .method = "Plackett–Luce, sum 1"});
-    findings.number("pl.se.cluster", read.items[i], fit.clustered_standard_error(index),
+    findings.number("pl.se.cluster", read.items[i], clustered(index),
                     {.n = n, .method = method + ", participants as clusters (CR0)"});
   }
   const double lr = 2.0 * (fit.log_likelihood - fit.equal_log_likelihood);

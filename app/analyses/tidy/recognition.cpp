@@ -137,6 +137,7 @@ class Recognition final {
     }
     list_.number("subj.mean", "", t.mean, mean);
     number("subj.sd", "", t.sd.value_or(kUndefined), "spread of the participants' shares");
+    add_spread("", shares, list_);
     if (t.test) {
       number("subj.t", "", t.test->t, "t over participants against chance 1/m");
       number("subj.t.p.two", "", t.test->p, "two-sided t over participants against chance 1/m");
@@ -265,6 +266,10 @@ class Recognition final {
            "two dimensions of the sum of |eigenvalues|");
     number((mds + ".gof2").c_str(), "", map.fit_of_positive.value_or(kUndefined),
            "two dimensions of the sum of positive eigenvalues");
+    for (Eigen::Index i = 0; i < map.points.rows(); ++i) {
+      number((mds + ".x").c_str(), label(i), map.points(i, 0), "first coordinate of the map");
+      number((mds + ".y").c_str(), label(i), map.points(i, 1), "second coordinate of the map");
+    }
     if (map.plane_is_unique) {
       Eigen::MatrixXd distances = Eigen::MatrixXd::Zero(d.rows(), d.cols());
       for (Eigen::Index i = 0; i < d.rows(); ++i) {
@@ -285,6 +290,11 @@ class Recognition final {
     for (std::size_t join = 0; join < tree.joins.size(); ++join) {
       number((start + ".height").c_str(), std::to_string(join + 1), tree.joins[join].height,
              method);
+      list_.word(start + ".first", std::to_string(join + 1), trials_.labels[tree.joins[join].first],
+                 "ok", basis(method + ", a member of the one cluster"));
+      list_.word(start + ".second", std::to_string(join + 1),
+                 trials_.labels[tree.joins[join].second], "ok",
+                 basis(method + ", a member of the other"));
     }
     of_pairs(start + ".cophenetic", tree.cophenetic, method);
   }

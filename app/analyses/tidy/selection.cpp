@@ -171,19 +171,20 @@ CountMatrix counts_by_participant(const Choices& read) {
   return all.topRows(kept);
 }
 
-void add_person_shares(const Choices& read, const CountMatrix& counts, FindingList& findings) {
-  const std::string& target = read.renderers[read.target];
+/// The shares that participants have of one alternative.
+void add_person_shares(const Choices& read, const CountMatrix& counts, std::size_t alternative,
+                       FindingList& findings) {
+  const std::string& target = read.renderers[alternative];
   const auto n = static_cast<std::size_t>(counts.rows());
   const auto number = [&](const char* quantity, const std::string& key, double value,
                           const std::string& method) {
     findings.number(quantity, key, value, {.n = n, .method = method});
   };
-  number("subj.n", "", static_cast<double>(n), "participants who chose at all");
   std::vector<HitCount> own{};
   std::vector<double> shares{};
   for (Eigen::Index person = 0; person < counts.rows(); ++person) {
     own.push_back(
-        {.hits = static_cast<std::uint64_t>(counts(person, static_cast<Eigen::Index>(read.target))),
+        {.hits = static_cast<std::uint64_t>(counts(person, static_cast<Eigen::Index>(alternative))),
          .trials = static_cast<std::uint64_t>(counts.row(person).sum())});
     shares.push_back(proportion(own.back()));
   }
@@ -205,6 +206,7 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, FindingLi
   number("subj.t.p.two", target, t.test ? t.test->p : kNone, method);
   number("subj.ci.lower", target, t.test ? t.test->interval.low : kNone, "Student's t");
   number("subj.ci.upper", target, t.test ? t.test->interval.high : kNone, "Student's t");
+  add_spread(target, shares, findings);
   const PooledShare pooled = n > 0 ? pooled_share(own) : PooledShare{kNone, kNone, kNone, kNone};
   number("pooled.se.cluster", target, pooled.clustered_standard_error,
          "standard error of the pooled share, participants as clusters");
@@ -316,7 +318,12 @@ std::vector<Finding> selection_findings(const TidyInput& input) {
   FindingList findings{};
   add_blocks(read, findings);
   const CountMatrix counts = counts_by_participant(read);
-  add_person_shares(read, counts, findings);
+  findings.count(
+      "subj.n", "", static_cast<std::uint64_t>(counts.rows()),
+      {.n = static_cast<std::size_t>(counts.rows()), .method = "participants who chose at all"});
+  for (std::size_t j = 0; j < read.renderers.size(); ++j) {
+    add_person_shares(read, counts, j, findings);
+  }
   add_label_tests(read, counts, findings);
   add_cochran(read, findings);
   return findings.take();

@@ -18,13 +18,15 @@ constexpr std::array kFamilies{
                "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
                "standard_spacing; modulus; conf",
                magnitude_findings},
-    TidyFamily{"matching",
-               "subject,trial,stimulus,response and, where there are groups, group: one row per "
-               "place of a trial, response empty where it was left blank",
-               "conf", matching_findings},
+    TidyFamily{
+        "matching",
+        "subject,trial,stimulus,response and, where there are groups, group: one row per "
+        "place of a trial, response empty where it was left blank; and, where a trial stands "
+        "for several, times",
+        "conf; parts: all, summary, totals", matching_findings},
     TidyFamily{"paired",
                "subject,first,second,winner: the item that was put before the other, or tie, empty "
-               "where nothing was judged",
+               "where nothing was judged; and, where rows stand for several judgements, times",
                "items (all that were compared), conf", paired_findings},
     TidyFamily{"power",
                "id,kind,n,k,p0,p1,alpha,theta,d,f,rho,eps,probs: one plan per row; the columns "
@@ -40,7 +42,8 @@ constexpr std::array kFamilies{
                psyfit_findings},
     TidyFamily{"ranking",
                "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
-               "stands behind all that were ranked; an item that was not offered has no row",
+               "stands behind all that were ranked; an item that was not offered has no row; and, "
+               "where a trial stands for several, times",
                "items (all that were offered anywhere), conf", ranking_findings},
     TidyFamily{"rating", "subject,item,score: the larger the better, ties allowed",
                "items (all that were scored)", rating_findings},
