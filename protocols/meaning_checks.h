@@ -93,6 +93,9 @@ class Meaning final {
   void check_question(const Protocol::Block& block, const std::string& pointer);
   void check_order(const Protocol::Block& block, const std::string& pointer);
   void check_criterion(const Protocol::Block& block, const std::string& pointer);
+  void check_analysis();
+  /// What the answers of a selection can be.
+  std::set<std::string> items_of_main_blocks();
   void check_size();
   void check_trials();
   void check_draws();

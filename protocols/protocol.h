@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analysis/force_features.h"
+#include "protocols/analysis_declaration.h"
 #include "stimuli/material.h"
 #include "stimuli/parameter.h"
 #include "stimuli/solid_body.h"
@@ -286,6 +287,7 @@ struct Protocol {
   std::vector<Step> flow{};
   ObserverDeclaration observer{};
   bool record = true;  ///< every tick of every attempt
+  AnalysisDeclaration analysis{};
 
   std::string source{};  ///< the file, byte for byte
 };

@@ -401,6 +401,7 @@ void read_observer(const json& root, Protocol& protocol) {
   if (const auto found = root.find("recording"); found != root.end()) {
     read(*found, "every_tick", protocol.record);
   }
+  protocol.analysis = analysis_declared_in(root);
 }
 
 }  // namespace

@@ -1,0 +1,39 @@
+// What a protocol declares, before there are data, about their analysis.
+
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+/// A group of tests that a kind of protocol has, by the name under which a protocol can take it into
+/// its family.
+struct TestName {
+  std::string_view kind{};  ///< as text_of(ProtocolKind)
+  std::string_view name{};
+  std::string_view meaning{};
+};
+
+/// Of every kind, in order; of each kind the first is its family where a protocol declares none.
+std::span<const TestName> test_names();
+
+/// The key `analysis`. Its p values are adjusted together after Holm: only then does the chance of
+/// any false alarm among them stay where it was set, and only if the family was chosen before the
+/// data.
+struct AnalysisDeclaration {
+  std::optional<std::string>
+      target{};                       ///< of a selection: the item whose superiority is in question
+  std::vector<std::string> family{};  ///< names of tests; empty: not declared
+  bool operator==(const AnalysisDeclaration&) const = default;
+};
+
+/// Of the text of a protocol, which may be from another version of the program or no JSON at all;
+/// nothing where it declares nothing in this form. See also analysis_declared_in of
+/// protocol_from_json.h.
+AnalysisDeclaration declared_analysis(const std::string& source);
+
+}  // namespace asperity
