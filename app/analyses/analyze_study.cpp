@@ -56,6 +56,11 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
                "together.")
             .with(std::to_string(gathered.sources)));
   }
+  if (!gathered.declared_alike) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "These files declare different tests: nothing counts as declared before the data."));
+  }
   if (count.unfinished_sessions > 0) {
     outcome.remarks.push_back(
         phrase("Analysis", "Sessions that are not completed: %1 of %2.")

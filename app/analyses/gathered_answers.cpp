@@ -2,7 +2,6 @@
 
 #include "app/analyses/gathered_answers.h"
 
-#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -16,8 +15,8 @@ namespace {
 
 constexpr const char* kMainPhase = "main";
 
-std::string column_of(const PlannedTrialRow& trial) {
-  const nlohmann::json factors = nlohmann::json::parse(trial.factors_json);
+std::string column_of(const std::string& factors_json) {
+  const nlohmann::json factors = nlohmann::json::parse(factors_json);
   const auto level = factors.find(kColumnFactor);
   if (level == factors.end()) return {};
   return level->is_string() ? level->get<std::string>() : text_of_number(level->get<double>());
@@ -30,50 +29,132 @@ bool is_guessing(const SessionRow& session) {
   return observer.value("deaf", false) || observer.value("expectation", "") == "none";
 }
 
-GatheredAnswer answer_of(const ParticipantRow& participant, const std::string& column,
-                         AttemptRow attempt) {
-  GatheredAnswer answer{};
-  answer.participant = participant.label;
-  answer.sex = participant.sex;
-  answer.column = column;
-  for (const PresentationRow& surface : attempt.presentations) {
-    answer.surfaces.push_back({surface.item, surface.model, surface.texture,
-                               surface.matched_texture_force_N, surface.achieved_texture_force_N});
-  }
-  std::sort(attempt.responses.begin(), attempt.responses.end(),
-            [](const auto& a, const auto& b) { return a.item < b.item; });
-  for (const ResponseRow& response : attempt.responses) {
-    answer.answers.push_back(response.answer);
-    answer.correct.push_back(response.correct);
-    answer.options = nlohmann::json::parse(response.options_json).get<std::vector<std::string>>();
-  }
-  return answer;
-}
+/// The answers of a group while its sessions come in.
+class Gathering {
+ public:
+  GatheredAnswers gathered{};
 
-void gather_session(const Study& study, const ParticipantRow& participant,
-                    const SessionRow& session, GatheredAnswers& gathered) {
-  std::map<int, std::string> column_of_trial{};
-  for (const PlannedTrialRow& trial : study.plan(session.id)) {
-    if (trial.phase == kMainPhase) column_of_trial[trial.trial] = column_of(trial);
-  }
-  gathered.count.planned_trials += column_of_trial.size();
-  for (AttemptRow& attempt : study.attempts(session.id)) {
-    const auto column = column_of_trial.find(attempt.trial);
-    if (column == column_of_trial.end()) continue;
-    if (!attempt.valid || attempt.responses.empty()) {
-      const std::string outcome = text_of(attempt.outcome);
-      // An answer that does not count was given, but the machine failed.
-      ++gathered.count.not_counted[outcome == "answered" ? "answered but invalid" : outcome];
-      continue;
+  void add_session(const SessionRow& session, const ParticipantRow& participant,
+                   const SessionAnswers& answers) {
+    ++gathered.count.sessions;
+    if (session.state != SessionState::completed) ++gathered.count.unfinished_sessions;
+    if (is_guessing(session)) ++gathered.count.guessing_sessions;
+    participants_.insert(session.participant);
+    Session reading{.answers = answers,
+                    .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};
+    reading.options = reading.columns = reading.words;
+    std::map<int, std::uint32_t> column_of_trial{};
+    for (const SessionAnswers::Trial& trial : answers.trials) {
+      if (answers.words[trial.phase] == kMainPhase) {
+        column_of_trial[trial.trial] = column(reading, trial.factors_json);
+      }
     }
-    if (attempt.excluded) {
-      ++gathered.count.not_counted["excluded"];
-      continue;
+    gathered.count.planned_trials += column_of_trial.size();
+    for (const SessionAnswers::Attempt& attempt : answers.attempts) {
+      const auto column = column_of_trial.find(attempt.trial);
+      if (column == column_of_trial.end()) continue;
+      if (!attempt.valid || attempt.replies == 0) {
+        const std::string outcome = text_of(attempt.outcome);
+        // An answer that does not count was given, but the machine failed.
+        ++gathered.count.not_counted[outcome == "answered" ? "answered but invalid" : outcome];
+      } else if (attempt.excluded) {
+        ++gathered.count.not_counted["excluded"];
+      } else {
+        if (attempt.flagged) ++gathered.count.flagged;
+        add_answer(reading, attempt, person(participant), column->second);
+      }
     }
-    if (attempt.flagged) ++gathered.count.flagged;
-    gathered.answers.push_back(answer_of(participant, column->second, std::move(attempt)));
   }
-}
+
+  void declare(const ProtocolRow& protocol) {
+    if (!sources_.insert(protocol.source_sha256).second) return;
+    AnalysisDeclaration declared = declared_analysis(protocol.source);
+    if (sources_.size() == 1) {
+      gathered.declared = std::move(declared);
+    } else if (!(declared == gathered.declared)) {
+      gathered.declared_alike = false;
+    }
+  }
+
+  GatheredAnswers finish() && {
+    gathered.count.participants = participants_.size();
+    gathered.sources = sources_.size();
+    if (!gathered.declared_alike) gathered.declared = {};
+    return std::move(gathered);
+  }
+
+ private:
+  /// A session's own places of words, as far as they are known to the group.
+  struct Session {
+    const SessionAnswers& answers;
+    std::vector<std::optional<std::uint32_t>> words{};
+    std::vector<std::optional<std::uint32_t>> options{};  ///< lists, by the word of their JSON
+    std::vector<std::optional<std::uint32_t>> columns{};  ///< by the word of the factors' JSON
+  };
+
+  std::uint32_t word(Session& session, std::uint32_t place) {
+    std::optional<std::uint32_t>& own = session.words[place];
+    if (!own) own = gathered.words.place(session.answers.words[place]);
+    return *own;
+  }
+
+  std::uint32_t column(Session& session, std::uint32_t factors_json) {
+    std::optional<std::uint32_t>& own = session.columns[factors_json];
+    if (!own) own = gathered.words.place(column_of(session.answers.words[factors_json]));
+    return *own;
+  }
+
+  std::uint32_t options(Session& session, std::uint32_t options_json) {
+    std::optional<std::uint32_t>& own = session.options[options_json];
+    if (own) return *own;
+    const std::string& text = session.answers.words[options_json];
+    const auto [known, is_new] =
+        option_lists_.try_emplace(text, static_cast<std::uint32_t>(gathered.option_lists.size()));
+    if (is_new) {
+      gathered.option_lists.push_back(nlohmann::json::parse(text).get<std::vector<std::string>>());
+    }
+    own = known->second;
+    return *own;
+  }
+
+  std::uint32_t person(const ParticipantRow& participant) {
+    if (gathered.people.empty() || gathered.people.back().label != participant.label) {
+      gathered.people.push_back({participant.label, participant.sex});
+    }
+    return static_cast<std::uint32_t>(gathered.people.size() - 1);
+  }
+
+  void add_answer(Session& session, const SessionAnswers::Attempt& attempt, std::uint32_t person,
+                  std::uint32_t column) {
+    const auto surfaces = session.answers.surfaces_of(attempt);
+    const auto replies = session.answers.replies_of(attempt);
+    gathered.answers.push_back({.person = person,
+                                .column = column,
+                                .options = options(session, replies.back().options_json),
+                                .surface_count = static_cast<std::uint16_t>(surfaces.size()),
+                                .reply_count = static_cast<std::uint16_t>(replies.size()),
+                                .first_surface = gathered.surfaces.size(),
+                                .first_reply = gathered.replies.size()});
+    for (const SessionAnswers::Surface& surface : surfaces) {
+      gathered.surfaces.push_back({word(session, surface.item), word(session, surface.texture)});
+      TextureForces& forces = gathered.forces[session.answers.words[surface.model]];
+      ++forces.surfaces;
+      if (surface.matched_texture_force_N) {
+        forces.matched_N.push_back(*surface.matched_texture_force_N);
+      }
+      if (surface.achieved_texture_force_N) {
+        forces.achieved_N.push_back(*surface.achieved_texture_force_N);
+      }
+    }
+    for (const SessionAnswers::Reply& reply : replies) {
+      gathered.replies.push_back({word(session, reply.answer), reply.correct});
+    }
+  }
+
+  std::set<std::string> participants_{};
+  std::set<std::string> sources_{};
+  std::map<std::string, std::uint32_t> option_lists_{};
+};
 
 }  // namespace
 
@@ -94,38 +175,42 @@ AnswerGroup group_of(const ParticipantRow& participant, const SessionRow& sessio
   return session.mode == SessionMode::pilot ? AnswerGroup::pilot : AnswerGroup::people;
 }
 
+std::uint32_t Words::place(const std::string& word) {
+  const auto [found, is_new] = places_.try_emplace(word, static_cast<std::uint32_t>(words_.size()));
+  if (is_new) words_.push_back(word);
+  return found->second;
+}
+
+std::optional<std::uint32_t> Words::find(const std::string& word) const {
+  const auto found = places_.find(word);
+  return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::vector<GatheredAnswers> gather_answers(const Study& study,
                                             const std::optional<std::string>& protocol,
                                             const std::stop_token& stop) {
-  std::map<std::tuple<std::string, std::string, AnswerGroup>, GatheredAnswers> groups{};
-  std::map<std::tuple<std::string, std::string, AnswerGroup>, std::set<std::string>> people{};
-  std::map<std::tuple<std::string, std::string, AnswerGroup>, std::set<std::string>> sources{};
+  std::map<std::tuple<std::string, std::string, AnswerGroup>, Gathering> groups{};
+  std::map<std::int64_t, ProtocolRow> protocols{};
+  for (ProtocolRow& row : study.protocols()) protocols.emplace(row.id, std::move(row));
+  std::map<std::string, ParticipantRow> participants{};
+  for (ParticipantRow& row : study.participants()) participants.emplace(row.label, std::move(row));
   for (const SessionRow& session : study.sessions()) {
     if (stop.stop_requested()) break;
-    const ProtocolRow of = study.protocol(session.protocol_id);
+    const ProtocolRow& of = protocols.at(session.protocol_id);
     if (protocol && of.name != *protocol) continue;
-    const ParticipantRow participant = study.participant(session.participant).value();
+    const ParticipantRow& participant = participants.at(session.participant);
     const AnswerGroup group = group_of(participant, session);
-    const auto key = std::tuple(of.name, of.version, group);
-    GatheredAnswers& gathered = groups[key];
-    gathered.protocol = of.name;
-    gathered.version = of.version;
-    gathered.kind = of.kind;
-    gathered.design = of.design;
-    gathered.group = group;
-    ++gathered.count.sessions;
-    if (session.state != SessionState::completed) ++gathered.count.unfinished_sessions;
-    if (is_guessing(session)) ++gathered.count.guessing_sessions;
-    people[key].insert(session.participant);
-    sources[key].insert(of.source_sha256);
-    gather_session(study, participant, session, gathered);
+    Gathering& gathering = groups[std::tuple(of.name, of.version, group)];
+    gathering.gathered.protocol = of.name;
+    gathering.gathered.version = of.version;
+    gathering.gathered.kind = of.kind;
+    gathering.gathered.design = of.design;
+    gathering.gathered.group = group;
+    gathering.declare(of);
+    gathering.add_session(session, participant, study.answers(session.id));
   }
   std::vector<GatheredAnswers> all{};
-  for (auto& [key, gathered] : groups) {
-    gathered.count.participants = people[key].size();
-    gathered.sources = sources[key].size();
-    all.push_back(std::move(gathered));
-  }
+  for (auto& [key, gathering] : groups) all.push_back(std::move(gathering).finish());
   return all;
 }
 

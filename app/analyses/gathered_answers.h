@@ -3,13 +3,17 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
+#include "protocols/analysis_declaration.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -26,24 +30,53 @@ const char* text_of(AnswerGroup group) noexcept;
 /// Of the answers that a participant gives in a session.
 AnswerGroup group_of(const ParticipantRow& participant, const SessionRow& session);
 
-/// One surface that was felt before the answer.
+/// Words, each told by its place: there are few words and a million answers.
+class Words final {
+ public:
+  std::uint32_t place(const std::string& word);
+  const std::string& at(std::uint32_t place) const { return words_.at(place); }
+  std::size_t size() const noexcept { return words_.size(); }
+  /// Nothing where nobody has used it.
+  std::optional<std::uint32_t> find(const std::string& word) const;
+
+ private:
+  std::vector<std::string> words_{};
+  std::unordered_map<std::string, std::uint32_t> places_{};
+};
+
+/// One surface that was felt before the answer, as places of words.
 struct FeltSurface {
-  std::string item{};  ///< what it counts as in the answers
-  std::string model{};
-  std::string texture{};
-  std::optional<double> matched_texture_force_N{};
-  std::optional<double> achieved_texture_force_N{};
+  std::uint32_t item = 0;  ///< what it counts as in the answers
+  std::uint32_t texture = 0;
+};
+
+/// What was answered: to a choice once, in an assignment for each surface.
+struct Reply {
+  std::uint32_t answer = 0;  ///< a place of a word
+  std::optional<bool> correct{};
 };
 
 /// One valid, answered attempt at a trial of the main phase.
 struct GatheredAnswer {
-  std::string participant{};
+  std::uint32_t person = 0;   ///< which of the people
+  std::uint32_t column = 0;   ///< word of the level of the factor `column`; the empty one without
+  std::uint32_t options = 0;  ///< which of the option lists
+  std::uint16_t surface_count = 0;
+  std::uint16_t reply_count = 0;
+  std::size_t first_surface = 0;
+  std::size_t first_reply = 0;
+};
+
+struct AnsweringPerson {
+  std::string label{};
   std::optional<std::string> sex{};
-  std::string column{};                        ///< level of the factor `column`; empty without one
-  std::vector<FeltSurface> surfaces{};         ///< by position
-  std::vector<std::string> answers{};          ///< one for a choice; by position for an assignment
-  std::vector<std::optional<bool>> correct{};  ///< of each answer
-  std::vector<std::string> options{};          ///< that were open, as shown
+};
+
+/// Texture force of the surfaces that one force model rendered.
+struct TextureForces {
+  std::size_t surfaces = 0;
+  std::vector<double> matched_N{};   ///< aimed at, where it was
+  std::vector<double> achieved_N{};  ///< where the surface was felt for long enough
 };
 
 /// What was left out, and what was kept although something was noticed.
@@ -63,9 +96,27 @@ struct GatheredAnswers {
   std::string kind{};
   std::string design{};
   std::size_t sources = 0;  ///< different files that carry this name and version
+  AnalysisDeclaration declared{};
+  bool declared_alike = true;  ///< by all of those files; otherwise nothing counts as declared
   AnswerGroup group = AnswerGroup::people;
   AnswerCount count{};
-  std::vector<GatheredAnswer> answers{};  ///< by participant and session
+  Words words{};
+  std::vector<AnsweringPerson> people{};                 ///< with an answer, by label
+  std::vector<std::vector<std::string>> option_lists{};  ///< as shown, each order once
+  std::vector<GatheredAnswer> answers{};                 ///< by participant and session
+  std::vector<FeltSurface> surfaces{};
+  std::vector<Reply> replies{};
+  std::map<std::string, TextureForces> forces{};  ///< by model
+
+  /// By position.
+  std::span<const FeltSurface> surfaces_of(const GatheredAnswer& answer) const {
+    return std::span(surfaces).subspan(answer.first_surface, answer.surface_count);
+  }
+  std::span<const Reply> replies_of(const GatheredAnswer& answer) const {
+    return std::span(replies).subspan(answer.first_reply, answer.reply_count);
+  }
+  const Reply& reply_of(const GatheredAnswer& answer) const { return replies[answer.first_reply]; }
+  const std::string& word(std::uint32_t place) const { return words.at(place); }
 };
 
 /// By protocol, version and group; empty groups are absent. With a `protocol` only those of that

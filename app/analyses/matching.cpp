@@ -1,52 +1,98 @@
 // Matching: several felt textures are assigned to as many pictures.
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
-#include "analysis/matching_null.h"
 #include "app/analyses/families.h"
+#include "app/analyses/study_findings.h"
 #include "app/analyses/tally.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr double kConfidence = 0.95;
+constexpr std::size_t kMostItems = 12;  // of which matching by chance can be counted
 
 /// One go: as many pictures as surfaces, every picture right for one surface and used once, so that
-/// a person who feels nothing draws a random permutation.
+/// a person who feels nothing draws a random permutation. Equal ones of a person stand together.
 struct Assignment {
-  const GatheredAnswer* answer = nullptr;
-  std::size_t items = 0;
+  std::uint32_t person = 0;
+  std::uint32_t column = 0;
+  std::uint32_t options = 0;
+  std::vector<std::uint32_t> felt{};  ///< words in order
+  std::vector<std::uint32_t> chosen{};
   std::size_t right = 0;
+  std::size_t times = 0;
 
-  bool whole() const noexcept { return right == items; }
+  std::size_t items() const noexcept { return felt.size(); }
+  bool whole() const noexcept { return right == items(); }
 };
+using Chosen = std::span<const Assignment* const>;
 
-bool has_twice(std::vector<std::string> words) {
-  std::sort(words.begin(), words.end());
-  return std::adjacent_find(words.begin(), words.end()) != words.end();
-}
-
-bool is_permutation_of_pictures(const GatheredAnswer& answer) {
-  const std::size_t items = answer.surfaces.size();
-  std::vector<std::string> felt{};
-  for (const FeltSurface& surface : answer.surfaces) felt.push_back(surface.item);
-  const bool judged =
-      std::all_of(answer.correct.begin(), answer.correct.end(),
-                  [](const std::optional<bool>& correct) { return correct.has_value(); });
-  return items > 0 && judged && answer.answers.size() == items && answer.options.size() == items &&
-         !has_twice(felt) && !has_twice(answer.answers);
+bool is_permutation_of_pictures(const GatheredAnswers& gathered, const GatheredAnswer& answer) {
+  const auto surfaces = gathered.surfaces_of(answer);
+  const auto replies = gathered.replies_of(answer);
+  const std::size_t items = surfaces.size();
+  if (items == 0 || items > kMostItems || replies.size() != items ||
+      gathered.option_lists[answer.options].size() != items) {
+    return false;
+  }
+  for (std::size_t i = 0; i < items; ++i) {
+    if (!replies[i].correct) return false;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (surfaces[i].item == surfaces[j].item || replies[i].answer == replies[j].answer) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 std::vector<Assignment> assignments_of(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<Assignment> assignments{};
+  std::unordered_map<std::u32string, std::size_t> places{};
+  std::size_t left_out = 0;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs{};
+  std::u32string name{};
   for (const GatheredAnswer& answer : gathered.answers) {
-    if (!is_permutation_of_pictures(answer)) continue;
-    const auto right = std::count(answer.correct.begin(), answer.correct.end(), true);
-    assignments.push_back({&answer, answer.surfaces.size(), static_cast<std::size_t>(right)});
+    if (!is_permutation_of_pictures(gathered, answer)) {
+      ++left_out;
+      continue;
+    }
+    const auto surfaces = gathered.surfaces_of(answer);
+    const auto replies = gathered.replies_of(answer);
+    pairs.clear();
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      pairs.emplace_back(surfaces[i].item, replies[i].answer);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    name.clear();
+    for (const std::uint32_t part : {answer.person, answer.column, answer.options}) name += part;
+    for (const auto& [felt, chosen] : pairs) {
+      name += felt;
+      name += chosen;
+    }
+    const auto [found, is_new] = places.try_emplace(name, assignments.size());
+    if (is_new) {
+      Assignment& made = assignments.emplace_back();
+      made.person = answer.person;
+      made.column = answer.column;
+      made.options = answer.options;
+      for (const auto& [felt, chosen] : pairs) {
+        made.felt.push_back(felt);
+        made.chosen.push_back(chosen);
+      }
+      made.right = static_cast<std::size_t>(
+          std::count_if(replies.begin(), replies.end(), [](const Reply& r) { return *r.correct; }));
+    }
+    ++assignments[found->second].times;
   }
-  const std::size_t left_out = gathered.answers.size() - assignments.size();
   if (left_out > 0) {
     outcome.remarks.push_back(
         phrase("Analysis",
@@ -63,43 +109,97 @@ std::uint64_t permutations(std::size_t items) {
   return product;
 }
 
-/// A row of the table of items: how many are right, against random permutations.
-struct ItemRow {
-  std::size_t right = 0;
-  std::size_t assignments = 0;
-  std::set<std::size_t> items{};  ///< in one assignment
-  std::set<std::string> persons{};
-};
+/// Rows of the family `matching`. What is right there is what bears the name of what was felt.
+TidyInput assignments_table(const GatheredAnswers& gathered, Chosen assignments,
+                            const char* parts) {
+  LabelColumn times{};
+  LabelColumn people{};
+  LabelColumn goes{};
+  LabelColumn felt{};
+  LabelColumn chosen{};
+  LabelColumn groups{.names = {"F", "M"}};
+  std::map<std::size_t, std::size_t> place_of_times{};
+  bool sexes[2] = {false, false};
+  for (const AnsweringPerson& person : gathered.people) {
+    people.names.push_back(person.label);
+    sexes[0] = sexes[0] || person.sex == "F";
+    sexes[1] = sexes[1] || person.sex == "M";
+  }
+  for (std::size_t word = 0; word < gathered.words.size(); ++word) {
+    felt.names.push_back(gathered.word(static_cast<std::uint32_t>(word)));
+  }
+  chosen.names = felt.names;
+  std::vector<std::size_t> goes_of(gathered.people.size());
+  for (const Assignment* assignment : assignments) {
+    const std::size_t go = goes_of[assignment->person]++;
+    if (go == goes.names.size()) goes.names.push_back(std::to_string(go + 1));
+    const auto [place, is_new] = place_of_times.try_emplace(assignment->times, times.names.size());
+    if (is_new) times.names.push_back(std::to_string(assignment->times));
+    const std::optional<std::string>& sex = gathered.people[assignment->person].sex;
+    for (std::size_t i = 0; i < assignment->items(); ++i) {
+      people.codes.push_back(assignment->person);
+      goes.codes.push_back(go);
+      felt.codes.push_back(assignment->felt[i]);
+      chosen.codes.push_back(assignment->chosen[i]);
+      times.codes.push_back(place->second);
+      if (sexes[0] && sexes[1]) {
+        groups.codes.push_back(sex == "F" ? 0 : sex == "M" ? 1 : LabelColumn::kMissing);
+      }
+    }
+  }
+  std::vector<TidyTable::Column> columns{{"subject", std::move(people)},
+                                         {"trial", std::move(goes)},
+                                         {"stimulus", std::move(felt)},
+                                         {"response", std::move(chosen)},
+                                         {"times", std::move(times)}};
+  if (sexes[0] && sexes[1]) columns.push_back({"group", std::move(groups)});
+  TidyInput input{};
+  input.tables.emplace_back(std::move(columns), "the assignments");
+  input.options.add("parts", json_text(parts));
+  return input;
+}
 
-void add_item_row(const std::string& column, const std::string& person, const ItemRow& row,
-                  NamedTable& table, AnalysisOutcome& outcome) {
+/// A row of the table of items: how many are right, against random permutations.
+void add_item_row(const GatheredAnswers& gathered, const std::string& column,
+                  const std::string& person, Chosen assignments, NamedTable& table,
+                  AnalysisOutcome& outcome) {
+  std::set<std::uint32_t> persons{};
+  std::set<std::size_t> sizes{};
+  std::int64_t right = 0;
+  std::int64_t of = 0;
+  for (const Assignment* assignment : assignments) {
+    persons.insert(assignment->person);
+    sizes.insert(assignment->items());
+    right += static_cast<std::int64_t>(assignment->right * assignment->times);
+    of += static_cast<std::int64_t>(assignment->items() * assignment->times);
+  }
   std::vector<Cell>& cells = table.table.rows.emplace_back();
   Finding finding{};
   finding.quantity = "share_of_items_correct";
   finding.key = "column=" + column + " person=" + person;
   finding.unit = "1";
-  finding.n = row.persons.size();
-  cells.insert(cells.end(), {column, person, static_cast<std::int64_t>(row.right)});
-  if (row.items.size() != 1) {
+  finding.n = persons.size();
+  cells.insert(cells.end(), {column, person, right});
+  if (sizes.size() != 1) {
     cells.resize(table.table.columns.size());
-    finding.status = row.items.empty()
+    finding.status = sizes.empty()
                          ? "nobody has answered yet"
                          : "the number of items differs between the trials, and chance with it";
     outcome.findings.push_back(std::move(finding));
     return;
   }
-  const std::size_t items = *row.items.begin();
-  const std::size_t of = items * row.assignments;
-  const MatchingNull null({items, row.assignments});
-  const CountInterval by_chance = null.central_interval(kConfidence);
-  const double p = null.upper_tail(row.right);
-  const auto share = [of](std::size_t count) {
-    return static_cast<double>(count) / static_cast<double>(of);
+  const std::vector<Finding> numbers =
+      analysis_of("matching", "matching", assignments_table(gathered, assignments, "totals"));
+  const FoundNumbers found(numbers);
+  const std::size_t items = *sizes.begin();
+  const auto share = [&](const char* quantity) {
+    return found.value(quantity).value_or(0.0) / static_cast<double>(of);
   };
-  cells.insert(cells.end(), {static_cast<std::int64_t>(of),
-                             static_cast<std::int64_t>(row.persons.size()), share(row.right),
-                             item_chance(items), share(by_chance.low), share(by_chance.high), p});
-  finding.value = share(row.right);
+  const double p = found.value("exact.p.greater").value_or(1.0);
+  cells.insert(cells.end(),
+               {of, static_cast<std::int64_t>(persons.size()), found.cell("prop.correct"),
+                1.0 / static_cast<double>(items), share("null.lower"), share("null.upper"), p});
+  finding.value = found.value("prop.correct");
   finding.method = "right items of all items; chance 1/" + std::to_string(items);
   outcome.findings.push_back(finding);
   finding.quantity = "p";
@@ -109,47 +209,45 @@ void add_item_row(const std::string& column, const std::string& person, const It
   outcome.findings.push_back(std::move(finding));
 }
 
-}  // namespace
-
-void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
-  const std::vector<std::string> columns = columns_of(gathered);
-  const std::vector<Assignment> assignments = assignments_of(gathered, outcome);
-
-  CountTable counts{"table_2",
-                    phrase("Analysis", "Matched: whole permutations right (counts)"),
-                    {},
-                    "person",
-                    sex_labels(gathered)};
-  const auto count_of = [&](std::size_t label, const std::string& column) {
-    return static_cast<std::size_t>(
-        std::count_if(assignments.begin(), assignments.end(), [&](const Assignment& assignment) {
-          return assignment.whole() && stands_in(*assignment.answer, column) &&
-                 is_of(*assignment.answer, counts.labels[label]);
-        }));
-  };
+/// The tables by column and sex.
+void add_chapter_tables(const GatheredAnswers& gathered, std::span<const Assignment> assignments,
+                        AnalysisOutcome& outcome) {
+  const ChapterCells cells(gathered);
+  const std::size_t sexes = cells.sexes().size();
+  CountTable counts = count_table(cells.sexes(), cells.columns());
+  counts.name = "table_2";
+  counts.title = phrase("Analysis", "Matched: whole permutations right (counts)");
+  counts.label_column = "person";
+  std::vector<Tally> whole(cells.columns().size() * sexes);
+  std::vector<std::vector<const Assignment*>> in_cell(whole.size());
   Tally goes{};
   Tally single{};
   for (const Assignment& assignment : assignments) {
-    const std::string& person = assignment.answer->participant;
-    goes.count(person, assignment.whole(), permutations(assignment.items));
-    single.count(person, false, assignment.items);
+    const std::uint32_t person = assignment.person;
+    const std::uint64_t outcomes = permutations(assignment.items());
+    goes.count(person, assignment.whole(), outcomes);
+    single.count(person, false, assignment.items());
+    cells.for_each(assignment.column, person, [&](std::size_t column, std::size_t sex) {
+      whole[column * sexes + sex].count(person, assignment.whole(), outcomes, assignment.times);
+      in_cell[column * sexes + sex].push_back(&assignment);
+      if (assignment.whole()) counts.at(sex, column) += assignment.times;
+    });
   }
   counts.note =
       phrase("Analysis", "%1 %2")
           .with(chance_note(goes, phrase("Analysis", "By chance: 1/%1 of the goes wholly right.")),
                 chance_note(single,
                             phrase("Analysis", "By chance: 1/%1 of the single items right.")));
-  add_counts(counts, columns, count_of, outcome);
-
-  ShareTable whole{"whole_permutations",
-                   phrase("Analysis", "Whole permutations: share of goes with every item right"),
-                   phrase("Analysis",
-                          "Chance is 1/m! for m items. p: exact binomial test, two-sided, not "
-                          "corrected for the number of rows."),
-                   {"column", "person"},
-                   "correct",
-                   "share_of_permutations_correct",
-                   {}};
+  add_counts(counts, outcome);
+  ShareTable shares{"whole_permutations",
+                    phrase("Analysis", "Whole permutations: share of goes with every item right"),
+                    phrase("Analysis",
+                           "Chance is 1/m! for m items. p: exact binomial test, two-sided, not "
+                           "corrected for the number of rows."),
+                    {"column", "person"},
+                    "correct",
+                    "share_of_permutations_correct",
+                    {}};
   NamedTable items{
       "items",
       phrase("Analysis", "Items: share of right items"),
@@ -160,38 +258,35 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
              "Chance is 1/m. The items of one go are not independent (all but one right is "
              "impossible): the interval holds 95 % of what random permutations give, and p is "
              "the probability that they give as many right items or more.")};
-  for (const std::string& column : columns) {
-    for (const std::string& label : counts.labels) {
-      ShareRow& row = whole.rows.emplace_back(ShareRow{{column, label}, {}});
-      ItemRow item_row{};
-      for (const Assignment& assignment : assignments) {
-        const GatheredAnswer& answer = *assignment.answer;
-        if (!stands_in(answer, column) || !is_of(answer, label)) continue;
-        row.tally.count(answer.participant, assignment.whole(), permutations(assignment.items));
-        item_row.right += assignment.right;
-        ++item_row.assignments;
-        item_row.items.insert(assignment.items);
-        item_row.persons.insert(answer.participant);
-      }
-      add_item_row(column, label, item_row, items, outcome);
+  for (std::size_t column = 0; column < cells.columns().size(); ++column) {
+    for (std::size_t sex = 0; sex < sexes; ++sex) {
+      shares.rows.push_back(
+          {{cells.columns()[column], cells.sexes()[sex]}, whole[column * sexes + sex]});
+      add_item_row(gathered, cells.columns()[column], cells.sexes()[sex],
+                   in_cell[column * sexes + sex], items, outcome);
     }
   }
-  add_shares(whole, outcome);
+  add_shares(shares, outcome);
   outcome.tables.push_back(std::move(items));
+}
 
+void add_confusions(const GatheredAnswers& gathered, std::span<const Assignment> assignments,
+                    AnalysisOutcome& outcome) {
   std::map<std::string, Tally> by_texture{};
-  PersonShares people{"all", {}};
-  std::vector<std::pair<std::string, std::string>> pairs{};
-  std::set<std::string> options{};
+  ConfusionTally confusions{};
+  std::set<std::uint32_t> lists{};
   for (const Assignment& assignment : assignments) {
-    const GatheredAnswer& answer = *assignment.answer;
-    for (std::size_t i = 0; i < assignment.items; ++i) {
-      const bool right = *answer.correct[i];
-      by_texture[answer.surfaces[i].item].count(answer.participant, right, assignment.items);
-      people.people[answer.participant].count(answer.participant, right, assignment.items);
-      pairs.emplace_back(answer.surfaces[i].item, answer.answers[i]);
+    for (std::size_t i = 0; i < assignment.items(); ++i) {
+      const bool right = assignment.felt[i] == assignment.chosen[i];
+      by_texture[gathered.word(assignment.felt[i])].count(assignment.person, right,
+                                                          assignment.items(), assignment.times);
+      confusions.count(assignment.felt[i], assignment.chosen[i], assignment.times);
     }
-    options.insert(answer.options.begin(), answer.options.end());
+    lists.insert(assignment.options);
+  }
+  std::set<std::string> options{};
+  for (const std::uint32_t list : lists) {
+    options.insert(gathered.option_lists[list].begin(), gathered.option_lists[list].end());
   }
   ShareTable textures{"shares_by_texture",
                       phrase("Analysis", "Share of right items, by felt texture"),
@@ -204,10 +299,176 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
                       {}};
   for (const auto& [texture, tally] : by_texture) textures.rows.push_back({{texture}, tally});
   add_shares(textures, outcome);
-  add_confusion(pairs, options, outcome);
-  add_person_shares(std::span(&people, 1), "answers", "share_of_items_correct", outcome);
+  confusions.add_table(gathered, options, outcome);
+}
+
+void add_confused_pairs(const std::vector<std::string>& felt, const FoundNumbers& found,
+                        AnalysisOutcome& outcome) {
+  NamedTable made{"confused_pairs",
+                  phrase("Analysis", "Pairs of textures that are confused, the worst first"),
+                  {{"felt", "other", "felt_as_other", "other_as_felt"}, {}},
+                  phrase("Analysis",
+                         "How often the one was given the picture of the other, and the other way "
+                         "round.")};
+  for (std::size_t i = 0; i < felt.size(); ++i) {
+    for (std::size_t j = i + 1; j < felt.size(); ++j) {
+      const auto count = [&](const std::string& a, const std::string& b) {
+        return static_cast<std::int64_t>(found.value("confusion", a + '|' + b).value_or(0.0));
+      };
+      made.table.rows.push_back(
+          {felt[i], felt[j], count(felt[i], felt[j]), count(felt[j], felt[i])});
+    }
+  }
+  const auto both = [](const std::vector<Cell>& row) {
+    return std::get<std::int64_t>(row[2]) + std::get<std::int64_t>(row[3]);
+  };
+  std::stable_sort(made.table.rows.begin(), made.table.rows.end(),
+                   [&both](const auto& a, const auto& b) { return both(a) > both(b); });
+  outcome.tables.push_back(std::move(made));
+}
+
+void add_right_items(std::size_t items, const FoundNumbers& found, AnalysisOutcome& outcome) {
+  NamedTable made{"right_items",
+                  phrase("Analysis", "Goes with so many right items"),
+                  {{"right", "goes", "by_chance"}, {}},
+                  phrase("Analysis", "by_chance: how many goes of random permutations.")};
+  const double goes = found.value("n.trials").value_or(0.0);
+  for (std::size_t k = 0; k <= items; ++k) {
+    const std::string key = "n=" + std::to_string(items) + ";k=" + std::to_string(k);
+    made.table.rows.push_back(
+        {static_cast<std::int64_t>(k),
+         static_cast<std::int64_t>(found.value("trials.with.k", std::to_string(k)).value_or(0.0)),
+         found.value("null.pmf", key).value_or(0.0) * goes});
+  }
+  outcome.tables.push_back(std::move(made));
+}
+
+void ask_items(std::size_t items, const FoundNumbers& found, const StudyTests& tests,
+               AnalysisOutcome& outcome) {
+  const Finding* mean = found.find("subj.mean");
+  const StudyTests::Test* test = tests.find("items");
+  if (mean == nullptr || !mean->value || test == nullptr || !test->p) return;
+  const bool above = test->adjusted.value_or(*test->p) < 0.05;
+  const Phrase answer = (above ? phrase("Analysis",
+                                        "They do: %1 of a participant's items are right on average "
+                                        "(%2), where chance is %3; %4 against random permutations.")
+                               : phrase("Analysis",
+                                        "Nothing shows that they do: %1 of a participant's items "
+                                        "are right on average (%2), where chance is %3; %4 against "
+                                        "random permutations."))
+                            .with(percent(*mean->value), interval_text(*mean),
+                                  percent(1.0 / static_cast<double>(items)), p_text(*test));
+  add_question(
+      outcome, "items",
+      phrase("Analysis", "Do felt textures find their pictures more often than by chance?"), answer,
+      phrase("Analysis",
+             "The share of each participant's own items, averaged over the participants, "
+             "with Student's interval. The number of right items of all goes is tested "
+             "against random permutations, exactly: the items of one go are not "
+             "independent, and a binomial test would find too much."),
+      "items", mean);
+}
+
+void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome) {
+  const StudyTests::Test* test = tests.find("whole");
+  const Finding* hits = found.find("perfect.trials");
+  if (test == nullptr || !test->p || hits == nullptr || hits->n == 0) return;
+  Finding share = *hits;
+  share.quantity = "perfect.share";
+  share.value = *hits->value / static_cast<double>(hits->n);
+  share.low = found.value("perfect.wilson.lower");
+  share.high = found.value("perfect.wilson.upper");
+  share.confidence = 0.95;
+  add_question(
+      outcome, "whole", phrase("Analysis", "How often is a whole go right?"),
+      phrase("Analysis", "%1 of %2 goes are wholly right, %3 (%4); %5 against random permutations.")
+          .with(std::to_string(static_cast<std::size_t>(*hits->value)), std::to_string(hits->n),
+                percent(*share.value), interval_text(share), p_text(*test)),
+      phrase(
+          "Analysis",
+          "Exact binomial test against 1/m!, with Wilson's interval. Goes of one participant are "
+          "taken as independent."),
+      "whole_permutations", &share);
+}
+
+void ask_confusions(const AnalysisOutcome& made, AnalysisOutcome& outcome) {
+  const auto table = std::find_if(made.tables.begin(), made.tables.end(),
+                                  [](const auto& each) { return each.name == "confused_pairs"; });
+  if (table == made.tables.end() || table->table.rows.empty()) return;
+  const std::vector<Cell>& worst = table->table.rows.front();
+  const std::int64_t times = std::get<std::int64_t>(worst[2]) + std::get<std::int64_t>(worst[3]);
+  Finding finding{};
+  finding.quantity = "confusions";
+  finding.key = std::get<std::string>(worst[0]) + '|' + std::get<std::string>(worst[1]);
+  finding.value = static_cast<double>(times);
+  finding.unit = "1";
+  finding.method = "items of the one that were given the picture of the other";
+  finding.n = made.count.participants;
+  add_question(
+      outcome, "confusions", phrase("Analysis", "Which textures are confused?"),
+      times == 0 ? phrase("Analysis", "None was ever taken for another.")
+                 : phrase("Analysis", "Most often %1 and %2: %3 times in both directions.")
+                       .with(std::get<std::string>(worst[0]), std::get<std::string>(worst[1]),
+                             std::to_string(times)),
+      phrase("Analysis", "Counts of all answers; an interval needs a model of confusions."),
+      "confused_pairs", &finding);
+}
+
+}  // namespace
+
+void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const std::vector<Assignment> assignments = assignments_of(gathered, outcome);
+  if (assignments.empty()) {
+    outcome.remarks.push_back(
+        phrase("Analysis", "No answer gives every picture to one surface: nothing is analysed."));
+    return;
+  }
+  add_chapter_tables(gathered, assignments, outcome);
+  add_confusions(gathered, assignments, outcome);
+
+  std::vector<const Assignment*> all{};
+  for (const Assignment& assignment : assignments) all.push_back(&assignment);
+  const std::vector<Finding> findings =
+      analysis_of("matching", "matching", assignments_table(gathered, all, "summary"));
+  const FoundNumbers found(findings);
+  keep_findings(findings, outcome);
+  const std::size_t items = assignments.front().items();
+  const bool equal_size =
+      std::all_of(assignments.begin(), assignments.end(),
+                  [items](const Assignment& assignment) { return assignment.items() == items; });
+  std::set<std::string> felt{};
+  for (const Finding& finding : findings) {
+    if (finding.quantity == "texture.prop") felt.insert(finding.key);
+  }
+  add_confused_pairs({felt.begin(), felt.end()}, found, outcome);
+  if (equal_size) add_right_items(items, found, outcome);
+  const std::array<PersonsRow, 1> persons{PersonsRow{"all", ""}};
+  add_persons(found, persons, "answers", "share_of_items_correct", outcome);
+  constexpr std::array kMeasures{Measure{"right_items_per_go", "mean.correct"},
+                                 Measure{"by_chance_in_all", "null.mean"},
+                                 Measure{"right_items_in_all", "total.correct"}, Measure{"z", "z"},
+                                 Measure{"mallows_theta", "mallows.theta"}};
+  add_measures(found, kMeasures, outcome);
+
+  StudyTests tests(gathered);
+  const std::size_t people = gathered.people.size();
+  tests.add("items", "", people, found.find("exact.p.greater"));
+  tests.add("whole", "", people, found.find("perfect.p.greater"));
+  for (const std::string& texture : felt) {
+    tests.add("textures", texture, people, found.find("texture.p.greater", texture));
+  }
+  if (const Finding* sexes = found.find("group.perm.p.two", "F-M")) {
+    tests.add("sexes", "F|M", people, sexes);
+  }
+  tests.finish(outcome);
+  ask_items(items, found, tests, outcome);
+  ask_whole(found, tests, outcome);
+  ask_confusions(outcome, outcome);
+  ask_sexes(found.find("group.diff", "F-M"), tests, outcome);
   add_texture_force(gathered, outcome);
-  remark_on_pooling(assignments.size(), people.people.size(), outcome);
+  std::size_t goes = 0;
+  for (const Assignment& assignment : assignments) goes += assignment.times;
+  remark_on_pooling(goes, people, outcome);
 }
 
 }  // namespace asperity

@@ -26,7 +26,8 @@ std::string scientific(double value) {
 
 /// A share to two decimals, a force to a millinewton, a p to three decimals or in powers of ten.
 std::string reading_number(const std::string& column, double value) {
-  if (column == "p") return value < 0.001 ? scientific(value) : fixed(value, 3);
+  if (column == "p" || column == "p_holm")
+    return value < 0.001 ? scientific(value) : fixed(value, 3);
   if (column == "chance" || column.ends_with("_N")) return fixed(value, 3);
   return fixed(value, 2);
 }

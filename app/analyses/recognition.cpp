@@ -1,66 +1,166 @@
 // Recognition: which of several pictures shows what was felt.
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 
+#include "analysis/number_text.h"
 #include "app/analyses/families.h"
+#include "app/analyses/study_findings.h"
 #include "app/analyses/tally.h"
 
 namespace asperity {
 
 namespace {
 
-/// Chance is 1 of these: who will not choose has not guessed, but is not right either.
-std::size_t pictures(const GatheredAnswer& answer) {
-  return answer.options.size() - static_cast<std::size_t>(std::count(
-                                     answer.options.begin(), answer.options.end(), kCannotTell));
-}
+/// What is known of an answer that has a right one.
+struct Judged {
+  const GatheredAnswer* answer = nullptr;
+  std::uint32_t felt = 0;
+  std::uint32_t chosen = 0;
+  bool right = false;
+};
 
 /// Answers of which it is known whether they are right.
-std::vector<const GatheredAnswer*> judged(const GatheredAnswers& gathered,
-                                          AnalysisOutcome& outcome) {
-  std::vector<const GatheredAnswer*> answers{};
+std::vector<Judged> judged_of(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  std::vector<Judged> judged{};
   for (const GatheredAnswer& answer : gathered.answers) {
-    if (answer.correct.front() && !answer.surfaces.empty()) answers.push_back(&answer);
+    const Reply& reply = gathered.reply_of(answer);
+    if (!reply.correct || answer.surface_count == 0) continue;
+    judged.push_back({&answer, gathered.surfaces_of(answer)[0].item, reply.answer, *reply.correct});
   }
-  const std::size_t left_out = gathered.answers.size() - answers.size();
+  const std::size_t left_out = gathered.answers.size() - judged.size();
   if (left_out > 0) {
     outcome.remarks.push_back(
         phrase("Analysis",
                "Answers to trials without a declared right answer, which are left out: %1.")
             .with(std::to_string(left_out)));
   }
-  return answers;
+  return judged;
 }
 
-}  // namespace
+/// The pictures of each option list: chance is 1 of these. Who will not choose has not guessed, but is
+/// not right either.
+std::vector<std::set<std::string>> pictures_of(const GatheredAnswers& gathered) {
+  std::vector<std::set<std::string>> pictures{};
+  for (const std::vector<std::string>& options : gathered.option_lists) {
+    pictures.emplace_back(options.begin(), options.end()).erase(std::string(kCannotTell));
+  }
+  return pictures;
+}
 
-void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
-  const std::vector<std::string> columns = columns_of(gathered);
-  const std::vector<const GatheredAnswer*> answers = judged(gathered, outcome);
+struct Pictures {
+  std::vector<std::set<std::string>> of_list{};
+  std::set<std::string> all{};
+  bool always_the_same = true;
+  std::vector<std::string> felt{};  ///< by name
+};
 
-  CountTable counts{"table_3",
-                    phrase("Analysis", "Recognised: right answers (counts)"),
-                    {},
-                    "person",
-                    sex_labels(gathered)};
-  const auto count_of = [&](std::size_t label, const std::string& column) {
-    std::size_t right = 0;
-    for (const GatheredAnswer* answer : answers) {
-      if (stands_in(*answer, column) && is_of(*answer, counts.labels[label]) &&
-          *answer->correct.front()) {
-        ++right;
-      }
+Pictures pictures_in(const GatheredAnswers& gathered, const std::vector<Judged>& judged) {
+  Pictures pictures{.of_list = pictures_of(gathered)};
+  std::set<std::uint32_t> lists{};
+  std::set<std::uint32_t> felt{};
+  for (const Judged& one : judged) {
+    lists.insert(one.answer->options);
+    felt.insert(one.felt);
+  }
+  for (const std::uint32_t list : lists) {
+    const std::set<std::string>& own = pictures.of_list[list];
+    pictures.always_the_same = pictures.always_the_same && own == pictures.of_list[*lists.begin()];
+    pictures.all.insert(own.begin(), own.end());
+  }
+  for (const std::uint32_t word : felt) pictures.felt.push_back(gathered.word(word));
+  std::sort(pictures.felt.begin(), pictures.felt.end());
+  return pictures;
+}
+
+/// Rows of the family `recognition`; an answer that is none of the labels counts as missing.
+TidyInput trials_table(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
+                       const std::vector<std::string>& labels) {
+  std::vector<std::size_t> label_of(gathered.words.size(), LabelColumn::kMissing);
+  for (std::size_t word = 0; word < label_of.size(); ++word) {
+    const auto found = std::lower_bound(labels.begin(), labels.end(),
+                                        gathered.word(static_cast<std::uint32_t>(word)));
+    if (found != labels.end() && *found == gathered.word(static_cast<std::uint32_t>(word))) {
+      label_of[word] = static_cast<std::size_t>(found - labels.begin());
     }
-    return right;
-  };
+  }
+  LabelColumn people{};
+  for (const AnsweringPerson& person : gathered.people) people.names.push_back(person.label);
+  LabelColumn felt{.names = labels};
+  LabelColumn chosen{.names = labels};
+  for (const Judged& one : judged) {
+    people.codes.push_back(one.answer->person);
+    felt.codes.push_back(label_of[one.felt]);
+    chosen.codes.push_back(label_of[one.chosen]);
+  }
+  TidyInput input{};
+  input.tables.emplace_back(std::vector<TidyTable::Column>{{"subject", std::move(people)},
+                                                           {"stimulus", std::move(felt)},
+                                                           {"response", std::move(chosen)}},
+                            "the answers");
+  input.options.add("labels", json_list(labels));
+  return input;
+}
+
+/// A row per woman and man for the family `group`; nothing unless there are both.
+std::optional<TidyInput> groups_table(const GatheredAnswers& gathered,
+                                      const std::vector<Judged>& judged) {
+  std::vector<HitCount> own(gathered.people.size());
+  for (const Judged& one : judged) {
+    ++own[one.answer->person].trials;
+    own[one.answer->person].hits += one.right ? 1 : 0;
+  }
+  std::string text = "subject,group,correct,trials\n";
+  std::map<std::string, std::size_t> members{};
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const std::string sex = gathered.people[i].sex.value_or("");
+    if ((sex != "F" && sex != "M") || own[i].trials == 0) continue;
+    ++members[sex];
+    text += gathered.people[i].label + ',' + sex + ',' + std::to_string(own[i].hits) + ',' +
+            std::to_string(own[i].trials) + '\n';
+  }
+  if (members.size() < 2) return std::nullopt;
+  TidyInput input{};
+  input.tables.emplace_back(text, "the participants");
+  input.options.add("groups", R"(["F", "M"])");
+  return input;
+}
+
+void add_chapter_tables(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
+                        const Pictures& pictures, AnalysisOutcome& outcome) {
+  const ChapterCells cells(gathered);
+  const std::size_t sexes = cells.sexes().size();
+  CountTable counts = count_table(cells.sexes(), cells.columns());
+  counts.name = "table_3";
+  counts.title = phrase("Analysis", "Recognised: right answers (counts)");
+  counts.label_column = "person";
+  std::vector<Tally> right(cells.columns().size() * sexes);
+  std::vector<Tally> by_texture(gathered.words.size());
+  ConfusionTally confusions{};
   Tally all{};
-  for (const GatheredAnswer* answer : answers) {
-    all.count(answer->participant, *answer->correct.front(), pictures(*answer));
+  std::set<std::string> options{};
+  for (const std::vector<std::string>& list : gathered.option_lists) {
+    options.insert(list.begin(), list.end());
+  }
+  for (const Judged& one : judged) {
+    const std::uint32_t person = one.answer->person;
+    const std::uint64_t outcomes = pictures.of_list[one.answer->options].size();
+    all.count(person, one.right, outcomes);
+    by_texture[one.felt].count(person, one.right, outcomes);
+    confusions.count(one.felt, one.chosen);
+    cells.for_each(one.answer->column, person, [&](std::size_t column, std::size_t sex) {
+      right[column * sexes + sex].count(person, one.right, outcomes);
+      if (one.right) ++counts.at(sex, column);
+    });
   }
   counts.note = chance_note(all, phrase("Analysis", "By chance: 1/%1 of the answers right."));
-  add_counts(counts, columns, count_of, outcome);
-
+  add_counts(counts, outcome);
   ShareTable shares{
       "shares",
       phrase("Analysis", "Share of right answers"),
@@ -71,29 +171,13 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
       "correct",
       "share_correct",
       {}};
-  for (const std::string& column : columns) {
-    for (const std::string& label : counts.labels) {
-      ShareRow& row = shares.rows.emplace_back(ShareRow{{column, label}, {}});
-      for (const GatheredAnswer* answer : answers) {
-        if (!stands_in(*answer, column) || !is_of(*answer, label)) continue;
-        row.tally.count(answer->participant, *answer->correct.front(), pictures(*answer));
-      }
+  for (std::size_t column = 0; column < cells.columns().size(); ++column) {
+    for (std::size_t sex = 0; sex < sexes; ++sex) {
+      shares.rows.push_back(
+          {{cells.columns()[column], cells.sexes()[sex]}, right[column * sexes + sex]});
     }
   }
   add_shares(shares, outcome);
-
-  std::map<std::string, Tally> by_texture{};
-  PersonShares people{"all", {}};
-  std::vector<std::pair<std::string, std::string>> pairs{};
-  std::set<std::string> options{};
-  for (const GatheredAnswer* answer : answers) {
-    const bool right = *answer->correct.front();
-    const std::string& felt = answer->surfaces.front().item;
-    by_texture[felt].count(answer->participant, right, pictures(*answer));
-    people.people[answer->participant].count(answer->participant, right, pictures(*answer));
-    pairs.emplace_back(felt, answer->answers.front());
-    options.insert(answer->options.begin(), answer->options.end());
-  }
   ShareTable textures{"shares_by_texture",
                       phrase("Analysis", "Share of right answers, by felt texture"),
                       {},
@@ -101,12 +185,258 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
                       "correct",
                       "share_correct",
                       {}};
-  for (const auto& [texture, tally] : by_texture) textures.rows.push_back({{texture}, tally});
+  for (const std::string& texture : pictures.felt) {
+    textures.rows.push_back({{texture}, by_texture[*gathered.words.find(texture)]});
+  }
   add_shares(textures, outcome);
-  add_confusion(pairs, options, outcome);
-  add_person_shares(std::span(&people, 1), "answers", "share_correct", outcome);
+  confusions.add_table(gathered, options, outcome);
+}
+
+bool is_about_likeness(const Finding& finding) {
+  constexpr std::array<std::string_view, 4> kStarts{"scm.", "dis.", "mds.", "hclust."};
+  return std::any_of(kStarts.begin(), kStarts.end(), [&finding](std::string_view start) {
+    return finding.quantity.starts_with(start);
+  });
+}
+
+/// Similarities, map and tree of the pictures that were felt.
+void add_likeness_tables(const std::vector<std::string>& felt, const FoundNumbers& found,
+                         AnalysisOutcome& outcome) {
+  if (felt.size() < 2 || found.find("dis.shepard", felt[0] + '|' + felt[1]) == nullptr) return;
+  NamedTable pairs{
+      "similarity",
+      phrase("Analysis", "How alike the textures feel"),
+      {{"felt", "other", "similarity", "dissimilarity"}, {}},
+      phrase("Analysis",
+             "similarity: Luce's choice model, 1 for what cannot be told apart, with "
+             "the favourite answers taken out. dissimilarity: Shepard's −ln of it from "
+             "the counts plus ½, not below 0.")};
+  NamedTable map{"map",
+                 phrase("Analysis", "The textures on a map: what is alike lies together"),
+                 {{"item", "x", "y"}, {}},
+                 phrase("Analysis",
+                        "Classical scaling of the dissimilarities. Only the distances mean "
+                        "something: the map may be turned and mirrored.")};
+  NamedTable tree{
+      "tree",
+      phrase("Analysis", "The textures as a tree: what is alike joins first"),
+      {{"join", "first", "second", "height"}, {}},
+      phrase("Analysis",
+             "Average linkage of the dissimilarities. Each row joins the cluster of the "
+             "one with that of the other.")};
+  for (std::size_t i = 0; i < felt.size(); ++i) {
+    for (std::size_t j = i + 1; j < felt.size(); ++j) {
+      const std::string key = felt[i] + '|' + felt[j];
+      pairs.table.rows.push_back(
+          {felt[i], felt[j], found.cell("scm.eta", key), found.cell("dis.shepard", key)});
+    }
+    map.table.rows.push_back(
+        {felt[i], found.cell("mds.shepard.x", felt[i]), found.cell("mds.shepard.y", felt[i])});
+  }
+  for (std::size_t join = 1; join < felt.size(); ++join) {
+    const std::string key = std::to_string(join);
+    const Finding* first = found.find("hclust.shepard.average.first", key);
+    const Finding* second = found.find("hclust.shepard.average.second", key);
+    if (first == nullptr || second == nullptr) break;
+    tree.table.rows.push_back({static_cast<std::int64_t>(join), first->word, second->word,
+                               found.cell("hclust.shepard.average.height", key)});
+  }
+  for (NamedTable* table : {&pairs, &map, &tree}) outcome.tables.push_back(std::move(*table));
+}
+
+/// A row per felt texture for the family `proportion`.
+TidyInput textures_table(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
+                         std::size_t pictures) {
+  std::map<std::string, HitCount> by_texture{};
+  for (const Judged& one : judged) {
+    HitCount& count = by_texture[gathered.word(one.felt)];
+    ++count.trials;
+    count.hits += one.right ? 1 : 0;
+  }
+  std::string text = "id,k,n,p0\n";
+  for (const auto& [texture, count] : by_texture) {
+    text += texture + ',' + std::to_string(count.hits) + ',' + std::to_string(count.trials) + ',' +
+            number_text(1.0 / static_cast<double>(pictures)) + '\n';
+  }
+  TidyInput input{};
+  input.tables.emplace_back(text, "the textures");
+  return input;
+}
+
+void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests& tests,
+               AnalysisOutcome& outcome) {
+  const Finding* mean = found.find("subj.mean");
+  const StudyTests::Test* test = tests.find("right");
+  if (mean == nullptr || !mean->value || test == nullptr) return;
+  const Phrase question = phrase("Analysis", "Are felt textures recognised?");
+  const Phrase method =
+      phrase("Analysis",
+             "The share of each participant's own answers, averaged over the participants, with "
+             "Student's interval and test against chance; with a single participant the exact "
+             "binomial test. Answers \"cannot_tell\" name no picture and are left out here; the "
+             "table of shares counts them as not right.");
+  const Phrase chance = percent(1.0 / static_cast<double>(pictures));
+  if (!test->p) {
+    add_question(outcome, "right", question,
+                 phrase("Analysis",
+                        "%1 of a participant's answers are right on average (%2), where chance is "
+                        "%3; the participants do not differ, so there is no test.")
+                     .with(percent(*mean->value), interval_text(*mean), chance),
+                 method, "shares", mean);
+    return;
+  }
+  const bool above = test->adjusted.value_or(*test->p) < 0.05 &&
+                     *mean->value > 1.0 / static_cast<double>(pictures);
+  const Phrase answer =
+      above ? phrase("Analysis",
+                     "They are: %1 of a participant's answers are right on average (%2), where "
+                     "chance is %3; %4.")
+            : phrase("Analysis",
+                     "Nothing shows that they are: %1 of a participant's answers are right on "
+                     "average (%2), where chance is %3; %4.");
+  add_question(outcome, "right", question,
+               answer.with(percent(*mean->value), interval_text(*mean), chance, p_text(*test)),
+               method, "shares", mean);
+}
+
+void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
+  const Finding* bits = found.find("IT.miller1955");
+  const auto of = found.value("H.stimulus");
+  const auto dprime = found.find("dprime");
+  if (bits == nullptr || !bits->value || !of) return;
+  const bool enough =
+      found.find("IT.N.enough") != nullptr && found.find("IT.N.enough")->word == "TRUE";
+  const double shown = std::clamp(*bits->value, 0.0, *of);
+  const Phrase sensitivity =
+      dprime != nullptr && dprime->value && dprime->low && dprime->high
+          ? phrase("Analysis", "d′ is %1 (95 % interval %2 to %3)")
+                .with(fixed(*dprime->value, 2), fixed(*dprime->low, 2), fixed(*dprime->high, 2))
+          : phrase("Analysis", "d′ has no finite value");
+  const Phrase answer =
+      enough
+          ? phrase("Analysis",
+                   "The answers carry %1 of %2 bits about what was felt, corrected for the number "
+                   "of answers; %3.")
+          : phrase("Analysis",
+                   "The answers carry about %1 of %2 bits about what was felt, corrected for the "
+                   "number of answers, of which there are too few to trust it; %3.");
+  add_question(
+      outcome, "information", phrase("Analysis", "How much do the answers tell?"),
+      answer.with(fixed(shown, 2), fixed(*of, 2), sensitivity),
+      phrase("Analysis",
+             "Transmitted information less Miller's bias; at least 5·m² answers are needed "
+             "for m pictures. d′ of m alternatives without bias, all answers pooled, its "
+             "interval at the Wilson limits of the share of right answers."),
+      "measures", bits);
+}
+
+void ask_confusions(const std::vector<std::string>& felt, const FoundNumbers& found,
+                    AnalysisOutcome& outcome) {
+  const Finding* most = nullptr;
+  std::string pair{};
+  for (const std::string& a : felt) {
+    for (const std::string& b : felt) {
+      const Finding* count = a < b ? found.find("dis.linear", a + '|' + b) : nullptr;
+      if (count == nullptr || !count->value) continue;
+      if (most == nullptr || *count->value < *most->value) {
+        most = count;
+        pair = a + " / " + b;
+      }
+    }
+  }
+  if (most == nullptr) return;
+  add_question(
+      outcome, "confusions", phrase("Analysis", "Which textures feel alike?"),
+      phrase("Analysis", "Most alike are %1: one is taken for the other in %2 of the answers.")
+          .with(pair, percent(1.0 - *most->value)),
+      phrase("Analysis",
+             "Mean share of both confusions, from the counts plus ½. There is no interval: "
+             "it is the largest of several."),
+      "similarity", most);
+}
+
+}  // namespace
+
+void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const std::vector<Judged> judged = judged_of(gathered, outcome);
+  if (judged.empty()) return;
+  const Pictures pictures = pictures_in(gathered, judged);
+  add_chapter_tables(gathered, judged, pictures, outcome);
+
+  StudyTests tests(gathered);
+  const std::size_t people = gathered.people.size();
+  const std::vector<std::string> labels(pictures.all.begin(), pictures.all.end());
+  std::vector<Finding> findings{};
+  std::vector<Finding> likeness{};
+  const bool all_shown = std::includes(pictures.all.begin(), pictures.all.end(),
+                                       pictures.felt.begin(), pictures.felt.end());
+  if (pictures.always_the_same && all_shown && labels.size() > 1) {
+    findings = analysis_of("recognition", "recognition", trials_table(gathered, judged, labels));
+    if (pictures.felt.size() == labels.size()) {
+      std::copy_if(findings.begin(), findings.end(), std::back_inserter(likeness),
+                   is_about_likeness);
+      for (Finding& finding : likeness) finding.analysis = "similarity";
+    } else if (pictures.felt.size() > 1) {
+      likeness =
+          analysis_of("similarity", "recognition", trials_table(gathered, judged, pictures.felt));
+      std::erase_if(likeness, [](const Finding& one) { return !is_about_likeness(one); });
+    }
+    keep_findings(findings, outcome,
+                  [](const Finding& finding) { return !is_about_likeness(finding); });
+    keep_findings(likeness, outcome);
+  } else {
+    outcome.remarks.push_back(phrase(
+        "Analysis",
+        "The pictures differ between the trials, and chance with them: sensitivity, information "
+        "and similarities of all answers together would compare nothing and are left out."));
+  }
+  const FoundNumbers found(findings);
+  const FoundNumbers found_likeness(likeness);
+  const std::array<PersonsRow, 1> persons{PersonsRow{"all", ""}};
+  add_persons(found, persons, "answers", "share_correct", outcome);
+  constexpr std::array kMeasures{Measure{"share_of_pictures_right", "pc"},
+                                 Measure{"d_prime", "dprime"},
+                                 Measure{"kappa", "kappa"},
+                                 Measure{"balanced_share", "balanced.pc"},
+                                 Measure{"information_plug_in", "IT.plugin"},
+                                 Measure{"information_miller", "IT.miller1955"},
+                                 Measure{"information_miller_madow", "IT.millermadow"},
+                                 Measure{"information_jackknife", "IT.jackknife"},
+                                 Measure{"information_if_errors_equal", "IT.from.pc"},
+                                 Measure{"information_at_most", "H.stimulus"}};
+  if (!findings.empty()) add_measures(found, kMeasures, outcome);
+  add_likeness_tables(pictures.felt, found_likeness, outcome);
+
+  const char* of_right = people > 1 ? "subj.t.p.two" : "pc.p.greater";
+  const Finding* right = found.find(of_right);
+  tests.add("right", "", people, right != nullptr ? right : found.find("subj.t"));
+  tests.add("information", "", people, found.find("G.p"));
+  std::vector<Finding> textures{};
+  if (!findings.empty()) {
+    textures =
+        analysis_of("textures", "proportion", textures_table(gathered, judged, labels.size()));
+  }
+  const FoundNumbers found_textures(textures);
+  for (const std::string& texture : pictures.felt) {
+    tests.add("textures", texture, people, found_textures.find("p.greater", texture));
+  }
+  std::vector<Finding> sexes{};
+  if (std::optional<TidyInput> groups = groups_table(gathered, judged)) {
+    sexes = analysis_of("sexes", "group", std::move(*groups));
+  }
+  keep_findings(sexes, outcome);
+  const FoundNumbers found_sexes(sexes);
+  if (!sexes.empty()) {
+    const Finding* exact = found_sexes.find("perm.p.two");
+    tests.add("sexes", "F|M", people, exact != nullptr ? exact : found_sexes.find("welch.p.two"));
+  }
+  tests.finish(outcome);
+  ask_right(labels.size(), found, tests, outcome);
+  ask_information(found, outcome);
+  ask_confusions(pictures.felt, found_likeness, outcome);
+  ask_sexes(found_sexes.find("diff"), tests, outcome);
   add_texture_force(gathered, outcome);
-  remark_on_pooling(answers.size(), people.people.size(), outcome);
+  remark_on_pooling(judged.size(), people, outcome);
 }
 
 }  // namespace asperity

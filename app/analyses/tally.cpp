@@ -1,11 +1,14 @@
-// The tables that every family has, each also as findings.
+// The tables that every kind has, each also as findings.
 
 #include "app/analyses/tally.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "analysis/number_text.h"
 #include "analysis/summary.h"
+#include "app/analyses/study_findings.h"
+#include "results_schema/table.h"
 
 namespace asperity {
 
@@ -24,23 +27,41 @@ std::string finding_key(const ShareTable& shares, const ShareRow& row) {
   return key;
 }
 
-Finding interval_finding(const Finding& about, const ConfidenceInterval& interval,
-                         std::string method) {
+Finding interval_finding(const Finding& about, double low, double high, std::string method) {
   Finding finding = about;
-  finding.low = interval.low;
-  finding.high = interval.high;
+  finding.low = low;
+  finding.high = high;
   finding.confidence = kConfidence;
   finding.method = std::move(method);
   return finding;
 }
 
+/// Every row through the family of single counts, by the row's number. Where there is no one chance,
+/// its p means nothing, and is not looked at.
+std::vector<Finding> numbers_of(const ShareTable& shares) {
+  std::string text = "id,k,n,p0\n";
+  for (std::size_t i = 0; i < shares.rows.size(); ++i) {
+    const Tally& tally = shares.rows[i].tally;
+    const double chance = 1.0 / static_cast<double>(tally.outcomes().value_or(1));
+    text += std::to_string(i) + ',' + std::to_string(tally.hits().hits) + ',' +
+            std::to_string(tally.hits().trials) + ',' + number_text(chance) + '\n';
+  }
+  TidyInput input{};
+  input.tables.emplace_back(text, shares.name);
+  return proportion_findings(input);
+}
+
 }  // namespace
 
-void Tally::count(const std::string& person, bool hit, std::uint64_t outcomes) {
-  ++hits_.trials;
-  if (hit) ++hits_.hits;
-  persons_.insert(person);
+void Tally::count(std::uint32_t person, bool hit, std::uint64_t outcomes, std::uint64_t times) {
+  hits_.trials += times;
+  if (hit) hits_.hits += times;
+  if (seen_.size() <= person) seen_.resize(person + 1);
+  if (!seen_[person]) ++persons_;
+  seen_[person] = true;
+  if (outcomes == last_outcomes_) return;
   outcomes_.insert(outcomes);
+  last_outcomes_ = outcomes;
 }
 
 std::optional<std::uint64_t> Tally::outcomes() const {
@@ -51,14 +72,17 @@ std::optional<std::uint64_t> Tally::outcomes() const {
 void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
   NamedTable made{shares.name, shares.title, {}, shares.note};
   made.table.columns = shares.key_columns;
-  for (const char* column : {"of", "persons", "share", "wilson_low", "wilson_high",
-                             "clopper_pearson_low", "clopper_pearson_high", "chance", "p"}) {
+  for (const std::string& column :
+       {shares.hits_column, std::string("of"), std::string("persons"), std::string("share"),
+        std::string("wilson_low"), std::string("wilson_high"), std::string("clopper_pearson_low"),
+        std::string("clopper_pearson_high"), std::string("chance"), std::string("p")}) {
     made.table.columns.push_back(column);
   }
-  made.table.columns.insert(
-      made.table.columns.begin() + static_cast<std::ptrdiff_t>(shares.key_columns.size()),
-      shares.hits_column);
-  for (const ShareRow& row : shares.rows) {
+  const std::vector<Finding> numbers = numbers_of(shares);
+  const FoundNumbers found(numbers);
+  for (std::size_t i = 0; i < shares.rows.size(); ++i) {
+    const ShareRow& row = shares.rows[i];
+    const std::string id = std::to_string(i);
     const HitCount count = row.tally.hits();
     std::vector<Cell>& cells = made.table.rows.emplace_back(row.keys.begin(), row.keys.end());
     cells.insert(cells.end(), {whole(count.hits), whole(count.trials), whole(row.tally.persons())});
@@ -73,19 +97,21 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
       outcome.findings.push_back(about);
       continue;
     }
-    about.value = proportion(count);
-    const ConfidenceInterval wilson = wilson_interval(count, kConfidence);
-    const ConfidenceInterval exact = clopper_pearson_interval(count, kConfidence);
-    outcome.findings.push_back(interval_finding(about, wilson, "Wilson score interval"));
-    outcome.findings.push_back(interval_finding(about, exact, "Clopper–Pearson interval"));
-    cells.insert(cells.end(), {*about.value, wilson.low, wilson.high, exact.low, exact.high});
+    const auto number = [&](const char* quantity) { return found.value(quantity, id).value(); };
+    about.value = number("phat");
+    outcome.findings.push_back(interval_finding(about, number("wilson.lower"),
+                                                number("wilson.upper"), "Wilson score interval"));
+    outcome.findings.push_back(interval_finding(about, number("cp.lower"), number("cp.upper"),
+                                                "Clopper–Pearson interval"));
+    cells.insert(cells.end(), {*about.value, number("wilson.lower"), number("wilson.upper"),
+                               number("cp.lower"), number("cp.upper")});
 
     Finding test = about;
     test.quantity = "p";
     const std::optional<std::uint64_t> outcomes = row.tally.outcomes();
     if (outcomes) {
       const double chance = 1.0 / static_cast<double>(*outcomes);
-      test.value = binomial_test(count, chance);
+      test.value = number("p.two");
       test.method = "exact two-sided binomial test of " + shares.quantity + " against chance 1/" +
                     std::to_string(*outcomes);
       cells.insert(cells.end(), {chance, *test.value});
@@ -105,56 +131,77 @@ Phrase chance_note(const Tally& tally, const Phrase& at_chance) {
   return at_chance.with(std::to_string(*outcomes));
 }
 
-void add_person_shares(std::span<const PersonShares> shares, const std::string& key_column,
-                       const std::string& quantity, AnalysisOutcome& outcome) {
-  NamedTable made{
-      "persons",
-      phrase("Analysis", "The person as the unit: each person's own share, over the persons"),
-      {{key_column, "persons", "mean", "sd", "minimum", "median", "maximum"}, {}},
-      {}};
-  for (const PersonShares& item : shares) {
-    std::vector<double> own{};
-    for (const auto& [person, tally] : item.people) own.push_back(proportion(tally.hits()));
-    const std::optional<Summary> summary = summary_of(own);
-    if (!summary) continue;
-    made.table.rows.push_back({item.key, whole(summary->n), summary->mean,
-                               summary->n > 1 ? Cell{summary->sd} : Cell{}, summary->minimum,
-                               summary->p50, summary->maximum});
-    Finding finding{};
-    finding.quantity = "mean_of_persons_" + quantity;
-    finding.key = key_column + '=' + item.key;
-    finding.value = summary->mean;
-    finding.unit = "1";
-    finding.method = "mean of the persons' own shares";
-    finding.n = summary->n;
-    outcome.findings.push_back(std::move(finding));
+ChapterCells::ChapterCells(const GatheredAnswers& gathered)
+    : column_of_word_(gathered.words.size(), 0) {
+  std::set<std::uint32_t> levels{};
+  for (const GatheredAnswer& answer : gathered.answers) levels.insert(answer.column);
+  for (const std::uint32_t level : levels) {
+    if (!gathered.word(level).empty()) columns_.push_back(gathered.word(level));
   }
-  outcome.tables.push_back(std::move(made));
+  std::sort(columns_.begin(), columns_.end());
+  const bool numbers = std::all_of(columns_.begin(), columns_.end(), [](const std::string& level) {
+    return number_in(level).has_value();
+  });
+  if (numbers) {
+    std::sort(columns_.begin(), columns_.end(), [](const std::string& a, const std::string& b) {
+      return *number_in(a) < *number_in(b);
+    });
+  }
+  columns_.emplace_back(kAllColumns);
+  for (const std::uint32_t level : levels) {
+    const auto found = std::find(columns_.begin(), columns_.end() - 1, gathered.word(level));
+    column_of_word_[level] = static_cast<std::size_t>(found - columns_.begin());
+  }
+  sexes_ = {"Female", "Male"};
+  const auto is_other = [](const AnsweringPerson& person) {
+    return person.sex != "F" && person.sex != "M";
+  };
+  if (std::any_of(gathered.people.begin(), gathered.people.end(), is_other)) {
+    sexes_.emplace_back(kOtherSex);
+  }
+  sexes_.emplace_back("Total");
+  for (const AnsweringPerson& person : gathered.people) {
+    sex_of_person_.push_back(person.sex == "F" ? 0 : person.sex == "M" ? 1 : 2);
+  }
 }
 
-void add_counts(const CountTable& counts, std::span<const std::string> columns,
-                const std::function<std::size_t(std::size_t, const std::string&)>& at,
-                AnalysisOutcome& outcome) {
+CountTable count_table(std::vector<std::string> labels, std::vector<std::string> columns) {
+  CountTable counts{};
+  counts.counts.resize(labels.size() * columns.size());
+  counts.labels = std::move(labels);
+  counts.columns = std::move(columns);
+  return counts;
+}
+
+void add_counts(const CountTable& counts, AnalysisOutcome& outcome) {
   NamedTable made{counts.name, counts.title, {}, counts.note};
   made.table.columns.push_back(counts.label_column);
-  for (const std::string& column : columns) {
+  for (const std::string& column : counts.columns) {
     made.table.columns.push_back(column == kAllColumns ? column : "column_" + column);
   }
   for (std::size_t label = 0; label < counts.labels.size(); ++label) {
     std::vector<Cell>& cells = made.table.rows.emplace_back();
     cells.push_back(counts.labels[label]);
-    for (const std::string& column : columns) cells.push_back(whole(at(label, column)));
+    for (std::size_t column = 0; column < counts.columns.size(); ++column) {
+      cells.push_back(whole(counts.counts[label * counts.columns.size() + column]));
+    }
   }
   outcome.tables.push_back(std::move(made));
 }
 
-void add_confusion(std::span<const std::pair<std::string, std::string>> pairs,
-                   const std::set<std::string>& options, AnalysisOutcome& outcome) {
-  std::map<std::string, std::map<std::string, std::size_t>> chosen{};
+std::size_t ConfusionTally::at(std::uint32_t felt, std::uint32_t answer) const {
+  const auto found = counts_.find({felt, answer});
+  return found == counts_.end() ? 0 : found->second;
+}
+
+void ConfusionTally::add_table(const GatheredAnswers& gathered,
+                               const std::set<std::string>& options,
+                               AnalysisOutcome& outcome) const {
+  std::map<std::string, std::uint32_t> rows{};
   std::set<std::string> columns = options;
-  for (const auto& [felt, answer] : pairs) {
-    ++chosen[felt][answer];
-    columns.insert(answer);
+  for (const auto& [pair, times] : counts_) {
+    rows.emplace(gathered.word(pair.first), pair.first);
+    columns.insert(gathered.word(pair.second));
   }
   NamedTable made{kConfusion,
                   phrase("Analysis", "Confusions: felt (down) and chosen picture (across)"),
@@ -162,35 +209,18 @@ void add_confusion(std::span<const std::pair<std::string, std::string>> pairs,
                   {}};
   made.table.columns.push_back("felt");
   made.table.columns.insert(made.table.columns.end(), columns.begin(), columns.end());
-  for (const auto& [felt, counts] : chosen) {
+  for (const auto& [felt, place] : rows) {
     std::vector<Cell>& cells = made.table.rows.emplace_back();
     cells.push_back(felt);
     for (const std::string& column : columns) {
-      const auto found = counts.find(column);
-      cells.push_back(whole(found == counts.end() ? 0 : found->second));
+      const std::optional<std::uint32_t> answer = gathered.words.find(column);
+      cells.push_back(whole(answer ? at(place, *answer) : 0));
     }
   }
   outcome.tables.push_back(std::move(made));
 }
 
 void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
-  struct Forces {
-    std::size_t surfaces = 0;
-    std::vector<double> matched_N{};
-    std::vector<double> achieved_N{};
-  };
-  std::map<std::string, Forces> by_model{};
-  for (const GatheredAnswer& answer : gathered.answers) {
-    for (const FeltSurface& surface : answer.surfaces) {
-      Forces& forces = by_model[surface.model];
-      ++forces.surfaces;
-      if (surface.matched_texture_force_N)
-        forces.matched_N.push_back(*surface.matched_texture_force_N);
-      if (surface.achieved_texture_force_N) {
-        forces.achieved_N.push_back(*surface.achieved_texture_force_N);
-      }
-    }
-  }
   NamedTable made{
       "texture_force",
       phrase("Analysis",
@@ -202,7 +232,7 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
       phrase("Analysis",
              "Equal RMS is not equal intensity: what is felt also depends on frequency, and each "
              "hand presses and moves in its own way.")};
-  for (const auto& [model, forces] : by_model) {
+  for (const auto& [model, forces] : gathered.forces) {
     std::vector<Cell>& cells = made.table.rows.emplace_back();
     cells.insert(cells.end(), {model, whole(forces.surfaces)});
     const std::optional<Summary> matched = summary_of(forces.matched_N);
@@ -226,9 +256,10 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     }
     outcome.findings.push_back(std::move(finding));
   }
-  const bool measured = std::any_of(by_model.begin(), by_model.end(), [](const auto& of_model) {
-    return !of_model.second.matched_N.empty() || !of_model.second.achieved_N.empty();
-  });
+  const bool measured =
+      std::any_of(gathered.forces.begin(), gathered.forces.end(), [](const auto& of_model) {
+        return !of_model.second.matched_N.empty() || !of_model.second.achieved_N.empty();
+      });
   if (measured) outcome.tables.push_back(std::move(made));
 }
 
@@ -246,46 +277,6 @@ void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome
                    "intervals are too narrow and the p too small. The table \"persons\" takes the "
                    "person as the unit.");
   outcome.remarks.push_back(pooled.with(std::to_string(answers), std::to_string(persons)));
-}
-
-std::vector<std::string> columns_of(const GatheredAnswers& gathered) {
-  std::set<std::string> levels{};
-  for (const GatheredAnswer& answer : gathered.answers) {
-    if (!answer.column.empty()) levels.insert(answer.column);
-  }
-  std::vector<std::string> columns(levels.begin(), levels.end());
-  const bool numbers = std::all_of(columns.begin(), columns.end(), [](const std::string& level) {
-    return number_in(level).has_value();
-  });
-  if (numbers) {
-    std::sort(columns.begin(), columns.end(), [](const std::string& a, const std::string& b) {
-      return *number_in(a) < *number_in(b);
-    });
-  }
-  columns.emplace_back(kAllColumns);
-  return columns;
-}
-
-bool stands_in(const GatheredAnswer& answer, const std::string& column) {
-  return column == kAllColumns || answer.column == column;
-}
-
-std::vector<std::string> sex_labels(const GatheredAnswers& gathered) {
-  std::vector<std::string> labels{"Female", "Male"};
-  const bool others =
-      std::any_of(gathered.answers.begin(), gathered.answers.end(),
-                  [](const GatheredAnswer& answer) { return is_of(answer, kOtherSex); });
-  if (others) labels.emplace_back(kOtherSex);
-  labels.emplace_back("Total");
-  return labels;
-}
-
-bool is_of(const GatheredAnswer& answer, const std::string& sex_label) {
-  if (sex_label == "Total") return true;
-  const std::string sex = answer.sex.value_or("");
-  if (sex == "F") return sex_label == "Female";
-  if (sex == "M") return sex_label == "Male";
-  return sex_label == kOtherSex;
 }
 
 }  // namespace asperity

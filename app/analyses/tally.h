@@ -1,34 +1,39 @@
-// Counts of answers, and the tables that are made of them in every family.
+// Counts of answers, and the tables that are made of them in every kind of protocol.
 
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/proportion.h"
 #include "app/analyses/analysis_outcome.h"
+#include "app/analyses/gathered_answers.h"
 
 namespace asperity {
 
 /// How often something was so, for how many people, and out of how many equally likely outcomes.
 class Tally final {
  public:
-  /// `outcomes`: chance is 1 of so many.
-  void count(const std::string& person, bool hit, std::uint64_t outcomes);
+  /// `outcomes`: chance is 1 of so many; `times`: how often that was.
+  void count(std::uint32_t person, bool hit, std::uint64_t outcomes, std::uint64_t times = 1);
 
   HitCount hits() const noexcept { return hits_; }
-  std::size_t persons() const noexcept { return persons_.size(); }
+  std::size_t persons() const noexcept { return persons_; }
   /// The one number of outcomes that all counts share; nothing when they differ.
   std::optional<std::uint64_t> outcomes() const;
 
  private:
   HitCount hits_{};
-  std::set<std::string> persons_{};
+  std::size_t persons_ = 0;
+  std::vector<bool> seen_{};  ///< by person
   std::set<std::uint64_t> outcomes_{};
+  std::uint64_t last_outcomes_ = 0;
 };
 
 /// A row of a table of shares: its keys, in the order of the key columns, and its count.
@@ -48,23 +53,44 @@ struct ShareTable {
 };
 
 /// Appends the table (count, share, Wilson and Clopper–Pearson 95 % intervals, chance, exact
-/// two-sided binomial test) and the same as findings.
+/// two-sided binomial test), by the family `proportion`, and the same as findings.
 void add_shares(const ShareTable& shares, AnalysisOutcome& outcome);
 
 /// `at_chance` with the number of outcomes in its place: "By chance: 1/%1 of the answers right." — or
 /// that it differs between the trials.
 Phrase chance_note(const Tally& tally, const Phrase& at_chance);
 
-/// What one person's share is, over all of the person's answers.
-struct PersonShares {
-  std::string key{};                      ///< "item=sinusoid", or empty
-  std::map<std::string, Tally> people{};  ///< by participant
-};
+/// The rows and columns that the chapter's tables have: levels of the factor `column` and `all`, the
+/// sexes and `Total`. An answer counts in up to two of each.
+class ChapterCells final {
+ public:
+  explicit ChapterCells(const GatheredAnswers& gathered);
 
-/// Appends the table in which the unit is the person: mean, spread and range of the persons' own
-/// shares.
-void add_person_shares(std::span<const PersonShares> shares, const std::string& key_column,
-                       const std::string& quantity, AnalysisOutcome& outcome);
+  const std::vector<std::string>& columns() const noexcept { return columns_; }
+  /// Female, Male, where there are any the others, and Total.
+  const std::vector<std::string>& sexes() const noexcept { return sexes_; }
+  /// Its own column and `all`; the latter twice for an answer without a column.
+  std::array<std::size_t, 2> columns_of(std::uint32_t column_word) const {
+    return {column_of_word_[column_word], columns_.size() - 1};
+  }
+
+  /// Calls `use(column, sex)` for each cell in which an answer counts.
+  template <class Use>
+  void for_each(std::uint32_t column_word, std::uint32_t person, const Use& use) const {
+    const std::array<std::size_t, 2> in_columns = columns_of(column_word);
+    for (const std::size_t sex : {sex_of_person_[person], sexes_.size() - 1}) {
+      use(in_columns[1], sex);
+      if (in_columns[0] != in_columns[1]) use(in_columns[0], sex);
+    }
+  }
+
+ private:
+  std::vector<std::string> columns_{};
+  std::vector<std::size_t> column_of_word_{};
+  std::vector<std::string> sexes_{};
+  std::vector<std::size_t> sex_of_person_{};
+};
+inline constexpr const char* kAllColumns = "all";
 
 /// A table of counts as the chapter prints it: labels down, the levels of the factor `column` and
 /// `all` across.
@@ -74,15 +100,31 @@ struct CountTable {
   Phrase note{};
   std::string label_column{};
   std::vector<std::string> labels{};
-};
-void add_counts(const CountTable& counts, std::span<const std::string> columns,
-                const std::function<std::size_t(std::size_t label, const std::string& column)>& at,
-                AnalysisOutcome& outcome);
+  std::vector<std::string> columns{};
+  std::vector<std::size_t> counts{};  ///< label × column
 
-/// Felt down, chosen across. `pairs` are (felt, chosen); `options` are columns even if nobody chose
-/// them.
-void add_confusion(std::span<const std::pair<std::string, std::string>> pairs,
-                   const std::set<std::string>& options, AnalysisOutcome& outcome);
+  std::size_t& at(std::size_t label, std::size_t column) {
+    return counts[label * columns.size() + column];
+  }
+};
+/// With labels and columns: all counts 0.
+CountTable count_table(std::vector<std::string> labels, std::vector<std::string> columns);
+void add_counts(const CountTable& counts, AnalysisOutcome& outcome);
+
+/// How often each answer was given to each felt item.
+class ConfusionTally final {
+ public:
+  void count(std::uint32_t felt, std::uint32_t answer, std::size_t times = 1) {
+    counts_[{felt, answer}] += times;
+  }
+  std::size_t at(std::uint32_t felt, std::uint32_t answer) const;
+  /// Felt down, chosen across, both by name. `options` are columns even if nobody chose them.
+  void add_table(const GatheredAnswers& gathered, const std::set<std::string>& options,
+                 AnalysisOutcome& outcome) const;
+
+ private:
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> counts_{};
+};
 
 /// Texture force per model: what was aimed at, and what the hands made of it. No table where
 /// nothing was measured.
@@ -90,16 +132,5 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
 
 /// The remark that pooled answers of the same persons are not independent, where it is so.
 void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome& outcome);
-
-/// Levels of the factor `column`, numbers by size, then `all`.
-std::vector<std::string> columns_of(const GatheredAnswers& gathered);
-/// Whether an answer counts in a column; every answer counts in `all`.
-bool stands_in(const GatheredAnswer& answer, const std::string& column);
-inline constexpr const char* kAllColumns = "all";
-
-/// The rows of the chapter's tables by sex: Female, Male and, where there are any, the others.
-std::vector<std::string> sex_labels(const GatheredAnswers& gathered);
-/// Whether an answer counts in a row of those.
-bool is_of(const GatheredAnswer& answer, const std::string& sex_label);
 
 }  // namespace asperity

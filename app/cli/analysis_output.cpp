@@ -139,6 +139,10 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
           plural(outcome.count.planned_trials, "planned trial") + " of the main phase, " +
           plural(outcome.answers, "answer") + " counted\n";
   for (const Phrase& remark : outcome.remarks) text += wrapped("! ", remark.english());
+  for (const AnsweredQuestion& question : outcome.questions) {
+    text += '\n' + wrapped("", question.question.english());
+    text += wrapped("  ", question.answer.english());
+  }
   for (const NamedTable& table : outcome.tables) {
     const std::string title = table.title.english();
     text += '\n' + title + '\n' + std::string(title.size(), '-') + '\n';

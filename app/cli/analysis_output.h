@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// Heading, remarks, then every table with its title: numbers with the digits that mean something,
+/// Heading, remarks, questions with their answers, then every table with its title: numbers with the digits that mean something,
 /// intervals in brackets.
 std::string reading_text_of(const AnalysisOutcome& outcome);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -467,6 +469,231 @@ TEST(AnalyzeStudy, HasAFindingForEveryNumberOfATable) {
   EXPECT_EQ(found->value, 1.0);
   EXPECT_NEAR(found->low.value(), 0.025, 1e-12);  // (0.05/2)^(1/1)
   EXPECT_EQ(found->n, 1u);
+}
+
+const AnsweredQuestion& question_of(const AnalysisOutcome& outcome, const std::string& name) {
+  for (const AnsweredQuestion& question : outcome.questions) {
+    if (question.name == name) return question;
+  }
+  throw std::runtime_error("no question " + name);
+}
+
+const Finding& finding_of(const AnalysisOutcome& outcome, const std::string& analysis,
+                          const std::string& quantity, const std::string& key = {}) {
+  for (const Finding& finding : outcome.findings) {
+    if (finding.analysis == analysis && finding.quantity == quantity && finding.key == key) {
+      return finding;
+    }
+  }
+  throw std::runtime_error("no finding " + quantity + ' ' + key);
+}
+
+// Every person has the same choice in a column, so that the table of all is the chapter's.
+TEST(Selection, AnswersItsQuestionWithThePersonAsTheUnit) {
+  const AnalysisOutcome& outcome = selections_of_the_chapter();
+  const AnsweredQuestion& preference = question_of(outcome, "preference");
+  EXPECT_EQ(&preference, &outcome.questions.front());
+  EXPECT_THAT(preference.answer.english(),
+              testing::StartsWith("height_map was chosen most often: in 60 % of a participant's "
+                                  "choices on average (95 % interval "));
+  EXPECT_THAT(preference.answer.english(), HasSubstr("where chance is 33 %"));
+  EXPECT_EQ(preference.finding.n, 20U);
+  EXPECT_EQ(preference.finding.quantity, "subj.mean");
+  EXPECT_TRUE(preference.finding.low.has_value());
+}
+
+// 20 people, each three times: whatever a table says of all of them, the family says too.
+TEST(Selection, HasItsNumbersFromTheFamily) {
+  const AnalysisOutcome& outcome = selections_of_the_chapter();
+  const Table& shares = table_of(outcome, "shares").table;
+  EXPECT_EQ(finding_of(outcome, "choice", "count", "POOLED|height_map").value, 36.0);
+  EXPECT_EQ(finding_of(outcome, "choice", "prop", "POOLED|height_map").value,
+            number(shares, {"all", "height_map"}, "share"));
+  EXPECT_EQ(finding_of(outcome, "choice", "wilson.lower", "POOLED|height_map").value,
+            number(shares, {"all", "height_map"}, "wilson_low"));
+  const Table& persons = table_of(outcome, "persons").table;
+  EXPECT_EQ(finding_of(outcome, "choice", "subj.mean", "sinusoid").value,
+            number(persons, {"sinusoid"}, "mean"));
+  EXPECT_LT(number(persons, {"sinusoid"}, "mean_low"), number(persons, {"sinusoid"}, "mean"));
+}
+
+// Luce's worths of the best of three are the shares: 36, 22 and 2 of 60.
+TEST(Selection, PutsTheModelsOnAScale) {
+  const Table& scale = table_of(selections_of_the_chapter(), "scale").table;
+  EXPECT_NEAR(number(scale, {"height_map"}, "worth"), 0.6, 1e-9);
+  EXPECT_NEAR(number(scale, {"stochastic"}, "worth"), 2.0 / 60.0, 1e-9);
+  EXPECT_NEAR(number(scale, {"height_map"}, "log_worth") - number(scale, {"sinusoid"}, "log_worth"),
+              std::log(36.0 / 22.0), 1e-9);
+  EXPECT_LT(number(scale, {"sinusoid"}, "log_worth_low"), number(scale, {"sinusoid"}, "log_worth"));
+}
+
+/// Six people choose between two models, four times each: 4, 4, 3, 3, 2 and 4 times the first.
+AnalysisOutcome analyze_pairs(const std::string& source) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("pair", "selection", source);
+  const std::array<int, 6> firsts{4, 4, 3, 3, 2, 4};
+  for (std::size_t i = 0; i < firsts.size(); ++i) {
+    made.add_person("p" + std::to_string(i), "F");
+    std::vector<MadeUpTrial> trials{};
+    for (int trial = 0; trial < 4; ++trial) {
+      MadeUpTrial& one = trials.emplace_back();
+      one.options = {"old", "new"};
+      if (trial % 2 == 1) std::swap(one.options[0], one.options[1]);
+      for (const std::string& model : one.options) {
+        one.surfaces.push_back(surface_of(model, model, trial < 2 ? "wood" : "metal"));
+      }
+      one.answers = {trial < firsts[i] ? "new" : "old"};
+    }
+    made.add_session("p" + std::to_string(i), protocol, trials);
+  }
+  return analyze_study(made.study()).front();
+}
+
+// The differences are 4, 4, 2, 2, 0 and 4 of one sign: of 2⁵ patterns of signs two are as far.
+TEST(Selection, FlipsSignsWithinPersons) {
+  const AnalysisOutcome outcome = analyze_pairs("{}");
+  EXPECT_DOUBLE_EQ(finding_of(outcome, "choice", "signflip.p.two", "new|old").value.value(),
+                   2.0 / 32.0);
+  EXPECT_DOUBLE_EQ(number(table_of(outcome, "tests").table, {"pairs", "new|old"}, "p"), 2.0 / 32.0);
+  // 20 wins to 4: Bradley and Terry's distance is ln 5.
+  EXPECT_NEAR(number(table_of(outcome, "scale").table, {"new"}, "log_worth"), std::log(5.0) / 2.0,
+              1e-9);
+  EXPECT_NO_THROW(finding_of(outcome, "scale", "bt.order.beta", "first"));
+}
+
+TEST(StudyTests, AdjustTheFamilyThatTheProtocolDeclares) {
+  const AnalysisOutcome outcome =
+      analyze_pairs(R"({"analysis": {"target": "new", "family": ["target_pairs", "position"]}})");
+  const NamedTable& tests = table_of(outcome, "tests");
+  EXPECT_THAT(tests.note, says("2 tests of the family that the protocol declares"));
+  const double pair = number(tests.table, {"target_pairs", "new|old"}, "p");
+  EXPECT_DOUBLE_EQ(pair, 2.0 / 32.0);
+  EXPECT_DOUBLE_EQ(number(tests.table, {"target_pairs", "new|old"}, "p_holm"), 2.0 * pair);
+  EXPECT_EQ(cell_of(tests.table, {"preference"}, "p_holm"), Cell{});
+  EXPECT_EQ(cell_of(tests.table, {"position"}, "family"), Cell{"target_pairs, position"});
+  EXPECT_EQ(finding_of(outcome, "tests", "p.holm", "test=target_pairs about=new|old").value,
+            2.0 * pair);
+  EXPECT_THAT(question_of(outcome, "pairs").answer.english(), HasSubstr("after Holm"));
+  EXPECT_THAT(question_of(outcome, "textures").question.english(), HasSubstr("for new"));
+}
+
+TEST(StudyTests, SayThatNothingWasDeclared) {
+  EXPECT_THAT(table_of(analyze_pairs("{}"), "tests").note, says("declares no family of tests"));
+}
+
+TEST(Matching, HasItsNumbersFromTheFamily) {
+  const AnalysisOutcome& outcome = matchings_of_the_chapter();
+  const Table& items = table_of(outcome, "items").table;
+  EXPECT_EQ(finding_of(outcome, "matching", "exact.p.greater").value,
+            number(items, {"all", "Total"}, "p"));
+  // 54 goes with 4 right, 6 with 2.
+  const Table& right = table_of(outcome, "right_items").table;
+  EXPECT_EQ(std::get<std::int64_t>(right.rows[4][1]), 54);
+  EXPECT_EQ(std::get<std::int64_t>(right.rows[2][1]), 6);
+  EXPECT_DOUBLE_EQ(std::get<double>(right.rows[4][2]), 60.0 / 24.0);
+  const Table& pairs = table_of(outcome, "confused_pairs").table;
+  EXPECT_EQ(std::get<std::string>(pairs.rows[0][0]) + std::get<std::string>(pairs.rows[0][1]),
+            "brickwood");
+  EXPECT_EQ(std::get<std::int64_t>(pairs.rows[0][2]), 6);
+  EXPECT_THAT(question_of(outcome, "items").answer.english(),
+              testing::StartsWith("They do: 95 % of a participant's items"));
+  EXPECT_THAT(question_of(outcome, "sexes").answer.english(),
+              testing::StartsWith("Nothing shows that they do"));
+}
+
+/// Two people, six goes: stone and metal are mixed up, the rest is right; gravel and grass are only
+/// shown.
+AnalysisOutcome analyze_recognitions() {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("recognition", "recognition");
+  for (const char* label : {"a", "b"}) {
+    made.add_person(label, label[0] == 'a' ? "F" : "M");
+    std::vector<MadeUpTrial> trials{recognition("stone", "metal"), recognition("stone", "stone"),
+                                    recognition("metal", "stone"), recognition("metal", "metal"),
+                                    recognition("wood", "wood"),   recognition("brick", "brick")};
+    if (label[0] == 'b') trials[2] = recognition("metal", "metal");
+    made.add_session(label, protocol, trials);
+  }
+  return analyze_study(made.study()).front();
+}
+
+TEST(Recognition, MapsOnlyWhatWasFelt) {
+  const AnalysisOutcome outcome = analyze_recognitions();
+  // 9 of 12 among six pictures.
+  EXPECT_EQ(finding_of(outcome, "recognition", "pc").value, 0.75);
+  EXPECT_GT(finding_of(outcome, "recognition", "dprime").value, 1.0);
+  const Table& map = table_of(outcome, "map").table;
+  ASSERT_EQ(map.rows.size(), 4U);
+  const Table& tree = table_of(outcome, "tree").table;
+  ASSERT_EQ(tree.rows.size(), 3U);
+  EXPECT_EQ(std::get<std::string>(tree.rows[0][1]), "metal");
+  EXPECT_EQ(std::get<std::string>(tree.rows[0][2]), "stone");
+  EXPECT_THAT(question_of(outcome, "confusions").answer.english(), HasSubstr("metal / stone"));
+  EXPECT_THAT(question_of(outcome, "information").answer.english(), HasSubstr("too few"));
+  EXPECT_NO_THROW(question_of(outcome, "right"));
+  EXPECT_EQ(finding_of(outcome, "sexes", "pooled.k", "M").value, 5.0);
+}
+
+// What no analysis can be made of is said, and nothing falls over.
+TEST(AnalyzeStudy, RefusesInSentencesWhatCannotBeTested) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  made.add_person("b", "M");
+  // One participant, one model only.
+  MadeUpTrial alone{};
+  alone.surfaces = {surface_of("sinusoid", "sinusoid", "wood")};
+  alone.answers = {"sinusoid"};
+  alone.options = {"sinusoid"};
+  made.add_session("a", made.add_protocol("s_one_model", "selection"), {alone});
+  // All alike.
+  const std::int64_t alike = made.add_protocol("s_alike", "selection");
+  for (const char* label : {"a", "b"}) {
+    made.add_session(label, alike, {choice_among_models("sinusoid", "wood")});
+  }
+  // Sets that differ between the trials.
+  MadeUpTrial pair = choice_among_models("sinusoid", "wood");
+  pair.surfaces.pop_back();
+  made.add_session("a", made.add_protocol("s_sets", "selection"),
+                   {pair, choice_among_models("stochastic", "metal")});
+  // All wrong, all right, one texture only, thirteen items, an unknown kind.
+  made.add_session("a", made.add_protocol("r_wrong", "recognition"),
+                   {recognition("stone", "metal"), recognition("metal", "stone")});
+  const std::int64_t right = made.add_protocol("r_right", "recognition");
+  for (const char* label : {"a", "b"}) {
+    made.add_session(label, right, {recognition("stone", "stone"), recognition("metal", "metal")});
+  }
+  made.add_session("a", made.add_protocol("m_right", "matching"), {matching(kTextures)});
+  MadeUpTrial many{};
+  for (int i = 0; i < 13; ++i) {
+    const std::string name = "t" + std::to_string(10 + i);
+    many.surfaces.push_back(surface_of(name, "height_map", name));
+    many.answers.push_back(name);
+    many.right.push_back(name);
+    many.options.push_back(name);
+  }
+  made.add_session("a", made.add_protocol("m_thirteen", "matching"), {many});
+  made.add_session("a", made.add_protocol("unknown", "adjustment"), {alone});
+
+  std::map<std::string, AnalysisOutcome> outcomes{};
+  for (AnalysisOutcome& outcome : analyze_study(made.study())) {
+    outcomes[outcome.protocol] = std::move(outcome);
+  }
+  ASSERT_EQ(outcomes.size(), 8U);
+  EXPECT_NO_THROW(table_of(outcomes["s_one_model"], "table_1"));
+  const AnalysisOutcome& all_alike = outcomes["s_alike"];
+  EXPECT_THAT(all_alike.remarks, testing::Contains(says("no scale of the models")));
+  EXPECT_THAT(question_of(all_alike, "preference").answer.english(), HasSubstr("no interval"));
+  EXPECT_THAT(outcomes["s_sets"].remarks,
+              testing::Contains(says("Not every trial offers every model")));
+  EXPECT_THAT(question_of(outcomes["s_sets"], "preference").finding.status, HasSubstr("scale"));
+  EXPECT_THAT(question_of(outcomes["r_wrong"], "right").answer.english(),
+              testing::StartsWith("Nothing shows that they are: 0 %"));
+  EXPECT_EQ(finding_of(outcomes["r_right"], "recognition", "dprime").word, "Inf");
+  EXPECT_THAT(question_of(outcomes["r_right"], "right").answer.english(),
+              HasSubstr("so there is no test"));
+  EXPECT_EQ(finding_of(outcomes["m_right"], "matching", "mallows.theta").word, "Inf");
+  EXPECT_THAT(outcomes["m_thirteen"].remarks, testing::Contains(says("nothing is analysed")));
+  EXPECT_THAT(outcomes["unknown"].remarks, testing::Contains(says("kind \"adjustment\"")));
 }
 
 }  // namespace

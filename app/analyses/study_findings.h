@@ -1,0 +1,121 @@
+// Findings of the families put beside each other: found again by name, tested together, said in words.
+
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/analyses/analysis_outcome.h"
+#include "app/analyses/tidy/tidy_families.h"
+
+namespace asperity {
+
+/// Findings by quantity and key. They must outlive it.
+class FoundNumbers final {
+ public:
+  FoundNumbers() = default;
+  explicit FoundNumbers(std::span<const Finding> findings);
+
+  /// Null where there is none.
+  const Finding* find(std::string_view quantity, std::string_view key = {}) const;
+  /// Nothing where there is no number.
+  std::optional<double> value(std::string_view quantity, std::string_view key = {}) const;
+  /// The same as a cell of a table.
+  Cell cell(std::string_view quantity, std::string_view key = {}) const;
+  /// The ends of the interval around a number, as two cells.
+  std::pair<Cell, Cell> interval(std::string_view quantity, std::string_view key = {}) const;
+
+ private:
+  std::map<std::pair<std::string_view, std::string_view>, const Finding*> findings_{};
+};
+
+/// Runs a family on a table and gives its findings the name `analysis`. What the family refuses is a
+/// finding `status` with the word not_applicable.
+std::vector<Finding> analysis_of(const char* analysis, const char* family, TidyInput input);
+
+/// A text, and a list of them, as FamilyOptions::add reads them.
+std::string json_text(const std::string& text);
+std::string json_list(std::span<const std::string> texts);
+
+/// Which findings to keep.
+using KeepFinding = std::function<bool(const Finding&)>;
+/// Appends them to those of the outcome.
+void keep_findings(
+    std::span<const Finding> findings, AnalysisOutcome& outcome,
+    const KeepFinding& keep = [](const Finding&) { return true; });
+
+/// The tests of a study, and Holm's correction over those that are its family.
+class StudyTests final {
+ public:
+  /// The family that the protocol declares, or the first test of its kind.
+  explicit StudyTests(const GatheredAnswers& gathered);
+
+  struct Test {
+    std::string name{};   ///< one of test_names()
+    std::string about{};  ///< what of several is tested; may be empty
+    std::string method{};
+    std::size_t n = 0;  ///< participants
+    std::optional<double> p{};
+    std::optional<double> adjusted{};  ///< within the family
+    std::string status = "ok";
+  };
+  /// A p of the family of analyses; what is no number is why there is no test.
+  void add(const std::string& name, const std::string& about, std::size_t n,
+           const Finding* finding);
+  /// Adjusts, and appends the table `tests` with its findings.
+  void finish(AnalysisOutcome& outcome);
+
+  const Test* find(std::string_view name, std::string_view about = {}) const;
+  std::span<const Test> tests() const noexcept { return tests_; }
+  bool is_in_family(std::string_view name) const;
+  const std::string& family() const noexcept { return name_; }
+  bool is_declared() const noexcept { return is_declared_; }
+
+ private:
+  std::vector<std::string> family_{};
+  std::string name_{};
+  bool is_declared_ = false;
+  std::vector<Test> tests_{};
+};
+
+/// "75 %"
+Phrase percent(double share);
+/// "p = 0.031", "p < 0.001"; adjusted where the test is of the family: "p = 0.062 after Holm".
+Phrase p_text(const StudyTests::Test& test);
+/// "(95 % interval 40 % to 71 %)" of a share, or why there is none.
+Phrase interval_text(const Finding& share);
+
+/// The answer of a question: `finding` is what the sentence rests on.
+void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, Phrase answer,
+                  Phrase method, const char* table, const Finding* finding);
+
+/// Whether women and men differ; nothing where the test was not made. `difference`: first minus
+/// second.
+void ask_sexes(const Finding* difference, const StudyTests& tests, AnalysisOutcome& outcome);
+
+/// The table `persons` from subj.mean, subj.sd, subj.minimum, subj.median and subj.maximum of these
+/// keys, with the same as findings `mean_of_persons_QUANTITY`.
+struct PersonsRow {
+  std::string name{};  ///< in the table
+  std::string key{};   ///< of the findings
+};
+void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
+                 const std::string& key_column, const std::string& quantity,
+                 AnalysisOutcome& outcome);
+
+/// A row per measure: value and interval, where they are numbers.
+struct Measure {
+  const char* name = nullptr;  ///< fixed, for programs
+  const char* quantity = nullptr;
+};
+void add_measures(const FoundNumbers& found, std::span<const Measure> measures,
+                  AnalysisOutcome& outcome);
+
+}  // namespace asperity
