@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "app/tasks/study_overview.h"
-#include "app/tasks/unfinished_session.h"
 
 namespace asperity {
 
@@ -33,12 +32,12 @@ std::vector<BrokenOffSession> broken_off_sessions(const Study& study, const std:
   for (const SessionRow& row : rows) {
     if (stop.stop_requested()) break;
     const ProtocolRow protocol = study.protocol(row.protocol_id);
-    const std::set<int> done = trials_done(study.attempts(row.id), study.decisions(row.id));
+    const SessionCounts counts = study.session_counts(row.id);
     found.push_back({.row = row,
                      .protocol_name = protocol.name,
                      .protocol_version = protocol.version,
-                     .trials_done = static_cast<int>(done.size()),
-                     .trials = static_cast<int>(study.plan(row.id).size())});
+                     .trials_done = counts.done_trials,
+                     .trials = counts.planned_trials});
     if (const auto file = files.find(protocol.source); file != files.end()) {
       found.back().protocol_file = file->second;
     }

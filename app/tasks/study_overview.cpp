@@ -42,31 +42,6 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
   return files;
 }
 
-int count_notes(const std::vector<EventRow>& events) {
-  return static_cast<int>(std::count_if(
-      events.begin(), events.end(), [](const EventRow& event) { return event.kind == "note"; }));
-}
-
-double running_s(const std::vector<AttemptRow>& attempts) {
-  struct Stretch {
-    std::int64_t first_ns = 0;
-    std::int64_t last_ns = 0;
-  };
-  std::map<int, Stretch> stretches{};
-  for (const AttemptRow& attempt : attempts) {
-    Stretch& stretch =
-        stretches.try_emplace(attempt.segment, Stretch{attempt.onset_ns, attempt.offset_ns})
-            .first->second;
-    stretch.first_ns = std::min(stretch.first_ns, attempt.onset_ns);
-    stretch.last_ns = std::max(stretch.last_ns, attempt.offset_ns);
-  }
-  double sum_s = 0.0;
-  for (const auto& [segment, stretch] : stretches) {
-    sum_s += static_cast<double>(stretch.last_ns - stretch.first_ns) * 1e-9;
-  }
-  return sum_s;
-}
-
 bool is_ended_by_rule(const Study& study, const SessionRow& row, const ProtocolRow& protocol) {
   if (row.state != SessionState::stopped) return false;
   const ProtocolCheck check = check_protocol_text(protocol.source, protocol.name, built_in_models(),
@@ -75,17 +50,16 @@ bool is_ended_by_rule(const Study& study, const SessionRow& row, const ProtocolR
 }
 
 SessionOverview overview_of(const Study& study, const SessionRow& row, const ProtocolRow& protocol,
-                            const std::vector<AttemptRow>& attempts) {
+                            const SessionCounts& counts) {
   SessionOverview overview{};
   overview.row = row;
   overview.protocol_name = protocol.name;
   overview.protocol_version = protocol.version;
-  overview.planned_trials = static_cast<int>(study.plan(row.id).size());
-  overview.notes = count_notes(study.events(row.id));
-  for (const AttemptRow& attempt : attempts) overview.notes += count_notes(attempt.events);
-  overview.done_trials = static_cast<int>(trials_done(attempts, study.decisions(row.id)).size());
-  overview.attempts = static_cast<int>(attempts.size());
-  overview.duration_s = running_s(attempts);
+  overview.planned_trials = counts.planned_trials;
+  overview.notes = counts.notes;
+  overview.done_trials = counts.done_trials;
+  overview.attempts = counts.attempts;
+  overview.duration_s = counts.running_s;
   overview.is_running = is_running(study, row);
   overview.ended_by_rule = is_ended_by_rule(study, row, protocol);
   return overview;
@@ -270,11 +244,14 @@ std::vector<SessionOverview> session_overviews(const Study& study, const std::st
     protocols.emplace(id, std::move(protocol));
   }
   const auto files = protocol_files_by_text(study.folder());
+  const std::map<std::int64_t, SessionCounts> counts = study.session_counts();
   std::vector<SessionOverview> overviews{};
   for (const SessionRow& row : study.sessions()) {
     if (stop.stop_requested()) break;
+    const auto counted = counts.find(row.id);
+    if (counted == counts.end()) continue;  // it began a moment ago: the next reading has it
     const ProtocolRow& protocol = protocols.at(row.protocol_id);
-    overviews.push_back(overview_of(study, row, protocol, study.attempts(row.id)));
+    overviews.push_back(overview_of(study, row, protocol, counted->second));
     if (const auto file = files.find(protocol.source); file != files.end()) {
       overviews.back().protocol_file = file->second;
     }
@@ -359,7 +336,8 @@ SessionDetail session_detail(const Study& study, std::int64_t session_id) {
   SessionDetail detail{};
   const SessionRow row = study.session(session_id);
   const std::vector<AttemptRow> attempts = study.attempts(session_id);
-  detail.overview = overview_of(study, row, study.protocol(row.protocol_id), attempts);
+  detail.overview =
+      overview_of(study, row, study.protocol(row.protocol_id), study.session_counts(session_id));
   detail.events = study.events(session_id);
   for (const PlannedTrialRow& planned : study.plan(session_id)) {
     bool begun = false;

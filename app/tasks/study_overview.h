@@ -45,7 +45,7 @@ struct SessionOverview {
   std::string protocol_name{};
   std::string protocol_version{};
   int planned_trials = 0;
-  int done_trials = 0;  ///< see `trials_done`
+  int done_trials = 0;  ///< as SessionCounts'
   int attempts = 0;
   int notes = 0;
   /// From the first to the last trial of each stretch of uninterrupted running.

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -27,10 +26,5 @@ std::vector<UnfinishedSession> unfinished_sessions(const Study& study, const Pro
 std::optional<UnfinishedSession> unfinished_of(const std::vector<UnfinishedSession>& sessions,
                                                const std::string& participant,
                                                std::optional<std::int64_t> id);
-
-/// The trials of a session that are not asked any more: with a valid attempt, or skipped and not set
-/// aside.
-std::set<int> trials_done(const std::vector<AttemptRow>& attempts,
-                          const std::vector<DecisionRow>& decisions);
 
 }  // namespace asperity
