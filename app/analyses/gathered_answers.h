@@ -51,7 +51,7 @@ struct FeltSurface {
 };
 
 /// What was answered: to a choice once, in an assignment for each surface.
-struct Reply {
+struct GatheredReply {
   std::uint32_t answer = 0;  ///< a place of a word
   std::optional<bool> correct{};
 };
@@ -105,17 +105,19 @@ struct GatheredAnswers {
   std::vector<std::vector<std::string>> option_lists{};  ///< as shown, each order once
   std::vector<GatheredAnswer> answers{};                 ///< by participant and session
   std::vector<FeltSurface> surfaces{};
-  std::vector<Reply> replies{};
+  std::vector<GatheredReply> replies{};
   std::map<std::string, TextureForces> forces{};  ///< by model
 
   /// By position.
   std::span<const FeltSurface> surfaces_of(const GatheredAnswer& answer) const {
     return std::span(surfaces).subspan(answer.first_surface, answer.surface_count);
   }
-  std::span<const Reply> replies_of(const GatheredAnswer& answer) const {
+  std::span<const GatheredReply> replies_of(const GatheredAnswer& answer) const {
     return std::span(replies).subspan(answer.first_reply, answer.reply_count);
   }
-  const Reply& reply_of(const GatheredAnswer& answer) const { return replies[answer.first_reply]; }
+  const GatheredReply& reply_of(const GatheredAnswer& answer) const {
+    return replies[answer.first_reply];
+  }
   const std::string& word(std::uint32_t place) const { return words.at(place); }
 };
 

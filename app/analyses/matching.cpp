@@ -88,8 +88,8 @@ std::vector<Assignment> assignments_of(const GatheredAnswers& gathered, Analysis
         made.felt.push_back(felt);
         made.chosen.push_back(chosen);
       }
-      made.right = static_cast<std::size_t>(
-          std::count_if(replies.begin(), replies.end(), [](const Reply& r) { return *r.correct; }));
+      made.right = static_cast<std::size_t>(std::count_if(
+          replies.begin(), replies.end(), [](const GatheredReply& r) { return *r.correct; }));
     }
     ++assignments[found->second].times;
   }

@@ -30,7 +30,7 @@ struct Judged {
 std::vector<Judged> judged_of(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<Judged> judged{};
   for (const GatheredAnswer& answer : gathered.answers) {
-    const Reply& reply = gathered.reply_of(answer);
+    const GatheredReply& reply = gathered.reply_of(answer);
     if (!reply.correct || answer.surface_count == 0) continue;
     judged.push_back({&answer, gathered.surfaces_of(answer)[0].item, reply.answer, *reply.correct});
   }

@@ -87,7 +87,7 @@ void count_session(const Study& study, const SessionRow& row, ReportFacts& facts
   }
   session.main_trials = static_cast<int>(main_trials.size());
   const std::vector<AttemptRow> attempts = study.attempts(row.id);
-  session.done_trials = static_cast<int>(trials_done(attempts, session.decisions).size());
+  session.done_trials = study.session_counts(row.id).done_trials;
   for (const AttemptRow& attempt : attempts) {
     count_attempt(attempt, main_trials.contains(attempt.trial), facts);
   }
