@@ -274,27 +274,34 @@ class FigureDrawing final {
     }
   }
 
+  /// One end of an interval: a cap, or an arrow where it goes on beyond the axis. `out`: away from
+  /// the point, of length 1.
+  void end_of_interval(const QPointF& end, const QPointF& out, bool goes_on) {
+    const double size = 0.25 * letters();
+    const QPointF aside(-out.y() * size, out.x() * size);
+    const QPointF back = goes_on ? 1.5 * size * out : QPointF();
+    painter_.drawLine(end - back + aside, goes_on ? end : end - aside);
+    if (goes_on) painter_.drawLine(end - back - aside, end);
+  }
+
   void intervals(const FigureSeries& series) {
     painter_.setPen(QPen(color_of(series, look_), 1.8 * thin(), Qt::SolidLine, Qt::FlatCap));
-    const double cap = 0.25 * letters();
+    const auto held = [](const FigureAxis& axis, double value) {
+      return axis.places.empty() ? std::clamp(value, axis.low, axis.high) : value;
+    };
     for (const FigurePoint& point : series.points) {
-      if (point.x_interval) {
-        const double y = layout_.y_of(point.y);
-        const double low = layout_.x_of(point.x_interval->low);
-        const double high = layout_.x_of(point.x_interval->high);
-        painter_.drawLine(QPointF(low, y), QPointF(high, y));
-        for (const double end : {low, high}) {
-          painter_.drawLine(QPointF(end, y - cap), QPointF(end, y + cap));
-        }
-      }
-      if (point.y_interval) {
-        const double x = layout_.x_of(point.x);
-        const double low = layout_.y_of(point.y_interval->low);
-        const double high = layout_.y_of(point.y_interval->high);
-        painter_.drawLine(QPointF(x, low), QPointF(x, high));
-        for (const double end : {low, high}) {
-          painter_.drawLine(QPointF(x - cap, end), QPointF(x + cap, end));
-        }
+      for (const bool across : {true, false}) {
+        const std::optional<FigureSpan>& span = across ? point.x_interval : point.y_interval;
+        if (!span) continue;
+        const FigureAxis& axis = across ? figure_.x : figure_.y;
+        const double low = held(axis, span->low);
+        const double high = held(axis, span->high);
+        const QPointF from = across ? at(low, point.y) : at(point.x, low);
+        const QPointF to = across ? at(high, point.y) : at(point.x, high);
+        const QPointF out = across ? QPointF(1.0, 0.0) : QPointF(0.0, -1.0);
+        painter_.drawLine(from, to);
+        end_of_interval(from, -out, low > span->low);
+        end_of_interval(to, out, high < span->high);
       }
     }
   }

@@ -28,6 +28,7 @@ struct FigureSpan {
   double high = 0.0;
 };
 
+/// An interval that goes on beyond the axis ends there with an arrow instead of a cap.
 struct FigurePoint {
   double x = 0.0;
   double y = 0.0;

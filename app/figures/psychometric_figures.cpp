@@ -93,11 +93,8 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
     if (threshold == nullptr || !threshold->value) continue;
     const double x = *threshold->value;
     if (x < from || x > to) continue;
-    FigurePoint mark{.x = x, .y = performance, .size = 1.3};
-    if (const auto interval = interval_of(*threshold)) {
-      mark.x_interval =
-          FigureSpan{.low = std::max(interval->low, from), .high = std::min(interval->high, to)};
-    }
+    const FigurePoint mark{
+        .x = x, .y = performance, .x_interval = interval_of(*threshold), .size = 1.3};
     thresholds.push_back({.style = static_cast<int>(i),
                           .hollow = true,
                           .points = {mark},

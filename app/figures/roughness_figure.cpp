@@ -88,12 +88,8 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit) {
     if (peak == nullptr || !peak->value || !height || status == nullptr || status->word != "ok") {
       continue;
     }
-    FigurePoint mark{.x = *peak->value, .y = *height, .size = 1.4};
-    // What reaches beyond the tested spacings ends at them.
-    if (const auto interval = interval_of(*peak)) {
-      mark.x_interval = FigureSpan{.low = std::max(interval->low, x.low / kRoom),
-                                   .high = std::min(interval->high, x.high * kRoom)};
-    }
+    const FigurePoint mark{
+        .x = *peak->value, .y = *height, .x_interval = interval_of(*peak), .size = 1.4};
     peaks.push_back({.style = static_cast<int>(i), .hollow = true, .points = {mark}});
   }
   figure.series.insert(figure.series.end(), peaks.begin(), peaks.end());

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include <QtCore/QLineF>
 #include <QtGui/QFontMetricsF>
 #include <QtGui/QImage>
 #include <QtGui/QPainter>
@@ -81,6 +82,25 @@ TEST(FigureFiles, PutPointsWhereTheTicksOfTheirAxisSay) {
   EXPECT_TRUE(has_line(0.1, 0.5, svg.circles[0].y()));
   EXPECT_TRUE(has_line(0.6, 1.0, svg.circles[1].y()));
   EXPECT_NEAR(middle_of(svg, "chance"), zero + 0.5 * (one - zero), 1.0);
+}
+
+TEST(FigureFiles, EndAnIntervalThatGoesOnBeyondTheAxisWithAnArrow) {
+  Figure figure = small_forest();
+  const DrawnSvg capped = drawn(figure);
+  figure.series[0].points[1].x_interval->high = 3.0;
+  const DrawnSvg svg = drawn(figure);
+  const double one = middle_of(svg, "1");
+  // A cap is one line across the end; an arrow two that meet in it.
+  const auto lines_into = [one](const DrawnSvg& in, double y) {
+    int lines = 0;
+    for (const QList<QPointF>& line : in.polylines) {
+      const bool ends_there = QLineF(line.back(), QPointF(one, y)).length() < 1.0;
+      lines += ends_there && std::abs(line.front().y() - y) > 10.0 ? 1 : 0;
+    }
+    return lines;
+  };
+  EXPECT_EQ(lines_into(svg, svg.circles[1].y()), 2);
+  EXPECT_EQ(lines_into(capped, capped.circles[1].y()), 0);
 }
 
 TEST(FigureFiles, PutPowersOfTenAtEqualDistancesOnALogarithmicAxis) {
