@@ -1,74 +1,73 @@
-#Loads an export of Asperity with the right types.In R, with nothing but R itself:
+# Loads an export of Asperity with the right types. In R, with nothing but R itself:
 #
-#source("import.R", chdir = TRUE) #from any folder : the path of this file
-#tables$attempts #every.tsv and.csv of the folder, by name
-#answers < -answered_trials() #one row per answer of a person that counts
+#   source("import.R", chdir = TRUE)   # from any folder: the path of this file
+#   tables$attempts                    # every .tsv and .csv of the folder, by name
+#   answers <- answered_trials()       # one row per answer of a person that counts
 #
-#Types come from codebook.tsv.Truths are TRUE and FALSE; a text with declared levels is a factor;
-#missing is NA.A text that begins with an apostrophe was written with one more, so that no
-#spreadsheet takes it for a formula : it is taken away here.
+# Types come from codebook.tsv. Truths are TRUE and FALSE; a text with declared levels is a factor;
+# missing is NA. A text that begins with an apostrophe was written with one more, so that no
+# spreadsheet takes it for a formula: it is taken away here.
 
-asperity_folder < -getwd()
+asperity_folder <- getwd()
 
-                      read_asperity_table <
-    -function(path, folder = asperity_folder, described_as = path) {
-  codebook < -asperity_codebook(folder) codebook < -codebook[codebook$file == described_as, ] full <
-      -file.path(folder, path) is_csv < -endsWith(path, ".csv") cells < -if (is_csv) {
-    read.csv(full, colClasses = "character", na.strings = character(), check.names = FALSE,
-             encoding = "UTF-8")
+read_asperity_table <- function(path, folder = asperity_folder, described_as = path) {
+  codebook <- asperity_codebook(folder)
+  codebook <- codebook[codebook$file == described_as, ]
+  full <- file.path(folder, path)
+  is_csv <- endsWith(path, ".csv")
+  cells <- if (is_csv) {
+    read.csv(full, colClasses = "character", na.strings = character(), check.names = FALSE, encoding = "UTF-8")
+  } else {
+    read.delim(full, colClasses = "character", na.strings = character(), quote = "", comment.char = "",
+               check.names = FALSE, encoding = "UTF-8")
   }
-  else {read.delim(full, colClasses = "character", na.strings = character(), quote = "",
-                   comment.char = "", check.names = FALSE, encoding = "UTF-8")} missing_as <
-      -if (is_csv) "" else "n/a" for (name in names(cells)) {
-    told < -codebook[codebook$column == name, ] text < -cells [[name]] is.na(text) < -!is.na(text) &
-        text ==
-            missing_as cells [[name]] <
-                -switch (
-                    told$type, integer =, number = as.numeric(text), boolean = text == "1",
-                    {
-                      text < -sub("^'", "", text) if (told$type == "text" && !is.na(told$levels)) {
-                        levels < -strsplit(told$levels, " | ", fixed = TRUE)[[1]] factor(
-                                     text, levels = c(levels,
-                                                      setdiff(unique(text[!is.na(text)]), levels)))
-                      }
-                      else text
-                    })
+  missing_as <- if (is_csv) "" else "n/a"
+  for (name in names(cells)) {
+    told <- codebook[codebook$column == name, ]
+    text <- cells[[name]]
+    is.na(text) <- !is.na(text) & text == missing_as
+    cells[[name]] <- switch(told$type,
+      integer = , number = as.numeric(text),
+      boolean = text == "1",
+      {
+        text <- sub("^'", "", text)
+        if (told$type == "text" && !is.na(told$levels)) {
+          levels <- strsplit(told$levels, " | ", fixed = TRUE)[[1]]
+          factor(text, levels = c(levels, setdiff(unique(text[!is.na(text)]), levels)))
+        } else text
+      })
   }
   cells
 }
 
-asperity_codebook < -function(folder = asperity_folder) {
-  codebook < -read.delim(file.path(folder, "codebook.tsv"), colClasses = "character",
-                         na.strings = "n/a", quote = "", comment.char = "", check.names = FALSE,
-                         encoding = "UTF-8") for (name in c("description", "levels", "missing"))
-                  codebook [[name]] < -sub("^'", "", codebook [[name]]) codebook
+asperity_codebook <- function(folder = asperity_folder) {
+  codebook <- read.delim(file.path(folder, "codebook.tsv"), colClasses = "character", na.strings = "n/a", quote = "",
+                         comment.char = "", check.names = FALSE, encoding = "UTF-8")
+  for (name in c("description", "levels", "missing")) codebook[[name]] <- sub("^'", "", codebook[[name]])
+  codebook
 }
 
-read_asperity_tables <
-    -function(folder = asperity_folder){
-        files < -unique(asperity_codebook(folder) $file) files <
-        -files[grepl("\\.(tsv|csv)$", files) & !grepl("*", files, fixed = TRUE) &
-               !grepl("/bids/|^bids/", files)] files <
-        -setdiff(files, c("codebook.tsv", "MANIFEST.tsv")) read <
-        -lapply(files, read_asperity_table, folder = folder) names(read) <
-        -gsub("/", "_", sub("\\.(tsv|csv)$", "", files)) read}
-#One row per answer to a question of a trial, with the trial, \
-    the attempt and its conditions.Only what counts:
-#main trials, valid, not excluded, \
-    and of people in a session that was run for results. `who` is "run", "pilot" or
-#"virtual"; `counted = FALSE` keeps everything else as well.
-    answered_trials < -function(read = tables, who = "run", counted = TRUE) {
-  keys < -c("participant", "session", "trial", "virtual", "mode") answers <
-              -merge(read$responses[!is.na(read$responses$trial), ], read$attempts,
-                     by = c(keys, "attempt")) answers <
-              -merge(answers, read$trials, by = keys) group <
-              -ifelse(answers$virtual, "virtual", as.character(answers$mode)) kept < -group ==
-          who if (counted) kept < -kept& answers$phase == "main" &
-      answers$valid &
-      !answers$excluded answers <
-          -answers[kept, ] answers[order(answers$participant, answers$session, answers$trial,
-                                         answers$attempt, answers$item),
-  ]
+read_asperity_tables <- function(folder = asperity_folder) {
+  files <- unique(asperity_codebook(folder)$file)
+  files <- files[grepl("\\.(tsv|csv)$", files) & !grepl("*", files, fixed = TRUE) & !grepl("/bids/|^bids/", files)]
+  files <- setdiff(files, c("codebook.tsv", "MANIFEST.tsv"))
+  read <- lapply(files, read_asperity_table, folder = folder)
+  names(read) <- gsub("/", "_", sub("\\.(tsv|csv)$", "", files))
+  read
 }
 
-tables < -read_asperity_tables()
+# One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only what counts:
+# main trials, valid, not excluded, and of people in a session that was run for results. `who` is "run", "pilot" or
+# "virtual"; `counted = FALSE` keeps everything else as well.
+answered_trials <- function(read = tables, who = "run", counted = TRUE) {
+  keys <- c("participant", "session", "trial", "virtual", "mode")
+  answers <- merge(read$responses[!is.na(read$responses$trial), ], read$attempts, by = c(keys, "attempt"))
+  answers <- merge(answers, read$trials, by = keys)
+  group <- ifelse(answers$virtual, "virtual", as.character(answers$mode))
+  kept <- group == who
+  if (counted) kept <- kept & answers$phase == "main" & answers$valid & !answers$excluded
+  answers <- answers[kept, ]
+  answers[order(answers$participant, answers$session, answers$trial, answers$attempt, answers$item), ]
+}
+
+tables <- read_asperity_tables()

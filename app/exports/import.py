@@ -61,8 +61,7 @@ def read_rows(name, folder=FOLDER, described_as=None):
     """One table as a list of dictionaries."""
     told = codebook(folder)[described_as or name]
     names, rows = _cells(pathlib.Path(folder) / name)
-    return [{
-column: _typed(cell, told[column]["type"]) for column, cell in zip(names, row)} for row in rows]
+    return [{column: _typed(cell, told[column]["type"]) for column, cell in zip(names, row)} for row in rows]
 
 
 def read_table(name, folder=FOLDER, described_as=None):
@@ -85,8 +84,8 @@ def read_table(name, folder=FOLDER, described_as=None):
 
 def read_tables(folder=FOLDER):
     """Every table as a pandas.DataFrame, by name without ending, "/" as "_"."""
-    return {name.rsplit(".", 1)[0].replace("/", "_"): read_table(name, folder) for name in files(folder)
-}
+    return {name.rsplit(".", 1)[0].replace("/", "_"): read_table(name, folder) for name in files(folder)}
+
 
 def answered_trials(tables, who="run", counted=True):
     """One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only what counts: main

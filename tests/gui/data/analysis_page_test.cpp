@@ -292,13 +292,13 @@ TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(60000));
   page.findChild<QPushButton*>("export_tables")->click();
   auto* dialog = page.findChild<QFileDialog*>("export_dialog");
   ASSERT_NE(dialog, nullptr);
   emit dialog->fileSelected(QString::fromStdString(made.beside("tables").string()));
   auto* banner = page.findChild<Banner*>();
-  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 10000));
+  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 60000));
   EXPECT_TRUE(std::filesystem::exists(made.beside("tables") / "responses.tsv"));
   const auto files = std::count_if(
       std::filesystem::recursive_directory_iterator(made.beside("tables")),
@@ -316,7 +316,7 @@ TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(60000));
   page.findChild<QPushButton*>("export_tables")->click();
   auto* dialog = page.findChild<QFileDialog*>("export_dialog");
   ASSERT_NE(dialog, nullptr);
@@ -327,7 +327,7 @@ TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
   for_public->click();
   emit dialog->fileSelected(QString::fromStdString(made.beside("tables").string()));
   auto* banner = page.findChild<Banner*>();
-  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 10000));
+  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 60000));
   EXPECT_EQ(read_file(made.beside("tables") / "sessions.tsv").find("started_utc"),
             std::string::npos);
 }
@@ -339,7 +339,7 @@ TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
-  ASSERT_TRUE(refreshed.wait(10000));
+  ASSERT_TRUE(refreshed.wait(60000));
   auto* export_tables = page.findChild<QPushButton*>("export_tables");
   export_tables->click();
   emit page.findChild<QFileDialog*>("export_dialog")
@@ -349,11 +349,11 @@ TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
   EXPECT_TRUE(line->findChild<QLabel*>("task_words")->text().contains("tables"));
   line->findChild<QPushButton*>("task_cancel")->click();
   auto* banner = page.findChild<Banner*>();
-  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 10000));
+  ASSERT_TRUE(QTest::qWaitFor([banner] { return banner->isVisible(); }, 60000));
   // A machine that is busy elsewhere may notice too late.
   const bool in_time = banner->text().contains("you cancelled it");
   EXPECT_EQ(std::filesystem::exists(made.beside("tables")), !in_time);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return export_tables->isEnabled(); }, 10000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return export_tables->isEnabled(); }, 60000));
 }
 
 TEST(AnalysisPage, TellsNothingByNameWhileASessionRuns) {
