@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/tasks/study_overview.h"
-#include "app/tasks/unfinished_session.h"
 
 namespace asperity {
 
@@ -74,21 +73,20 @@ void count_attempt(const AttemptRow& attempt, bool is_main, ReportFacts& facts) 
   }
 }
 
-void count_session(const Study& study, const SessionRow& row, ReportFacts& facts) {
+void count_session(const Study& study, const SessionOverview& overview, ReportFacts& facts) {
+  const SessionRow& row = overview.row;
   ReportedSession& session = facts.sessions.emplace_back();
   session.row = row;
-  session.is_running = is_running(study, row);
+  session.is_running = overview.is_running;
+  session.planned_trials = overview.planned_trials;
+  session.done_trials = overview.done_trials;
   session.decisions = study.decisions(row.id);
   std::set<int> main_trials{};
-  const std::vector<PlannedTrialRow> plan = study.plan(row.id);
-  session.planned_trials = static_cast<int>(plan.size());
-  for (const PlannedTrialRow& trial : plan) {
+  for (const PlannedTrialRow& trial : study.plan(row.id)) {
     if (trial.phase == kMainPhase) main_trials.insert(trial.trial);
   }
   session.main_trials = static_cast<int>(main_trials.size());
-  const std::vector<AttemptRow> attempts = study.attempts(row.id);
-  session.done_trials = study.session_counts(row.id).done_trials;
-  for (const AttemptRow& attempt : attempts) {
+  for (const AttemptRow& attempt : study.attempts(row.id)) {
     count_attempt(attempt, main_trials.contains(attempt.trial), facts);
   }
 }
@@ -117,14 +115,14 @@ std::vector<ReportFacts> report_facts(const Study& study,
   for (ParticipantRow& row : study.participants()) people[row.label] = std::move(row);
 
   std::map<std::tuple<std::string, std::string, AnswerGroup>, ReportFacts> groups{};
-  const std::vector<SessionRow> sessions = study.sessions();
+  const std::vector<SessionOverview> sessions = session_overviews(study, stop);
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     if (stop.stop_requested()) break;
     if (progress) progress(static_cast<double>(i) / static_cast<double>(sessions.size()));
-    const ProtocolRow& of = protocols.at(sessions[i].protocol_id);
+    const ProtocolRow& of = protocols.at(sessions[i].row.protocol_id);
     if (protocol && of.name != *protocol) continue;
-    const ParticipantRow& person = people.at(sessions[i].participant);
-    const AnswerGroup group = group_of(person, sessions[i]);
+    const ParticipantRow& person = people.at(sessions[i].row.participant);
+    const AnswerGroup group = group_of(person, sessions[i].row);
     ReportFacts& facts = groups[{of.name, of.version, group}];
     if (facts.sources.empty()) facts.protocol = of;
     facts.group = group;

@@ -20,7 +20,7 @@ namespace asperity {
 struct ReportedSession {
   SessionRow row{};
   int planned_trials = 0;
-  int done_trials = 0;  ///< see `trials_done`
+  int done_trials = 0;  ///< as SessionOverview has them
   int main_trials = 0;  ///< of the planned ones
   bool is_running = false;
   std::vector<DecisionRow> decisions{};

@@ -166,6 +166,7 @@ ReportTable tests_table(const std::vector<ReportedTest>& tests) {
 std::string heading_of(const std::string& column) {
   const std::string no_break = "\u00A0";
   if (column == "sd") return "SD";
+  if (column == "p_holm") return "p, Holm";
   if (column.starts_with("wilson")) return "Wilson 95" + no_break + "%";
   if (column.starts_with("clopper_pearson")) return "Clopper–Pearson 95" + no_break + "%";
   return words_of_quantity(column);
