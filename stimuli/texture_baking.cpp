@@ -129,7 +129,9 @@ class Baking final {
     const double length = glm::length(normal);
     if (!(length > kShortestNormal)) return {};
     const double back = back_m_ / length;
-    const double reach = reach_m / length + back;
+    // Of the displacement, which a short normal multiplies: where a face is folded, a front twice as
+    // far off is somewhere else, and one such texel would push the hull of the whole body outward.
+    const double reach = reach_m + back;
     std::optional<Meeting> nearest{};
     for (const double sign : {1.0, -1.0}) {
       const glm::dvec3 direction = sign * normal;
