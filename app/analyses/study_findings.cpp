@@ -32,34 +32,6 @@ Finding finding_of(const StudyTests::Test& test) {
 
 }  // namespace
 
-FoundNumbers::FoundNumbers(std::span<const Finding> findings) {
-  for (const Finding& finding : findings) {
-    findings_.emplace(std::pair<std::string_view, std::string_view>(finding.quantity, finding.key),
-                      &finding);
-  }
-}
-
-const Finding* FoundNumbers::find(std::string_view quantity, std::string_view key) const {
-  const auto found = findings_.find({quantity, key});
-  return found == findings_.end() ? nullptr : found->second;
-}
-
-std::optional<double> FoundNumbers::value(std::string_view quantity, std::string_view key) const {
-  const Finding* finding = find(quantity, key);
-  return finding == nullptr ? std::nullopt : finding->value;
-}
-
-Cell FoundNumbers::cell(std::string_view quantity, std::string_view key) const {
-  return cell_of(value(quantity, key));
-}
-
-std::pair<Cell, Cell> FoundNumbers::interval(std::string_view quantity,
-                                             std::string_view key) const {
-  const Finding* finding = find(quantity, key);
-  if (finding == nullptr) return {};
-  return {cell_of(finding->low), cell_of(finding->high)};
-}
-
 std::vector<Finding> analysis_of(const char* analysis, const char* family, TidyInput input) {
   std::vector<Finding> findings{};
   try {

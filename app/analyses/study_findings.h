@@ -13,28 +13,10 @@
 #include <vector>
 
 #include "app/analyses/analysis_outcome.h"
+#include "app/analyses/found_numbers.h"
 #include "app/analyses/tidy/tidy_families.h"
 
 namespace asperity {
-
-/// Findings by quantity and key. They must outlive it.
-class FoundNumbers final {
- public:
-  FoundNumbers() = default;
-  explicit FoundNumbers(std::span<const Finding> findings);
-
-  /// Null where there is none.
-  const Finding* find(std::string_view quantity, std::string_view key = {}) const;
-  /// Nothing where there is no number.
-  std::optional<double> value(std::string_view quantity, std::string_view key = {}) const;
-  /// The same as a cell of a table.
-  Cell cell(std::string_view quantity, std::string_view key = {}) const;
-  /// The ends of the interval around a number, as two cells.
-  std::pair<Cell, Cell> interval(std::string_view quantity, std::string_view key = {}) const;
-
- private:
-  std::map<std::pair<std::string_view, std::string_view>, const Finding*> findings_{};
-};
 
 /// Runs a family on a table and gives its findings the name `analysis`. What the family refuses is a
 /// finding `status` with the word not_applicable.

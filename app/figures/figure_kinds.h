@@ -8,7 +8,7 @@
 #include "app/analyses/analysis_outcome.h"
 #include "app/analyses/tidy/tidy_families.h"
 #include "app/figures/figure.h"
-#include "app/figures/found_numbers.h"
+#include "app/figures/finding_parts.h"
 
 namespace asperity {
 

@@ -303,7 +303,7 @@ Figure recognition_forest(const FoundNumbers& found) {
     for (const Finding* one : found.all("confusion")) {
       if (parts_of(one->key).front() == recall->key) trials += one->value.value_or(0.0);
     }
-    const double hits = found.number("confusion", recall->key + '|' + recall->key).value_or(0.0);
+    const double hits = found.value("confusion", recall->key + '|' + recall->key).value_or(0.0);
     rows.push_back({.label = counted(recall->key, static_cast<std::size_t>(hits),
                                      static_cast<std::size_t>(trials)),
                     .share = recall->value,
@@ -314,8 +314,8 @@ Figure recognition_forest(const FoundNumbers& found) {
   if (const Finding* pc = found.find("pc")) {
     rows.push_back(
         {.label = counted(phrase("Figures", "all together"),
-                          static_cast<std::size_t>(found.number("correct").value_or(0.0)),
-                          static_cast<std::size_t>(found.number("n").value_or(0.0))),
+                          static_cast<std::size_t>(found.value("correct").value_or(0.0)),
+                          static_cast<std::size_t>(found.value("n").value_or(0.0))),
          .share = pc->value,
          .interval = interval_of(*pc)});
   }

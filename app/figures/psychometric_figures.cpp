@@ -25,10 +25,10 @@ std::optional<PsychometricShape> shape_of(const std::string& name) {
 std::optional<PsychometricFunction> function_of(const TidyInput& input, const FoundNumbers& found,
                                                 const std::string& condition) {
   const auto shape = shape_of(input.options.text("shape"));
-  const auto alpha = found.number("fit.alpha", condition);
-  const auto beta = found.number("fit.beta", condition);
-  const auto gamma = found.number("fit.gamma", condition);
-  const auto lambda = found.number("fit.lambda", condition);
+  const auto alpha = found.value("fit.alpha", condition);
+  const auto beta = found.value("fit.beta", condition);
+  const auto gamma = found.value("fit.gamma", condition);
+  const auto lambda = found.value("fit.lambda", condition);
   if (!shape || !alpha || !beta || !gamma || !lambda) return {};
   return PsychometricFunction{
       .shape = *shape, .alpha = *alpha, .beta = *beta, .gamma = *gamma, .lambda = *lambda};

@@ -71,9 +71,9 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit) {
   const double first = std::log10(x.low);
   const double last = std::log10(x.high);
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    const auto a = found.number("quad.coef", probes[i] + "|a");
-    const auto b = found.number("quad.coef", probes[i] + "|b");
-    const auto c = found.number("quad.coef", probes[i] + "|c");
+    const auto a = found.value("quad.coef", probes[i] + "|a");
+    const auto b = found.value("quad.coef", probes[i] + "|b");
+    const auto c = found.value("quad.coef", probes[i] + "|c");
     if (!a || !b || !c) continue;
     std::vector<FigurePlace>& curve = figure.series[i].lines.emplace_back();
     for (int step = 0; step <= kSteps; ++step) {
@@ -83,7 +83,7 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit) {
       y.hold(roughness);
     }
     const Finding* peak = found.find("peak", probes[i]);
-    const auto height = found.number("peak.height", probes[i]);
+    const auto height = found.value("peak.height", probes[i]);
     const Finding* status = found.find("peak.status", probes[i]);
     if (peak == nullptr || !peak->value || !height || status == nullptr || status->word != "ok") {
       continue;

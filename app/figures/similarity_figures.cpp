@@ -116,7 +116,7 @@ Figure similarity_map(const FoundNumbers& found) {
   figure.note = phrase("Figures",
                        "Classical scaling in two dimensions: only distances mean something, "
                        "not directions. The plane holds %1 % of the distances.")
-                    .with(fixed(100.0 * found.number("mds.shepard.gof1").value_or(0.0), 0));
+                    .with(fixed(100.0 * found.value("mds.shepard.gof1").value_or(0.0), 0));
   // Distances in a plane are known to the last digit but for its turning: scaling them gives places.
   const Eigen::MatrixXd places = classical_scaling(read->matrix).points;
   const Eigen::RowVector2d middle =

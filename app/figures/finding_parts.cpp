@@ -1,31 +1,10 @@
-#include "app/figures/found_numbers.h"
+#include "app/figures/finding_parts.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "analysis/number_text.h"
 
 namespace asperity {
-
-const Finding* FoundNumbers::find(std::string_view quantity, std::string_view key) const {
-  const auto found = std::find_if(findings_.begin(), findings_.end(), [&](const Finding& finding) {
-    return finding.quantity == quantity && finding.key == key;
-  });
-  return found == findings_.end() ? nullptr : &*found;
-}
-
-std::optional<double> FoundNumbers::number(std::string_view quantity, std::string_view key) const {
-  const Finding* found = find(quantity, key);
-  return found == nullptr ? std::nullopt : found->value;
-}
-
-std::vector<const Finding*> FoundNumbers::all(std::string_view quantity) const {
-  std::vector<const Finding*> found{};
-  for (const Finding& finding : findings_) {
-    if (finding.quantity == quantity) found.push_back(&finding);
-  }
-  return found;
-}
 
 std::vector<std::string> parts_of(const std::string& key) {
   std::vector<std::string> parts{};

@@ -1,0 +1,24 @@
+// What a finding's key and interval are made of.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/finding.h"
+#include "app/analyses/found_numbers.h"
+#include "app/figures/figure.h"
+
+namespace asperity {
+
+/// The names of things that a key is made of.
+std::vector<std::string> parts_of(const std::string& key);
+
+/// From low to high, where the finding has both.
+std::optional<FigureSpan> interval_of(const Finding& finding);
+
+/// "95" of a confidence of 0.95; of findings without one likewise.
+std::string percent_of(const std::vector<const Finding*>& findings);
+
+}  // namespace asperity
