@@ -142,7 +142,7 @@ Phrase p_text(const StudyTests::Test& test) {
 Phrase interval_text(const Finding& share) {
   if (share.low && share.high) {
     return phrase("Analysis", "95 % interval %1 to %2")
-        .with(percent(*share.low), percent(*share.high));
+        .with(percent(std::max(0.0, *share.low)), percent(std::min(1.0, *share.high)));
   }
   if (share.n < 2) return phrase("Analysis", "one participant has no interval");
   return phrase("Analysis", "all participants alike, which gives no interval");

@@ -120,6 +120,10 @@ std::vector<std::string> tests_in_words(const AnalysisOutcome& outcome, const To
                                         std::vector<ReportedTest>& rest) {
   const std::set<double> in_tables = p_in_tables(outcome);
   const bool has_questions = !outcome.questions.empty();
+  // Where the analysis has gathered its tests, those of its parts are adjusted for other families.
+  const bool are_gathered =
+      std::any_of(outcome.tables.begin(), outcome.tables.end(),
+                  [](const NamedTable& table) { return table.name == kTests; });
   std::vector<std::string> sentences{};
   for (const ReportedTest& test : tests_among(outcome.findings)) {
     if (!test.estimates.empty() &&
@@ -130,7 +134,8 @@ std::vector<std::string> tests_in_words(const AnalysisOutcome& outcome, const To
     // is adjusted for its family, or about everything, is said besides.
     const bool is_in_table = in_tables.contains(*test.p->value);
     const bool is_said =
-        test.holm != nullptr || (!has_questions && test.is_of_whole && !is_in_table);
+        are_gathered ? test.holm != nullptr && test.p->analysis == kTests
+                     : test.holm != nullptr || (!has_questions && test.is_of_whole && !is_in_table);
     if (is_said && sentences.size() < kMostSentences) {
       sentences.push_back(sentence_of(test));
     } else if (!is_in_table) {

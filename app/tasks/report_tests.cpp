@@ -49,7 +49,9 @@ struct KeyPart {
 std::vector<KeyPart> key_parts(const std::string& key) {
   std::vector<KeyPart> parts{};
   if (key.empty()) return parts;
-  const bool named = key.find('=') != std::string::npos && key.find('|') == std::string::npos;
+  // "exp1|chance=one" has no names; "test=pairs about=height_map|sinusoid" has.
+  const std::size_t equals_at = key.find('=');
+  const bool named = equals_at != std::string::npos && equals_at < key.find('|');
   if (!named) {
     for (const std::string& value : parts_of(key, '|')) parts.push_back({{}, value});
     return parts;

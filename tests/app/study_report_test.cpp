@@ -222,7 +222,8 @@ TEST(StudyReport, HoldsResultsBackWhileAPersonIsRunThroughTheProtocol) {
   made.add_person("p1", "F");
   made.add_person("p2", "F");
   made.add_session("p1", protocol, choices(2, 3));
-  EXPECT_THAT(words_of(study_report(made.study(), {}).chapters.at(1)), HasSubstr("2 chosen of 3"));
+  EXPECT_THAT(words_of(study_report(made.study(), {}).chapters.at(1)),
+              HasSubstr("eight_map was chosen most often"));
   SessionRow running = made.study().sessions().front();
   running.participant = "p2";
   running.session = 0;
@@ -232,7 +233,7 @@ TEST(StudyReport, HoldsResultsBackWhileAPersonIsRunThroughTheProtocol) {
   const auto lock = std::make_unique<StudyLock>(made.folder(), Study::session_lock_name("p2"));
   const std::string words = words_of(study_report(made.study(), {}).chapters.at(1));
   EXPECT_THAT(words, HasSubstr("whoever runs it is blind"));
-  EXPECT_THAT(words, Not(HasSubstr("height_map:")));
+  EXPECT_THAT(words, Not(HasSubstr("was chosen")));
   EXPECT_THAT(words, Not(HasSubstr("share chosen")));
 }
 

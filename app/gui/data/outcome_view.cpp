@@ -24,34 +24,10 @@ namespace {
 
 constexpr int kTextWidth = 900;  // longer lines are hard to follow
 
-/// A table whose rows are shares with an interval: where its columns are.
-struct ShareColumns {
-  std::size_t keys = 0;  ///< the first so many columns say what the row is about
-  std::size_t hits = 0;
-  std::size_t of = 0;
-  std::size_t share = 0;
-  std::optional<std::size_t> low{};  ///< of the share's own interval; the high end is beside it
-  std::optional<std::size_t> chance{};
-};
-
 std::optional<std::size_t> column_of(const Table& table, const std::string& name) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), name);
   if (found == table.columns.end()) return {};
   return static_cast<std::size_t>(found - table.columns.begin());
-}
-
-std::optional<ShareColumns> share_columns(const Table& table) {
-  const auto share = column_of(table, "share");
-  const auto of = column_of(table, "of");
-  if (!share || !of || *of == 0) return {};
-  ShareColumns columns{};
-  columns.hits = *of - 1;
-  columns.keys = columns.hits;
-  columns.of = *of;
-  columns.share = *share;
-  columns.low = column_of(table, "wilson_low");
-  columns.chance = column_of(table, "chance");
-  return columns;
 }
 
 /// What stands in a column of this name.
@@ -64,17 +40,6 @@ QString text_of(const std::string& column, const Cell& cell) {
     return QString::fromStdString(number_text(*number));
   }
   return "–";
-}
-
-std::optional<double> number_of(const Cell& cell) {
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
-  if (const auto* number = std::get_if<double>(&cell)) return *number;
-  return {};
-}
-
-QString percent(const Cell& cell) {
-  const auto share = number_of(cell);
-  return share ? QString::fromStdString(fixed(100.0 * *share, 0)) + " %" : "–";
 }
 
 /// A name or a level, also one that is written as a number ("1", then "all"), as opposed to a quantity.
@@ -155,63 +120,6 @@ QString people_text(int count) {
                     : AnalysisPage::tr("%n participants", nullptr, count);
 }
 
-QString question_of(const AnalysisOutcome& outcome) {
-  if (outcome.kind == "selection") {
-    return AnalysisPage::tr("Which rendering was chosen as the most realistic?");
-  }
-  if (outcome.kind == "matching") {
-    return AnalysisPage::tr("Were felt textures matched to their pictures?");
-  }
-  if (outcome.kind == "recognition") {
-    return AnalysisPage::tr("Was the felt texture recognised among the pictures?");
-  }
-  return QString::fromStdString(outcome.kind);
-}
-
-/// The answer of a table of shares in one sentence, from its row over everything: empty for a table
-/// of another kind.
-QString sentence_of(const NamedTable& table) {
-  const auto columns = share_columns(table.table);
-  if (!columns || !columns->low || table.table.rows.empty()) return {};
-  // Rows over everything come last. Where the shares are of different things, the greatest speaks.
-  std::vector<Cell> row{};
-  QString what{};
-  for (const std::vector<Cell>& candidate : table.table.rows) {
-    QStringList words{};
-    bool is_part = false;
-    for (std::size_t i = 0; i < columns->keys; ++i) {
-      const std::string& name = table.table.columns[i];
-      const auto* word = std::get_if<std::string>(&candidate[i]);
-      if (word != nullptr && (*word == "all" || *word == "Total")) continue;
-      if (name == "column" || name == "person") is_part = true;
-      words << text_of(name, candidate[i]);
-    }
-    const auto share = number_of(candidate[columns->share]);
-    if (is_part || !share) continue;
-    if (row.empty() || *share >= number_of(row[columns->share]).value_or(0.0)) {
-      row = candidate;
-      what = words.isEmpty() ? AnalysisPage::tr("In all") : words.join(" ");
-    }
-  }
-  if (row.empty()) return {};
-  const QString numbers = AnalysisPage::tr("%1 of %2 (%3; 95 % interval %4 to %5)")
-                              .arg(text_of({}, row[columns->hits]), text_of({}, row[columns->of]),
-                                   percent(row[columns->share]), percent(row[*columns->low]),
-                                   percent(row[*columns->low + 1]));
-  const QString chance = columns->chance ? percent(row[*columns->chance]) : QString();
-  if (chance.isEmpty()) return AnalysisPage::tr("%1: %2.").arg(what, numbers);
-  return AnalysisPage::tr("%1: %2, where chance is %3.").arg(what, numbers, chance);
-}
-
-/// The first table that has one.
-QString sentence_of(const AnalysisOutcome& outcome) {
-  for (const NamedTable& table : outcome.tables) {
-    const QString sentence = sentence_of(table);
-    if (!sentence.isEmpty()) return sentence;
-  }
-  return {};
-}
-
 /// What belongs to an outcome, one under the other.
 class OutcomeColumn final {
  public:
@@ -230,7 +138,7 @@ class OutcomeColumn final {
       layout_->addWidget(band);
     }
     if (outcome_.questions.empty()) {
-      say(question_of(outcome_), sentence_of(outcome_));
+      say(QString::fromStdString(outcome_.protocol), {});
       about();
       if (!figures_.empty()) add_table(figures_.front().table);
     }
