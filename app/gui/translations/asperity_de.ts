@@ -199,6 +199,326 @@
         <source>Where &quot;of&quot; is larger than &quot;persons&quot;, answers of the same persons are pooled (%1 answers of %2 persons in all). They are not independent: the intervals are too narrow and the p too small. The table &quot;persons&quot; takes the person as the unit.</source>
         <translation>Wo „von“ größer ist als „Personen“, sind Antworten derselben Personen zusammengefasst (insgesamt %1 Antworten von %2 Personen). Sie sind nicht unabhängig: Die Intervalle sind zu schmal und die p zu klein. Die Tabelle „Die Person als Einheit“ zählt Personen.</translation>
     </message>
+    <message>
+        <source>These files declare different tests: nothing counts as declared before the data.</source>
+        <translation>Diese Dateien legen verschiedene Tests fest: nichts gilt als vor den Daten festgelegt.</translation>
+    </message>
+    <message>
+        <source>Pairs of textures that are confused, the worst first</source>
+        <translation>Paare von Texturen, die verwechselt werden, das häufigste zuerst</translation>
+    </message>
+    <message>
+        <source>How often the one was given the picture of the other, and the other way round.</source>
+        <translation>Wie oft die eine das Bild der anderen bekam, und umgekehrt.</translation>
+    </message>
+    <message>
+        <source>Goes with so many right items</source>
+        <translation>Durchgänge mit so vielen richtigen Zuordnungen</translation>
+    </message>
+    <message>
+        <source>by_chance: how many goes of random permutations.</source>
+        <translation>durch Zufall: wie viele Durchgänge zufälliger Permutationen.</translation>
+    </message>
+    <message>
+        <source>They do: %1 of a participant&apos;s items are right on average (%2), where chance is %3; %4 against random permutations.</source>
+        <translation>Ja: im Mittel sind %1 der Zuordnungen einer Person richtig (%2), wo der Zufall %3 gäbe; %4 gegen zufällige Permutationen.</translation>
+    </message>
+    <message>
+        <source>Nothing shows that they do: %1 of a participant&apos;s items are right on average (%2), where chance is %3; %4 against random permutations.</source>
+        <translation>Nichts zeigt das: im Mittel sind %1 der Zuordnungen einer Person richtig (%2), wo der Zufall %3 gäbe; %4 gegen zufällige Permutationen.</translation>
+    </message>
+    <message>
+        <source>Do felt textures find their pictures more often than by chance?</source>
+        <translation>Finden gefühlte Texturen häufiger als durch Zufall zu ihren Bildern?</translation>
+    </message>
+    <message>
+        <source>The share of each participant&apos;s own items, averaged over the participants, with Student&apos;s interval. The number of right items of all goes is tested against random permutations, exactly: the items of one go are not independent, and a binomial test would find too much.</source>
+        <translation>Der Anteil an den eigenen Zuordnungen jeder Person, gemittelt über die Personen, mit dem Intervall von Student. Die Zahl der richtigen Zuordnungen aller Durchgänge wird exakt gegen zufällige Permutationen geprüft: die Zuordnungen eines Durchgangs sind nicht unabhängig, und ein Binomialtest fände zu viel.</translation>
+    </message>
+    <message>
+        <source>How often is a whole go right?</source>
+        <translation>Wie oft ist ein ganzer Durchgang richtig?</translation>
+    </message>
+    <message>
+        <source>%1 of %2 goes are wholly right, %3 (%4); %5 against random permutations.</source>
+        <translation>%1 von %2 Durchgängen sind ganz richtig, %3 (%4); %5 gegen zufällige Permutationen.</translation>
+    </message>
+    <message>
+        <source>Exact binomial test against 1/m!, with Wilson&apos;s interval. Goes of one participant are taken as independent.</source>
+        <translation>Exakter Binomialtest gegen 1/m! mit dem Intervall von Wilson. Durchgänge einer Person gelten dabei als unabhängig.</translation>
+    </message>
+    <message>
+        <source>Which textures are confused?</source>
+        <translation>Welche Texturen werden verwechselt?</translation>
+    </message>
+    <message>
+        <source>None was ever taken for another.</source>
+        <translation>Keine wurde je für eine andere gehalten.</translation>
+    </message>
+    <message>
+        <source>Most often %1 and %2: %3 times in both directions.</source>
+        <translation>Am häufigsten %1 und %2: %3-mal in beiden Richtungen.</translation>
+    </message>
+    <message>
+        <source>Counts of all answers; an interval needs a model of confusions.</source>
+        <translation>Anzahlen aus allen Antworten; ein Intervall braucht ein Modell der Verwechslungen.</translation>
+    </message>
+    <message>
+        <source>No answer gives every picture to one surface: nothing is analysed.</source>
+        <translation>Keine Antwort gibt jedes Bild genau einer Oberfläche: nichts wird ausgewertet.</translation>
+    </message>
+    <message>
+        <source>How alike the textures feel</source>
+        <translation>Wie ähnlich sich die Texturen anfühlen</translation>
+    </message>
+    <message>
+        <source>similarity: Luce&apos;s choice model, 1 for what cannot be told apart, with the favourite answers taken out. dissimilarity: Shepard&apos;s −ln of it from the counts plus ½, not below 0.</source>
+        <translation>Ähnlichkeit: Wahlmodell von Luce, 1 für Ununterscheidbares, ohne die bevorzugten Antworten. Unähnlichkeit: −ln davon nach Shepard aus den Anzahlen plus ½, nicht unter 0.</translation>
+    </message>
+    <message>
+        <source>The textures on a map: what is alike lies together</source>
+        <translation>Die Texturen auf einer Karte: Ähnliches liegt beieinander</translation>
+    </message>
+    <message>
+        <source>Classical scaling of the dissimilarities. Only the distances mean something: the map may be turned and mirrored.</source>
+        <translation>Klassische Skalierung der Unähnlichkeiten. Nur die Abstände bedeuten etwas: die Karte darf gedreht und gespiegelt werden.</translation>
+    </message>
+    <message>
+        <source>The textures as a tree: what is alike joins first</source>
+        <translation>Die Texturen als Baum: Ähnliches vereint sich zuerst</translation>
+    </message>
+    <message>
+        <source>Average linkage of the dissimilarities. Each row joins the cluster of the one with that of the other.</source>
+        <translation>Mittlere Verknüpfung der Unähnlichkeiten. Jede Zeile vereint die Gruppe der einen mit der der anderen.</translation>
+    </message>
+    <message>
+        <source>Are felt textures recognised?</source>
+        <translation>Werden gefühlte Texturen wiedererkannt?</translation>
+    </message>
+    <message>
+        <source>The share of each participant&apos;s own answers, averaged over the participants, with Student&apos;s interval and test against chance; with a single participant the exact binomial test. Answers &quot;cannot_tell&quot; name no picture and are left out here; the table of shares counts them as not right.</source>
+        <translation>Der Anteil an den eigenen Antworten jeder Person, gemittelt über die Personen, mit dem Intervall von Student und seinem Test gegen den Zufall; bei einer einzigen Person der exakte Binomialtest. Antworten „cannot_tell“ nennen kein Bild und entfallen hier; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
+    </message>
+    <message>
+        <source>%1 of a participant&apos;s answers are right on average (%2), where chance is %3; the participants do not differ, so there is no test.</source>
+        <translation>Im Mittel sind %1 der Antworten einer Person richtig (%2), wo der Zufall %3 gäbe; die Personen unterscheiden sich nicht, also gibt es keinen Test.</translation>
+    </message>
+    <message>
+        <source>They are: %1 of a participant&apos;s answers are right on average (%2), where chance is %3; %4.</source>
+        <translation>Ja: im Mittel sind %1 der Antworten einer Person richtig (%2), wo der Zufall %3 gäbe; %4.</translation>
+    </message>
+    <message>
+        <source>Nothing shows that they are: %1 of a participant&apos;s answers are right on average (%2), where chance is %3; %4.</source>
+        <translation>Nichts zeigt das: im Mittel sind %1 der Antworten einer Person richtig (%2), wo der Zufall %3 gäbe; %4.</translation>
+    </message>
+    <message>
+        <source>d′ is %1 (95 % interval %2 to %3)</source>
+        <translation>d′ ist %1 (95-%-Intervall %2 bis %3)</translation>
+    </message>
+    <message>
+        <source>d′ has no finite value</source>
+        <translation>d′ hat keinen endlichen Wert</translation>
+    </message>
+    <message>
+        <source>The answers carry %1 of %2 bits about what was felt, corrected for the number of answers; %3.</source>
+        <translation>Die Antworten enthalten %1 von %2 Bit darüber, was gefühlt wurde, berichtigt um die Zahl der Antworten; %3.</translation>
+    </message>
+    <message>
+        <source>The answers carry about %1 of %2 bits about what was felt, corrected for the number of answers, of which there are too few to trust it; %3.</source>
+        <translation>Die Antworten enthalten etwa %1 von %2 Bit darüber, was gefühlt wurde, berichtigt um die Zahl der Antworten, die zu klein ist, um sich darauf zu verlassen; %3.</translation>
+    </message>
+    <message>
+        <source>How much do the answers tell?</source>
+        <translation>Wie viel sagen die Antworten aus?</translation>
+    </message>
+    <message>
+        <source>Transmitted information less Miller&apos;s bias; at least 5·m² answers are needed for m pictures. d′ of m alternatives without bias, all answers pooled, its interval at the Wilson limits of the share of right answers.</source>
+        <translation>Übertragene Information, vermindert um die Verzerrung nach Miller; für m Bilder braucht es mindestens 5·m² Antworten. d′ von m Alternativen ohne Vorliebe, alle Antworten zusammen, sein Intervall an den Wilson-Grenzen des Anteils richtiger Antworten.</translation>
+    </message>
+    <message>
+        <source>Which textures feel alike?</source>
+        <translation>Welche Texturen fühlen sich ähnlich an?</translation>
+    </message>
+    <message>
+        <source>Most alike are %1: one is taken for the other in %2 of the answers.</source>
+        <translation>Am ähnlichsten sind %1: die eine wird in %2 der Antworten für die andere gehalten.</translation>
+    </message>
+    <message>
+        <source>Mean share of both confusions, from the counts plus ½. There is no interval: it is the largest of several.</source>
+        <translation>Mittlerer Anteil beider Verwechslungen, aus den Anzahlen plus ½. Ein Intervall gibt es nicht: es ist der größte von mehreren.</translation>
+    </message>
+    <message>
+        <source>The pictures differ between the trials, and chance with them: sensitivity, information and similarities of all answers together would compare nothing and are left out.</source>
+        <translation>Die Bilder unterscheiden sich zwischen den Durchgängen, und der Zufall mit ihnen: Empfindlichkeit, Information und Ähnlichkeiten aller Antworten zusammen würden nichts vergleichen und entfallen.</translation>
+    </message>
+    <message>
+        <source>Share of each position among the choices</source>
+        <translation>Anteil jedes Platzes an den Wahlen</translation>
+    </message>
+    <message>
+        <source>The first, second, … surface that was felt, whatever it was. Where surfaces are felt in random order, more than chance is a habit, not a preference.</source>
+        <translation>Die erste, zweite, … gefühlte Oberfläche, welche es auch war. Wo Oberflächen in zufälliger Reihenfolge gefühlt werden, ist mehr als Zufall eine Gewohnheit, keine Vorliebe.</translation>
+    </message>
+    <message>
+        <source>There is no scale of the models: one of them was always chosen, or never, wherever it was offered, or was never offered with the others. No finite distance fits that best.</source>
+        <translation>Es gibt keine Skala der Modelle: eines wurde immer oder nie gewählt, wo es angeboten war, oder nie zusammen mit den anderen angeboten. Dazu passt kein endlicher Abstand am besten.</translation>
+    </message>
+    <message>
+        <source>The models on one scale</source>
+        <translation>Die Modelle auf einer Skala</translation>
+    </message>
+    <message>
+        <source>Bradley and Terry: of two models, i is chosen with probability 1/(1 + exp(l_j − l_i)). log_worth has the mean 0; its interval is Wald&apos;s with the persons as clusters. Worths add up to 1.</source>
+        <translation>Bradley und Terry: von zwei Modellen wird i mit der Wahrscheinlichkeit 1/(1 + exp(l_j − l_i)) gewählt. Der Logarithmus des Werts hat den Mittelwert 0; sein Intervall ist das von Wald mit den Personen als Gruppen. Die Werte ergeben zusammen 1.</translation>
+    </message>
+    <message>
+        <source>Luce and Plackett: of several models, each is chosen in proportion to its worth. log_worth has the mean 0; its interval is Wald&apos;s with the persons as clusters. Worths add up to 1.</source>
+        <translation>Luce und Plackett: von mehreren Modellen wird jedes im Verhältnis zu seinem Wert gewählt. Der Logarithmus des Werts hat den Mittelwert 0; sein Intervall ist das von Wald mit den Personen als Gruppen. Die Werte ergeben zusammen 1.</translation>
+    </message>
+    <message>
+        <source>Which rendering is the most realistic?</source>
+        <translation>Welche Darstellung ist die wirklichkeitsnächste?</translation>
+    </message>
+    <message>
+        <source>The share of each participant&apos;s own choices, averaged over the participants, with Student&apos;s interval. That all models mean the same is tested by exchanging the models within each participant&apos;s choices at random (relabelling), which holds however the choices of a participant depend on each other.</source>
+        <translation>Der Anteil an den eigenen Wahlen jeder Person, gemittelt über die Personen, mit dem Intervall von Student. Dass alle Modelle dasselbe bedeuten, wird geprüft, indem die Modelle innerhalb der Wahlen jeder Person zufällig vertauscht werden; das gilt, wie immer die Wahlen einer Person voneinander abhängen.</translation>
+    </message>
+    <message>
+        <source>Nobody has chosen one yet.</source>
+        <translation>Noch hat niemand eine gewählt.</translation>
+    </message>
+    <message>
+        <source>Not every trial offers every model, so that shares of all choices would compare nothing; the scale below joins the trials.</source>
+        <translation>Nicht jeder Durchgang bietet jedes Modell an, so dass Anteile an allen Wahlen nichts vergleichen würden; die Skala unten verbindet die Durchgänge.</translation>
+    </message>
+    <message>
+        <source>%1 was chosen most often: in %2 of a participant&apos;s choices on average (%3), where chance is %4; that all are chosen equally often has %5.</source>
+        <translation>%1 wurde am häufigsten gewählt: im Mittel in %2 der Wahlen einer Person (%3), wo der Zufall %4 gäbe; dass alle gleich häufig gewählt werden, hat %5.</translation>
+    </message>
+    <message>
+        <source>%1 was chosen most often: in %2 of a participant&apos;s choices on average (%3), where chance is %4.</source>
+        <translation>%1 wurde am häufigsten gewählt: im Mittel in %2 der Wahlen einer Person (%3), wo der Zufall %4 gäbe.</translation>
+    </message>
+    <message>
+        <source>%1 over %2 (%3)</source>
+        <translation>%1 vor %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Is one rendering preferred to another?</source>
+        <translation>Wird eine Darstellung einer anderen vorgezogen?</translation>
+    </message>
+    <message>
+        <source>For each pair the difference of both counts in every participant, against all patterns of signs (both names exchanged within a participant). Choices of a third model say nothing about the two.</source>
+        <translation>Für jedes Paar die Differenz beider Anzahlen bei jeder Person, gegen alle Muster von Vorzeichen (beide Namen innerhalb einer Person vertauscht). Wahlen eines dritten Modells sagen nichts über die beiden.</translation>
+    </message>
+    <message>
+        <source>There are no choices in which two models could be compared.</source>
+        <translation>Es gibt keine Wahlen, in denen zwei Modelle verglichen werden könnten.</translation>
+    </message>
+    <message>
+        <source>No pair can be told apart: the smallest of all is that of %1, %2. That does not show that they are equal.</source>
+        <translation>Kein Paar lässt sich unterscheiden: der kleinste Wert ist der von %1, %2. Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>Chosen more often: %1.</source>
+        <translation>Häufiger gewählt: %1.</translation>
+    </message>
+    <message>
+        <source>The position matters: what was felt first was chosen in %1 of a participant&apos;s choices on average (%2), %3.</source>
+        <translation>Der Platz spielt eine Rolle: was zuerst gefühlt wurde, wurde im Mittel in %1 der Wahlen einer Person gewählt (%2), %3.</translation>
+    </message>
+    <message>
+        <source>Nothing shows that the position matters: what was felt first was chosen in %1 of a participant&apos;s choices on average (%2), %3.</source>
+        <translation>Nichts zeigt, dass der Platz eine Rolle spielt: was zuerst gefühlt wurde, wurde im Mittel in %1 der Wahlen einer Person gewählt (%2), %3.</translation>
+    </message>
+    <message>
+        <source>Does it matter what is felt first?</source>
+        <translation>Spielt es eine Rolle, was zuerst gefühlt wird?</translation>
+    </message>
+    <message>
+        <source>As the preference, with the positions in the place of the models.</source>
+        <translation>Wie die Bevorzugung, mit den Plätzen anstelle der Modelle.</translation>
+    </message>
+    <message>
+        <source>Does the preference for %1 depend on the texture?</source>
+        <translation>Hängt die Bevorzugung von %1 von der Textur ab?</translation>
+    </message>
+    <message>
+        <source>How often each participant chose the target with each texture, against exchanging the textures within each participant at random; where each texture was judged once, this is the exact form of Cochran&apos;s test.</source>
+        <translation>Wie oft jede Person das Ziel bei jeder Textur wählte, gegen zufälliges Vertauschen der Texturen innerhalb jeder Person; wo jede Textur einmal beurteilt wurde, ist das die exakte Form des Tests von Cochran.</translation>
+    </message>
+    <message>
+        <source>This cannot be tested: the participants have not judged every texture equally often.</source>
+        <translation>Das lässt sich nicht prüfen: die Personen haben nicht jede Textur gleich oft beurteilt.</translation>
+    </message>
+    <message>
+        <source>It does: that %1 is chosen equally often with every texture has %2.</source>
+        <translation>Ja: dass %1 bei jeder Textur gleich häufig gewählt wird, hat %2.</translation>
+    </message>
+    <message>
+        <source>Nothing shows that it does: that %1 is chosen equally often with every texture has %2.</source>
+        <translation>Nichts zeigt das: dass %1 bei jeder Textur gleich häufig gewählt wird, hat %2.</translation>
+    </message>
+    <message>
+        <source>No surface was felt before these answers: there is nothing to compare.</source>
+        <translation>Vor diesen Antworten wurde keine Oberfläche gefühlt: es gibt nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Not every trial offers every model: tests that compare all choices are left out, and the models are compared on the scale.</source>
+        <translation>Nicht jeder Durchgang bietet jedes Modell an: Tests, die alle Wahlen vergleichen, entfallen, und die Modelle werden auf der Skala verglichen.</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>p_holm: adjusted after Holm over the %1 tests of the family that the protocol declares (%2). Tests outside the family are not adjusted and show no more than what to ask next time. n counts participants.</source>
+        <translation>p, Holm: nach Holm berichtigt über die %1 Tests der Familie, die das Protokoll festlegt (%2). Tests außerhalb der Familie sind nicht berichtigt und zeigen nur, was man das nächste Mal fragen könnte. n zählt Personen.</translation>
+    </message>
+    <message>
+        <source>The protocol declares no family of tests. p_holm: adjusted after Holm over the %1 tests of the family that this kind of protocol has by itself (%2). The other tests are not adjusted and show no more than what to ask next time. n counts participants.</source>
+        <translation>Das Protokoll legt keine Familie von Tests fest. p, Holm: nach Holm berichtigt über die %1 Tests der Familie, die diese Art von Protokoll von sich aus hat (%2). Die anderen Tests sind nicht berichtigt und zeigen nur, was man das nächste Mal fragen könnte. n zählt Personen.</translation>
+    </message>
+    <message>
+        <source>%1 after Holm</source>
+        <translation>%1 nach Holm</translation>
+    </message>
+    <message>
+        <source>95 % interval %1 to %2</source>
+        <translation>95-%-Intervall %1 bis %2</translation>
+    </message>
+    <message>
+        <source>one participant has no interval</source>
+        <translation>eine einzelne Person ergibt kein Intervall</translation>
+    </message>
+    <message>
+        <source>all participants alike, which gives no interval</source>
+        <translation>alle Personen gleich, was kein Intervall ergibt</translation>
+    </message>
+    <message>
+        <source>They do: women less men is %1 (%2).</source>
+        <translation>Ja: Frauen weniger Männer ist %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Nothing shows that they do: women less men is %1 (%2). That does not show that they are alike.</source>
+        <translation>Nichts zeigt das: Frauen weniger Männer ist %1 (%2). Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>Do women and men differ?</source>
+        <translation>Unterscheiden sich Frauen und Männer?</translation>
+    </message>
+    <message>
+        <source>The difference of the means of the participants&apos; own results, against all ways to split the participants into groups of these sizes.</source>
+        <translation>Die Differenz der Mittelwerte der Ergebnisse der einzelnen Personen, gegen alle Aufteilungen der Personen in Gruppen dieser Größe.</translation>
+    </message>
+    <message>
+        <source>The interval of the mean is Student&apos;s, over the persons.</source>
+        <translation>Das Intervall des Mittelwerts ist das von Student, über die Personen.</translation>
+    </message>
+    <message>
+        <source>Measures of all answers together</source>
+        <translation>Maße aus allen Antworten zusammen</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
@@ -346,6 +666,118 @@
         <source>cannot tell</source>
         <translation>nicht zu sagen</translation>
     </message>
+    <message>
+        <source>about</source>
+        <translation>worüber</translation>
+    </message>
+    <message>
+        <source>by chance</source>
+        <translation>durch Zufall</translation>
+    </message>
+    <message>
+        <source>dissimilarity</source>
+        <translation>Unähnlichkeit</translation>
+    </message>
+    <message>
+        <source>family</source>
+        <translation>Familie</translation>
+    </message>
+    <message>
+        <source>taken for the other</source>
+        <translation>für die andere gehalten</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>erste</translation>
+    </message>
+    <message>
+        <source>goes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>join</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>log worth</source>
+        <translation>ln Wert</translation>
+    </message>
+    <message>
+        <source>log worth, 95 %</source>
+        <translation>ln Wert, 95 %</translation>
+    </message>
+    <message>
+        <source>mean, 95 %</source>
+        <translation>Mittelwert, 95 %</translation>
+    </message>
+    <message>
+        <source>measure</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>andere</translation>
+    </message>
+    <message>
+        <source>the other taken for it</source>
+        <translation>die andere dafür gehalten</translation>
+    </message>
+    <message>
+        <source>p, Holm</source>
+        <translation>p, Holm</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>zweite</translation>
+    </message>
+    <message>
+        <source>similarity</source>
+        <translation>Ähnlichkeit</translation>
+    </message>
+    <message>
+        <source>test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>value, 95 %</source>
+        <translation>Wert, 95 %</translation>
+    </message>
+    <message>
+        <source>worth</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -444,6 +876,285 @@
     <message>
         <source>answered %1 after the first contact</source>
         <translation>beantwortet %1 nach dem Erstkontakt</translation>
+    </message>
+</context>
+<context>
+    <name>Figures</name>
+    <message>
+        <source>cannot tell</source>
+        <translation>weiß nicht</translation>
+    </message>
+    <message>
+        <source>What was felt, and what it was taken for</source>
+        <translation>Was gefühlt wurde und wofür es gehalten wurde</translation>
+    </message>
+    <message>
+        <source>Numbers are answers; the shade is the share among the answers to what was felt. Right answers are framed.</source>
+        <translation>Zahlen sind Antworten; die Tönung ist der Anteil an den Antworten auf das Gefühlte. Richtige Antworten sind umrahmt.</translation>
+    </message>
+    <message>
+        <source>share of the row</source>
+        <translation>Anteil an der Zeile</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>gefühlt</translation>
+    </message>
+    <message>
+        <source>Nothing was answered: there are no confusions to show.</source>
+        <translation>Es wurde nichts beantwortet: Es gibt keine Verwechslungen zu zeigen.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Scale of preference (Bradley–Terry)</source>
+        <translation>Skala der Bevorzugung (Bradley–Terry)</translation>
+    </message>
+    <message>
+        <source>preference, log odds, with its %1 % interval</source>
+        <translation>Bevorzugung, logarithmierte Chancen, mit %1-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Scale of preference (Plackett–Luce)</source>
+        <translation>Skala der Bevorzugung (Plackett–Luce)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 von %3)</translation>
+    </message>
+    <message>
+        <source>share, with its %1 % interval</source>
+        <translation>Anteil, mit %1-%-Intervall</translation>
+    </message>
+    <message>
+        <source>chance</source>
+        <translation>Zufall</translation>
+    </message>
+    <message>
+        <source>There is no answer that a share could be taken of.</source>
+        <translation>Es gibt keine Antwort, von der sich ein Anteil nehmen ließe.</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>all persons</source>
+        <translation>alle Personen</translation>
+    </message>
+    <message>
+        <source>women</source>
+        <translation>Frauen</translation>
+    </message>
+    <message>
+        <source>men</source>
+        <translation>Männer</translation>
+    </message>
+    <message>
+        <source>other or not told</source>
+        <translation>andere oder keine Angabe</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Points are shares of all answers of a row, bars their 95 % intervals by Wilson; outlined points are parts of the full ones.</source>
+        <translation>Punkte sind Anteile an allen Antworten einer Zeile, Striche ihre 95-%-Intervalle nach Wilson; leere Punkte sind Teile der vollen.</translation>
+    </message>
+    <message>
+        <source>%1 (mean of %2)</source>
+        <translation>%1 (Mittel von %2)</translation>
+    </message>
+    <message>
+        <source>Squares are means of the persons&apos; own shares, bars their 95 % intervals by t: a person is the unit.</source>
+        <translation>Quadrate sind Mittel der eigenen Anteile der Personen, Striche ihre 95-%-Intervalle nach t: Die Person ist die Einheit.</translation>
+    </message>
+    <message>
+        <source>mean share, with its 95 % interval</source>
+        <translation>mittlerer Anteil, mit 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>all together</source>
+        <translation>alle zusammen</translation>
+    </message>
+    <message>
+        <source>mean of %1 participants</source>
+        <translation>Mittel von %1 Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>share of the answers (Wilson)</source>
+        <translation>Anteil an den Antworten (Wilson)</translation>
+    </message>
+    <message>
+        <source>mean over participants (t)</source>
+        <translation>Mittel über Versuchspersonen (t)</translation>
+    </message>
+    <message>
+        <source>Shares with their intervals</source>
+        <translation>Anteile mit ihren Intervallen</translation>
+    </message>
+    <message>
+        <source>Points are shares, bars their intervals by Wilson.</source>
+        <translation>Punkte sind Anteile, Striche ihre Intervalle nach Wilson.</translation>
+    </message>
+    <message>
+        <source>How often each was chosen</source>
+        <translation>Wie oft jedes gewählt wurde</translation>
+    </message>
+    <message>
+        <source>Circles are shares of the choices of a row with intervals by Wilson; where a participant chose more than once those of all choices together are too narrow. Squares are means of the participants&apos; own shares with t intervals.</source>
+        <translation>Kreise sind Anteile an den Wahlen einer Zeile mit Intervallen nach Wilson; wo eine Versuchsperson mehr als einmal gewählt hat, sind die aller Wahlen zusammen zu schmal. Quadrate sind Mittel der eigenen Anteile der Versuchspersonen mit t-Intervallen.</translation>
+    </message>
+    <message>
+        <source>How often each texture was matched to its picture</source>
+        <translation>Wie oft jede Textur ihrem Bild zugeordnet wurde</translation>
+    </message>
+    <message>
+        <source>Shares of the trials with that texture, with intervals by Wilson; the rows of one trial depend on each other.</source>
+        <translation>Anteile an den Durchgängen mit dieser Textur, mit Intervallen nach Wilson; die Zeilen eines Durchgangs hängen voneinander ab.</translation>
+    </message>
+    <message>
+        <source>How often each was recognised</source>
+        <translation>Wie oft jedes erkannt wurde</translation>
+    </message>
+    <message>
+        <source>Circles are shares of the trials with that stimulus, with intervals by Wilson that take trials as independent. The square is the mean of the participants&apos; own shares with a t interval.</source>
+        <translation>Kreise sind Anteile an den Durchgängen mit diesem Reiz, mit Intervallen nach Wilson, die Durchgänge als unabhängig nehmen. Das Quadrat ist das Mittel der eigenen Anteile der Versuchspersonen mit t-Intervall.</translation>
+    </message>
+    <message>
+        <source>Shares with intervals by Wilson, one choice per person and experiment; all together: as if independent.</source>
+        <translation>Anteile mit Intervallen nach Wilson, eine Wahl je Person und Experiment; alle zusammen: als wären sie unabhängig.</translation>
+    </message>
+    <message>
+        <source>Chosen as the most realistic</source>
+        <translation>Als am wirklichkeitsnächsten gewählt</translation>
+    </message>
+    <message>
+        <source>Textures matched to their pictures</source>
+        <translation>Ihren Bildern zugeordnete Texturen</translation>
+    </message>
+    <message>
+        <source>Textures recognised</source>
+        <translation>Erkannte Texturen</translation>
+    </message>
+    <message>
+        <source>Right answers by level</source>
+        <translation>Richtige Antworten nach Stufe</translation>
+    </message>
+    <message>
+        <source>Full marks: shares of right answers, larger for more trials. Curves: the likeliest function. Outlined marks: thresholds, the level of %1 % right answers, with %2 % intervals by the delta method.</source>
+        <translation>Volle Zeichen: Anteile richtiger Antworten, größer bei mehr Durchgängen. Kurven: die wahrscheinlichste Funktion. Leere Zeichen: Schwellen, die Stufe mit %1 % richtigen Antworten, mit %2-%-Intervallen nach der Delta-Methode.</translation>
+    </message>
+    <message>
+        <source>No level has trials: there is nothing to show.</source>
+        <translation>Keine Stufe hat Durchgänge: Es gibt nichts zu zeigen.</translation>
+    </message>
+    <message>
+        <source>level, in the unit of the table</source>
+        <translation>Stufe, in der Einheit der Tabelle</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>share of right answers</source>
+        <translation>Anteil richtiger Antworten</translation>
+    </message>
+    <message>
+        <source>Estimated roughness by spacing</source>
+        <translation>Geschätzte Rauheit nach Abstand</translation>
+    </message>
+    <message>
+        <source>Full marks: geometric means of normalised estimates with %1 % t intervals over participants. Curves: mean parabolas of the logarithms. Outlined marks: their peaks within the tested spacings, with intervals by the delta method.</source>
+        <translation>Volle Zeichen: geometrische Mittel normierter Schätzungen mit %1-%-t-Intervallen über Versuchspersonen. Kurven: mittlere Parabeln der Logarithmen. Leere Zeichen: ihre Gipfel innerhalb der geprüften Abstände, mit Intervallen nach der Delta-Methode.</translation>
+    </message>
+    <message>
+        <source>probe %1</source>
+        <translation>Taster %1</translation>
+    </message>
+    <message>
+        <source>There is no curve: %1.</source>
+        <translation>Es gibt keine Kurve: %1.</translation>
+    </message>
+    <message>
+        <source>There is no curve: nothing was estimated.</source>
+        <translation>Es gibt keine Kurve: Es wurde nichts geschätzt.</translation>
+    </message>
+    <message>
+        <source>spacing, in the unit of the table</source>
+        <translation>Abstand, in der Einheit der Tabelle</translation>
+    </message>
+    <message>
+        <source>spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>roughness, normalised estimate</source>
+        <translation>Rauheit, normierte Schätzung</translation>
+    </message>
+    <message>
+        <source>Points are places on the scale, bars their intervals. Intervals that overlap are no test of a difference.</source>
+        <translation>Punkte sind Orte auf der Skala, Striche ihre Intervalle. Intervalle, die sich überlappen, prüfen keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>There is no scale: %1.</source>
+        <translation>Es gibt keine Skala: %1.</translation>
+    </message>
+    <message>
+        <source>There is no scale: nothing was judged.</source>
+        <translation>Es gibt keine Skala: Es wurde nichts beurteilt.</translation>
+    </message>
+    <message>
+        <source>dissimilarity, −ln η (Shepard)</source>
+        <translation>Unähnlichkeit, −ln η (Shepard)</translation>
+    </message>
+    <message>
+        <source>Which were taken for one another</source>
+        <translation>Welche miteinander verwechselt wurden</translation>
+    </message>
+    <message>
+        <source>Clusters by average linkage: the further left two join, the more often they are confused.</source>
+        <translation>Cluster nach mittlerem Abstand: Je weiter links sich zwei verbinden, desto öfter werden sie verwechselt.</translation>
+    </message>
+    <message>
+        <source>There are no confusions that a tree could be made of.</source>
+        <translation>Es gibt keine Verwechslungen, aus denen sich ein Baum machen ließe.</translation>
+    </message>
+    <message>
+        <source>All were confused alike: a tree would have no heights.</source>
+        <translation>Alle wurden gleich oft verwechselt: Ein Baum hätte keine Höhen.</translation>
+    </message>
+    <message>
+        <source>How near they feel to one another</source>
+        <translation>Wie nahe sie sich anfühlen</translation>
+    </message>
+    <message>
+        <source>There is no one map of these confusions: the distances fit many.</source>
+        <translation>Es gibt nicht die eine Karte dieser Verwechslungen: Die Abstände passen zu vielen.</translation>
+    </message>
+    <message>
+        <source>Classical scaling in two dimensions: only distances mean something, not directions. The plane holds %1 % of the distances.</source>
+        <translation>Klassische Skalierung in zwei Dimensionen: Nur Abstände bedeuten etwas, nicht Richtungen. Die Ebene fasst %1 % der Abstände.</translation>
+    </message>
+    <message>
+        <source>first dimension of dissimilarity</source>
+        <translation>erste Dimension der Unähnlichkeit</translation>
+    </message>
+    <message>
+        <source>second dimension</source>
+        <translation>zweite Dimension</translation>
     </message>
 </context>
 <context>
@@ -1672,14 +2383,6 @@
 <context>
     <name>asperity::AnalysisPage</name>
     <message>
-        <source>chance</source>
-        <translation>Zufall</translation>
-    </message>
-    <message>
-        <source>share, with its 95 % interval (Wilson)</source>
-        <translation>Anteil mit 95-%-Intervall (Wilson)</translation>
-    </message>
-    <message>
         <source>people</source>
         <translation>Personen</translation>
     </message>
@@ -1692,36 +2395,8 @@
         <translation>virtuelle Versuchspersonen</translation>
     </message>
     <message>
-        <source>Which rendering was chosen as the most realistic?</source>
-        <translation>Welche Wiedergabe wurde als die echteste gewählt?</translation>
-    </message>
-    <message>
-        <source>Were felt textures matched to their pictures?</source>
-        <translation>Wurden gefühlte Texturen ihren Bildern zugeordnet?</translation>
-    </message>
-    <message>
-        <source>Was the felt texture recognised among the pictures?</source>
-        <translation>Wurde die gefühlte Textur unter den Bildern erkannt?</translation>
-    </message>
-    <message>
         <source>How it was computed</source>
         <translation>Wie es berechnet wurde</translation>
-    </message>
-    <message>
-        <source>In all</source>
-        <translation>Insgesamt</translation>
-    </message>
-    <message>
-        <source>%1 of %2 (%3; 95 % interval %4 to %5)</source>
-        <translation>%1 von %2 (%3; 95-%-Intervall %4 bis %5)</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>%1: %2, where chance is %3.</source>
-        <translation>%1: %2, durch Zufall %3.</translation>
     </message>
     <message>
         <source>Analysis</source>
@@ -1821,6 +2496,14 @@
     <message>
         <source>The tables were not written: you cancelled it. Nothing of them is left in %1.</source>
         <translation>Die Tabellen wurden nicht geschrieben: es wurde abgebrochen. In %1 ist nichts davon geblieben.</translation>
+    </message>
+    <message>
+        <source>For the public: without dates and free text</source>
+        <translation>Zur Veröffentlichung: ohne Kalenderdaten und ohne Freitext</translation>
+    </message>
+    <message>
+        <source>With the recordings, tick by tick; they are large</source>
+        <translation>Mit den Aufzeichnungen, Takt für Takt; sie sind groß</translation>
     </message>
 </context>
 <context>
@@ -2362,6 +3045,72 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     </message>
 </context>
 <context>
+    <name>asperity::FigureSaver</name>
+    <message>
+        <source>A file for the figure</source>
+        <translation>Eine Datei für die Abbildung</translation>
+    </message>
+    <message>
+        <source>SVG, for the web and for drawing programs (*.svg)</source>
+        <translation>SVG, für das Web und für Zeichenprogramme (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF, for print and LaTeX (*.pdf)</source>
+        <translation>PDF, für Druck und LaTeX (*.pdf)</translation>
+    </message>
+    <message>
+        <source>PNG, for slides and office programs (*.png)</source>
+        <translation>PNG, für Folien und Büroprogramme (*.png)</translation>
+    </message>
+    <message>
+        <source>Another figure is being written; save this one when that is done.</source>
+        <translation>Gerade wird eine andere Abbildung geschrieben; danach diese noch einmal speichern.</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already.</source>
+        <translation>Die Datei %1 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Replace “%1”</source>
+        <translation>„%1“ ersetzen</translation>
+    </message>
+    <message>
+        <source>The figure is in %1.</source>
+        <translation>Die Abbildung liegt in %1.</translation>
+    </message>
+    <message>
+        <source>The figure was not saved: %1</source>
+        <translation>Die Abbildung wurde nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>The figure is on the clipboard, as a picture and as SVG.</source>
+        <translation>Die Abbildung liegt in der Zwischenablage, als Bild und als SVG.</translation>
+    </message>
+    <message>
+        <source>The figure was not copied: %1</source>
+        <translation>Die Abbildung wurde nicht kopiert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FigureView</name>
+    <message>
+        <source>Save figure</source>
+        <translation>Abbildung speichern</translation>
+    </message>
+    <message>
+        <source>As wide as a column of a journal, 85 mm…</source>
+        <translation>So breit wie die Spalte einer Zeitschrift, 85 mm…</translation>
+    </message>
+    <message>
+        <source>As wide as a page, 170 mm…</source>
+        <translation>So breit wie eine Seite, 170 mm…</translation>
+    </message>
+    <message>
+        <source>Copy figure</source>
+        <translation>Abbildung kopieren</translation>
+    </message>
+</context>
+<context>
     <name>asperity::FindBar</name>
     <message>
         <source>Find in the text</source>
@@ -2881,6 +3630,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Ticks</source>
         <translation>Takte</translation>
+    </message>
+    <message>
+        <source>the tool lay wholly inside the surface, where nothing is felt</source>
+        <translation>das Werkzeug lag ganz in der Oberfläche, wo nichts zu spüren ist</translation>
     </message>
 </context>
 <context>
@@ -3978,6 +4731,61 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     </message>
 </context>
 <context>
+    <name>asperity::ReportSaving</name>
+    <message>
+        <source>Save a report…</source>
+        <translation>Bericht speichern…</translation>
+    </message>
+    <message>
+        <source>There are no sessions to report yet.</source>
+        <translation>Es gibt noch keine Sitzungen, über die zu berichten wäre.</translation>
+    </message>
+    <message>
+        <source>The report is being written.</source>
+        <translation>Der Bericht wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Methods, tables, tests and figures, as PDF or HTML.</source>
+        <translation>Methoden, Tabellen, Tests und Abbildungen, als PDF oder HTML.</translation>
+    </message>
+    <message>
+        <source>A file for the report</source>
+        <translation>Eine Datei für den Bericht</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>For print (*.pdf)</source>
+        <translation>Zum Drucken (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Nothing was written.</source>
+        <translation>%1 gibt es schon. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Writing the report to %1 …</source>
+        <translation>Der Bericht wird nach %1 geschrieben …</translation>
+    </message>
+    <message>
+        <source>The report was not written: you cancelled it.</source>
+        <translation>Der Bericht wurde nicht geschrieben: Sie haben abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>Der Bericht ist in %1.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ResponseKeys</name>
     <message>
         <source>Keys answer the trial now</source>
@@ -5072,16 +5880,8 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <translation>Noch keine Reize</translation>
     </message>
     <message>
-        <source>Stimuli are pictures and height fields in the study&apos;s folder &quot;stimuli&quot;. Make one from a photograph on the page Workbench, or copy files there: they appear here at once.</source>
-        <translation>Reize sind Bilder und Höhenfelder im Ordner „stimuli“ der Studie. Auf der Seite „Werkstatt“ einen aus einem Foto machen oder Dateien dorthin kopieren: Sie erscheinen hier sofort.</translation>
-    </message>
-    <message>
         <source>Filter</source>
         <translation>Filter</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
     </message>
     <message>
         <source>What it is</source>
@@ -5126,6 +5926,46 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>no protocol</source>
         <translation>keinem Protokoll</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>mesh of %1 triangles</source>
+        <translation>Netz aus %1 Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 of %2 triangles</source>
+        <translation>%1 aus %2 Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>Stimuli are pictures, height fields and textured meshes in the study&apos;s folder &quot;stimuli&quot;, and the bodies of its protocols. Make one from a photograph on the page Workbench, or copy files there: they appear here at once.</source>
+        <translation>Reize sind Bilder, Höhenfelder und texturierte Netze im Ordner „stimuli“ der Studie sowie die Körper ihrer Protokolle. Erzeugen Sie einen aus einem Foto auf der Seite Werkstatt oder kopieren Sie Dateien dorthin: Sie erscheinen hier sofort.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Made from %1.</source>
+        <translation>Hergestellt aus %1.</translation>
     </message>
 </context>
 <context>
