@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <fcntl.h>
 #include <optional>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -49,14 +51,21 @@ std::string seal_text_of(Database& database) {
   return sha256.hexadecimal() + "  study.sqlite\n";
 }
 
-/// Nothing when there is none, also when it went away just now.
+/// Nothing when there is none, also when it went away just now or nobody here may read it.
 std::optional<std::string> seal_text_in(const std::filesystem::path& seal) {
   try {
     if (std::filesystem::exists(seal)) return read_file(seal);
-  } catch (const ResultsError&) {
-    if (std::filesystem::exists(seal)) throw;
+  } catch (const std::exception&) {
   }
   return std::nullopt;
+}
+
+/// As who may write to the study's database may write to what lies beside it, whatever the mask of the
+/// process that came first. Failing to is no error.
+void give_mode_of_database(const std::filesystem::path& study, const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(database_in(study), error);
+  if (!error) std::filesystem::permissions(file, status.permissions(), error);
 }
 
 struct flock whole_file(short type) {
@@ -64,6 +73,19 @@ struct flock whole_file(short type) {
   lock.l_type = type;
   lock.l_whence = SEEK_SET;
   return lock;
+}
+
+/// Waits for whoever is sealing, but not for ever: a program that was stopped holds its lock.
+bool lock_shared(int file) {
+  constexpr int kTries = 600;
+  constexpr auto kPause = std::chrono::milliseconds(50);
+  struct flock shared = whole_file(F_RDLCK);
+  for (int i = 0; i < kTries; ++i) {
+    if (::fcntl(file, F_OFD_SETLK, &shared) == 0) return true;
+    if (errno != EINTR && errno != EAGAIN && errno != EACCES) return false;
+    std::this_thread::sleep_for(kPause);
+  }
+  return false;
 }
 
 }  // namespace
@@ -88,24 +110,24 @@ void seal_new(const std::filesystem::path& study) {
 SealBreaker::SealBreaker(const std::filesystem::path& study, Database& database) : study_(study) {
   const std::filesystem::path path = study / "locks" / "writers.lock";
   if (network_file_system_at(study).empty()) {
+    std::error_code error;
+    const bool is_new = !std::filesystem::exists(path, error);
     lock_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    struct flock shared = whole_file(F_RDLCK);
-    int result = lock_ < 0 ? 0 : -1;
-    while (result != 0) {  // waits for whoever is sealing
-      result = ::fcntl(lock_, F_OFD_SETLKW, &shared);
-      if (result == 0 || errno == EINTR) continue;
+    if (lock_ >= 0 && is_new) give_mode_of_database(study, path);
+    // Whoever may only read it can still tell others that somebody writes.
+    if (lock_ < 0) lock_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (lock_ >= 0 && !lock_shared(lock_)) {
       ::close(lock_);
       lock_ = -1;
-      break;
     }
   }
   const std::filesystem::path seal = beside_database(study, ".sha256");
   const std::optional<std::string> text = seal_text_in(seal);
-  if (!text || (log_is_empty(study) && *text != seal_text_of(database))) return;
+  if (text && log_is_empty(study) && *text != seal_text_of(database)) return;
+  // One that cannot be taken away must not keep a participant waiting: it will not hold, and what
+  // says so says how that can be.
   std::error_code error;
-  std::filesystem::remove(seal, error);
-  if (error) fail_on_file(seal, "removed", error.value());
-  sync_folder(study);
+  if (std::filesystem::remove(seal, error)) sync_folder(study);
 }
 
 SealBreaker::~SealBreaker() {
@@ -113,7 +135,12 @@ SealBreaker::~SealBreaker() {
 }
 
 void SealBreaker::seal_again(Database& database) noexcept {
-  if (lock_ < 0) return;
+  if (lock_ < 0) {
+    // Nobody knew of this writer: a seal made meanwhile is of what it has not written yet.
+    std::error_code error;
+    std::filesystem::remove(beside_database(study_, ".sha256"), error);
+    return;
+  }
   struct flock alone = whole_file(F_WRLCK);
   if (::fcntl(lock_, F_OFD_SETLK, &alone) != 0) return;  // the next to close will
   try {
@@ -121,7 +148,9 @@ void SealBreaker::seal_again(Database& database) noexcept {
     if (std::filesystem::exists(seal)) return;
     sqlite3_busy_timeout(database.handle(), 0);
     database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
-    if (log_is_empty(study_)) write_file(seal, seal_text_of(database), Overwrite::refuse);
+    if (!log_is_empty(study_)) return;
+    write_file(seal, seal_text_of(database), Overwrite::refuse);
+    give_mode_of_database(study_, seal);
   } catch (const std::exception&) {
   }
 }

@@ -14,7 +14,7 @@ namespace asperity {
 /// Constraints and SQLite's own check see a page's structure, not a digit of a number, and nothing
 /// of what is free in a page. The checksum sees every byte.
 enum class Seal {
-  absent,  ///< no checksum: a program died, wrote with other tools, or writes now
+  absent,  ///< no checksum that can be read: a program died, wrote with other tools, or writes now
   in_use,  ///< what was written last is still in the log
   holds,
   broken,
@@ -31,8 +31,9 @@ void seal_new(const std::filesystem::path& study);
 /// one. A seal that did not hold stays as it is for ever, so that no writer vouches for damage that
 /// was there before it.
 ///
-/// Writers know of each other by a lock on `locks/writers.lock`. Where there can be none (a network
-/// file system, no permission) there is no seal afterwards.
+/// Writers know of each other by a lock on `locks/writers.lock`. A writer that can have none (a network
+/// file system, no permission) leaves no seal, and takes away one that was made while it wrote. No
+/// seal, and none that cannot be read or taken away, keeps anybody from writing.
 class SealBreaker final {
  public:
   /// `database` is the writer's, before anything is written through it.

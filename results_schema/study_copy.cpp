@@ -116,10 +116,13 @@ void Study::copy_to(const std::filesystem::path& folder) const {
                        EINVAL);
   }
   if (seal_of(from) == Seal::broken) {
-    throw ResultsError("the study " + from.string() +
-                           " cannot be copied: its study.sqlite is not what it was when Asperity "
-                           "last closed it (its SHA-256 is not that in study.sqlite.sha256)",
-                       from);
+    throw ResultsError(
+        "the study " + from.string() +
+            " cannot be copied: its study.sqlite is not what it was when Asperity "
+            "last closed it (its SHA-256 is not that in study.sqlite.sha256); what that "
+            "can mean is said by \"asperity verify\". Once it is known to be right, "
+            "remove study.sqlite.sha256 and copy again",
+        from);
   }
   // Under another name until it is whole, so that nobody takes a part for a copy.
   std::filesystem::path part = to;

@@ -46,8 +46,10 @@ void check_seal(const std::filesystem::path& study, Findings& findings) {
   findings.emplace_back(
       "study.sqlite: it is not what it was when Asperity last closed it (its SHA-256 is not that "
       "in "
-      "study.sqlite.sha256); restore both from a copy, or remove study.sqlite.sha256 if somebody "
-      "changed the study on purpose with another tool");
+      "study.sqlite.sha256); restore both from a copy, or remove study.sqlite.sha256 if the study "
+      "was "
+      "changed on purpose: by another tool, by an older Asperity, by a copy laid over it, or by "
+      "somebody who may not remove that file");
 }
 
 void check_protocols(const Study& study, Findings& findings) {

@@ -273,6 +273,42 @@ TEST(StudyVerify, FindsWhatWasChangedByHand) {
                                            "not there")));
 }
 
+// What can neither be read nor taken away must not keep a participant waiting.
+TEST(StudyVerify, LetsNoChecksumThatIsInTheWayKeepAnybodyFromWriting) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "s";
+  { recorded_study(path); }
+  const std::filesystem::path seal = path / "study.sqlite.sha256";
+  std::filesystem::remove(seal);
+  std::filesystem::create_directories(seal / "in the way");
+  {
+    Study study = Study::open(path, Access::read_write);
+    ParticipantRow person = some_participant();
+    person.label = "P77";
+    study.add_participant(person);
+    EXPECT_THAT(study.verify({}), IsEmpty());
+  }
+  EXPECT_EQ(Study::open(path, Access::read_only).participants().size(), 2U);
+}
+
+TEST(StudyVerify, TakesAwayAChecksumOfAWriterThatNobodyKnewOf) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "s";
+  { recorded_study(path); }
+  // A file where the folder of locks should be: such a writer can have none.
+  std::filesystem::remove_all(path / "locks");
+  write_file(path / "locks", "", Overwrite::refuse);
+  {
+    Study study = Study::open(path, Access::read_write);
+    write_file(path / "study.sqlite.sha256", "somebody else's", Overwrite::refuse);
+    ParticipantRow person = some_participant();
+    person.label = "P78";
+    study.add_participant(person);
+  }
+  EXPECT_FALSE(std::filesystem::exists(path / "study.sqlite.sha256"));
+  EXPECT_THAT(Study::open(path, Access::read_only).verify({}), IsEmpty());
+}
+
 TEST(StudyVerify, FindsABrokenPage) {
   const TemporaryFolder folder;
   { recorded_study(folder / "s"); }
