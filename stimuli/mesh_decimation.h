@@ -22,7 +22,7 @@ struct SimplifiedMesh {
 ///
 /// Edges are collapsed one after the other into one of their ends, the cheapest first. What a
 /// collapse costs is measured where the given mesh was: every vertex of it, weighted with its area,
-/// is kept as a sample of the surface, and the squared distances of the samples about the vertex that
+/// is a sample of the surface (of more than 32 about a vertex every second one, for two), and the squared distances of the samples about the vertex that
 /// goes from the faces that stay are summed; to these are added a tenth of the quadric error
 /// [Garland 1997] (the squared distances of the place that stays from the planes of all faces that
 /// were merged into it), which tells how smooth surfaces bend where no sample lies, and a millionth
