@@ -297,7 +297,8 @@ std::span<const ContactRegion> ContactRegions::update(std::span<const TrianglePa
   }
   find_half_extents();
   for (std::size_t i = 0; i < kept_.size(); ++i) {
-    const double needed_m = stepped_width_m(std::max(2.0 * half_extents_m_[i], kSmallestWidth_m));
+    kept_[i].half_extent_m = std::max(half_extents_m_[i], 0.5 * kSmallestWidth_m);
+    const double needed_m = stepped_width_m(2.0 * kept_[i].half_extent_m);
     const ContactRegion* last = lasts_[i];
     const bool fits = last != nullptr && needed_m <= last->width_m &&
                       last->width_m <= needed_m * kWidthStep * kWidthStep * 1.0001;

@@ -20,6 +20,8 @@ struct ContactRegion {
   std::uint64_t id = 0;  ///< the same from tick to tick while it is the same contact
   ContactFrame frame{};  ///< in the world; its origin in the middle of the curve
   double width_m = 0.0;  ///< of a square window across n around the origin that holds the curve
+  /// Half of the smallest such width, but of kSmallestWidth_m at least; without steps.
+  double half_extent_m = 0.0;
   std::size_t pairs = 0;
 };
 

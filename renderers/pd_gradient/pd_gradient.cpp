@@ -82,6 +82,7 @@ PdGradient::PdGradient(const RendererInputs& inputs, InstructionSet instructions
                {.name = "fast"},
                {.name = "coarse_window"},
                {.name = "left_out"},
+               {.name = "too_deep"},
                {.name = "kept"},
                {.name = "wholly_inside"}}} {
   if (choice_of(inputs.parameters, "coupling") == "virtual") {
@@ -225,6 +226,7 @@ void PdGradient::watch(double dt_s) noexcept {
   count_any(Limit::coarse_window, [](const Touch& touch) { return touch.contact->is_coarse; });
   const LeftOut& left = contacts_.left_out();
   count(Limit::left_out, left.pairs + left.regions + left.triangles + left.depths > 0);
+  count_any(Limit::too_deep, [](const Touch& touch) { return touch.contact->is_bounded; });
   count_any(Limit::kept, [](const Touch& touch) { return touch.contact->is_kept; });
   count(Limit::wholly_inside, contacts_.is_inside());
 }
@@ -300,7 +302,7 @@ std::vector<Parameter> parameters() {
 ForceModel pd_gradient_model() {
   ModelDeclaration declaration{
       .id = "pd_gradient",
-      .version = "2",
+      .version = "3",
       .summary = "Two textured meshes in six degrees of freedom: the gradient of penetration depth",
       .source =
           "Otaduy, Jain, Sud, Lin (2004), Haptic display of interaction between textured models, "

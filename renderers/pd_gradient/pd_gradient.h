@@ -80,6 +80,8 @@ class PdGradient final : public ForceRenderer {
   ///   coarse_window  a contact was too wide for the declared step
   ///   left_out       pairs, contacts or triangles were more than there is room for, or a contact
   ///                  had no direction or a doubtful depth (LeftOut)
+  ///   too_deep       a contact was deeper than the bodies are thick there: its depth and its slopes
+  ///                  are bounded (TexturedContacts)
   ///   kept           a contact went on without a curve (TexturedContacts)
   ///   wholly_inside  a body was wholly in the other, nothing was cut and no force was felt: where the
   ///                  tool began there, or came there within a tick (TexturedContacts::is_inside)
@@ -97,6 +99,7 @@ class PdGradient final : public ForceRenderer {
     fast,
     coarse_window,
     left_out,
+    too_deep,
     kept,
     wholly_inside
   };
@@ -127,7 +130,7 @@ class PdGradient final : public ForceRenderer {
   std::span<const TexturedContact> found_{};
   std::array<Touch, TexturedContacts::kMostContacts> touches_{};
   std::size_t touching_ = 0;
-  std::array<NamedCount, 9> limits_;
+  std::array<NamedCount, 10> limits_;
 };
 
 /// Needs a tool and a surface.

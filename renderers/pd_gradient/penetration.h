@@ -70,6 +70,10 @@ struct Penetration {
   bool at_border = false;
 };
 
+/// As if the heights were pressed together along n until the depth is `depth_m`, a part of what it is:
+/// slopes become less by that part, the deepest place and what moving along n does stay.
+Penetration pressed_to(double depth_m, const Penetration& found) noexcept;
+
 /// The force of the energy U = ½·k·δ² on A, in the world, its torque about the frame's origin:
 ///
 ///   (F; T) = −k·δ·∇δ        zero while δ ≤ 0;  B feels the opposite

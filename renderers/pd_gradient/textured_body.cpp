@@ -213,6 +213,30 @@ double reach_m(const glm::dvec3& half_m, const glm::dvec3& axis) noexcept {
   return glm::dot(half_m, glm::abs(axis));
 }
 
+/// Where a line from a point along a unit vector meets a face.
+struct Crossing {
+  double way_m = std::numeric_limits<double>::infinity();  // not behind the point
+  bool is_out = false;
+};
+
+// What meets an edge meets both faces.
+Crossing crossing(const std::array<glm::dvec3, 3>& corners_m, const glm::dvec3& point_m,
+                  const glm::dvec3& along) noexcept {
+  constexpr double kRounding = 1e-9;
+  const glm::dvec3 area = glm::cross(corners_m[1] - corners_m[0], corners_m[2] - corners_m[0]);
+  const double facing = glm::dot(along, area);
+  if (!(std::abs(facing) > kRounding * glm::length(area))) return {};
+  const double way_m = glm::dot(area, corners_m[0] - point_m) / facing;
+  if (!(way_m >= 0.0)) return {};
+  const glm::dvec3 place_m = point_m + way_m * along;
+  const double least = -kRounding * glm::dot(area, area);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 edge_m = corners_m[(i + 1) % 3] - corners_m[i];
+    if (!(glm::dot(area, glm::cross(edge_m, place_m - corners_m[i])) >= least)) return {};
+  }
+  return {.way_m = way_m, .is_out = facing > 0.0};
+}
+
 }  // namespace
 
 TexturedBody::TexturedBody(const TexturedMesh& mesh, double gain)
@@ -267,6 +291,35 @@ std::size_t TexturedBody::find_triangles(const ContactFrame& frame, const glm::d
     }
   }
   return found;
+}
+
+WayOut TexturedBody::way_out(const glm::dvec3& point_m, const glm::dvec3& along,
+                             double most_m) const noexcept {
+  constexpr double kRounding_m = 1e-7;  // of boxes, which are in single precision
+  double out_m = std::numeric_limits<double>::infinity();
+  double in_m = out_m;
+  const glm::dvec3 half_way_m = 0.5 * most_m * along;
+  const glm::dvec3 middle_m = point_m + half_way_m - plain_clusters_.centre_m();
+  const glm::dvec3 reach_m = glm::abs(half_way_m) + kRounding_m;
+  const std::span<const TriangleCluster> clusters = plain_clusters_.clusters();
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    const ClusterBoxes& boxes = plain_clusters_.boxes()[i / kClusterSize];
+    const std::size_t lane = i % kClusterSize;
+    bool is_apart = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      is_apart = is_apart || boxes.low[axis][lane] > middle_m[axis] + reach_m[axis] ||
+                 boxes.high[axis][lane] < middle_m[axis] - reach_m[axis];
+    }
+    if (is_apart) continue;
+    for (std::size_t place = 0; place < kClusterSize; ++place) {
+      if ((clusters[i].used >> place & 1U) == 0) continue;
+      const Crossing met =
+          crossing(plain_clusters_.corners_m(clusters[i].triangles[place]), point_m, along);
+      double& nearest_m = met.is_out ? out_m : in_m;
+      nearest_m = std::min(nearest_m, met.way_m);
+    }
+  }
+  return {.way_m = std::min(out_m, most_m), .is_inside = out_m <= most_m && out_m < in_m};
 }
 
 // Half the solid angles of all faces, seen from the point [Van Oosterom 1983].

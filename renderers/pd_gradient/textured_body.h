@@ -23,6 +23,12 @@ struct WindowBox {
   double half_height_m = 0.0;
 };
 
+/// How a line leaves a body.
+struct WayOut {
+  double way_m = 0.0;      ///< to the first face that looks along the line; `most_m` without one
+  bool is_inside = false;  ///< that face is met before any that looks the other way
+};
+
 /// A mesh with its displacements `gain` times as large, and its hull: the same triangles with every
 /// vertex moved outward along its normal by the largest displacement of all faces, margins of the
 /// atlas left out: they may go further, by up to an eighth of a grating with ten texels a wave. The
@@ -55,6 +61,10 @@ class TexturedBody final {
   /// the same order. Answers how many there are, also when there was no room for all.
   std::size_t find_triangles(const ContactFrame& frame, const glm::dvec3& facing,
                              const WindowBox& box, std::span<std::uint32_t> room) const noexcept;
+
+  /// Where a line from a point along a unit vector first leaves the plain surface, no further away than
+  /// `most_m`; in the mesh's own axes.
+  WayOut way_out(const glm::dvec3& point_m, const glm::dvec3& along, double most_m) const noexcept;
 
   /// Whether a point is inside the hull: its winding number is above a half.
   bool holds(const glm::dvec3& point_m) const noexcept;

@@ -129,6 +129,7 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
     add({.id = region.id,
          .frame = region.frame,
          .width_m = region.width_m,
+         .half_extent_m = region.half_extent_m,
          .half_height_m = half_height_m(region.width_m, depth_before_m(region))},
         a, b);
   }
@@ -179,7 +180,7 @@ double TexturedContacts::depth_before_m(const ContactRegion& region) const noexc
   for (const TexturedContact& last : before_) {
     if (!is_felt(last)) continue;
     if (last.id == region.id || is_part_of(region.frame, last)) {
-      depth_m = std::max(depth_m, last.penetration.depth_m);
+      depth_m = std::max(depth_m, last.sampled_depth_m);
     }
   }
   return depth_m;
@@ -195,7 +196,50 @@ TexturedContact TexturedContacts::gone_on(const TexturedContact& last, const Pos
                     .v = turned * last.frame.v,
                     .n = turned * last.frame.n},
           .width_m = last.width_m,
-          .half_height_m = half_height_m(last.width_m, last.penetration.depth_m)};
+          .half_extent_m = last.half_extent_m,
+          .half_height_m = half_height_m(last.width_m, last.sampled_depth_m)};
+}
+
+double TexturedContacts::most_depth_m(const TexturedContact& contact, const Pose& a,
+                                      const Pose& b) const noexcept {
+  constexpr double kBeyond = 1.01;  // the surface itself is met, whatever rounding does
+  const glm::dvec3& n = contact.frame.n;
+  const double depth_m = contact.penetration.depth_m;
+  const glm::dvec3 on_a_m = deepest_m(contact);
+  const glm::dvec3 on_b_m = on_a_m + depth_m * n;
+  const auto way_out = [depth_m](const TexturedBody& body, const Pose& pose,
+                                 const glm::dvec3& from_m, const glm::dvec3& along) {
+    const double texture_m = body.furthest_displacement_m();
+    WayOut way = body.way_out(in_body(pose, from_m), glm::transpose(pose.rotation) * along,
+                              kBeyond * depth_m + texture_m);
+    way.way_m = std::min(depth_m, way.way_m + texture_m);  // one that is thicker agrees to it all
+    return way;
+  };
+  // A line along a body's rim meets nothing of it.
+  const auto thickness_m = [&](const TexturedBody& body, const Pose& pose,
+                               const glm::dvec3& from_m, const glm::dvec3& along) {
+    const double way_m = way_out(body, pose, from_m, along).way_m;
+    if (way_m < depth_m) return way_m;
+    const double all_m = 2.0 * body.hull_clusters()->radius_m() + depth_m;
+    const WayOut way =
+        body.way_out(in_body(pose, from_m), glm::transpose(pose.rotation) * along, all_m);
+    return way.way_m < all_m ? depth_m : 0.0;
+  };
+  const double half_window_m =
+      contact.is_kept ? depth_m
+                      : std::min(depth_m, contact.half_extent_m + a_.furthest_displacement_m() +
+                                              b_.furthest_displacement_m());
+  // What most contacts are is found out with one short line.
+  if (half_window_m == depth_m && way_out(b_, b, on_b_m, -n).way_m == depth_m) return depth_m;
+  const double of_b_m = thickness_m(b_, b, on_b_m, -n);
+  const double of_a_m = thickness_m(a_, a, on_a_m, n);
+  const double median_m =
+      std::max(std::min(of_a_m, of_b_m), std::min(std::max(of_a_m, of_b_m), half_window_m));
+  if (median_m == depth_m) return depth_m;
+  const WayOut out_of_b = way_out(b_, b, on_a_m, n);
+  const WayOut out_of_a = way_out(a_, a, on_b_m, -n);
+  if (out_of_a.is_inside == out_of_b.is_inside) return median_m;
+  return std::min(median_m, out_of_b.is_inside ? out_of_b.way_m : out_of_a.way_m);
 }
 
 void TexturedContacts::keep_buried(const Pose& a, const Pose& b) noexcept {
@@ -335,6 +379,12 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   contact.penetration = found.value_or(Penetration{});
   contact.is_doubtful = !found || found->depth_m > contact.reach_m;
   left_out_.depths += found && contact.is_doubtful ? 1 : 0;
+  contact.sampled_depth_m = contact.penetration.depth_m;
+  if (is_felt(contact)) {
+    const double most_m = most_depth_m(contact, a, b);
+    contact.is_bounded = most_m < contact.sampled_depth_m;
+    if (contact.is_bounded) contact.penetration = pressed_to(most_m, contact.penetration);
+  }
   contact.grid = grid;
   contact.is_coarse = window.is_coarse;
   const glm::dvec3& deepest_m = contact.penetration.deepest_m;

@@ -22,11 +22,14 @@ namespace asperity {
 
 /// One contact of a tick.
 struct TexturedContact {
-  std::uint64_t id = 0;  ///< the same from tick to tick while it is the same contact
-  ContactFrame frame{};  ///< in the world
-  double width_m = 0.0;  ///< of the region
-  SamplingGrid grid{};   ///< the window that was sampled, as wide or wider
-  Penetration penetration{};
+  std::uint64_t id = 0;           ///< the same from tick to tick while it is the same contact
+  ContactFrame frame{};           ///< in the world
+  double width_m = 0.0;           ///< of the region
+  SamplingGrid grid{};            ///< the window that was sampled, as wide or wider
+  Penetration penetration{};      ///< of no more depth than the bound (TexturedContacts)
+  double sampled_depth_m = 0.0;   ///< before it was bounded
+  double half_extent_m = 0.0;     ///< how far the curve reaches along u or v
+  bool is_bounded = false;        ///< deeper than the bodies are thick there
   double share = 1.0;             ///< of its force that is felt; less while contacts part or join
   bool is_fading = false;         ///< another contact took its place; its share falls to 0
   bool is_kept = false;           ///< its curve is gone; the frame goes on from the tick before
@@ -64,6 +67,28 @@ struct LeftOut {
 /// cuts a corner beside a large contact. It is doubtful and not felt, until the contact has been there
 /// for a tick for every `kReachGrowth_m` that it is too deep. The box grows likewise while there is
 /// nothing in it: of a needle that went in faster than it is thick.
+///
+/// Depth along n takes for granted that the surfaces of a contact are height fields along n, the near
+/// sides of two solids [Otaduy 2004]. A thin or folded body is more than that: A's place may have come
+/// out of B's far side, be under a sheet of B that A is not in, or stand at the foot of a wall of B, and
+/// the depth then runs through what does not belong to it. At the deepest place it therefore counts as
+/// far as two of three bear it out:
+///
+///   δ ≤ median of  t_A, from A's place along n to where A ends,
+///                  t_B, from B's surface over that place against n to where B ends,
+///                  w,   how far the curve reaches from its middle along u or v: half its window
+///
+/// each plus the textures. A needle in a block may be deeper than wide: it is in the block, and the
+/// block's surface is in it. A ball that goes through a sheet is felt up to its radius, two plates that go
+/// through each other as deep as the thicker one. If A's place is in B and B's is not in A, or the other
+/// way round, δ goes no further than that place's own way out either: the sheet that it is in, not the
+/// one above. A contact that is kept has no curve: t_A or t_B, whichever is larger.
+///
+/// A contact that was deeper `is_bounded`: it has that depth, and slopes that are less by the same part
+/// (pressed_to), so that a wall's steepness is not multiplied with it. Thickness is that of the meshes,
+/// and none where a line meets nothing, beside a rim or in a hole. The bound is computed from what was
+/// sampled and changes no contact that keeps it. The force is continuous where the bound sets in; beyond,
+/// it can jump where the deepest place does. A doubtful depth is doubted before it is bounded.
 ///
 /// One place is felt once: a region in the window of a longer one whose n is within 60° is part of
 /// it. So are the inner curve and the outer one of a rim that is pressed into a plate.
@@ -127,6 +152,7 @@ class TexturedContacts final {
  private:
   void add(TexturedContact contact, const Pose& a, const Pose& b) noexcept;
   double half_height_m(double width_m, double last_depth_m) const noexcept;
+  double most_depth_m(const TexturedContact& contact, const Pose& a, const Pose& b) const noexcept;
   double depth_before_m(const ContactRegion& region) const noexcept;
   bool hold_each_other(const Pose& a, const Pose& b) const noexcept;
   void look_inside(const Pose& a, const Pose& b) noexcept;

@@ -264,8 +264,9 @@ TEST_F(FeltBodies, AreStoredWithWhatTheModelCounted) {
     tools.insert(*felt.tool_sha256);
     std::vector<std::string> kinds{};
     for (const ModelLimitRow& limit : felt.limits) kinds.push_back(limit.kind);
-    ASSERT_THAT(kinds, ElementsAre("coarse_window", "contact", "fast", "fine_detail", "folded",
-                                   "kept", "left_out", "wholly_inside", "window_border"));
+    ASSERT_THAT(kinds,
+                ElementsAre("coarse_window", "contact", "fast", "fine_detail", "folded", "kept",
+                            "left_out", "too_deep", "wholly_inside", "window_border"));
     // It was touched for at least 0.3 s at 1 kHz.
     EXPECT_GE(felt.limits[1].ticks, 300);
   }

@@ -464,6 +464,22 @@ TEST(PdGradient, CountsSheetsThatFoldOverEachOther) {
   EXPECT_EQ(ticks_of(*renderer, "folded"), 1U);
 }
 
+TEST(PdGradient, CountsTheTicksInWhichAThinPlateIsGoneThrough) {
+  RendererInputs inputs = ball_on_plate(direct());
+  inputs.surface = shared(bare(box({0.02, 0.02, 0.5e-3})));
+  const auto renderer = renderer_of(inputs);
+  double largest_N = 0.0;
+  std::uint64_t until_then = 0;
+  for (double z_m = 1e-3; z_m > -1.8 * kRadius_m; z_m -= 0.02e-3) {
+    const RenderedTick tick = renderer->tick(probe_at({0.0, 0.0, z_m}), kTick_s);
+    largest_N = std::max(largest_N, tick.wrench.force_N.z);
+    if (z_m > -0.2e-3) until_then = ticks_of(*renderer, "too_deep");
+  }
+  EXPECT_EQ(until_then, 0U);
+  EXPECT_GT(ticks_of(*renderer, "too_deep"), 10U);
+  EXPECT_LT(largest_N, 1.05 * kRadius_m * inputs.material.stiffness_N_per_m);
+}
+
 TEST(PdGradient, CountsTheTicksInWhichAContactIsKept) {
   const auto renderer = renderer_of(ball_on_plate(direct()));
   ProbeState probe = probe_at({0.0, 0.0, 0.5e-3});

@@ -516,6 +516,150 @@ TEST(TexturedContacts, ForgetAContactOnceTheBodiesAreApart) {
   EXPECT_TRUE(contacts.find(at({0.0, 0.0, -1.6e-3}), {}).empty());
 }
 
+// A strip that is folded twice over: two sheets 1 mm thick and 2.2 mm apart, a wall at -x between them.
+TriangleMesh folded_strip() {
+  TriangleMesh strip;
+  const std::array<glm::dvec2, 8> profile_m{{{-10e-3, 0.0},
+                                             {10e-3, 0.0},
+                                             {10e-3, 1e-3},
+                                             {-9e-3, 1e-3},
+                                             {-9e-3, 3.2e-3},
+                                             {10e-3, 3.2e-3},
+                                             {10e-3, 4.2e-3},
+                                             {-10e-3, 4.2e-3}}};
+  for (const double y_m : {-10e-3, 10e-3}) {
+    for (const glm::dvec2& place_m : profile_m) {
+      strip.vertices_m.push_back({place_m.x, y_m, place_m.y});
+    }
+  }
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const std::uint32_t next = (i + 1) % 8;
+    strip.triangles.push_back({i, next + 8, next});
+    strip.triangles.push_back({i, i + 8, next + 8});
+  }
+  for (const auto& [a, b, c] : std::array<std::array<std::uint32_t, 3>, 6>{
+           {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 7}, {4, 5, 6}, {4, 6, 7}}}) {
+    strip.triangles.push_back({a, b, c});
+    strip.triangles.push_back({a + 8, c + 8, b + 8});
+  }
+  return strip;
+}
+
+// Seen along n, the upper sheet lies over a block that is between the sheets and pressed on the lower one.
+TEST(TexturedContacts, AreAsDeepAsTheSheetOfAFoldedStripThatTheyAreIn) {
+  TexturedContacts contacts =
+      between(bare(box({6e-3, 6e-3, 2e-3})), bare(folded_strip()), hard(0.1e-3));
+  bool was_bounded = false;
+  double before_m = 0.0;
+  for (double depth_m = 0.01e-3; depth_m < 0.95e-3; depth_m += 0.01e-3) {
+    const auto found = contacts.find(at({2e-3, 0.0, 2e-3 - depth_m}), {});
+    ASSERT_EQ(found.size(), 1U) << depth_m;
+    if (!is_felt(found[0])) continue;
+    EXPECT_NEAR(found[0].penetration.depth_m, depth_m, 1e-6);
+    EXPECT_EQ(found[0].is_bounded, found[0].sampled_depth_m > 3e-3) << depth_m;
+    was_bounded = was_bounded || found[0].is_bounded;
+    before_m = found[0].penetration.depth_m;
+  }
+  EXPECT_TRUE(was_bounded);
+  EXPECT_GT(before_m, 0.9e-3);
+}
+
+// The way back through the plate goes on growing; the ball is felt up to its radius, without a step.
+TEST(TexturedContacts, OfABallThatGoesThroughAThinPlateAreNoDeeperThanItsRadius) {
+  constexpr double kBall_m = 2e-3;
+  const TexturedMesh tool = bare(ball(kBall_m, 24, 32));
+  const TexturedMesh plate = bare(box({0.02, 0.02, 0.5e-3}));
+  TexturedContacts contacts = between(tool, plate, hard(0.1e-3));
+  double before_m = 0.0;
+  double sampled_m = 0.0;
+  double largest_step_m = 0.0;
+  constexpr double kStep_m = 20e-6;
+  for (double depth_m = kStep_m; depth_m < 1.65 * kBall_m; depth_m += kStep_m) {
+    const auto found = contacts.find(at({0.0, 0.0, 0.25e-3 + kBall_m - depth_m}), {});
+    double upward_m = 0.0;
+    for (const TexturedContact& contact : found) {
+      if (!is_felt(contact)) continue;
+      EXPECT_LT(contact.penetration.depth_m, 1.02 * kBall_m) << depth_m;
+      if (contact.frame.n.z < 0.0) continue;  // it comes out at the other side
+      upward_m = std::max(upward_m, contact.penetration.depth_m);
+      sampled_m = std::max(sampled_m, contact.sampled_depth_m);
+      if (contact.sampled_depth_m < 0.9 * kBall_m) {
+        EXPECT_FALSE(contact.is_bounded) << depth_m;
+        EXPECT_NEAR(contact.penetration.depth_m, depth_m, 5e-6);
+      }
+    }
+    largest_step_m = std::max(largest_step_m, std::abs(upward_m - before_m));
+    before_m = upward_m;
+  }
+  EXPECT_GT(sampled_m, 1.6 * kBall_m);
+  EXPECT_LT(largest_step_m, 6.0 * kStep_m);
+}
+
+// A ball at the foot of a wall 40 mm high, steep but no wall as kSteepest_cosine has it: along n the ball
+// is as deep as the wall goes up in the window, and the wall's slope would be force.
+TEST(TexturedContacts, AtTheFootOfAWallAreNoDeeperThanTheBallIsThick) {
+  constexpr double kBall_m = 2e-3;
+  TriangleMesh step;
+  for (const double y_m : {-10e-3, 10e-3}) {
+    for (const glm::dvec2& place_m : std::array<glm::dvec2, 6>{{{-10e-3, -5e-3},
+                                                                {10e-3, -5e-3},
+                                                                {10e-3, 40e-3},
+                                                                {1e-3, 40e-3},
+                                                                {0.0, 0.0},
+                                                                {-10e-3, 0.0}}}) {
+      step.vertices_m.push_back({place_m.x, y_m, place_m.y});
+    }
+  }
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const std::uint32_t next = (i + 1) % 6;
+    step.triangles.push_back({i, next + 6, next});
+    step.triangles.push_back({i, i + 6, next + 6});
+  }
+  for (const auto& [a, b, c] :
+       std::array<std::array<std::uint32_t, 3>, 4>{{{0, 1, 4}, {0, 4, 5}, {1, 2, 4}, {2, 3, 4}}}) {
+    step.triangles.push_back({a, b, c});
+    step.triangles.push_back({a + 6, c + 6, b + 6});
+  }
+  TexturedContacts contacts = between(bare(ball(kBall_m, 24, 32)), bare(step), hard(0.1e-3));
+  double sampled_m = 0.0;
+  for (int tick = 0; tick < 600; ++tick) {
+    const double x_m = -kBall_m + 1e-6 * tick;
+    const auto found = contacts.find(at({x_m, 0.0, kBall_m - 0.8e-3}), {});
+    for (const TexturedContact& contact : found) {
+      if (!is_felt(contact)) continue;
+      sampled_m = std::max(sampled_m, contact.sampled_depth_m);
+      if (contact.sampled_depth_m < 2.0 * kBall_m) continue;
+      EXPECT_TRUE(contact.is_bounded);
+      EXPECT_LE(contact.penetration.depth_m, kBall_m);
+      // Before, 5 mm times a slope of 40.
+      EXPECT_LT(contact.penetration.depth_m * glm::length(contact.penetration.slope), 0.02);
+    }
+  }
+  EXPECT_GT(sampled_m, 5e-3);
+}
+
+TEST(TexturedContacts, AreBoundedToTheSameBitsWithEveryInstructionSet) {
+  const TexturedMesh tool = bare(ball(2e-3, 24, 32));
+  const TexturedMesh plate = with_grating(PlateShape{{0.008, 0.008, 0.5e-3}},
+                                          {.amplitude_m = 0.02e-3, .wavelength_m = 1.2e-3}, 0.1e-3);
+  std::vector<std::vector<double>> answers;
+  for (const InstructionSet set : instruction_sets_here()) {
+    TexturedContacts contacts({tool, 1.0}, {plate, 1.0}, hard(0.1e-3), set);
+    std::vector<double>& answer = answers.emplace_back();
+    int bounded = 0;
+    for (double z_m = 2e-3; z_m > -2e-3; z_m -= 50e-6) {
+      for (const TexturedContact& contact : contacts.find(at({1e-4, 0.0, z_m}), {})) {
+        const Penetration& p = contact.penetration;
+        bounded += contact.is_bounded ? 1 : 0;
+        answer.insert(answer.end(), {p.depth_m, p.slope.x, p.slope.y, p.lever_m.x, p.lever_m.y,
+                                     p.lever_m.z, contact.sampled_depth_m});
+      }
+    }
+    EXPECT_GT(bounded, 10);
+  }
+  for (const auto& answer : answers) EXPECT_EQ(answer, answers.front());
+}
+
 TEST(TexturedContacts, LetGoOfAKeptBodyThatLeavesTheOther) {
   const TexturedMesh tool = bare(ball(1e-3, 12, 16));
   const TexturedMesh block = bare(box({0.01, 0.01, 0.01}));
