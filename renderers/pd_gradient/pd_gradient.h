@@ -80,7 +80,7 @@ class PdGradient final : public ForceRenderer {
   ///   coarse_window  a contact was too wide for the declared step
   ///   left_out       pairs, contacts or triangles were more than there is room for, or a contact
   ///                  had no direction or a doubtful depth (LeftOut)
-  ///   too_deep       a contact was deeper than the bodies are thick there: its depth and its slopes
+  ///   too_deep       a contact was deeper than the bodies are thick there, or steeper than 60°: both
   ///                  are bounded (TexturedContacts)
   ///   kept           a contact went on without a curve (TexturedContacts)
   ///   wholly_inside  a body was wholly in the other, nothing was cut and no force was felt: where the

@@ -15,6 +15,7 @@ namespace asperity {
 namespace {
 
 constexpr double kAgreement = 0.5;  // cosine between the directions of what is felt as one
+constexpr double kSteepestSlope = 1.7320508075688772;  // of a surface as far from n: tan 60°
 constexpr double kRise = 1.0 / TexturedContacts::kBlendTicks;  // of a share, in a tick
 
 bool is_finite(const Pose& pose) noexcept {
@@ -216,8 +217,8 @@ double TexturedContacts::most_depth_m(const TexturedContact& contact, const Pose
     return way;
   };
   // A line along a body's rim meets nothing of it.
-  const auto thickness_m = [&](const TexturedBody& body, const Pose& pose,
-                               const glm::dvec3& from_m, const glm::dvec3& along) {
+  const auto thickness_m = [&](const TexturedBody& body, const Pose& pose, const glm::dvec3& from_m,
+                               const glm::dvec3& along) {
     const double way_m = way_out(body, pose, from_m, along).way_m;
     if (way_m < depth_m) return way_m;
     const double all_m = 2.0 * body.hull_clusters()->radius_m() + depth_m;
@@ -381,7 +382,10 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   left_out_.depths += found && contact.is_doubtful ? 1 : 0;
   contact.sampled_depth_m = contact.penetration.depth_m;
   if (is_felt(contact)) {
-    const double most_m = most_depth_m(contact, a, b);
+    const double slope = glm::length(contact.penetration.slope);
+    const double most_m =
+        std::min(most_depth_m(contact, a, b),
+                 contact.sampled_depth_m * std::min(1.0, kSteepestSlope / std::max(slope, 1.0)));
     contact.is_bounded = most_m < contact.sampled_depth_m;
     if (contact.is_bounded) contact.penetration = pressed_to(most_m, contact.penetration);
   }

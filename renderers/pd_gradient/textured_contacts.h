@@ -84,6 +84,9 @@ struct LeftOut {
 /// way round, δ goes no further than that place's own way out either: the sheet that it is in, not the
 /// one above. A contact that is kept has no curve: t_A or t_B, whichever is larger.
 ///
+/// Nor is n a direction of a surface that is more than 60° from it: where ∇δ across n is longer than
+/// tan 60°, as at a wall in the window, depth and slopes shrink until it is not.
+///
 /// A contact that was deeper `is_bounded`: it has that depth, and slopes that are less by the same part
 /// (pressed_to), so that a wall's steepness is not multiplied with it. Thickness is that of the meshes,
 /// and none where a line meets nothing, beside a rim or in a hole. The bound is computed from what was
