@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::size_t kLineWidth = 100;
+constexpr std::size_t kTableWidth = 100;
 
 std::string reading_value(const Finding& finding) {
   return finding.value ? reading_number(*finding.value) : finding.word;
@@ -98,7 +98,7 @@ std::string reading_text_of(const TableFindings& findings) {
     const bool keyed = columns[first].keys != std::vector<std::string>{""};
     for (std::size_t i = first; i < columns.size(); ++i) {
       if (printed[i] || columns[i].keys != columns[first].keys) continue;
-      if (keyed && !together.empty() && width + width_of(columns[i]) > kLineWidth) break;
+      if (keyed && !together.empty() && width + width_of(columns[i]) > kTableWidth) break;
       width += width_of(columns[i]);
       together.push_back(&columns[i]);
       printed[i] = true;

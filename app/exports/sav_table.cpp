@@ -20,7 +20,7 @@ bool is_text(const ExportColumn& column) {
   return column.type != "number" && column.type != "integer" && column.type != "boolean";
 }
 
-Cell as_text(Cell cell) {
+Cell as_text(const Cell& cell) {
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
   if (const auto* number = std::get_if<double>(&cell)) return text_of_number(*number);
   return cell;
@@ -64,7 +64,7 @@ bool SavTable::is_coded(std::size_t column) const {
 void SavTable::add(std::vector<Cell> row) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     // What a person was asked may be answered by a number here and by a word there.
-    if (is_text(columns_[i])) row[i] = as_text(std::move(row[i]));
+    if (is_text(columns_[i])) row[i] = as_text(row[i]);
     const char kind = static_cast<char>(row[i].index());
     put(&kind, 1);
     Seen& seen = seen_[i];

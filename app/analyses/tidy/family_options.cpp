@@ -35,13 +35,13 @@ OptionValue value_of(const Json& json) {
   throw std::runtime_error("the option \"" + name + "\" " + what);
 }
 
-double number_of(const OptionValue& option, const std::string& name) {
+double option_number(const OptionValue& option, const std::string& name) {
   if (const auto* number = std::get_if<double>(&option.value)) return *number;
   refuse(name, "must be a number");
 }
 
 // Levels and names that look like numbers are written without quotes by careful and careless hands.
-std::string text_of(const OptionValue& option, const std::string& name) {
+std::string option_text(const OptionValue& option, const std::string& name) {
   if (const auto* text = std::get_if<std::string>(&option.value)) return *text;
   if (const auto* number = std::get_if<double>(&option.value)) return number_text(*number);
   if (const auto* truth = std::get_if<bool>(&option.value)) return *truth ? "TRUE" : "FALSE";
@@ -122,7 +122,9 @@ const OptionValue& FamilyOptions::at(const std::string& name) const {
 
 bool FamilyOptions::has(const std::string& name) const { return find(name) != nullptr; }
 
-double FamilyOptions::number(const std::string& name) const { return number_of(at(name), name); }
+double FamilyOptions::number(const std::string& name) const {
+  return option_number(at(name), name);
+}
 
 double FamilyOptions::number_or(const std::string& name, double otherwise) const {
   return number_if(name).value_or(otherwise);
@@ -130,22 +132,24 @@ double FamilyOptions::number_or(const std::string& name, double otherwise) const
 
 std::optional<double> FamilyOptions::number_if(const std::string& name) const {
   const OptionValue* option = find(name);
-  return option == nullptr ? std::nullopt : std::optional(number_of(*option, name));
+  return option == nullptr ? std::nullopt : std::optional(option_number(*option, name));
 }
 
-std::string FamilyOptions::text(const std::string& name) const { return text_of(at(name), name); }
+std::string FamilyOptions::text(const std::string& name) const {
+  return option_text(at(name), name);
+}
 
 std::string FamilyOptions::text_or(const std::string& name, const std::string& otherwise) const {
   const OptionValue* option = find(name);
-  return option == nullptr ? otherwise : text_of(*option, name);
+  return option == nullptr ? otherwise : option_text(*option, name);
 }
 
 std::vector<std::string> FamilyOptions::texts(const std::string& name) const {
-  return list_of(at(name), name, text_of);
+  return list_of(at(name), name, option_text);
 }
 
 std::vector<double> FamilyOptions::numbers(const std::string& name) const {
-  return list_of(at(name), name, number_of);
+  return list_of(at(name), name, option_number);
 }
 
 std::vector<std::pair<std::string, std::vector<std::string>>> FamilyOptions::levels(
@@ -156,7 +160,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> FamilyOptions::lev
   const auto* object = std::get_if<OptionValue::Object>(&option->value);
   if (object == nullptr) refuse(name, "must be an object of factors with their levels");
   for (const auto& [factor, levels] : *object) {
-    factors.emplace_back(factor, list_of(levels, name + '.' + factor, text_of));
+    factors.emplace_back(factor, list_of(levels, name + '.' + factor, option_text));
   }
   return factors;
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,9 @@ namespace asperity {
 
 /// The key of a number that belongs to two things.
 inline std::string both(const std::string& a, const std::string& b) { return a + '|' + b; }
+
+/// A number that is not defined for these data.
+inline constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 /// What a number rests on.
 struct Basis {

@@ -1,6 +1,5 @@
 // Two groups of participants and their hits.
 
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,8 +14,6 @@
 
 namespace asperity {
 namespace {
-
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 struct Groups {
   std::vector<std::string> names{};

@@ -1,7 +1,6 @@
 // Psychometric functions of conditions: right answers by level.
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,8 +13,6 @@
 
 namespace asperity {
 namespace {
-
-constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 using Blocks = std::vector<PsychometricBlock>;
 

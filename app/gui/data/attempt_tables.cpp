@@ -136,6 +136,10 @@ QString limit_words(const std::string& kind) {
   if (kind == "wholly_inside") {
     return MeasureTables::tr("the tool lay wholly inside the surface, where nothing is felt");
   }
+  if (kind == "too_deep") {
+    return MeasureTables::tr(
+        "a contact was deeper or steeper than the bodies bear out, and was bounded");
+  }
   return text(kind).replace('_', ' ');
 }
 

@@ -3635,6 +3635,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>the tool lay wholly inside the surface, where nothing is felt</source>
         <translation>das Werkzeug lag ganz in der Oberfläche, wo nichts zu spüren ist</translation>
     </message>
+    <message>
+        <source>a contact was deeper or steeper than the bodies bear out, and was bounded</source>
+        <translation>ein Kontakt war tiefer oder steiler, als die Körper es hergeben, und wurde begrenzt</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ModeBand</name>
