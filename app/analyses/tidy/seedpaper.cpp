@@ -316,6 +316,7 @@ void add_matching_against_recognition(const RightAnswers& matching, const RightA
 
 std::vector<Finding> seedpaper_findings(const TidyInput& input) {
   FindingList findings{};
+  input.table(2);  // all three, before anything is read of them
   add_table_1(choice_table(input.table(0)), findings);
   const RightAnswers matching = right_answers(input.table(1));
   const RightAnswers recognition = right_answers(input.table(2));
