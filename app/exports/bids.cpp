@@ -44,6 +44,39 @@ Json described(const ExportColumn& column) {
 
 std::string text_of(const Json& json) { return json.dump(2) + "\n"; }
 
+/// For each record the row of a regular stream that it is, counted from the first record: the one
+/// that is nearest in time. Rows rise, and no record is left out: where the nearest row is taken,
+/// the records just before it move up by one if a free row is there and none of them leaves its
+/// time by a period, which is how a tick that came late and one on time fit; else the record takes
+/// the next row, and the stream catches up where a tick is missing.
+std::vector<std::int64_t> rows_of(const std::vector<std::int64_t>& time_ns, double rate_Hz) {
+  std::vector<std::int64_t> rows{};
+  rows.reserve(time_ns.size());
+  std::size_t block = 0;  // the first record after the last free row
+  bool may_move = false;  // every record of the block comes before its row's time
+  for (std::size_t i = 0; i < time_ns.size(); ++i) {
+    const double exact = static_cast<double>(time_ns[i] - time_ns.front()) * 1e-9 * rate_Hz;
+    const std::int64_t nearest = std::llround(exact);
+    if (i == 0) {
+      rows.push_back(0);
+      continue;
+    }
+    if (nearest > rows.back() + 1) {
+      block = i;
+      may_move = true;
+      rows.push_back(nearest);
+    } else {
+      if (nearest <= rows.back() && may_move) {
+        for (std::size_t moved = block; moved < i; ++moved) --rows[moved];
+        may_move = false;
+      }
+      rows.push_back(rows.back() + 1);
+    }
+    may_move = may_move && exact < static_cast<double>(rows.back());
+  }
+  return rows;
+}
+
 std::vector<std::string> names_of(const std::vector<ExportColumn>& columns) {
   std::vector<std::string> names{};
   for (const ExportColumn& column : columns) names.push_back(column.name);
@@ -162,12 +195,11 @@ void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
   };
   std::vector<float> row(recording.columns.size());
   const std::vector<Cell> gap(columns.size());
+  const std::vector<std::int64_t> rows = rows_of(recording.time_ns, rate_Hz);
+  std::int64_t next_row = 0;
   for (std::size_t i = 0; i < recording.time_ns.size(); ++i) {
-    if (i > 0) {
-      const double periods =
-          static_cast<double>(recording.time_ns[i] - recording.time_ns[i - 1]) * 1e-9 * rate_Hz;
-      for (auto missing = std::llround(periods) - 1; missing > 0; --missing) file.add(gap);
-    }
+    for (; next_row < rows[i]; ++next_row) file.add(gap);
+    ++next_row;
     for (std::size_t column = 0; column < recording.columns.size(); ++column) {
       row[column] = recording.columns[column][i];
     }

@@ -18,9 +18,10 @@ namespace asperity {
 /// wanted, per recorded attempt `…_run-…_recording-haptic_physio.tsv.gz` and .json.
 ///
 /// BIDS wants one regular stream of a recording. An attempt is one, at the rate of the servo loop;
-/// between attempts there is none. So an attempt is a run. Ticks that are not in the recording are
-/// rows of n/a, and the first column has the time of each tick as it was, since the session began:
-/// what StartTime and `_beh.tsv` count from.
+/// between attempts there is none. So an attempt is a run. A tick is in the row nearest to its
+/// time, or in the next one to it where ticks came so unevenly that two would be in one; rows
+/// without a tick are n/a. The first column has the time of each tick as it was, since the session
+/// began: what StartTime and `_beh.tsv` count from.
 ///
 /// The task is the protocol's name without what is no letter or digit.
 class BidsDataset final {

@@ -1,5 +1,6 @@
 // What leaves a study for other programs: each format held to the rules of its specification.
 
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -125,15 +126,15 @@ nlohmann::json json_in(const std::filesystem::path& path) {
   return nlohmann::json::parse(read_file(path));
 }
 
-/// A tick at 6.000, 6.001, 6.002 and, two of them lost, 6.005 s.
-RecordingRow record(MadeUpStudy& made) {
+/// Ticks at these times since 6 s, which is 1 s after the session's clock began.
+RecordingRow record(MadeUpStudy& made, const std::vector<std::int64_t>& times_us) {
   RecordingWriter writer(made.folder(), "recordings/anna/a.rec",
                          {.rate_Hz = 1000.0,
                           .columns = {{.name = "x_m", .unit = "m", .meaning = "position"},
                                       {.name = "fz_N", .unit = "N", .meaning = "force"}}});
-  for (const std::int64_t tick : {0, 1, 2, 5}) {
+  for (const std::int64_t time_us : times_us) {
     const float values[] = {0.1F, -0.5F};
-    writer.append(6'000'000'000 + tick * 1'000'000, values);
+    writer.append(6'000'000'000 + time_us * 1'000, values);
   }
   return writer.finish();
 }
@@ -154,7 +155,7 @@ void fill_all(MadeUpStudy& made) {
     return made_trial;
   };
   MadeUpTrial recorded = trial("metal", "=1+1, \"or\"\nmore");
-  recorded.recording = record(made);
+  recorded.recording = record(made, {0, 1000, 2000, 5000});  // two of them lost
   MadeUpTrial silent = trial("wood", "");
   silent.answers = {};
   silent.outcome = AttemptOutcome::skipped;
@@ -390,6 +391,60 @@ TEST_F(ExportFormats, WriteARecordingAsOneRegularStream) {
   const Table rows = table_in(folder, "sub-anna_ses-02_task-aselection_beh.tsv");
   EXPECT_EQ(cell_of(rows, 0, "run"), Cell{"1"});
   EXPECT_EQ(cell_of(rows, 1, "run"), Cell{});
+}
+
+/// The physio file of a single attempt whose ticks were at these times, row by row; "" for a gap.
+std::vector<std::string> rows_of_ticks(const std::vector<std::int64_t>& times_us) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  MadeUpTrial trial = some_trial();
+  trial.recording = record(made, times_us);
+  made.add_session("anna", made.add_protocol("sorting", "recognition"), {trial});
+  export_to(made, made.beside("out"), everything());
+  std::istringstream lines(
+      unpacked(made.beside("out") /
+               "bids/sub-anna/ses-01/beh/"
+               "sub-anna_ses-01_task-sorting_run-01_recording-haptic_physio.tsv.gz"));
+  std::vector<std::string> times{};
+  for (std::string line; std::getline(lines, line);) {
+    const std::string time = line.substr(0, line.find('\t'));
+    times.push_back(time == "n/a" ? "" : time);
+  }
+  return times;
+}
+
+TEST(PhysioExport, MakesNoRowsOfJitter) {
+  // One tick comes late and the next ones on time.
+  EXPECT_THAT(rows_of_ticks({0, 1000, 2900, 3000, 4010, 4990}),
+              ElementsAre("1", "1.001", "1.0029", "1.003", "1.00401", "1.00499"));
+  // Late by more than half a period, from the second tick on and from the first one on.
+  EXPECT_THAT(rows_of_ticks({0, 400, 1400, 2600}), ElementsAre("1", "1.0004", "1.0014", "1.0026"));
+  EXPECT_THAT(rows_of_ticks({0, 1700, 2600, 3500, 4000}),
+              ElementsAre("1", "1.0017", "1.0026", "1.0035", "1.004"));
+}
+
+TEST(PhysioExport, StaysWithItsSamplingFrequencyWhateverTheJitterAddsUpTo) {
+  std::vector<std::int64_t> times_us{};
+  for (std::int64_t tick = 0; tick < 2000; ++tick) {
+    const bool is_lost = tick % 400 == 399;
+    if (!is_lost) times_us.push_back(tick * 1000 + (tick % 7 == 4 ? 800 : tick % 5 * 90));
+  }
+  const std::vector<std::string> rows = rows_of_ticks(times_us);
+  EXPECT_EQ(rows.size(), 1999U) << "the last one is lost";
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), ""), 4);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (rows[row].empty()) continue;
+    const double row_s = 1.0 + static_cast<double>(row) * 1e-3;
+    EXPECT_LT(std::abs(number_in(rows[row]).value() - row_s), 1e-3) << row;
+  }
+}
+
+TEST(PhysioExport, LosesNoTickOfALoopThatIsFasterThanItsRate) {
+  std::vector<std::int64_t> times_us{};
+  for (std::int64_t tick = 0; tick < 100; ++tick) times_us.push_back(tick * 900);
+  const std::vector<std::string> rows = rows_of_ticks(times_us);
+  EXPECT_EQ(rows.size(), 100U);
+  EXPECT_THAT(rows, Not(Contains("")));
 }
 
 // The specification's rules for names, for the description and for what it has to describe.
