@@ -12,6 +12,8 @@ namespace asperity {
 
 namespace {
 
+constexpr std::size_t kSourceDigits = 8;
+
 /// Columns of the table of participants that are of no use beside answers.
 bool is_about_the_person(const ExportColumn& column) { return column.type != "utc_time"; }
 
@@ -63,7 +65,8 @@ void WideTable::add_answer(const ExportPlace& at) {
                                                                   : level.dump()});
   }
   const ResponseRow& response = *at.response;
-  Tally& tally = person.tallies[{at.protocol->name, response.question}][condition];
+  Tally& tally = person.tallies[{at.protocol->name, at.protocol->version,
+                                 at.protocol->source_sha256, response.question}][condition];
   ++tally.answers;
   ++tally.chosen[response.answer];
   if (response.answer_number) {
@@ -141,7 +144,23 @@ WideTable::Made WideTable::make() const {
       return found == person.said.end() ? Cell{} : found->second;
     });
   }
+  std::map<std::string, std::map<std::string, std::set<std::string>>> sources{};
+  for (const auto& asked_and_conditions : met) {
+    const Asked& asked = asked_and_conditions.first;
+    sources[asked.protocol][asked.version].insert(asked.source_sha256);
+  }
   for (const auto& [asked, conditions] : met) {
+    const auto& versions = sources.at(asked.protocol);
+    std::string protocol_in_name = asked.protocol;
+    std::string protocol_in_words = asked.protocol + " " + asked.version;
+    if (versions.size() > 1 || versions.at(asked.version).size() > 1) {
+      protocol_in_name += "_" + asked.version;
+    }
+    if (versions.at(asked.version).size() > 1) {
+      const std::string source = asked.source_sha256.substr(0, kSourceDigits);
+      protocol_in_name += "_" + source;
+      protocol_in_words += " (source " + source + ")";
+    }
     std::map<std::string, std::set<Level>> levels{};
     std::set<std::string> options{};
     bool numbers = true;
@@ -157,14 +176,14 @@ WideTable::Made WideTable::make() const {
         meaning == questions_.end() ? asked.question : "\"" + meaning->second.prompt + "\"";
     for (const auto& condition_and_tally : conditions) {
       const Condition& condition = condition_and_tally.first;
-      std::string name = asked.protocol + "_" + asked.question;
+      std::string name = protocol_in_name + "_" + asked.question;
       std::string when{};
       for (const auto& [factor, level] : condition) {
         if (levels.at(factor).size() < 2) continue;
         name += "_" + level.second;
         when += (when.empty() ? " where " : ", ") + factor + " = " + level.second;
       }
-      const std::string of = " of " + asked.protocol + ", " + prompt + when;
+      const std::string of = " of " + protocol_in_words + ", " + prompt + when;
       const auto tally_of = [asked = asked, condition](const Person& person) -> const Tally* {
         const auto of_question = person.tallies.find(asked);
         if (of_question == person.tallies.end()) return nullptr;

@@ -11,14 +11,18 @@
 
 namespace asperity {
 
-/// A table of one row per participant with, for each condition of each protocol and each question
-/// of a trial, one column for what can be averaged: the mean of answers that are numbers, else the
+/// A table of one row per participant with, for each condition of each version of each protocol and
+/// each question of a trial, one column for what can be averaged: the mean of answers that are numbers, else the
 /// proportion of right answers where answers are right or wrong, else for each option the
 /// proportion of answers that chose it; and how many answers those are of.
 ///
 /// A condition is a combination of levels of the factors that have more than one level in the main
 /// trials of the protocol. Counted are answers of the main phase that are valid and not excluded;
 /// how many were flagged, and how many were left out, are columns.
+///
+/// Versions of a protocol are never counted together, nor are two sources that call themselves the
+/// same version. Descriptions name the version; names of columns do only where there is more than
+/// one, and the beginning of the source's SHA-256 only where one version has two.
 class WideTable final {
  public:
   WideTable(const StudyVocabulary& vocabulary, ExportAudience audience);
@@ -42,6 +46,8 @@ class WideTable final {
   using Condition = std::vector<std::pair<std::string, Level>>;  ///< by name of the factor
   struct Asked {
     std::string protocol{};
+    std::string version{};
+    std::string source_sha256{};
     std::string question{};
     auto operator<=>(const Asked&) const = default;
   };

@@ -306,6 +306,63 @@ TEST_F(ExportFormats, CountInTheWideTableWhatEachConditionGave) {
   EXPECT_EQ(same.rows[0].at("recognition_which_correct"), "1");
 }
 
+/// A session of anna's by a protocol of this version, whose source differs by `title`.
+void add_version(MadeUpStudy& made, const std::string& version, const std::string& title,
+                 const std::vector<MadeUpTrial>& trials) {
+  ProtocolRow protocol{};
+  protocol.name = "sorting";
+  protocol.version = version;
+  protocol.kind = "recognition";
+  protocol.design = "chapter";
+  protocol.source = R"({"title": ")" + title + "\"}";
+  made.add_session("anna", made.study().add_protocol(protocol), trials);
+}
+
+std::map<std::string, std::string> only_row_of(const std::filesystem::path& file) {
+  const Rows rows = csv(read_file(file));
+  std::map<std::string, std::string> cells{};
+  for (std::size_t i = 0; i < rows.at(0).size(); ++i) cells[rows[0][i]] = rows.at(1).at(i);
+  EXPECT_EQ(rows.size(), 2U);
+  return cells;
+}
+
+TEST(WideExport, KeepsTheVersionsOfAProtocolApart) {
+  MadeUpStudy made;
+  fill(made);
+  MadeUpTrial wrong = some_trial();
+  wrong.answers = {"wood"};
+  add_version(made, "1.0.0", "a", {some_trial()});
+  add_version(made, "9.9.9", "b", {wrong, wrong});
+  export_to(made, made.beside("out"));
+  const auto anna = only_row_of(made.beside("out") / "wide.csv");
+  EXPECT_FALSE(anna.contains("sorting_which_n"));
+  EXPECT_EQ(anna.at("sorting_1_0_0_which_n"), "1");
+  EXPECT_EQ(anna.at("sorting_1_0_0_which_correct"), "1");
+  EXPECT_EQ(anna.at("sorting_9_9_9_which_n"), "2");
+  EXPECT_EQ(anna.at("sorting_9_9_9_which_correct"), "0");
+  EXPECT_TRUE(anna.contains("recognition_which_n")) << "a single version is not named";
+  EXPECT_EQ(sav(made.beside("out") / "wide.sav").rows.at(0).at("sorting_9_9_9_which_n"), "2");
+  const std::string codebook = read_file(made.beside("out") / "codebook.tsv");
+  EXPECT_THAT(codebook, HasSubstr("number of answers of sorting 9.9.9, "));
+  EXPECT_THAT(codebook, HasSubstr("number of answers of recognition 1, "));
+}
+
+TEST(WideExport, KeepsTwoSourcesOfOneVersionApart) {
+  MadeUpStudy made;
+  fill(made);
+  add_version(made, "1.0.0", "a", {some_trial()});
+  add_version(made, "1.0.0", "b", {some_trial(), some_trial()});
+  export_to(made, made.beside("out"));
+  std::multiset<std::string> counts{};
+  const std::regex of_source("sorting_1_0_0_[0-9a-f]{8}_which_n");
+  for (const auto& [column, cell] : only_row_of(made.beside("out") / "wide.csv")) {
+    if (std::regex_match(column, of_source)) counts.insert(cell);
+  }
+  EXPECT_THAT(counts, ElementsAre("1", "2"));
+  EXPECT_THAT(read_file(made.beside("out") / "codebook.tsv"),
+              testing::ContainsRegex("answers of sorting 1.0.0 \\(source [0-9a-f]{8}\\), "));
+}
+
 TEST_F(ExportFormats, TellSpssWhatItsNumbersMean) {
   const Sav trials = sav(out_ / "trials.sav");
   ASSERT_EQ(trials.rows.size(), 5U);
