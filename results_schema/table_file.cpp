@@ -15,8 +15,8 @@ constexpr std::size_t kBuffer_bytes = std::size_t{1} << 18;
 constexpr std::string_view kMissing = "n/a";
 
 bool needs_mark(std::string_view text) {
-  return text == kMissing ||
-         (!text.empty() && std::string_view("=+-@'").find(text.front()) != std::string_view::npos);
+  return text == kMissing || (!text.empty() && std::string_view("=+-@'\t\r\n").find(text.front()) !=
+                                                   std::string_view::npos);
 }
 
 template <typename Number>
@@ -89,7 +89,7 @@ struct TableFile::State {
     const bool marked = needs_mark(text);
     if (marked) ++written.marked_cells;
     if (format == Format::csv) {
-      const bool quoted = text.empty() || text.find_first_of(",\"\r\n") != std::string_view::npos;
+      const bool quoted = text.empty() || text.find_first_of(",;\"\r\n") != std::string_view::npos;
       if (quoted) buffer += '"';
       if (marked) buffer += '\'';
       for (const char character : text) {

@@ -24,12 +24,13 @@ struct WrittenTable {
 /// Text for other programs, UTF-8 without byte order mark, numbers as in `tsv_of`:
 ///
 /// - `tsv`: as `tsv_of`; missing is `n/a`.
-/// - `csv`: RFC 4180, lines end in CR LF; missing is empty, an empty text is `""`.
+/// - `csv`: RFC 4180, lines end in CR LF; missing is empty, an empty text is `""`, a text with a
+///   semicolon is quoted too.
 /// - `bare_tsv_gz`: as `tsv`, without the line of names, compressed by gzip without a time stamp.
 ///
-/// A text that a spreadsheet would take for a formula, because it begins with = + - or @, gets an
-/// apostrophe before it; so does a text that begins with an apostrophe or is exactly `n/a`. Taking
-/// one apostrophe away from every text cell that begins with one therefore gives the texts back as
+/// A text that a spreadsheet could take for a formula, because it begins with = + - @, a tab or a
+/// line break, gets an apostrophe before it; so does a text that begins with an apostrophe or is
+/// exactly `n/a`. Taking one apostrophe away from every text cell that begins with one therefore gives the texts back as
 /// they were.
 ///
 /// Errors: ResultsError (it exists, no space, no permission). Nothing is synced: whoever writes a

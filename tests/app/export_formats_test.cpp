@@ -363,6 +363,21 @@ TEST(WideExport, KeepsTwoSourcesOfOneVersionApart) {
               testing::ContainsRegex("answers of sorting 1.0.0 \\(source [0-9a-f]{8}\\), "));
 }
 
+// A comma is not what every spreadsheet splits at, and some skip blanks before they look for "=".
+TEST(TextsOfAnExport, AreNoFormulaAfterATabALineBreakOrASemicolon) {
+  MadeUpStudy made;  // for its folder
+  const std::vector<Cell> row{"\t=1", "\r=1", "x;=HYPERLINK(1)", "a\tb"};
+  TableFile comma(made.beside("a.csv"), TableFile::Format::csv, {"a", "b", "c", "d"});
+  comma.add(row);
+  EXPECT_EQ(comma.finish().marked_cells, 2U);
+  EXPECT_EQ(read_file(made.beside("a.csv")),
+            "a,b,c,d\r\n'\t=1,\"'\r=1\",\"x;=HYPERLINK(1)\",a\tb\r\n");
+  TableFile tab(made.beside("a.tsv"), TableFile::Format::tsv, {"a", "b", "c", "d"});
+  tab.add(row);
+  EXPECT_EQ(tab.finish().marked_cells, 2U);
+  EXPECT_EQ(read_file(made.beside("a.tsv")), "a\tb\tc\td\n' =1\t' =1\tx;=HYPERLINK(1)\ta b\n");
+}
+
 TEST_F(ExportFormats, TellSpssWhatItsNumbersMean) {
   const Sav trials = sav(out_ / "trials.sav");
   ASSERT_EQ(trials.rows.size(), 5U);
