@@ -43,6 +43,27 @@ std::string shortened(const std::string& text, std::size_t most_bytes) {
   return text.substr(0, end).append(kMore);
 }
 
+/// Labels of values as they fit, those that are cut with a number where they would be alike.
+std::vector<std::string> shortened_apart(
+    const std::vector<std::pair<double, std::string>>& value_labels) {
+  std::set<std::string> taken{};
+  for (const auto& [value, label] : value_labels) {
+    if (label.size() <= kMostOfAValueLabel_bytes) taken.insert(label);
+  }
+  std::vector<std::string> made{};
+  for (const auto& [value, label] : value_labels) {
+    std::string text = shortened(label, kMostOfAValueLabel_bytes);
+    if (label.size() > kMostOfAValueLabel_bytes) {
+      for (int number = 2; !taken.insert(text).second; ++number) {
+        const std::string ending = " (" + std::to_string(number) + ")";
+        text = shortened(label, kMostOfAValueLabel_bytes - ending.size()) + ending;
+      }
+    }
+    made.push_back(std::move(text));
+  }
+  return made;
+}
+
 readstat_measure_t measure_of(SavVariable::Measure measure) {
   switch (measure) {
     case SavVariable::Measure::nominal:
@@ -162,9 +183,11 @@ SavFile::SavFile(const std::filesystem::path& path, const std::vector<SavVariabl
     if (!variable.value_labels.empty()) {
       readstat_label_set_t* const labels = readstat_add_label_set(
           writer, READSTAT_TYPE_DOUBLE, ("labels" + std::to_string(i)).c_str());
-      for (const auto& [value, label] : variable.value_labels) {
-        readstat_label_double_value(labels, value,
-                                    shortened(label, kMostOfAValueLabel_bytes).c_str());
+      const std::vector<std::string> texts = shortened_apart(variable.value_labels);
+      for (std::size_t label = 0; label < texts.size(); ++label) {
+        const auto& [value, text] = variable.value_labels[label];
+        if (text.size() > kMostOfAValueLabel_bytes) ++state_->written.cut_cells;
+        readstat_label_double_value(labels, value, texts[label].c_str());
       }
       readstat_variable_set_label_set(made, labels);
     }

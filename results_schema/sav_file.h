@@ -36,8 +36,9 @@ std::vector<std::string> sav_names(const std::vector<std::string>& names);
 /// system-missing, a missing text is empty. The date in its header is always the first of January
 /// 1970, so that the same rows give the same bytes, and none is told.
 ///
-/// A label longer than SPSS takes (255 bytes, 120 of a value) ends in "…"; a text longer than 32 000
-/// bytes is cut, and counted. Errors: ResultsError.
+/// A label longer than SPSS takes (255 bytes, 120 of a value) ends in "…", labels of values that
+/// would then be alike in a number too; a text longer than 32 000 bytes is cut. Texts and labels of
+/// values that were cut are counted. Errors: ResultsError.
 class SavFile final {
  public:
   /// `rows` is how many will be added.

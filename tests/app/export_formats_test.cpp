@@ -14,6 +14,7 @@
 #include <readstat.h>
 #include <zlib.h>
 
+#include "app/exports/sav_table.h"
 #include "results_schema/recording.h"
 #include "tests/app/exported_study.h"
 
@@ -376,6 +377,23 @@ TEST(TextsOfAnExport, AreNoFormulaAfterATabALineBreakOrASemicolon) {
   tab.add(row);
   EXPECT_EQ(tab.finish().marked_cells, 2U);
   EXPECT_EQ(read_file(made.beside("a.tsv")), "a\tb\tc\td\n' =1\t' =1\tx;=HYPERLINK(1)\ta b\n");
+}
+
+TEST(SavExport, CountsOptionsThatItCutsAndKeepsThemApart) {
+  MadeUpStudy made;  // for its folder
+  const std::string alike(119, 'a');
+  ExportColumn column{};
+  column.name = "answer";
+  column.type = "text";
+  column.levels = {alike + " one", alike + " two", "short"};
+  SavTable table({column}, made.beside(""));
+  for (const std::string& level : column.levels) table.add({level});
+  EXPECT_EQ(table.write(made.beside("a.sav"), "title").cut_cells, 2U);
+  const Sav read = sav(made.beside("a.sav"));
+  const auto& labels = read.value_labels.at(read.variables.at(0).labels);
+  EXPECT_EQ(labels.at(1.0), std::string(117, 'a') + "…");
+  EXPECT_EQ(labels.at(2.0), std::string(113, 'a') + "… (2)");
+  EXPECT_EQ(labels.at(3.0), "short");
 }
 
 TEST_F(ExportFormats, TellSpssWhatItsNumbersMean) {
