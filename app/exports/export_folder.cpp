@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <map>
 #include <set>
 #include <unistd.h>
 #include <utility>
@@ -21,12 +22,18 @@ namespace fs = std::filesystem;
 
 constexpr const char* kManifest = "MANIFEST.tsv";
 
-/// What an earlier export says that it wrote.
-std::set<std::string> files_of_export_in(const fs::path& folder) {
+/// What an earlier export says that it wrote: the SHA-256 of each file.
+std::map<std::string, std::string> files_of_export_in(const fs::path& folder) {
   if (!fs::exists(folder / kManifest)) return {};
-  std::set<std::string> files{kManifest};
-  for (const std::vector<Cell>& row : read_tsv(read_file(folder / kManifest), kManifest).rows) {
-    if (const auto* name = std::get_if<std::string>(&row.front())) files.insert(*name);
+  const Table manifest = read_tsv(read_file(folder / kManifest), kManifest);
+  const auto column = std::find(manifest.columns.begin(), manifest.columns.end(), "sha256");
+  if (column == manifest.columns.end()) return {};
+  const auto sha256_at = static_cast<std::size_t>(column - manifest.columns.begin());
+  std::map<std::string, std::string> files{};
+  for (const std::vector<Cell>& row : manifest.rows) {
+    const auto* name = std::get_if<std::string>(&row.front());
+    const auto* sha256 = std::get_if<std::string>(&row[sha256_at]);
+    if (name != nullptr && sha256 != nullptr) files[*name] = *sha256;
   }
   return files;
 }
@@ -39,15 +46,25 @@ std::optional<std::string> obstacle_in(const fs::path& folder, Overwrite overwri
   if (overwrite == Overwrite::refuse) {
     return "is not empty; choose another folder, or replace an earlier export with --force";
   }
-  const std::set<std::string> own_files = files_of_export_in(folder);
+  const std::map<std::string, std::string> own_files = files_of_export_in(folder);
   std::set<std::string> others{};
+  std::set<std::string> unsure{};  // to be compared, once nothing else is in the way
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = fs::relative(entry.path(), folder).generic_string();
-    if (!entry.is_directory() && !own_files.contains(name)) others.insert(name);
+    if (entry.is_directory() || (name == kManifest && !own_files.empty())) continue;
+    (own_files.contains(name) ? unsure : others).insert(name);
   }
-  if (others.empty()) return std::nullopt;
-  return "holds \"" + *others.begin() +
-         "\", which no export wrote and which would be lost; choose another folder";
+  if (!others.empty()) {
+    return "holds \"" + *others.begin() +
+           "\", which no export wrote and which would be lost; choose another folder";
+  }
+  for (const std::string& name : unsure) {
+    if (sha256_of_file(folder / name) == own_files.at(name)) continue;
+    return "holds \"" + name +
+           "\", which was changed since it was exported, and the changes would be lost; move that "
+           "file away, or choose another folder";
+  }
+  return std::nullopt;
 }
 
 /// On disk, all at once: one file after another would take a disk's time for each.

@@ -27,7 +27,8 @@ struct ExportedFile {
 /// Files are written into a folder beside the one that is to be, which takes its place at the end.
 ///
 /// Errors: ResultsError when the folder exists and is not empty; with Overwrite::allow only when it
-/// holds a file that stands in no MANIFEST.tsv of an export there, because it would be lost.
+/// holds a file that stands in no MANIFEST.tsv of an export there, or one that has another SHA-256
+/// there, because somebody's work would be lost.
 class ExportFolder final {
  public:
   ExportFolder(const std::filesystem::path& folder, Overwrite overwrite);

@@ -296,6 +296,25 @@ TEST(Export, ReplacesAnEarlierExportOnlyWhenToldTo) {
   EXPECT_EQ(read_file(out / "virtual" / "notes.txt"), "years of work");
 }
 
+TEST(Export, NeverThrowsAwayWhatSomebodyWroteIntoAnExportedFile) {
+  MadeUpStudy made;
+  fill(made);
+  const std::filesystem::path out = made.beside("out");
+  export_to(made, out);
+  write_file(out / "virtual" / "wide.csv", "with notes of mine", Overwrite::allow);
+  const ExportOptions again = options_of(ExportAudience::own, Overwrite::allow);
+  try {
+    export_to(made, out, again);
+    FAIL() << "nothing was refused";
+  } catch (const ResultsError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("\"virtual/wide.csv\", which was changed"));
+  }
+  EXPECT_EQ(read_file(out / "virtual" / "wide.csv"), "with notes of mine");
+  std::filesystem::remove(out / "virtual" / "wide.csv");
+  export_to(made, out, again);
+  EXPECT_THAT(names_in(out / "virtual"), Contains("wide.csv"));
+}
+
 TEST(Export, TakesAnEmptyFolderAndOneWithASlashAtItsEnd) {
   MadeUpStudy made;
   fill(made);
