@@ -48,7 +48,7 @@ void say_what_was_written(const std::string& out, const std::vector<ExportedFile
     remark(file.spaced_cells, "tabs or line breaks became spaces, which TSV cannot hold");
     remark(file.marked_cells,
            "an apostrophe keeps a text from being taken for a formula (README.txt)");
-    remark(file.cut_cells, "a text was cut at 32 000 bytes, the most that SPSS takes");
+    remark(file.cut_cells, "a text was cut: SPSS takes 32 000 bytes, and 120 of an option");
   }
   for (const auto& [name, count] : of_dataset) {
     say(out + "/" + name + ": " + std::to_string(count) + " files");
