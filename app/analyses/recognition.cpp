@@ -330,29 +330,88 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
       "measures", bits);
 }
 
-void ask_confusions(const std::vector<std::string>& felt, const FoundNumbers& found,
-                    AnalysisOutcome& outcome) {
-  const Finding* most = nullptr;
-  std::string pair{};
-  for (const std::string& a : felt) {
-    for (const std::string& b : felt) {
-      const Finding* count = a < b ? found.find("dis.linear", a + '|' + b) : nullptr;
-      if (count == nullptr || !count->value) continue;
-      if (most == nullptr || *count->value < *most->value) {
-        most = count;
-        pair = a + " / " + b;
-      }
+/// Two textures that were felt, and how often one of them was taken for the other.
+struct ConfusedPair {
+  std::string names{};
+  std::string key{};
+  std::size_t times = 0;
+  std::size_t answers = 0;  ///< to either
+
+  double share() const { return static_cast<double>(times) / static_cast<double>(answers); }
+};
+
+/// The pairs whose share of confusions is the largest.
+std::vector<ConfusedPair> most_confused(const GatheredAnswers& gathered,
+                                        const std::vector<Judged>& judged,
+                                        const std::vector<std::string>& felt) {
+  ConfusionTally confusions{};
+  std::vector<std::size_t> answers(gathered.words.size());
+  for (const Judged& one : judged) {
+    confusions.count(one.felt, one.chosen);
+    ++answers[one.felt];
+  }
+  std::vector<ConfusedPair> most{};
+  for (std::size_t i = 0; i < felt.size(); ++i) {
+    for (std::size_t j = i + 1; j < felt.size(); ++j) {
+      const std::uint32_t a = *gathered.words.find(felt[i]);
+      const std::uint32_t b = *gathered.words.find(felt[j]);
+      ConfusedPair pair{.names = felt[i] + " / " + felt[j],
+                        .key = felt[i] + '|' + felt[j],
+                        .times = confusions.at(a, b) + confusions.at(b, a),
+                        .answers = answers[a] + answers[b]};
+      // Whole numbers: equal shares of different numbers of answers are equal.
+      const std::size_t mine = most.empty() ? 0 : pair.times * most.front().answers;
+      const std::size_t others = most.empty() ? 0 : most.front().times * pair.answers;
+      if (mine < others) continue;
+      if (mine > others) most.clear();
+      most.push_back(std::move(pair));
     }
   }
-  if (most == nullptr) return;
-  add_question(
-      outcome, "confusions", phrase("Analysis", "Which textures feel alike?"),
-      phrase("Analysis", "Most alike are %1: one is taken for the other in %2 of the answers.")
-          .with(pair, percent(1.0 - *most->value)),
-      phrase("Analysis",
-             "Mean share of both confusions, from the counts plus ½. There is no interval: "
-             "it is the largest of several."),
-      "similarity", most);
+  return most;
+}
+
+void ask_confusions(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
+                    const std::vector<std::string>& felt, AnalysisOutcome& outcome) {
+  constexpr std::size_t kMostNamed = 3;  // more pairs are read in the table
+  const std::vector<ConfusedPair> most = most_confused(gathered, judged, felt);
+  if (most.empty()) return;
+  const ConfusedPair& first = most.front();
+  Finding finding{};
+  finding.quantity = "share_confused";
+  finding.key = first.key;
+  finding.value = first.share();
+  finding.unit = "1";
+  finding.n = first.answers;
+  finding.method =
+      "answers in which one was taken for the other, of the answers to either; n counts answers";
+  Phrase answer{};
+  if (first.times == 0) {
+    answer = phrase("Analysis", "No felt texture was ever taken for another felt one.");
+  } else if (most.size() == 1) {
+    answer =
+        phrase("Analysis", "Most alike are %1: one was taken for the other %2 times in %3 answers.")
+            .with(first.names, std::to_string(first.times), std::to_string(first.answers));
+  } else if (most.size() <= kMostNamed) {
+    Phrase names = first.names;
+    for (std::size_t i = 1; i < most.size(); ++i) {
+      names = phrase("Analysis", "%1, %2").with(names, most[i].names);
+    }
+    answer = phrase("Analysis",
+                    "Equally alike are %1: one was taken for the other in %2 of the answers to "
+                    "each.")
+                 .with(names, percent(first.share()));
+  } else {
+    answer = phrase("Analysis",
+                    "%1 pairs of textures are equally alike, and none more: one was taken for the "
+                    "other in %2 of the answers to each.")
+                 .with(std::to_string(most.size()), percent(first.share()));
+  }
+  add_question(outcome, "confusions", phrase("Analysis", "Which textures feel alike?"),
+               std::move(answer),
+               phrase("Analysis",
+                      "Of the answers to either of two textures, those that name the other one. "
+                      "There is no interval: it is the largest of several."),
+               "confusion", &finding);
 }
 
 }  // namespace
@@ -433,7 +492,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   tests.finish(outcome);
   ask_right(labels.size(), found, tests, outcome);
   ask_information(found, outcome);
-  ask_confusions(pictures.felt, found_likeness, outcome);
+  if (!findings.empty()) ask_confusions(gathered, judged, pictures.felt, outcome);
   ask_sexes(found_sexes.find("diff"), tests, outcome);
   add_texture_force(gathered, outcome);
   remark_on_pooling(judged.size(), people, outcome);

@@ -628,10 +628,52 @@ TEST(Recognition, MapsOnlyWhatWasFelt) {
   ASSERT_EQ(tree.rows.size(), 3U);
   EXPECT_EQ(std::get<std::string>(tree.rows[0][1]), "metal");
   EXPECT_EQ(std::get<std::string>(tree.rows[0][2]), "stone");
-  EXPECT_THAT(question_of(outcome, "confusions").answer.english(), HasSubstr("metal / stone"));
+  EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
+            "Most alike are metal / stone: one was taken for the other 3 times in 8 answers.");
   EXPECT_THAT(question_of(outcome, "information").answer.english(), HasSubstr("too few"));
   EXPECT_NO_THROW(question_of(outcome, "right"));
   EXPECT_EQ(finding_of(outcome, "sexes", "pooled.k", "M").value, 5.0);
+}
+
+/// Answers of one person, each after what was felt.
+AnalysisOutcome analyze_answers(const std::vector<std::pair<std::string, std::string>>& answers) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  std::vector<MadeUpTrial> trials{};
+  for (const auto& [felt, answer] : answers) trials.push_back(recognition(felt, answer));
+  made.add_session("a", made.add_protocol("recognition", "recognition"), trials);
+  return analyze_study(made.study()).front();
+}
+
+TEST(Recognition, SaysThatNothingWasTakenForAnotherWhereAllIsRight) {
+  const AnalysisOutcome outcome = analyze_answers(
+      {{"stone", "stone"}, {"metal", "metal"}, {"wood", "wood"}, {"brick", "brick"}});
+  EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
+            "No felt texture was ever taken for another felt one.");
+}
+
+TEST(Recognition, NamesAllPairsThatAreConfusedEquallyOften) {
+  const AnalysisOutcome outcome = analyze_answers({{"stone", "metal"},
+                                                   {"metal", "metal"},
+                                                   {"wood", "brick"},
+                                                   {"brick", "brick"},
+                                                   {"gravel", "gravel"}});
+  EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
+            "Equally alike are brick / wood, metal / stone: one was taken for the other in 50 % of "
+            "the answers to each.");
+}
+
+// Of every texture everything is taken for something else: no pair is told by its letters.
+TEST(Recognition, CountsThePairsWhereTooManyAreConfusedEquallyOften) {
+  std::vector<std::pair<std::string, std::string>> answers{};
+  for (const std::string& felt : kTextures) {
+    for (const std::string& answer : kTextures) {
+      if (felt != answer) answers.emplace_back(felt, answer);
+    }
+  }
+  EXPECT_EQ(question_of(analyze_answers(answers), "confusions").answer.english(),
+            "6 pairs of textures are equally alike, and none more: one was taken for the other in "
+            "33 % of the answers to each.");
 }
 
 // What no analysis can be made of is said, and nothing falls over.
