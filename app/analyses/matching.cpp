@@ -348,19 +348,24 @@ void ask_items(std::size_t items, const FoundNumbers& found, const StudyTests& t
   const Finding* mean = found.find("subj.mean");
   const StudyTests::Test* test = tests.find("items");
   if (mean == nullptr || !mean->value || test == nullptr || !test->p) return;
-  const bool above = test->adjusted.value_or(*test->p) < 0.05;
-  const Phrase answer = (above ? phrase("Analysis",
-                                        "They do: %1 of a participant's items are right on average "
-                                        "(%2), where chance is %3; %4 against random permutations.")
-                               : phrase("Analysis",
-                                        "Nothing shows that they do: %1 of a participant's items "
-                                        "are right on average (%2), where chance is %3; %4 against "
-                                        "random permutations."))
-                            .with(percent(*mean->value), interval_text(*mean),
-                                  percent(1.0 / static_cast<double>(items)), p_text(*test));
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(percent(*mean->value), interval_text(*mean),
+                      percent(1.0 / static_cast<double>(items)), p_text(*test));
+  };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis",
+                          "They do: %1 of a participant's items are right on average (%2), where "
+                          "chance is %3; %4 against random permutations.")),
+      with_numbers(phrase("Analysis",
+                          "Nothing shows that they do: %1 of a participant's items are right on "
+                          "average (%2), where chance is %3; %4 against random permutations.")),
+      with_numbers(phrase("Analysis",
+                          "%1 of a participant's items are right on average (%2), where chance is "
+                          "%3; %4 against random permutations."))};
   add_question(
       outcome, "items",
-      phrase("Analysis", "Do felt textures find their pictures more often than by chance?"), answer,
+      phrase("Analysis", "Do felt textures find their pictures more often than by chance?"),
+      said_of(*test, sayings),
       phrase("Analysis",
              "The share of each participant's own items, averaged over the participants, "
              "with Student's interval. The number of right items of all goes is tested "

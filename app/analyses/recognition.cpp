@@ -285,18 +285,25 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
                  method, "shares", mean);
     return;
   }
-  const bool above = test->adjusted.value_or(*test->p) < 0.05 &&
-                     *mean->value > 1.0 / static_cast<double>(pictures);
-  const Phrase answer =
-      above ? phrase("Analysis",
-                     "They are: %1 of a participant's answers are right on average (%2), where "
-                     "chance is %3; %4.")
-            : phrase("Analysis",
-                     "Nothing shows that they are: %1 of a participant's answers are right on "
-                     "average (%2), where chance is %3; %4.");
-  add_question(outcome, "right", question,
-               answer.with(percent(*mean->value), interval_text(*mean), chance, p_text(*test)),
-               method, "shares", mean);
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(percent(*mean->value), interval_text(*mean), chance, p_text(*test));
+  };
+  const Phrase nothing =
+      with_numbers(phrase("Analysis",
+                          "Nothing shows that they are: %1 of a participant's answers are right on "
+                          "average (%2), where chance is %3; %4."));
+  const bool above = *mean->value > 1.0 / static_cast<double>(pictures);
+  const Sayings sayings{
+      above ? with_numbers(
+                  phrase("Analysis",
+                         "They are: %1 of a participant's answers are right on average (%2), where "
+                         "chance is %3; %4."))
+            : nothing,
+      nothing,
+      with_numbers(phrase(
+          "Analysis",
+          "%1 of a participant's answers are right on average (%2), where chance is %3; %4."))};
+  add_question(outcome, "right", question, said_of(*test, sayings), method, "shares", mean);
 }
 
 void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {

@@ -389,7 +389,7 @@ void ask_pairs(const std::string& name, const StudyTests& tests, const FoundNumb
     if (test.name != name || !test.p) continue;
     const double p = test.adjusted.value_or(*test.p);
     if (least == nullptr || p < least->adjusted.value_or(*least->p)) least = &test;
-    if (p >= 0.05) continue;
+    if (!test.shows()) continue;
     const std::size_t bar = test.about.find('|');
     std::string more = test.about.substr(0, bar);
     std::string less = test.about.substr(bar + 1);
@@ -409,17 +409,16 @@ void ask_pairs(const std::string& name, const StudyTests& tests, const FoundNumb
                  method, "pairs", nullptr);
     return;
   }
-  const Phrase answer =
-      differ.empty()
-          ? phrase(
-                "Analysis",
-                "No pair can be told apart: the smallest of all is that of %1, %2. That does not "
-                "show that they are equal.")
-                .with(least->about.substr(0, least->about.find('|')) + " / " +
-                          least->about.substr(least->about.find('|') + 1),
-                      p_text(*least))
-          : phrase("Analysis", "Chosen more often: %1.").with(differ);
-  add_question(outcome, "pairs", question, answer, method, "pairs",
+  const std::string closest = least->about.substr(0, least->about.find('|')) + " / " +
+                              least->about.substr(least->about.find('|') + 1);
+  const Sayings sayings{
+      phrase("Analysis", "Chosen more often: %1.").with(differ),
+      phrase("Analysis",
+             "No pair can be told apart: the smallest of all is that of %1, %2. That does not "
+             "show that they are equal.")
+          .with(closest, p_text(*least)),
+      phrase("Analysis", "Of all pairs %1 has the smallest p (%2).").with(closest, p_text(*least))};
+  add_question(outcome, "pairs", question, said_of(*least, sayings), method, "pairs",
                found.find("signflip.p.two", least->about));
 }
 
@@ -427,17 +426,22 @@ void ask_position(const FoundNumbers& found, const StudyTests& tests, AnalysisOu
   const StudyTests::Test* test = tests.find("position");
   const Finding* first = found.find("subj.mean", "1");
   if (test == nullptr || !test->p || first == nullptr || !first->value) return;
-  const bool matters = test->adjusted.value_or(*test->p) < 0.05;
-  const Phrase answer =
-      (matters ? phrase("Analysis",
-                        "The position matters: what was felt first was chosen in %1 of a "
-                        "participant's choices on average (%2), %3.")
-               : phrase("Analysis",
-                        "Nothing shows that the position matters: what was felt first was chosen "
-                        "in %1 of a participant's choices on average (%2), %3."))
-          .with(percent(*first->value), interval_text(*first), p_text(*test));
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(percent(*first->value), interval_text(*first), p_text(*test));
+  };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis",
+                          "The position matters: what was felt first was chosen in %1 of a "
+                          "participant's choices on average (%2), %3.")),
+      with_numbers(phrase("Analysis",
+                          "Nothing shows that the position matters: what was felt first was chosen "
+                          "in %1 of a participant's choices on average (%2), %3.")),
+      with_numbers(phrase("Analysis",
+                          "What was felt first was chosen in %1 of a participant's choices on "
+                          "average (%2), %3."))};
   add_question(
-      outcome, "position", phrase("Analysis", "Does it matter what is felt first?"), answer,
+      outcome, "position", phrase("Analysis", "Does it matter what is felt first?"),
+      said_of(*test, sayings),
       phrase("Analysis", "As the preference, with the positions in the place of the models."),
       "positions", first);
 }
@@ -505,15 +509,17 @@ void ask_textures(const Selection& selection, const StudyTests& tests, AnalysisO
   finding.method = test->method;
   finding.unit = "1";
   finding.analysis = "tests";
-  const bool depends = test->adjusted.value_or(*test->p) < 0.05;
-  const Phrase answer =
-      depends ? phrase("Analysis",
-                       "It does: that %1 is chosen equally often with every texture has %2.")
-              : phrase("Analysis",
-                       "Nothing shows that it does: that %1 is chosen equally often with every "
-                       "texture has %2.");
-  add_question(outcome, "textures", question, answer.with(target, p_text(*test)), method,
-               "shares_by_texture", &finding);
+  const auto with_numbers = [&](const Phrase& words) { return words.with(target, p_text(*test)); };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis",
+                          "It does: that %1 is chosen equally often with every texture has %2.")),
+      with_numbers(phrase("Analysis",
+                          "Nothing shows that it does: that %1 is chosen equally often with every "
+                          "texture has %2.")),
+      with_numbers(
+          phrase("Analysis", "That %1 is chosen equally often with every texture has %2."))};
+  add_question(outcome, "textures", question, said_of(*test, sayings), method, "shares_by_texture",
+               &finding);
 }
 
 }  // namespace

@@ -136,7 +136,17 @@ Phrase percent(double share) { return fixed(100.0 * share, 0) + " %"; }
 Phrase p_text(const StudyTests::Test& test) {
   const double p = test.adjusted.value_or(test.p.value_or(1.0));
   const std::string number = p < 0.001 ? "p < 0.001" : "p = " + fixed(p, 3);
-  return test.adjusted ? phrase("Analysis", "%1 after Holm").with(number) : Phrase(number);
+  return (test.adjusted ? phrase("Analysis", "%1 after Holm")
+                        : phrase("Analysis", "%1 without adjustment"))
+      .with(number);
+}
+
+Phrase said_of(const StudyTests::Test& test, const Sayings& sayings) {
+  if (test.adjusted) return test.shows() ? sayings.claim : sayings.nothing;
+  return phrase("Analysis",
+                "%1 This test is not of the study's family and shows no more than what to ask next "
+                "time.")
+      .with(sayings.told);
 }
 
 Phrase interval_text(const Finding& share) {
@@ -166,14 +176,17 @@ void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, P
 void ask_sexes(const Finding* difference, const StudyTests& tests, AnalysisOutcome& outcome) {
   const StudyTests::Test* test = tests.find("sexes", "F|M");
   if (difference == nullptr || !difference->value || test == nullptr || !test->p) return;
-  const bool differ = test->adjusted.value_or(*test->p) < 0.05;
-  const Phrase answer =
-      differ ? phrase("Analysis", "They do: women less men is %1 (%2).")
-             : phrase("Analysis",
-                      "Nothing shows that they do: women less men is %1 (%2). That does not show "
-                      "that they are alike.");
+  const auto with_numbers = [&](const Phrase& words) {
+    return words.with(fixed(*difference->value, 2), p_text(*test));
+  };
+  const Sayings sayings{
+      with_numbers(phrase("Analysis", "They do: women less men is %1 (%2).")),
+      with_numbers(phrase("Analysis",
+                          "Nothing shows that they do: women less men is %1 (%2). That does not "
+                          "show that they are alike.")),
+      with_numbers(phrase("Analysis", "Women less men is %1 (%2)."))};
   add_question(outcome, "sexes", phrase("Analysis", "Do women and men differ?"),
-               answer.with(fixed(*difference->value, 2), p_text(*test)),
+               said_of(*test, sayings),
                phrase("Analysis",
                       "The difference of the means of the participants' own results, against all "
                       "ways to split the participants into groups of these sizes."),

@@ -47,6 +47,9 @@ class StudyTests final {
     std::optional<double> p{};
     std::optional<double> adjusted{};  ///< within the family
     std::string status = "ok";
+
+    /// Only a test of the family can show something; adjusted within it, at 5 %.
+    bool shows() const noexcept { return adjusted && *adjusted < 0.05; }
   };
   /// A p of the family of analyses; what is no number is why there is no test.
   void add(const std::string& name, const std::string& about, std::size_t n,
@@ -69,8 +72,17 @@ class StudyTests final {
 
 /// "75 %"
 Phrase percent(double share);
-/// "p = 0.031", "p < 0.001"; adjusted where the test is of the family: "p = 0.062 after Holm".
+/// "p = 0.031 without adjustment", "p < 0.001 without adjustment"; adjusted where the test is of the
+/// family: "p = 0.062 after Holm".
 Phrase p_text(const StudyTests::Test& test);
+/// What is said of a test that was made: `claim` if it shows something, `nothing` if it does not, and
+/// of a test outside the family `told`, with the sentence that it claims nothing.
+struct Sayings {
+  Phrase claim{};
+  Phrase nothing{};
+  Phrase told{};
+};
+Phrase said_of(const StudyTests::Test& test, const Sayings& sayings);
 /// "(95 % interval 40 % to 71 %)" of a share, or why there is none.
 Phrase interval_text(const Finding& share);
 

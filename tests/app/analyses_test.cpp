@@ -598,7 +598,8 @@ TEST(Matching, HasItsNumbersFromTheFamily) {
   EXPECT_THAT(question_of(outcome, "items").answer.english(),
               testing::StartsWith("They do: 95 % of a participant's items"));
   EXPECT_THAT(question_of(outcome, "sexes").answer.english(),
-              testing::StartsWith("Nothing shows that they do"));
+              testing::MatchesRegex("Women less men is .* without adjustment.*not of the study's "
+                                    "family and shows no more than what to ask next time\\."));
 }
 
 /// Two people, six goes: stone and metal are mixed up, the rest is right; gravel and grass are only
@@ -674,6 +675,36 @@ TEST(Recognition, CountsThePairsWhereTooManyAreConfusedEquallyOften) {
   EXPECT_EQ(question_of(analyze_answers(answers), "confusions").answer.english(),
             "6 pairs of textures are equally alike, and none more: one was taken for the other in "
             "33 % of the answers to each.");
+}
+
+TEST(StudyTests, ClaimNothingOfATestOutsideTheFamily) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol(
+      "pair", "selection", R"({"analysis": {"target": "new", "family": ["preference"]}})");
+  for (int i = 0; i < 8; ++i) {
+    made.add_person(person(i), "F");
+    std::vector<MadeUpTrial> trials{};
+    for (const char* texture : {"wood", "metal"}) {
+      MadeUpTrial& one = trials.emplace_back();
+      one.options = {"new", "old"};
+      for (const std::string& model : one.options) {
+        one.surfaces.push_back(surface_of(model, model, texture));
+      }
+      one.answers = {"new"};
+    }
+    made.add_session(person(i), protocol, trials);
+  }
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  for (const char* name : {"pairs", "position"}) {
+    const std::string answer = question_of(outcome, name).answer.english();
+    EXPECT_THAT(answer, HasSubstr("p = 0.008 without adjustment")) << name;
+    EXPECT_THAT(answer, testing::EndsWith("shows no more than what to ask next time."));
+    EXPECT_THAT(answer, testing::Not(HasSubstr("matters")));
+    EXPECT_THAT(answer, testing::Not(HasSubstr("Chosen more often")));
+  }
+  EXPECT_THAT(question_of(outcome, "textures").answer.english(),
+              testing::StartsWith("That new is chosen equally often with every texture has"));
+  EXPECT_THAT(question_of(outcome, "preference").answer.english(), HasSubstr("after Holm"));
 }
 
 // What no analysis can be made of is said, and nothing falls over.
