@@ -469,7 +469,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   ask_items(items, found, tests, outcome);
   ask_whole(found, tests, outcome);
   ask_confusions(outcome, outcome);
-  ask_sexes(found.find("group.diff", "F-M"), tests, outcome);
+  ask_sexes(found.find("group.diff", "F-M"), SexesTest::all_splits, tests, outcome);
   add_texture_force(gathered, outcome);
   std::size_t goes = 0;
   for (const Assignment& assignment : assignments) goes += assignment.times;

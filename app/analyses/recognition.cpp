@@ -492,15 +492,18 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   }
   keep_findings(sexes, outcome);
   const FoundNumbers found_sexes(sexes);
+  const Finding* exact = found_sexes.find("perm.p.two");
   if (!sexes.empty()) {
-    const Finding* exact = found_sexes.find("perm.p.two");
-    tests.add("sexes", "F|M", people, exact != nullptr ? exact : found_sexes.find("welch.p.two"));
+    const Finding* welch = found_sexes.find("welch.p.two");
+    if (welch == nullptr) welch = found_sexes.find("welch.t");  // says why there is none
+    tests.add("sexes", "F|M", people, exact != nullptr ? exact : welch);
   }
   tests.finish(outcome);
   ask_right(labels.size(), found, tests, outcome);
   ask_information(found, outcome);
   if (!findings.empty()) ask_confusions(gathered, judged, pictures.felt, outcome);
-  ask_sexes(found_sexes.find("diff"), tests, outcome);
+  ask_sexes(found_sexes.find("diff"), exact != nullptr ? SexesTest::all_splits : SexesTest::welch,
+            tests, outcome);
   add_texture_force(gathered, outcome);
   remark_on_pooling(judged.size(), people, outcome);
 }

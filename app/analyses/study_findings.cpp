@@ -90,9 +90,16 @@ const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view
 }
 
 void StudyTests::finish(AnalysisOutcome& outcome) {
+  for (const std::string& name : family_) {
+    const bool is_added = std::any_of(tests_.begin(), tests_.end(),
+                                      [&name](const Test& test) { return test.name == name; });
+    if (!is_added) add(name, "", 0, nullptr);
+  }
+  // What was declared is not fewer tests because one of them cannot be made: as p = 1 it leaves the
+  // others what they would have been, and its own place in the family.
   std::vector<double> raw{};
   for (const Test& test : tests_) {
-    if (test.p && is_in_family(test.name)) raw.push_back(*test.p);
+    if (is_in_family(test.name)) raw.push_back(test.p.value_or(1.0));
   }
   const std::vector<double> adjusted = holm_adjusted(raw);
   std::size_t next = 0;
@@ -101,24 +108,35 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
       phrase("Analysis", "Tests"),
       {{"test", "about", "n", "p", "p_holm", "family"}, {}},
       is_declared_
-          ? phrase("Analysis",
-                   "p_holm: adjusted after Holm over the %1 tests of the family that the protocol "
-                   "declares (%2). Tests outside the family are not adjusted and show no more than "
-                   "what to ask next time. n counts participants.")
-                .with(std::to_string(raw.size()), name_)
-          : phrase(
+          ? phrase(
                 "Analysis",
-                "The protocol declares no family of tests. p_holm: adjusted after Holm over the "
-                "%1 tests of the family that this kind of protocol has by itself (%2). The other "
-                "tests are not adjusted and show no more than what to ask next time. n counts "
+                "p_holm: adjusted after Holm over the %1 tests of the family that the protocol "
+                "declares (%2); one that cannot be made counts as p = 1. Tests outside the family "
+                "are not adjusted and show no more than what to ask next time. n counts "
                 "participants.")
+                .with(std::to_string(raw.size()), name_)
+          : phrase("Analysis",
+                   "The protocol declares no family of tests. p_holm: adjusted after Holm over the "
+                   "%1 tests of the family that this kind of protocol has by itself (%2); one that "
+                   "cannot be made counts as p = 1. The other tests are not adjusted and show no "
+                   "more than what to ask next time. n counts "
+                   "participants.")
                 .with(std::to_string(raw.size()), name_)};
+  const bool some_fail =
+      std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return !test.p; });
+  if (some_fail) made.table.columns.push_back("status");
   for (Test& test : tests_) {
     const bool is_in = is_in_family(test.name);
-    if (is_in && test.p) test.adjusted = adjusted[next++];
-    made.table.rows.push_back({test.name, test.about.empty() ? Cell{} : Cell{test.about},
-                               static_cast<std::int64_t>(test.n), cell_of(test.p),
-                               cell_of(test.adjusted), is_in ? Cell{name_} : Cell{}});
+    const double own = is_in ? adjusted[next++] : 1.0;
+    if (is_in && test.p) test.adjusted = own;
+    std::vector<Cell>& row = made.table.rows.emplace_back();
+    row = {test.name,
+           test.about.empty() ? Cell{} : Cell{test.about},
+           static_cast<std::int64_t>(test.n),
+           cell_of(test.p),
+           cell_of(test.adjusted),
+           is_in ? Cell{name_} : Cell{}};
+    if (some_fail) row.push_back(test.p ? Cell{} : Cell{test.status});
     Finding finding = finding_of(test);
     outcome.findings.push_back(finding);
     if (!test.adjusted) continue;
@@ -173,9 +191,27 @@ void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, P
   }
 }
 
-void ask_sexes(const Finding* difference, const StudyTests& tests, AnalysisOutcome& outcome) {
+void ask_sexes(const Finding* difference, SexesTest how, const StudyTests& tests,
+               AnalysisOutcome& outcome) {
   const StudyTests::Test* test = tests.find("sexes", "F|M");
-  if (difference == nullptr || !difference->value || test == nullptr || !test->p) return;
+  if (difference == nullptr || !difference->value || test == nullptr) return;
+  const Phrase question = phrase("Analysis", "Do women and men differ?");
+  const Phrase method =
+      how == SexesTest::all_splits
+          ? phrase("Analysis",
+                   "The difference of the means of the participants' own results, against all "
+                   "ways to split the participants into groups of these sizes.")
+          : phrase("Analysis",
+                   "The means of the participants' own results, compared by Welch's t: there are "
+                   "too many participants to count all ways to split them.");
+  if (!test->p) {
+    add_question(
+        outcome, "sexes", question,
+        phrase("Analysis", "Women less men is %1. It is not tested: the table of tests says why.")
+            .with(fixed(*difference->value, 2)),
+        method, "tests", difference);
+    return;
+  }
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(fixed(*difference->value, 2), p_text(*test));
   };
@@ -185,12 +221,7 @@ void ask_sexes(const Finding* difference, const StudyTests& tests, AnalysisOutco
                           "Nothing shows that they do: women less men is %1 (%2). That does not "
                           "show that they are alike.")),
       with_numbers(phrase("Analysis", "Women less men is %1 (%2)."))};
-  add_question(outcome, "sexes", phrase("Analysis", "Do women and men differ?"),
-               said_of(*test, sayings),
-               phrase("Analysis",
-                      "The difference of the means of the participants' own results, against all "
-                      "ways to split the participants into groups of these sizes."),
-               "tests", difference);
+  add_question(outcome, "sexes", question, said_of(*test, sayings), method, "tests", difference);
 }
 
 void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,

@@ -51,10 +51,12 @@ class StudyTests final {
     /// Only a test of the family can show something; adjusted within it, at 5 %.
     bool shows() const noexcept { return adjusted && *adjusted < 0.05; }
   };
-  /// A p of the family of analyses; what is no number is why there is no test.
+  /// A p of the family of analyses; what is no number is why there is no test. Of the study's own
+  /// family such a test counts as p = 1.
   void add(const std::string& name, const std::string& about, std::size_t n,
            const Finding* finding);
-  /// Adjusts, and appends the table `tests` with its findings.
+  /// Adjusts, and appends the table `tests` with its findings. What the protocol declares and nobody
+  /// has added is a row without a p.
   void finish(AnalysisOutcome& outcome);
 
   const Test* find(std::string_view name, std::string_view about = {}) const;
@@ -90,9 +92,11 @@ Phrase interval_text(const Finding& share);
 void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, Phrase answer,
                   Phrase method, const char* table, const Finding* finding);
 
-/// Whether women and men differ; nothing where the test was not made. `difference`: first minus
-/// second.
-void ask_sexes(const Finding* difference, const StudyTests& tests, AnalysisOutcome& outcome);
+/// Against what the sexes were compared.
+enum class SexesTest { all_splits, welch };
+/// Whether women and men differ; nothing where there are not both. `difference`: first minus second.
+void ask_sexes(const Finding* difference, SexesTest how, const StudyTests& tests,
+               AnalysisOutcome& outcome);
 
 /// The table `persons` from subj.mean, subj.sd, subj.minimum, subj.median and subj.maximum of these
 /// keys, with the same as findings `mean_of_persons_QUANTITY`.

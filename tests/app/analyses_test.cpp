@@ -677,6 +677,49 @@ TEST(Recognition, CountsThePairsWhereTooManyAreConfusedEquallyOften) {
             "33 % of the answers to each.");
 }
 
+/// Thirteen women match all, thirteen men exchange two.
+AnalysisOutcome analyze_twenty_six_matchings() {
+  MadeUpStudy made;
+  const std::int64_t protocol =
+      made.add_protocol("matching", "matching", R"({"analysis": {"family": ["items", "sexes"]}})");
+  for (int i = 0; i < 26; ++i) {
+    made.add_person(person(i), i < 13 ? "F" : "M");
+    made.add_session(
+        person(i), protocol,
+        {i < 13 ? matching(kTextures) : matching({"metal", "stone", "brick", "wood"})});
+  }
+  return analyze_study(made.study()).front();
+}
+
+TEST(StudyTests, KeepADeclaredTestThatCannotBeMade) {
+  const AnalysisOutcome outcome = analyze_twenty_six_matchings();
+  const NamedTable& tests = table_of(outcome, "tests");
+  EXPECT_THAT(tests.note, says("over the 2 tests of the family"));
+  const double items = number(tests.table, {"items"}, "p");
+  EXPECT_DOUBLE_EQ(number(tests.table, {"items"}, "p_holm"), 2.0 * items);
+  EXPECT_EQ(cell_of(tests.table, {"sexes", "F|M"}, "p"), Cell{});
+  EXPECT_THAT(std::get<std::string>(cell_of(tests.table, {"sexes", "F|M"}, "status")),
+              HasSubstr("up to 24 participants, and there are 26"));
+  EXPECT_THAT(question_of(outcome, "sexes").answer.english(),
+              HasSubstr("Women less men is 2.00. It is not tested"));
+}
+
+// Nobody is a man, so that nothing compares the sexes; the family has two tests all the same.
+TEST(StudyTests, KeepADeclaredTestOfWhichThereIsNoAnswer) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  made.add_session(
+      "a",
+      made.add_protocol("matching", "matching", R"({"analysis": {"family": ["whole", "sexes"]}})"),
+      {matching(kTextures)});
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  const Table& tests = table_of(outcome, "tests").table;
+  EXPECT_DOUBLE_EQ(number(tests, {"whole"}, "p_holm"), 2.0 / 24.0);
+  EXPECT_EQ(cell_of(tests, {"sexes"}, "p"), Cell{});
+  EXPECT_THAT(question_of(outcome, "items").answer.english(),
+              testing::EndsWith("shows no more than what to ask next time."));
+}
+
 TEST(StudyTests, ClaimNothingOfATestOutsideTheFamily) {
   MadeUpStudy made;
   const std::int64_t protocol = made.add_protocol(

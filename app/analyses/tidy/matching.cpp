@@ -344,7 +344,7 @@ void add_groups(const Matching& read, const std::vector<double>& means, FindingL
     if (read.groups[person] == names[1]) second.push_back(means[person]);
   }
   const std::optional<double> p = permutation_test({.first = first, .second = second});
-  if (!p) return;
+  const std::size_t n = first.size() + second.size();
   const auto mean = [](const std::vector<double>& of) {
     double sum = 0.0;
     for (const double one : of) sum += one;
@@ -352,9 +352,16 @@ void add_groups(const Matching& read, const std::vector<double>& means, FindingL
   };
   const std::string key = names[0] + '-' + names[1];
   findings.number("group.diff", key, mean(first) - mean(second),
-                  {.n = means.size(), .method = "difference of the participants' means"});
-  findings.number("group.perm.p.two", key, *p,
-                  {.n = means.size(), .method = "exact permutation of participants, two-sided"});
+                  {.n = n, .method = "difference of the participants' means"});
+  const Basis basis{.n = n, .method = "exact permutation of participants, two-sided"};
+  if (p) {
+    findings.number("group.perm.p.two", key, *p, basis);
+    return;
+  }
+  findings.word("group.perm.p.two", key, "not_applicable",
+                "all ways to split are counted for up to " + std::to_string(kMostPermuted) +
+                    " participants, and there are " + std::to_string(n),
+                basis);
 }
 
 /// The participant as the unit: the share of right items of each, over the participants.
