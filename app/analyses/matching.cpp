@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -343,14 +344,17 @@ void add_right_items(std::size_t items, const FoundNumbers& found, AnalysisOutco
   outcome.tables.push_back(std::move(made));
 }
 
-void ask_items(std::size_t items, const FoundNumbers& found, const StudyTests& tests,
+/// `items`: of every go; nothing where goes differ in it, and chance with it.
+void ask_items(std::optional<std::size_t> items, const FoundNumbers& found, const StudyTests& tests,
                AnalysisOutcome& outcome) {
   const Finding* mean = found.find("subj.mean");
   const StudyTests::Test* test = tests.find("items");
   if (mean == nullptr || !mean->value || test == nullptr || !test->p) return;
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(percent(*mean->value), interval_text(*mean),
-                      percent(1.0 / static_cast<double>(items)), p_text(*test));
+                      items ? percent(1.0 / static_cast<double>(*items))
+                            : phrase("Analysis", "different from go to go"),
+                      p_text(*test));
   };
   const Sayings sayings{
       with_numbers(phrase("Analysis",
@@ -466,7 +470,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
     tests.add("sexes", "F|M", people, sexes);
   }
   tests.finish(outcome);
-  ask_items(items, found, tests, outcome);
+  ask_items(equal_size ? std::optional(items) : std::nullopt, found, tests, outcome);
   ask_whole(found, tests, outcome);
   ask_confusions(outcome, outcome);
   ask_sexes(found.find("group.diff", "F-M"), SexesTest::all_splits, tests, outcome);

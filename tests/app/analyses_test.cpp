@@ -750,6 +750,20 @@ TEST(StudyTests, ClaimNothingOfATestOutsideTheFamily) {
   EXPECT_THAT(question_of(outcome, "preference").answer.english(), HasSubstr("after Holm"));
 }
 
+TEST(Matching, NamesChanceOnlyWhereAllGoesAreOfOneSize) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  made.add_person("b", "M");
+  const std::int64_t protocol = made.add_protocol("matching", "matching");
+  MadeUpTrial three = matching({"metal", "stone", "wood"});
+  three.surfaces.pop_back();
+  three.right = three.options = three.answers;
+  for (const char* label : {"a", "b"})
+    made.add_session(label, protocol, {matching(kTextures), three});
+  EXPECT_THAT(question_of(analyze_study(made.study()).front(), "items").answer.english(),
+              HasSubstr("where chance is different from go to go"));
+}
+
 // What no analysis can be made of is said, and nothing falls over.
 TEST(AnalyzeStudy, RefusesInSentencesWhatCannotBeTested) {
   MadeUpStudy made;
