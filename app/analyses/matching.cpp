@@ -461,13 +461,13 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
 
   StudyTests tests(gathered);
   const std::size_t people = gathered.people.size();
-  tests.add("items", "", people, found.find("exact.p.greater"));
-  tests.add("whole", "", people, found.find("perfect.p.greater"));
+  tests.add("items", "", found.find("exact.p.greater"), "goes");
+  tests.add("whole", "", found.find("perfect.p.greater"), "goes");
   for (const std::string& texture : felt) {
-    tests.add("textures", texture, people, found.find("texture.p.greater", texture));
+    tests.add("textures", texture, found.find("texture.p.greater", texture), "goes");
   }
   if (const Finding* sexes = found.find("group.perm.p.two", "F-M")) {
-    tests.add("sexes", "F|M", people, sexes);
+    tests.add("sexes", "F|M", sexes);
   }
   tests.finish(outcome);
   ask_items(equal_size ? std::optional(items) : std::nullopt, found, tests, outcome);

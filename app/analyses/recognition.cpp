@@ -475,8 +475,9 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
 
   const char* of_right = people > 1 ? "subj.t.p.two" : "pc.p.greater";
   const Finding* right = found.find(of_right);
-  tests.add("right", "", people, right != nullptr ? right : found.find("subj.t"));
-  tests.add("information", "", people, found.find("G.p"));
+  tests.add("right", "", right != nullptr ? right : found.find("subj.t"),
+            people > 1 ? "participants" : "answers");
+  tests.add("information", "", found.find("G.p"), "answers");
   std::vector<Finding> textures{};
   if (!findings.empty()) {
     textures =
@@ -484,7 +485,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   }
   const FoundNumbers found_textures(textures);
   for (const std::string& texture : pictures.felt) {
-    tests.add("textures", texture, people, found_textures.find("p.greater", texture));
+    tests.add("textures", texture, found_textures.find("p.greater", texture), "answers");
   }
   std::vector<Finding> sexes{};
   if (std::optional<TidyInput> groups = groups_table(gathered, judged)) {
@@ -496,7 +497,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   if (!sexes.empty()) {
     const Finding* welch = found_sexes.find("welch.p.two");
     if (welch == nullptr) welch = found_sexes.find("welch.t");  // says why there is none
-    tests.add("sexes", "F|M", people, exact != nullptr ? exact : welch);
+    tests.add("sexes", "F|M", exact != nullptr ? exact : welch);
   }
   tests.finish(outcome);
   ask_right(labels.size(), found, tests, outcome);

@@ -475,8 +475,7 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
             return selection.chosen(answer) == target ? selection.texture(answer) : kNone;
           },
           selection.textures.front()));
-  tests.add("textures", "", selection.gathered.people.size(),
-            FoundNumbers(findings).find("relabel.exact.p"));
+  tests.add("textures", "", FoundNumbers(findings).find("relabel.exact.p"));
   keep_findings(findings, outcome, [](const Finding& finding) {
     return finding.quantity == "relabel.exact.p" || finding.quantity.starts_with("signflip");
   });
@@ -569,11 +568,11 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
       const std::string& first = selection.items[a];
       const std::string& second = selection.items[b];
       const bool of_target = first == selection.target() || second == selection.target();
-      tests.add(only_target && of_target ? "target_pairs" : "pairs", first + '|' + second, people,
+      tests.add(only_target && of_target ? "target_pairs" : "pairs", first + '|' + second,
                 found.find("signflip.p.two", first + '|' + second));
     }
   }
-  if (!choice.empty()) tests.add("preference", "", people, found.find("relabel.exact.p"));
+  if (!choice.empty()) tests.add("preference", "", found.find("relabel.exact.p"));
 
   const bool same_size = counts.choices.outcomes().has_value() && selection.positions > 1;
   std::vector<Finding> position{};
@@ -586,7 +585,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
     keep_findings(position, outcome);
   }
   const FoundNumbers found_position(position);
-  if (same_size) tests.add("position", "", people, found_position.find("relabel.exact.p"));
+  if (same_size) tests.add("position", "", found_position.find("relabel.exact.p"));
   test_textures(selection, tests, outcome);
 
   add_positions(counts, outcome);

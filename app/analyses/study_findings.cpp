@@ -14,6 +14,7 @@ namespace asperity {
 namespace {
 
 constexpr const char* kTests = "tests";
+constexpr std::string_view kParticipants = "participants";
 
 Cell cell_of(const std::optional<double>& value) { return value ? Cell{*value} : Cell{}; }
 
@@ -70,14 +71,16 @@ bool StudyTests::is_in_family(std::string_view name) const {
   return std::find(family_.begin(), family_.end(), name) != family_.end();
 }
 
-void StudyTests::add(const std::string& name, const std::string& about, std::size_t n,
-                     const Finding* finding) {
-  Test& test = tests_.emplace_back(Test{.name = name, .about = about, .n = n});
+void StudyTests::add(const std::string& name, const std::string& about, const Finding* finding,
+                     const char* unit) {
+  Test& test = tests_.emplace_back(Test{.name = name, .about = about, .unit = unit});
   if (finding == nullptr) {
     test.status = "there are no answers of which this could be tested";
     return;
   }
+  test.n = finding->n;
   test.method = finding->method;
+  if (test.unit != kParticipants) test.method += "; n counts " + test.unit;
   test.p = finding->value;
   if (!test.p) test.status = finding->status;
 }
@@ -93,7 +96,7 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
   for (const std::string& name : family_) {
     const bool is_added = std::any_of(tests_.begin(), tests_.end(),
                                       [&name](const Test& test) { return test.name == name; });
-    if (!is_added) add(name, "", 0, nullptr);
+    if (!is_added) add(name, "", nullptr);
   }
   // What was declared is not fewer tests because one of them cannot be made: as p = 1 it leaves the
   // others what they would have been, and its own place in the family.
@@ -106,21 +109,23 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
   NamedTable made{
       kTests,
       phrase("Analysis", "Tests"),
-      {{"test", "about", "n", "p", "p_holm", "family"}, {}},
+      {{"test", "about", "n", "unit", "p", "p_holm", "family"}, {}},
       is_declared_
           ? phrase(
                 "Analysis",
                 "p_holm: adjusted after Holm over the %1 tests of the family that the protocol "
                 "declares (%2); one that cannot be made counts as p = 1. Tests outside the family "
-                "are not adjusted and show no more than what to ask next time. n counts "
-                "participants.")
+                "are not adjusted and show no more than what to ask next time. n counts the units "
+                "beside it; answers and goes are pooled as if they "
+                "were independent.")
                 .with(std::to_string(raw.size()), name_)
           : phrase("Analysis",
                    "The protocol declares no family of tests. p_holm: adjusted after Holm over the "
                    "%1 tests of the family that this kind of protocol has by itself (%2); one that "
                    "cannot be made counts as p = 1. The other tests are not adjusted and show no "
-                   "more than what to ask next time. n counts "
-                   "participants.")
+                   "more than what to ask next time. n counts the units beside it; answers and "
+                   "goes are pooled as if they "
+                   "were independent.")
                 .with(std::to_string(raw.size()), name_)};
   const bool some_fail =
       std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return !test.p; });
@@ -133,6 +138,7 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
     row = {test.name,
            test.about.empty() ? Cell{} : Cell{test.about},
            static_cast<std::int64_t>(test.n),
+           test.unit,
            cell_of(test.p),
            cell_of(test.adjusted),
            is_in ? Cell{name_} : Cell{}};

@@ -43,7 +43,8 @@ class StudyTests final {
     std::string name{};   ///< one of test_names()
     std::string about{};  ///< what of several is tested; may be empty
     std::string method{};
-    std::size_t n = 0;  ///< participants
+    std::size_t n = 0;   ///< of the units
+    std::string unit{};  ///< "participants"; "answers", "goes" where those are pooled
     std::optional<double> p{};
     std::optional<double> adjusted{};  ///< within the family
     std::string status = "ok";
@@ -53,8 +54,9 @@ class StudyTests final {
   };
   /// A p of the family of analyses; what is no number is why there is no test. Of the study's own
   /// family such a test counts as p = 1.
-  void add(const std::string& name, const std::string& about, std::size_t n,
-           const Finding* finding);
+  /// `unit`: what the finding's n counts.
+  void add(const std::string& name, const std::string& about, const Finding* finding,
+           const char* unit = "participants");
   /// Adjusts, and appends the table `tests` with its findings. What the protocol declares and nobody
   /// has added is a row without a p.
   void finish(AnalysisOutcome& outcome);

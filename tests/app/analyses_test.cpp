@@ -764,6 +764,25 @@ TEST(Matching, NamesChanceOnlyWhereAllGoesAreOfOneSize) {
               HasSubstr("where chance is different from go to go"));
 }
 
+TEST(StudyTests, SayWhatTheirNumbersCount) {
+  const Table& matched = table_of(matchings_of_the_chapter(), "tests").table;
+  for (const char* name : {"items", "whole", "textures"}) {
+    EXPECT_EQ(number(matched, {name}, "n"), 60) << name;
+    EXPECT_EQ(cell_of(matched, {name}, "unit"), Cell{"goes"}) << name;
+  }
+  EXPECT_EQ(number(matched, {"sexes"}, "n"), 20);
+  EXPECT_EQ(cell_of(matched, {"sexes"}, "unit"), Cell{"participants"});
+  EXPECT_THAT(finding_of(matchings_of_the_chapter(), "tests", "p", "test=whole").method,
+              HasSubstr("n counts goes"));
+  const AnalysisOutcome recognised = analyze_recognitions();
+  const Table& tests = table_of(recognised, "tests").table;
+  EXPECT_EQ(number(tests, {"information"}, "n"), 12);
+  EXPECT_EQ(cell_of(tests, {"information"}, "unit"), Cell{"answers"});
+  EXPECT_EQ(number(tests, {"textures", "wood"}, "n"), 2);
+  EXPECT_EQ(cell_of(tests, {"right"}, "unit"), Cell{"participants"});
+  EXPECT_EQ(question_of(recognised, "information").finding.n, 12U);
+}
+
 // What no analysis can be made of is said, and nothing falls over.
 TEST(AnalyzeStudy, RefusesInSentencesWhatCannotBeTested) {
   MadeUpStudy made;

@@ -80,6 +80,10 @@ class Recognition final {
   Basis basis(std::string method) const {
     return {.n = trials_.participants.size(), .method = std::move(method)};
   }
+  /// Of what pools the answered trials.
+  Basis of_trials(std::string method) const {
+    return {.n = right_.trials, .method = std::move(method)};
+  }
   void number(const char* quantity, const std::string& key, double value, std::string method) {
     list_.number(quantity, key, value, basis(std::move(method)));
   }
@@ -119,8 +123,9 @@ class Recognition final {
     number("pc.wilson.upper", "", wilson.high, "interval of Wilson");
     number("pc.cp.lower", "", exact.low, "interval of Clopper and Pearson");
     number("pc.cp.upper", "", exact.high, "interval of Clopper and Pearson");
-    number("pc.p.greater", "", binomial_upper_tail(right_, chance()),
-           "exact binomial, one-sided against chance 1/m, trials taken as independent");
+    list_.number("pc.p.greater", "", binomial_upper_tail(right_, chance()),
+                 of_trials("exact binomial, one-sided against chance 1/m, trials taken as "
+                           "independent"));
   }
 
   void participants() {
@@ -201,7 +206,7 @@ class Recognition final {
   }
 
   void bits(const char* quantity, double value, std::string method) {
-    Basis in_bits = basis(std::move(method));
+    Basis in_bits = of_trials(std::move(method));
     in_bits.unit = "bit";
     list_.number(quantity, "", value, in_bits);
   }
@@ -218,7 +223,8 @@ class Recognition final {
     bits("IT.jackknife", it.jackknife_bits.value_or(kUndefined), "leaving out each trial");
     number("G", "", it.G, "likelihood ratio against no transfer");
     number("G.df", "", it.df, "degrees of freedom of G");
-    number("G.p", "", it.p.value_or(kUndefined), "χ² of G, trials taken as independent");
+    list_.number("G.p", "", it.p.value_or(kUndefined),
+                 of_trials("χ² of G, trials taken as independent"));
     bits("IT.from.pc", equal_error_bits(proportion(right_), trials_.labels.size()),
          "if all errors were equally frequent (Fano's bound)");
     list_.truth("IT.N.enough", "", it.enough_trials, basis("at least 5m² trials"));
