@@ -17,6 +17,10 @@ namespace {
 constexpr double kAgreement = 0.5;  // cosine between the directions of what is felt as one
 constexpr double kSteepestSlope = 1.7320508075688772;  // of a surface as far from n: tan 60°
 constexpr double kRise = 1.0 / TexturedContacts::kBlendTicks;  // of a share, in a tick
+// In cells: each of two grids has a sample within 0.71 of a peak.
+constexpr double kSamePlace = 1.5;
+constexpr double kNone = 1e-9;  // what rounding leaves of a share
+constexpr double kAlike = 0.5;  // of a depth: what may be the same contact's
 
 bool is_finite(const Pose& pose) noexcept {
   double sum = 0.0;
@@ -67,6 +71,13 @@ bool is_part_of(const ContactFrame& frame, const TexturedContact& other) noexcep
 
 glm::dvec3 deepest_m(const TexturedContact& contact) noexcept {
   return contact.frame.origin_m + contact.frame.to_world(contact.penetration.deepest_m);
+}
+
+/// Whether both found the same deepest place.
+bool are_at_one_place(const TexturedContact& one, const TexturedContact& other) noexcept {
+  const double cell_m = std::max(one.grid.spacing_m(), other.grid.spacing_m());
+  return is_felt(one) && is_felt(other) && glm::dot(one.frame.n, other.frame.n) >= kAgreement &&
+         glm::distance(deepest_m(one), deepest_m(other)) <= kSamePlace * cell_m;
 }
 
 /// A region whose whole window lies in that of another contact.
@@ -140,10 +151,25 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
   if (regions.empty() && were_in_contact && (!pairs.empty() || hold_each_other(a, b))) {
     keep_buried(a, b);
   }
-  blend(a, b);
+  const bool are_apart = pairs.empty() && contacts_.empty() && !hold_each_other(a, b);
+  blend(a, b, are_apart);
   look_inside(a, b);
+  a_before_ = a;
   b_before_ = b;
-  return contacts_;
+  return felt_once();
+}
+
+// Those without a share go last: they are known in the next tick, and nobody sees them.
+std::span<const TexturedContact> TexturedContacts::felt_once() noexcept {
+  std::size_t end = contacts_.size();
+  for (std::size_t i = 0; i < end;) {
+    if (contacts_[i].share > 0.0) {
+      ++i;
+    } else {
+      std::swap(contacts_[i], contacts_[--end]);
+    }
+  }
+  return std::span(contacts_).first(end);
 }
 
 // Faces and their solid angles are many: not in every tick in which a tool is in the air.
@@ -245,7 +271,7 @@ double TexturedContacts::most_depth_m(const TexturedContact& contact, const Pose
 
 void TexturedContacts::keep_buried(const Pose& a, const Pose& b) noexcept {
   for (const TexturedContact& last : before_) {
-    if (!is_felt(last) || last.is_fading) continue;
+    if (!is_felt(last) || last.is_fading || last.share == 0.0) continue;
     TexturedContact kept = gone_on(last, a, b);
     kept.is_kept = true;
     add(kept, a, b);
@@ -296,11 +322,14 @@ std::size_t TexturedContacts::heir_of(std::size_t contact,
   return was_seen ? heir : kMostContacts;
 }
 
-// Of what was one contact, what is nearest to its deepest place has its share.
+// Of what was one contact, what is nearest to its deepest place, and about as deep there, has its share.
 void TexturedContacts::part(const TexturedContact& last, TexturedContact& heir) noexcept {
+  const double depth_m = last.penetration.depth_m;
   TexturedContact* nearest = &heir;
   for (TexturedContact& contact : contacts_) {
-    if (contact.share > kRise || &contact == &heir || !is_part_of(contact.frame, last)) continue;
+    if (contact.share != kRise || &contact == &heir || !is_felt(contact)) continue;
+    if (std::abs(contact.penetration.depth_m - depth_m) > kAlike * depth_m) continue;
+    if (!is_part_of(contact.frame, last)) continue;
     if (glm::distance(deepest_m(contact), deepest_m(last)) <
         glm::distance(deepest_m(*nearest), deepest_m(last))) {
       nearest = &contact;
@@ -309,39 +338,111 @@ void TexturedContacts::part(const TexturedContact& last, TexturedContact& heir) 
   std::swap(nearest->share, heir.share);
 }
 
-void TexturedContacts::blend(const Pose& a, const Pose& b) noexcept {
+double TexturedContacts::share_before(const TexturedContact& contact) const noexcept {
+  for (const TexturedContact& last : before_) {
+    if (last.id == contact.id && is_felt(last) && !last.is_fading) return last.share;
+  }
+  return 0.0;
+}
+
+// Of each contact, which one feels its place: of those at one place the one that did, or else the deepest.
+TexturedContacts::Successors TexturedContacts::owners() const noexcept {
+  const auto goes_before = [this](std::size_t one, std::size_t other) {
+    const auto rank = [this](std::size_t i) {
+      return std::pair{share_before(contacts_[i]), contacts_[i].penetration.depth_m};
+    };
+    return rank(one) != rank(other) ? rank(one) > rank(other) : one < other;
+  };
+  Successors owners{};
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    owners[i] = i;
+    for (std::size_t j = 0; j < contacts_.size(); ++j) {
+      if (j == i || !are_at_one_place(contacts_[i], contacts_[j])) continue;
+      if (goes_before(j, owners[i])) owners[i] = j;
+    }
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    while (owners[owners[i]] != owners[i]) owners[i] = owners[owners[i]];
+  }
+  return owners;
+}
+
+void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexcept {
   const std::size_t now = contacts_.size();
+  const Successors owner = owners();
   Successors successors{};
   for (std::size_t i = 0; i < before_.size(); ++i) {
-    successors[i] = is_felt(before_[i]) ? successor_of(before_[i]) : now;
+    const bool counts = is_felt(before_[i]) && before_[i].share > 0.0;
+    const std::size_t successor = counts ? successor_of(before_[i]) : now;
+    successors[i] = successor < now ? owner[successor] : now;
   }
   std::array<std::size_t, kMostContacts> heirs{};
   bool parts = false;
   for (std::size_t i = 0; i < now; ++i) {
-    heirs[i] = heir_of(i, successors);
-    const bool had_any = std::any_of(before_.begin(), before_.end(), [&](const auto& last) {
-      return is_felt(last) && (last.id == contacts_[i].id || is_part_of(contacts_[i].frame, last));
-    });
-    if (heirs[i] < kMostContacts) {
-      contacts_[i].share = std::min(1.0, before_[heirs[i]].share + kRise);
+    TexturedContact& contact = contacts_[i];
+    heirs[i] = contact.is_doubtful ? kMostContacts : heir_of(i, successors);
+    bool had_any = contact.is_doubtful;
+    for (std::size_t j = 0; j < before_.size(); ++j) {
+      const TexturedContact& last = before_[j];
+      const bool is_same = last.id == contact.id && (is_felt(last) || last.is_doubtful);
+      had_any = had_any || successors[j] == i || is_same ||
+                (is_felt(last) && is_part_of(contact.frame, last));
+    }
+    if (owner[i] != i) {
+      contact.share = 0.0;
+    } else if (heirs[i] < kMostContacts) {
+      contact.share = std::min(1.0, before_[heirs[i]].share + kRise);
     } else if (had_any) {
-      contacts_[i].share = kRise;
+      contact.share = kRise;
       parts = true;
     }
   }
   for (std::size_t i = 0; parts && i < now; ++i) {
     if (heirs[i] < kMostContacts) part(before_[heirs[i]], contacts_[i]);
   }
-  for (std::size_t i = 0; i < before_.size(); ++i) {
+  for (std::size_t i = 0; !are_apart && i < before_.size(); ++i) {
     const TexturedContact& last = before_[i];
-    const bool has_successor = successors[i] < now;
-    if (has_successor ? heirs[successors[i]] == i : !(is_felt(last) && last.is_fading)) continue;
-    if (last.share <= kRise || contacts_.size() == kMostContacts) continue;
-    TexturedContact fading = gone_on(last, a, b);
-    fading.share = last.share - kRise;
-    fading.is_fading = true;
-    add(fading, a, b);
+    const bool goes_on = successors[i] < now && heirs[successors[i]] == i;
+    if (!goes_on && is_felt(last) && last.share > kRise + kNone) fade(last, a, b);
   }
+}
+
+// Where its window shows what another contact feels already, it stays at its own place. If it is that one's
+// place too, it has what is left of its share; but what is fading for longer ends as it began, for another
+// contact whose deepest place has come there has just left its own.
+void TexturedContacts::fade(const TexturedContact& last, const Pose& a, const Pose& b) noexcept {
+  const std::size_t others = contacts_.size();
+  TexturedContact fading = gone_on(last, a, b);
+  fading.share = last.share - kRise;
+  fading.is_fading = true;
+  add(fading, a, b);
+  if (contacts_.size() == others) return;
+  const std::span<const TexturedContact> before_it = std::span(contacts_).first(others);
+  TexturedContact& added = contacts_.back();
+  const auto is_at_its_place = [&](const TexturedContact& other) {
+    return other.share > 0.0 && are_at_one_place(added, other);
+  };
+  if (added.is_doubtful || std::any_of(before_it.begin(), before_it.end(), is_at_its_place)) {
+    added.is_doubtful = !lead_on(added, last, a, b);
+  }
+  for (const TexturedContact& other : before_it) {
+    if (!last.is_fading && is_at_its_place(other))
+      added.share = std::min(added.share, 1.0 - other.share);
+  }
+  if (!is_felt(added) || added.share <= kNone) contacts_.pop_back();
+}
+
+// As if its deepest place, which goes with A, went along the gradient; not further than that holds.
+bool TexturedContacts::lead_on(TexturedContact& contact, const TexturedContact& last, const Pose& a,
+                               const Pose& b) const noexcept {
+  const glm::dvec3 place_m = a.rotation * in_body(a_before_, deepest_m(last)) + a.position_m;
+  const glm::dvec3 stayed_m = b.rotation * in_body(b_before_, deepest_m(last)) + b.position_m;
+  const glm::dvec3 way_m = contact.frame.to_frame(place_m - stayed_m);
+  if (glm::length(way_m) > kSamePlace * last.grid.spacing_m()) return false;
+  contact.penetration = last.penetration;
+  contact.penetration.depth_m += glm::dot(glm::dvec3{last.penetration.slope, -1.0}, way_m);
+  contact.penetration.deepest_m = contact.frame.to_frame(place_m - contact.frame.origin_m);
+  return true;
 }
 
 std::span<const std::uint32_t> TexturedContacts::triangles_in(

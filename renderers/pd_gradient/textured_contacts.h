@@ -48,7 +48,7 @@ inline bool is_felt(const TexturedContact& contact) noexcept {
 /// What did not fit in a tick.
 struct LeftOut {
   std::size_t pairs = 0;      ///< of triangles, beyond TexturedContacts::kMostPairs
-  std::size_t regions = 0;    ///< beyond kMostContacts, or without a direction
+  std::size_t regions = 0;    ///< beyond kMostContacts, also fading ones, or without a direction
   std::size_t triangles = 0;  ///< of windows, beyond kMostTriangles
   std::size_t depths = 0;     ///< that were doubtful
 };
@@ -94,7 +94,9 @@ struct LeftOut {
 /// it can jump where the deepest place does. A doubtful depth is doubted before it is bounded.
 ///
 /// One place is felt once: a region in the window of a longer one whose n is within 60° is part of
-/// it. So are the inner curve and the outer one of a rim that is pressed into a plate.
+/// it. So are the inner curve and the outer one of a rim that is pressed into a plate. Windows are
+/// wider than regions: of contacts whose deepest samples are within 1.5 cells of each other and whose n
+/// is within 60°, the one that was felt there goes on, or else the deepest; the others are left out.
 ///
 /// A body that is pressed wholly into the other cuts no curve any more. While no region is left and
 /// one body holds the other, the contacts that were deep in the tick before are therefore kept: n
@@ -106,9 +108,13 @@ struct LeftOut {
 /// Where one contact becomes two, or two one, the sum of their forces would jump: each has a depth of
 /// its own. So a contact's force counts by its `share`, which rises or falls by 1/kBlendTicks in a tick:
 /// of contacts that become one, that goes on whose deepest place is the new one's and the others fade,
-/// each with its own window; of a contact that parts, the one that holds its deepest place goes on and
-/// the others rise. What a wider window holds beside what was felt rises likewise.
-/// The sum of the shares is never above the number of contacts on either side. For these ticks the force
+/// each with its own window, or, where that shows what another one feels, from its own place along its
+/// gradient; of a contact that parts, the one that holds its deepest place goes on and the others rise.
+/// What was doubtful and is believed rises; a contact that is felt fades where it becomes doubtful or its
+/// curve is gone while the bodies cut or hold each other, as of one ball of two that goes wholly in.
+/// What a wider window holds beside what was felt rises likewise.
+/// The sum of the shares is never above the number of contacts on either side, and at one place not above
+/// one, but while a share is fading where another contact's deepest place has come meanwhile. For these ticks the force
 /// depends on time too: it lags, and takes energy from a hand that presses contacts together and lifts
 /// them apart. On every path that was measured energy was taken and none given
 /// (textured_contacts_test.cpp).
@@ -161,11 +167,17 @@ class TexturedContacts final {
   void look_inside(const Pose& a, const Pose& b) noexcept;
   void keep_buried(const Pose& a, const Pose& b) noexcept;
   TexturedContact gone_on(const TexturedContact& last, const Pose& a, const Pose& b) const noexcept;
-  void blend(const Pose& a, const Pose& b) noexcept;
+  std::span<const TexturedContact> felt_once() noexcept;
+  void blend(const Pose& a, const Pose& b, bool are_apart) noexcept;
+  void fade(const TexturedContact& last, const Pose& a, const Pose& b) noexcept;
+  bool lead_on(TexturedContact& contact, const TexturedContact& last, const Pose& a,
+               const Pose& b) const noexcept;
   /// Of each contact of the tick before, which of the present ones has its place.
   using Successors = std::array<std::size_t, kMostContacts>;
   std::size_t successor_of(const TexturedContact& last) const noexcept;
   std::size_t heir_of(std::size_t contact, const Successors& successors) const noexcept;
+  double share_before(const TexturedContact& contact) const noexcept;
+  Successors owners() const noexcept;
   void part(const TexturedContact& last, TexturedContact& heir) noexcept;
   std::span<const std::uint32_t> triangles_in(const TexturedBody& body, const Pose& pose,
                                               const ContactFrame& frame, double outwards,
@@ -181,6 +193,7 @@ class TexturedContacts final {
   std::vector<std::uint32_t> triangles_b_{};
   std::vector<TexturedContact> contacts_{};
   std::vector<TexturedContact> before_{};
+  Pose a_before_{};
   Pose b_before_{};
   LeftOut left_out_{};
   double thinner_m_ = 0.0;  // the smallest extent of the smaller body

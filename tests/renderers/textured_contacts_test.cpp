@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -725,6 +726,93 @@ TEST(TexturedContacts, LeaveOutSheetsThatAreFarFromTheContact) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].penetration.depth_m, 0.2e-3, 0.02e-3);
   EXPECT_EQ(found[0].penetration.folded, 0);
+}
+
+// Balls as one body.
+TexturedMesh balls_at(std::initializer_list<glm::dvec3> middles_m, double radius_m) {
+  const TriangleMesh one = ball(radius_m, 12, 16);
+  TriangleMesh all;
+  for (const glm::dvec3& middle_m : middles_m) {
+    const auto first = static_cast<std::uint32_t>(all.vertices_m.size());
+    for (const glm::dvec3& vertex_m : one.vertices_m) all.vertices_m.push_back(vertex_m + middle_m);
+    for (const auto& [a, b, c] : one.triangles) {
+      all.triangles.push_back({a + first, b + first, c + first});
+    }
+  }
+  return bare(all);
+}
+
+// Each of two contacts 1 mm wide has a window of 3.2 mm, and sees the other's place too.
+TEST(TexturedContacts, FeelOfTwoSpikesThatAreCloseTheDeeperOneOnce) {
+  const TexturedMesh spikes = balls_at({{-0.65e-3, 0.0, 0.3e-3}, {0.65e-3, 0.0, 0.5e-3}}, 0.3e-3);
+  TexturedContacts contacts = between(spikes, bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
+  double before_N = 0.0;
+  for (int tick = 0; tick <= 300; ++tick) {
+    const double sunk_m = 1e-6 * tick;
+    const auto found = contacts.find(at({0.0, 0.0, 0.005 - sunk_m}), {});
+    const double force_N = wrench_about({}, found).force_N.z;
+    EXPECT_LE(force_N, kStiffness_N_per_m * sunk_m + 1e-6) << tick;
+    EXPECT_NEAR(force_N, before_N, 0.02) << tick;
+    before_N = force_N;
+  }
+  EXPECT_NEAR(before_N, 0.3, 0.02);
+  const auto place_m = [](const TexturedContact& contact) {
+    return contact.frame.origin_m + contact.frame.to_world(contact.penetration.deepest_m);
+  };
+  // Over to the other one.
+  for (int tick = 0; tick <= 300; ++tick) {
+    const Pose pose{.rotation = turn_about({0, 1, 0}, 1e-3 * tick),
+                    .position_m = {0.0, 0.0, 0.005 - 0.3e-3}};
+    const auto found = contacts.find(pose, {});
+    const double force_N = glm::length(wrench_about({}, found).force_N);
+    EXPECT_NEAR(force_N, before_N, 0.02) << tick;
+    before_N = force_N;
+    for (const TexturedContact& one : found) {
+      double share = 0.0;
+      for (const TexturedContact& other : found) {
+        if (is_felt(one) && is_felt(other) &&
+            glm::distance(place_m(one), place_m(other)) < 0.1e-3) {
+          share += other.share;
+        }
+      }
+      EXPECT_LE(share, 1.0 + 1e-9) << tick;
+    }
+    if (tick < 100 || tick > 200) {
+      EXPECT_EQ(found.size(), 1U) << tick;
+    }
+  }
+}
+
+TEST(TexturedContacts, FadeTheOneOfTwoBallsThatGoesWhollyIn) {
+  const TexturedMesh balls = balls_at({{-4e-3, 0.0, 1e-3}, {4e-3, 0.0, 2e-3}}, 1e-3);
+  TexturedContacts contacts = between(balls, bare(box({0.03, 0.03, 0.01})), hard(0.1e-3));
+  glm::dvec3 before_N{0.0};
+  int faded = 0;
+  for (int tick = 0; tick <= 280; ++tick) {
+    const auto found = contacts.find(at({0.0, 0.0, 0.005 - 1e-5 * tick}), {});
+    const glm::dvec3 force_N = wrench_about({}, found).force_N;
+    EXPECT_LT(glm::distance(force_N, before_N), 0.3) << tick;
+    before_N = force_N;
+    for (const TexturedContact& contact : found) faded += contact.is_fading ? 1 : 0;
+  }
+  EXPECT_NEAR(faded, TexturedContacts::kBlendTicks - 1, 1);
+  EXPECT_NEAR(before_N.z, 1.8, 0.1);  // of the other one
+}
+
+TEST(TexturedContacts, RiseOnceADoubtfulDepthIsBelieved) {
+  TriangleMesh needle = ball(0.25e-3, 8, 12);
+  for (glm::dvec3& vertex_m : needle.vertices_m) {
+    if (vertex_m.z > 0.0) vertex_m.z += 8e-3;
+  }
+  TexturedContacts contacts = between(bare(needle), bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
+  double before_N = 0.0;
+  for (int tick = 0; tick < 60; ++tick) {
+    const auto found = contacts.find(at({0.0, 0.0, 0.00525 - 3e-3}), {});
+    const double force_N = is_felt(found[0]) ? wrench_about({}, found).force_N.z : 0.0;
+    EXPECT_LT(std::abs(force_N - before_N), 0.4) << tick;
+    before_N = force_N;
+  }
+  EXPECT_NEAR(before_N, 3.0, 0.1);
 }
 
 TEST(TexturedContacts, CountWhatThereIsNoRoomFor) {
