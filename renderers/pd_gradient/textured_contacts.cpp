@@ -440,6 +440,8 @@ bool TexturedContacts::lead_on(TexturedContact& contact, const TexturedContact& 
   const glm::dvec3 way_m = contact.frame.to_frame(place_m - stayed_m);
   if (glm::length(way_m) > kSamePlace * last.grid.spacing_m()) return false;
   contact.penetration = last.penetration;
+  contact.sampled_depth_m = last.sampled_depth_m;
+  contact.is_bounded = last.is_bounded;
   contact.penetration.depth_m += glm::dot(glm::dvec3{last.penetration.slope, -1.0}, way_m);
   contact.penetration.deepest_m = contact.frame.to_frame(place_m - contact.frame.origin_m);
   return true;
