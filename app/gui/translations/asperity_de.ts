@@ -340,14 +340,6 @@
         <translation>Welche Texturen fühlen sich ähnlich an?</translation>
     </message>
     <message>
-        <source>Most alike are %1: one is taken for the other in %2 of the answers.</source>
-        <translation>Am ähnlichsten sind %1: die eine wird in %2 der Antworten für die andere gehalten.</translation>
-    </message>
-    <message>
-        <source>Mean share of both confusions, from the counts plus ½. There is no interval: it is the largest of several.</source>
-        <translation>Mittlerer Anteil beider Verwechslungen, aus den Anzahlen plus ½. Ein Intervall gibt es nicht: es ist der größte von mehreren.</translation>
-    </message>
-    <message>
         <source>The pictures differ between the trials, and chance with them: sensitivity, information and similarities of all answers together would compare nothing and are left out.</source>
         <translation>Die Bilder unterscheiden sich zwischen den Durchgängen, und der Zufall mit ihnen: Empfindlichkeit, Information und Ähnlichkeiten aller Antworten zusammen würden nichts vergleichen und entfallen.</translation>
     </message>
@@ -472,14 +464,6 @@
         <translation>Tests</translation>
     </message>
     <message>
-        <source>p_holm: adjusted after Holm over the %1 tests of the family that the protocol declares (%2). Tests outside the family are not adjusted and show no more than what to ask next time. n counts participants.</source>
-        <translation>p, Holm: nach Holm berichtigt über die %1 Tests der Familie, die das Protokoll festlegt (%2). Tests außerhalb der Familie sind nicht berichtigt und zeigen nur, was man das nächste Mal fragen könnte. n zählt Personen.</translation>
-    </message>
-    <message>
-        <source>The protocol declares no family of tests. p_holm: adjusted after Holm over the %1 tests of the family that this kind of protocol has by itself (%2). The other tests are not adjusted and show no more than what to ask next time. n counts participants.</source>
-        <translation>Das Protokoll legt keine Familie von Tests fest. p, Holm: nach Holm berichtigt über die %1 Tests der Familie, die diese Art von Protokoll von sich aus hat (%2). Die anderen Tests sind nicht berichtigt und zeigen nur, was man das nächste Mal fragen könnte. n zählt Personen.</translation>
-    </message>
-    <message>
         <source>%1 after Holm</source>
         <translation>%1 nach Holm</translation>
     </message>
@@ -518,6 +502,78 @@
     <message>
         <source>Measures of all answers together</source>
         <translation>Maße aus allen Antworten zusammen</translation>
+    </message>
+    <message>
+        <source>different from go to go</source>
+        <translation>von Durchgang zu Durchgang verschieden</translation>
+    </message>
+    <message>
+        <source>%1 of a participant&apos;s items are right on average (%2), where chance is %3; %4 against random permutations.</source>
+        <translation>Im Mittel sind %1 der Zuordnungen einer Versuchsperson richtig (%2), wo Zufall %3 ist; %4 gegen zufällige Permutationen.</translation>
+    </message>
+    <message>
+        <source>%1 of a participant&apos;s answers are right on average (%2), where chance is %3; %4.</source>
+        <translation>Im Mittel sind %1 der Antworten einer Versuchsperson richtig (%2), wo Zufall %3 ist; %4.</translation>
+    </message>
+    <message>
+        <source>No felt texture was ever taken for another felt one.</source>
+        <translation>Keine gefühlte Textur wurde je für eine andere gefühlte gehalten.</translation>
+    </message>
+    <message>
+        <source>Most alike are %1: one was taken for the other %2 times in %3 answers.</source>
+        <translation>Am ähnlichsten sind %1: Die eine wurde %2-mal in %3 Antworten für die andere gehalten.</translation>
+    </message>
+    <message>
+        <source>Equally alike are %1: one was taken for the other in %2 of the answers to each.</source>
+        <translation>Gleich ähnlich sind %1: In jeweils %2 der Antworten wurde die eine für die andere gehalten.</translation>
+    </message>
+    <message>
+        <source>%1 pairs of textures are equally alike, and none more: one was taken for the other in %2 of the answers to each.</source>
+        <translation>%1 Paare von Texturen sind gleich ähnlich und keines mehr: In jeweils %2 der Antworten wurde die eine für die andere gehalten.</translation>
+    </message>
+    <message>
+        <source>Of the answers to either of two textures, those that name the other one. There is no interval: it is the largest of several.</source>
+        <translation>Von den Antworten auf eine von zwei Texturen jene, die die andere nennen. Ein Intervall gibt es nicht: Es ist der größte von mehreren Werten.</translation>
+    </message>
+    <message>
+        <source>Of all pairs %1 has the smallest p (%2).</source>
+        <translation>Von allen Paaren hat %1 das kleinste p (%2).</translation>
+    </message>
+    <message>
+        <source>What was felt first was chosen in %1 of a participant&apos;s choices on average (%2), %3.</source>
+        <translation>Das zuerst Gefühlte wurde im Mittel bei %1 der Wahlen einer Versuchsperson gewählt (%2), %3.</translation>
+    </message>
+    <message>
+        <source>That %1 is chosen equally often with every texture has %2.</source>
+        <translation>Dass %1 bei jeder Textur gleich oft gewählt wird, hat %2.</translation>
+    </message>
+    <message>
+        <source>p_holm: adjusted after Holm over the %1 tests of the family that the protocol declares (%2); one that cannot be made counts as p = 1. Tests outside the family are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
+        <translation>p_holm: nach Holm angepasst über die %1 Tests der Familie, die das Protokoll angibt (%2); einer, der sich nicht rechnen lässt, zählt als p = 1. Tests außerhalb der Familie sind nicht angepasst und zeigen nicht mehr, als was beim nächsten Mal zu fragen ist. n zählt die Einheiten, die daneben stehen; Antworten und Durchgänge sind zusammengenommen, als wären sie unabhängig.</translation>
+    </message>
+    <message>
+        <source>The protocol declares no family of tests. p_holm: adjusted after Holm over the %1 tests of the family that this kind of protocol has by itself (%2); one that cannot be made counts as p = 1. The other tests are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
+        <translation>Das Protokoll gibt keine Familie von Tests an. p_holm: nach Holm angepasst über die %1 Tests der Familie, die diese Art von Protokoll von sich aus hat (%2); einer, der sich nicht rechnen lässt, zählt als p = 1. Die anderen Tests sind nicht angepasst und zeigen nicht mehr, als was beim nächsten Mal zu fragen ist. n zählt die Einheiten, die daneben stehen; Antworten und Durchgänge sind zusammengenommen, als wären sie unabhängig.</translation>
+    </message>
+    <message>
+        <source>%1 without adjustment</source>
+        <translation>%1 ohne Anpassung</translation>
+    </message>
+    <message>
+        <source>%1 This test is not of the study&apos;s family and shows no more than what to ask next time.</source>
+        <translation>%1 Dieser Test gehört nicht zur Familie der Studie und zeigt nicht mehr, als was beim nächsten Mal zu fragen ist.</translation>
+    </message>
+    <message>
+        <source>The means of the participants&apos; own results, compared by Welch&apos;s t: there are too many participants to count all ways to split them.</source>
+        <translation>Die Mittelwerte der eigenen Ergebnisse der Versuchspersonen, verglichen mit Welchs t: Es sind zu viele Versuchspersonen, um alle Aufteilungen zu zählen.</translation>
+    </message>
+    <message>
+        <source>Women less men is %1. It is not tested: the table of tests says why.</source>
+        <translation>Frauen minus Männer ist %1. Es wird nicht getestet: Die Tabelle der Tests sagt, warum.</translation>
+    </message>
+    <message>
+        <source>Women less men is %1 (%2).</source>
+        <translation>Frauen minus Männer ist %1 (%2).</translation>
     </message>
 </context>
 <context>
