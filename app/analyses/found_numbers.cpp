@@ -2,11 +2,7 @@
 
 namespace asperity {
 
-namespace {
-
 Cell cell_of(const std::optional<double>& number) { return number ? Cell{*number} : Cell{}; }
-
-}  // namespace
 
 FoundNumbers::FoundNumbers(std::span<const Finding> findings) : in_order_(findings) {
   for (const Finding& finding : findings) {

@@ -14,6 +14,9 @@
 
 namespace asperity {
 
+/// Missing where there is no number.
+Cell cell_of(const std::optional<double>& number);
+
 /// Findings by quantity and key. They must outlive it.
 class FoundNumbers final {
  public:

@@ -1,5 +1,6 @@
 #include "app/analyses/reading_table.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <string>
@@ -40,6 +41,18 @@ std::string reading_cell(const std::string& column, const Cell& cell) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> column_of(const Table& table, const std::string& name) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+  if (found == table.columns.end()) return {};
+  return static_cast<std::size_t>(found - table.columns.begin());
+}
+
+std::optional<double> number_of(const Cell& cell) {
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
+  if (const auto* number = std::get_if<double>(&cell)) return *number;
+  return {};
+}
 
 Table reading_table(const Table& table) {
   Table reading{};

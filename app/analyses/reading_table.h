@@ -2,9 +2,19 @@
 
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <string>
+
 #include "results_schema/table.h"
 
 namespace asperity {
+
+/// Where the column of this name is.
+std::optional<std::size_t> column_of(const Table& table, const std::string& name);
+
+/// A number, whole or not; nothing for text and what is missing.
+std::optional<double> number_of(const Cell& cell);
 
 /// The same table with every number in the digits that mean something (a share to two decimals, a
 /// force to a millinewton, a p to three decimals or in powers of ten), and `x_low` and `x_high` as

@@ -16,8 +16,6 @@ namespace {
 constexpr const char* kTests = "tests";
 constexpr std::string_view kParticipants = "participants";
 
-Cell cell_of(const std::optional<double>& value) { return value ? Cell{*value} : Cell{}; }
-
 Finding finding_of(const StudyTests::Test& test) {
   Finding finding{};
   finding.quantity = "p";

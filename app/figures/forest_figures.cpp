@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "analysis/number_text.h"
+#include "app/analyses/reading_table.h"
 #include "app/figures/figure_kinds.h"
 
 namespace asperity {
@@ -74,12 +75,6 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
     if (figure.series.front().name.empty()) figure.series.front().name = phrase("Figures", "share");
     figure.series.push_back(std::move(by_chance));
   }
-}
-
-std::optional<double> number_of(const Cell& cell) {
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
-  if (const auto* number = std::get_if<double>(&cell)) return *number;
-  return {};
 }
 
 /// The program's own words among the names of a table.
@@ -312,12 +307,11 @@ Figure recognition_forest(const FoundNumbers& found) {
   const std::optional<double> chance =
       rows.empty() ? std::nullopt : std::optional(1.0 / static_cast<double>(rows.size()));
   if (const Finding* pc = found.find("pc")) {
-    rows.push_back(
-        {.label = counted(phrase("Figures", "all together"),
-                          static_cast<std::size_t>(found.value("correct").value_or(0.0)),
-                          static_cast<std::size_t>(found.value("n").value_or(0.0))),
-         .share = pc->value,
-         .interval = interval_of(*pc)});
+    rows.push_back({.label = counted(phrase("Figures", "all together"),
+                                     static_cast<std::size_t>(found.value("correct").value_or(0.0)),
+                                     static_cast<std::size_t>(found.value("n").value_or(0.0))),
+                    .share = pc->value,
+                    .interval = interval_of(*pc)});
   }
   for (ForestRow& row : rows) row.chance = chance;
   add_mean_of_people(found, chance, rows);

@@ -100,18 +100,6 @@ std::string with_breaks(const std::string& text) {
   return out;
 }
 
-const char* class_of(AnswerGroup group) {
-  switch (group) {
-    case AnswerGroup::people:
-      return "people";
-    case AnswerGroup::pilot:
-      return "pilot";
-    case AnswerGroup::virtual_participants:
-      return "virtual";
-  }
-  return "";
-}
-
 std::string mark_of(const ReportChapter& chapter) {
   if (chapter.mark.empty()) return {};
   return " <span class=\"mark\">" + escaped(chapter.mark) + "</span>";
@@ -226,7 +214,7 @@ std::string contents_of(const Report& report) {
   std::string out = "<nav aria-label=\"Contents\">\n<ul>\n";
   for (std::size_t i = 0; i < report.chapters.size(); ++i) {
     const ReportChapter& chapter = report.chapters[i];
-    out += std::string("<li class=\"") + class_of(chapter.group) + "\"><a href=\"#" + anchor_of(i) +
+    out += std::string("<li class=\"") + text_of(chapter.group) + "\"><a href=\"#" + anchor_of(i) +
            "\">" + escaped(chapter.heading) + "</a>" + mark_of(chapter) + "\n<ul>\n";
     for (std::size_t k = 0; k < chapter.sections.size(); ++k) {
       out += "<li><a href=\"#" + anchor_of(i, k) + "\">" + escaped(chapter.sections[k].heading) +
@@ -253,7 +241,7 @@ std::string html_of(const Report& report, const std::stop_token& stop,
   out += contents_of(report) + "<main>\n";
   for (std::size_t i = 0; i < report.chapters.size(); ++i) {
     const ReportChapter& chapter = report.chapters[i];
-    out += std::string("<section class=\"chapter ") + class_of(chapter.group) + "\" id=\"" +
+    out += std::string("<section class=\"chapter ") + text_of(chapter.group) + "\" id=\"" +
            anchor_of(i) + "\">\n<h2>" + escaped(chapter.heading) + mark_of(chapter) + "</h2>\n";
     for (std::size_t k = 0; k < chapter.sections.size(); ++k) {
       if (stop.stop_requested()) return out;

@@ -18,18 +18,6 @@ constexpr const char* kTests = "tests";     // the table that has them all, wher
 constexpr std::size_t kMostSentences = 16;  // more are read in a table
 constexpr std::size_t kMostKeys = 6;        // of one refusal
 
-std::optional<std::size_t> column_of(const Table& table, const std::string& name) {
-  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
-  if (found == table.columns.end()) return {};
-  return static_cast<std::size_t>(found - table.columns.begin());
-}
-
-std::optional<double> number_of(const Cell& cell) {
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*whole);
-  if (const auto* number = std::get_if<double>(&cell)) return *number;
-  return {};
-}
-
 std::string text_of_cell(const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);

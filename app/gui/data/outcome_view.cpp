@@ -24,12 +24,6 @@ namespace {
 
 constexpr int kTextWidth = 900;  // longer lines are hard to follow
 
-std::optional<std::size_t> column_of(const Table& table, const std::string& name) {
-  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
-  if (found == table.columns.end()) return {};
-  return static_cast<std::size_t>(found - table.columns.begin());
-}
-
 /// What stands in a column of this name.
 QString text_of(const std::string& column, const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) {
