@@ -6,6 +6,7 @@
 #include "app/gui/data/attempt_words.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/outcome_words.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
 
@@ -14,8 +15,6 @@ namespace asperity {
 namespace {
 
 using Align = StudyTable::Align;
-
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 QStandardItem* decimal_cell(const std::optional<double>& value, int decimals, double scale = 1.0) {
   if (!value) return empty_number_cell();

@@ -2,15 +2,10 @@
 
 #include "analysis/number_text.h"
 #include "app/gui/look/outcome_words.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/shown_text.h"
 
 namespace asperity {
-
-namespace {
-
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-}  // namespace
 
 QString AttemptWords::of_verdict(Verdict verdict) {
   switch (verdict) {

@@ -11,6 +11,7 @@
 #include "app/gui/editor/find_bar.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/editor/question_bar.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/plan_preview.h"
 #include "app/gui/study/study_table.h"
 #include "results_schema/atomic_file.h"
@@ -21,8 +22,6 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 4U << 20U;  // what the reader of protocols accepts
 constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
-
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 QSplitter* make_splitter(Qt::Orientation orientation, QWidget* parent) {
   auto* splitter = new QSplitter(orientation, parent);

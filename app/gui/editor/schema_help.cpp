@@ -6,14 +6,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/gui/look/words.h"
 #include "protocols/library_protocols.h"
 #include "results_schema/table.h"
 
 namespace asperity {
 
 namespace {
-
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 /// A value as it would be typed, texts without quotation marks.
 QString text_of_value(const nlohmann::json& value) {

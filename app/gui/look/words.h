@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <string>
+
 #include <QtCore/QString>
 
 #include "app/phrase.h"
@@ -13,5 +15,8 @@ Phrase::LookUp language_of_windows();
 
 /// Any thread.
 QString words_of(const Phrase& phrase);
+
+/// What a study or a protocol says, as it is written there. Any thread.
+inline QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 }  // namespace asperity

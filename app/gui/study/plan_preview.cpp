@@ -10,6 +10,7 @@
 #include <QtWidgets/QSplitter>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
 #include "results_schema/table.h"
@@ -17,8 +18,6 @@
 namespace asperity {
 
 namespace {
-
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 /// One step in a line of the table.
 struct Line {

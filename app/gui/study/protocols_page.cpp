@@ -10,6 +10,7 @@
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/gui/look/words.h"
 #include "app/gui/study/broken_off_news.h"
 #include "app/gui/study/plan_preview.h"
 #include "app/gui/study/progress_cell.h"
@@ -22,8 +23,6 @@
 namespace asperity {
 
 namespace {
-
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 QString counted(int count, const QString& one, const QString& many) {
   return count == 1 ? one : many.arg(count);

@@ -11,6 +11,7 @@
 #include "app/gui/data/attempt_words.h"
 #include "app/gui/data/decision_form.h"
 #include "app/gui/look/outcome_words.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/sessions_page.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
@@ -23,8 +24,6 @@ constexpr int kAnswerWidth = 200;
 constexpr int kAfterContactColumn = 6;
 constexpr int kBeganColumn = 8;
 constexpr int kRoomForAll = 1320;  // of the table
-
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 double since_start_s(const SessionDetail& detail, std::int64_t time_ns) {
   return static_cast<double>(time_ns - detail.overview.row.clock_zero_ns) * 1e-9;
