@@ -41,7 +41,15 @@ endfunction()
 function(asperity_compile_in_groups target)
   if(ASPERITY_COMPILE_IN_GROUPS)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 7)
+    # A class that a source defines from its header's name may hold what the source keeps to itself; a group
+    # looks to gcc like a header that does so.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
+endfunction()
+
+# asperity_optimise_lightly(<target>): for what waits for people and files. Its development build takes a quarter less.
+function(asperity_optimise_lightly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O1>)
 endfunction()
 
 # asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…])

@@ -13,8 +13,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMillimetres = 1000.0;  // per metre
-constexpr double kDecadesShown = 3.0;    // of a spectrum, below its highest line
+constexpr double kPathMillimetres = 1000.0;  // per metre
+constexpr double kDecadesShown = 3.0;        // of a spectrum, below its highest line
 
 QLabel* make_plot_heading(QWidget* parent) {
   QLabel* heading = make_text({}, parent);
@@ -126,8 +126,8 @@ void PathPlots::add_path(const SurfaceCurves& surface) {
   // Where one way of moving ends the other begins; a gap keeps their lines apart.
   std::optional<bool> before{};
   for (const PathPoint& point : surface.path) {
-    const double x = kMillimetres * point.x_m;
-    const double y = kMillimetres * point.y_m;
+    const double x = kPathMillimetres * point.x_m;
+    const double y = kPathMillimetres * point.y_m;
     if (before && *before != point.touching) {
       QVector<QCPCurveData>& left = *before ? touching : hovering;
       add(left, x, y);

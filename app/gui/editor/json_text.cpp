@@ -51,7 +51,7 @@ QString key_of(QStringView text, const JsonToken& token) {
 }
 
 /// What is open around a position.
-struct Level {
+struct OpenValue {
   bool is_object = true;
   QString key{};        ///< the last one in an object
   qsizetype index = 0;  ///< in an array
@@ -73,7 +73,7 @@ std::vector<JsonToken> json_tokens(QStringView text) {
 }
 
 QStringList json_place(QStringView text, qsizetype position) {
-  std::vector<Level> levels{};
+  std::vector<OpenValue> levels{};
   for (const JsonToken& token : json_tokens(text)) {
     if (token.start > position) break;
     const QChar first = text[token.start];
@@ -91,7 +91,7 @@ QStringList json_place(QStringView text, qsizetype position) {
     }
   }
   QStringList place{};
-  for (const Level& level : levels) {
+  for (const OpenValue& level : levels) {
     if (!level.is_object) {
       place.append(QString::number(level.index));
     } else if (!level.key.isEmpty()) {

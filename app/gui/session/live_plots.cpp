@@ -17,7 +17,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMillimetres = 1000.0;  // per metre
+constexpr double kLiveMillimetres = 1000.0;  // per metre
 // Slower than this a hand turns or rests, as the compliance of an attempt counts it.
 constexpr double kMoving_m_per_s = 0.010;
 // Words that change sixty times a second cannot be read.
@@ -214,10 +214,10 @@ LivePlots::~LivePlots() = default;
 void LivePlots::set_patch(const SurfacePatch& patch) {
   drawing_->patch = patch;
   Drawing& d = *drawing_;
-  const double x = kMillimetres * patch.centre_m.x;
-  const double y = kMillimetres * patch.centre_m.y;
-  const double half_x = 0.5 * kMillimetres * patch.extent_m.x;
-  const double half_y = 0.5 * kMillimetres * patch.extent_m.y;
+  const double x = kLiveMillimetres * patch.centre_m.x;
+  const double y = kLiveMillimetres * patch.centre_m.y;
+  const double half_x = 0.5 * kLiveMillimetres * patch.extent_m.x;
+  const double half_y = 0.5 * kLiveMillimetres * patch.extent_m.y;
   d.patch_area->topLeft->setCoords(x - half_x, y + half_y);
   d.patch_area->bottomRight->setCoords(x + half_x, y - half_y);
   constexpr double kAround = 1.1;
@@ -233,14 +233,14 @@ void LivePlots::set_exploration(const std::optional<Exploration>& exploration) {
   d.force.asked = asked.normal_force_N;
   d.speed.asked = asked.speed_m_per_s;
   for (std::optional<double>* value : {&d.speed.asked.minimum, &d.speed.asked.maximum}) {
-    if (*value) **value *= kMillimetres;
+    if (*value) **value *= kLiveMillimetres;
   }
   const auto write = [](const Heading& heading, const QString& band) {
     heading.band->show_text(band.isEmpty() ? tr("no band") : tr("band %1").arg(band));
   };
   write(d.force.heading, text_of_band(asked.normal_force_N, 1.0, tr("N")));
-  write(d.speed.heading, text_of_band(asked.speed_m_per_s, kMillimetres, tr("mm/s")));
-  write(d.path_heading, text_of_band(asked.stroke_length_m, kMillimetres, tr("mm")));
+  write(d.speed.heading, text_of_band(asked.speed_m_per_s, kLiveMillimetres, tr("mm/s")));
+  write(d.path_heading, text_of_band(asked.stroke_length_m, kLiveMillimetres, tr("mm")));
   show_band(d.force);
   show_band(d.speed);
   // Strokes about the middle of the patch: shaded is where their ends are to lie.
@@ -253,10 +253,10 @@ void LivePlots::set_exploration(const std::optional<Exploration>& exploration) {
     const double sign = side == 0 ? -1.0 : 1.0;
     QVector<QCPCurveData> corners{};
     const auto corner = [&](double along, double across) {
-      corners.append(
-          QCPCurveData(static_cast<double>(corners.size()),
-                       kMillimetres * (d.patch.centre_m.x + along * along_x - across * along_y),
-                       kMillimetres * (d.patch.centre_m.y + along * along_y + across * along_x)));
+      corners.append(QCPCurveData(
+          static_cast<double>(corners.size()),
+          kLiveMillimetres * (d.patch.centre_m.x + along * along_x - across * along_y),
+          kLiveMillimetres * (d.patch.centre_m.y + along * along_y + across * along_x)));
     };
     corner(sign * minimum, -half_width);
     corner(sign * maximum, -half_width);
@@ -320,13 +320,13 @@ void LivePlots::draw_bins() {
       add(d.force.upper_points, static_cast<double>(bin.force_maximum_N));
       most_force = std::max(most_force, static_cast<double>(bin.force_maximum_N));
     }
-    const double fastest = kMillimetres * static_cast<double>(bin.speed_maximum_m_per_s);
-    add(d.speed.lower_points, kMillimetres * static_cast<double>(bin.speed_minimum_m_per_s));
+    const double fastest = kLiveMillimetres * static_cast<double>(bin.speed_maximum_m_per_s);
+    add(d.speed.lower_points, kLiveMillimetres * static_cast<double>(bin.speed_minimum_m_per_s));
     add(d.speed.upper_points, fastest);
     most_speed = std::max(most_speed, fastest);
 
-    const QCPCurveData place(at_s, kMillimetres * static_cast<double>(bin.x_m),
-                             kMillimetres * static_cast<double>(bin.y_m));
+    const QCPCurveData place(at_s, kLiveMillimetres * static_cast<double>(bin.x_m),
+                             kLiveMillimetres * static_cast<double>(bin.y_m));
     // Where one way of moving ends the other begins; a gap keeps their lines apart.
     if (bin.touching != touched) {
       QVector<QCPCurveData>& left = touched ? d.touch_points : d.hover_points;
@@ -346,8 +346,8 @@ void LivePlots::draw_bins() {
   set_points(*d.hover, d.hover_points);
   if (!d.shown.empty()) {
     const LiveBin& last = d.shown.back();
-    d.here->data()->set({QCPCurveData(0.0, kMillimetres * static_cast<double>(last.x_m),
-                                      kMillimetres * static_cast<double>(last.y_m))},
+    d.here->data()->set({QCPCurveData(0.0, kLiveMillimetres * static_cast<double>(last.x_m),
+                                      kLiveMillimetres * static_cast<double>(last.y_m))},
                         true);
   }
   d.path->layer("main")->replot();
@@ -410,7 +410,7 @@ void LivePlots::write_compliance() {
       compliance_of(strokes_m, {asked.stroke_length_m.minimum, asked.stroke_length_m.maximum});
   const QString words = tr("strokes: %1, mean %2 mm")
                             .arg(strokes_m.size())
-                            .arg(std::lround(kMillimetres * met->summary.mean));
+                            .arg(std::lround(kLiveMillimetres * met->summary.mean));
   const double mean = met->summary.mean;
   const bool inside = mean >= asked.stroke_length_m.minimum.value_or(mean) &&
                       mean <= asked.stroke_length_m.maximum.value_or(mean);

@@ -19,7 +19,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kRate_Hz = 48000;
+constexpr int kSampleRate_Hz = 48000;
 // Three of the periods of 20 ms in which Qt feeds a sound server; its default is up to two seconds.
 constexpr double kBuffer_s = 0.060;
 
@@ -48,7 +48,7 @@ std::optional<SampleForm> form_of(const QAudioFormat& format) {
 /// The first that the card takes: ours, then ours in 16 bits, then what it likes best.
 QAudioFormat format_for(const QAudioDevice& card) {
   QAudioFormat wanted{};
-  wanted.setSampleRate(kRate_Hz);
+  wanted.setSampleRate(kSampleRate_Hz);
   wanted.setChannelCount(2);
   for (const auto type : {QAudioFormat::Float, QAudioFormat::Int16}) {
     wanted.setSampleFormat(type);

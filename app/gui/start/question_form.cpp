@@ -16,7 +16,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFieldWidth = 240;
+constexpr int kAnswerWidth = 240;
 
 /// Swallows nothing: the event goes on to the parent, which scrolls.
 class WheelToParent final : public QObject {
@@ -95,7 +95,7 @@ void QuestionForm::add_row(const Question& question, int row) {
   }
   field->setObjectName(field_name(question));
   field->setAccessibleName(text);
-  field->setFixedWidth(kFieldWidth);
+  field->setFixedWidth(kAnswerWidth);
   prompt->setBuddy(field);
   grid_->addWidget(prompt, row, 0, Qt::AlignVCenter);
   grid_->addWidget(field, row, 1, Qt::AlignTop);

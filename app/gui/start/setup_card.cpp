@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kScreen = "start/participant_screen";
 constexpr const char* kOwnKeyboard = "start/own_keyboard";
-constexpr int kFieldWidth = 320;
+constexpr int kSetupFieldWidth = 320;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ SetupCard::SetupCard(QWidget* parent) : QWidget(parent) {
   auto* device = new QComboBox(this);
   device->setObjectName("device");
   device->addItem(tr("Simulated device"), "simulated");
-  device->setFixedWidth(kFieldWidth);
+  device->setFixedWidth(kSetupFieldWidth);
   ignore_wheel(*device);
   QLabel* device_label = make_text(tr("Device"), this);
   device_label->setBuddy(device);
@@ -69,7 +69,7 @@ SetupCard::SetupCard(QWidget* parent) : QWidget(parent) {
   screen_row->setSpacing(kMargin);
   screens_ = new QComboBox(this);
   screens_->setObjectName("participant_screen");
-  screens_->setFixedWidth(kFieldWidth);
+  screens_->setFixedWidth(kSetupFieldWidth);
   ignore_wheel(*screens_);
   QLabel* screen_label = make_text(tr("The participant's window"), this);
   screen_label->setBuddy(screens_);

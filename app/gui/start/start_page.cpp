@@ -29,7 +29,7 @@ constexpr const char* kPage = "start";
 constexpr int kNarrowestForm = 648;
 constexpr int kFormWidth = 960;       // longer lines are hard to follow
 constexpr int kCheckListWidth = 328;  // at least
-constexpr int kFieldWidth = 320;
+constexpr int kChoiceWidth = 320;
 constexpr int kModeWidth = 160;
 constexpr const char* kTall = "min-height: 46px;";
 constexpr int kFooterHeight = 80;  // whatever the reason says
@@ -127,7 +127,7 @@ void StartPage::make_protocol_card(QVBoxLayout& column) {
   protocols_->setObjectName("protocols");
   protocols_->setAccessibleName(tr("Protocol"));
   protocols_->setPlaceholderText(tr("Choose"));
-  protocols_->setFixedWidth(kFieldWidth);
+  protocols_->setFixedWidth(kChoiceWidth);
   ignore_wheel(*protocols_);
   row->addWidget(protocols_);
   layout->addLayout(row);
@@ -224,7 +224,7 @@ QWidget* StartPage::make_footer() {
   progress_->setObjectName("simulation_progress");
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
-  progress_->setFixedWidth(kFieldWidth);
+  progress_->setFixedWidth(kChoiceWidth);
   progress_->hide();
   row->addWidget(progress_);
   cancel_ = make_button(tr("Stop the simulation"), ButtonRole::plain, footer);

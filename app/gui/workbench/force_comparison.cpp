@@ -25,8 +25,8 @@ constexpr int kLook_ms = 250;
 constexpr std::size_t kShownSamples = 2000;  // two seconds
 constexpr std::size_t kWelchSamples = 256;
 constexpr double kAcross_m_per_s = 0.060;
-constexpr double kRate_Hz = 1000.0;
-constexpr std::int64_t kPeriod_ns = 1'000'000;
+constexpr double kComparedRate_Hz = 1000.0;
+constexpr std::int64_t kComparedPeriod_ns = 1'000'000;
 constexpr double kLoud_N = 0.2;          // a strong texture force is at half of full scale
 constexpr double kStill_m_per_s = 1e-4;  // below, a direction of motion means nothing
 
@@ -265,7 +265,7 @@ void ForceComparison::frame() {
     const double length_m = 0.9 * field_->field()->width_m();
     double gone_m = 0.0;
     while (gone_m <= length_m) {
-      const auto next_ns = static_cast<std::int64_t>(stroke_.path().size()) * kPeriod_ns;
+      const auto next_ns = static_cast<std::int64_t>(stroke_.path().size()) * kComparedPeriod_ns;
       if (next_ns > now_ns) break;
       gone_m = kAcross_m_per_s * 1e-9 * static_cast<double>(next_ns);
       stroke_.aim({std::min(gone_m, length_m) - 0.5 * length_m, *across_y_m_});
@@ -338,7 +338,8 @@ void ForceComparison::play() {
   const std::string& id =
       cards_[static_cast<std::size_t>(heard_->currentIndex() - 1)].model->declaration.id;
   for (std::size_t m = 0; m < stroke_.models().size(); ++m) {
-    if (stroke_.models()[m].id == id) speaker_->play_force(component_of(m, played_), kRate_Hz);
+    if (stroke_.models()[m].id == id)
+      speaker_->play_force(component_of(m, played_), kComparedRate_Hz);
   }
   played_ = stroke_.path().size();
 }
@@ -391,7 +392,7 @@ std::vector<PlotSeries> ForceComparison::spectra() const {
     series.name.clear();  // the colours are named beside the forces
     if (signal.size() < kWelchSamples) continue;
     const PowerSpectrum spectrum =
-        welch_spectrum(signal, {.rate_Hz = kRate_Hz, .length = kWelchSamples});
+        welch_spectrum(signal, {.rate_Hz = kComparedRate_Hz, .length = kWelchSamples});
     for (std::size_t k = 1; k < spectrum.density.size(); ++k) {
       series.x.push_back(static_cast<double>(k) * spectrum.spacing_Hz);
       series.y.push_back(spectrum.density[k]);

@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kRate_Hz = 1000.0;
+constexpr double kStrokeRate_Hz = 1000.0;
 constexpr double kPlateThickness_m = 0.02;  // more than the deepest hand
 constexpr std::int64_t kLongestStroke_ns = 60'000'000'000;
 
@@ -63,8 +63,9 @@ void ForceStroke::advance(std::int64_t until_ns) {
   if (!going_on_) return;
   // A button that got stuck must not fill the memory.
   for (const ProbeState& probe : hand_.advance(std::min(until_ns, kLongestStroke_ns))) {
-    const double dt_s = path_.empty() ? 1.0 / kRate_Hz
-                                      : clamped_dt_s(path_.back().time_ns, probe.time_ns, kRate_Hz);
+    const double dt_s = path_.empty()
+                            ? 1.0 / kStrokeRate_Hz
+                            : clamped_dt_s(path_.back().time_ns, probe.time_ns, kStrokeRate_Hz);
     for (std::size_t m = 0; m < models_.size(); ++m) {
       ForceRenderer& renderer = *models_[m].renderer;
       if (path_.empty()) renderer.reset(probe);
