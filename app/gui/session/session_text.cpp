@@ -54,7 +54,7 @@ QString NameVeil::veiled(const QString& text) const {
 }
 
 QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
-                            const QString& condition, double in_phase_s) {
+                            const int to_come, const QString& condition, double in_phase_s) {
   const QString seconds = QString::number(std::max(0.0, in_phase_s), 'f', 1);
   switch (snapshot.phase) {
     case SessionPhase::idle:
@@ -62,8 +62,8 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
     case SessionPhase::ready:
       return tr("Getting ready: the participant reads, or the device is checked");
     case SessionPhase::iti:
-      return snapshot.trial > 0 ? tr("Between trials, next is trial %1").arg(snapshot.trial)
-                                : tr("Between trials");
+      return to_come > 0 ? tr("Between trials, next is trial %1").arg(to_come)
+                         : tr("Between trials");
     case SessionPhase::fore:
       return tr("Trial %1: waiting for the first touch, %2 s").arg(snapshot.trial).arg(seconds);
     case SessionPhase::contact: {
@@ -87,7 +87,7 @@ QString SessionText::of_now(const SessionSnapshot& snapshot, const Trial* trial,
     case SessionPhase::questions:
       return tr("The participant answers questions");
     case SessionPhase::paused:
-      return snapshot.trial > 0 ? tr("Paused before trial %1").arg(snapshot.trial) : tr("Paused");
+      return to_come > 0 ? tr("Paused before trial %1").arg(to_come) : tr("Paused");
     case SessionPhase::fault:
       return tr("Stopped: the force is held at zero");
     case SessionPhase::ended:

@@ -28,9 +28,9 @@ class NameVeil final {
 class SessionText final {
   Q_DECLARE_TR_FUNCTIONS(SessionText)
  public:
-  /// "Trial 17: feeling surface 1 of 2 (S3), 6.2 s". `in_phase_s`: since the phase began;
-  /// `condition`: of the surface, as it may be known.
-  static QString of_now(const SessionSnapshot& snapshot, const Trial* trial,
+  /// "Trial 17: feeling surface 1 of 2 (S3), 6.2 s". `to_come`: the trial that comes when none is under
+  /// way, 0 for none; `in_phase_s`: since the phase began; `condition`: of the surface, as it may be known.
+  static QString of_now(const SessionSnapshot& snapshot, const Trial* trial, int to_come,
                         const QString& condition, double in_phase_s);
   /// The same beside the number of the trial that is under way or comes: "feeling 6.2 s", "next".
   static QString of_phase(const SessionSnapshot& snapshot, double in_phase_s);

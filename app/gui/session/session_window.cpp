@@ -415,7 +415,7 @@ void SessionWindow::write_moving_texts() {
                                                           : tr("Preparing the session"));
   } else {
     header_->show_now(SessionText::of_now(
-        shown_, trial_now(), plan_->model().condition(shown_.trial, shown_.surface), in_phase_s));
+        shown_, trial_now(), trial_to_come(), plan_->model().condition(shown_.trial, shown_.surface), in_phase_s));
   }
   plan_->set_now(trial_to_come(), SessionText::of_phase(shown_, in_phase_s));
   header_->show_elapsed(facts_ == nullptr ? 0.0 : seconds_between(shown_.began_ns, time_ns));

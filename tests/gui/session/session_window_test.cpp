@@ -351,8 +351,11 @@ TEST(SessionWindow, MarksWhatTheExperimenterHasAskedFor) {
   session.requests.stop_after(StopAfter::block);
   session.set_phase(SessionPhase::iti);
   EXPECT_EQ(marked(*window), QStringList{"17: next"}) << "of the same block";
+  const auto& header = find<QLabel>(*window, "now");
+  EXPECT_EQ(header.text(), "Between trials, next is trial 17");
   session.monitor.update([](SessionSnapshot& s) { s.block = 1; });
   EXPECT_EQ(marked(*window), QStringList{}) << "the block is over";
+  EXPECT_EQ(header.text(), "Between trials");
 }
 
 TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
