@@ -85,6 +85,16 @@ TEST(RelabellingTest, CountsEveryAssignmentOfLabels) {
   EXPECT_TRUE(relabelling_test(counts).exact);
 }
 
+// Of 8 labels, one choice of a person has 8 relabellings and not 8!: 20 persons who all choose the same
+// are as far from chance as can be in 8 of 8²⁰.
+TEST(RelabellingTest, CountsManyUnitsThatHaveFewRelabellings) {
+  CountMatrix counts = CountMatrix::Zero(20, 8);
+  counts.col(3).setOnes();
+  const RelabellingTest same = relabelling_test(counts);
+  EXPECT_TRUE(same.exact);
+  EXPECT_NEAR(same.p, std::pow(8.0, -19), 1e-12 * std::pow(8.0, -19));
+}
+
 TEST(RelabellingTest, DrawsWhatIsTooMuchToCount) {
   CountMatrix counts = CountMatrix::Zero(16, 8);
   for (Eigen::Index unit = 0; unit < counts.rows(); ++unit) {
