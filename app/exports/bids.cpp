@@ -218,19 +218,14 @@ void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
   folder_.write(name + ".json", text_of(sidecar));
 }
 
-void BidsDataset::add_row(const ExportPlace& at) {
-  std::vector<Cell> row{};
-  row.reserve(columns_.size());
-  for (const ExportColumn& column : columns_) {
-    if (column.name != "run") {
-      row.push_back(cell_for(audience_, column, at));
-      continue;
-    }
-    Cell run{};
-    if (attempt_is_recorded_) run = run_;
-    row.push_back(std::move(run));
+void BidsDataset::add_row(const std::vector<Cell>& row) {
+  if (recordings_ == Recordings::left_out) {
+    beh_->add(row);
+    return;
   }
-  beh_->add(row);
+  std::vector<Cell> with_run = row;
+  with_run.push_back(attempt_is_recorded_ ? Cell{run_} : Cell{});
+  beh_->add(with_run);
 }
 
 void BidsDataset::end_session() {

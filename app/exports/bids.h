@@ -41,8 +41,9 @@ class BidsDataset final {
 
   void add_participant(const ExportPlace& at);
   void begin_session(const ExportPlace& at);
-  /// With a response, or without where the attempt has none.
-  void add_row(const ExportPlace& at);
+  /// The cells of answered_trial_columns, as this audience gets them; of an attempt without a response
+  /// there is one row as well.
+  void add_row(const std::vector<Cell>& row);
   /// The recording of an attempt, if it has one; before its rows.
   void add_attempt(const Study& study, const ExportPlace& at);
   void end_session();

@@ -26,7 +26,6 @@ PsychDataset::PsychDataset(ExportFolder& folder, std::string root, const std::st
     : folder_(folder),
       root_(std::move(root)),
       study_name_(study_name),
-      audience_(audience),
       columns_(columns_for(audience, answered_trial_columns(vocabulary), left_out_)) {}
 
 void PsychDataset::begin_session(const ExportPlace& at) {
@@ -39,12 +38,7 @@ void PsychDataset::begin_session(const ExportPlace& at) {
   table_.emplace(folder_.path_of(file_), TableFile::Format::csv, names);
 }
 
-void PsychDataset::add_row(const ExportPlace& at) {
-  std::vector<Cell> row{};
-  row.reserve(columns_.size());
-  for (const ExportColumn& column : columns_) row.push_back(cell_for(audience_, column, at));
-  table_->add(row);
-}
+void PsychDataset::add_row(const std::vector<Cell>& row) { table_->add(row); }
 
 void PsychDataset::end_session() {
   folder_.add(file_, table_->finish(), left_out_);

@@ -19,7 +19,8 @@ class PsychDataset final {
                const StudyVocabulary& vocabulary, ExportAudience audience);
 
   void begin_session(const ExportPlace& at);
-  void add_row(const ExportPlace& at);
+  /// The cells of answered_trial_columns, as this audience gets them.
+  void add_row(const std::vector<Cell>& row);
   void end_session();
   void finish();
 
@@ -27,7 +28,6 @@ class PsychDataset final {
   ExportFolder& folder_;
   std::string root_{};
   std::string study_name_{};
-  ExportAudience audience_;
   std::vector<std::string> left_out_{};
   std::vector<ExportColumn> columns_{};
   std::string file_{};

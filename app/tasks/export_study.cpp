@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -169,15 +170,15 @@ class GroupFiles final {
   /// With a response, or without where the attempt has none.
   void add_row(const ExportPlace& at) {
     if (wide_ && at.response != nullptr) wide_->add_answer(at);
-    if (bids_) bids_->add_row(at);
-    if (psych_) psych_->add_row(at);
-    if (!trials_) return;
+    if (!bids_ && !psych_ && !trials_) return;
     std::vector<Cell> row{};
     row.reserve(columns_.size());
     for (const ExportColumn& column : columns_) {
       row.push_back(cell_for(options_.audience, column, at));
     }
-    trials_->add(std::move(row));
+    if (bids_) bids_->add_row(row);
+    if (psych_) psych_->add_row(row);
+    if (trials_) trials_->add(std::move(row));
   }
 
   void finish(const StudyVocabulary& vocabulary, Codebook& codebook) {
@@ -244,6 +245,26 @@ void sort_responses(std::vector<ResponseRow>& responses) {
     return std::pair(a.question, a.item) < std::pair(b.question, b.item);
   });
 }
+
+/// JSON texts, of which a study has few that differ and many that are equal, as what they say.
+class ReadJson final {
+ public:
+  /// Holds until the next text.
+  const nlohmann::json& of(const std::string& text) {
+    auto found = known_.find(text);
+    if (found == known_.end()) {
+      nlohmann::json read = nlohmann::json::parse(text);
+      if (known_.size() == kMost) known_.clear();
+      found = known_.emplace(text, std::move(read)).first;
+    }
+    return found->second;
+  }
+
+ private:
+  static constexpr std::size_t kMost =
+      1000;  // where all differ, keeping them would fill the memory
+  std::unordered_map<std::string, nlohmann::json> known_{};
+};
 
 class StudyExport final {
  public:
@@ -347,9 +368,8 @@ class StudyExport final {
       attempts_by_trial[attempt.trial].push_back(std::move(attempt));
     }
     for (const PlannedTrialRow& trial : study_.plan(at.session->id)) {
-      const nlohmann::json factors = nlohmann::json::parse(trial.factors_json);
       at.trial = &trial;
-      at.factors = &factors;
+      at.factors = &factors_.of(trial.factors_json);
       add("trials", at);
       for (AttemptRow& attempt : attempts_by_trial[trial.trial]) add_attempt(at, attempt, files);
     }
@@ -360,10 +380,9 @@ class StudyExport final {
     at.attempt = &attempt;
     add("attempts", at);
     for (const PresentationRow& presentation : attempt.presentations) {
-      const nlohmann::json parameters = nlohmann::json::parse(presentation.parameters_json);
       ExportPlace here = at;
       here.presentation = &presentation;
-      here.parameters = &parameters;
+      here.parameters = &parameters_.of(presentation.parameters_json);
       add("presentations", here);
     }
     files.begin_attempt(study_, at);
@@ -400,6 +419,8 @@ class StudyExport final {
   std::vector<GrowingTable> tables_{};
   std::map<Group, std::unique_ptr<GroupFiles>> groups_{};
   Codebook codebook_{};
+  ReadJson factors_{};
+  ReadJson parameters_{};
   std::vector<Cell> row_{};
 };
 
