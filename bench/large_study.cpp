@@ -1,10 +1,12 @@
 // A study with a million attempts: how long its analysis and the reading of its lists take.
 //
 // `--make DIR` writes one through the store, as sessions would, and ends; on a disk that syncs every
-// attempt that takes its time, in memory (/dev/shm) some minutes. `--study DIR` measures.
+// attempt that takes its time, in memory (/dev/shm) some minutes. `--study DIR` measures, by the wall
+// and of the processor.
 
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -187,11 +189,18 @@ void make_study(const std::filesystem::path& folder, const std::string& kind, in
   std::cerr << '\n';
 }
 
+struct Taken {
+  double wall_s = 0.0;
+  double cpu_s = 0.0;  ///< what it would take on a machine with nothing beside it and a warm disk
+};
+
 template <class Function>
-double seconds_of(const Function& function) {
+Taken time_taken_by(const Function& function) {
   const auto began = std::chrono::steady_clock::now();
+  const std::clock_t cpu_began = std::clock();
   function();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(),
+          static_cast<double>(std::clock() - cpu_began) / CLOCKS_PER_SEC};
 }
 
 nlohmann::ordered_json case_of(const std::string& name, double value_s) {
@@ -202,9 +211,12 @@ nlohmann::ordered_json case_of(const std::string& name, double value_s) {
 void measure(const std::filesystem::path& folder, bool json) {
   nlohmann::ordered_json cases = nlohmann::ordered_json::array();
   const auto time = [&](const std::string& name, const auto& function) {
-    const double value_s = seconds_of(function);
-    cases.push_back(case_of(name, value_s));
-    if (!json) std::cout << name << ": " << value_s << " s\n";
+    const Taken taken = time_taken_by(function);
+    cases.push_back(case_of(name, taken.wall_s));
+    cases.push_back(case_of(name + "/cpu", taken.cpu_s));
+    if (!json) {
+      std::cout << name << ": " << taken.wall_s << " s, " << taken.cpu_s << " s of processor\n";
+    }
   };
   const Study study = Study::open(folder, Access::read_only);
   time("session_overviews", [&] { (void)session_overviews(study, {}); });
