@@ -16,9 +16,6 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-// A contact that is left out may set another one free: as often as this it is looked again.
-constexpr int kPasses = 4;
-
 Vector6 stacked(const glm::dvec3& first, const glm::dvec3& second) {
   Vector6 both;
   both << first.x, first.y, first.z, second.x, second.y, second.z;
@@ -118,9 +115,11 @@ Wrench CoupledTool::step(const ProbeState& device, std::span<const PenaltyContac
   const Vector6 free_right = mass.cwiseProduct(twist_before) / dt_s + stiffness.cwiseProduct(way) +
                              damping.cwiseProduct(device_twist);
 
+  // A contact that is left out may set another one free: looked again until none pulls, once for each
+  // contact at most.
   std::array<bool, kMaximumContacts> is_left_out{};
   Vector6 twist = twist_before;
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (bool has_changed = true; has_changed;) {
     Matrix6 matrix = free_matrix;
     Vector6 right = free_right;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -133,7 +132,7 @@ Wrench CoupledTool::step(const ProbeState& device, std::span<const PenaltyContac
       right -= contact.stiffness_N_per_m * contact.depth_m * gradient;
     }
     twist = matrix.llt().solve(right);
-    bool has_changed = false;
+    has_changed = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (is_left_out[i]) continue;
       const PenaltyContact& contact = contacts[i];
@@ -144,7 +143,6 @@ Wrench CoupledTool::step(const ProbeState& device, std::span<const PenaltyContac
           contact.damping_N_s_per_m * depth_rate_m_per_s;
       if (push_N < 0.0) is_left_out[i] = has_changed = true;
     }
-    if (!has_changed) break;
   }
 
   const Vector6 coupling =

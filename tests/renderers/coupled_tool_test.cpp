@@ -109,6 +109,38 @@ TEST(CoupledTool, IsLetGoByAContactThatWouldPull) {
   EXPECT_EQ(wrench.force_N.z, unhindered.step(away, {}, kTick_s).force_N.z);
 }
 
+// Six contacts of which, without those before, each is just shallow enough to pull: with h·v the way in
+// a tick, f = F/k and a the rest of the matrix by h·k, all n of them have h·v = (f + Σδ)/(a + n).
+TEST(CoupledTool, IsLetGoByContactsThatSetEachOtherFreeOneByOne) {
+  constexpr double kPlane_N_per_m = 1e4;
+  constexpr std::size_t kContacts = 6;
+  const CoupledTool::Properties properties{.mass_kg = 0.01};
+  const double own = (properties.mass_kg / kTick_s + kTick_s * properties.stiffness_N_per_m +
+                      properties.damping_N_s_per_m) /
+                     (kTick_s * kPlane_N_per_m);
+  std::vector<PenaltyContact> contacts;
+  double way_m = 1e-3;
+  double grown_m = 1e-3;
+  double pull_m = way_m * (own + kContacts);
+  for (std::size_t i = 0; i < kContacts; ++i) {
+    const double depth_m = way_m - 0.9 * grown_m;  // less than the way, and more than that before
+    contacts.push_back(
+        {.stiffness_N_per_m = kPlane_N_per_m, .depth_m = depth_m, .depth_per_m = {0.0, 0.0, -1.0}});
+    pull_m -= depth_m;
+    grown_m = (way_m - depth_m) / (own + static_cast<double>(kContacts - i) - 1.0);
+    way_m += grown_m;
+  }
+  const ProbeState device = at({0.0, 0.0, pull_m * kPlane_N_per_m / properties.stiffness_N_per_m});
+  CoupledTool tool(properties);
+  CoupledTool unhindered(properties);
+  tool.reset(at({}));
+  unhindered.reset(at({}));
+  tool.step(device, contacts, kTick_s);
+  unhindered.step(device, {}, kTick_s);
+  EXPECT_EQ(tool.pose().centre_m.z, unhindered.pose().centre_m.z);
+  EXPECT_GT(tool.pose().centre_m.z, contacts.back().depth_m);
+}
+
 // Pulled along a plane at a steady speed v, the coupling carries b·v along the plane, and the torque of
 // the point that rubs.
 TEST(CoupledTool, IsHeldBackByTheFrictionOfAContact) {
