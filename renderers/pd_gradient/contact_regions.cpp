@@ -118,15 +118,8 @@ ContactRegions::Body::Body(const TriangleMesh& mesh)
     const double length = glm::length(area);
     normals.push_back(length > 0.0 ? area / length : glm::dvec3(0.0));
   }
-}
-
-bool ContactRegions::Body::are_neighbours(std::uint32_t one, std::uint32_t other) const noexcept {
-  for (const std::uint32_t corner : triangles[one]) {
-    for (const std::uint32_t other_corner : triangles[other]) {
-      if (corner == other_corner) return true;
-    }
-  }
-  return false;
+  last_of_triangle.assign(triangles.size(), kNone);
+  last_of_vertex.assign(vertices_m.size(), kNone);
 }
 
 ContactRegions::ContactRegions(const TriangleMesh& a, const TriangleMesh& b,
@@ -135,8 +128,6 @@ ContactRegions::ContactRegions(const TriangleMesh& a, const TriangleMesh& b,
   segments_.reserve(maximum_pairs);
   parents_.reserve(maximum_pairs);
   before_it_.resize(maximum_pairs);
-  last_with_a_.assign(a_.triangles.size(), kNone);
-  last_with_b_.assign(b_.triangles.size(), kNone);
   sum_of_root_.reserve(maximum_pairs);
   sums_.reserve(maximum_pairs);
   half_extents_m_.reserve(maximum_regions);
@@ -161,27 +152,41 @@ void ContactRegions::join(std::uint32_t one, std::uint32_t other) noexcept {
   parents_[std::max(first, second)] = std::min(first, second);
 }
 
+// Joins pairs of one triangle of `same` whose triangles of `other` have a corner in common. The pairs of a
+// triangle are chained, and each chain is walked once: what meets at a corner hangs together.
+void ContactRegions::join_along(std::span<const TrianglePair> pairs, Side same,
+                                Side other) noexcept {
+  Body& held = *same.body;
+  Body& along = *other.body;
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    std::uint32_t& last = held.last_of_triangle[pairs[i].*same.of_pair];
+    before_it_[i] = last;
+    last = i;
+  }
+  for (const TrianglePair& pair : pairs) {
+    const std::uint32_t triangle = pair.*same.of_pair;
+    for (std::uint32_t i = std::exchange(held.last_of_triangle[triangle], kNone); i != kNone;
+         i = before_it_[i]) {
+      for (const std::uint32_t corner : along.triangles[pairs[i].*other.of_pair]) {
+        const std::uint32_t met = std::exchange(along.last_of_vertex[corner], i);
+        if (met != kNone && pairs[met].*same.of_pair == triangle) join(i, met);
+      }
+    }
+  }
+  for (const TrianglePair& pair : pairs) {
+    for (const std::uint32_t corner : along.triangles[pair.*other.of_pair]) {
+      along.last_of_vertex[corner] = kNone;
+    }
+  }
+}
+
 // A curve goes from one pair to the next through an edge or a corner of one mesh, while the triangle
 // of the other mesh stays the same.
 void ContactRegions::join_neighbours(std::span<const TrianglePair> pairs) noexcept {
-  const auto join_sharing = [&](std::uint32_t TrianglePair::*shared,
-                                std::vector<std::uint32_t>& last, auto neighbours) {
-    for (std::uint32_t i = 0; i < pairs.size(); ++i) {
-      std::uint32_t& last_with_it = last[pairs[i].*shared];
-      for (std::uint32_t j = last_with_it; j != kNone; j = before_it_[j]) {
-        if (neighbours(pairs[i], pairs[j])) join(i, j);
-      }
-      before_it_[i] = last_with_it;
-      last_with_it = i;
-    }
-    for (const TrianglePair& pair : pairs) last[pair.*shared] = kNone;
-  };
-  join_sharing(&TrianglePair::a, last_with_a_, [this](const auto& one, const auto& other) {
-    return b_.are_neighbours(one.b, other.b);
-  });
-  join_sharing(&TrianglePair::b, last_with_b_, [this](const auto& one, const auto& other) {
-    return a_.are_neighbours(one.a, other.a);
-  });
+  const Side a{.body = &a_, .of_pair = &TrianglePair::a};
+  const Side b{.body = &b_, .of_pair = &TrianglePair::b};
+  join_along(pairs, a, b);
+  join_along(pairs, b, a);
 }
 
 void ContactRegions::add_up() noexcept {

@@ -47,7 +47,8 @@ struct ContactRegion {
 ///
 /// Frame and units: SI, the world.
 ///
-/// Real-time: `update` does not allocate, lock or throw. More than `maximum_regions` regions are
+/// Real-time: `update` does not allocate, lock or throw, and takes as long as there are pairs, also
+/// where all are of one triangle. More than `maximum_regions` regions are
 /// counted; those with the longest curves are kept.
 class ContactRegions final {
  public:
@@ -75,8 +76,16 @@ class ContactRegions final {
     std::vector<glm::dvec3> vertices_m{};
     std::vector<std::array<std::uint32_t, 3>> triangles{};
     std::vector<glm::dvec3> normals{};  ///< of the triangles, unit length; 0 for one without area
+    // While pairs are joined: of every triangle the last pair with it, of every vertex the last pair
+    // of those just looked at.
+    std::vector<std::uint32_t> last_of_triangle{};
+    std::vector<std::uint32_t> last_of_vertex{};
     explicit Body(const TriangleMesh& mesh);
-    bool are_neighbours(std::uint32_t one, std::uint32_t other) const noexcept;
+  };
+  /// A body, and which of a pair's triangles is its own.
+  struct Side {
+    Body* body = nullptr;
+    std::uint32_t TrianglePair::*of_pair = nullptr;
   };
   /// What two triangles have in common.
   struct Segment {
@@ -95,6 +104,7 @@ class ContactRegions final {
   std::uint32_t root_of(std::uint32_t pair) noexcept;
   void join(std::uint32_t one, std::uint32_t other) noexcept;
   void join_neighbours(std::span<const TrianglePair> pairs) noexcept;
+  void join_along(std::span<const TrianglePair> pairs, Side same, Side other) noexcept;
   void add_up() noexcept;
   void keep_longest() noexcept;
   const ContactRegion* before(const glm::dvec3& origin_m) noexcept;
@@ -114,9 +124,6 @@ class ContactRegions final {
   std::vector<bool> taken_{};
   std::vector<const ContactRegion*> lasts_{};  // of those kept, what they were in the tick before
   std::vector<double> half_extents_m_{};
-  // Of every triangle, the last pair with it while pairs are joined.
-  std::vector<std::uint32_t> last_with_a_{};
-  std::vector<std::uint32_t> last_with_b_{};
   std::uint64_t next_id_ = 0;
   std::size_t left_out_ = 0;
 };

@@ -2,8 +2,14 @@
 
 #include "renderers/pd_gradient/contact_regions.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -79,6 +85,62 @@ TEST(ContactRegions, WhatDoesNotHangTogetherIsSeveralContacts) {
   const auto regions = meeting.update(ring, at({0.0, 0.0, -0.05}));
   ASSERT_EQ(regions.size(), 2U);
   EXPECT_GT(glm::distance(regions[0].frame.origin_m, regions[1].frame.origin_m), 0.03);
+}
+
+/// How many pairs each of the parts has that hang together, each pair held against each other one.
+std::vector<std::size_t> parts_by_every_two(std::span<const TrianglePair> pairs,
+                                            const TriangleMesh& a, const TriangleMesh& b) {
+  const auto have_a_corner_in_common = [](const auto& one, const auto& other) {
+    return std::any_of(one.begin(), one.end(), [&](std::uint32_t corner) {
+      return std::find(other.begin(), other.end(), corner) != other.end();
+    });
+  };
+  std::vector<std::size_t> part(pairs.size());
+  std::iota(part.begin(), part.end(), std::size_t{0});
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool along_b =
+          pairs[i].a == pairs[j].a &&
+          have_a_corner_in_common(b.triangles[pairs[i].b], b.triangles[pairs[j].b]);
+      const bool along_a =
+          pairs[i].b == pairs[j].b &&
+          have_a_corner_in_common(a.triangles[pairs[i].a], a.triangles[pairs[j].a]);
+      if (along_a || along_b) std::replace(part.begin(), part.end(), part[i], std::size_t{part[j]});
+    }
+  }
+  std::vector<std::size_t> sizes;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto size = static_cast<std::size_t>(std::count(part.begin(), part.end(), i));
+    if (size > 0) sizes.push_back(size);
+  }
+  std::sort(sizes.begin(), sizes.end());
+  return sizes;
+}
+
+// Rings through each other and through a block, whose faces are cut many times, in pose after pose: what
+// was joined before is forgotten.
+TEST(ContactRegions, AreWhatHangsTogetherWhateverTheirPairsShare) {
+  const TriangleMesh ring = bumpy_torus(40, 20);
+  std::size_t most_parts = 0;
+  for (const TriangleMesh& other : {box({0.1, 0.1, 0.1}), bumpy_torus(24, 15)}) {
+    Meeting meeting(ring, other);
+    for (int step = 0; step < 12; ++step) {
+      const Pose pose = turned(0.3 + 0.25 * step, {1.0, 0.3 * step, 0.2}, {0.0, 0.003, 0.05});
+      const auto pairs = meeting.query.find(pose);
+      const std::vector<std::size_t> expected = parts_by_every_two(pairs, ring, other);
+      std::vector<std::size_t> found;
+      for (const ContactRegion& region : meeting.regions.update(pairs, pose, {})) {
+        found.push_back(region.pairs);
+      }
+      std::sort(found.begin(), found.end());
+      // What has no direction is counted, not listed.
+      EXPECT_EQ(found.size() + meeting.regions.regions_left_out(), expected.size()) << step;
+      EXPECT_TRUE(std::includes(expected.begin(), expected.end(), found.begin(), found.end()))
+          << step;
+      most_parts = std::max(most_parts, found.size());
+    }
+  }
+  EXPECT_GE(most_parts, 2U);
 }
 
 TEST(ContactRegions, ExchangingTheBodiesReversesTheDirection) {
