@@ -2,7 +2,7 @@
 
 #include "renderers/pd_gradient/found_gradient.h"
 
-#include <cmath>
+#include <numbers>
 
 #include <glm/vec2.hpp>
 
@@ -29,14 +29,19 @@ Penetration gradient_of(const ElevenMaxima& found, const DifferenceSteps& steps,
 
 Penetration gradient_of(const WeightedSums& sums, const SmoothMaximum& law, double cell_m,
                         const glm::dvec3& deepest_m) noexcept {
-  const double per_weight = 1.0 / sums.weight;
-  const double per_slope = per_weight / kSlope_cells;  // of what is in cells both up and along
+  const double per_weight = 1.0 / sums.once.weight;
+  const double sunk =
+      std::numbers::ln2 * sums.by_log2.weight * per_weight;  // (δ − here)/τ, mean of ln w
+  const auto mean = [&](double PlaceSums::*of) {
+    return per_weight * ((1.0 - sunk) * sums.once.*of + std::numbers::ln2 * sums.by_log2.*of);
+  };
+  const double per_slope = 1.0 / (kSlope_cells * cell_m);
   Penetration result{.deepest_m = deepest_m};
-  result.depth_m = sums.here_m + law.tau_m * std::log(sums.weight * cell_m * cell_m / law.area_m2);
-  result.slope = glm::dvec2{sums.slope_x_m, sums.slope_y_m} * (per_slope / cell_m);
-  result.lever_m = {-sums.y * per_weight * cell_m - sums.z_slope_y_m2 * (per_slope / cell_m),
-                    sums.x * per_weight * cell_m + sums.z_slope_x_m2 * (per_slope / cell_m),
-                    sums.turn_m * per_slope};
+  result.depth_m = sums.here_m + law.tau_m * sunk;
+  result.slope = per_slope * glm::dvec2{mean(&PlaceSums::slope_x_m), mean(&PlaceSums::slope_y_m)};
+  result.lever_m = {-cell_m * mean(&PlaceSums::y) - per_slope * mean(&PlaceSums::z_slope_y_m2),
+                    cell_m * mean(&PlaceSums::x) + per_slope * mean(&PlaceSums::z_slope_x_m2),
+                    mean(&PlaceSums::turn_m) / kSlope_cells};  // both up and along in cells
   return result;
 }
 

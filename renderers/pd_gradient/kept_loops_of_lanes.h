@@ -501,7 +501,7 @@ void weigh_kept_by_lanes(const KeptTask& whole_task, WeightedSums& sums) {
   const Weighing weighing = weighing_from(here_m, task.per_tau_per_m);
   const float lightest_m = largest(weighing.lightest_m);
   const Floats middle = Lanes::all(0.5F * static_cast<float>(task.samples - 1));
-  GatheredSums gathered = nothing_gathered();
+  GatheredTwice gathered = nothing_gathered();
   float room[kRoomRows * kRoomColumns];
   for (std::int32_t block = 0; block < blocks; ++block) {
     if (task.prune && task.bound_m[block] < lightest_m) continue;

@@ -27,7 +27,6 @@ void require_sound(const MaximumLaw& law) {
     return;
   }
   require_positive(std::get<SmoothMaximum>(law).tau_m, "SmoothMaximum: tau_m");
-  require_positive(std::get<SmoothMaximum>(law).area_m2, "SmoothMaximum: area_m2");
 }
 
 DifferenceSteps difference_steps(const SamplingGrid& grid, double step_m) noexcept {

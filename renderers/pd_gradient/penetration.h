@@ -21,17 +21,21 @@ struct HardMaximum {
   double step_m = 0.0;
 };
 
-/// δ = τ·ln((1/S)·∫_D exp((h_B − h_A)/τ) dA), with its exact gradient. A smoother force, and another
-/// one: heights within some τ of the highest push together. The area S sets what counts as depth
-/// zero, δ falls by τ·ln S, and leaves the gradient alone.
+/// The mean of all depths, each weighing by w = exp((h_B − h_A)/τ), ⟨·⟩ for means that weigh so:
+///
+///   δ = ∫_D w·(h_B − h_A) dA / ∫_D w dA      ∇δ = ⟨(1 + (h_B − h_A − δ)/τ)·∇(h_B − h_A)⟩
+///
+/// A smoother force, and another one: heights within some τ of the highest push together. δ is never
+/// above the hard maximum, so that nothing is felt at once where a contact begins. It is equal where a
+/// plate lies flat on another one, whatever their size; a ball on a plate is felt τ later, whatever its
+/// radius. What of D lies some τ lower does not matter, and so does no window's width.
 struct SmoothMaximum {
   double tau_m = 0.0;
-  double area_m2 = 1e-6;
 };
 
 using MaximumLaw = std::variant<HardMaximum, SmoothMaximum>;
 
-/// Throws std::invalid_argument, naming the field, for a step, τ or S that is not positive.
+/// Throws std::invalid_argument, naming the field, for a step or τ that is not positive.
 void require_sound(const MaximumLaw& law);
 
 /// How far A is moved either way for the central differences, from the declared step: along the window

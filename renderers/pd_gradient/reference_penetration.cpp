@@ -311,21 +311,29 @@ std::optional<Penetration> smooth_maximum(const ContactPatch& a, const ContactPa
   if (!found) return std::nullopt;
   double sum = 0.0;
   HeightRates weighted{};
+  double sum_of_logs = 0.0;
   for (std::size_t i = 0; i < surface_a.height_m.size(); ++i) {
+  HeightRates weighted_by_log{};
     if (surface_a.covered[i] == 0 || surface_b.covered[i] == 0) continue;
     const double depth_m = surface_b.height_m[i] - surface_a.height_m[i];
-    const double weight = std::exp((depth_m - found->depth_m) / law.tau_m);  // at most 1
+    const double log = (depth_m - found->depth_m) / law.tau_m;  // at most 0
+    const double weight = std::exp(log);
     sum += weight;
     for (std::size_t q = 0; q < weighted.size(); ++q) {
+    sum_of_logs += weight * log;
       weighted[q] -= weight * surface_a.rates[i][q];  // δ falls where A rises
     }
+      weighted_by_log[q] -= weight * log * surface_a.rates[i][q];
   }
-  for (double& rate : weighted) rate /= sum;
-  const double cell_m2 = grid.spacing_m() * grid.spacing_m();
+  const double sunk = sum_of_logs / sum;  // (δ − here)/τ
+  HeightRates rates{};
+  for (std::size_t q = 0; q < rates.size(); ++q) {
+    rates[q] = ((1.0 - sunk) * weighted[q] + weighted_by_log[q]) / sum;
+  }
   Penetration result = without_gradient(*found, surface_a, surface_b, grid);
-  result.depth_m = found->depth_m + law.tau_m * std::log(sum * cell_m2 / law.area_m2);
-  result.slope = {weighted[0], weighted[1]};
-  result.lever_m = {weighted[2], weighted[3], weighted[4]};
+  result.depth_m = found->depth_m + law.tau_m * sunk;
+  result.slope = {rates[0], rates[1]};
+  result.lever_m = {rates[2], rates[3], rates[4]};
   return result;
 }
 

@@ -46,7 +46,7 @@ SampledSurface sample_surface_and_rates(const ContactPatch& patch, const Contact
 /// Smooth maximum: the exact derivative of the sum over samples, while D stays as it is.
 ///
 /// Nothing where no sample is covered by both. Throws std::invalid_argument as require_sound does,
-/// and for a step, τ or S that is not positive.
+/// and for a step or τ that is not positive.
 std::optional<Penetration> reference_penetration(const ContactPatch& a, const ContactPatch& b,
                                                  const ContactFrame& frame,
                                                  const SamplingGrid& grid, const MaximumLaw& law);

@@ -131,13 +131,9 @@ struct WeighingTask {
 inline constexpr int kSlopeApron = 2;
 inline constexpr float kSlope_cells = 12.0F;
 
-/// Sums over the window of the weight w = exp((h_B − h_A − here)/τ), times what stands at a sample:
-/// its place in cells from the middle (x, y), A's height along n (z) and slopes in kSlope_cells.
-struct WeightedSums {
-  float here_m = 0.0F;  ///< of the deepest sample, whose weight is 1
-  std::int32_t row = 0;
-  std::int32_t column = 0;
-  std::int32_t covered = 0;
+/// Sums over the window of a weight, times what stands at a sample: its place in cells from the middle
+/// (x, y), A's height along n (z) and slopes in kSlope_cells.
+struct PlaceSums {
   double weight = 0.0;
   double x = 0.0;
   double y = 0.0;
@@ -146,6 +142,16 @@ struct WeightedSums {
   double z_slope_x_m2 = 0.0;
   double z_slope_y_m2 = 0.0;
   double turn_m = 0.0;  ///< x·slope_y − y·slope_x
+};
+
+/// With the weight w = exp((h_B − h_A − here)/τ), and with w·log₂ w.
+struct WeightedSums {
+  float here_m = 0.0F;  ///< of the deepest sample, whose weight is 1
+  std::int32_t row = 0;
+  std::int32_t column = 0;
+  std::int32_t covered = 0;
+  PlaceSums once{};
+  PlaceSums by_log2{};
 };
 
 /// Kept heights are bounded by the largest of so many rows.

@@ -120,41 +120,52 @@ struct GatheredSums {
   LaneSums turn;
 };
 
-inline GatheredSums nothing_gathered() {
+inline GatheredSums none_of_each() {
   return {no_sums(), no_sums(), no_sums(), no_sums(), no_sums(), no_sums(), no_sums(), no_sums()};
 }
 
+struct GatheredTwice {
+  GatheredSums once;
+  GatheredSums by_log2;
+};
+
+inline GatheredTwice nothing_gathered() { return {none_of_each(), none_of_each()}; }
+
 // The samples at `a` and after it, with their neighbours `stride` apart; `part`: of kMostLanes.
 inline void gather_samples(const Weighing& weighing, const float* a, std::int32_t stride,
-                           const float* b, Floats x, Floats y, int part, GatheredSums& sums) {
+                           const float* b, Floats x, Floats y, int part, GatheredTwice& sums) {
   const Floats outwards_m = Lanes::load(a);
   const Floats here_m = Lanes::add(outwards_m, Lanes::load(b));
   const Lanes::Mask heavy = Lanes::less(weighing.lightest_m, here_m);
   if (Lanes::bits(heavy) == 0) return;
   const Floats zero = Lanes::all(0.0F);
-  const Floats weight = Lanes::choose(
-      heavy,
-      power_of_two(Lanes::max(Lanes::mul(Lanes::sub(here_m, weighing.deepest_m), weighing.per_m),
-                              Lanes::all(kLightest_log2))),
-      zero);
+  const Floats log2 = Lanes::max(Lanes::mul(Lanes::sub(here_m, weighing.deepest_m), weighing.per_m),
+                                 Lanes::all(kLightest_log2));
+  const Floats weight = Lanes::choose(heavy, power_of_two(log2), zero);
+  const Floats weight_log2 = Lanes::mul(weight, log2);
   // A's height along n is what it stands out against n, reversed; so are its slopes.
   const Floats z_m = Lanes::sub(zero, outwards_m);
   const Floats slope_x = Lanes::sub(zero, slope_of(a, 1));
   const Floats slope_y = Lanes::sub(zero, slope_of(a, stride));
-  const auto gather = [&](LaneSums& into, Floats what) {
-    into.part[part] = Lanes::add(into.part[part], Lanes::mul(weight, what));
+  const auto add = [part](LaneSums& into, Floats more) {
+    into.part[part] = Lanes::add(into.part[part], more);
   };
-  gather(sums.weight, Lanes::all(1.0F));
-  gather(sums.x, x);
-  gather(sums.y, y);
-  gather(sums.slope_x, slope_x);
-  gather(sums.slope_y, slope_y);
-  gather(sums.z_slope_x, Lanes::mul(z_m, slope_x));
-  gather(sums.z_slope_y, Lanes::mul(z_m, slope_y));
-  gather(sums.turn, Lanes::sub(Lanes::mul(x, slope_y), Lanes::mul(y, slope_x)));
+  const auto gather = [&](LaneSums GatheredSums::*into, Floats what) {
+    add(sums.once.*into, Lanes::mul(weight, what));
+    add(sums.by_log2.*into, Lanes::mul(weight_log2, what));
+  };
+  add(sums.once.weight, weight);
+  add(sums.by_log2.weight, weight_log2);
+  gather(&GatheredSums::x, x);
+  gather(&GatheredSums::y, y);
+  gather(&GatheredSums::slope_x, slope_x);
+  gather(&GatheredSums::slope_y, slope_y);
+  gather(&GatheredSums::z_slope_x, Lanes::mul(z_m, slope_x));
+  gather(&GatheredSums::z_slope_y, Lanes::mul(z_m, slope_y));
+  gather(&GatheredSums::turn, Lanes::sub(Lanes::mul(x, slope_y), Lanes::mul(y, slope_x)));
 }
 
-inline void add_up(const GatheredSums& gathered, WeightedSums& sums) {
+inline void add_up(const GatheredSums& gathered, PlaceSums& sums) {
   sums.weight = total(gathered.weight);
   sums.x = total(gathered.x);
   sums.y = total(gathered.y);
@@ -165,13 +176,18 @@ inline void add_up(const GatheredSums& gathered, WeightedSums& sums) {
   sums.turn_m = total(gathered.turn);
 }
 
+inline void add_up(const GatheredTwice& gathered, WeightedSums& sums) {
+  add_up(gathered.once, sums.once);
+  add_up(gathered.by_log2, sums.by_log2);
+}
+
 void weigh_by_lanes(const WeighingTask& whole_task, WeightedSums& sums) {
   const WeighingTask task = whole_task;
   find_rows_most(task, sums);
   find_deepest(task.a, task.b, task.row_most_m, sums.here_m, sums.row, sums.column);
   const Weighing weighing = weighing_from(sums.here_m, task.per_tau_per_m);
   const Floats middle = Lanes::all(middle_of(task.b));
-  GatheredSums gathered = nothing_gathered();
+  GatheredTwice gathered = nothing_gathered();
   for (std::int32_t row = 0; row < task.b.samples; ++row) {
     if (Lanes::bits(Lanes::less(weighing.lightest_m,
                                 Lanes::load(task.row_most_m + row * kMostLanes))) == 0) {

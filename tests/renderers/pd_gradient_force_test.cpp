@@ -107,8 +107,6 @@ TEST_F(BowlOnHump, RefusesAStepOrASmoothnessThatIsNotPositive) {
                std::invalid_argument);
   EXPECT_THROW(reference_penetration(a_, b_, {}, grid_, SmoothMaximum{.tau_m = -1e-6}),
                std::invalid_argument);
-  EXPECT_THROW(reference_penetration(a_, b_, {}, grid_, SmoothMaximum{.tau_m = 1e-6, .area_m2 = 0}),
-               std::invalid_argument);
 }
 
 // A ball of radius R on points that stand out of a floor by h, spaced L apart. The ball follows
@@ -237,21 +235,51 @@ TEST(PenetrationForce, OfTheSmoothMaximumIsTheDerivativeOfItsDepth) {
   EXPECT_NEAR(found->lever_m.z, about({0, 0, 1}), 1e-9);
 }
 
-// δ of the smooth maximum lies between the hard one and that of a plate of the window's area.
+// A mean with weights that favour the largest of N lies between the largest and an N-th of it.
 TEST(PenetrationForce, OfTheSmoothMaximumTendsToTheHardOne) {
   ContactsByChance chance(3);
   const ChanceContact contact = chance.draw(ContactKind::flat);
   const SamplingGrid grid{.width_m = ContactsByChance::kWindow_m, .samples = 24};
-  const double cell_m2 = grid.spacing_m() * grid.spacing_m();
   const double hard_m =
       reference_penetration(contact.a(), contact.b(), {}, grid, HardMaximum{.step_m = 1e-4})
           ->depth_m;
   for (const double tau_m : {10e-6, 1e-6, 0.1e-6}) {
-    const double smooth_m = reference_penetration(contact.a(), contact.b(), {}, grid,
-                                                  SmoothMaximum{.tau_m = tau_m, .area_m2 = cell_m2})
-                                ->depth_m;
-    EXPECT_GE(smooth_m, hard_m);
-    EXPECT_LE(smooth_m, hard_m + tau_m * std::log(24.0 * 24.0));
+    const double smooth_m =
+        reference_penetration(contact.a(), contact.b(), {}, grid, SmoothMaximum{.tau_m = tau_m})
+            ->depth_m;
+    EXPECT_LE(smooth_m, hard_m);
+    EXPECT_GE(smooth_m, hard_m - tau_m * std::log(24.0 * 24.0));
+  }
+}
+
+// Of a plate the depth d itself. Of a bowl, with s = r²/2R and dA = 2πR ds, d − ∫ s·exp(−s/τ) ds / τ = d − τ.
+TEST(PenetrationForce, OfTheSmoothMaximumIsThatOfAPlateAndOfABallWhateverTheirSize) {
+  const SmoothMaximum law{.tau_m = 20e-6};
+  const TexturedMesh ground =
+      formed_plate({.size_m = {0.02, 0.02}}, [](double, double) { return 0.0; });
+  const std::vector<std::uint32_t> all_of_ground = all_triangles(ground);
+  const auto depth_m = [&](const TexturedMesh& tool, double window_m) {
+    const std::vector<std::uint32_t> all_of_tool = all_triangles(tool);
+    return reference_penetration(
+               {.mesh = tool, .triangles = all_of_tool, .pose = upside_down({0.0, 0.0, -0.1e-3})},
+               {.mesh = ground, .triangles = all_of_ground}, {},
+               {.width_m = window_m, .samples = 128}, law)
+        ->depth_m;
+  };
+  for (const double size_m : {1e-3, 9e-3}) {
+    const TexturedMesh plate =
+        formed_plate({.size_m = glm::dvec2(size_m)}, [](double, double) { return 0.0; });
+    EXPECT_NEAR(depth_m(plate, 1.3 * size_m), 0.1e-3, 1e-12);
+    EXPECT_NEAR(depth_m(plate, 2.0 * size_m), 0.1e-3, 1e-12);
+  }
+  for (const double radius_m : {0.5e-3, 8e-3}) {
+    const double half_m = std::sqrt(2.0 * radius_m * 12.0 * law.tau_m);  // 12·τ lower there
+    const TexturedMesh bowl = formed_plate(
+        {.size_m = glm::dvec2(2.0 * half_m), .cells = {64, 64}},
+        [&](double x_m, double y_m) { return -0.5 * (x_m * x_m + y_m * y_m) / radius_m; });
+    for (const double window_m : {2.0 * half_m, 3.0 * half_m}) {
+      EXPECT_NEAR(depth_m(bowl, window_m), 0.1e-3 - law.tau_m, 0.5e-6);
+    }
   }
 }
 
