@@ -22,6 +22,8 @@ namespace {
 constexpr double kSoftStrain = 0.5;
 constexpr double kMostTilt = 0.03;  // sines: heights off the lattice's plane move aside by that
 constexpr double kMostAwayFromN = 0.06;
+constexpr double kLeastFall = 0.8;  // at that angle, of a surface that is 73° from n
+constexpr double kMostOfBox = 1.0;  // of its half height: how far its ends may have gone since
 constexpr double kMostTurnOfLanes = 2.0 / (kMostLanes - 1);  // 3 rows hold what lies along a row
 constexpr int kStepOfWindow = 4;                             // cells: a whole number of kBoundRows
 constexpr double kHurryWithoutHeights = 0.15;  // of the work: sampling anew costs as much
@@ -80,13 +82,14 @@ KeptLift lift_of(const Pose& motion, const SamplingGrid& lattice) {
           .shift_m = static_cast<float>((r[0].z + r[1].z) * middle_m - motion.position_m.z)};
 }
 
-// In another frame: δ falls by less than a metre per metre along an n that is not the kept one.
+// In another frame: δ falls by less than a metre per metre along an n that is not the kept one. As little
+// as kLeastFall, or not at all, only where it is steeper than any surface of which n is a direction.
 Penetration in_frame(const Penetration& found, const ContactFrame& kept,
                      const ContactFrame& asked) {
   const glm::dvec3 gradient = kept.to_world({found.slope, -1.0});
   const glm::dvec3 lever_m =
       kept.to_world(found.lever_m) + glm::cross(kept.origin_m - asked.origin_m, gradient);
-  const double per_fall = 1.0 / -glm::dot(gradient, asked.n);
+  const double per_fall = 1.0 / std::max(kLeastFall, -glm::dot(gradient, asked.n));
   Penetration result = found;
   result.depth_m = found.depth_m * per_fall;
   result.slope = per_fall * glm::dvec2{asked.to_frame(gradient)};
@@ -199,6 +202,10 @@ std::optional<CachedPenetration::Fit> CachedPenetration::fit(
   strained(std::abs(aside.x) / most_aside);
   strained(std::abs(aside.y) / most_aside);
   strained(std::abs(origin_m.z) / (0.5 * grid().width_m));
+  // What another box would hold or leave out is unknown.
+  const double half_m = a.half_height_m;
+  strained((std::abs(origin_m.z) + std::abs(half_m - place.half_height_m)) /
+           (kMostOfBox * std::min(half_m, place.half_height_m)));
   strained(glm::length(glm::dvec2{n}) / kMostAwayFromN);
   strained(tilt / kMostTilt);
   strained(turn / (kMostTurnOfLanes - steps_.turn_rad));
@@ -313,6 +320,7 @@ std::optional<Penetration> CachedPenetration::from_place(Place& place, const Fit
     if (!(sums.here_m > kNothing_m)) return std::nullopt;
     result = gradient_of(sums, *smooth, cell_m, deepest_m(sums.row, sums.column, sums.here_m));
     result.at_border = at_border(task, sums.row, sums.column);
+    result.at_window = grid().is_outermost(sums.row, sums.column);
   } else {
     task.forth = turned(steps_.turn_rad);
     task.back = turned(-steps_.turn_rad);
@@ -322,6 +330,7 @@ std::optional<Penetration> CachedPenetration::from_place(Place& place, const Fit
     if (!(maxima.here_m > kNothing_m)) return std::nullopt;
     result = gradient_of(maxima, steps_, deepest_m(maxima.row, maxima.column, maxima.here_m));
     result.at_border = at_border(task, maxima.row, maxima.column);
+    result.at_window = grid().is_outermost(maxima.row, maxima.column);
   }
   const auto& at_m = result.deepest_m;
   const auto cell = [&](double from_middle_m) {
@@ -347,6 +356,7 @@ void CachedPenetration::begin(const PackedPatch& a, const PackedPatch& b,
   place.surface_b = &b.surface;
   place.lattice_in_a = after(inverse(a.pose), lattice);
   place.lattice_in_b = after(inverse(b.pose), lattice);
+  place.half_height_m = a.half_height_m;
   place.covered = 0;
   place.folded = 0;
   place.deepest_block = 0;
@@ -466,8 +476,7 @@ void CachedPenetration::count_covered(Place& place, int first_row, int end_row) 
 
 // Whether the window ends at a sample, or a surface beside it.
 bool CachedPenetration::at_border(const KeptTask& task, int row, int column) const noexcept {
-  const int last = task.samples - 1;
-  if (row == 0 || column == 0 || row == last || column == last) return true;
+  if (grid().is_outermost(row, column)) return true;
   const auto missing = [](const KeptHeights& of, int r, int c) {
     return of.height_m[r * of.stride + c] < kNothing_m;
   };

@@ -42,12 +42,15 @@ struct CachedSettings {
 /// A turned about n is found between samples once and not twice.
 ///
 /// The answer is for the asked frame: the gradient is turned into its axes and divided by how little δ
-/// falls along its n, δ with it (the direction of δ·∇δ stays).
+/// falls along its n, δ with it (the direction of δ·∇δ stays). By 0.8 at least: less is that of a surface
+/// more than 73° from n, and of one at 86.6° the division would have no end.
 ///
 /// Heights are sampled anew, some rows in a call, when the bodies have moved half as far as they may:
 /// a quarter of the window along it, 0.03 rad of tilt, 0.13 rad of turning less the step of the
-/// differences, and 0.06 rad between the asked n and the kept one. Until they are there the kept ones
-/// serve; where none serve, PenetrationSampler does. A place that no contact comes back to is the
+/// differences, 0.06 rad between the asked n and the kept one, and by its half height for either end of
+/// the box in which triangles are looked for (PackedPatch::half_height_m, the same for both): what was
+/// outside of it then is not in the heights. Until they are there the kept ones serve; where none serve,
+/// PenetrationSampler does. A place that no contact comes back to is the
 /// first to be given up.
 ///
 /// Reading between samples shaves peaks. Bodies that have drifted as far as they may, against
@@ -100,6 +103,7 @@ class CachedPenetration final {
     const PackedSurface* surface_b = nullptr;
     Pose lattice_in_a{};  // axes u, v, n and the middle, in the mesh's frame
     Pose lattice_in_b{};
+    double half_height_m = 0.0;  // of the box that its triangles were chosen by
     BodyHeights a{};
     BodyHeights b{};
     int covered = 0;

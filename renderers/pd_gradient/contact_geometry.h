@@ -41,6 +41,9 @@ struct SamplingGrid {
   double spacing_m() const noexcept { return width_m / samples; }
   /// Where column or row i stands along u or v, from the window's centre.
   double place_m(int i) const noexcept { return (i - 0.5 * (samples - 1)) * spacing_m(); }
+  bool is_outermost(int row, int column) const noexcept {
+    return row == 0 || column == 0 || row == samples - 1 || column == samples - 1;
+  }
 };
 
 /// The triangles of a body that take part in a contact.

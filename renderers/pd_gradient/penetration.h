@@ -72,6 +72,8 @@ struct Penetration {
   int folded = 0;
   /// The deepest sample lies at the border of D, where the surfaces may go on: δ is a lower bound.
   bool at_border = false;
+  /// That border is the window's: one of its outermost samples is the deepest.
+  bool at_window = false;
 };
 
 /// As if the heights were pressed together along n until the depth is `depth_m`, a part of what it is:

@@ -128,8 +128,7 @@ float PenetrationSampler::height_m(const Field& field, int row, int column) cons
 }
 
 bool PenetrationSampler::at_border(int row, int column) const noexcept {
-  const int last = grid_.samples - 1;
-  if (row == 0 || column == 0 || row == last || column == last) return true;
+  if (grid_.is_outermost(row, column)) return true;
   const auto missing = [this](int r, int c) {
     return height_m(a_, r, c) + height_m(b_, r, c) < kNothing_m;
   };
@@ -177,6 +176,7 @@ std::optional<Penetration> PenetrationSampler::hard_maximum() noexcept {
   Penetration result = gradient_of(found, steps_, deepest_m(found.row, found.column));
   result.covered = found.covered;
   result.at_border = at_border(found.row, found.column);
+  result.at_window = grid_.is_outermost(found.row, found.column);
   return result;
 }
 
@@ -191,6 +191,7 @@ std::optional<Penetration> PenetrationSampler::smooth_maximum(const SmoothMaximu
   Penetration result = gradient_of(sums, law, grid_.spacing_m(), deepest_m(sums.row, sums.column));
   result.covered = sums.covered;
   result.at_border = at_border(sums.row, sums.column);
+  result.at_window = grid_.is_outermost(sums.row, sums.column);
   return result;
 }
 

@@ -19,6 +19,9 @@ struct PackedPatch {
   const PackedSurface& surface;
   std::span<const std::uint32_t> triangles{};  ///< each once, all of them the surface's
   Pose pose{};
+  /// What of the surface is further than that from the frame's origin along n, either way, may be left
+  /// out; without another number, all that can be sampled is there.
+  double half_height_m = 0.2;
 };
 
 struct SamplerSettings {

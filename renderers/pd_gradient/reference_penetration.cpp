@@ -234,9 +234,9 @@ std::optional<Deepest> deepest(const SampledSurface& a, const SampledSurface& b)
 bool at_border(const SampledSurface& a, const SampledSurface& b, const SamplingGrid& grid,
                std::size_t sample) {
   const auto side = static_cast<std::size_t>(grid.samples);
-  const std::size_t row = sample / side;
-  const std::size_t column = sample % side;
-  if (row == 0 || column == 0 || row + 1 == side || column + 1 == side) return true;
+  if (grid.is_outermost(static_cast<int>(sample / side), static_cast<int>(sample % side))) {
+    return true;
+  }
   const std::array<std::size_t, 4> neighbours = {sample - 1, sample + 1, sample - side,
                                                  sample + side};
   return std::any_of(neighbours.begin(), neighbours.end(),
@@ -251,7 +251,8 @@ Penetration without_gradient(const Deepest& found, const SampledSurface& a, cons
           .deepest_m = {grid.place_m(column), grid.place_m(row), a.height_m[found.sample]},
           .covered = found.covered,
           .folded = a.folded + b.folded,
-          .at_border = at_border(a, b, grid, found.sample)};
+          .at_border = at_border(a, b, grid, found.sample),
+          .at_window = grid.is_outermost(row, column)};
 }
 
 Pose shifted(Pose pose, const glm::dvec3& by_m) {
@@ -310,20 +311,20 @@ std::optional<Penetration> smooth_maximum(const ContactPatch& a, const ContactPa
   const std::optional<Deepest> found = deepest(surface_a, surface_b);
   if (!found) return std::nullopt;
   double sum = 0.0;
-  HeightRates weighted{};
   double sum_of_logs = 0.0;
-  for (std::size_t i = 0; i < surface_a.height_m.size(); ++i) {
+  HeightRates weighted{};
   HeightRates weighted_by_log{};
+  for (std::size_t i = 0; i < surface_a.height_m.size(); ++i) {
     if (surface_a.covered[i] == 0 || surface_b.covered[i] == 0) continue;
     const double depth_m = surface_b.height_m[i] - surface_a.height_m[i];
     const double log = (depth_m - found->depth_m) / law.tau_m;  // at most 0
     const double weight = std::exp(log);
     sum += weight;
-    for (std::size_t q = 0; q < weighted.size(); ++q) {
     sum_of_logs += weight * log;
+    for (std::size_t q = 0; q < weighted.size(); ++q) {
       weighted[q] -= weight * surface_a.rates[i][q];  // δ falls where A rises
-    }
       weighted_by_log[q] -= weight * log * surface_a.rates[i][q];
+    }
   }
   const double sunk = sum_of_logs / sum;  // (δ − here)/τ
   HeightRates rates{};

@@ -31,7 +31,7 @@ CachedSettings settings_for(int samples, const MaximumLaw& law,
 
 HardMaximum step_of(int samples, int cells) { return {.step_m = cells * kWindow_m / samples}; }
 
-std::array<double, 12> numbers_of(const Penetration& p) {
+std::array<double, 13> numbers_of(const Penetration& p) {
   return {p.depth_m,
           p.slope.x,
           p.slope.y,
@@ -43,7 +43,8 @@ std::array<double, 12> numbers_of(const Penetration& p) {
           p.deepest_m.z,
           static_cast<double>(p.covered),
           static_cast<double>(p.folded),
-          static_cast<double>(p.at_border)};
+          static_cast<double>(p.at_border),
+          static_cast<double>(p.at_window)};
 }
 
 // A contact by chance whose bodies can be moved.
@@ -245,6 +246,77 @@ TEST(CachedPenetration, AnswersForTheAskedFrame) {
   EXPECT_LT(glm::length(deepest_m - kept->deepest_m), 1e-9);
 }
 
+// The edge of A on a ramp of B that is 88° from n: δ rises by 28 for every metre along, and where n is
+// asked for 0.05 rad aside it would not fall at all.
+TEST(CachedPenetration, AnswersForAFrameAlongWhichASteepDepthHardlyFalls) {
+  ChanceContact contact;
+  contact.mesh_a = formed_plate({.size_m = {2e-3, 2e-3}}, [](double, double) { return 0.0; });
+  contact.mesh_b = formed_plate({.size_m = {12e-3, 12e-3}, .cells = {60, 1}},
+                                [](double x_m, double) { return 28.0 * std::max(0.0, x_m); });
+  contact.triangles_a = all_triangles(contact.mesh_a);
+  contact.triangles_b = all_triangles(contact.mesh_b);
+  contact.pose_a = upside_down({0.0, 0.0, 0.0});
+  contact.pose_b = {};
+  const PackedSurface a(contact.mesh_a);
+  const PackedSurface b(contact.mesh_b);
+  const PackedPatch patch_a{.surface = a, .triangles = contact.triangles_a, .pose = contact.pose_a};
+  const PackedPatch patch_b{.surface = b, .triangles = contact.triangles_b};
+  CachedPenetration cached(settings_for(64, step_of(64, 1)));
+  for (int i = 0; i < 200 && cached.kept_answers() == 0; ++i) cached.evaluate(patch_a, patch_b, {});
+  const auto kept = cached.evaluate(patch_a, patch_b, {});
+  ASSERT_TRUE(kept);
+  ASSERT_GT(kept->slope.x, 25.0);
+  for (const double aside_rad : {0.05, 0.0356, -0.05}) {
+    const glm::dmat3 turn = turn_about({0, 1, 0}, aside_rad);
+    const std::uint64_t before = cached.kept_answers();
+    const ContactFrame asked{.u = turn[0], .v = turn[1], .n = turn[2]};
+    const auto found = cached.evaluate(patch_a, patch_b, asked);
+    ASSERT_EQ(cached.kept_answers(), before + 1U);
+    EXPECT_GT(found->depth_m, 0.0) << aside_rad;
+    EXPECT_LE(found->depth_m, 1.25 * kept->depth_m + 1e-12) << aside_rad;
+    EXPECT_GT(found->slope.x, 0.0) << aside_rad;
+    EXPECT_LT(found->slope.x, 1.3 * kept->slope.x) << aside_rad;
+  }
+}
+
+// A floor, and a sheet 1 mm above it that a low box does not reach. Kept heights of the low box do not
+// serve a high one, nor the other way round; a little more or less they do.
+TEST(CachedPenetration, SamplesAnewWhereTrianglesAreOfAnotherBox) {
+  const auto flat = [](double, double) { return 0.0; };
+  const TexturedMesh tool = formed_plate({.size_m = {6e-3, 6e-3}}, flat);
+  TexturedMesh sheets = formed_plate({.size_m = {12e-3, 12e-3}}, flat);
+  TexturedMesh upper =
+      formed_plate({.size_m = {12e-3, 12e-3}}, [](double, double) { return 1e-3; });
+  for (std::size_t i = 0; i < upper.vertices_m.size(); ++i) {
+    sheets.vertices_m.push_back(upper.vertices_m[i]);
+    sheets.normals.push_back(upper.normals[i]);
+  }
+  for (const auto& [p, q, r] : upper.triangles) sheets.triangles.push_back({p + 4, q + 4, r + 4});
+  sheets.places.assign(4, {});
+  const PackedSurface a(tool);
+  const PackedSurface b(sheets);
+  const std::vector<std::uint32_t> of_a = all_triangles(tool);
+  const std::vector<std::uint32_t> of_b = all_triangles(sheets);
+  CachedPenetration cached(settings_for(64, step_of(64, 1)));
+  const auto depth_m = [&](double half_height_m) {
+    PackedPatch patch_a{
+        .surface = a, .pose = upside_down({0.0, 0.0, -0.1e-3}), .half_height_m = half_height_m};
+    PackedPatch patch_b{.surface = b, .half_height_m = half_height_m};
+    if (cached.needs_triangles(patch_a, patch_b, {})) {
+      patch_a.triangles = of_a;
+      patch_b.triangles = std::span(of_b).first(half_height_m < 1e-3 ? 2 : 4);
+    }
+    return cached.evaluate(patch_a, patch_b, {})->depth_m;
+  };
+  for (int i = 0; i < 100; ++i) ASSERT_NEAR(depth_m(0.4e-3), 0.1e-3, 1e-9);
+  const std::uint64_t kept = cached.kept_answers();
+  EXPECT_NEAR(depth_m(0.5e-3), 0.1e-3, 1e-9);
+  EXPECT_EQ(cached.kept_answers(), kept + 1U);
+  for (int i = 0; i < 100; ++i) ASSERT_NEAR(depth_m(1.2e-3), 1.1e-3, 1e-9) << i;
+  EXPECT_GT(cached.kept_answers(), kept + 30U);
+  ASSERT_NEAR(depth_m(0.4e-3), 0.1e-3, 1e-9);
+}
+
 // A slide over six windows' widths in which heights are sampled anew several times: nowhere is the
 // force further from the one sampled anew than what reading between samples costs.
 TEST(CachedPenetration, JumpsLittleWhereHeightsAreSampledAnew) {
@@ -304,7 +376,7 @@ TEST(CachedPenetration, AnswersTheSameCallsTheSameAfterAReset) {
     pose.position_m.x += 1.5e-3 * std::sin(0.05 * tick);
     return pose;
   };
-  std::vector<std::array<double, 12>> first;
+  std::vector<std::array<double, 13>> first;
   for (const bool again : {false, true}) {
     cached.reset();
     for (int tick = 0; tick < 150; ++tick) {

@@ -78,6 +78,7 @@ TEST(PenetrationSampler, AgreesWithThePlainEvaluation) {
       EXPECT_NEAR(found->deepest_m.y, expected->deepest_m.y, 1e-9);
       EXPECT_NEAR(found->deepest_m.z, expected->deepest_m.z, 10e-9);
       EXPECT_EQ(found->at_border, expected->at_border);
+      EXPECT_EQ(found->at_window, expected->at_window);
       EXPECT_EQ(found->covered, expected->covered);
       EXPECT_EQ(found->folded, 0);
       tilts.add(found->lever_m.x, expected->lever_m.x);
