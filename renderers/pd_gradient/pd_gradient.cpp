@@ -104,7 +104,7 @@ RenderedTick PdGradient::tick(const ProbeState& probe, double dt_s) noexcept {
     has_been_clear_ = !contacts_.touch(
         {.rotation = glm::mat3_cast(probe.orientation), .position_m = probe.position_m}, surface);
   }
-  found_ = contacts_.find(pose_of(probe), surface);
+  found_ = contacts_.find(pose_of(probe), surface, dt_s);
   find_touches(probe);
   watch(dt_s);
   RenderedTick answer{.wrench = tool_ ? coupled(probe, dt_s) : direct(probe)};
@@ -214,7 +214,8 @@ void PdGradient::watch(double dt_s) noexcept {
   count(Limit::contact, !touches.empty());
   count_any(Limit::folded,
             [](const Touch& touch) { return touch.contact->penetration.folded > 0; });
-  count_any(Limit::window_border, [](const Touch& touch) { return touch.contact->is_at_window; });
+  count_any(Limit::window_border,
+            [](const Touch& touch) { return touch.contact->penetration.at_window; });
   count_any(Limit::fine_detail, [this](const Touch& touch) {
     return kSamplesPerWave * touch.contact->grid.spacing_m() > finest_wave_m_;
   });
@@ -302,7 +303,7 @@ std::vector<Parameter> parameters() {
 ForceModel pd_gradient_model() {
   ModelDeclaration declaration{
       .id = "pd_gradient",
-      .version = "3",
+      .version = "4",
       .summary = "Two textured meshes in six degrees of freedom: the gradient of penetration depth",
       .source =
           "Otaduy, Jain, Sud, Lin (2004), Haptic display of interaction between textured models, "

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kAgreement = 0.5;  // cosine between the directions of what is felt as one
 constexpr double kSteepestSlope = 1.7320508075688772;  // of a surface as far from n: tan 60°
-constexpr double kRise = 1.0 / TexturedContacts::kBlendTicks;  // of a share, in a tick
 // In cells: each of two grids has a sample within 0.71 of a peak.
 constexpr double kSamePlace = 1.5;
 constexpr double kNone = 1e-9;  // what rounding leaves of a share
@@ -73,11 +72,29 @@ glm::dvec3 deepest_m(const TexturedContact& contact) noexcept {
   return contact.frame.origin_m + contact.frame.to_world(contact.penetration.deepest_m);
 }
 
+/// Whether both are felt along about the same direction.
+bool are_felt_alike(const TexturedContact& one, const TexturedContact& other) noexcept {
+  return is_felt(one) && is_felt(other) && glm::dot(one.frame.n, other.frame.n) >= kAgreement;
+}
+
 /// Whether both found the same deepest place.
 bool are_at_one_place(const TexturedContact& one, const TexturedContact& other) noexcept {
   const double cell_m = std::max(one.grid.spacing_m(), other.grid.spacing_m());
-  return is_felt(one) && is_felt(other) && glm::dot(one.frame.n, other.frame.n) >= kAgreement &&
+  return are_felt_alike(one, other) &&
          glm::distance(deepest_m(one), deepest_m(other)) <= kSamePlace * cell_m;
+}
+
+/// Whether the deepest place of the first lies outside its own curve and in that of the other one.
+bool shows_place_of(const TexturedContact& one, const TexturedContact& other) noexcept {
+  if (!are_felt_alike(one, other)) return false;
+  const auto aside_m = [](const glm::dvec3& way_m) {
+    return std::max(std::abs(way_m.x), std::abs(way_m.y));
+  };
+  if (aside_m(one.penetration.deepest_m) <= one.half_extent_m + kSamePlace * one.grid.spacing_m()) {
+    return false;
+  }
+  const glm::dvec3 way_m = other.frame.to_frame(deepest_m(one) - other.frame.origin_m);
+  return aside_m(way_m) <= other.half_extent_m && std::abs(way_m.z) <= other.half_height_m;
 }
 
 /// A region whose whole window lies in that of another contact.
@@ -122,7 +139,10 @@ void TexturedContacts::reset() noexcept {
   is_inside_ = false;
 }
 
-std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pose& b) noexcept {
+std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pose& b,
+                                                        double dt_s) noexcept {
+  dt_s_ = dt_s;
+  rise_ = std::min(1.0, dt_s / kBlend_s);
   left_out_ = {};
   std::swap(before_, contacts_);
   contacts_.clear();
@@ -151,7 +171,8 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
   if (regions.empty() && were_in_contact && (!pairs.empty() || hold_each_other(a, b))) {
     keep_buried(a, b);
   }
-  const bool are_apart = pairs.empty() && contacts_.empty() && !hold_each_other(a, b);
+  const bool are_apart =
+      pairs.empty() && contacts_.empty() && (!were_in_contact || !hold_each_other(a, b));
   blend(a, b, are_apart);
   look_inside(a, b);
   a_before_ = a;
@@ -188,12 +209,12 @@ bool TexturedContacts::touch(const Pose& a, const Pose& b) noexcept {
 }
 
 // Where nothing is cut, one point of a body is as good as any other.
-bool TexturedContacts::hold_each_other(const Pose& a, const Pose& b) const noexcept {
+bool TexturedContacts::hold_each_other(const Pose& a, const Pose& b) noexcept {
   const auto seen_from = [](const Pose& one, const Pose& other, const TexturedBody& body) {
     const Pose pose = relative(one, other);
     return pose.rotation * body.hull().vertices_m.front() + pose.position_m;
   };
-  return b_.holds(seen_from(a, b, a_)) || a_.holds(seen_from(b, a, b_));
+  return a_in_b_.is_in(b_, seen_from(a, b, a_)) || b_in_a_.is_in(a_, seen_from(b, a, b_));
 }
 
 double TexturedContacts::half_height_m(double width_m, double last_depth_m) const noexcept {
@@ -323,19 +344,35 @@ std::size_t TexturedContacts::heir_of(std::size_t contact,
 }
 
 // Of what was one contact, what is nearest to its deepest place, and about as deep there, has its share.
-void TexturedContacts::part(const TexturedContact& last, TexturedContact& heir) noexcept {
+void TexturedContacts::part(const TexturedContact& last, std::size_t heir, Begun& begun) noexcept {
   const double depth_m = last.penetration.depth_m;
-  TexturedContact* nearest = &heir;
-  for (TexturedContact& contact : contacts_) {
-    if (contact.share != kRise || &contact == &heir || !is_felt(contact)) continue;
+  std::size_t nearest = heir;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const TexturedContact& contact = contacts_[i];
+    if (!begun[i] || i == heir || !is_felt(contact)) continue;
     if (std::abs(contact.penetration.depth_m - depth_m) > kAlike * depth_m) continue;
     if (!is_part_of(contact.frame, last)) continue;
     if (glm::distance(deepest_m(contact), deepest_m(last)) <
-        glm::distance(deepest_m(*nearest), deepest_m(last))) {
-      nearest = &contact;
+        glm::distance(deepest_m(contacts_[nearest]), deepest_m(last))) {
+      nearest = i;
     }
   }
-  std::swap(nearest->share, heir.share);
+  std::swap(contacts_[nearest].share, contacts_[heir].share);
+  std::swap(begun[nearest], begun[heir]);
+}
+
+// Whether it would have been felt in the tick before, to first order; not where it moved so far since that
+// it would not be known again.
+bool TexturedContacts::was_deep(const TexturedContact& contact, const Pose& a,
+                                const Pose& b) const noexcept {
+  if (is_first_ || !is_felt(contact)) return false;
+  const glm::dvec3 now_m = deepest_m(contact);
+  const glm::dvec3 before_m = a_before_.rotation * in_body(a, now_m) + a_before_.position_m;
+  const glm::dvec3 on_b_m = b.rotation * in_body(b_before_, before_m) + b.position_m;
+  const glm::dvec3 way_m = contact.frame.to_frame(now_m - on_b_m);
+  if (glm::length(way_m) > 0.5 * contact.grid.width_m) return false;
+  const glm::dvec3 gradient{contact.penetration.slope, -1.0};
+  return contact.penetration.depth_m - glm::dot(gradient, way_m) > 0.0;
 }
 
 double TexturedContacts::share_before(const TexturedContact& contact) const noexcept {
@@ -361,9 +398,16 @@ TexturedContacts::Successors TexturedContacts::owners() const noexcept {
       if (goes_before(j, owners[i])) owners[i] = j;
     }
   }
+  const auto first_of = [&owners](std::size_t i) {
+    while (owners[i] != i) i = owners[i];
+    return i;
+  };
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    while (owners[owners[i]] != owners[i]) owners[i] = owners[owners[i]];
+    for (std::size_t j = 0; owners[i] == i && j < contacts_.size(); ++j) {
+      if (shows_place_of(contacts_[i], contacts_[j])) owners[i] = first_of(j);
+    }
   }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) owners[i] = first_of(i);
   return owners;
 }
 
@@ -377,7 +421,7 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
     successors[i] = successor < now ? owner[successor] : now;
   }
   std::array<std::size_t, kMostContacts> heirs{};
-  bool parts = false;
+  Begun begun{};
   for (std::size_t i = 0; i < now; ++i) {
     TexturedContact& contact = contacts_[i];
     heirs[i] = contact.is_doubtful ? kMostContacts : heir_of(i, successors);
@@ -391,19 +435,19 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
     if (owner[i] != i) {
       contact.share = 0.0;
     } else if (heirs[i] < kMostContacts) {
-      contact.share = std::min(1.0, before_[heirs[i]].share + kRise);
-    } else if (had_any) {
-      contact.share = kRise;
-      parts = true;
+      contact.share = std::min(1.0, before_[heirs[i]].share + rise_);
+    } else if (had_any || was_deep(contact, a, b)) {
+      contact.share = rise_;
+      begun[i] = true;
     }
   }
-  for (std::size_t i = 0; parts && i < now; ++i) {
-    if (heirs[i] < kMostContacts) part(before_[heirs[i]], contacts_[i]);
+  for (std::size_t i = 0; i < now; ++i) {
+    if (heirs[i] < kMostContacts) part(before_[heirs[i]], i, begun);
   }
   for (std::size_t i = 0; !are_apart && i < before_.size(); ++i) {
     const TexturedContact& last = before_[i];
     const bool goes_on = successors[i] < now && heirs[successors[i]] == i;
-    if (!goes_on && is_felt(last) && last.share > kRise + kNone) fade(last, a, b);
+    if (!goes_on && is_felt(last) && last.share > rise_ + kNone) fade(last, a, b);
   }
 }
 
@@ -413,14 +457,14 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
 void TexturedContacts::fade(const TexturedContact& last, const Pose& a, const Pose& b) noexcept {
   const std::size_t others = contacts_.size();
   TexturedContact fading = gone_on(last, a, b);
-  fading.share = last.share - kRise;
+  fading.share = last.share - rise_;
   fading.is_fading = true;
   add(fading, a, b);
   if (contacts_.size() == others) return;
   const std::span<const TexturedContact> before_it = std::span(contacts_).first(others);
   TexturedContact& added = contacts_.back();
   const auto is_at_its_place = [&](const TexturedContact& other) {
-    return other.share > 0.0 && are_at_one_place(added, other);
+    return other.share > 0.0 && (are_at_one_place(added, other) || shows_place_of(added, other));
   };
   if (added.is_doubtful || std::any_of(before_it.begin(), before_it.end(), is_at_its_place)) {
     added.is_doubtful = !lead_on(added, last, a, b);
@@ -465,13 +509,13 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   contact.reach_m = contact.half_height_m;
   for (const TexturedContact& last : before_) {
     if (last.id != contact.id || !last.is_doubtful) continue;
-    contact.reach_m = std::max(contact.reach_m, last.reach_m + kReachGrowth_m);
+    contact.reach_m = std::max(contact.reach_m, last.reach_m + kReachGrowth_m_per_s * dt_s_);
     if (last.penetration.covered == 0) contact.half_height_m = contact.reach_m;
   }
   WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
   const SamplingGrid& grid = window.sampler.grid();
-  PackedPatch patch_a{.surface = a_.surface(), .pose = a};
-  PackedPatch patch_b{.surface = b_.surface(), .pose = b};
+  PackedPatch patch_a{.surface = a_.surface(), .pose = a, .half_height_m = contact.half_height_m};
+  PackedPatch patch_b{.surface = b_.surface(), .pose = b, .half_height_m = contact.half_height_m};
   if (window.sampler.needs_triangles(patch_a, patch_b, contact.frame)) {
     const WindowBox box{.half_width_m = 0.5 * window.sampler.patch_width_m(),
                         .half_height_m = contact.half_height_m};
@@ -494,9 +538,6 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   }
   contact.grid = grid;
   contact.is_coarse = window.is_coarse;
-  const glm::dvec3& deepest_m = contact.penetration.deepest_m;
-  contact.is_at_window = std::max(std::abs(deepest_m.x), std::abs(deepest_m.y)) >
-                         0.5 * grid.width_m - grid.spacing_m();
   contact.origin_in_a_m = in_body(a, contact.frame.origin_m);
   contacts_.push_back(contact);
 }

@@ -13,6 +13,7 @@
 
 #include "renderers/pd_gradient/contact_geometry.h"
 #include "renderers/pd_gradient/contact_regions.h"
+#include "renderers/pd_gradient/held_point.h"
 #include "renderers/pd_gradient/mesh_query.h"
 #include "renderers/pd_gradient/penetration.h"
 #include "renderers/pd_gradient/textured_body.h"
@@ -34,7 +35,6 @@ struct TexturedContact {
   bool is_fading = false;         ///< another contact took its place; its share falls to 0
   bool is_kept = false;           ///< its curve is gone; the frame goes on from the tick before
   bool is_coarse = false;         ///< sampled with a step that is longer than the declared one
-  bool is_at_window = false;      ///< the deepest sample lies at the border of the window
   double half_height_m = 0.0;     ///< of the box that its triangles touch
   double reach_m = 0.0;           ///< as deep as it can be by now
   bool is_doubtful = false;       ///< deeper than that: not to be felt
@@ -65,7 +65,7 @@ struct LeftOut {
 ///
 /// A depth beyond that box is one that the bodies have elsewhere along the same n, as where a corner
 /// cuts a corner beside a large contact. It is doubtful and not felt, until the contact has been there
-/// for a tick for every `kReachGrowth_m` that it is too deep. The box grows likewise while there is
+/// long enough for `kReachGrowth_m_per_s` to have reached it. The box grows likewise while there is
 /// nothing in it: of a needle that went in faster than it is thick.
 ///
 /// Depth along n takes for granted that the surfaces of a contact are height fields along n, the near
@@ -96,7 +96,9 @@ struct LeftOut {
 /// One place is felt once: a region in the window of a longer one whose n is within 60° is part of
 /// it. So are the inner curve and the outer one of a rim that is pressed into a plate. Windows are
 /// wider than regions: of contacts whose deepest samples are within 1.5 cells of each other and whose n
-/// is within 60°, the one that was felt there goes on, or else the deepest; the others are left out.
+/// is within 60°, the one that was felt there goes on, or else the deepest; the others are left out. So
+/// is one whose deepest sample lies outside the square around its own curve and in that around another
+/// one's, as where a window shows a part of a broad flat top beside it, which is as deep everywhere.
 ///
 /// A body that is pressed wholly into the other cuts no curve any more. While no region is left and
 /// one body holds the other, the contacts that were deep in the tick before are therefore kept: n
@@ -106,21 +108,24 @@ struct LeftOut {
 /// without having been felt on the way has no n and makes no contact; `is_inside` says so.
 ///
 /// Where one contact becomes two, or two one, the sum of their forces would jump: each has a depth of
-/// its own. So a contact's force counts by its `share`, which rises or falls by 1/kBlendTicks in a tick:
-/// of contacts that become one, that goes on whose deepest place is the new one's and the others fade,
+/// its own. So a contact's force counts by its `share`, which rises from 0 to 1 or falls within
+/// `kBlend_s`, however long a tick is: of contacts that become one, that goes on whose deepest place is the new one's and the others fade,
 /// each with its own window, or, where that shows what another one feels, from its own place along its
 /// gradient; of a contact that parts, the one that holds its deepest place goes on and the others rise.
 /// What was doubtful and is believed rises; a contact that is felt fades where it becomes doubtful or its
 /// curve is gone while the bodies cut or hold each other, as of one ball of two that goes wholly in.
-/// What a wider window holds beside what was felt rises likewise.
+/// What a wider window holds beside what was felt rises likewise. So does a contact that is new and, as its
+/// deepest place has moved since, would have been felt in the tick before: that comes out of the other body
+/// where it was not felt. One that begins is felt wholly at once, from the depth of its first tick on.
 /// The sum of the shares is never above the number of contacts on either side, and at one place not above
-/// one, but while a share is fading where another contact's deepest place has come meanwhile. For these ticks the force
+/// one, but while a share is fading where another contact's deepest place has come meanwhile. For that time the force
 /// depends on time too: it lags, and takes energy from a hand that presses contacts together and lifts
 /// them apart. On every path that was measured energy was taken and none given
 /// (textured_contacts_test.cpp).
 ///
 /// Where the window ends before the bodies do, as of a pen that leans and is pressed deeper than its
-/// own radius, the deepest sample lies at the window's border and δ is a lower bound.
+/// own radius, the deepest sample lies at the window's border and δ is a lower bound
+/// (Penetration::at_window).
 ///
 /// Frame and units: SI, the world in which the poses are.
 ///
@@ -132,8 +137,8 @@ class TexturedContacts final {
   static constexpr std::size_t kMostPairs = 4096;
   static constexpr std::size_t kMostContacts = 16;
   static constexpr std::size_t kMostTriangles = 8192;  ///< of a body in one window
-  static constexpr double kReachGrowth_m = 1e-4;       ///< in a tick
-  static constexpr int kBlendTicks = 10;
+  static constexpr double kReachGrowth_m_per_s = 0.1;
+  static constexpr double kBlend_s = 0.010;  ///< too short to be waited for, too long to be a knock
 
   TexturedContacts(TexturedBody a, TexturedBody b, const WindowSampling& sampling,
                    InstructionSet instructions);
@@ -142,7 +147,8 @@ class TexturedContacts final {
   void reset() noexcept;
 
   /// All contacts, also those that are not deep yet (δ ≤ 0) or doubtful; valid until the next call. None where a pose is not finite.
-  std::span<const TexturedContact> find(const Pose& a, const Pose& b) noexcept;
+  /// `dt_s`: the time since the last call, positive.
+  std::span<const TexturedContact> find(const Pose& a, const Pose& b, double dt_s) noexcept;
 
   /// Of the last `find`.
   const LeftOut& left_out() const noexcept { return left_out_; }
@@ -159,11 +165,14 @@ class TexturedContacts final {
   const TexturedBody& b() const noexcept { return b_; }
 
  private:
+  /// For each contact, whether its share has just begun to rise.
+  using Begun = std::array<bool, kMostContacts>;
+
   void add(TexturedContact contact, const Pose& a, const Pose& b) noexcept;
   double half_height_m(double width_m, double last_depth_m) const noexcept;
   double most_depth_m(const TexturedContact& contact, const Pose& a, const Pose& b) const noexcept;
   double depth_before_m(const ContactRegion& region) const noexcept;
-  bool hold_each_other(const Pose& a, const Pose& b) const noexcept;
+  bool hold_each_other(const Pose& a, const Pose& b) noexcept;
   void look_inside(const Pose& a, const Pose& b) noexcept;
   void keep_buried(const Pose& a, const Pose& b) noexcept;
   TexturedContact gone_on(const TexturedContact& last, const Pose& a, const Pose& b) const noexcept;
@@ -178,7 +187,8 @@ class TexturedContacts final {
   std::size_t heir_of(std::size_t contact, const Successors& successors) const noexcept;
   double share_before(const TexturedContact& contact) const noexcept;
   Successors owners() const noexcept;
-  void part(const TexturedContact& last, TexturedContact& heir) noexcept;
+  bool was_deep(const TexturedContact& contact, const Pose& a, const Pose& b) const noexcept;
+  void part(const TexturedContact& last, std::size_t heir, Begun& begun) noexcept;
   std::span<const std::uint32_t> triangles_in(const TexturedBody& body, const Pose& pose,
                                               const ContactFrame& frame, double outwards,
                                               const WindowBox& box,
@@ -195,7 +205,11 @@ class TexturedContacts final {
   std::vector<TexturedContact> before_{};
   Pose a_before_{};
   Pose b_before_{};
+  HeldPoint a_in_b_{};
+  HeldPoint b_in_a_{};
   LeftOut left_out_{};
+  double dt_s_ = 0.0;       // of this call
+  double rise_ = 0.0;       // of a share, in it
   double thinner_m_ = 0.0;  // the smallest extent of the smaller body
   glm::dvec3 a_in_b_before_m_{0.0};
   bool is_first_ = true;

@@ -447,6 +447,28 @@ TEST(PdGradient, CountsWindowsThatAreTooWideForTheStep) {
   EXPECT_EQ(ticks_of(*renderer, "coarse_window"), 1U);
 }
 
+// A pen that leans and is pressed deeper than its own radius.
+TEST(PdGradient, CountsWhereTheDeepestPlaceLiesAtTheWindowsBorder) {
+  TriangleMesh pen = ball(0.6e-3, 12, 16);
+  for (glm::dvec3& vertex_m : pen.vertices_m) {
+    if (vertex_m.z > 0.0) vertex_m.z += 12e-3;
+  }
+  RendererInputs inputs = ball_on_plate(direct());
+  inputs.tool = shared(bare(pen));
+  const auto renderer = renderer_of(inputs);
+  ProbeState probe = probe_at({0.0, 0.0, 0.2e-3});
+  probe.orientation = glm::angleAxis(1.1, glm::dvec3{0.0, 1.0, 0.0});
+  renderer->reset(probe);
+  for (int i = 0; i < 100; ++i) {
+    renderer->tick(probe, kTick_s);
+    if (probe.position_m.z > -0.3e-3) {
+      EXPECT_EQ(ticks_of(*renderer, "window_border"), 0U) << i;
+    }
+    probe.position_m.z -= 0.025e-3;
+  }
+  EXPECT_GT(ticks_of(*renderer, "window_border"), 10U);
+}
+
 TEST(PdGradient, CountsSheetsThatFoldOverEachOther) {
   // Two balls, the upper one's lower side above the lower one's: no height field along n.
   TriangleMesh two = ball(1e-3, 12, 16);
