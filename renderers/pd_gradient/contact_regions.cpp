@@ -164,18 +164,18 @@ void ContactRegions::join_along(std::span<const TrianglePair> pairs, Side same,
     last = i;
   }
   for (const TrianglePair& pair : pairs) {
-    const std::uint32_t triangle = pair.*same.of_pair;
-    for (std::uint32_t i = std::exchange(held.last_of_triangle[triangle], kNone); i != kNone;
-         i = before_it_[i]) {
+    const std::uint32_t last = std::exchange(held.last_of_triangle[pair.*same.of_pair], kNone);
+    if (last == kNone || before_it_[last] == kNone) continue;
+    for (std::uint32_t i = last; i != kNone; i = before_it_[i]) {
       for (const std::uint32_t corner : along.triangles[pairs[i].*other.of_pair]) {
         const std::uint32_t met = std::exchange(along.last_of_vertex[corner], i);
-        if (met != kNone && pairs[met].*same.of_pair == triangle) join(i, met);
+        if (met != kNone) join(i, met);
       }
     }
-  }
-  for (const TrianglePair& pair : pairs) {
-    for (const std::uint32_t corner : along.triangles[pair.*other.of_pair]) {
-      along.last_of_vertex[corner] = kNone;
+    for (std::uint32_t i = last; i != kNone; i = before_it_[i]) {
+      for (const std::uint32_t corner : along.triangles[pairs[i].*other.of_pair]) {
+        along.last_of_vertex[corner] = kNone;
+      }
     }
   }
 }

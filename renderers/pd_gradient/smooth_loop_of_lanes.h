@@ -56,21 +56,22 @@ inline Floats slope_of(const float* at, std::int32_t step) {
   const Floats back = Lanes::load(at - step);
   const Floats far_forth = Lanes::load(at + 2 * step);
   const Floats far_back = Lanes::load(at - 2 * step);
-  const Floats zero = Lanes::all(0.0F);
-  const Floats side = Lanes::all(0.5F * kSlope_cells);
+  const Floats wide = Lanes::sub(Lanes::mul(Lanes::all(8.0F), Lanes::sub(forth, back)),
+                                 Lanes::sub(far_forth, far_back));
   const Lanes::Mask has_forth = Lanes::less(nothing, forth);
   const Lanes::Mask has_back = Lanes::less(nothing, back);
+  const Lanes::Mask has_all =
+      Lanes::both(Lanes::both(has_forth, has_back),
+                  Lanes::both(Lanes::less(nothing, far_forth), Lanes::less(nothing, far_back)));
+  if (Lanes::bits(has_all) == (1U << Lanes::kWidth) - 1U) return wide;
+  const Floats zero = Lanes::all(0.0F);
+  const Floats side = Lanes::all(0.5F * kSlope_cells);
   const Floats forwards = Lanes::sub(forth, here);
   const Floats backwards = Lanes::sub(here, back);
   const Floats near = Lanes::mul(
       side,
       Lanes::add(Lanes::choose(has_forth, forwards, Lanes::choose(has_back, backwards, zero)),
                  Lanes::choose(has_back, backwards, Lanes::choose(has_forth, forwards, zero))));
-  const Floats wide = Lanes::sub(Lanes::mul(Lanes::all(8.0F), Lanes::sub(forth, back)),
-                                 Lanes::sub(far_forth, far_back));
-  const Lanes::Mask has_all =
-      Lanes::both(Lanes::both(has_forth, has_back),
-                  Lanes::both(Lanes::less(nothing, far_forth), Lanes::less(nothing, far_back)));
   return Lanes::choose(has_all, wide, near);
 }
 

@@ -84,15 +84,20 @@ bool are_at_one_place(const TexturedContact& one, const TexturedContact& other) 
          glm::distance(deepest_m(one), deepest_m(other)) <= kSamePlace * cell_m;
 }
 
+/// The larger of both ways across n.
+double aside_m(const glm::dvec3& way_m) noexcept {
+  return std::max(std::abs(way_m.x), std::abs(way_m.y));
+}
+
+/// Whether the deepest place of a contact lies outside its own curve.
+bool is_beside_curve(const TexturedContact& contact) noexcept {
+  return aside_m(contact.penetration.deepest_m) >
+         contact.half_extent_m + kSamePlace * contact.grid.spacing_m();
+}
+
 /// Whether the deepest place of the first lies outside its own curve and in that of the other one.
 bool shows_place_of(const TexturedContact& one, const TexturedContact& other) noexcept {
-  if (!are_felt_alike(one, other)) return false;
-  const auto aside_m = [](const glm::dvec3& way_m) {
-    return std::max(std::abs(way_m.x), std::abs(way_m.y));
-  };
-  if (aside_m(one.penetration.deepest_m) <= one.half_extent_m + kSamePlace * one.grid.spacing_m()) {
-    return false;
-  }
+  if (!is_beside_curve(one) || !are_felt_alike(one, other)) return false;
   const glm::dvec3 way_m = other.frame.to_frame(deepest_m(one) - other.frame.origin_m);
   return aside_m(way_m) <= other.half_extent_m && std::abs(way_m.z) <= other.half_height_m;
 }
@@ -403,6 +408,7 @@ TexturedContacts::Successors TexturedContacts::owners() const noexcept {
     return i;
   };
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    if (!is_beside_curve(contacts_[i])) continue;
     for (std::size_t j = 0; owners[i] == i && j < contacts_.size(); ++j) {
       if (shows_place_of(contacts_[i], contacts_[j])) owners[i] = first_of(j);
     }
@@ -422,6 +428,7 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
   }
   std::array<std::size_t, kMostContacts> heirs{};
   Begun begun{};
+  bool parts = false;
   for (std::size_t i = 0; i < now; ++i) {
     TexturedContact& contact = contacts_[i];
     heirs[i] = contact.is_doubtful ? kMostContacts : heir_of(i, successors);
@@ -439,9 +446,10 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
     } else if (had_any || was_deep(contact, a, b)) {
       contact.share = rise_;
       begun[i] = true;
+      parts = true;
     }
   }
-  for (std::size_t i = 0; i < now; ++i) {
+  for (std::size_t i = 0; parts && i < now; ++i) {
     if (heirs[i] < kMostContacts) part(before_[heirs[i]], i, begun);
   }
   for (std::size_t i = 0; !are_apart && i < before_.size(); ++i) {
