@@ -14,6 +14,7 @@
 #include <glm/matrix.hpp>
 
 #include "stimuli/mesh_edges.h"
+#include "stimuli/textured_point.h"
 
 namespace asperity {
 
@@ -41,16 +42,82 @@ struct Place {
 class DisplacedSurface final {
  public:
   explicit DisplacedSurface(const TexturedMesh& mesh)
-      : mesh_(mesh), opposite_(opposite_half_edges(mesh.triangles)) {}
+      : mesh_(mesh),
+        opposite_(opposite_half_edges(mesh.triangles)),
+        rows_(rows_for(mesh.triangles.size())),
+        coarse_(coarse_of(mesh, rows_)),
+        search_(coarse_) {}
 
-  double distance_m(const glm::dvec3& point_m, const SurfaceSearch::Nearest& nearest) const {
-    const Place near{nearest.triangle, nearest.barycentric};
+  double distance_m(const glm::dvec3& point_m) const {
+    const Place near = near_place(point_m);
     const double from_near_m = distance_about_m(point_m, near);
     const Place under = place_under(point_m, near);
     return std::min(from_near_m, distance_about_m(point_m, under));
   }
 
  private:
+  // Displacements may be longer than parts of the body are thick: what is nearest to a point before them
+  // can be the wrong side of a leg, or another leg. So it is looked for on the displaced surface, with each
+  // face in so many rows of triangles.
+  static int rows_for(std::size_t triangles) {
+    constexpr std::size_t kMostTriangles = std::size_t{1} << 19;
+    constexpr int kMostRows = 32;
+    int rows = 1;
+    while (rows < kMostRows &&
+           4 * static_cast<std::size_t>(rows * rows) * triangles <= kMostTriangles) {
+      rows *= 2;
+    }
+    return rows;
+  }
+
+  /// The corner (i, j) of the rows of a face; 0 ≤ i, 0 ≤ j, i + j ≤ rows.
+  static glm::dvec3 corner(int i, int j, int rows) {
+    const double b = static_cast<double>(i) / rows;
+    const double c = static_cast<double>(j) / rows;
+    return {1.0 - b - c, b, c};
+  }
+
+  /// Row after row rows² triangles of each face, in each row those that stand like the face first.
+  static TriangleMesh coarse_of(const TexturedMesh& mesh, int rows) {
+    TriangleMesh coarse{};
+    for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+      auto below = static_cast<std::uint32_t>(coarse.vertices_m.size());
+      for (int j = 0; j <= rows; ++j) {
+        for (int i = 0; i + j <= rows; ++i) {
+          coarse.vertices_m.push_back(textured_point_m(mesh, face, corner(i, j, rows)));
+        }
+      }
+      for (int j = 0; j < rows; ++j) {
+        const auto count = static_cast<std::uint32_t>(rows - j);
+        const std::uint32_t above = below + count + 1;
+        for (std::uint32_t i = 0; i < count; ++i) {
+          coarse.triangles.push_back({below + i, below + i + 1, above + i});
+        }
+        for (std::uint32_t i = 0; i + 1 < count; ++i) {
+          coarse.triangles.push_back({below + i + 1, above + i + 1, above + i});
+        }
+        below = above;
+      }
+    }
+    return coarse;
+  }
+
+  Place near_place(const glm::dvec3& point_m) const {
+    const SurfaceSearch::Nearest nearest = search_.nearest(point_m);
+    const auto of_face = static_cast<std::uint32_t>(rows_ * rows_);
+    auto rest = static_cast<int>(nearest.triangle % of_face);
+    int j = 0;
+    for (; rest >= 2 * (rows_ - j) - 1; ++j) rest -= 2 * (rows_ - j) - 1;
+    const bool stands_like_face = rest < rows_ - j;
+    const int i = stands_like_face ? rest : rest - (rows_ - j);
+    const glm::dvec3 b = nearest.barycentric;
+    return {nearest.triangle / of_face,
+            stands_like_face ? b.x * corner(i, j, rows_) + b.y * corner(i + 1, j, rows_) +
+                                   b.z * corner(i, j + 1, rows_)
+                             : b.x * corner(i + 1, j, rows_) + b.y * corner(i + 1, j + 1, rows_) +
+                                   b.z * corner(i, j + 1, rows_)};
+  }
+
   /// Newton's method for the place whose interpolated normal goes through the point, from triangle
   /// to triangle. Where it does not arrive it returns where it came to.
   Place place_under(const glm::dvec3& point_m, Place place) const {
@@ -114,7 +181,7 @@ class DisplacedSurface final {
 
   /// To the nearest triangle between texels around a place; the window grows with the distance.
   double distance_about_m(const glm::dvec3& point_m, const Place& place) const {
-    constexpr int kWidest = 8;
+    constexpr int kWidest = 32;
     double distance_m = std::numeric_limits<double>::infinity();
     for (int radius = 1; radius <= kWidest; radius *= 2) {
       const Window window = window_about(place, radius);
@@ -206,6 +273,9 @@ class DisplacedSurface final {
 
   const TexturedMesh& mesh_;
   std::vector<std::uint32_t> opposite_;
+  int rows_;
+  TriangleMesh coarse_;
+  SurfaceSearch search_;
 };
 
 }  // namespace
@@ -254,12 +324,12 @@ GeometricError plain_error(const std::vector<glm::dvec3>& samples_m, const Surfa
 }
 
 GeometricError textured_error(const std::vector<glm::dvec3>& samples_m, const TexturedMesh& mesh,
-                              const SurfaceSearch& search, const Workers& workers) {
+                              const Workers& workers) {
   const DisplacedSurface surface(mesh);
   std::vector<double> distances_m(samples_m.size());
   side_by_side(samples_m.size(), workers, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      distances_m[i] = surface.distance_m(samples_m[i], search.nearest(samples_m[i]));
+      distances_m[i] = surface.distance_m(samples_m[i]);
     }
   });
   return error_of(distances_m);

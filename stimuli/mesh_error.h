@@ -27,11 +27,11 @@ GeometricError plain_error(const std::vector<glm::dvec3>& samples_m, const Surfa
 
 /// How far each point lies from the displaced surface.
 ///
-/// The surface is taken as triangles between texels. Of those near the place that the point lies
-/// over, along the interpolated normals, and near the place of the flat mesh that is nearest to it,
-/// the nearest one counts; so a distance is never told too small.
-/// `search` is on a mesh with the same vertices and triangles as `mesh`.
+/// The surface is taken as triangles between texels. Of those near the place that is nearest to the
+/// point where every face is displaced in at most 32 rows of triangles, and near the one that the point lies
+/// over along the interpolated normals from there, the nearest one counts; so a distance is never told
+/// too small.
 GeometricError textured_error(const std::vector<glm::dvec3>& samples_m, const TexturedMesh& mesh,
-                              const SurfaceSearch& search, const Workers& workers);
+                              const Workers& workers);
 
 }  // namespace asperity

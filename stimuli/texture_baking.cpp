@@ -12,6 +12,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "analysis/number_text.h"
 #include "stimuli/mesh_edges.h"
 #include "stimuli/surface_search.h"
 #include "stimuli/texture_atlas.h"
@@ -49,7 +50,7 @@ class Baking final {
     baked.mesh.triangles = simplified_.triangles;
     fill_atlas(baked.mesh, sides_,
                [this](std::uint32_t triangle, int i, int j) { return texel_m(triangle, i, j); });
-    report_.textured = textured_error(samples_m, baked.mesh, simplified_search_, part(0.8, 1.0));
+    report_.textured = textured_error(samples_m, baked.mesh, part(0.8, 1.0));
     baked.report = report_;
     return baked;
   }
@@ -403,6 +404,24 @@ class Baking final {
 };
 
 }  // namespace
+
+std::optional<std::string> warning_of(const BakeReport& report) {
+  const GeometricError& plain = report.plain;
+  const GeometricError& textured = report.textured;
+  // Rounding: a mesh that is its own original.
+  constexpr double kFinest_m = 1e-7;
+  const bool is_further = textured.rms_m > plain.rms_m + kFinest_m;
+  if (!is_further && !(textured.max_m > plain.max_m + kFinest_m)) return {};
+  const auto micrometres = [](double length_m) { return fixed(length_m * 1e6, 1) + " µm"; };
+  const auto both = [&](double GeometricError::*of) {
+    return micrometres(textured.*of) + " from the original with its texture and " +
+           micrometres(plain.*of) + " without";
+  };
+  return is_further ? "The mesh lies " + both(&GeometricError::rms_m) +
+                          " (RMS): the texture makes it worse. Take more triangles."
+                    : "Somewhere the mesh lies " + both(&GeometricError::max_m) +
+                          ": there the texture makes it worse. More triangles would help.";
+}
 
 BakedMesh bake_texture(const TriangleMesh& original, const TriangleMesh& simplified,
                        const BakeSettings& settings, const Workers& workers) {

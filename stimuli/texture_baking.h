@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 
 #include "stimuli/mesh_error.h"
 #include "stimuli/side_by_side.h"
@@ -33,6 +35,9 @@ struct BakeReport {
   GeometricError plain{};     ///< of the simplified mesh alone
   GeometricError textured{};  ///< with its texture
 };
+
+/// What has to be said of a texture that makes the mesh worse than it is without; nothing otherwise.
+std::optional<std::string> warning_of(const BakeReport& report);
 
 struct BakedMesh {
   TexturedMesh mesh{};

@@ -85,7 +85,7 @@ class Reader final {
     const auto format = json_.is_object() ? json_.find("format") : json_.end();
     if (!json_.is_object() || format == json_.end() || !format->is_string() ||
         !format->get_ref<const std::string&>().starts_with("asperity.textured_mesh/")) {
-      refuse("is no textured mesh of Asperity.");
+      refuse("is no textured mesh of Asperity; asperity bake makes one from a mesh.");
     }
     if (*format != kFormat) {
       refuse("is in the format " + format->get<std::string>() + "; this program reads " + kFormat +

@@ -56,6 +56,18 @@ Original read_original(const BakeOrder& order) {
   return original;
 }
 
+void refuse_name_of_another_format(const std::filesystem::path& out) {
+  for (const char* const other : {".obj", ".ply", ".stl", ".off", ".png"}) {
+    if (out.extension() != other) continue;
+    std::filesystem::path right = out;
+    right.replace_extension(".mesh");
+    throw std::invalid_argument(out.string() +
+                                ": what is written is a textured mesh, which no other program "
+                                "reads; call it " +
+                                right.string());
+  }
+}
+
 /// See BakeOrder::role. What was done is said in the provenance.
 void place(TexturedMesh& mesh, BodyRole role, TexturedMeshProvenance& provenance) {
   glm::dvec3 low_m = mesh.vertices_m.front();
@@ -77,6 +89,7 @@ void place(TexturedMesh& mesh, BodyRole role, TexturedMeshProvenance& provenance
 }  // namespace
 
 BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>& progress) {
+  refuse_name_of_another_format(order.out);
   refuse_existing({order.out}, order.overwrite);
   // Said now and not after the work.
   if (const auto folder = order.out.parent_path();
@@ -98,6 +111,9 @@ BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>&
   }
   const TriangleMesh& simplified = simple.mesh;
   BakedMesh baked = bake_texture(original.mesh, simplified, {}, {order.jobs, part(0.5, 0.98)});
+  if (auto warning = warning_of(baked.report)) {
+    original.provenance.findings.push_back(std::move(*warning));
+  }
   if (order.role) place(baked.mesh, *order.role, original.provenance);
   BakeOutcome outcome{original.provenance.source_triangles,
                       simplified.triangles.size(),

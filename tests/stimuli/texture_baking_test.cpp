@@ -4,11 +4,13 @@
 
 #include <atomic>
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "stimuli/mesh_decimation.h"
 #include "stimuli/mesh_edges.h"
+#include "stimuli/texture_atlas.h"
 #include "stimuli/textured_point.h"
 #include "tests/stimuli/made_mesh.h"
 
@@ -59,17 +61,90 @@ TEST(Baking, MeasuresItsErrorOnTheTextureItself) {
   const TriangleMesh original = bumpy_ball(5, 0.02, 0.0005, 9.0);
   BakedMesh result = baked(original, 300);
   const std::vector<glm::dvec3> samples_m = surface_samples(original, 5000);
-  const TriangleMesh flat{result.mesh.vertices_m, result.mesh.triangles};
-  const SurfaceSearch search(flat);
-  const GeometricError as_told = textured_error(samples_m, result.mesh, search, {});
+  const GeometricError as_told = textured_error(samples_m, result.mesh, {});
   EXPECT_DOUBLE_EQ(as_told.rms_m, result.report.textured.rms_m);
   EXPECT_LT(as_told.rms_m, 0.1 * result.report.plain.rms_m);
   result.mesh.atlas.step_m *= 1.5;  // everything half as far again
-  EXPECT_GT(textured_error(samples_m, result.mesh, search, {}).rms_m,
-            0.3 * result.report.plain.rms_m);
+  EXPECT_GT(textured_error(samples_m, result.mesh, {}).rms_m, 0.3 * result.report.plain.rms_m);
   std::fill(result.mesh.atlas.values.begin(), result.mesh.atlas.values.end(), std::int16_t{0});
-  EXPECT_NEAR(textured_error(samples_m, result.mesh, search, {}).rms_m, result.report.plain.rms_m,
+  EXPECT_NEAR(textured_error(samples_m, result.mesh, {}).rms_m, result.report.plain.rms_m,
               0.05 * result.report.plain.rms_m);
+}
+
+// Two sheets, 0.3 mm apart, that a texture lifts by 0.5 mm: over the lower one then lies what was the upper one.
+TEST(Baking, FindsNoErrorAtPlacesOfTheTextureItselfOnAThinPart) {
+  constexpr double kHalf_m = 0.005;
+  TexturedMesh mesh{};
+  for (const double z_m : {0.0, -0.3e-3}) {
+    const bool is_upper = z_m == 0.0;
+    const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    for (const glm::dvec2& corner : {glm::dvec2{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+      mesh.vertices_m.emplace_back(kHalf_m * corner, z_m);
+      mesh.normals.emplace_back(0.0, 0.0, is_upper ? 1.0 : -1.0);
+    }
+    for (const auto& [a, b, c] : {std::array<std::uint32_t, 3>{0, 1, 2}, {2, 3, 0}}) {
+      mesh.triangles.push_back({first + a, first + (is_upper ? b : c), first + (is_upper ? c : b)});
+    }
+  }
+  fill_atlas(mesh, {128, 128, 128, 128}, [&](std::uint32_t triangle, int i, int j) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    const glm::dvec3 at_m =
+        (mesh.vertices_m[a] * (128.0 - i - j) + mesh.vertices_m[b] * static_cast<double>(i) +
+         mesh.vertices_m[c] * static_cast<double>(j)) /
+        128.0;
+    const double x = at_m.x / kHalf_m;
+    const double y = at_m.y / kHalf_m;
+    return 0.5e-3 * (1.0 - x * x) * (1.0 - y * y) * mesh.normals[a].z;
+  });
+  std::vector<glm::dvec3> samples_m{};
+  for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+    for (int i = 0; i <= 23; ++i) {
+      for (int j = 0; i + j <= 23; ++j) {
+        samples_m.push_back(
+            textured_point_m(mesh, triangle, glm::dvec3{23.0 - i - j, i, j} / 23.0));
+      }
+    }
+  }
+  EXPECT_LT(textured_error(samples_m, mesh, {}).max_m, 1e-6);
+}
+
+// A pit of 30 mm in a block of 50 mm, whose vertices lie at most 20 mm from the block. In the middle of a
+// side the mean of its corners' normals is 0.58 long, and the floor is as far as 52 mm of displacement.
+TEST(Baking, NeverDisplacesFurtherThanTwiceAsFarAsVerticesOfTheOriginalLie) {
+  std::set<std::array<int, 3>> cells{};
+  for (int x = 0; x < 11; ++x) {
+    for (int y = 0; y < 11; ++y) {
+      for (int z = 0; z < 5; ++z) {
+        const bool is_pit = x >= 4 && x <= 6 && y >= 4 && y <= 6 && z >= 2;
+        if (!is_pit) cells.insert({x, y, z});
+      }
+    }
+  }
+  const BakedMesh result =
+      bake_texture(cubes(cells), box({0.055, 0.055, 0.025}, {0.055, 0.055, 0.025}), kQuick, {});
+  double furthest_m = 0.0;
+  for (const std::int16_t value : result.mesh.atlas.values) {
+    furthest_m = std::max(furthest_m, std::abs(value * result.mesh.atlas.step_m));
+  }
+  EXPECT_LE(furthest_m, 0.0401);
+  EXPECT_GT(result.report.missed, 0U);
+}
+
+TEST(Baking, SaysWhereATextureMakesAMeshWorse) {
+  const auto said = [](const GeometricError& plain, const GeometricError& textured) {
+    BakeReport report{};
+    report.plain = plain;
+    report.textured = textured;
+    return warning_of(report).value_or("");
+  };
+  EXPECT_EQ(said({1e-4, 4e-4}, {1e-5, 2e-4}), "");
+  EXPECT_EQ(said({0.0, 0.0}, {1e-9, 1e-8}), "");  // of a mesh onto itself
+  EXPECT_EQ(said({1e-4, 4e-4}, {1e-5, 5e-4}),
+            "Somewhere the mesh lies 500.0 µm from the original with its texture and 400.0 µm "
+            "without: there the texture makes it worse. More triangles would help.");
+  EXPECT_EQ(said({1e-4, 4e-4}, {2e-4, 5e-4}),
+            "The mesh lies 200.0 µm from the original with its texture and 100.0 µm without (RMS): "
+            "the texture makes it worse. Take more triangles.");
 }
 
 TEST(Baking, HoldsTheSameDisplacementOnBothSidesOfEveryEdge) {
