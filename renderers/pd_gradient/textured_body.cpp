@@ -12,6 +12,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "renderers/pd_gradient/finest_wave.h"
+
 namespace asperity {
 namespace {
 
@@ -130,83 +132,39 @@ class Relief final {
   double high_m_ = -std::numeric_limits<double>::infinity();
 };
 
-/// Slopes and curvatures over the texels of all faces, along the atlas's rows and its columns.
-class Roughness final {
- public:
-  explicit Roughness(const TexturedMesh& mesh) : atlas_(mesh.atlas) {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const auto& [a, b, c] = mesh.triangles[i];
-      const glm::dvec3 area = glm::cross(mesh.vertices_m[b] - mesh.vertices_m[a],
-                                         mesh.vertices_m[c] - mesh.vertices_m[a]);
-      add(mesh.places[i], 0.5 * glm::length(area));
-    }
-  }
-
-  /// In metres, as the mesh is; infinite without curvature.
-  double finest_wave_m() const {
-    double slopes_m2 = 0.0;
-    double bends = 0.0;
-    for (const Sums& sums : along_) {
-      if (!(sums.area_m2 > 0.0)) continue;
-      slopes_m2 += sums.slopes_m2;
-      bends += sums.bends - sums.curvature_m * sums.curvature_m / sums.area_m2;
-    }
-    constexpr double kRounding = 1e-12;
-    if (!(bends > kRounding * (along_[0].bends + along_[1].bends))) {
-      return std::numeric_limits<double>::infinity();
-    }
-    return 2.0 * std::numbers::pi * std::sqrt(slopes_m2 / bends);
-  }
-
- private:
-  /// Integrals over the surface.
-  struct Sums {
-    double area_m2 = 0.0;
-    double slopes_m2 = 0.0;    // of slope²
-    double curvature_m = 0.0;  // of curvature
-    double bends = 0.0;        // of curvature²
+/// Across each of the largest faces, from its plane to the furthest vertices: the least of them.
+double thickness_m(const TriangleMesh& mesh) {
+  constexpr std::size_t kFaces = 256;
+  struct Face {
+    glm::dvec3 area{0.0};
+    double size = 0.0;
   };
-
-  void add(const std::array<glm::dvec2, 3>& places, double area_m2) {
-    const double area_texels = 0.5 * std::abs(cross(places[1] - places[0], places[2] - places[0]));
-    if (!(area_texels > 0.0) || !(area_m2 > 0.0)) return;
-    const double texel_m2 = area_m2 / area_texels;
-    const double texel_m = std::sqrt(texel_m2);
-    const glm::dvec2 low = glm::min(glm::min(places[0], places[1]), places[2]);
-    const glm::dvec2 high = glm::max(glm::max(places[0], places[1]), places[2]);
-    // Neighbours on either side are needed.
-    const auto first = [](double at) { return std::max(1LL, std::llround(std::ceil(at))); };
-    const auto last = [](double at, std::size_t count) {
-      return std::min(static_cast<long long>(count) - 2, std::llround(std::floor(at)));
-    };
-    for (long long y = first(low.y); y <= last(high.y, atlas_.rows); ++y) {
-      for (long long x = first(low.x); x <= last(high.x, atlas_.columns); ++x) {
-        if (!is_inside(places, {static_cast<double>(x), static_cast<double>(y)})) continue;
-        const auto row = static_cast<std::size_t>(y);
-        const auto column = static_cast<std::size_t>(x);
-        const double here_m = height_m(row, column);
-        const std::array before_m{height_m(row, column - 1), height_m(row - 1, column)};
-        const std::array after_m{height_m(row, column + 1), height_m(row + 1, column)};
-        for (std::size_t way = 0; way < 2; ++way) {
-          const double slope = (after_m[way] - here_m) / texel_m;
-          const double curvature_per_m = (after_m[way] - 2.0 * here_m + before_m[way]) / texel_m2;
-          Sums& sums = along_[way];
-          sums.area_m2 += texel_m2;
-          sums.slopes_m2 += slope * slope * texel_m2;
-          sums.curvature_m += curvature_per_m * texel_m2;
-          sums.bends += curvature_per_m * curvature_per_m * texel_m2;
-        }
-      }
+  std::vector<Face> faces;
+  faces.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::dvec3 area = glm::cross(mesh.vertices_m[b] - mesh.vertices_m[a],
+                                       mesh.vertices_m[c] - mesh.vertices_m[a]);
+    faces.push_back({area, glm::length(area)});
+  }
+  // Of equals the first: the same ones every time.
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const Face& one, const Face& other) { return one.size > other.size; });
+  if (faces.size() > kFaces) faces.resize(kFaces);
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const Face& face : faces) {
+    if (!(face.size > 0.0)) continue;
+    const glm::dvec3 normal = face.area / face.size;
+    double low_m = std::numeric_limits<double>::infinity();
+    double high_m = -low_m;
+    for (const glm::dvec3& vertex_m : mesh.vertices_m) {
+      const double along_m = glm::dot(normal, vertex_m);
+      low_m = std::min(low_m, along_m);
+      high_m = std::max(high_m, along_m);
     }
+    least_m = std::min(least_m, high_m - low_m);
   }
-
-  double height_m(std::size_t row, std::size_t column) const {
-    return atlas_.step_m * atlas_.values[row * atlas_.columns + column];
-  }
-
-  const DisplacementAtlas& atlas_;
-  std::array<Sums, 2> along_{};
-};
+  return least_m;
+}
 
 /// How far the corners of a box reach from its middle along an axis.
 double reach_m(const glm::dvec3& half_m, const glm::dvec3& axis) noexcept {
@@ -245,8 +203,8 @@ TexturedBody::TexturedBody(const TexturedMesh& mesh, double gain)
   hull_ = hull_of(mesh, std::max(0.0, relief.high_m()));
   hull_clusters_ = std::make_shared<const ClusteredMesh>(hull_);
   furthest_m_ = std::max(std::abs(relief.low_m()), std::abs(relief.high_m()));
-  finest_wave_m_ =
-      gain > 0.0 ? Roughness(mesh).finest_wave_m() : std::numeric_limits<double>::infinity();
+  finest_wave_m_ = asperity::finest_wave_m(mesh, gain);
+  thickness_m_ = asperity::thickness_m(hull_);
 }
 
 std::size_t TexturedBody::find_triangles(const ContactFrame& frame, const glm::dvec3& facing,

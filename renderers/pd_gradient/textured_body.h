@@ -50,10 +50,11 @@ class TexturedBody final {
   std::size_t triangles() const noexcept { return hull_.triangles.size(); }
   double furthest_displacement_m() const noexcept { return furthest_m_; }
 
-  /// How long the finest waves of the texture are: 2π·√(Σ slope² / Σ (curvature − mean)²) over all
-  /// texels, which is λ for a grating, and near the short end for a mixture. The mean curvature is
-  /// the shape's, where a texture makes a faceted body round, and no detail. Infinite where there is
-  /// no texture.
+  /// How thick the hull is: the shortest way between two parallel planes around it, of those that lie
+  /// along one of its 256 largest faces. A convex body that moves less still covers a part of where it was.
+  double thickness_m() const noexcept { return thickness_m_; }
+
+  /// How long the finest waves of the texture are (finest_wave.h).
   double finest_wave_m() const noexcept { return finest_wave_m_; }
 
   /// Fills `room` with the triangles that look along `facing` and touch the box around the frame's
@@ -77,6 +78,7 @@ class TexturedBody final {
   ClusteredMesh plain_clusters_;
   double furthest_m_ = 0.0;
   double finest_wave_m_ = 0.0;
+  double thickness_m_ = 0.0;
 };
 
 }  // namespace asperity

@@ -47,18 +47,6 @@ ContactFrame in_body(const Pose& pose, const ContactFrame& frame) noexcept {
           .n = back * frame.n};
 }
 
-/// The smallest side of a box around a body, along the axes of its mesh.
-double thickness_m(const TexturedBody& body) {
-  glm::dvec3 low_m{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high_m = -low_m;
-  for (const glm::dvec3& vertex_m : body.hull().vertices_m) {
-    low_m = glm::min(low_m, vertex_m);
-    high_m = glm::max(high_m, vertex_m);
-  }
-  const glm::dvec3 size_m = high_m - low_m;
-  return std::min({size_m.x, size_m.y, size_m.z});
-}
-
 /// Whether the contact at `frame` is felt in another one's window already.
 bool is_part_of(const ContactFrame& frame, const TexturedContact& other) noexcept {
   if (glm::dot(frame.n, other.frame.n) < kAgreement) return false;
@@ -129,7 +117,7 @@ TexturedContacts::TexturedContacts(TexturedBody a, TexturedBody b, const WindowS
                 std::min(kMostTriangles, std::max(a_.triangles(), b_.triangles())), instructions),
       triangles_a_(std::min(kMostTriangles, a_.triangles())),
       triangles_b_(std::min(kMostTriangles, b_.triangles())),
-      thinner_m_(std::min(thickness_m(a_), thickness_m(b_))) {
+      thinner_m_(std::min(a_.thickness_m(), b_.thickness_m())) {
   contacts_.reserve(kMostContacts);
   before_.reserve(kMostContacts);
 }

@@ -210,7 +210,7 @@ class TexturedContacts final {
   LeftOut left_out_{};
   double dt_s_ = 0.0;       // of this call
   double rise_ = 0.0;       // of a share, in it
-  double thinner_m_ = 0.0;  // the smallest extent of the smaller body
+  double thinner_m_ = 0.0;  // the thickness of the thinner body
   glm::dvec3 a_in_b_before_m_{0.0};
   bool is_first_ = true;
   bool is_inside_ = false;

@@ -1,4 +1,4 @@
-// A mesh prepared for contact: its hull, its triangles in a window, its finest waves.
+// A mesh prepared for contact: its hull, its triangles in a window, its thickness.
 
 #include "renderers/pd_gradient/textured_body.h"
 
@@ -125,6 +125,16 @@ TEST(TexturedBody, KnowsWhatIsInside) {
   EXPECT_TRUE(torus.holds({0.0, -0.028, 0.003}));
   EXPECT_FALSE(torus.holds({0.0, 0.0, 0.0}));  // in the ring's hole
   EXPECT_FALSE(torus.holds({0.03, 0.0, 0.02}));
+}
+
+TEST(TexturedBody, IsAsThickAsItsPlateHoweverThatIsTurned) {
+  for (const double angle_rad : {0.0, 0.6, 1.3}) {
+    TexturedMesh plate = bare(box({0.02, 0.03, 0.5e-3}));
+    const glm::dmat3 turn = turn_about({1.0, -2.0, 0.7}, angle_rad);
+    for (glm::dvec3& vertex_m : plate.vertices_m) vertex_m = turn * vertex_m;
+    EXPECT_NEAR(TexturedBody(plate, 1.0).thickness_m(), 0.5e-3, 1e-9);
+  }
+  EXPECT_NEAR(TexturedBody(bare(ball(0.01, 24, 32)), 1.0).thickness_m(), 0.02, 0.0005);
 }
 
 TEST(TexturedBody, RefusesAGainThatIsNoFactor) {
