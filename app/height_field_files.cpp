@@ -39,6 +39,13 @@ void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite 
 
 LoadedHeightField load_height_field(const std::filesystem::path& png) {
   const std::string content = read_file(png);
+  if (!std::filesystem::exists(sidecar_of(png))) {
+    throw ResultsError(png.string() + " is a picture, not a height field: there is no " +
+                           sidecar_of(png).string() +
+                           ", which would say how high it is; asperity texture makes a height "
+                           "field of a photograph",
+                       png);
+  }
   const std::string sidecar = read_file(sidecar_of(png));
   StoredHeightField stored = decode_height_field(bytes_of(content), sidecar, png.string());
   LoadedHeightField loaded{};

@@ -14,6 +14,7 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
+#include "app/cli/word_option.h"
 #include "app/tasks/bake_mesh.h"
 
 namespace asperity {
@@ -102,7 +103,7 @@ void add_bake(CLI::App& program, Job& job) {
           "--for", order.role,
           "Move it to where a surface or a tool is expected: its middle over the origin, its "
           "highest or lowest point in the plane z = 0 (default: it keeps its frame)")
-      ->transform(CLI::CheckedTransformer(kRoles))
+      ->transform(word_of(kRoles))
       ->option_text("surface|tool");
   command->add_option("--jobs", order.jobs, "Threads; changes no result")
       ->check(CLI::Range(1, 256));

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "analysis/number_text.h"
 #include "app/cli/body_option.h"
 #include "app/cli/command.h"
 #include "app/cli/parameter_option.h"
@@ -49,6 +50,17 @@ void add_height_field(RendererInputs& inputs, const ForceModel& model, const Bod
   ParameterValues suggested = model.suggested_by(*inputs.height_field, inputs.material);
   for (const auto& [name, value] : inputs.parameters) suggested[name] = value;
   inputs.parameters = std::move(suggested);
+}
+
+void require_material(const Material& material) {
+  if (!(material.stiffness_N_per_m > 0.0)) {
+    throw WrongUsage("--stiffness-n-per-m is " + number_text(material.stiffness_N_per_m) +
+                     "; a stiffness is above 0 N/m");
+  }
+  if (!(material.friction >= 0.0)) {
+    throw WrongUsage("--friction is " + number_text(material.friction) +
+                     "; a coefficient of friction is 0 or above");
+  }
 }
 
 /// In how many of the ticks something was so that the force model does not promise anything for.
@@ -111,6 +123,7 @@ void add_render(CLI::App& program, Job& job) {
     job = [options] {
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       refuse_existing({options->out}, overwrite);
+      require_material(options->material);
       const ModelRegistry models = built_in_models();
       const ForceModel& model = model_named(models, options->model);
       RendererInputs inputs{};

@@ -11,6 +11,7 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/parameter_option.h"
+#include "app/cli/png_name.h"
 #include "app/cli/terminal.h"
 #include "app/height_field_files.h"
 #include "stimuli/synthetic_photograph.h"
@@ -83,8 +84,10 @@ void add_synth(CLI::App& program, Job& job) {
         photograph.emplace();
         photograph->photograph_case = photograph_case(options->photograph[0]);
         photograph->seed = options->canvas.seed;
+        require_png(options->photograph[1]);
         files.emplace_back(options->photograph[1]);
       }
+      require_png(options->out);
       refuse_existing(files, overwrite);
       const HeightField field = make_surface(surface->kind, values, options->canvas);
       save_height_field(options->out, field,

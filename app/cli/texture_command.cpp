@@ -9,7 +9,9 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/png_name.h"
 #include "app/cli/terminal.h"
+#include "app/cli/word_option.h"
 #include "app/height_field_files.h"
 #include "stimuli/photograph_advice.h"
 #include "stimuli/preview.h"
@@ -57,7 +59,7 @@ void add_texture(CLI::App& program, Job& job) {
   const std::map<std::string, HistogramTransformation> histograms{
       {"none", HistogramTransformation::none}, {"equalize", HistogramTransformation::equalize}};
   command->add_option("--histogram", recipe.histogram, "none or equalize")
-      ->transform(CLI::CheckedTransformer(histograms))
+      ->transform(word_of(histograms))
       ->default_str("none");
   command->add_option("--preview", options->preview, "PNG of the steps, for looking at");
   command->add_flag("--force", options->force, "Replace existing files");
@@ -67,7 +69,11 @@ void add_texture(CLI::App& program, Job& job) {
       chosen.sign = options->sign == 1 ? HeightSign::bright_is_high : HeightSign::dark_is_high;
       const Overwrite overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       std::vector<std::filesystem::path> files{options->out, sidecar_of(options->out)};
-      if (options->preview) files.push_back(*options->preview);
+      require_png(options->out);
+      if (options->preview) {
+        require_png(*options->preview);
+        files.push_back(*options->preview);
+      }
       refuse_existing(files, overwrite);
       const std::string name = options->photograph.string();
       const LoadedPhotograph loaded = load_photograph(options->photograph);

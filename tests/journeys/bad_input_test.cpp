@@ -366,6 +366,54 @@ TEST(WrongUsage, EndsWithTwo) {
   EXPECT_TRUE(contents_of(small.place()) == before);
 }
 
+TEST(WrongUsage, NamesTheOptionAndWhatWouldBeRight) {
+  const TemporaryFolder place{};
+  const std::vector<std::string> rendering{"render",    "--model", "sinusoid", "--path",
+                                           place / "p", "--out",   place / "f"};
+  const auto expect_wrong = [](std::vector<std::string> arguments,
+                               const std::vector<std::string>& more, const char* sentence) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = asperity(arguments);
+    EXPECT_EQ(outcome.status, 2) << sentence;
+    EXPECT_THAT(outcome.err, testing::HasSubstr(sentence));
+  };
+  expect_wrong(rendering, {"--stiffness", "-5"},
+               "asperity: render has no option --stiffness; there is --stiffness-n-per-m\n");
+  expect_wrong(rendering, {"--hardness=5"},
+               "asperity: render has no option --hardness; see asperity render --help\n");
+  expect_wrong(rendering, {"--stiffness-n-per-m", "-5"},
+               "asperity: --stiffness-n-per-m is -5; a stiffness is above 0 N/m\n");
+  expect_wrong(rendering, {"--friction", "-0.1"},
+               "asperity: --friction is -0.1; a coefficient of friction is 0 or above\n");
+  expect_wrong({"bake", "x.obj", "--triangles", "600", "--out", "x.mesh"}, {"--for", "hand"},
+               "--for: there is no \"hand\"; write surface or tool\n");
+}
+
+TEST(BadName, OfAPictureIsRefusedBeforeTheWork) {
+  const TemporaryFolder place{};
+  const std::string grains = place / "grains.png";
+  const std::string photo = place / "photo.png";
+  ASSERT_EQ(asperity({"synth", "grating", "--out", grains, "--pixels", "64", "--width-m", "0.02",
+                      "--photo", "bright_height", photo})
+                .status,
+            0);
+  const auto before = contents_of(place.path());
+  expect_refused(place.path(), {"synth", "noise", "--out", place / "z.jpg"},
+                 {"z.jpg: what is written is a PNG; call it ", "z.png"});
+  expect_refused(place.path(), {"texture", photo, "--width-m", "0.02", "--out", place / "z.jpg"},
+                 {"z.jpg: what is written is a PNG; call it ", "z.png"});
+  expect_refused(place.path(),
+                 {"texture", photo, "--width-m", "0.02", "--out", place / "z.png", "--preview",
+                  place / "steps.jpg"},
+                 {"steps.jpg: what is written is a PNG; call it ", "steps.png"});
+  write_text(place / "path.tsv", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n0.001\t0\t0\t0\n");
+  expect_refused(place.path(),
+                 {"render", "--model", "pd_gradient", "--stimulus", photo, "--tool", "sphere:0.005",
+                  "--path", place / "path.tsv", "--out", place / "f.tsv"},
+                 {"photo.png is a picture, not a height field: there is no ", "photo.png.json",
+                  "asperity texture"});
+}
+
 TEST(Help, IsThereForEverything) {
   const Outcome all = asperity({"--help"});
   EXPECT_EQ(all.status, 0);

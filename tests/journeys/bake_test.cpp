@@ -119,6 +119,12 @@ TEST(Bake, RefusesBadMeshesInASentenceAndWritesNothing) {
   EXPECT_THAT(missing.err, HasSubstr("nowhere.obj"));
   EXPECT_EQ(asperity({"bake", place / "many.obj", "--triangles", "3", "--out", place / "x"}).status,
             2);
+  const Outcome named =
+      asperity({"bake", place / "many.obj", "--triangles", "200", "--out", place / "simple.obj"});
+  EXPECT_EQ(named.status, 1);
+  EXPECT_THAT(named.err, HasSubstr("simple.obj: what is written is a textured mesh"));
+  EXPECT_THAT(named.err, HasSubstr("simple.mesh"));
+  EXPECT_FALSE(fs::exists(place / "simple.obj"));
 }
 
 TEST(Bake, PutsAToolOnItsTip) {
