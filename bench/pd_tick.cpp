@@ -164,11 +164,19 @@ Body bake(const std::string& name, const TriangleMesh& mesh, std::size_t triangl
   return bake(name, binary_stl(mesh), triangles);
 }
 
+/// How the tool goes about where it begins: to and fro that far, and that far in and out.
+struct Motion {
+  double way_m = 1e-3;
+  double in_m = 0.0;
+  double out_m = 0.0;
+};
+
 /// A tool and a surface, and where the tool begins.
 struct Scene {
   std::string name{};
   const Body* tool = nullptr;
   const Body* surface = nullptr;
+  Motion motion{};
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
   glm::dvec3 above_m{0.0};
 };
@@ -185,13 +193,18 @@ RendererInputs inputs_of(const Scene& scene, ParameterValues parameters) {
 
 ParameterValues sampled_by(double cell_m) { return {{"cell_m", cell_m}, {"step_m", cell_m}}; }
 
-/// To and fro over two millimetres, drifting aside, rocking and turning a little.
-ProbeState moved(const ProbeState& start, int tick) {
-  constexpr double kWay_m = 1e-3;
-  const double phase_rad = kSlide_m * tick / kWay_m;
+/// To and fro, drifting aside, rocking and turning a little; in and out no faster than to and fro.
+ProbeState moved(const Motion& motion, const ProbeState& start, int tick) {
+  constexpr double kAside_m = 1e-3;
+  const double phase_rad = kSlide_m * tick / motion.way_m;
   ProbeState probe = start;
-  probe.position_m += glm::dvec3{kWay_m * std::sin(phase_rad), kWay_m * std::sin(0.37 * phase_rad),
-                                 0.02e-3 * std::sin(0.7 * phase_rad)};
+  probe.position_m +=
+      glm::dvec3{motion.way_m * std::sin(phase_rad), kAside_m * std::sin(0.37 * phase_rad),
+                 0.02e-3 * std::sin(0.7 * phase_rad)};
+  const double half_m = 0.5 * (motion.in_m + motion.out_m);
+  if (half_m > 0.0) {
+    probe.position_m.z += motion.out_m - half_m * (1.0 - std::cos(kSlide_m * tick / half_m));
+  }
   probe.velocity_m_per_s.x = kSlide_m / kTick_s * std::cos(phase_rad);
   probe.orientation = glm::angleAxis(0.03 * std::sin(0.11 * phase_rad), glm::dvec3{1, 0, 0}) *
                       glm::angleAxis(0.05 * std::sin(0.07 * phase_rad), glm::dvec3{0, 0, 1}) *
@@ -299,7 +312,7 @@ nlohmann::ordered_json errors_of(const Scene& scene, double cell_m) {
   Errors whole;
   int contacts = 0;
   for (int i = 0; i < kPosesForErrors; ++i) {
-    const ProbeState probe = moved(start, 137 * i);
+    const ProbeState probe = moved(scene.motion, start, 137 * i);
     for (int again = 0; again < 40; ++again) renderer.tick(probe, kTick_s);
     const Pose a{.rotation = glm::mat3_cast(probe.orientation), .position_m = probe.position_m};
     const auto found = renderer.contacts();
@@ -345,7 +358,9 @@ Pose pose_of(const ProbeState& probe) {
 struct Load {
   double contacts = 0.0;
   double pairs = 0.0;
-  double samples = 0.0;  ///< of the widest window, each way
+  double samples = 0.0;   ///< of the widest window, each way
+  double blending = 0.0;  ///< in what part of the ticks a contact rises or fades
+  double kept = 0.0;      ///< or goes on although nothing is cut
 };
 
 Load load_of(const Scene& scene, const ProbeState& start, double cell_m) {
@@ -355,16 +370,21 @@ Load load_of(const Scene& scene, const ProbeState& start, double cell_m) {
   TexturedContacts contacts({*scene.tool->textured, 1.0}, {*scene.surface->textured, 1.0},
                             {.law = HardMaximum{.step_m = cell_m}, .cell_m = cell_m},
                             instruction_sets_here().back());
-  constexpr int kPoses = 200;
   Load load;
-  for (int i = 0; i < kPoses; ++i) {
-    const Pose pose = pose_of(moved(start, 10 * i));
-    const auto found = contacts.find(pose, {});
-    load.contacts += static_cast<double>(found.size()) / kPoses;
-    load.pairs += static_cast<double>(query.find(pose).size()) / kPoses;
+  for (int tick = kWarmUp; tick < kWarmUp + kCounted; ++tick) {
+    const Pose pose = pose_of(moved(scene.motion, start, tick));
+    const auto found = contacts.find(pose, {}, kTick_s);
+    load.contacts += static_cast<double>(found.size()) / kCounted;
+    load.pairs += static_cast<double>(query.find(pose).size()) / kCounted;
+    bool is_blending = false;
+    bool is_kept = false;
     for (const TexturedContact& contact : found) {
       load.samples = std::max(load.samples, static_cast<double>(contact.grid.samples));
+      is_blending = is_blending || contact.share < 1.0;
+      is_kept = is_kept || contact.is_kept;
     }
+    load.blending += is_blending ? 1.0 / kCounted : 0.0;
+    load.kept += is_kept ? 1.0 / kCounted : 0.0;
   }
   return load;
 }
@@ -379,6 +399,8 @@ nlohmann::ordered_json case_of(const std::string& name, const Costs& costs, cons
           {"preempted", costs.preempted},
           {"contacts", load.contacts},
           {"pairs", load.pairs},
+          {"blending", load.blending},
+          {"kept", load.kept},
           {"window_samples", load.samples}};
 }
 
@@ -393,12 +415,12 @@ void time_scene(const Scene& scene, nlohmann::ordered_json& cases, double& used)
                          TexturedContacts::kMostContacts);
   const Load at_8 = load_of(scene, start, kWave_m / 8.0);
   cases.push_back(case_of(scene.name + "/query", measure([&](int tick) {
-                            used +=
-                                static_cast<double>(query.find(pose_of(moved(start, tick))).size());
+                            used += static_cast<double>(
+                                query.find(pose_of(moved(scene.motion, start, tick))).size());
                           }),
                           at_8));
   cases.push_back(case_of(scene.name + "/query_and_regions", measure([&](int tick) {
-                            const Pose pose = pose_of(moved(start, tick));
+                            const Pose pose = pose_of(moved(scene.motion, start, tick));
                             used += static_cast<double>(
                                 regions.update(query.find(pose), pose, {}).size());
                           }),
@@ -419,8 +441,8 @@ void time_scene(const Scene& scene, nlohmann::ordered_json& cases, double& used)
           widest);
       const char* name = heights == Heights::kept ? "contacts_kept" : "contacts_sampled";
       cases.push_back(case_of(at + name, measure([&](int tick) {
-                                for (const TexturedContact& contact :
-                                     contacts.find(pose_of(moved(start, tick)), {})) {
+                                for (const TexturedContact& contact : contacts.find(
+                                         pose_of(moved(scene.motion, start, tick)), {}, kTick_s)) {
                                   used += contact.penetration.depth_m;
                                 }
                               }),
@@ -435,11 +457,11 @@ void time_scene(const Scene& scene, nlohmann::ordered_json& cases, double& used)
         const auto renderer = make_renderer(pd_gradient_model(), inputs_of(scene, parameters));
         const std::size_t bytes = allocated_bytes() - before_bytes;
         start_clear(*renderer, scene, start);
-        cases.push_back(
-            case_of(at + "tick_" + maximum + "_coupling_" + coupling, measure([&](int tick) {
-                      used += renderer->tick(moved(start, tick), kTick_s).wrench.force_N.z;
-                    }),
-                    load));
+        cases.push_back(case_of(
+            at + "tick_" + maximum + "_coupling_" + coupling, measure([&](int tick) {
+              used += renderer->tick(moved(scene.motion, start, tick), kTick_s).wrench.force_N.z;
+            }),
+            load));
         cases.back()["bytes"] = bytes;
       }
     }
@@ -477,9 +499,14 @@ struct Pairing {
   const char* surface = "";
 };
 constexpr std::array kPairings = {
-    Pairing{"simple", "ball", "block"}, Pairing{"ten_contacts", "ten_balls", "wide_block"},
+    Pairing{"simple", "ball", "block"},   Pairing{"ten_contacts", "ten_balls", "wide_block"},
     Pairing{"hammer", "hammer", "block"}, Pairing{"file", "file", "part"},
-    Pairing{"part", "part", "block"}};
+    Pairing{"part", "part", "block"},     Pairing{"comb", "comb", "ribs"}};
+
+/// A comb over ribs, in up to over its teeth and out into the air: contacts begin, join, part, fade and are
+/// buried.
+constexpr const char* kComb = "comb";
+constexpr Motion kCombing{.way_m = 6e-3, .in_m = 5e-3, .out_m = 0.5e-3};
 
 /// What bodies that are given are drawn over.
 constexpr const char* kGround = "block";
@@ -550,6 +577,21 @@ std::vector<std::unique_ptr<const Body>> make_bodies(const Order& order) {
           },
           order.triangles),
       750);
+  TriangleMesh teeth;
+  for (int i = 0; i < 6; ++i) {
+    append(teeth, rough_ball(0.002, waves(30 + static_cast<std::uint64_t>(i)), order.triangles / 6),
+           {0.0035 * (i - 2.5), 0.0, 0.2e-3 * (i % 3)});
+  }
+  add("comb", teeth, 600);
+  const Waves on_ribs = waves(7);
+  add("ribs",
+      rough_block(
+          0.045,
+          [&](const glm::dvec3& p) {
+            return 0.6e-3 * std::cos(2.0 * std::numbers::pi * p.x / 5e-3) + on_ribs(p);
+          },
+          order.triangles),
+      600);
   std::vector<std::filesystem::path> files;
   if (order.meshes) {
     for (const auto& file : std::filesystem::directory_iterator(*order.meshes)) {
@@ -596,6 +638,7 @@ std::vector<Scene> scenes_of(const std::vector<std::unique_ptr<const Body>>& bod
     scenes.push_back({.name = name,
                       .tool = body(each.tool),
                       .surface = body(each.surface),
+                      .motion = name == kComb ? kCombing : Motion{},
                       .orientation = name == "hammer"                   ? lying
                                      : name == "file" || name == "part" ? across
                                                                         : upright});
@@ -646,7 +689,8 @@ int run(const Order& order) {
   for (const Scene& scene : scenes_of(bodies)) {
     std::fprintf(stderr, "%s\n", scene.name.c_str());
     time_scene(scene, document["cases"], used);
-    if (!order.with_errors) continue;
+    if (!order.with_errors || scene.motion.in_m > 0.0)
+      continue;  // there is no truth for the buried
     nlohmann::ordered_json errors{{"scene", scene.name}};
     errors.update(errors_of(scene, kWave_m / 12.0));
     document["errors"].push_back(errors);
