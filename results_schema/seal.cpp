@@ -26,6 +26,10 @@ std::filesystem::path beside_database(const std::filesystem::path& study, const 
   return path;
 }
 
+std::filesystem::path lock_of_writers(const std::filesystem::path& study) {
+  return study / "locks" / "writers.lock";
+}
+
 bool log_is_empty(const std::filesystem::path& study) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(beside_database(study, "-wal"), error);
@@ -102,13 +106,22 @@ Seal seal_of(const std::filesystem::path& study) {
   return log_is_empty(study) ? Seal::broken : Seal::in_use;
 }
 
+bool is_being_written(const std::filesystem::path& study) noexcept {
+  const int file = ::open(lock_of_writers(study).c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  struct flock lock = whole_file(F_WRLCK);
+  const bool asked = ::fcntl(file, F_OFD_GETLK, &lock) == 0;
+  ::close(file);
+  return asked && lock.l_type != F_UNLCK;
+}
+
 void seal_new(const std::filesystem::path& study) {
   Database database(study, database_in(study), Database::Mode::immutable);
   write_file(beside_database(study, ".sha256"), seal_text_of(database), Overwrite::refuse);
 }
 
 SealBreaker::SealBreaker(const std::filesystem::path& study, Database& database) : study_(study) {
-  const std::filesystem::path path = study / "locks" / "writers.lock";
+  const std::filesystem::path path = lock_of_writers(study);
   if (network_file_system_at(study).empty()) {
     std::error_code error;
     const bool is_new = !std::filesystem::exists(path, error);

@@ -24,6 +24,10 @@ enum class Seal {
 /// this process's other connections with it. Errors: ResultsError.
 Seal seal_of(const std::filesystem::path& study);
 
+/// Whether somebody holds the lock by which writers know of each other. False also where such a lock
+/// cannot be asked after.
+bool is_being_written(const std::filesystem::path& study) noexcept;
+
 /// Seals a database that nobody else knows of yet. Errors: ResultsError.
 void seal_new(const std::filesystem::path& study);
 

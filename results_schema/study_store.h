@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,6 +63,7 @@ struct Study::Store {
   std::optional<Stamp> immutable_since{};
   int schema_version = 0;  ///< of the file
   bool inside_read = false;
+  std::shared_future<StudyCondition> condition{};  ///< invalid until somebody wants to know
 
  private:
   /// Nested reads see the state of the outermost.

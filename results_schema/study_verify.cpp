@@ -1,7 +1,10 @@
 // Everything of a study that does not hold.
 
 #include <algorithm>
+#include <future>
 #include <set>
+
+#include <sqlite3.h>
 
 #include "results_schema/file_system.h"
 #include "results_schema/recording.h"
@@ -143,7 +146,44 @@ void check_file(const std::filesystem::path& study, const VouchedFile& file, Fin
   }
 }
 
+bool passes_quick_check(Database& database) {
+  Statement check(database, "PRAGMA quick_check(1)");
+  std::string text;
+  if (check.step()) check.read(text);
+  return text == "ok";
+}
+
+bool says_broken(const ResultsError& error) {
+  const int kind = error.code() & 0xff;
+  return kind == SQLITE_CORRUPT || kind == SQLITE_NOTADB;
+}
+
 }  // namespace
+
+void Study::begin_condition() const {
+  if (store_->condition.valid()) return;
+  // Objects of its own: this one belongs to the caller's thread.
+  const auto find = [folder = store_->folder] {
+    const Seal seal = seal_of(folder);
+    if (seal == Seal::holds) return StudyCondition::whole;
+    // Whoever writes has SQLite look at what they touch, and there is no end to what they change.
+    if (seal != Seal::broken && is_being_written(folder)) return StudyCondition::whole;
+    try {
+      const Study study = open(folder, Access::read_only);
+      if (!study.store_->read(passes_quick_check)) return StudyCondition::broken;
+    } catch (const ResultsError& error) {
+      if (!says_broken(error)) throw;
+      return StudyCondition::broken;
+    }
+    return seal == Seal::broken ? StudyCondition::changed : StudyCondition::whole;
+  };
+  store_->condition = std::async(std::launch::async, find).share();
+}
+
+StudyCondition Study::condition() const {
+  begin_condition();
+  return store_->condition.get();
+}
 
 std::vector<std::string> Study::verify(const std::function<void(double)>& progress) const {
   Findings findings;

@@ -8,6 +8,7 @@
 
 #include "app/analyses/families.h"
 #include "app/analyses/gathered_answers.h"
+#include "app/study_condition.h"
 
 namespace asperity {
 
@@ -101,11 +102,9 @@ std::string names_in(const Study& study) {
   return text.empty() ? "no sessions at all" : "sessions of " + text;
 }
 
-}  // namespace
-
-std::vector<AnalysisOutcome> analyze_study(const Study& study,
-                                           const std::optional<std::string>& protocol,
-                                           const std::stop_token& stop) {
+std::vector<AnalysisOutcome> outcomes_of(const Study& study,
+                                         const std::optional<std::string>& protocol,
+                                         const std::stop_token& stop) {
   std::vector<AnalysisOutcome> outcomes{};
   for (const GatheredAnswers& gathered : gather_answers(study, protocol, stop)) {
     if (stop.stop_requested()) return {};
@@ -132,6 +131,21 @@ std::vector<AnalysisOutcome> analyze_study(const Study& study,
     throw ResultsError("the study " + study.folder().string() + " has no session of a protocol \"" +
                            *protocol + "\"; it has " + names_in(study),
                        study.folder());
+  }
+  return outcomes;
+}
+
+}  // namespace
+
+std::vector<AnalysisOutcome> analyze_study(const Study& study,
+                                           const std::optional<std::string>& protocol,
+                                           const std::stop_token& stop) {
+  std::vector<AnalysisOutcome> outcomes{};
+  read_unless_broken(study, [&] { outcomes = outcomes_of(study, protocol, stop); });
+  if (const std::optional<Phrase> remark = remark_on(study)) {
+    for (AnalysisOutcome& outcome : outcomes) {
+      outcome.remarks.insert(outcome.remarks.begin(), *remark);
+    }
   }
   return outcomes;
 }

@@ -16,7 +16,8 @@ namespace asperity {
 /// that name. A study without sessions has none. When `stop` is requested it ends early, and what it
 /// returns is of no use.
 ///
-/// Errors: ResultsError when the study has no session of the named protocol.
+/// The first remark of each outcome says so when the study's file was changed (Study::condition).
+/// Errors: ResultsError when the study has no session of the named protocol, or is broken.
 std::vector<AnalysisOutcome> analyze_study(const Study& study,
                                            const std::optional<std::string>& protocol = {},
                                            const std::stop_token& stop = {});

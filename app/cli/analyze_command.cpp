@@ -1,10 +1,13 @@
 // asperity analyze: the tables and tests of a study's answers, of anyone's tables, or of a reference
 // case.
 
+#include <cctype>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -39,6 +42,35 @@ int analyze_case(const Options& options) {
   return 0;
 }
 
+bool has_word(std::string_view text, const std::string& word) {
+  const auto is_of_a_word = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+  };
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_of_a_word(text[at - 1])) &&
+        (end == text.size() || !is_of_a_word(text[end]))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Of an option that the analysis did not ask for: one that it has may be of no use with these data or
+/// these other options.
+void refuse_option(const TidyFamily& family, const TidyInput& input, const std::string& name) {
+  const std::string kind(family.name);
+  if (!has_word(family.options, name)) {
+    throw std::runtime_error(
+        kind + " has no option \"" + name + "\"; " +
+        (family.options.empty() ? "it takes none" : "it has: " + std::string(family.options)));
+  }
+  if (input.table().has(name)) {
+    throw std::runtime_error("the option \"" + name + "\" is not used, because " +
+                             input.table().name() + " has a column of that name; leave out one");
+  }
+}
+
 int analyze_tables(const Options& options) {
   const TidyFamily& family = tidy_family(options.kind);
   TidyInput input{};
@@ -53,16 +85,16 @@ int analyze_tables(const Options& options) {
     input.options.add(assignment.substr(0, equals), assignment.substr(equals + 1));
   }
   for (const std::string& file : options.tables) {
-    input.tables.emplace_back(read_file(file), file);
+    const TidyTable& table = input.tables.emplace_back(read_file(file), file);
+    if (table.rows() > 0) continue;
+    throw std::runtime_error(file +
+                             ": below the line of column names there is no row: there is nothing "
+                             "to analyse");
   }
   const TableFindings findings{
       .kind = options.kind, .files = options.tables, .findings = family.findings(input)};
-  const std::vector<std::string> never_asked_for = input.options.never_asked_for();
-  if (!never_asked_for.empty()) {
-    throw std::runtime_error(
-        options.kind + " has no option \"" + never_asked_for.front() +
-        "\"; it has: " + (family.options.empty() ? "none" : std::string(family.options)));
-  }
+  for (const std::string& name : input.options.never_asked_for())
+    refuse_option(family, input, name);
   std::cout << (options.json ? findings_json(findings) : reading_text_of(findings));
   return 0;
 }
@@ -70,6 +102,7 @@ int analyze_tables(const Options& options) {
 int analyze_answers(const Options& options) {
   const Study study = Study::open(options.study, Access::read_only);
   const std::vector<AnalysisOutcome> outcomes = analyze_study(study, options.protocol);
+  say_condition(study);
   if (options.json) {
     std::cout << analysis_json(study.name(), outcomes);
     return 0;

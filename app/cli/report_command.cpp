@@ -11,6 +11,7 @@
 #include "app/cli/terminal.h"
 #include "app/figures/figure_files.h"
 #include "app/report/report_file.h"
+#include "app/study_condition.h"
 
 namespace asperity {
 
@@ -42,14 +43,18 @@ void add_report(CLI::App& program, Job& job) {
       bool written = false;
       {
         Progress progress("writing the report");
-        written = write_report(study, options->out, overwrite, options->protocol, interrupt.token(),
-                               [&progress](double fraction) { progress.show(fraction); });
+        read_unless_broken(study, [&] {
+          written =
+              write_report(study, options->out, overwrite, options->protocol, interrupt.token(),
+                           [&progress](double fraction) { progress.show(fraction); });
+        });
       }
       if (!written) {
         say("asperity: stopped; no report was written");
         return 1;
       }
       say("the report is in " + options->out);
+      say_condition(study);
       return 0;
     };
   });

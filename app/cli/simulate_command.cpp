@@ -1,5 +1,6 @@
 // asperity simulate: virtual participants through the whole study.
 
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "app/cli/session_output.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/study_condition.h"
 #include "app/tasks/simulation.h"
 
 namespace asperity {
@@ -53,6 +55,15 @@ void add_simulate(CLI::App& program, Job& job) {
     job = [options] {
       const InterruptWatch interrupt;
       const ModelRegistry models = built_in_models();
+      const std::filesystem::path& folder = options->inputs.study;
+      if (Study::exists(folder) ||
+          (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))) {
+        // Before it is opened for writing, which takes away a checksum that holds; and before the
+        // protocols' files are missed in what is no study.
+        const Study before = Study::open(folder, Access::read_only);
+        refuse_if_broken(before);
+        say_condition(before);
+      }
       SimulationResult result{};
       {
         Progress progress("simulating");

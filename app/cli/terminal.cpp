@@ -8,6 +8,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "app/study_condition.h"
+
 namespace asperity {
 
 namespace {
@@ -70,6 +72,10 @@ void say(const std::string& line) {
   // A progress bar may stand on the line; it comes back below with its next step.
   static const bool terminal = isatty(STDERR_FILENO) == 1;
   write_error((terminal ? "\r\x1b[K" : "") + line + '\n');
+}
+
+void say_condition(const Study& study) {
+  if (const auto remark = remark_on(study)) say("asperity: " + remark->english());
 }
 
 std::string aligned(const Table& table) {

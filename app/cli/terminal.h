@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "results_schema/study.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -33,6 +34,9 @@ class Progress final {
 
 /// One line on standard error, whole, whoever else writes. Threads: any.
 void say(const std::string& line);
+
+/// What whoever reads on should know of the study's file, if anything.
+void say_condition(const Study& study);
 
 /// Aligned columns: text to the left, numbers to the right, two spaces between.
 std::string aligned(const Table& table);

@@ -32,8 +32,9 @@ constexpr std::array kFamilies{
                "id,kind,n,k,p0,p1,alpha,theta,d,f,rho,eps,probs: one plan per row; the columns "
                "that its kind needs",
                "", power_findings},
-    TidyFamily{"proportion", "id,k,n,p0,conf: hits k of n trials each, chance p0", "",
-               proportion_findings},
+    TidyFamily{"proportion",
+               "id,k,n,p0: hits k of n trials each, chance p0; and, where rows differ in it, conf",
+               "conf, where there is no such column", proportion_findings},
     TidyFamily{"psyfit",
                "condition,x,n,k: k right of n trials at level x; and b,k1,k2,...: resampled k of "
                "the first condition",

@@ -1,0 +1,64 @@
+#include "app/study_condition.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::uintmax_t kMost_bytes = std::uintmax_t{1} << 30;
+
+bool is_looked_at(const Study& study) {
+  return std::filesystem::file_size(study.folder() / "study.sqlite") <= kMost_bytes;
+}
+
+}  // namespace
+
+std::optional<Phrase> remark_on(const Study& study) {
+  if (!is_looked_at(study)) {
+    return phrase(
+        "Analysis",
+        "The file study.sqlite is larger than 1 GiB, so its checksum was not looked at. \"asperity "
+        "verify\" says whether everything holds.");
+  }
+  switch (study.condition()) {
+    case StudyCondition::whole:
+    case StudyCondition::broken:
+      return {};
+    case StudyCondition::changed:
+      return phrase(
+          "Analysis",
+          "The file study.sqlite is not what it was when Asperity last closed it: what is read "
+          "from "
+          "it can be wrong. \"asperity verify\" says what does not hold, and what that can mean.");
+  }
+  return {};
+}
+
+void refuse_if_broken(const Study& study) {
+  if (!is_looked_at(study) || study.condition() != StudyCondition::broken) return;
+  const std::string folder = study.folder().string();
+  throw ResultsError("the study " + folder +
+                         " is broken: SQLite finds its study.sqlite damaged, so that rows can be "
+                         "wrong or missing without a trace. \"asperity verify " +
+                         folder + "\" says what does not hold; restore the study from a copy",
+                     study.folder());
+}
+
+void read_unless_broken(const Study& study, const std::function<void()>& read) {
+  if (is_looked_at(study)) study.begin_condition();
+  try {
+    read();
+  } catch (const std::exception& error) {
+    refuse_if_broken(study);
+    const std::optional<Phrase> remark = remark_on(study);
+    if (!remark) throw;
+    throw ResultsError(error.what() + (". " + remark->english()), study.folder());
+  }
+  refuse_if_broken(study);
+}
+
+}  // namespace asperity
