@@ -63,6 +63,7 @@ void add_export(CLI::App& program, Job& job) {
     std::string out{};
     bool published = false;
     bool force = false;
+    std::vector<std::string> questions{};
     std::vector<std::string> formats{};
   };
   auto options = std::make_shared<Options>();
@@ -70,7 +71,13 @@ void add_export(CLI::App& program, Job& job) {
       "export", "Write a study as tables (TSV) with a codebook, and for other programs.");
   command->add_option("STUDY", options->study, "Folder of the study")->required();
   command->add_option("--out", options->out, "New folder for the tables")->required();
-  command->add_flag("--public", options->published, "Leave out dates and free text");
+  auto* published = command->add_flag("--public", options->published,
+                                      "Leave out dates, free text and answers to questionnaires");
+  command
+      ->add_option("--with-questions", options->questions,
+                   "Questions of questionnaires whose answers the public gets, with commas between")
+      ->delimiter(',')
+      ->needs(published);
   command->add_flag("--force", options->force, "Replace an earlier export");
   command
       ->add_option("--formats", options->formats,
@@ -88,6 +95,7 @@ void add_export(CLI::App& program, Job& job) {
       wanted.audience = options->published ? ExportAudience::published : ExportAudience::own;
       wanted.overwrite = options->force ? Overwrite::allow : Overwrite::refuse;
       wanted.formats = formats_in(options->formats);
+      wanted.questions_for_public = {options->questions.begin(), options->questions.end()};
       std::vector<ExportedFile> files{};
       {
         Progress progress("exporting");
@@ -99,6 +107,7 @@ void add_export(CLI::App& program, Job& job) {
         return 1;
       }
       say_what_was_written(options->out, files);
+      say_condition(study);
       const auto has = [&](ExportFormat format) { return wanted.formats.contains(format); };
       if (has(ExportFormat::bids) && !has(ExportFormat::physio)) {
         say("the recordings were left out; --formats all adds them");

@@ -24,11 +24,23 @@ std::string two_digits(std::int64_t number) {
   return digits.size() < 2 ? "0" + digits : digits;
 }
 
+/// As BIDS wants units spelt: a product with a point, a power with a caret [BIDS 1.8.0, units].
+std::string unit_of(const std::string& unit) {
+  std::string spelt{};
+  for (const char letter : unit) {
+    const bool is_power = std::isdigit(static_cast<unsigned char>(letter)) != 0 && !spelt.empty() &&
+                          std::isalpha(static_cast<unsigned char>(spelt.back())) != 0;
+    if (is_power) spelt += '^';
+    spelt += letter == ' ' ? '.' : letter;
+  }
+  return spelt;
+}
+
 /// What a sidecar says of a column.
 Json described(const ExportColumn& column) {
   Json json{};
   json["Description"] = column.description;
-  if (!column.unit.empty() && column.unit != "1") json["Units"] = column.unit;
+  if (!column.unit.empty() && column.unit != "1") json["Units"] = unit_of(column.unit);
   if (column.type == "boolean") {
     json["Levels"] = Json{{"0", "no"}, {"1", "yes"}};
   } else if (!column.levels.empty() && column.type == "text") {
@@ -112,6 +124,14 @@ std::vector<ExportColumn> BidsDataset::participant_columns(const StudyVocabulary
   label.cell = [](const ExportPlace& at) { return "sub-" + at.participant->label; };
   for (ExportColumn& column : columns) {
     if (column.name == "age_years") column.name = "age";
+    if (column.name != "sex") continue;
+    // BIDS has a word of its own for who is neither.
+    column.levels = {"F", "M", "O"};
+    column.description += "; O: other";
+    column.cell = [told = std::move(column.cell)](const ExportPlace& at) -> Cell {
+      const Cell cell = told(at);
+      return cell == Cell{"X"} ? Cell{"O"} : cell;
+    };
   }
   return columns;
 }
@@ -186,7 +206,8 @@ void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
       Json{{"Description", "time of the tick since the session began"}, {"Units", "s"}};
   for (const RecordingColumn& column : recording.header.columns) {
     columns.push_back(column.name);
-    described_columns[column.name] = Json{{"Description", column.meaning}, {"Units", column.unit}};
+    described_columns[column.name] =
+        Json{{"Description", column.meaning}, {"Units", unit_of(column.unit)}};
   }
   TableFile file(folder_.path_of(name + ".tsv.gz"), TableFile::Format::bare_tsv_gz, columns);
   const double rate_Hz = recording.header.rate_Hz;

@@ -153,7 +153,9 @@ Columns participant_columns(const StudyVocabulary& vocabulary) {
                 column("answer_" + name, "text", "",
                        "answer to: " + (known ? question->second.prompt : "\"" + name + "\""),
                        [name](const Place& at) { return member_of(at.answers, name); }));
-    if (!known || question->second.free_text) answer.publication = Publication::dropped;
+    answer.publication = vocabulary.goes_to_public(name)        ? Publication::kept
+                         : !known || question->second.free_text ? Publication::dropped
+                                                                : Publication::dropped_unless_named;
     if (known) {
       answer.levels = question->second.options;
       answer.minimum = question->second.minimum;
@@ -457,11 +459,12 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
   }
   add(column("answer", "text", "", "the answer, by the name it has in the protocol" + questions,
              [](const Place& at) { return at.response->answer; }));
-  columns.back().publication = Publication::without_free_text;
-  columns.back().missing = "never, but for what was typed freely in an export for the public";
-  add(missing("the answer is not a number",
+  columns.back().publication = Publication::without_questionnaires;
+  columns.back().missing = "never, but for a questionnaire's in an export for the public";
+  add(missing("the answer is not a number, or is a questionnaire's in an export for the public",
               column("answer_number", "number", "", "the answer as a number",
                      [](const Place& at) { return optional_cell(at.response->answer_number); })));
+  columns.back().publication = Publication::without_questionnaires;
   add(missing("no answer is right or wrong",
               column("correct", "boolean", "", "1: the right answer",
                      [](const Place& at) { return optional_boolean(at.response->correct); })));
@@ -570,8 +573,10 @@ const char* text_of(Publication publication) {
   switch (publication) {
     case Publication::kept:
       return "kept";
-    case Publication::without_free_text:
-      return "without free text";
+    case Publication::without_questionnaires:
+      return "without answers to questionnaires";
+    case Publication::dropped_unless_named:
+      return "dropped unless named";
     case Publication::dropped:
       return "dropped";
   }
@@ -664,9 +669,16 @@ Columns answered_trial_columns(const StudyVocabulary& vocabulary) {
   return columns;
 }
 
+bool StudyVocabulary::goes_to_public(const std::string& question) const {
+  const auto known = questions.find(question);
+  return known != questions.end() && !known->second.free_text && for_public.contains(question);
+}
+
+std::string left_out_answers_to(const std::string& question) { return "answer(" + question + ")"; }
+
 Cell cell_for(ExportAudience audience, const ExportColumn& column, const ExportPlace& at) {
-  const bool hidden = audience == ExportAudience::published && at.response_is_free_text &&
-                      column.publication == Publication::without_free_text;
+  const bool hidden = audience == ExportAudience::published && at.response_is_withheld &&
+                      column.publication == Publication::without_questionnaires;
   Cell cell = hidden ? Cell{} : column.cell(at);
   const auto* text = std::get_if<std::string>(&cell);
   return text != nullptr && text->empty() ? Cell{} : cell;
@@ -676,7 +688,8 @@ Columns columns_for(ExportAudience audience, Columns columns, std::vector<std::s
   if (audience == ExportAudience::own) return columns;
   Columns kept{};
   for (ExportColumn& column : columns) {
-    if (column.publication == Publication::dropped) {
+    if (column.publication == Publication::dropped ||
+        column.publication == Publication::dropped_unless_named) {
       left_out.push_back(column.name);
     } else {
       kept.push_back(std::move(column));

@@ -27,7 +27,7 @@ struct ExportPlace {
   const AttemptRow* attempt = nullptr;
   const PresentationRow* presentation = nullptr;
   const ResponseRow* response = nullptr;
-  bool response_is_free_text = false;
+  bool response_is_withheld = false;  ///< from the public: an answer to a questionnaire
   /// The JSON of those rows, read once.
   const nlohmann::json* answers = nullptr;     ///< of the participant
   const nlohmann::json* factors = nullptr;     ///< of the trial
@@ -36,14 +36,16 @@ struct ExportPlace {
   const ComplianceRow* compliance = nullptr;
 };
 
-/// `published`: without dates and without anything that somebody typed freely.
+/// `published`: without dates, without anything that somebody typed freely, and without answers to
+/// questionnaires but for those that are named (StudyVocabulary::for_public).
 enum class ExportAudience { own, published };
 
 /// What becomes of a column in an export for the public.
 enum class Publication {
   kept,
-  without_free_text,  ///< kept, but what somebody typed freely is n/a
-  dropped,            ///< dates and free text
+  without_questionnaires,  ///< kept, but n/a where the answer is one to a questionnaire
+  dropped_unless_named,    ///< answers to a questionnaire
+  dropped,                 ///< dates and free text
 };
 
 /// One column: what the codebook says of it, and how to get a cell.
@@ -86,7 +88,8 @@ struct StudyVocabulary {
   };
   struct AnswerMeaning {
     std::string prompt{};
-    bool free_text = true;  ///< unless a protocol declares a choice or a number
+    bool free_text = true;      ///< unless a protocol declares a choice or a number
+    bool questionnaire = true;  ///< about a person or a session, not about a trial
     std::vector<std::string> options{};
     std::optional<double> minimum{};
     std::optional<double> maximum{};
@@ -96,7 +99,15 @@ struct StudyVocabulary {
   std::map<std::string, ParameterMeaning> parameters{};
   std::map<std::string, std::set<std::string>> limits{};  ///< kind → models that watch it
   std::set<std::string> participant_answers{};
-  std::map<std::string, AnswerMeaning> questions{};
+  std::map<std::string, AnswerMeaning> questions{};  ///< by name, whichever protocol asks it
+  /// Those of questionnaires as each protocol file asks them, by its SHA-256 and their name.
+  std::map<std::pair<std::string, std::string>, AnswerMeaning> questions_of_source{};
+  /// Questions of questionnaires whose answers the public gets, because somebody named them.
+  std::set<std::string> for_public{};
+
+  /// Whether the public gets the answers to this question of a questionnaire. Never those that were
+  /// typed freely, nor those to a question that no protocol declares.
+  bool goes_to_public(const std::string& question) const;
 };
 
 /// Every table of an export, in the order in which they are documented.
@@ -105,6 +116,9 @@ std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary);
 /// One row per answer to a trial's question, and one for an attempt without any: what the trial was,
 /// how the attempt went, what was felt and answered.
 std::vector<ExportColumn> answered_trial_columns(const StudyVocabulary& vocabulary);
+
+/// What stands in the list of columns that were left out for answers to this question.
+std::string left_out_answers_to(const std::string& question);
 
 /// The cell of one column, as this audience gets it. Empty text counts as missing.
 Cell cell_for(ExportAudience audience, const ExportColumn& column, const ExportPlace& at);

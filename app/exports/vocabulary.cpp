@@ -44,6 +44,7 @@ void learn_questions(const ProtocolRow& protocol, const Json& source, StudyVocab
     for (const Json& option : declaration.value("options", Json::array())) {
       if (option.is_string()) meaning.options.push_back(option.get<std::string>());
     }
+    vocabulary.questions_of_source[{protocol.source_sha256, name}] = meaning;
     const bool free_text = meaning.free_text;
     const auto [question, is_new] = vocabulary.questions.insert({name, std::move(meaning)});
     if (!is_new && free_text) question->second.free_text = true;
@@ -57,6 +58,7 @@ void learn_questions(const ProtocolRow& protocol, const Json& source, StudyVocab
     StudyVocabulary::AnswerMeaning meaning{};
     meaning.prompt = text(asked, "prompt");
     meaning.free_text = false;
+    meaning.questionnaire = false;
     meaning.source = place(protocol, "/blocks/" + name + "/question");
     vocabulary.questions.insert({called, std::move(meaning)});
   }

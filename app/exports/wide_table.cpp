@@ -33,8 +33,39 @@ ExportColumn number_column(std::string name, std::string type, std::string descr
 
 }  // namespace
 
+/// What the protocols of all columns are called: by their version only where there is more than one, by
+/// their file only where one version has two.
+class WideTable::ProtocolNames final {
+ public:
+  explicit ProtocolNames(const std::set<Asked>& all) {
+    for (const Asked& asked : all) {
+      sources_[asked.protocol][asked.version].insert(asked.source_sha256);
+    }
+  }
+
+  std::string in_names(const Asked& asked) const {
+    const bool has_versions = sources_.at(asked.protocol).size() > 1 || has_sources(asked);
+    return asked.protocol + (has_versions ? "_" + asked.version : "") +
+           (has_sources(asked) ? "_" + source_of(asked) : "");
+  }
+  std::string in_words(const Asked& asked) const {
+    return asked.protocol + " " + asked.version +
+           (has_sources(asked) ? " (source " + source_of(asked) + ")" : "");
+  }
+
+ private:
+  bool has_sources(const Asked& asked) const {
+    return sources_.at(asked.protocol).at(asked.version).size() > 1;
+  }
+  static std::string source_of(const Asked& asked) {
+    return asked.source_sha256.substr(0, kSourceDigits);
+  }
+
+  std::map<std::string, std::map<std::string, std::set<std::string>>> sources_{};
+};
+
 WideTable::WideTable(const StudyVocabulary& vocabulary, ExportAudience audience)
-    : audience_(audience), questions_(vocabulary.questions) {
+    : audience_(audience), vocabulary_(vocabulary) {
   std::vector<ExportColumn> all = export_files(vocabulary).front().columns;
   about_ = columns_for(audience, std::move(all), left_out_);
   std::erase_if(about_, [](const ExportColumn& column) { return !is_about_the_person(column); });
@@ -80,9 +111,13 @@ void WideTable::add_answer(const ExportPlace& at) {
 }
 
 void WideTable::add_session_answer(const ExportPlace& at) {
-  if (audience_ == ExportAudience::published && at.response_is_free_text) return;
   const ResponseRow& response = *at.response;
-  people_.back().said[response.question] =
+  if (audience_ == ExportAudience::published && at.response_is_withheld) {
+    withheld_.insert(response.question);
+    return;
+  }
+  people_.back().said[{at.protocol->name, at.protocol->version, at.protocol->source_sha256,
+                       response.question}] =
       response.answer_number ? Cell{*response.answer_number} : Cell{response.answer};
 }
 
@@ -90,6 +125,7 @@ WideTable::Made WideTable::make() const {
   Made made{};
   made.columns = about_;
   made.left_out = left_out_;
+  for (const std::string& question : withheld_) made.left_out.push_back("session_" + question);
   for (const Person& person : people_) made.rows.push_back(person.about);
   const auto add = [&](ExportColumn column, const auto& cell_of) {
     made.columns.push_back(std::move(column));
@@ -108,7 +144,7 @@ WideTable::Made WideTable::make() const {
 
   // Every condition that anybody met, and what its answers are.
   std::map<Asked, std::map<Condition, Tally>> met{};
-  std::map<std::string, bool> said_is_number{};
+  std::map<Asked, bool> said_is_number{};
   for (const Person& person : people_) {
     for (const auto& [asked, tallies] : person.tallies) {
       for (const auto& [condition, tally] : tallies) {
@@ -119,48 +155,45 @@ WideTable::Made WideTable::make() const {
         for (const auto& [option, times] : tally.chosen) all.chosen[option] += times;
       }
     }
-    for (const auto& [question, cell] : person.said) {
+    for (const auto& [asked, cell] : person.said) {
       const bool is_number = std::holds_alternative<double>(cell);
-      const auto [known, is_new] = said_is_number.insert({question, is_number});
+      const auto [known, is_new] = said_is_number.insert({asked, is_number});
       if (!is_new) known->second = known->second && is_number;
     }
   }
-  for (const auto& [question, is_number] : said_is_number) {
+  std::set<Asked> all_asked{};
+  for (const auto& asked_and_conditions : met) all_asked.insert(asked_and_conditions.first);
+  for (const auto& asked_and_kind : said_is_number) all_asked.insert(asked_and_kind.first);
+  const ProtocolNames names_of(all_asked);
+  for (const auto& [asked, is_number] : said_is_number) {
+    const auto is_asked_elsewhere = [&asked = asked](const auto& other) {
+      return other.first != asked && other.first.question == asked.question;
+    };
+    const bool elsewhere =
+        std::any_of(said_is_number.begin(), said_is_number.end(), is_asked_elsewhere);
     ExportColumn column{};
-    const auto meaning = questions_.find(question);
-    column.name = "session_" + question;
+    column.name = "session_" + (elsewhere ? names_of.in_names(asked) + "_" : "") + asked.question;
     column.type = is_number ? "number" : "text";
-    column.description = "answer to the session's question " + question;
+    column.description = "answer to the question " + asked.question + " of the session with " +
+                         names_of.in_words(asked);
     column.missing = "not asked or not answered";
-    if (meaning != questions_.end()) {
+    const auto meaning =
+        vocabulary_.questions_of_source.find({asked.source_sha256, asked.question});
+    if (meaning != vocabulary_.questions_of_source.end()) {
       column.description += ": " + meaning->second.prompt;
       if (!is_number) column.levels = meaning->second.options;
       column.minimum = meaning->second.minimum;
       column.maximum = meaning->second.maximum;
       column.source = meaning->second.source;
     }
-    add(std::move(column), [&question = question](const Person& person) {
-      const auto found = person.said.find(question);
+    add(std::move(column), [&asked = asked](const Person& person) {
+      const auto found = person.said.find(asked);
       return found == person.said.end() ? Cell{} : found->second;
     });
   }
-  std::map<std::string, std::map<std::string, std::set<std::string>>> sources{};
-  for (const auto& asked_and_conditions : met) {
-    const Asked& asked = asked_and_conditions.first;
-    sources[asked.protocol][asked.version].insert(asked.source_sha256);
-  }
   for (const auto& [asked, conditions] : met) {
-    const auto& versions = sources.at(asked.protocol);
-    std::string protocol_in_name = asked.protocol;
-    std::string protocol_in_words = asked.protocol + " " + asked.version;
-    if (versions.size() > 1 || versions.at(asked.version).size() > 1) {
-      protocol_in_name += "_" + asked.version;
-    }
-    if (versions.at(asked.version).size() > 1) {
-      const std::string source = asked.source_sha256.substr(0, kSourceDigits);
-      protocol_in_name += "_" + source;
-      protocol_in_words += " (source " + source + ")";
-    }
+    const std::string protocol_in_name = names_of.in_names(asked);
+    const std::string protocol_in_words = names_of.in_words(asked);
     std::map<std::string, std::set<Level>> levels{};
     std::set<std::string> options{};
     bool numbers = true;
@@ -171,9 +204,10 @@ WideTable::Made WideTable::make() const {
       numbers = numbers && tally.numbers == tally.answers;
       judged = judged || tally.judged > 0;
     }
-    const auto meaning = questions_.find(asked.question);
-    const std::string prompt =
-        meaning == questions_.end() ? asked.question : "\"" + meaning->second.prompt + "\"";
+    const auto meaning = vocabulary_.questions.find(asked.question);
+    const std::string prompt = meaning == vocabulary_.questions.end()
+                                   ? asked.question
+                                   : "\"" + meaning->second.prompt + "\"";
     for (const auto& condition_and_tally : conditions) {
       const Condition& condition = condition_and_tally.first;
       std::string name = protocol_in_name + "_" + asked.question;

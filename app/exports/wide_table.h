@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ namespace asperity {
 /// A condition is a combination of levels of the factors that have more than one level in the main
 /// trials of the protocol. Counted are answers of the main phase that are valid and not excluded;
 /// how many were flagged, and how many were left out, are columns.
+///
+/// Answers to the questions of a session are columns too; of several sessions with one protocol the
+/// last one's.
 ///
 /// Versions of a protocol are never counted together, nor are two sources that call themselves the
 /// same version. Descriptions name the version; names of columns do only where there is more than
@@ -51,6 +55,7 @@ class WideTable final {
     std::string question{};
     auto operator<=>(const Asked&) const = default;
   };
+  class ProtocolNames;
   struct Tally {
     std::int64_t answers = 0;
     std::int64_t numbers = 0;
@@ -62,7 +67,7 @@ class WideTable final {
   struct Person {
     std::vector<Cell> about{};
     std::map<Asked, std::map<Condition, Tally>> tallies{};
-    std::map<std::string, Cell> said{};  ///< answers to questions of the session
+    std::map<Asked, Cell> said{};  ///< answers to questions of the session
     std::int64_t answers = 0;
     std::int64_t flagged = 0;
     std::int64_t left_out = 0;
@@ -71,7 +76,8 @@ class WideTable final {
   ExportAudience audience_;
   std::vector<ExportColumn> about_{};
   std::vector<std::string> left_out_{};
-  std::map<std::string, StudyVocabulary::AnswerMeaning> questions_{};
+  StudyVocabulary vocabulary_{};
+  std::set<std::string> withheld_{};  ///< questions of sessions that the public does not get
   std::vector<Person> people_{};
 };
 

@@ -19,6 +19,7 @@
 #include "app/exports/sav_table.h"
 #include "app/exports/vocabulary.h"
 #include "app/exports/wide_table.h"
+#include "app/study_condition.h"
 
 namespace asperity {
 
@@ -71,7 +72,8 @@ std::vector<ExportColumn> manifest_columns() {
   columns[2].description = "SHA-256 of the file";
   columns[2].type = "text";
   columns[3].name = "left_out";
-  columns[3].description = "columns that the public does not get";
+  columns[3].description =
+      "columns that the public does not get; answer(NAME): the answers to this question";
   columns[3].type = "text";
   columns[3].missing = "none";
   return columns;
@@ -275,6 +277,7 @@ class StudyExport final {
         options_(options),
         vocabulary_(vocabulary_of(study, models)),
         study_name_(study.name()) {
+    take_questions_for_public();
     for (ExportFile& file : export_files(vocabulary_)) {
       std::vector<std::string> left_out{};
       std::vector<ExportColumn> columns =
@@ -282,6 +285,13 @@ class StudyExport final {
       const std::string name = file.name + ".tsv";
       TableFile table(folder.path_of(name), TableFile::Format::tsv, names_of(columns));
       codebook_.add(name, columns);
+      if (file.name == "responses" && options.audience == ExportAudience::published) {
+        for (const std::string& question : questionnaire()) {
+          if (!vocabulary_.goes_to_public(question)) {
+            left_out.push_back(left_out_answers_to(question));
+          }
+        }
+      }
       tables_.push_back({file.name, std::move(left_out), std::move(columns), std::move(table)});
     }
   }
@@ -330,6 +340,35 @@ class StudyExport final {
   }
 
  private:
+  std::vector<std::string> questionnaire() const {
+    std::vector<std::string> names{};
+    for (const auto& [name, question] : vocabulary_.questions) {
+      if (question.questionnaire) names.push_back(name);
+    }
+    return names;
+  }
+
+  /// Refuses a name that stands for nothing that can be published, so that a misspelt one is not
+  /// taken for consent to leave it out.
+  void take_questions_for_public() {
+    vocabulary_.for_public = options_.questions_for_public;
+    const std::vector<std::string> asked = questionnaire();
+    std::string possible{};
+    for (const std::string& name : asked) {
+      if (!vocabulary_.questions.at(name).free_text) {
+        possible += (possible.empty() ? "" : ", ") + name;
+      }
+    }
+    for (const std::string& name : vocabulary_.for_public) {
+      const bool is_asked = std::find(asked.begin(), asked.end(), name) != asked.end();
+      if (is_asked && vocabulary_.goes_to_public(name)) continue;
+      throw std::invalid_argument(
+          "answers to \"" + name + "\" cannot go to the public: " +
+          (is_asked ? "they are typed freely" : "no questionnaire of the study asks it") +
+          (possible.empty() ? "" : "; those that can: " + possible));
+    }
+  }
+
   GroupFiles& files_of(Group group) {
     std::unique_ptr<GroupFiles>& files = groups_[group];
     if (!files) {
@@ -357,9 +396,7 @@ class StudyExport final {
     for (const ResponseRow& answer : answers) {
       ExportPlace here = at;
       here.response = &answer;
-      const auto question = vocabulary_.questions.find(answer.question);
-      here.response_is_free_text =
-          question == vocabulary_.questions.end() || question->second.free_text;
+      here.response_is_withheld = !vocabulary_.goes_to_public(answer.question);
       add("responses", here);
       files.add_session_answer(here);
     }
@@ -425,16 +462,22 @@ class StudyExport final {
 };
 
 /// For whoever finds the folder.
-std::string readme(const ExportOptions& options) {
-  std::string text =
-      "A study, written by Asperity for other programs.\n\n"
+std::string readme(const ExportOptions& options, const std::optional<Phrase>& remark) {
+  std::string text = "A study, written by Asperity for other programs.\n\n";
+  if (remark) text += "BEFORE USE: " + remark->english() + "\n\n";
+  text +=
       "codebook.tsv says what every column of every file means; MANIFEST.tsv has the "
       "SHA-256 of every file.\n"
       "import.R and import.py load everything with the right types.\n\n";
   if (options.audience == ExportAudience::published) {
+    std::string named{};
+    for (const std::string& question : options.questions_for_public) {
+      named += (named.empty() ? ", but for " : ", ") + question;
+    }
     text +=
-        "This is the form for the public: dates and what was typed freely are left out "
-        "(MANIFEST.tsv says which columns).\n\n";
+        "This is the form for the public: dates, what was typed freely and answers to "
+        "questionnaires are left out" +
+        named + " (MANIFEST.tsv says which columns).\n\n";
   }
   return text +
          "The .tsv files of this folder hold everything, also what does not count, what was "
@@ -488,12 +531,14 @@ std::vector<ExportedFile> export_study(const Study& study, const ModelRegistry& 
                                        const std::stop_token& stop,
                                        const std::function<void(double)>& progress) {
   ExportFolder making(folder, options.overwrite);
-  {
+  bool stopped = false;
+  read_unless_broken(study, [&] {
     StudyExport walk(study, models, making, options);
-    if (!walk.walk(stop, progress)) return {};
-    walk.finish();
-  }
-  making.write("README.txt", readme(options));
+    stopped = !walk.walk(stop, progress);
+    if (!stopped) walk.finish();
+  });
+  if (stopped) return {};
+  making.write("README.txt", readme(options, remark_on(study)));
   making.write("import.R", import_script_for_r());
   making.write("import.py", import_script_for_python());
   return making.take_place();

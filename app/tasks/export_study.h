@@ -33,6 +33,9 @@ std::set<ExportFormat> usual_export_formats();
 struct ExportOptions {
   ExportAudience audience = ExportAudience::own;
   Overwrite overwrite = Overwrite::refuse;
+  /// Questions of questionnaires whose answers the public gets as well. Errors: std::invalid_argument
+  /// for one that no questionnaire asks, or that is answered freely.
+  std::set<std::string> questions_for_public{};
   /// Beside the tables and their codebook, which are always written.
   std::set<ExportFormat> formats = usual_export_formats();
 };
@@ -47,7 +50,10 @@ struct ExportOptions {
 /// SPSS files, the datasets) has people's sessions at the top; those of a pilot are in `pilot/`,
 /// those of virtual participants in `virtual/`.
 ///
-/// Memory: what one session needs, and the wide table. Errors: as ExportFolder's.
+/// README.txt begins by saying so when the study's file was changed (Study::condition).
+///
+/// Memory: what one session needs, and the wide table. Errors: as ExportFolder's; ResultsError for a
+/// study that is broken.
 std::vector<ExportedFile> export_study(const Study& study, const ModelRegistry& models,
                                        const std::filesystem::path& folder,
                                        const ExportOptions& options,

@@ -218,7 +218,7 @@ TEST_F(ExportFormats, DescribeEveryColumnOfEveryFileInTheCodebookAndNoOther) {
         EXPECT_TRUE(found) << name << ": " << column;
       }
     }
-    EXPECT_GT(columns, 700U);
+    EXPECT_GT(columns, 650U);
     EXPECT_TRUE(unused.empty()) << unused.begin()->first << ": " << unused.begin()->second;
   }
 }
@@ -364,6 +364,38 @@ TEST(WideExport, KeepsTwoSourcesOfOneVersionApart) {
               testing::ContainsRegex("answers of sorting 1.0.0 \\(source [0-9a-f]{8}\\), "));
 }
 
+// "It hurts" to another question than before, and to the same question of another protocol.
+TEST(WideExport, KeepsAnswersToQuestionsOfAVersionApart) {
+  MadeUpStudy made;
+  fill(made);
+  const auto ask = [&made](const std::string& name, const std::string& version,
+                           const std::string& prompt, const std::string& answer) {
+    ProtocolRow protocol{};
+    protocol.name = name;
+    protocol.version = version;
+    protocol.kind = "recognition";
+    protocol.design = "chapter";
+    protocol.source = R"({"title": ")" + name + R"(", "questions": {"feel": {"form": "choice", "options": ["a", "b", "c"],
+                          "prompt": ")" +
+                      prompt + "\"}}}";
+    const std::int64_t session =
+        made.add_session("anna", made.study().add_protocol(protocol), {some_trial()});
+    made.study().add_session_answer(session, session_answer("feel", answer));
+  };
+  ask("sorting", "1.0.0", "Your hand?", "a");
+  ask("sorting", "2.0.0", "Your arm?", "b");
+  ask("choosing", "1.0.0", "Your hand?", "c");
+  export_to(made, made.beside("out"));
+  const auto anna = only_row_of(made.beside("out") / "wide.csv");
+  EXPECT_EQ(anna.at("session_sorting_1_0_0_feel"), "a");
+  EXPECT_EQ(anna.at("session_sorting_2_0_0_feel"), "b");
+  EXPECT_EQ(anna.at("session_choosing_feel"), "c");
+  EXPECT_EQ(anna.at("session_hand"), "left") << "asked by one protocol";
+  EXPECT_FALSE(anna.contains("session_feel"));
+  EXPECT_THAT(read_file(made.beside("out") / "codebook.tsv"),
+              HasSubstr("of the session with sorting 2.0.0: Your arm?\t"));
+}
+
 // A comma is not what every spreadsheet splits at, and some skip blanks before they look for "=".
 TEST(TextsOfAnExport, AreNoFormulaAfterATabALineBreakOrASemicolon) {
   MadeUpStudy made;  // for its folder
@@ -457,11 +489,38 @@ TEST_F(ExportFormats, FollowTheRulesOfBids) {
       for (const auto& row : rows.rows) EXPECT_EQ(row.size(), rows.columns.size());
     }
     EXPECT_EQ(listed, there);
+    const std::map<std::string, std::set<std::string>> words{
+        {"sex", {"F", "M", "O"}}, {"handedness", {"left", "right", "ambidextrous"}}};
+    for (std::size_t row = 0; row < participants.rows.size(); ++row) {
+      for (const auto& [column, allowed] : words) {
+        const Cell cell = cell_of(participants, row, column);
+        EXPECT_TRUE(cell == Cell{} || allowed.contains(std::get<std::string>(cell))) << column;
+      }
+    }
     const nlohmann::json about = json_in(bids / "participants.json");
     for (const std::string& column : participants.columns) {
       EXPECT_TRUE(about.contains(column)) << column;
     }
+    EXPECT_EQ(about.at("age").at("Units"), "year");
   }
+}
+
+TEST(BidsExport, HasItsOwnWordsForSexAndUnits) {
+  MadeUpStudy made;
+  made.add_person("kim", "X");
+  const std::int64_t protocol = made.add_protocol("sorting", "recognition", R"({"factors": {
+          "acceleration_m_per_s2": {"unit": "m/s2"}, "damping_N_s_per_m": {"unit": "N s/m"}}})");
+  MadeUpTrial trial = some_trial();
+  trial.factors_json = R"({"acceleration_m_per_s2": 1.5, "damping_N_s_per_m": 2.5})";
+  made.add_session("kim", protocol, {trial});
+  export_to(made, made.beside("out"));
+  const std::filesystem::path bids = made.beside("out") / "bids";
+  EXPECT_EQ(cell_of(table_in(bids, "participants.tsv"), 0, "sex"), Cell{"O"});
+  EXPECT_EQ(cell_of(table_in(made.beside("out"), "participants.tsv"), 0, "sex"), Cell{"X"});
+  const nlohmann::json sidecar =
+      json_in(bids / "sub-kim/ses-01/beh/sub-kim_ses-01_task-sorting_beh.json");
+  EXPECT_EQ(sidecar.at("factor_acceleration_m_per_s2").at("Units"), "m/s^2");
+  EXPECT_EQ(sidecar.at("factor_damping_N_s_per_m").at("Units"), "N.s/m");
 }
 
 TEST_F(ExportFormats, WriteARecordingAsOneRegularStream) {

@@ -236,10 +236,93 @@ TEST(Export, TellsThePublicNeitherDatesNorFreeTextInAnyFile) {
   const std::filesystem::path out = made.beside("out");
   const Table responses = read_tsv(read_file(out / "responses.tsv"), "responses.tsv");
   EXPECT_EQ(cell_of(responses, 0, "answer"), Cell{});
-  EXPECT_EQ(cell_of(responses, 1, "answer"), Cell{"left"});
   EXPECT_EQ(cell_of(responses, 2, "answer"), Cell{"stone"});
-  const Table participants = read_tsv(read_file(out / "participants.tsv"), "participants.tsv");
-  EXPECT_EQ(cell_of(participants, 0, "answer_hand"), Cell{"left"});
+}
+
+/// `fill`, with questions of the library's kind: about somebody's health, as a choice and a number.
+void fill_with_health(MadeUpStudy& made) {
+  fill(made);
+  ParticipantRow person{};
+  person.label = "carl";
+  person.answers_json = R"({"pain": "it hurts a lot", "scars": 777})";
+  made.study().add_participant(person);
+  const std::int64_t protocol = made.add_protocol("health", "recognition", R"({"questions": {
+      "pain": {"prompt": "Any pain?", "form": "choice", "options": ["no", "it hurts a lot"]},
+      "scars": {"prompt": "How many scars?", "form": "number", "minimum": 0}}})");
+  const std::int64_t session = made.add_session("carl", protocol, {some_trial()});
+  ResponseRow number = session_answer("scars", "777");
+  number.answer_number = 777;
+  made.study().add_session_answer(session, number);
+  made.study().add_session_answer(session, session_answer("pain", "it hurts a lot"));
+}
+
+/// How many cells of all tables of an export, SPSS's apart, are exactly this.
+int cells_that_are(const std::string& word, const std::filesystem::path& out) {
+  int cells = 0;
+  for (const std::string& name : files_in(out)) {
+    if (!name.ends_with(".tsv") && !name.ends_with(".csv")) continue;
+    if (name == "codebook.tsv") continue;  // says what could be answered
+    std::string text = read_file(out / name);
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == ','; }, '\t');
+    const std::string cell = '\t' + word + '\t';
+    for (std::size_t at = text.find(cell); at != std::string::npos; at = text.find(cell, at + 1)) {
+      ++cells;
+    }
+  }
+  return cells;
+}
+
+TEST(Export, TellsThePublicNoAnswerToAQuestionnaireThatIsNotNamed) {
+  MadeUpStudy made;
+  fill_with_health(made);
+  ExportOptions options{};
+  export_to(made, made.beside("own"), options);
+  EXPECT_EQ(cells_that_are("it hurts a lot", made.beside("own")), 5);
+  EXPECT_EQ(cells_that_are("777", made.beside("own")), 6);  // as text and as number in responses
+  options.audience = ExportAudience::published;
+  export_to(made, made.beside("out"), options);
+  EXPECT_EQ(cells_that_are("it hurts a lot", made.beside("out")), 0);
+  EXPECT_EQ(cells_that_are("777", made.beside("out")), 0);
+  EXPECT_THAT(read_file(made.beside("out") / "codebook.tsv"), Not(HasSubstr("answer_pain")));
+  const std::map<std::string, std::string> named{{"participants.tsv", "answer_pain"},
+                                                 {"responses.tsv", "answer(pain)"},
+                                                 {"wide.csv", "session_pain"}};
+  std::size_t told = 0;
+  for (const std::vector<Cell>& row : table_in(made.beside("out"), "MANIFEST.tsv").rows) {
+    const auto found = named.find(std::get<std::string>(row[0]));
+    if (found == named.end()) continue;
+    ++told;
+    EXPECT_THAT(std::get<std::string>(row[3]), HasSubstr(found->second));
+  }
+  EXPECT_EQ(told, named.size());
+
+  options.questions_for_public = {"pain", "hand"};
+  export_to(made, made.beside("named"), options);
+  EXPECT_EQ(cells_that_are("it hurts a lot", made.beside("named")), 5);
+  EXPECT_EQ(cells_that_are("777", made.beside("named")), 0);
+  EXPECT_THAT(read_file(made.beside("named") / "README.txt"),
+              HasSubstr("left out, but for hand, pain (MANIFEST"));
+}
+
+TEST(Export, RefusesToTellThePublicWhatIsTypedFreelyOrNotAsked) {
+  MadeUpStudy made;
+  fill_with_health(made);
+  const auto refused = [&made](const std::string& question, const std::string& because) {
+    ExportOptions options = options_of(ExportAudience::published);
+    options.questions_for_public = {question};
+    try {
+      export_to(made, made.beside("out"), options);
+      FAIL() << "nothing was refused";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(error.what(), "answers to \"" + question + "\" cannot go to the public: " +
+                                  because + "; those that can: hand, pain, scars");
+    }
+  };
+  refused("comment", "they are typed freely");
+  refused("pian", "no questionnaire of the study asks it");
+  refused("which", "no questionnaire of the study asks it");
+  EXPECT_FALSE(std::filesystem::exists(made.beside("out")));
 }
 
 TEST(Export, SaysInTheManifestWhatIsThereAndWhatThePublicDoesNotGet) {
@@ -253,7 +336,7 @@ TEST(Export, SaysInTheManifestWhatIsThereAndWhatThePublicDoesNotGet) {
     const std::string& name = std::get<std::string>(row[0]);
     EXPECT_EQ(row[2], Cell{sha256_of(read_file(out / name))}) << name;
     if (name == "participants.tsv") {
-      EXPECT_EQ(row[3], Cell{"created_utc answer_comment answer_years"});
+      EXPECT_EQ(row[3], Cell{"created_utc answer_comment answer_hand answer_years"});
     }
   }
 }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
 #include "app/conductor/recording_columns.h"
@@ -38,6 +41,38 @@ class Verify : public testing::Test {
     const Outcome outcome = verify();
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
+  }
+
+  fs::path database() const { return study_ / "study.sqlite"; }
+
+  /// A digit of the file becomes another, past SQLite and every constraint; no page is broken by it.
+  void change_a_number() const {
+    std::string content = text_of(database());
+    const std::size_t place = content.rfind("\"repetition\":1");
+    if (place == std::string::npos) throw std::runtime_error("the plan has no repetition");
+    content[place + 13] = '3';
+    write_text(database(), content);
+  }
+
+  /// From the second page on, every page that is `word`'s becomes noise.
+  void break_the_page_with(const std::string& word) const {
+    constexpr std::size_t kPage = 4096;
+    std::string content = text_of(database());
+    const std::size_t place = content.find(word, kPage);
+    if (place == std::string::npos) throw std::runtime_error("no page has " + word);
+    std::fill_n(content.begin() + static_cast<std::ptrdiff_t>(place / kPage * kPage), kPage,
+                '\x5a');
+    write_text(database(), content);
+  }
+
+  /// What reads a study and gives numbers, each with what it writes.
+  std::map<std::string, std::vector<std::string>> readers() const {
+    return {{"analyze", {"analyze", study_, "--json"}},
+            {"export", {"export", study_, "--out", small_.place() / "tables"}},
+#ifdef ASPERITY_WITH_REPORT
+            {"report", {"report", study_, "--out", small_.place() / "report.html"}},
+#endif
+            {"simulate", simulate_arguments(small_, study_, 1, 4)}};
   }
 
   fs::path first_recording() const {
@@ -79,6 +114,74 @@ TEST_F(Verify, FindsAChangedByteOfEveryFileOfTheStudy) {
     write_text(study_ / name, content);
   }
   EXPECT_EQ(verify().status, 0);
+}
+
+TEST_F(Verify, WhoeverReadsAChangedStudyIsToldAndWhatTheyReadSaysSo) {
+  for (const auto& [name, arguments] : readers()) {
+    if (name != "simulate") {
+      const std::string err = asperity(arguments).err;
+      EXPECT_EQ(err.find("asperity verify"), std::string::npos) << name << err;
+    }
+  }
+  fs::remove_all(small_.place() / "tables");
+  fs::remove(small_.place() / "report.html");
+  change_a_number();
+  ASSERT_EQ(verify().status, 1);
+  for (const auto& [name, arguments] : readers()) {
+    const Outcome outcome = asperity(arguments);
+    EXPECT_EQ(outcome.status, 0) << name << outcome.err;
+    const std::size_t said = outcome.err.find("\"asperity verify\" says what does not hold");
+    EXPECT_NE(said, std::string::npos) << name << outcome.err;
+    EXPECT_EQ(outcome.err.find("asperity verify", said + 2), std::string::npos) << name;  // once
+    if (name == "analyze") {
+      EXPECT_EQ(nlohmann::json::parse(outcome.out)
+                    .at("outcomes")
+                    .at(0)
+                    .at("remarks")
+                    .at(0)
+                    .get<std::string>()
+                    .find("The file study.sqlite is not what it was"),
+                0U)
+          << outcome.out.substr(0, 400);
+    }
+  }
+  EXPECT_NE(text_of(small_.place() / "tables/README.txt").find("asperity verify"),
+            std::string::npos);
+#ifdef ASPERITY_WITH_REPORT
+  EXPECT_NE(text_of(small_.place() / "report.html").find("asperity verify"), std::string::npos);
+#endif
+  EXPECT_EQ(verify().status, 1);  // and whoever wrote did not vouch for it
+}
+
+// As one of a million attempts is; here it is a hole at the end.
+TEST_F(Verify, WhoeverReadsAStudyTooLargeToLookAtIsToldToVerifyIt) {
+  fs::resize_file(database(), (std::uintmax_t{1} << 30) + 4096);
+  const Outcome outcome = asperity({"analyze", study_});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("its checksum was not looked at. \"asperity verify\" says"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.out.find("larger than 1 GiB"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Verify, NobodyGivesNumbersOfAStudyWithABrokenPage) {
+  break_the_page_with("rendered_");
+  // Also without the checksum, as a program leaves it that died.
+  for (const bool sealed : {true, false}) {
+    if (!sealed) fs::remove(study_ / "study.sqlite.sha256");
+    const auto before = contents_of(study_);
+    EXPECT_EQ(verify({"--replay"}).status, 1);
+    for (const auto& [name, arguments] : readers()) {
+      const Outcome outcome = asperity(arguments);
+      EXPECT_EQ(outcome.status, 1) << name;
+      EXPECT_EQ(outcome.signal, std::nullopt) << name;
+      EXPECT_NE(outcome.err.find("\"asperity verify " + study_.string() + '"'), std::string::npos)
+          << name << outcome.err;
+    }
+    EXPECT_FALSE(fs::exists(small_.place() / "tables"));
+    EXPECT_FALSE(fs::exists(small_.place() / "report.html"));
+    EXPECT_TRUE(contents_of(study_) == before);
+  }
 }
 
 TEST_F(Verify, FindsAMissingRecording) {

@@ -189,7 +189,8 @@ void AnalysisPage::ask_where_to_export() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setOption(QFileDialog::DontUseNativeDialog);
   dialog->selectFile("tables");
-  auto* for_public = new QCheckBox(tr("For the public: without dates and free text"), dialog);
+  auto* for_public =
+      new QCheckBox(tr("For the public: without dates, free text and questionnaires"), dialog);
   for_public->setObjectName("export_public");
   auto* recordings = new QCheckBox(tr("With the recordings, tick by tick; they are large"), dialog);
   recordings->setObjectName("export_recordings");
