@@ -97,8 +97,17 @@ Study::Store::Store(std::filesystem::path study_folder, Access study_access)
     : folder(std::move(study_folder)), access(study_access) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) {
-    throw ResultsError("there is no folder " + folder.string() + "; a study is a folder", folder,
-                       ENOENT);
+    if (!std::filesystem::exists(folder, error)) {
+      throw ResultsError("there is no folder " + folder.string() + "; a study is a folder", folder,
+                         ENOENT);
+    }
+    const std::filesystem::path around = folder.parent_path();
+    throw ResultsError(folder.string() + " is a file; a study is a folder" +
+                           (folder.filename() == database_in("").filename()
+                                ? ": name the one that this file is in, " +
+                                      (around.empty() ? "." : around.string())
+                                : ""),
+                       folder, ENOTDIR);
   }
   if (!std::filesystem::is_regular_file(database_in(folder), error)) {
     throw ResultsError("the folder " + folder.string() +
@@ -256,8 +265,12 @@ Study::~Study() = default;
 Study Study::create(const std::filesystem::path& folder, const std::string& name) {
   if (name.empty()) throw std::invalid_argument("name: a study needs one");
   const bool made_folder = !std::filesystem::exists(folder);
-  if (!made_folder &&
-      (!std::filesystem::is_directory(folder) || !std::filesystem::is_empty(folder))) {
+  if (!made_folder && !std::filesystem::is_directory(folder)) {
+    throw ResultsError("a study cannot be made in " + folder.string() +
+                           ": it is a file; name a new or an empty folder",
+                       folder, ENOTDIR);
+  }
+  if (!made_folder && !std::filesystem::is_empty(folder)) {
     throw ResultsError("a study cannot be made in " + folder.string() +
                            ": it already holds something; name a new or an empty folder",
                        folder, EEXIST);

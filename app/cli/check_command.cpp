@@ -1,8 +1,10 @@
 // asperity check: every problem of a protocol, and what its plan amounts to.
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -56,6 +58,11 @@ void add_check(CLI::App& program, Job& job) {
   command->add_flag("--json", options->json, "Print one JSON document");
   command->callback([options, &job] {
     job = [options] {
+      if (options->study && !std::filesystem::is_directory(*options->study)) {
+        throw std::runtime_error("there is no folder " + *options->study +
+                                 "; --study takes the folder of a study, where the files that the "
+                                 "protocols name are looked for");
+      }
       const ModelRegistry models = built_in_models();
       nlohmann::ordered_json json{{"format", "asperity.check/1"},
                                   {"protocols", nlohmann::ordered_json::array()}};

@@ -85,6 +85,8 @@ void add_run(CLI::App& program, Job& job) {
                        inputs.study / ("sheet-" + inputs.participant + ".png"));
       }
       const InterruptWatch interrupt;
+      // Before the protocol's files are missed in what is no study.
+      (void)Study::open(inputs.study, Access::read_only);
       const ModelRegistry models = built_in_models();
       const SessionEnd end =
           run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), say_done);

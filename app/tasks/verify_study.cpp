@@ -121,6 +121,18 @@ void check_protocol_files(const Study& study, VerifyResult& result) {
   }
 }
 
+/// Adds what `check` throws to the problems, unless it is there already: what is so broken that one
+/// check cannot read it is as broken for the next.
+void add_failure_of(const std::function<void()>& check, std::vector<std::string>& problems) {
+  try {
+    check();
+  } catch (const std::exception& error) {
+    if (std::find(problems.begin(), problems.end(), error.what()) == problems.end()) {
+      problems.emplace_back(error.what());
+    }
+  }
+}
+
 }  // namespace
 
 VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay_too,
@@ -129,9 +141,10 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   VerifyResult result{};
   const double store_share = replay_too ? 0.3 : 0.9;
   result.problems = study.verify([&](double fraction) { progress(store_share * fraction); });
-  result.remarks = study.leftovers();
-  check_protocol_files(study, result);
-  const std::vector<SessionRow> sessions = study.sessions();
+  add_failure_of([&] { result.remarks = study.leftovers(); }, result.problems);
+  add_failure_of([&] { check_protocol_files(study, result); }, result.problems);
+  std::vector<SessionRow> sessions{};
+  add_failure_of([&] { sessions = study.sessions(); }, result.problems);
   StimulusBuilder builder(models, study.folder());
   const ProgramIdentity program = this_program();
   bool exact_used = false;
@@ -147,9 +160,22 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
       result.problems.emplace_back(error.what());
       continue;
     }
-    const std::set<int> same_program = segments_of_this_program(study, session, program);
-    for (const AttemptRow& attempt : study.attempts(session.id)) {
-      const Trial& trial = plan.trials.at(static_cast<std::size_t>(attempt.trial - 1));
+    std::set<int> same_program{};
+    std::vector<AttemptRow> attempts{};
+    add_failure_of(
+        [&] {
+          same_program = segments_of_this_program(study, session, program);
+          attempts = study.attempts(session.id);
+        },
+        result.problems);
+    for (const AttemptRow& attempt : attempts) {
+      const auto number = static_cast<std::size_t>(attempt.trial);
+      if (number < 1 || number > plan.trials.size()) {
+        result.problems.push_back("attempt " + natural_key(session, attempt) +
+                                  ": the plan of its session has no such trial");
+        continue;
+      }
+      const Trial& trial = plan.trials[number - 1];
       check_answers(session, trial, attempt, result.problems);
       if (!replay_too || !attempt.recording || stop.stop_requested()) continue;
       const bool exact = same_program.contains(attempt.segment);

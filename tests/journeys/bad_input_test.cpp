@@ -322,6 +322,94 @@ TEST(BadStudy, IsNotMadeOverSomethingElse) {
   expect_refused(small.place(), {"new", small.place(), "--demo"}, {small.place()});
 }
 
+TEST(BadStudy, IsAFileAndNotItsFolder) {
+  const SmallStudy small(1);
+  const fs::path file = small.study() / "study.sqlite";
+  const std::vector<std::string> words{file, "is a file", "name the one that this file is in",
+                                       small.study().string()};
+  expect_study_refused(small, file, words);
+  const std::vector<std::vector<std::string>> commands{
+      {"report", file, "--out", small.place() / "report.pdf"},
+      {"run", small.selection(), "--study", file, "--participant", "p1", "--virtual"},
+      simulate_arguments(small, file, 1, 1)};
+  for (const std::vector<std::string>& command : commands) {
+    expect_refused(small.place(), command, words);
+  }
+  write_text(small.place() / "notes.txt", "mine");
+  expect_refused(small.place(), {"new", small.place() / "notes.txt"},
+                 {"notes.txt", "it is a file", "new or an empty folder"});
+}
+
+TEST(BadStudy, ToLookForFilesInIsNotThere) {
+  const SmallStudy small(1);
+  for (const char* const name : {"nowhere", "study/study.sqlite"}) {
+    expect_refused(small.place(), {"check", small.selection(), "--study", small.place() / name},
+                   {"there is no folder", name, "--study takes the folder of a study"});
+  }
+}
+
+/// What `analyze --table` says of a table of this family that it refuses.
+void expect_table_refused(const std::string& kind, const std::string& table,
+                          const std::vector<std::string>& options,
+                          const std::vector<std::string>& words) {
+  const TemporaryFolder folder;
+  write_text(folder / "table.csv", table);
+  std::vector<std::string> arguments{"analyze", "--table", folder / "table.csv", "--as", kind};
+  for (const std::string& option : options) {
+    arguments.insert(arguments.end(), {"--option", option});
+  }
+  expect_refused(folder.path(), arguments, words);
+}
+
+TEST(BadTable, IsRefusedWithItsPlaceAndWhatWouldBeRight) {
+  const std::string head = "id,k,n,p0,conf\n";
+  expect_table_refused("proportion", "", {}, {"table.csv:1", "column names"});
+  expect_table_refused("proportion", head, {}, {"table.csv", "there is no row"});
+  expect_table_refused("proportion", "name,hits\na,1\n", {}, {"no column \"id\"", "name, hits"});
+  expect_table_refused("proportion", "id;k;n;p0\na;1;2;0,5\n", {}, {"semicolons", "commas"});
+  expect_table_refused("proportion", "id\tk\tn\tp0\na\t1\t2\t0,5\n", {},
+                       {"table.csv:2:4", "decimal comma"});
+  expect_table_refused("proportion", head + "a,NaN,10,0.5,0.95\n", {},
+                       {"table.csv:2:2", "NaN", "leave the cell empty"});
+  expect_table_refused("proportion", head + "a,5,10,0.5\n", {}, {"4 cells", "5 columns"});
+  expect_table_refused("proportion", head + "a,11,10,0.5,0.95\n", {}, {"11 of n 10"});
+}
+
+TEST(BadOption, OfATableIsToldFromOneThatTheDataHaveNoUseFor) {
+  const std::string table = "id,k,n,p0\na,5,10,0.5\n";
+  expect_table_refused("proportion", table, {"nonsense=1"},
+                       {"proportion has no option \"nonsense\"", "it has: conf"});
+  expect_table_refused("proportion", "id,k,n,p0,conf\na,5,10,0.5,0.95\n", {"conf=0.9"},
+                       {"\"conf\" is not used", "has a column of that name"});
+  expect_table_refused("seedpaper", table, {"conf=0.9"}, {"table"});
+  // Nobody answered: the confidence is of no use, and no word that it is unknown.
+  const TemporaryFolder folder;
+  write_text(folder / "table.csv", "subject,stimulus,response\ns1,a,\ns2,b,\n");
+  const Outcome nobody =
+      asperity({"analyze", "--table", folder / "table.csv", "--as", "recognition", "--option",
+                "labels=a,b", "--option", "conf=0.9"});
+  EXPECT_EQ(nobody.status, 0) << nobody.err;
+  EXPECT_EQ(nobody.err, "");
+}
+
+TEST(GoodTable, HasABomWindowsLineEndsAndOptionsOfItsOwn) {
+  const TemporaryFolder folder;
+  write_text(folder / "table.csv", "\xEF\xBB\xBFid,k,n,p0\r\na,5,10,0.5\r\n");
+  const Outcome outcome = asperity({"analyze", "--table", folder / "table.csv", "--as",
+                                    "proportion", "--option", "conf=0.9", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::size_t limits = 0;
+  const Json told = Json::parse(outcome.out);
+  for (const Json& finding : told.at("findings")) {
+    if (finding.at("quantity") == "wilson.lower") {
+      ++limits;
+      // (p + z²/2n − z·√(p(1−p)/n + z²/4n²)) / (1 + z²/n) with z = 1.6449: 0.2693
+      EXPECT_NEAR(finding.at("value").get<double>(), 0.2693, 1e-4);
+    }
+  }
+  EXPECT_EQ(limits, 1U);
+}
+
 TEST(BadLabel, IsRefused) {
   const SmallStudy small(1);
   for (const std::string label : {"../p1", "a/b", "x'; DROP TABLE session; --", "p 1", "Zoë", "",
