@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -221,17 +222,24 @@ AnovaTable repeated_measures_anova(const RepeatedMeasures& data, SumsOfSquares t
   refuse_no_table(data);
   const auto participants = static_cast<double>(data.y.rows());
   const double f = participants - static_cast<double>(data.groups);
+  // Contrasts of equal numbers are rounding, not zero: squares below this are nobody's, and no F, no p
+  // and no share of them means anything.
+  const double rounding =
+      8.0 * std::numeric_limits<double>::epsilon() * data.y.cwiseAbs().maxCoeff();
+  const double no_squares = static_cast<double>(data.y.size()) * rounding * rounding;
+  const auto squares_of = [no_squares](double sum) { return sum <= no_squares ? 0.0 : sum; };
   AnovaTable table;
   std::vector<ErrorMatrix> errors;
   for (const Factors& within : subsets(data.levels.size())) {
     const Eigen::MatrixXd c = effect_contrasts(data, within);
-    const Grouped z = grouped(data, data.y * c);
+    Grouped z = grouped(data, data.y * c);
+    if (z.error.trace() <= no_squares) z.error.setZero();
     const auto q = static_cast<double>(c.cols());
     const ErrorMatrix error{.S = z.error, .df = f, .cells = static_cast<double>(data.y.cols())};
     table.all_errors += z.error.trace();
     const auto add = [&](bool between, double squares, double df) {
       AnovaEffect effect{.within = within, .between = between};
-      effect.sum_of_squares = squares;
+      effect.sum_of_squares = squares_of(squares);
       effect.error_sum_of_squares = z.error.trace();
       effect.df1 = df;
       effect.df2 = q * f;

@@ -53,6 +53,24 @@ TEST(RepeatedMeasures, WithoutAnyErrorHaveNoF) {
   EXPECT_FALSE(effect(table, 0).p);
 }
 
+// Every participant gives the same number everywhere, and 0.1 is none that a computer has.
+TEST(RepeatedMeasures, OfEqualNumbersHaveNoEffectMadeOfRounding) {
+  RepeatedMeasures data{.levels = {2, 3}};
+  data.y = Eigen::VectorXd::LinSpaced(6, 0.1, 5.3).replicate(1, 6);
+  const AnovaTable table = repeated_measures_anova(data);
+  ASSERT_EQ(table.effects.size(), 3U);
+  for (const AnovaEffect& each : table.effects) {
+    EXPECT_EQ(each.sum_of_squares, 0.0);
+    EXPECT_EQ(each.error_sum_of_squares, 0.0);
+    EXPECT_FALSE(each.F);
+    EXPECT_FALSE(each.pes);
+    EXPECT_FALSE(each.omega2);
+  }
+  // A real effect of a part in a thousand million is none of rounding.
+  data.y.col(0).array() += 1e-9;
+  EXPECT_GT(effect(repeated_measures_anova(data), 0).sum_of_squares, 1e-20);
+}
+
 TEST(RepeatedMeasures, RefuseTablesThatAreNone) {
   EXPECT_THROW(repeated_measures_anova({.y = Eigen::MatrixXd::Ones(1, 3), .levels = {3}}),
                std::invalid_argument);
