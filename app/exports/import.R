@@ -9,6 +9,9 @@
 # spreadsheet takes it for a formula: it is taken away here.
 
 asperity_folder <- getwd()
+if (!file.exists(file.path(asperity_folder, "codebook.tsv"))) {
+  stop("there is no codebook.tsv in ", asperity_folder, "; write source(\".../import.R\", chdir = TRUE)")
+}
 
 read_asperity_table <- function(path, folder = asperity_folder, described_as = path) {
   codebook <- asperity_codebook(folder)
@@ -59,7 +62,10 @@ read_asperity_tables <- function(folder = asperity_folder) {
 # One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only what counts:
 # main trials, valid, not excluded, and of people in a session that was run for results. `who` is "run", "pilot" or
 # "virtual"; `counted = FALSE` keeps everything else as well.
-answered_trials <- function(read = tables, who = "run", counted = TRUE) {
+answered_trials <- function(who = "run", counted = TRUE, read = tables) {
+  if (!is.character(who) || length(who) != 1 || !(who %in% c("run", "pilot", "virtual"))) {
+    stop("answered_trials: who is \"run\", \"pilot\" or \"virtual\"; tables of another export are answered_trials(read = ...)")
+  }
   keys <- c("participant", "session", "trial", "virtual", "mode")
   answers <- merge(read$responses[!is.na(read$responses$trial), ], read$attempts, by = c(keys, "attempt"))
   answers <- merge(answers, read$trials, by = keys)

@@ -91,6 +91,8 @@ def answered_trials(tables, who="run", counted=True):
     """One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only what counts: main
     trials, valid, not excluded, and of people in a session that was run for results. `who` is "run", "pilot" or "virtual";
     `counted=False` keeps everything else as well."""
+    if who not in ("run", "pilot", "virtual"):
+        raise ValueError(f'answered_trials: who is "run", "pilot" or "virtual", not {who!r}')
     keys = ["participant", "session", "trial", "virtual", "mode"]
     answers = tables["responses"].dropna(subset=["trial"]).merge(tables["attempts"], on=keys + ["attempt"])
     answers = answers.merge(tables["trials"], on=keys)

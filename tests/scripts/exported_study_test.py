@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""An exported study gives R the same numbers as the program. Argument: the program asperity. Needs R (r-base-core) and nothing
-else of R's."""
+"""An exported study gives R the same numbers as the program, and a study of every library protocol loads in R and in Python's
+standard library. Argument: the program asperity. Needs R (r-base-core) and nothing else of R's."""
 import csv
+import importlib.util
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -11,10 +13,16 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
 TOLERANCE = 1e-6
+# What stands in for a photograph that is fetched from elsewhere.
+STAND_IN = "stone"
 
 
 def asperity(*arguments):
     return subprocess.run([PROGRAM, *map(str, arguments)], text=True, capture_output=True, check=True).stdout
+
+
+def r(script, *arguments):
+    subprocess.run(["Rscript", "--vanilla", ROOT / "tests/scripts" / script, *arguments], check=True)
 
 
 def found(folder, table, kind, options):
@@ -24,28 +32,116 @@ def found(folder, table, kind, options):
     return {(kind, finding["quantity"], finding["key"]): finding["value"] for finding in told["findings"]}
 
 
-with tempfile.TemporaryDirectory() as folder:
-    folder = pathlib.Path(folder)
+def compare(theirs, ours):
+    for name, value in theirs.items():
+        ours_value = ours[name]
+        assert ours_value is not None and abs(ours_value - value) <= TOLERANCE * abs(value) + 1e-12, (name, ours_value, value)
+
+
+def numbers_in(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return {tuple(row[name] for name in row if name != "value"): float(row["value"]) for row in csv.DictReader(file)}
+
+
+def one_study_in_depth(folder):
+    """Proportions, Bradley-Terry and an analysis of variance of one study."""
     study, out, work = folder / "study", folder / "out", folder / "work"
     work.mkdir()
     asperity("new", study, "--demo")
     asperity("simulate", study / "protocols" / "chapter_selection.json", "--study", study, "--participants", "16", "--seed", "5",
              "--recordings", "none")
     asperity("export", study, "--out", out)
-    subprocess.run(["Rscript", "--vanilla", ROOT / "tests/scripts/exported_study.R", out, work], check=True)
+    r("exported_study.R", out, work)
     models, forces, textures = (part.split() for part in (work / "levels.txt").read_text(encoding="utf-8").split("--"))
     ours = {**found(work, "counts.csv", "proportion", {}),
             **found(work, "pairs.csv", "paired", {"items": models, "conf": 0.95}),
             **found(work, "forces.csv", "rmanova", {"within": {"model": forces, "texture": textures}, "between": None,
                                                     "conf": 0.95})}
-    with open(work / "results.csv", encoding="utf-8", newline="") as file:
-        theirs = {(row["kind"], row["quantity"], row["key"]): float(row["value"]) for row in csv.DictReader(file)}
+    theirs = numbers_in(work / "results.csv")
     assert len(theirs) == 4 * len(models) + 2 * (len(models) - 1) + 15, theirs
-    for name, value in theirs.items():
-        ours_value = ours[name]
-        assert ours_value is not None and abs(ours_value - value) <= TOLERANCE * abs(value) + 1e-12, (name, ours_value, value)
-    # The counts are those of the study's own analysis.
-    text = asperity("analyze", study, "--json")
-    for model in models:
-        assert model in text
-    print(f"{len(theirs)} numbers of R's are the program's")
+    compare(theirs, ours)
+    return study, len(theirs)
+
+
+def add_every_protocol(study):
+    """The library's protocols with two virtual participants each; pictures that it fetches from elsewhere are made up."""
+    for path in sorted((ROOT / "protocols" / "library").glob("*.json")):
+        text = path.read_text(encoding="utf-8")
+        for name in set(re.findall(r'"stimuli/(\w+)\.png"', text)):
+            if name.endswith("_photo") or (study / "stimuli" / f"{name}.png").exists():
+                continue
+            photograph = study / "stimuli" / f"{name}_photo.png"
+            asperity("synth", STAND_IN, "--out", study / "stimuli" / f"{name}.png", "--width-m", "0.1", "--pixels", "256",
+                     *(() if photograph.exists() else ("--photo", "lambert", photograph)))
+        (study / "protocols" / path.name).write_text(text, encoding="utf-8")
+        if path.stem != "chapter_selection":
+            asperity("simulate", study / "protocols" / path.name, "--study", study, "--participants", "2", "--seed", "7",
+                     "--recordings", "none")
+    return len(list((study / "protocols").glob("*.json")))
+
+
+def ours_of(outcome):
+    """What exported_protocols.R computes, as the study's own analysis has it."""
+    name, ours = outcome["protocol"], {}
+    ours[name, "answers", ""] = outcome["answers"]
+    for finding in outcome["findings"]:
+        key = {"pc": "correct", "pc.cp.lower": "correct.low", "pc.cp.upper": "correct.high"}.get(finding["quantity"])
+        if key:
+            ours[name, key, ""] = finding["value"]
+        if finding["quantity"] == "pl.logworth.sumzero":
+            ours[name, "worth", finding["key"]] = finding["value"]
+    for table in outcome["tables"]:
+        for row in table["rows"] if table["name"] == "shares" and outcome["kind"] == "selection" else ():
+            if row["column"] == "all":
+                ours[name, "share", row["item"]] = row["share"]
+                ours[name, "share.low", row["item"]] = row["clopper_pearson_low"]
+                ours[name, "share.high", row["item"]] = row["clopper_pearson_high"]
+    return ours
+
+
+def every_protocol(folder, study):
+    protocols = add_every_protocol(study)
+    out = folder / "of_every_protocol"
+    asperity("export", study, "--out", out)
+    r("exported_protocols.R", out, folder / "results.csv")
+    theirs = numbers_in(folder / "results.csv")
+    outcomes = json.loads(asperity("analyze", study, "--json"))["outcomes"]
+    assert len({name for name, *_ in theirs}) == len(outcomes) == protocols, (theirs, protocols)
+    ours = {}
+    for outcome in outcomes:
+        ours.update(ours_of(outcome))
+    worths = {name for name in theirs if name[1] == "worth"}
+    # Where an item was never chosen no finite scale fits, and both say so in their way.
+    assert any(name in ours for name in worths)
+    compare({name: value for name, value in theirs.items() if name in ours or name not in worths}, ours)
+    standard_library_reads(out)
+    r_reads_the_public_form(study, folder / "public")
+    return protocols, len(theirs)
+
+
+def r_reads_the_public_form(study, out):
+    asperity("export", study, "--out", out, "--public")
+    r("exported_protocols.R", out, out.parent / "results_of_public.csv")
+    assert numbers_in(out.parent / "results_of_public.csv") == numbers_in(out.parent / "results.csv")
+
+
+def standard_library_reads(out):
+    """import.py without pandas: every cell of every table has its type."""
+    spec = importlib.util.spec_from_file_location("import_of_export", out / "import.py")
+    script = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(script)
+    types = {"integer": int, "number": float, "boolean": bool}
+    told = script.codebook()
+    assert len(script.files()) >= 9
+    for name in script.files():
+        for row in script.read_rows(name):
+            for column, cell in row.items():
+                kind = told[name][column]
+                assert type(cell) is types.get(kind["type"], str) or (cell is None and kind["missing"] != "never"), (name, column, cell)
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    folder = pathlib.Path(temporary)
+    study, numbers = one_study_in_depth(folder)
+    protocols, more = every_protocol(folder, study)
+    print(f"{numbers + more} numbers of R's are the program's; {protocols} protocols were read")
