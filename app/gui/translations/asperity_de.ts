@@ -575,6 +575,14 @@
         <source>Women less men is %1 (%2).</source>
         <translation>Frauen minus Männer ist %1 (%2).</translation>
     </message>
+    <message>
+        <source>The file study.sqlite is larger than 1 GiB, so its checksum was not looked at. &quot;asperity verify&quot; says whether everything holds.</source>
+        <translation>Die Datei study.sqlite ist größer als 1 GiB, deshalb wurde ihre Prüfsumme nicht angesehen. „asperity verify“ sagt, ob alles stimmt.</translation>
+    </message>
+    <message>
+        <source>The file study.sqlite is not what it was when Asperity last closed it: what is read from it can be wrong. &quot;asperity verify&quot; says what does not hold, and what that can mean.</source>
+        <translation>Die Datei study.sqlite ist nicht mehr, was sie war, als Asperity sie zuletzt geschlossen hat: Was daraus gelesen wird, kann falsch sein. „asperity verify“ sagt, was nicht stimmt und was das bedeuten kann.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
@@ -2554,12 +2562,12 @@
         <translation>Die Tabellen wurden nicht geschrieben: es wurde abgebrochen. In %1 ist nichts davon geblieben.</translation>
     </message>
     <message>
-        <source>For the public: without dates and free text</source>
-        <translation>Zur Veröffentlichung: ohne Kalenderdaten und ohne Freitext</translation>
-    </message>
-    <message>
         <source>With the recordings, tick by tick; they are large</source>
         <translation>Mit den Aufzeichnungen, Takt für Takt; sie sind groß</translation>
+    </message>
+    <message>
+        <source>For the public: without dates, free text and questionnaires</source>
+        <translation>Zur Veröffentlichung: ohne Kalenderdaten, Freitext und Fragebögen</translation>
     </message>
 </context>
 <context>
