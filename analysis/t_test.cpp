@@ -49,7 +49,7 @@ OneSampleT one_sample_t(std::span<const double> sample, const OneSampleQuestion&
   return answer;
 }
 
-std::optional<WelchT> welch_t(const TwoSamples& samples) {
+std::optional<WelchT> welch_t(const TwoSamples& samples, double confidence) {
   if (samples.first.size() < 2 || samples.second.size() < 2) {
     return std::nullopt;
   }
@@ -67,9 +67,12 @@ std::optional<WelchT> welch_t(const TwoSamples& samples) {
   const double pooled =
       std::sqrt(((n1 - 1.0) * spread_1 * spread_1 + (n2 - 1.0) * spread_2 * spread_2) / f);
   WelchT answer;
+  answer.difference = difference;
   answer.t = difference / std::sqrt(v1 + v2);
   answer.df = (v1 + v2) * (v1 + v2) / (v1 * v1 / (n1 - 1.0) + v2 * v2 / (n2 - 1.0));
   answer.p = *two_sided_tail(TStatistic{.value = answer.t, .df = answer.df});
+  const double half = *t_limit({.confidence = confidence, .df = answer.df}) * std::sqrt(v1 + v2);
+  answer.interval = {.low = difference - half, .high = difference + half};
   answer.d = difference / pooled;
   answer.g =
       answer.d * std::exp(std::lgamma(0.5 * f) - std::lgamma(0.5 * (f - 1.0))) / std::sqrt(0.5 * f);

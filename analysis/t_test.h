@@ -36,7 +36,8 @@ struct OneSampleQuestion {
 OneSampleT one_sample_t(std::span<const double> sample, const OneSampleQuestion& question = {});
 
 /// The difference of two means without the assumption of equal variances [Welch 1947]; absent where
-/// a sample has fewer than two numbers or neither has any spread.
+/// a sample has fewer than two numbers or neither has any spread. `difference`: of the means, first
+/// minus second, with its interval.
 ///
 /// `d` is the difference over the pooled standard deviation, `g` = d·J with the exact
 /// J = Γ(f/2)/(√(f/2)·Γ((f−1)/2)), f = n₁ + n₂ − 2 [Hedges 1981].
@@ -45,6 +46,8 @@ OneSampleT one_sample_t(std::span<const double> sample, const OneSampleQuestion&
 /// variances are involved. [Hedges 1981] Hedges: Distribution theory for Glass's estimator of
 /// effect size and related estimators.
 struct WelchT {
+  double difference = 0.0;
+  ConfidenceInterval interval{};
   double t = 0.0;
   double df = 0.0;
   double p = 0.0;  ///< two-sided
@@ -55,6 +58,6 @@ struct TwoSamples {
   std::span<const double> first{};
   std::span<const double> second{};
 };
-std::optional<WelchT> welch_t(const TwoSamples& samples);
+std::optional<WelchT> welch_t(const TwoSamples& samples, double confidence = 0.95);
 
 }  // namespace asperity

@@ -1,10 +1,11 @@
-// Exact tests of two samples that assume no distribution.
+// Tests of two samples that assume no distribution.
 
 #pragma once
 
 #include <cstddef>
 #include <optional>
 
+#include "analysis/random.h"
 #include "analysis/t_test.h"
 
 namespace asperity {
@@ -12,10 +13,20 @@ namespace asperity {
 /// How many participants an exact permutation of them is run for: 2 704 156 ways to split 24 evenly.
 inline constexpr std::size_t kMostPermuted = 24;
 
-/// Two-sided p of the difference of means: the share of all ways to split the pooled numbers into
+/// And how many of the ways stand for all of them where there are more numbers.
+inline constexpr std::size_t kRandomSplits = 10000;
+
+/// Two-sided p of the difference of means: the share of the ways to split the pooled numbers into
 /// samples of these sizes whose means differ by no less than the observed ones (but for rounding).
-/// Nothing for more than kMostPermuted numbers. Throws std::invalid_argument for an empty sample.
-std::optional<double> permutation_test(const TwoSamples& samples);
+/// Of all ways for up to kMostPermuted numbers; of more the share (b + 1)/(B + 1) of B random ones,
+/// the observed one among them [Davison 1997]. Throws std::invalid_argument for an empty sample.
+///
+/// [Davison 1997] Davison, Hinkley: Bootstrap Methods and their Application.
+struct SplitTest {
+  double p = 1.0;  ///< two-sided
+  bool exact = true;
+};
+SplitTest permutation_test(const TwoSamples& samples, Random random = Random(1));
 
 /// How many numbers the exact distribution of ranks is computed for: its cost grows with the fourth
 /// power of them, and is a tenth of a second here.

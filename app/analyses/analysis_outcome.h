@@ -32,6 +32,7 @@ struct AnsweredQuestion {
   Phrase method{};      ///< what was computed, to be folded away
   std::string table{};  ///< the name of the table that says more
   Finding finding{};    ///< the number in the answer; its status says why there is none
+  Phrase counted{};     ///< what its n counts: "20 participants"; empty where there is none
 };
 
 /// The answers of one group to one version of one protocol, analysed.

@@ -24,16 +24,16 @@ Family family_of(const std::string& kind) {
   return found == kFamilies.end() ? nullptr : found->second;
 }
 
-/// With a place for how many. `what` as AnswerCount has it, and in English as it stands there.
+/// With a place for how many. `what` as AnswerCount has it.
 Phrase attempts_that_were(const std::string& what) {
   static const std::map<std::string, Phrase> kKnown{
       {"aborted", phrase("Analysis", "%1 aborted")},
       {"answered but invalid", phrase("Analysis", "%1 answered but invalid")},
-      {"device_fault", phrase("Analysis", "%1 device_fault")},
+      {"device_fault", phrase("Analysis", "%1 stopped by a fault of the device")},
       {"excluded", phrase("Analysis", "%1 excluded")},
-      {"not_compliant", phrase("Analysis", "%1 not_compliant")},
+      {"not_compliant", phrase("Analysis", "%1 not explored as asked")},
       {"skipped", phrase("Analysis", "%1 skipped")},
-      {"timed_out", phrase("Analysis", "%1 timed_out")}};
+      {"timed_out", phrase("Analysis", "%1 not answered in time")}};
   const auto known = kKnown.find(what);
   return known == kKnown.end() ? Phrase("%1 " + what) : known->second;
 }
@@ -71,7 +71,7 @@ void remark_on_counts(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
     outcome.remarks.push_back(
         phrase("Analysis",
                "Sessions of observers that are deaf or expect nothing, so that their answers are "
-               "guesses (source virtual_guess): %1.")
+               "guesses: %1.")
             .with(std::to_string(count.guessing_sessions)));
   }
   Phrase not_counted{};

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -213,14 +214,10 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
 /// The tables by column and sex.
 void add_chapter_tables(const GatheredAnswers& gathered, std::span<const Assignment> assignments,
                         AnalysisOutcome& outcome) {
-  const ChapterCells cells(gathered);
+  ChapterTally whole(gathered);
+  const ChapterCells& cells = whole.cells();
   const std::size_t sexes = cells.sexes().size();
-  CountTable counts = count_table(cells.sexes(), cells.columns());
-  counts.name = "table_2";
-  counts.title = phrase("Analysis", "Matched: whole permutations right (counts)");
-  counts.label_column = "person";
-  std::vector<Tally> whole(cells.columns().size() * sexes);
-  std::vector<std::vector<const Assignment*>> in_cell(whole.size());
+  std::vector<std::vector<const Assignment*>> in_cell(cells.columns().size() * sexes);
   Tally goes{};
   Tally single{};
   for (const Assignment& assignment : assignments) {
@@ -228,18 +225,22 @@ void add_chapter_tables(const GatheredAnswers& gathered, std::span<const Assignm
     const std::uint64_t outcomes = permutations(assignment.items());
     goes.count(person, assignment.whole(), outcomes);
     single.count(person, false, assignment.items());
+    whole.count({.column = assignment.column,
+                 .person = person,
+                 .hit = assignment.whole(),
+                 .outcomes = outcomes,
+                 .times = assignment.times});
     cells.for_each(assignment.column, person, [&](std::size_t column, std::size_t sex) {
-      whole[column * sexes + sex].count(person, assignment.whole(), outcomes, assignment.times);
       in_cell[column * sexes + sex].push_back(&assignment);
-      if (assignment.whole()) counts.at(sex, column) += assignment.times;
     });
   }
-  counts.note =
+  whole.add(
+      "table_2", phrase("Analysis", "Matched: whole permutations right (counts)"),
       phrase("Analysis", "%1 %2")
           .with(chance_note(goes, phrase("Analysis", "By chance: 1/%1 of the goes wholly right.")),
                 chance_note(single,
-                            phrase("Analysis", "By chance: 1/%1 of the single items right.")));
-  add_counts(counts, outcome);
+                            phrase("Analysis", "By chance: 1/%1 of the single items right."))),
+      outcome);
   ShareTable shares{"whole_permutations",
                     phrase("Analysis", "Whole permutations: share of goes with every item right"),
                     phrase("Analysis",
@@ -261,12 +262,11 @@ void add_chapter_tables(const GatheredAnswers& gathered, std::span<const Assignm
              "the probability that they give as many right items or more.")};
   for (std::size_t column = 0; column < cells.columns().size(); ++column) {
     for (std::size_t sex = 0; sex < sexes; ++sex) {
-      shares.rows.push_back(
-          {{cells.columns()[column], cells.sexes()[sex]}, whole[column * sexes + sex]});
       add_item_row(gathered, cells.columns()[column], cells.sexes()[sex],
                    in_cell[column * sexes + sex], items, outcome);
     }
   }
+  whole.add_rows(shares);
   add_shares(shares, outcome);
   outcome.tables.push_back(std::move(items));
 }
@@ -332,7 +332,7 @@ void add_right_items(std::size_t items, const FoundNumbers& found, AnalysisOutco
   NamedTable made{"right_items",
                   phrase("Analysis", "Goes with so many right items"),
                   {{"right", "goes", "by_chance"}, {}},
-                  phrase("Analysis", "by_chance: how many goes of random permutations.")};
+                  phrase("Analysis", "By chance: how many goes of random permutations.")};
   const double goes = found.value("n.trials").value_or(0.0);
   for (std::size_t k = 0; k <= items; ++k) {
     const std::string key = "n=" + std::to_string(items) + ";k=" + std::to_string(k);
@@ -397,7 +397,17 @@ void ask_whole(const FoundNumbers& found, const StudyTests& tests, AnalysisOutco
           "Analysis",
           "Exact binomial test against 1/m!, with Wilson's interval. Goes of one participant are "
           "taken as independent."),
-      "whole_permutations", &share);
+      "whole_permutations", &share, CountedUnit::goes);
+}
+
+/// The same finding with its numbers in this unit, which is that many times as large.
+std::optional<Finding> in_units(const Finding* finding, double unit) {
+  if (finding == nullptr) return std::nullopt;
+  Finding scaled = *finding;
+  for (std::optional<double>* number : {&scaled.value, &scaled.low, &scaled.high}) {
+    if (*number) **number /= unit;
+  }
+  return scaled;
 }
 
 void ask_confusions(const AnalysisOutcome& made, AnalysisOutcome& outcome) {
@@ -420,7 +430,7 @@ void ask_confusions(const AnalysisOutcome& made, AnalysisOutcome& outcome) {
                        .with(std::get<std::string>(worst[0]), std::get<std::string>(worst[1]),
                              std::to_string(times)),
       phrase("Analysis", "Counts of all answers; an interval needs a model of confusions."),
-      "confused_pairs", &finding);
+      "confused_pairs", &finding, CountedUnit::participants);
 }
 
 }  // namespace
@@ -453,10 +463,10 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   if (equal_size) add_right_items(items, found, outcome);
   const std::array<PersonsRow, 1> persons{PersonsRow{"all", ""}};
   add_persons(found, persons, "answers", "share_of_items_correct", outcome);
-  constexpr std::array kMeasures{Measure{"right_items_per_go", "mean.correct"},
-                                 Measure{"by_chance_in_all", "null.mean"},
-                                 Measure{"right_items_in_all", "total.correct"}, Measure{"z", "z"},
-                                 Measure{"mallows_theta", "mallows.theta"}};
+  constexpr std::array kMeasures{
+      Measure{"right_items_per_go", "mean.correct"}, Measure{"by_chance_in_all", "null.mean"},
+      Measure{"right_items_in_all", "total.correct", Measure::Form::count}, Measure{"z", "z"},
+      Measure{"mallows_theta", "mallows.theta"}};
   add_measures(found, kMeasures, outcome);
 
   StudyTests tests(gathered);
@@ -473,7 +483,27 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   ask_items(equal_size ? std::optional(items) : std::nullopt, found, tests, outcome);
   ask_whole(found, tests, outcome);
   ask_confusions(outcome, outcome);
-  ask_sexes(found.find("group.diff", "F-M"), SexesTest::all_splits, tests, outcome);
+  const auto in_shares = [&](const char* quantity, const char* key) {
+    return in_units(found.find(quantity, key), equal_size ? static_cast<double>(items) : 1.0);
+  };
+  const SexesComparison sexes{
+      .women = in_shares("group.mean", "F"),
+      .men = in_shares("group.mean", "M"),
+      .difference = in_shares("group.diff", "F-M"),
+      .scale = equal_size ? SexesScale::shares_of_items : SexesScale::items};
+  if (equal_size && sexes.women && sexes.men && sexes.difference) {
+    // As the family `group` calls them.
+    for (const auto& [finding, quantity, key] :
+         {std::tuple(&sexes.women, "subj.mean", "F"), std::tuple(&sexes.men, "subj.mean", "M"),
+          std::tuple(&sexes.difference, "subj.diff", "")}) {
+      Finding share = **finding;
+      share.quantity = quantity;
+      share.key = key;
+      share.analysis = "sexes";
+      outcome.findings.push_back(std::move(share));
+    }
+  }
+  ask_sexes(sexes, tests, outcome);
   add_texture_force(gathered, outcome);
   std::size_t goes = 0;
   for (const Assignment& assignment : assignments) goes += assignment.times;

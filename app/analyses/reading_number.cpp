@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 #include "analysis/number_text.h"
@@ -48,14 +49,24 @@ std::string reading_number(double value) {
                    : with_digits(value, std::chars_format::general, kDigits);
 }
 
-std::string reading_p(double p) {
-  if (p < 0.001) return "p < .001";
+std::string reading_p_cell(double p) {
+  if (p < 0.001) return "< .001";
   const std::string digits = fixed(p, 3);
-  return "p = " + (digits.starts_with("0.") ? digits.substr(1) : digits);
+  return digits.starts_with("0.") ? digits.substr(1) : digits;
+}
+
+std::string reading_p(double p) {
+  const std::string cell = reading_p_cell(p);
+  return (cell.starts_with('<') ? "p " : "p = ") + cell;
 }
 
 std::string reading_percent(double share) {
-  const std::string whole = fixed(100.0 * share, 0);
+  // From two decimals of the share, so that tables, which have these, say the same.
+  std::string digits = fixed(share, 2);
+  digits.erase(digits.find('.'), 1);
+  int percent = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), percent);
+  const std::string whole = std::to_string(percent);
   const bool hides = (whole == "0" && share > 0.0) || (whole == "100" && share < 1.0);
   return (hides ? fixed(100.0 * share, 1) : whole) + " %";
 }

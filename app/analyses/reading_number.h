@@ -14,6 +14,9 @@ std::string reading_number(double value);
 /// "p = .011", and "p < .001" below that: a p never reaches 1 in front of its point.
 std::string reading_p(double p);
 
+/// The same under a heading that says p: ".011", "< .001".
+std::string reading_p_cell(double p);
+
 /// "78 %"; one decimal where a whole per cent would say 0 or 100 of what is neither.
 std::string reading_percent(double share);
 

@@ -1,14 +1,13 @@
 #include "app/analyses/reading_table.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "analysis/number_text.h"
+#include "app/analyses/reading_number.h"
 
 namespace asperity {
 
@@ -17,24 +16,15 @@ namespace {
 constexpr std::string_view kLow = "_low";
 constexpr std::string_view kHigh = "_high";
 
-/// 2.5e-23
-std::string scientific(double value) {
-  std::array<char, 32> text{};
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
-                                    std::chars_format::scientific, 1);
-  return {text.data(), result.ptr};
-}
-
-/// A share to two decimals, a force to a millinewton, a p to three decimals or in powers of ten.
-std::string reading_number(const std::string& column, double value) {
-  if (column == "p" || column == "p_holm")
-    return value < 0.001 ? scientific(value) : fixed(value, 3);
+/// A share to two decimals, a force to a millinewton, a p as everywhere.
+std::string reading_cell_number(const std::string& column, double value) {
+  if (column == "p" || column == "p_holm") return reading_p_cell(value);
   if (column == "chance" || column.ends_with("_N")) return fixed(value, 3);
   return fixed(value, 2);
 }
 
 std::string reading_cell(const std::string& column, const Cell& cell) {
-  if (const auto* number = std::get_if<double>(&cell)) return reading_number(column, *number);
+  if (const auto* number = std::get_if<double>(&cell)) return reading_cell_number(column, *number);
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   return "n/a";

@@ -134,13 +134,7 @@ std::optional<TidyInput> groups_table(const GatheredAnswers& gathered,
 
 void add_chapter_tables(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
                         const Pictures& pictures, AnalysisOutcome& outcome) {
-  const ChapterCells cells(gathered);
-  const std::size_t sexes = cells.sexes().size();
-  CountTable counts = count_table(cells.sexes(), cells.columns());
-  counts.name = "table_3";
-  counts.title = phrase("Analysis", "Recognised: right answers (counts)");
-  counts.label_column = "person";
-  std::vector<Tally> right(cells.columns().size() * sexes);
+  ChapterTally right(gathered);
   std::vector<Tally> by_texture(gathered.words.size());
   ConfusionTally confusions{};
   Tally all{};
@@ -154,29 +148,22 @@ void add_chapter_tables(const GatheredAnswers& gathered, const std::vector<Judge
     all.count(person, one.right, outcomes);
     by_texture[one.felt].count(person, one.right, outcomes);
     confusions.count(one.felt, one.chosen);
-    cells.for_each(one.answer->column, person, [&](std::size_t column, std::size_t sex) {
-      right[column * sexes + sex].count(person, one.right, outcomes);
-      if (one.right) ++counts.at(sex, column);
-    });
+    right.count(
+        {.column = one.answer->column, .person = person, .hit = one.right, .outcomes = outcomes});
   }
-  counts.note = chance_note(all, phrase("Analysis", "By chance: 1/%1 of the answers right."));
-  add_counts(counts, outcome);
+  right.add("table_3", phrase("Analysis", "Recognised: right answers (counts)"),
+            chance_note(all, phrase("Analysis", "By chance: 1/%1 of the answers right.")), outcome);
   ShareTable shares{
       "shares",
       phrase("Analysis", "Share of right answers"),
       phrase("Analysis",
-             "Chance is 1 in the number of pictures shown; \"cannot_tell\" is not right. p: exact "
+             "Chance is 1 in the number of pictures shown; “cannot tell” is not right. p: exact "
              "binomial test, two-sided, not corrected for the number of rows."),
       {"column", "person"},
       "correct",
       "share_correct",
       {}};
-  for (std::size_t column = 0; column < cells.columns().size(); ++column) {
-    for (std::size_t sex = 0; sex < sexes; ++sex) {
-      shares.rows.push_back(
-          {{cells.columns()[column], cells.sexes()[sex]}, right[column * sexes + sex]});
-    }
-  }
+  right.add_rows(shares);
   add_shares(shares, outcome);
   ShareTable textures{"shares_by_texture",
                       phrase("Analysis", "Share of right answers, by felt texture"),
@@ -208,8 +195,8 @@ void add_likeness_tables(const std::vector<std::string>& felt, const FoundNumber
       phrase("Analysis", "How alike the textures feel"),
       {{"felt", "other", "similarity", "dissimilarity"}, {}},
       phrase("Analysis",
-             "similarity: Luce's choice model, 1 for what cannot be told apart, with "
-             "the favourite answers taken out. dissimilarity: Shepard's −ln of it from "
+             "Similarity: Luce's choice model, 1 for what cannot be told apart, with "
+             "the favourite answers taken out. Dissimilarity: Shepard's −ln of it from "
              "the counts plus ½, not below 0.")};
   NamedTable map{"map",
                  phrase("Analysis", "The textures on a map: what is alike lies together"),
@@ -273,7 +260,7 @@ void ask_right(std::size_t pictures, const FoundNumbers& found, const StudyTests
       phrase("Analysis",
              "The share of each participant's own answers, averaged over the participants, with "
              "Student's interval and test against chance; with a single participant the exact "
-             "binomial test. Answers \"cannot_tell\" name no picture and are left out here; the "
+             "binomial test. Answers “cannot tell” name no picture and are left out here; the "
              "table of shares counts them as not right.");
   const Phrase chance = percent(1.0 / static_cast<double>(pictures));
   if (!test->p) {
@@ -316,8 +303,9 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
   const double shown = std::clamp(*bits->value, 0.0, *of);
   const Phrase sensitivity =
       dprime != nullptr && dprime->value && dprime->low && dprime->high
-          ? phrase("Analysis", "d′ is %1 (95 % interval %2 to %3)")
-                .with(fixed(*dprime->value, 2), fixed(*dprime->low, 2), fixed(*dprime->high, 2))
+          ? phrase("Analysis", "d′ is %1 (95 % interval %2 to %3, n = %4 answers)")
+                .with(fixed(*dprime->value, 2), fixed(*dprime->low, 2), fixed(*dprime->high, 2),
+                      std::to_string(dprime->n))
           : phrase("Analysis", "d′ has no finite value");
   const Phrase answer =
       enough
@@ -334,7 +322,7 @@ void ask_information(const FoundNumbers& found, AnalysisOutcome& outcome) {
              "Transmitted information less Miller's bias; at least 5·m² answers are needed "
              "for m pictures. d′ of m alternatives without bias, all answers pooled, its "
              "interval at the Wilson limits of the share of right answers."),
-      "measures", bits);
+      "measures", bits, CountedUnit::answers);
 }
 
 /// Two textures that were felt, and how often one of them was taken for the other.
@@ -418,7 +406,7 @@ void ask_confusions(const GatheredAnswers& gathered, const std::vector<Judged>& 
                phrase("Analysis",
                       "Of the answers to either of two textures, those that name the other one. "
                       "There is no interval: it is the largest of several."),
-               "confusion", &finding);
+               "confusion", &finding, CountedUnit::answers);
 }
 
 }  // namespace
@@ -493,17 +481,19 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   }
   keep_findings(sexes, outcome);
   const FoundNumbers found_sexes(sexes);
-  const Finding* exact = found_sexes.find("perm.p.two");
-  if (!sexes.empty()) {
-    const Finding* welch = found_sexes.find("welch.p.two");
-    if (welch == nullptr) welch = found_sexes.find("welch.t");  // says why there is none
-    tests.add("sexes", "F|M", exact != nullptr ? exact : welch);
-  }
+  if (!sexes.empty()) tests.add("sexes", "F|M", found_sexes.find("perm.p.two"));
   tests.finish(outcome);
   ask_right(labels.size(), found, tests, outcome);
   ask_information(found, outcome);
   if (!findings.empty()) ask_confusions(gathered, judged, pictures.felt, outcome);
-  ask_sexes(found_sexes.find("diff"), exact != nullptr ? SexesTest::all_splits : SexesTest::welch,
+  const auto of_sexes = [&](const char* quantity, const char* key) {
+    const Finding* finding = found_sexes.find(quantity, key);
+    return finding == nullptr ? std::nullopt : std::optional(*finding);
+  };
+  ask_sexes({.women = of_sexes("subj.mean", "F"),
+             .men = of_sexes("subj.mean", "M"),
+             .difference = of_sexes("subj.diff", ""),
+             .scale = SexesScale::shares_of_answers},
             tests, outcome);
   add_texture_force(gathered, outcome);
   remark_on_pooling(judged.size(), people, outcome);

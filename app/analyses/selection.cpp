@@ -155,7 +155,7 @@ void add_share_tables(const Selection& selection, const SelectionCounts& counts,
       {}};
   if (selection.can_abstain) {
     shares.note =
-        phrase("Analysis", "%1 Answers \"cannot_tell\" are counted above and take no part here.")
+        phrase("Analysis", "%1 Answers “cannot tell” are counted above and take no part here.")
             .with(shares.note);
   }
   ShareTable pairs{"pairs",
@@ -324,12 +324,12 @@ void add_scale_table(const Selection& selection, const FoundNumbers& found,
       {{"item", "log_worth", "log_worth_low", "log_worth_high", "worth"}, {}},
       paired ? phrase("Analysis",
                       "Bradley and Terry: of two models, i is chosen with probability 1/(1 + "
-                      "exp(l_j − l_i)). log_worth has the mean 0; its interval is Wald's with the "
-                      "persons as clusters. Worths add up to 1.")
+                      "exp(l_j − l_i)). The log worths have the mean 0; their intervals are Wald's "
+                      "with the persons as clusters. Worths add up to 1.")
              : phrase("Analysis",
                       "Luce and Plackett: of several models, each is chosen in proportion to its "
-                      "worth. log_worth has the mean 0; its interval is Wald's with the persons as "
-                      "clusters. Worths add up to 1.")};
+                      "worth. The log worths have the mean 0; their intervals are Wald's with the "
+                      "persons as clusters. Worths add up to 1.")};
   for (const std::string& item : selection.items) {
     const auto [low, high] = found.interval(clustered, item);
     made.table.rows.push_back({item, found.cell(plain, item), low, high, found.cell(worth, item)});

@@ -1,6 +1,8 @@
 #include "app/analyses/study_findings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <stdexcept>
 
@@ -8,6 +10,9 @@
 
 #include "analysis/multiplicity.h"
 #include "analysis/number_text.h"
+#include "analysis/two_samples.h"
+#include "app/analyses/cell_words.h"
+#include "app/analyses/reading_number.h"
 
 namespace asperity {
 
@@ -27,6 +32,38 @@ Finding finding_of(const StudyTests::Test& test) {
   finding.n = test.n;
   finding.analysis = kTests;
   return finding;
+}
+
+/// "20 participants"
+Phrase counted(std::size_t n, CountedUnit unit) {
+  const std::string number = std::to_string(n);
+  switch (unit) {
+    case CountedUnit::participants:
+      return n == 1 ? phrase("Analysis", "one participant")
+                    : phrase("Analysis", "%1 participants").with(number);
+    case CountedUnit::answers:
+      return n == 1 ? phrase("Analysis", "one answer")
+                    : phrase("Analysis", "%1 answers").with(number);
+    case CountedUnit::goes:
+      return n == 1 ? phrase("Analysis", "one go") : phrase("Analysis", "%1 goes").with(number);
+  }
+  return {};
+}
+
+/// With a minus that is as broad as a plus; what rounds to nothing has no sign.
+std::string signed_number(double value, int digits) {
+  const std::string text = fixed(std::abs(value), digits);
+  const bool is_nothing = text.find_first_of("123456789") == std::string::npos;
+  return (value < 0.0 && !is_nothing ? "−" : "") + text;
+}
+
+/// The same of what is no share.
+Phrase plain_interval(const Finding& finding, int digits) {
+  if (finding.low && finding.high) {
+    return phrase("Analysis", "95 % interval %1 to %2")
+        .with(signed_number(*finding.low, digits), signed_number(*finding.high, digits));
+  }
+  return phrase("Analysis", "without an interval");
 }
 
 }  // namespace
@@ -111,20 +148,21 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
       is_declared_
           ? phrase(
                 "Analysis",
-                "p_holm: adjusted after Holm over the %1 tests of the family that the protocol "
+                "p, Holm: adjusted after Holm over the %1 tests of the family that the protocol "
                 "declares (%2); one that cannot be made counts as p = 1. Tests outside the family "
                 "are not adjusted and show no more than what to ask next time. n counts the units "
                 "beside it; answers and goes are pooled as if they "
                 "were independent.")
-                .with(std::to_string(raw.size()), name_)
-          : phrase("Analysis",
-                   "The protocol declares no family of tests. p_holm: adjusted after Holm over the "
-                   "%1 tests of the family that this kind of protocol has by itself (%2); one that "
-                   "cannot be made counts as p = 1. The other tests are not adjusted and show no "
-                   "more than what to ask next time. n counts the units beside it; answers and "
-                   "goes are pooled as if they "
-                   "were independent.")
-                .with(std::to_string(raw.size()), name_)};
+                .with(std::to_string(raw.size()), words_of_cell("family", name_))
+          : phrase(
+                "Analysis",
+                "The protocol declares no family of tests. p, Holm: adjusted after Holm over the "
+                "%1 tests of the family that this kind of protocol has by itself (%2); one that "
+                "cannot be made counts as p = 1. The other tests are not adjusted and show no "
+                "more than what to ask next time. n counts the units beside it; answers and "
+                "goes are pooled as if they "
+                "were independent.")
+                .with(std::to_string(raw.size()), words_of_cell("family", name_))};
   const bool some_fail =
       std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return !test.p; });
   if (some_fail) made.table.columns.push_back("status");
@@ -153,14 +191,13 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
   outcome.tables.push_back(std::move(made));
 }
 
-Phrase percent(double share) { return fixed(100.0 * share, 0) + " %"; }
+Phrase percent(double share) { return reading_percent(share); }
 
 Phrase p_text(const StudyTests::Test& test) {
   const double p = test.adjusted.value_or(test.p.value_or(1.0));
-  const std::string number = p < 0.001 ? "p < 0.001" : "p = " + fixed(p, 3);
   return (test.adjusted ? phrase("Analysis", "%1 after Holm")
                         : phrase("Analysis", "%1 without adjustment"))
-      .with(number);
+      .with(reading_p(p));
 }
 
 Phrase said_of(const StudyTests::Test& test, const Sayings& sayings) {
@@ -181,51 +218,72 @@ Phrase interval_text(const Finding& share) {
 }
 
 void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, Phrase answer,
-                  Phrase method, const char* table, const Finding* finding) {
+                  Phrase method, const char* table, const Finding* finding, CountedUnit unit) {
   AnsweredQuestion& added = outcome.questions.emplace_back();
   added.name = name;
   added.question = std::move(question);
   added.answer = std::move(answer);
   added.method = std::move(method);
   added.table = table;
-  if (finding != nullptr) {
-    added.finding = *finding;
-  } else {
+  if (finding == nullptr) {
     added.finding.status = added.answer.english();
-  }
-}
-
-void ask_sexes(const Finding* difference, SexesTest how, const StudyTests& tests,
-               AnalysisOutcome& outcome) {
-  const StudyTests::Test* test = tests.find("sexes", "F|M");
-  if (difference == nullptr || !difference->value || test == nullptr) return;
-  const Phrase question = phrase("Analysis", "Do women and men differ?");
-  const Phrase method =
-      how == SexesTest::all_splits
-          ? phrase("Analysis",
-                   "The difference of the means of the participants' own results, against all "
-                   "ways to split the participants into groups of these sizes.")
-          : phrase("Analysis",
-                   "The means of the participants' own results, compared by Welch's t: there are "
-                   "too many participants to count all ways to split them.");
-  if (!test->p) {
-    add_question(
-        outcome, "sexes", question,
-        phrase("Analysis", "Women less men is %1. It is not tested: the table of tests says why.")
-            .with(fixed(*difference->value, 2)),
-        method, "tests", difference);
     return;
   }
+  added.finding = *finding;
+  added.counted = counted(finding->n, unit);
+}
+
+void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOutcome& outcome) {
+  const StudyTests::Test* test = tests.find("sexes", "F|M");
+  const auto has_value = [](const std::optional<Finding>& one) { return one && one->value; };
+  if (!has_value(sexes.women) || !has_value(sexes.men) || !has_value(sexes.difference) ||
+      test == nullptr) {
+    return;
+  }
+  const bool are_shares = sexes.scale != SexesScale::items;
+  const auto mean = [are_shares](const Finding& of) {
+    return phrase("Analysis", "%1 (%2, n = %3)")
+        .with(are_shares ? percent(*of.value) : Phrase(signed_number(*of.value, 2)),
+              are_shares ? interval_text(of) : plain_interval(of, 2), std::to_string(of.n));
+  };
+  const Phrase means =
+      (sexes.scale == SexesScale::shares_of_answers
+           ? phrase("Analysis", "women are right in %1 of their answers on average, men in %2")
+       : sexes.scale == SexesScale::shares_of_items
+           ? phrase("Analysis", "women have %1 of their items right on average, men %2")
+           : phrase("Analysis", "women have %1 items of a go right on average, men %2"))
+          .with(mean(*sexes.women), mean(*sexes.men));
+  Finding shown = *sexes.difference;
+  for (std::optional<double>* number : {&shown.value, &shown.low, &shown.high}) {
+    if (*number && are_shares) **number *= 100.0;
+  }
+  const int digits = are_shares ? 1 : 2;
+  const Phrase difference =
+      (are_shares ? phrase("Analysis", "%1 percentage points (%2)")
+                  : phrase("Analysis", "%1 items (%2)"))
+          .with(signed_number(*shown.value, digits), plain_interval(shown, digits));
   const auto with_numbers = [&](const Phrase& words) {
-    return words.with(fixed(*difference->value, 2), p_text(*test));
+    return words.with(means, difference, p_text(*test));
   };
   const Sayings sayings{
-      with_numbers(phrase("Analysis", "They do: women less men is %1 (%2).")),
+      with_numbers(phrase("Analysis", "They do: %1; women less men is %2, %3.")),
       with_numbers(phrase("Analysis",
-                          "Nothing shows that they do: women less men is %1 (%2). That does not "
+                          "Nothing shows that they do: %1; women less men is %2, %3. That does not "
                           "show that they are alike.")),
-      with_numbers(phrase("Analysis", "Women less men is %1 (%2)."))};
-  add_question(outcome, "sexes", question, said_of(*test, sayings), method, "tests", difference);
+      with_numbers(phrase("Analysis", "Of these participants %1; women less men is %2, %3."))};
+  add_question(
+      outcome, "sexes", phrase("Analysis", "Do women and men differ?"), said_of(*test, sayings),
+      sexes.women->n + sexes.men->n <= kMostPermuted
+          ? phrase("Analysis",
+                   "Means of the participants' own results with Student's intervals; their "
+                   "difference with Welch's, tested against all ways to split the participants "
+                   "into groups of these sizes.")
+          : phrase("Analysis",
+                   "Means of the participants' own results with Student's intervals; their "
+                   "difference with Welch's, tested against %1 random ways to split the "
+                   "participants into groups of these sizes: there are too many to count all.")
+                .with(std::to_string(kRandomSplits)),
+      "tests", &*sexes.difference);
 }
 
 void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
@@ -265,7 +323,10 @@ void add_measures(const FoundNumbers& found, std::span<const Measure> measures,
     const Finding* finding = found.find(measure.quantity);
     if (finding == nullptr) continue;
     const auto [low, high] = found.interval(measure.quantity);
-    const Cell value = finding->value ? Cell{*finding->value} : Cell{finding->word};
+    Cell value = finding->value ? Cell{*finding->value} : Cell{finding->word};
+    if (finding->value && measure.form == Measure::Form::count) {
+      value = static_cast<std::int64_t>(std::llround(*finding->value));
+    }
     made.table.rows.push_back({measure.name, value, low, high, finding->unit});
   }
   outcome.tables.push_back(std::move(made));

@@ -90,15 +90,24 @@ Phrase said_of(const StudyTests::Test& test, const Sayings& sayings);
 /// "(95 % interval 40 % to 71 %)" of a share, or why there is none.
 Phrase interval_text(const Finding& share);
 
+/// What the n of a finding counts.
+enum class CountedUnit { participants, answers, goes };
 /// The answer of a question: `finding` is what the sentence rests on.
 void add_question(AnalysisOutcome& outcome, const char* name, Phrase question, Phrase answer,
-                  Phrase method, const char* table, const Finding* finding);
+                  Phrase method, const char* table, const Finding* finding,
+                  CountedUnit unit = CountedUnit::participants);
 
-/// Against what the sexes were compared.
-enum class SexesTest { all_splits, welch };
-/// Whether women and men differ; nothing where there are not both. `difference`: first minus second.
-void ask_sexes(const Finding* difference, SexesTest how, const StudyTests& tests,
-               AnalysisOutcome& outcome);
+/// In what the results of women and men are told.
+enum class SexesScale { shares_of_answers, shares_of_items, items };
+/// Means of the participants of each sex with their intervals, and the first less the second.
+struct SexesComparison {
+  std::optional<Finding> women{};
+  std::optional<Finding> men{};
+  std::optional<Finding> difference{};
+  SexesScale scale = SexesScale::shares_of_answers;
+};
+/// Whether women and men differ; nothing where there are not both.
+void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOutcome& outcome);
 
 /// The table `persons` from subj.mean, subj.sd, subj.minimum, subj.median and subj.maximum of these
 /// keys, with the same as findings `mean_of_persons_QUANTITY`.
@@ -112,8 +121,10 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
 
 /// A row per measure: value and interval, where they are numbers.
 struct Measure {
-  const char* name = nullptr;  ///< fixed, for programs
+  enum class Form { number, count };
+  const char* name = nullptr;  ///< fixed, for programs; words: cell_words.h
   const char* quantity = nullptr;
+  Form form = Form::number;
 };
 void add_measures(const FoundNumbers& found, std::span<const Measure> measures,
                   AnalysisOutcome& outcome);

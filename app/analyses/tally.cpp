@@ -112,7 +112,9 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
     if (outcomes) {
       const double chance = 1.0 / static_cast<double>(*outcomes);
       test.value = number("p.two");
-      test.method = "exact two-sided binomial test of " + shares.quantity + " against chance 1/" +
+      std::string words = shares.quantity;
+      std::replace(words.begin(), words.end(), '_', ' ');
+      test.method = "exact two-sided binomial test of " + words + " against chance 1/" +
                     std::to_string(*outcomes);
       cells.insert(cells.end(), {chance, *test.value});
     } else {
@@ -162,6 +164,40 @@ ChapterCells::ChapterCells(const GatheredAnswers& gathered)
   sexes_.emplace_back("Total");
   for (const AnsweringPerson& person : gathered.people) {
     sex_of_person_.push_back(person.sex == "F" ? 0 : person.sex == "M" ? 1 : 2);
+  }
+}
+
+ChapterTally::ChapterTally(const GatheredAnswers& gathered)
+    : cells_(gathered),
+      by_cell_(cells_.columns().size() * cells_.sexes().size()),
+      hits_(count_table(cells_.sexes(), cells_.columns())) {
+  hits_.label_column = "person";
+}
+
+void ChapterTally::count(const ChapterAnswer& answer) {
+  cells_.for_each(answer.column, answer.person, [&](std::size_t column, std::size_t sex) {
+    by_cell_[column * cells_.sexes().size() + sex].count(answer.person, answer.hit, answer.outcomes,
+                                                         answer.times);
+    if (answer.hit) hits_.at(sex, column) += answer.times;
+  });
+}
+
+void ChapterTally::add(const std::string& name, const Phrase& title, const Phrase& note,
+                       AnalysisOutcome& outcome) const {
+  CountTable counts = hits_;
+  counts.name = name;
+  counts.title = title;
+  counts.note = note;
+  add_counts(counts, outcome);
+}
+
+void ChapterTally::add_rows(ShareTable& shares) const {
+  const std::size_t sexes = cells_.sexes().size();
+  for (std::size_t column = 0; column < cells_.columns().size(); ++column) {
+    for (std::size_t sex = 0; sex < sexes; ++sex) {
+      shares.rows.push_back(
+          {{cells_.columns()[column], cells_.sexes()[sex]}, by_cell_[column * sexes + sex]});
+    }
   }
 }
 
@@ -268,14 +304,14 @@ void remark_on_pooling(std::size_t answers, std::size_t persons, AnalysisOutcome
   const Phrase pooled =
       persons == 1
           ? phrase("Analysis",
-                   "Where \"of\" is larger than \"persons\", answers of the same person are "
-                   "pooled (%1 answers of one person in all). They are not independent: the "
-                   "intervals are too narrow and the p too small.")
+                   "Shares of all answers pool several answers of one person (%1 in all). They are "
+                   "not independent: the intervals of these shares are too narrow and their p too "
+                   "small.")
           : phrase("Analysis",
-                   "Where \"of\" is larger than \"persons\", answers of the same persons are "
-                   "pooled (%1 answers of %2 persons in all). They are not independent: the "
-                   "intervals are too narrow and the p too small. The table \"persons\" takes the "
-                   "person as the unit.");
+                   "Shares of all answers pool several answers of the same persons (%1 answers of "
+                   "%2 persons in all). They are not independent: the intervals of these shares "
+                   "are too narrow and their p too small. Means over the persons take the person "
+                   "as the unit.");
   outcome.remarks.push_back(pooled.with(std::to_string(answers), std::to_string(persons)));
 }
 

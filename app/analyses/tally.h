@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -110,6 +112,34 @@ struct CountTable {
 /// With labels and columns: all counts 0.
 CountTable count_table(std::vector<std::string> labels, std::vector<std::string> columns);
 void add_counts(const CountTable& counts, AnalysisOutcome& outcome);
+
+/// An answer as the chapter's tables of matching and recognition count it.
+struct ChapterAnswer {
+  std::uint32_t column = 0;  ///< a word
+  std::uint32_t person = 0;
+  bool hit = false;
+  std::uint64_t outcomes = 0;  ///< chance is 1 of so many
+  std::uint64_t times = 1;
+};
+
+/// Hits by column and sex.
+class ChapterTally final {
+ public:
+  explicit ChapterTally(const GatheredAnswers& gathered);
+  void count(const ChapterAnswer& answer);
+
+  const ChapterCells& cells() const noexcept { return cells_; }
+  /// Appends the table of hits, sexes down and columns across.
+  void add(const std::string& name, const Phrase& title, const Phrase& note,
+           AnalysisOutcome& outcome) const;
+  /// A row per column and sex.
+  void add_rows(ShareTable& shares) const;
+
+ private:
+  ChapterCells cells_;
+  std::vector<Tally> by_cell_{};  ///< column × sex
+  CountTable hits_{};
+};
 
 /// How often each answer was given to each felt item.
 class ConfusionTally final {

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/analyses/cell_words.h"
 #include "app/analyses/reading_table.h"
 #include "app/cli/terminal.h"
 
@@ -42,6 +43,18 @@ std::string wrapped(const std::string& prefix, std::string_view text) {
     tidy += out[i];
   }
   return tidy + '\n';
+}
+
+/// The table with the program's own words in place of its fixed names.
+Table in_words(Table table) {
+  for (std::vector<Cell>& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (auto* text = std::get_if<std::string>(&row[i])) {
+        *text = words_of_cell(table.columns[i], *text).english();
+      }
+    }
+  }
+  return table;
 }
 
 std::string plural(std::size_t count, const std::string& word) {
@@ -146,7 +159,7 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
   for (const NamedTable& table : outcome.tables) {
     const std::string title = table.title.english();
     text += '\n' + title + '\n' + std::string(title.size(), '-') + '\n';
-    text += aligned(reading_table(table.table));
+    text += aligned(in_words(reading_table(table.table)));
     if (!table.note.empty()) text += wrapped("  ", table.note.english());
   }
   return text;

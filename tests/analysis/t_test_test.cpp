@@ -43,6 +43,11 @@ TEST(WelchT, DoesNotPoolTheVariances) {
   EXPECT_NEAR(t->t, -3.0 / std::sqrt(5.0 / 3.0), 1e-14);
   EXPECT_NEAR(t->df, 25.0 / 9.0 / (17.0 / 18.0), 1e-13);
   EXPECT_NEAR(t->d, -3.0 / std::sqrt(2.5), 1e-14);
+  EXPECT_NEAR(t->difference, -3.0, 1e-14);
+  // The interval at the confidence 1 − p ends at no difference.
+  const std::optional<WelchT> wide = welch_t({.first = kFirst, .second = kSecond}, 1.0 - t->p);
+  EXPECT_NEAR(wide->interval.low, -6.0, 1e-9);
+  EXPECT_NEAR(wide->interval.high, 0.0, 1e-9);
   // J for four degrees of freedom: Γ(2)/(√2·Γ(3/2)) = √(2/π).
   EXPECT_NEAR(t->g / t->d, std::sqrt(2.0 / std::acos(-1.0)), 1e-14);
   EXPECT_FALSE(welch_t({.first = kFirst, .second = std::span(kSecond).first(1)}));

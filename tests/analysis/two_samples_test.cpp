@@ -2,10 +2,12 @@
 
 #include "analysis/two_samples.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -21,7 +23,7 @@ constexpr std::array kHigh{4.0, 5.0, 6.0};
 
 // Of the 20 splits of six numbers in order only the observed one and its mirror image are as far.
 TEST(TwoSamples, AreAsFarApartInTwoOfTwentySplits) {
-  EXPECT_NEAR(*permutation_test({.first = kLow, .second = kHigh}), 0.1, 1e-15);
+  EXPECT_NEAR(permutation_test({.first = kLow, .second = kHigh}).p, 0.1, 1e-15);
   const MannWhitney ranks = mann_whitney({.first = kLow, .second = kHigh});
   EXPECT_EQ(ranks.U, 0.0);
   EXPECT_NEAR(*ranks.p_exact, 0.1, 1e-15);
@@ -29,12 +31,37 @@ TEST(TwoSamples, AreAsFarApartInTwoOfTwentySplits) {
 
 TEST(TwoSamples, OfEqualNumbersAreNoDifference) {
   constexpr std::array kSame{0.3, 0.3, 0.3};
-  EXPECT_EQ(*permutation_test({.first = kSame, .second = kSame}), 1.0);
+  EXPECT_EQ(permutation_test({.first = kSame, .second = kSame}).p, 1.0);
   const MannWhitney ranks = mann_whitney({.first = kSame, .second = kSame});
   EXPECT_EQ(ranks.U, 4.5);
   EXPECT_NEAR(*ranks.p_exact, 1.0, 1e-15);
   EXPECT_FALSE(ranks.p_normal);
   EXPECT_FALSE(welch_t({.first = kSame, .second = kSame}));
+}
+
+// 15 zeros and 15 ones of which all but k stand in their own sample: of the C(30, 15) ways to split
+// them, C(15, j)² have j ones among the first 15.
+TEST(TwoSamples, AreSplitAtRandomWhereThereAreTooManyWays) {
+  std::vector<double> first(15, 0.0);
+  std::vector<double> second(15, 1.0);
+  for (std::size_t i = 0; i < 5; ++i) std::swap(first[i], second[i]);
+  double ways[16] = {1.0};
+  for (int j = 1; j < 16; ++j) ways[j] = ways[j - 1] * (16.0 - j) / j;
+  double as_far = 0.0;
+  double all = 0.0;
+  for (int j = 0; j < 16; ++j) {
+    all += ways[j] * ways[j];
+    if (j <= 5 || j >= 10) as_far += ways[j] * ways[j];
+  }
+  const SplitTest test = permutation_test({.first = first, .second = second});
+  EXPECT_FALSE(test.exact);
+  const double p = as_far / all;
+  EXPECT_NEAR(test.p, p, 4.0 * std::sqrt(p * (1.0 - p) / kRandomSplits));
+  EXPECT_EQ(test.p, permutation_test({.first = first, .second = second}).p) << "the same again";
+  // What no split reaches is not impossible.
+  std::fill(first.begin(), first.end(), 0.0);
+  std::fill(second.begin(), second.end(), 1.0);
+  EXPECT_EQ(permutation_test({.first = first, .second = second}).p, 1.0 / (kRandomSplits + 1.0));
 }
 
 // The approximation stands in where the exact distribution is too large, and must have been near.

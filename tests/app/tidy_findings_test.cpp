@@ -92,7 +92,9 @@ TableFindings ratings() {
 TEST(TableFindings, StandWithKeysDownAndQuantitiesAcross) {
   const std::string text = reading_text_of(ratings());
   EXPECT_THAT(text, HasSubstr("rating: table.csv\n"));
-  EXPECT_THAT(text, HasSubstr("key  mean.rank\nnew  1.75\nold  1.25\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("key  mean.score  mean.rank\nnew  2.5         1.75\nold  1.5         1.25\n"));
   EXPECT_THAT(text, HasSubstr("friedman.chisq    1\n"));
   EXPECT_THAT(text, HasSubstr("friedman.chisq, friedman.df, friedman.p: Friedman's test"));
 }

@@ -59,4 +59,29 @@ void add_spread(const std::string& key, std::span<const double> shares, FindingL
   findings.number("subj.maximum", key, summary->maximum, basis);
 }
 
+void add_mean_of_group(const std::string& quantity, const std::string& key,
+                       std::span<const double> of_participants, double confidence,
+                       FindingList& findings) {
+  const OneSampleT t = one_sample_t(of_participants, {.confidence = confidence});
+  Basis basis{.n = t.n, .method = "mean of the group's participants; t interval"};
+  if (t.test) {
+    basis.interval = t.test->interval;
+    basis.confidence = confidence;
+  }
+  findings.number(quantity, key, t.mean, basis);
+}
+
+void add_difference_of_means(const std::string& quantity, const std::string& key,
+                             const TwoSamples& samples, double confidence, FindingList& findings) {
+  Basis basis{.n = samples.first.size() + samples.second.size(),
+              .method = "means of the participants, first less second; Welch's interval"};
+  const std::optional<WelchT> welch = welch_t(samples, confidence);
+  if (welch) {
+    basis.interval = welch->interval;
+    basis.confidence = confidence;
+  }
+  findings.number(quantity, key,
+                  one_sample_t(samples.first).mean - one_sample_t(samples.second).mean, basis);
+}
+
 }  // namespace asperity

@@ -12,6 +12,7 @@
 
 #include "analysis/finding.h"
 #include "analysis/proportion.h"
+#include "analysis/t_test.h"
 
 namespace asperity {
 
@@ -52,5 +53,13 @@ class FindingList final {
 /// How the participants' own shares spread: `subj.minimum`, `subj.median`, `subj.maximum`. Nothing
 /// for nobody.
 void add_spread(const std::string& key, std::span<const double> shares, FindingList& findings);
+
+/// The mean of a group's participants with Student's interval, where there is one.
+void add_mean_of_group(const std::string& quantity, const std::string& key,
+                       std::span<const double> of_participants, double confidence,
+                       FindingList& findings);
+/// The means of two groups, first minus second, with Welch's interval, where there is one.
+void add_difference_of_means(const std::string& quantity, const std::string& key,
+                             const TwoSamples& samples, double confidence, FindingList& findings);
 
 }  // namespace asperity

@@ -53,8 +53,6 @@ Groups read_groups(const TidyInput& input) {
   return groups;
 }
 
-double mean(const std::vector<double>& numbers) { return one_sample_t(numbers).mean; }
-
 class GroupComparison final {
  public:
   GroupComparison(const Groups& groups, double confidence)
@@ -115,9 +113,11 @@ class GroupComparison final {
 
   void participants() {
     const TwoSamples samples{.first = groups_.first, .second = groups_.second};
-    number("subj.mean", groups_.names[0], mean(groups_.first), "mean of participants' shares");
-    number("subj.mean", groups_.names[1], mean(groups_.second), "mean of participants' shares");
-    if (const std::optional<WelchT> welch = welch_t(samples)) {
+    add_mean_of_group("subj.mean", groups_.names[0], samples.first, confidence_, list_);
+    add_mean_of_group("subj.mean", groups_.names[1], samples.second, confidence_, list_);
+    const std::optional<WelchT> welch = welch_t(samples, confidence_);
+    add_difference_of_means("subj.diff", "", samples, confidence_, list_);
+    if (welch) {
       number("welch.t", welch->t, "Welch's t over participants");
       number("welch.df", welch->df, "Welch's degrees of freedom");
       number("welch.p.two", welch->p, "Welch's t over participants, two-sided");
@@ -128,9 +128,10 @@ class GroupComparison final {
                  "a group has a single participant, or nobody differs: there is no t",
                  basis("Welch's t over participants"));
     }
-    if (const std::optional<double> p = permutation_test(samples)) {
-      number("perm.p.two", *p, "all splits of the participants, difference of means");
-    }
+    const SplitTest splits = permutation_test(samples);
+    number("perm.p.two", splits.p,
+           std::string(splits.exact ? "all" : "random") +
+               " splits of the participants, difference of means");
     const MannWhitney ranks = mann_whitney(samples);
     number("mannwhitney.U", groups_.names[0], ranks.U, "pairs of participants won, ties half");
     if (ranks.p_exact) {

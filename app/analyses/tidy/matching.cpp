@@ -332,6 +332,7 @@ void add_mallows(const Matching& read, FindingList& findings) {
   findings.number("mallows.ci.upper", "", fit.finite->interval.high, basis);
 }
 
+/// `means`: right items of a trial, by participant.
 void add_groups(const Matching& read, const std::vector<double>& means, FindingList& findings) {
   const std::set<std::string> groups(read.groups.begin(), read.groups.end());
   std::vector<std::string> names(groups.begin(), groups.end());
@@ -343,25 +344,16 @@ void add_groups(const Matching& read, const std::vector<double>& means, FindingL
     if (read.groups[person] == names[0]) first.push_back(means[person]);
     if (read.groups[person] == names[1]) second.push_back(means[person]);
   }
-  const std::optional<double> p = permutation_test({.first = first, .second = second});
-  const std::size_t n = first.size() + second.size();
-  const auto mean = [](const std::vector<double>& of) {
-    double sum = 0.0;
-    for (const double one : of) sum += one;
-    return sum / static_cast<double>(of.size());
-  };
+  const TwoSamples samples{.first = first, .second = second};
   const std::string key = names[0] + '-' + names[1];
-  findings.number("group.diff", key, mean(first) - mean(second),
-                  {.n = n, .method = "difference of the participants' means"});
-  const Basis basis{.n = n, .method = "exact permutation of participants, two-sided"};
-  if (p) {
-    findings.number("group.perm.p.two", key, *p, basis);
-    return;
-  }
-  findings.word("group.perm.p.two", key, "not_applicable",
-                "all ways to split are counted for up to " + std::to_string(kMostPermuted) +
-                    " participants, and there are " + std::to_string(n),
-                basis);
+  add_mean_of_group("group.mean", names[0], first, read.confidence, findings);
+  add_mean_of_group("group.mean", names[1], second, read.confidence, findings);
+  add_difference_of_means("group.diff", key, samples, read.confidence, findings);
+  const SplitTest test = permutation_test(samples);
+  findings.number("group.perm.p.two", key, test.p,
+                  {.n = first.size() + second.size(),
+                   .method = std::string(test.exact ? "exact" : "random") +
+                             " permutation of participants, two-sided"});
 }
 
 /// The participant as the unit: the share of right items of each, over the participants.

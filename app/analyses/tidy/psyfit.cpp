@@ -222,7 +222,8 @@ class PsychometricList final {
 };
 
 /// Rows of counts, one column per block of the first condition after the column `b`.
-std::vector<std::vector<std::uint64_t>> read_resamples(const TidyTable& table, std::size_t blocks) {
+std::vector<std::vector<std::uint64_t>> read_resampled_hits(const TidyTable& table,
+                                                            std::size_t blocks) {
   std::vector<std::vector<std::uint64_t>> rows(table.rows());
   for (std::size_t block = 1; block <= blocks; ++block) {
     const std::vector<std::uint64_t> column = table.counts('k' + std::to_string(block));
@@ -252,7 +253,7 @@ std::vector<Finding> psyfit_findings(const TidyInput& input) {
   if (has_resamples && !conditions.empty() && !fitted.empty() &&
       fitted.front() == &conditions.front()) {
     list.bootstrap(conditions.front(),
-                   read_resamples(input.table(1), conditions.front().blocks.size()));
+                   read_resampled_hits(input.table(1), conditions.front().blocks.size()));
   }
   return list.take();
 }

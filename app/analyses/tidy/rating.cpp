@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,11 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   findings.count("n.complete", "", n, {.n = n, .method = "participants who scored every item"});
   const FriedmanTest test = friedman_test(scores);
   add_friedman(test, n, findings);
+  for (std::size_t i = 0; i < items.size() && n > 0; ++i) {
+    const Eigen::VectorXd own = scores.col(static_cast<Eigen::Index>(i));
+    add_mean_of_group("mean.score", items[i], std::span(own.data(), n), input.options.confidence(),
+                      findings);
+  }
   for (std::size_t i = 0; i < items.size(); ++i) {
     findings.number("mean.rank", items[i], test.mean_rank[i],
                     {.n = n, .method = "within participants, 1 for the lowest score"});

@@ -154,7 +154,7 @@ class Recognition final {
                  basis("t over participants"));
     }
     number("pc.se.cluster", "", pooled_share(trials_.participants).clustered_standard_error,
-           "standard error of pc with the participant as the unit");
+           "standard error of the share of right answers with the participant as the unit");
   }
 
   void labels() {
@@ -187,7 +187,8 @@ class Recognition final {
     const ConfidenceInterval limits{.low = choice.dprime(wilson.low),
                                     .high = choice.dprime(wilson.high)};
     const double dprime = choice.dprime(proportion(right_));
-    Basis estimate = basis("d′ of m alternatives without bias; at the Wilson limits of pc");
+    Basis estimate = of_trials(
+        "d′ of m alternatives without bias; at the Wilson limits of pc; n counts answers");
     estimate.interval = limits;
     estimate.confidence = confidence_;
     list_.number("dprime", "", dprime, estimate);
@@ -199,7 +200,7 @@ class Recognition final {
     } else {
       const double end = 1.0 / (2.0 * n);
       number("dprime.corrected", "", choice.dprime(right_.hits == 0 ? end : 1.0 - end),
-             "half a trial moved from the end: pc 1/(2N) or 1 − 1/(2N)");
+             "half a trial moved from the end: a share of 1/(2N) or 1 − 1/(2N)");
     }
     number("dprime.lower", "", limits.low, "d′ at the Wilson limit");
     number("dprime.upper", "", limits.high, "d′ at the Wilson limit");
@@ -217,7 +218,8 @@ class Recognition final {
     bits("H.response", it.answer_bits, "entropy of the answers");
     bits("IT.plugin", it.plug_in_bits, "transmitted information, too large in small samples");
     number("IT.relative", "", it.relative.value_or(kUndefined), "of the stimuli's entropy");
-    number("IT.items", "", std::exp2(it.plug_in_bits), "items told apart: 2^IT.plugin");
+    number("IT.items", "", std::exp2(it.plug_in_bits),
+           "items told apart: two to the transmitted bits");
     bits("IT.millermadow", it.miller_madow_bits, "Miller and Madow, occupied cells");
     bits("IT.miller1955", it.miller_bits, "less (r−1)(c−1)/(2N ln 2)");
     bits("IT.jackknife", it.jackknife_bits.value_or(kUndefined), "leaving out each trial");

@@ -261,10 +261,14 @@ void add_cochran(const Choices& read, FindingList& findings) {
   std::vector<std::vector<std::size_t>> first(
       read.participants.names.size(), std::vector<std::size_t>(samples, LabelColumn::kMissing));
   std::vector<std::vector<bool>> seen(read.participants.names.size(), std::vector<bool>(samples));
+  bool repeated = false;
   for (std::size_t row = 0; row < read.choices.codes.size(); ++row) {
     const std::size_t person = read.participants.codes[row];
     const std::size_t sample = read.samples.codes[row];
-    if (seen[person][sample]) continue;
+    if (seen[person][sample]) {
+      repeated = true;
+      continue;
+    }
     seen[person][sample] = true;
     first[person][sample] = read.choices.codes[row];
   }
@@ -280,8 +284,12 @@ void add_cochran(const Choices& read, FindingList& findings) {
     }
   }
   const std::string& target = read.renderers[read.target];
-  const Basis basis{.n = first.size(),
-                    .method = "Cochran's Q over samples, participants who answered all"};
+  // It takes one choice of everybody with each sample; a relabelling takes them all.
+  const std::string first_only =
+      repeated ? ", of several choices with a sample the first one alone" : "";
+  const Basis basis{
+      .n = first.size(),
+      .method = "Cochran's Q over samples, participants who answered all" + first_only};
   findings.count("cochran.n.complete", target, first.size(), basis);
   if (samples == 0) return;
   const CochranTest test = cochran_test(answers);
@@ -303,7 +311,7 @@ void add_cochran(const Choices& read, FindingList& findings) {
       }
       const std::string key = both(read.samples.names[static_cast<std::size_t>(a)],
                                    read.samples.names[static_cast<std::size_t>(b)]);
-      const Basis mcnemar{.n = first.size(), .method = "exact McNemar test"};
+      const Basis mcnemar{.n = first.size(), .method = "exact McNemar test" + first_only};
       findings.count("mcnemar.b", key, discordance.only_first, mcnemar);
       findings.count("mcnemar.c", key, discordance.only_second, mcnemar);
       findings.number("mcnemar.exact.p", key, mcnemar_test(discordance), mcnemar);

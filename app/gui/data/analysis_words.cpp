@@ -4,6 +4,9 @@
 #include <array>
 #include <string_view>
 
+#include "app/analyses/cell_words.h"
+#include "app/gui/look/words.h"
+
 namespace asperity {
 
 namespace {
@@ -62,6 +65,7 @@ constexpr std::array kHeadings{
     Word{"second", QT_TRANSLATE_NOOP("AnalysisWords", "second")},
     Word{"share", QT_TRANSLATE_NOOP("AnalysisWords", "share")},
     Word{"similarity", QT_TRANSLATE_NOOP("AnalysisWords", "similarity")},
+    Word{"status", QT_TRANSLATE_NOOP("AnalysisWords", "why there is none")},
     Word{"surfaces", QT_TRANSLATE_NOOP("AnalysisWords", "surfaces")},
     Word{"test", QT_TRANSLATE_NOOP("AnalysisWords", "test")},
     Word{"texture", QT_TRANSLATE_NOOP("AnalysisWords", "texture")},
@@ -106,7 +110,7 @@ QString AnalysisWords::of_cell(const std::string& column, const std::string& tex
   if (column == "item" && text == "cannot_tell") {
     shown = QT_TRANSLATE_NOOP("AnalysisWords", "cannot tell");
   }
-  return shown == nullptr ? QString::fromStdString(text) : tr(shown);
+  return shown == nullptr ? words_of(words_of_cell(column, text)) : tr(shown);
 }
 
 }  // namespace asperity

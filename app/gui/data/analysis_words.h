@@ -17,7 +17,7 @@ class AnalysisWords final {
  public:
   /// The heading of a column of `reading_table(table.table)`: "Wilson 95 %" of "wilson 95 %".
   static QString of_heading(const NamedTable& table, const std::string& column);
-  /// What stands in a column: "Total" among persons, "all" among columns.
+  /// What stands in a column: "Total" among persons, "all" among columns (cell_words.h).
   static QString of_cell(const std::string& column, const std::string& text);
 };
 

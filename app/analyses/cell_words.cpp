@@ -1,0 +1,89 @@
+#include "app/analyses/cell_words.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+
+namespace asperity {
+
+namespace {
+
+using CellWords = std::map<std::string, Phrase>;
+
+const CellWords& words_of_measures() {
+  static const CellWords kWords{
+      {"balanced_share", phrase("CellWords", "right answers, mean over the textures")},
+      {"by_chance_in_all", phrase("CellWords", "right items by chance, in all")},
+      {"d_prime", phrase("CellWords", "d′")},
+      {"information_at_most", phrase("CellWords", "information that there was to tell")},
+      {"information_if_errors_equal",
+       phrase("CellWords", "information, if all errors were equally frequent")},
+      {"information_jackknife", phrase("CellWords", "information, jackknife")},
+      {"information_miller", phrase("CellWords", "information, less Miller’s bias")},
+      {"information_miller_madow", phrase("CellWords", "information, after Miller and Madow")},
+      {"information_plug_in", phrase("CellWords", "information, not corrected")},
+      {"kappa", phrase("CellWords", "Cohen’s κ")},
+      {"mallows_theta", phrase("CellWords", "Mallows’ θ (chance is 0)")},
+      {"right_items_in_all", phrase("CellWords", "right items, in all")},
+      {"right_items_per_go", phrase("CellWords", "right items of a go")},
+      {"share_of_pictures_right", phrase("CellWords", "right answers, “cannot tell” left out")},
+      {"z", phrase("CellWords", "z of the right items against chance")}};
+  return kWords;
+}
+
+const CellWords& words_of_tests() {
+  static const CellWords kWords{{"information", phrase("CellWords", "information")},
+                                {"items", phrase("CellWords", "items")},
+                                {"pairs", phrase("CellWords", "pairs")},
+                                {"position", phrase("CellWords", "position")},
+                                {"preference", phrase("CellWords", "preference")},
+                                {"right", phrase("CellWords", "right answers")},
+                                {"sexes", phrase("CellWords", "women and men")},
+                                {"target_pairs", phrase("CellWords", "pairs with the target")},
+                                {"textures", phrase("CellWords", "textures")},
+                                {"whole", phrase("CellWords", "whole goes")}};
+  return kWords;
+}
+
+const CellWords& words_of_units() {
+  static const CellWords kWords{{"1", phrase("CellWords", "–")},
+                                {"answers", phrase("CellWords", "answers")},
+                                {"bit", phrase("CellWords", "bit")},
+                                {"goes", phrase("CellWords", "goes")},
+                                {"participants", phrase("CellWords", "participants")}};
+  return kWords;
+}
+
+const CellWords& words_of_reasons() {
+  static const CellWords kWords{
+      {"there are no answers of which this could be tested",
+       phrase("CellWords", "there are no answers of which this could be tested")}};
+  return kWords;
+}
+
+Phrase cell_word_in(const CellWords& words, const std::string& text) {
+  const auto found = words.find(text);
+  return found == words.end() ? Phrase(text) : found->second;
+}
+
+}  // namespace
+
+Phrase words_of_cell(const std::string& column, const std::string& text) {
+  if (column == "measure") return cell_word_in(words_of_measures(), text);
+  if (column == "test") return cell_word_in(words_of_tests(), text);
+  if (column == "unit") return cell_word_in(words_of_units(), text);
+  if (column == "status") return cell_word_in(words_of_reasons(), text);
+  if (column == "about" && text == "F|M") return phrase("CellWords", "women, men");
+  if (column != "family") return text;
+  // Names of tests with commas between.
+  Phrase all{};
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(", ", begin), text.size());
+    const Phrase one = cell_word_in(words_of_tests(), text.substr(begin, end - begin));
+    all = all.empty() ? one : phrase("CellWords", "%1, %2").with(all, one);
+    begin = end + 2;
+  }
+  return all;
+}
+
+}  // namespace asperity
