@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,6 +14,9 @@
 #include "results_schema/table.h"
 
 namespace asperity {
+
+/// The names of things that a key is made of; with another letter `between`, the parts of any name.
+std::vector<std::string> parts_of(const std::string& key, char between = '|');
 
 /// Missing where there is no number.
 Cell cell_of(const std::optional<double>& number);

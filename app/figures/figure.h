@@ -81,10 +81,11 @@ enum class FigureShape {
 /// A figure is drawn from this alone (draw_figure.h) and written as SVG, PNG and PDF
 /// (figure_files.h). Where there is nothing to draw, `instead` is the sentence that says why.
 struct Figure {
-  std::string name{};   ///< fixed, for files: "shares_forest"
-  std::string table{};  ///< the table of the outcome that has its numbers; empty: none
-  Phrase title{};       ///< for whoever places it; not drawn
-  Phrase note{};        ///< what the marks are and how to read them; not drawn
+  std::string name{};      ///< fixed, for files: "shares_forest"
+  std::string table{};     ///< the table of the outcome that has its numbers; empty: none
+  std::string question{};  ///< the question of the outcome that it answers; empty: none
+  Phrase title{};          ///< for whoever places it; not drawn
+  Phrase note{};           ///< what the marks are and how to read them; not drawn
   Phrase instead{};
   FigureShape shape = FigureShape::wide;
   FigureAxis x{};

@@ -1,12 +1,16 @@
 #include "app/figures/figure_files.h"
 
 #include <cmath>
+#include <cstdio>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <QtCore/QBuffer>
 #include <QtCore/QByteArray>
+#include <QtCore/qlogging.h>
 #include <QtGui/QFontDatabase>
 #include <QtGui/QGuiApplication>
 #include <QtGui/QImage>
@@ -158,13 +162,36 @@ void write_figure(const std::filesystem::path& path, const Figure& figure, const
                               path.filename().string() + "\" ends otherwise");
 }
 
+namespace {
+
+/// A terminal without a session of a desktop has no folder for sockets. Nothing here needs one, and
+/// whoever asked for a file need not hear that Qt looked for it.
+class QuietStart final {
+ public:
+  QuietStart() : before_(qInstallMessageHandler(hear)) {}
+  ~QuietStart() { qInstallMessageHandler(before_); }
+  QuietStart(const QuietStart&) = delete;
+  QuietStart& operator=(const QuietStart&) = delete;
+
+ private:
+  static void hear(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+    if (message.contains("XDG_RUNTIME_DIR not set")) return;
+    std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, message)));
+  }
+
+  QtMessageHandler before_ = nullptr;
+};
+
+}  // namespace
+
 struct LettersWithoutWindows::Application {
   int count = 1;
   char name[9] = "asperity";
   char* arguments[2] = {name, nullptr};
+  std::optional<QuietStart> quiet{std::in_place};
   QGuiApplication application;
 
-  Application() : application(count, arguments) {}
+  Application() : application(count, arguments) { quiet.reset(); }
 };
 
 LettersWithoutWindows::LettersWithoutWindows() {

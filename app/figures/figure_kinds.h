@@ -43,6 +43,28 @@ Figure similarity_map(const FoundNumbers& found);
 /// peak. `unit`: of the spacings; empty where it is not known.
 Figure roughness_figure(const FoundNumbers& found, const std::string& unit);
 
+/// The means of two groups and their difference, a figure each. `axis`: with a place for the
+/// confidence, in percent.
+struct GroupChoice {
+  std::string means{};  ///< the findings, by quantity
+  std::string difference{};
+  std::string pooled_difference{};  ///< empty: none
+  Phrase axis{};
+  bool are_shares = false;  ///< from 0 to 1
+};
+std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers& found);
+
+/// Mean scores with intervals, a row per item.
+Figure rating_figure(const FoundNumbers& found);
+
+/// Means of the cells, the factor with the most levels along the axis and a line for each setting of
+/// the others. `unit`: of levels that are numbers.
+Figure interaction_figure(const TidyInput& input, const FoundNumbers& found,
+                          const std::string& unit);
+
+/// Power by the size of the plan, a curve per plan; plans without a second size a row each.
+Figure power_figure(const TidyInput& input, const FoundNumbers& found);
+
 /// Shares of right answers by level, the fitted function and its threshold. `unit`: of the levels.
 Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
                            const std::string& unit);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "app/figures/figure_kinds.h"
 
@@ -29,6 +30,59 @@ std::vector<Finding> part_of(const std::vector<Finding>& findings, const std::st
   std::copy_if(findings.begin(), findings.end(), std::back_inserter(part),
                [&analysis](const Finding& finding) { return finding.analysis == analysis; });
   return part;
+}
+
+GroupChoice shares_of_groups() {
+  return {.means = "subj.mean",
+          .difference = "subj.diff",
+          .pooled_difference = "diff",
+          .axis = phrase("Figures", "share of right answers, mean with its %1 % interval"),
+          .are_shares = true};
+}
+
+/// Women and men, where they were compared.
+void add_sexes(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
+  const std::vector<Finding> compared = part_of(outcome.findings, "sexes");
+  const std::vector<Finding> matched = part_of(outcome.findings, "matching");
+  std::vector<Figure> of_sexes{};
+  if (!compared.empty()) {
+    of_sexes = group_figures(shares_of_groups(), FoundNumbers(compared));
+  } else if (!FoundNumbers(matched).all("group.mean").empty()) {
+    of_sexes = group_figures(
+        {.means = "group.mean",
+         .difference = "group.diff",
+         .axis = phrase("Figures", "right items of a go, mean with its %1 % interval")},
+        FoundNumbers(matched));
+  }
+  for (Figure& figure : of_sexes) {
+    figure.table = "tests";
+    figures.push_back(std::move(figure));
+  }
+}
+
+/// Which question of a study a figure answers.
+void name_questions(const AnalysisOutcome& outcome, std::vector<Figure>& figures) {
+  static const std::vector<std::pair<std::string, std::vector<std::string>>> kAnswers{
+      {"preference", {"persons_forest"}},
+      {"pairs", {"scale"}},
+      {"position", {"positions_forest"}},
+      {"textures", {"shares_by_texture_forest"}},
+      {"items", {"shares_by_texture_forest"}},
+      {"whole", {"whole_permutations_forest"}},
+      {"right", {"shares_by_texture_forest"}},
+      {"confusions", {"confusions"}},
+      {"sexes", {"group_means", "group_difference"}}};
+  for (const auto& [question, names] : kAnswers) {
+    const bool is_asked =
+        std::any_of(outcome.questions.begin(), outcome.questions.end(),
+                    [&name = question](const AnsweredQuestion& one) { return one.name == name; });
+    if (!is_asked) continue;
+    for (Figure& figure : figures) {
+      if (std::find(names.begin(), names.end(), figure.name) != names.end()) {
+        figure.question = question;
+      }
+    }
+  }
 }
 
 std::vector<Figure> confused(Figure forest, const FoundNumbers& found) {
@@ -67,6 +121,8 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
     figures.push_back(similarity_map(found));
     figures.back().table = "map";
   }
+  add_sexes(outcome, figures);
+  name_questions(outcome, figures);
   return figures;
 }
 
@@ -79,6 +135,10 @@ std::vector<Figure> figures_of(const std::string& family, const TidyInput& input
   if (family == "recognition") return recognised(found);
   if (family == "paired") return {scale_figure("preference", bradley_terry(), found)};
   if (family == "ranking") return {scale_figure("preference", plackett_luce(), found)};
+  if (family == "rating") return {rating_figure(found)};
+  if (family == "group") return group_figures(shares_of_groups(), found);
+  if (family == "rmanova") return {interaction_figure(input, found, level_unit)};
+  if (family == "power") return {power_figure(input, found)};
   if (family == "magnitude") return {roughness_figure(found, level_unit)};
   if (family == "psyfit") return {psychometric_figure(input, found, level_unit)};
   if (family == "seedpaper") return seedpaper_forests(found);

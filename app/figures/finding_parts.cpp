@@ -6,17 +6,6 @@
 
 namespace asperity {
 
-std::vector<std::string> parts_of(const std::string& key) {
-  std::vector<std::string> parts{};
-  std::size_t begin = 0;
-  for (std::size_t bar = key.find('|'); bar != std::string::npos; bar = key.find('|', begin)) {
-    parts.push_back(key.substr(begin, bar - begin));
-    begin = bar + 1;
-  }
-  parts.push_back(key.substr(begin));
-  return parts;
-}
-
 std::optional<FigureSpan> interval_of(const Finding& finding) {
   if (!finding.low || !finding.high || !std::isfinite(*finding.low) ||
       !std::isfinite(*finding.high)) {

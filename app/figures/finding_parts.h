@@ -12,9 +12,6 @@
 
 namespace asperity {
 
-/// The names of things that a key is made of.
-std::vector<std::string> parts_of(const std::string& key);
-
 /// From low to high, where the finding has both.
 std::optional<FigureSpan> interval_of(const Finding& finding);
 

@@ -101,7 +101,52 @@ bool is_part(const NamedTable& table, const std::vector<Cell>& row, std::size_t 
   return false;
 }
 
-std::optional<Figure> table_forest(const NamedTable& table) {
+const std::vector<ForestKind>& pooled_and_people() {
+  static const std::vector<ForestKind> kKinds{
+      {.name = phrase("Figures", "share of the answers (Wilson)")},
+      {.name = phrase("Figures", "mean over participants (t)")}};
+  return kKinds;
+}
+
+/// The column of a table of shares about persons; its number of columns where there is none.
+std::size_t place_in(const NamedTable& table, const char* name) {
+  const std::vector<std::string>& columns = table.table.columns;
+  return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
+                                  columns.begin());
+}
+
+/// A row for each mean of the persons' own shares, or none. `with_name`: of what it is a mean.
+std::vector<ForestRow> rows_of_persons(const NamedTable& table, bool with_name) {
+  const std::size_t persons = place_in(table, "persons");
+  const std::size_t mean = place_in(table, "mean");
+  const std::size_t low = place_in(table, "mean_low");
+  const std::size_t high = place_in(table, "mean_high");
+  std::vector<ForestRow> rows{};
+  if (persons == 0 || std::max({persons, mean, low, high}) >= table.table.columns.size())
+    return rows;
+  for (const std::vector<Cell>& cells : table.table.rows) {
+    const auto people = static_cast<std::size_t>(number_of(cells[persons]).value_or(0.0));
+    const Phrase of = phrase("Figures", "mean of %1 participants").with(std::to_string(people));
+    ForestRow row{
+        .label = with_name ? phrase("Figures", "%1 · %2").with(word_of(cells.front()), of) : of,
+        .share = number_of(cells[mean])};
+    const auto from = number_of(cells[low]);
+    const auto to = number_of(cells[high]);
+    if (from && to) row.interval = FigureSpan{.low = *from, .high = *to};
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// The means of persons that say of the same what this table of shares says, where there are some.
+std::vector<ForestRow> means_beside(const NamedTable& table, const NamedTable* persons) {
+  if (persons == nullptr || persons->table.columns.empty()) return {};
+  const bool of_items = persons->table.columns.front() == "item";
+  const bool belongs = table.name == "shares" || (table.name == "shares_by_texture" && !of_items);
+  return belongs ? rows_of_persons(*persons, of_items) : std::vector<ForestRow>{};
+}
+
+std::optional<Figure> table_forest(const NamedTable& table, const NamedTable* persons) {
   const std::vector<std::string>& columns = table.table.columns;
   const auto place = [&columns](const char* name) -> std::optional<std::size_t> {
     const auto found = std::find(columns.begin(), columns.end(), name);
@@ -132,43 +177,45 @@ std::optional<Figure> table_forest(const NamedTable& table) {
     row.kind = is_part(table, cells, hits) ? 1 : 0;
     rows.push_back(std::move(row));
   }
+  const Phrase note =
+      phrase("Figures",
+             "Points are shares of all answers of a row, bars their 95 % intervals by Wilson; "
+             "outlined points are parts of the full ones.");
+  const std::vector<ForestRow> means = means_beside(table, persons);
+  const std::optional<double> by_chance = rows.empty() ? std::nullopt : rows.front().chance;
+  for (ForestRow row : means) {
+    row.chance = by_chance;
+    row.kind = 2;
+    rows.push_back(std::move(row));
+  }
   Figure figure{.name = table.name + "_forest",
                 .table = table.name,
                 .title = table.title,
-                .note = phrase("Figures",
-                               "Points are shares of all answers of a row, bars their 95 % "
-                               "intervals by Wilson; outlined points are parts of the full ones.")};
-  add_rows(rows, {{}, {.is_part = true}}, share_axis("95"), figure);
+                .note = means.empty()
+                            ? note
+                            : phrase("Figures",
+                                     "%1 Squares are means of the persons' own shares with t "
+                                     "intervals: a person is the unit.")
+                                  .with(note)};
+  const std::vector<ForestKind>& names = pooled_and_people();
+  add_rows(rows,
+           {{.name = means.empty() ? Phrase() : names[0].name},
+            {.name = means.empty() ? Phrase() : names[0].name, .is_part = true},
+            {.name = names[1].name}},
+           share_axis("95"), figure);
   for (FigureSeries& series : figure.series) {
     // One colour: a part is an outline of the same.
     if (series.style == 1) series.style = 0;
+    if (series.style == 2) series.style = 1;
   }
   return figure;
 }
 
-/// Means of the persons' own shares.
-std::optional<Figure> people_forest(const NamedTable& table) {
-  const std::vector<std::string>& columns = table.table.columns;
-  const auto place = [&columns](const char* name) {
-    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
-                                    columns.begin());
-  };
-  const std::size_t persons = place("persons");
-  const std::size_t mean = place("mean");
-  const std::size_t low = place("mean_low");
-  const std::size_t high = place("mean_high");
-  if (persons == 0 || std::max({persons, mean, low, high}) >= columns.size()) return {};
-  std::vector<ForestRow> rows{};
-  for (const std::vector<Cell>& cells : table.table.rows) {
-    const auto people = static_cast<std::size_t>(number_of(cells[persons]).value_or(0.0));
-    ForestRow row{.label = phrase("Figures", "%1 (mean of %2)")
-                               .with(word_of(cells.front()), std::to_string(people)),
-                  .share = number_of(cells[mean])};
-    const auto from = number_of(cells[low]);
-    const auto to = number_of(cells[high]);
-    if (from && to) row.interval = FigureSpan{.low = *from, .high = *to};
-    rows.push_back(std::move(row));
-  }
+/// Means of the persons' own shares by themselves; `chance` as in the table of shares.
+std::optional<Figure> people_forest(const NamedTable& table, std::optional<double> chance) {
+  std::vector<ForestRow> rows = rows_of_persons(table, true);
+  if (rows.empty()) return {};
+  for (ForestRow& row : rows) row.chance = chance;
   Figure figure{.name = table.name + "_forest",
                 .table = table.name,
                 .title = table.title,
@@ -178,6 +225,17 @@ std::optional<Figure> people_forest(const NamedTable& table) {
   add_rows(rows, {{}}, phrase("Figures", "mean share, with its 95 % interval"), figure);
   for (FigureSeries& series : figure.series) series.style = 1;
   return figure;
+}
+
+/// That all rows of a table of shares have, or nothing.
+std::optional<double> one_chance(const NamedTable& table) {
+  const std::size_t place = place_in(table, "chance");
+  std::set<double> chances{};
+  for (const std::vector<Cell>& cells : table.table.rows) {
+    if (place >= cells.size()) return {};
+    if (const auto chance = number_of(cells[place])) chances.insert(*chance);
+  }
+  return chances.size() == 1 ? std::optional(*chances.begin()) : std::nullopt;
 }
 
 /// Rows of the findings of `quantity`, labelled with the parts of their keys.
@@ -213,20 +271,28 @@ void add_mean_of_people(const FoundNumbers& found, std::optional<double> chance,
   }
 }
 
-const std::vector<ForestKind>& pooled_and_people() {
-  static const std::vector<ForestKind> kKinds{
-      {.name = phrase("Figures", "share of the answers (Wilson)")},
-      {.name = phrase("Figures", "mean over participants (t)")}};
-  return kKinds;
-}
-
 }  // namespace
 
 std::vector<Figure> table_forests(const std::vector<NamedTable>& tables) {
+  const auto named = [&tables](const char* name) {
+    const auto found = std::find_if(tables.begin(), tables.end(),
+                                    [&](const NamedTable& one) { return one.name == name; });
+    return found == tables.end() ? nullptr : &*found;
+  };
+  const NamedTable* persons = named("persons");
+  const NamedTable* shares = named("shares");
   std::vector<Figure> figures{};
   for (const NamedTable& table : tables) {
-    if (std::optional<Figure> figure = table_forest(table)) figures.push_back(std::move(*figure));
-    if (std::optional<Figure> figure = people_forest(table)) figures.push_back(std::move(*figure));
+    if (std::optional<Figure> figure = table_forest(table, persons)) {
+      figures.push_back(std::move(*figure));
+    }
+    // One mean alone stands beside the shares that it is a mean of.
+    const bool stands_alone = tables.size() == 1 || table.table.rows.size() > 1;
+    if (&table != persons || !stands_alone) continue;
+    const std::optional<double> chance = shares == nullptr ? std::nullopt : one_chance(*shares);
+    if (std::optional<Figure> figure = people_forest(table, chance)) {
+      figures.push_back(std::move(*figure));
+    }
   }
   return figures;
 }

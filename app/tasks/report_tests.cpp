@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/number_text.h"
+#include "app/analyses/found_numbers.h"
 #include "app/analyses/reading_number.h"
 
 namespace asperity {
@@ -17,18 +18,6 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kHolm = ".holm";
-
-std::vector<std::string> parts_of(const std::string& text, char between) {
-  std::vector<std::string> parts{""};
-  for (const char letter : text) {
-    if (letter == between) {
-      parts.emplace_back();
-    } else {
-      parts.back() += letter;
-    }
-  }
-  return parts;
-}
 
 /// The name before the part "p": "subj.t" of "subj.t.p.two", "" of "p.GG"; nothing of what is no p.
 std::optional<std::string> before_p(const std::string& quantity) {

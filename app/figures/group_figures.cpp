@@ -1,0 +1,99 @@
+// Two groups of participants: the mean of each, and the difference between them.
+
+#include <algorithm>
+
+#include "app/figures/figure_kinds.h"
+
+namespace asperity {
+
+namespace {
+
+Phrase word_of_group(const std::string& name) {
+  if (name == "F") return phrase("Figures", "women");
+  if (name == "M") return phrase("Figures", "men");
+  return name;
+}
+
+/// A row with its interval; the axis grows to hold it.
+void add_row_of(const Finding& finding, const Phrase& label, Figure& figure) {
+  const std::optional<FigureSpan> interval = interval_of(finding);
+  figure.series.front().points.push_back({.x = *finding.value,
+                                          .y = static_cast<double>(figure.y.places.size()),
+                                          .x_interval = interval});
+  figure.y.places.push_back(label);
+  const FigureSpan span = interval.value_or(FigureSpan{*finding.value, *finding.value});
+  figure.x.low = std::min(figure.x.low, span.low);
+  figure.x.high = std::max(figure.x.high, span.high);
+}
+
+void add_room(Figure& figure) {
+  const double room = figure.x.high > figure.x.low ? 0.06 * (figure.x.high - figure.x.low) : 0.5;
+  figure.x.low -= room;
+  figure.x.high += room;
+}
+
+}  // namespace
+
+std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers& found) {
+  const std::vector<const Finding*> means = found.all(choice.means);
+  const bool has_both = means.size() == 2 && means[0]->value && means[1]->value;
+  const std::string percent = percent_of(means);
+  Figure both{.name = "group_means",
+              .title = phrase("Figures", "Both groups: means of the participants"),
+              .note = phrase("Figures",
+                             "Points are means of the participants' own results, bars their %1 % t "
+                             "intervals. That intervals overlap is no test of a difference.")
+                          .with(percent),
+              .shape = FigureShape::rows,
+              .series = {{}}};
+  Figure less{.name = "group_difference",
+              .title = phrase("Figures", "The difference between the groups"),
+              .note = phrase("Figures",
+                             "Bars are %1 % intervals: of the participants' means by Welch, of all "
+                             "answers pooled by Newcombe, as if they were independent.")
+                          .with(percent),
+              .shape = FigureShape::rows,
+              .series = {{.style = 1}}};
+  if (!has_both) {
+    for (Figure* figure : {&both, &less}) {
+      figure->series.clear();
+      figure->instead =
+          phrase("Figures", "There are not two groups with answers: there is nothing to compare.");
+    }
+    return {both, less};
+  }
+  both.x = {.name = choice.axis.filled({percent}),
+            .low = choice.are_shares ? 0.0 : *means[0]->value,
+            .high = choice.are_shares ? 1.0 : *means[0]->value};
+  for (const Finding* mean : means) {
+    add_row_of(
+        *mean,
+        phrase("Figures", "%1 (n = %2)").with(word_of_group(mean->key), std::to_string(mean->n)),
+        both);
+  }
+  if (!choice.are_shares) add_room(both);
+  less.x = {.name = phrase("Figures", "%1 less %2, with its %3 % interval")
+                        .with(word_of_group(means[0]->key), word_of_group(means[1]->key), percent),
+            .low = 0.0,
+            .high = 0.0};
+  if (const auto of_means = found.all(choice.difference); !of_means.empty()) {
+    if (of_means.front()->value) {
+      add_row_of(*of_means.front(), phrase("Figures", "means of the participants"), less);
+    }
+  }
+  if (const auto of_all = found.all(choice.pooled_difference); !of_all.empty()) {
+    if (of_all.front()->value) {
+      add_row_of(*of_all.front(), phrase("Figures", "all answers together"), less);
+    }
+  }
+  if (less.y.places.empty()) {
+    less.series.clear();
+    less.instead = phrase("Figures", "There is no difference of means.");
+    return {both, less};
+  }
+  add_room(less);
+  less.references.push_back({.value = 0.0, .label = phrase("Figures", "no difference")});
+  return {both, less};
+}
+
+}  // namespace asperity
