@@ -1,6 +1,8 @@
 #include "app/report/report_file.h"
 
 #include <stdexcept>
+#include <system_error>
+#include <unistd.h>
 #include <vector>
 
 #include "app/figures/figures_of.h"
@@ -26,7 +28,22 @@ bool is_pdf(const std::filesystem::path& path) {
 
 void require_report_path(const std::filesystem::path& path, Overwrite overwrite) {
   is_pdf(path);
-  if (overwrite == Overwrite::refuse && std::filesystem::exists(path)) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  std::error_code error{};
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw ResultsError("there is no folder " + folder.string() + " to write " +
+                           path.filename().string() + " into; make it first, or name another",
+                       path);
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw ResultsError("nothing can be written into the folder " + folder.string() +
+                           ": its permissions forbid it; name another",
+                       path);
+  }
+  if (std::filesystem::is_directory(path, error)) {
+    throw ResultsError(path.string() + " is a folder; a report is a file", path);
+  }
+  if (overwrite == Overwrite::refuse && std::filesystem::exists(path, error)) {
     throw ResultsError("the file " + path.string() +
                            " exists already; choose another name, or replace it with --force",
                        path);

@@ -14,7 +14,8 @@
 namespace asperity {
 
 /// What can be said of a path before anything is read. Errors: std::invalid_argument for an ending
-/// other than .pdf and .html; ResultsError for a file that is there already (and `refuse`).
+/// other than .pdf and .html; ResultsError for a folder that is not there or takes no files, and for
+/// a file that is there already (and `refuse`).
 void require_report_path(const std::filesystem::path& path, Overwrite overwrite);
 
 /// Writes the report of a study (study_report.h) with its figures: a PDF or HTML by the ending of

@@ -78,12 +78,31 @@ double text_width(const QString& text, const QFont& font) {
   return QFontMetricsF(font).horizontalAdvance(text);
 }
 
+namespace {
+
+constexpr QChar kJoiner(0x2060);
+
+/// No line ends within a unit (mm/s), before a per cent sign, or within "p = .031" and "n = 20".
+QString with_numbers_whole(QString text) {
+  text.replace(QLatin1String("/s"), QString('/') + kJoiner + 's');
+  text.replace(QLatin1String(" %"), QString(QChar::Nbsp) + '%');
+  for (const char16_t letter : {u'p', u'n'}) {
+    for (const char16_t sign : {u'=', u'<'}) {
+      const QString loose = QString("%1 %2 ").arg(QChar(letter)).arg(QChar(sign));
+      QString close = loose;
+      text.replace(loose + '.', close.replace(' ', QChar::Nbsp) + '.' + kJoiner);
+      text.replace(loose, close);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
 QStringList broken_lines(const QString& text, const QFont& font, double width) {
-  // No line ends within a unit (mm/s), which breaking between words would allow.
-  const QChar joiner(0x2060);
   QStringList lines{};
   for (QString paragraph : text.split('\n')) {
-    paragraph.replace(QLatin1String("/s"), QString('/') + joiner + 's');
+    paragraph = with_numbers_whole(paragraph);
     QTextLayout layout(paragraph, font);
     QTextOption option{};
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
@@ -91,7 +110,10 @@ QStringList broken_lines(const QString& text, const QFont& font, double width) {
     layout.beginLayout();
     for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
       line.setLineWidth(width);
-      lines << paragraph.mid(line.textStart(), line.textLength()).remove(joiner).trimmed();
+      lines << paragraph.mid(line.textStart(), line.textLength())
+                   .remove(kJoiner)
+                   .replace(QChar::Nbsp, ' ')
+                   .trimmed();
     }
     layout.endLayout();
   }

@@ -41,6 +41,20 @@ std::string task_text(const Protocol& protocol) {
   return {};
 }
 
+/// What people are asked to wear and to hear; nothing else of it could be done to virtual ones.
+std::string senses_asked_of_people(const Protocol& protocol) {
+  std::vector<std::string> asked{};
+  if (protocol.vision == Vision::hand_occluded)
+    asked.emplace_back("that their hand is out of sight");
+  if (protocol.vision == Vision::blindfold) asked.emplace_back("an eye mask");
+  if (protocol.masking_noise.kind != Protocol::Noise::Kind::none) {
+    asked.emplace_back("noise that masks the sound of the device");
+  }
+  const std::string asks =
+      asked.empty() ? "" : "Of people the protocol asks " + listed(asked) + "; v";
+  return (asks.empty() ? "V" : asks) + "irtual participants neither see nor hear.";
+}
+
 std::string senses_text(const Protocol& protocol) {
   std::string text{};
   switch (protocol.vision) {
@@ -271,8 +285,10 @@ ReportSection design_section(const ReportFacts& facts) {
   const std::string factors = factors_text(protocol);
   if (!factors.empty()) section.parts.emplace_back(ReportText{factors});
   section.parts.emplace_back(blocks_list(protocol));
-  section.parts.emplace_back(
-      ReportText{rendering_text(protocol, facts) + ' ' + senses_text(protocol)});
+  section.parts.emplace_back(ReportText{rendering_text(protocol, facts) + ' ' +
+                                        (facts.group == AnswerGroup::virtual_participants
+                                             ? senses_asked_of_people(protocol)
+                                             : senses_text(protocol))});
   for (const auto& [name, exploration] : protocol.explorations) {
     const std::string which =
         protocol.explorations.size() == 1 ? "" : "Exploration " + quoted(name) + ": ";

@@ -121,6 +121,14 @@ ReportSection making_section(const ReportFacts& facts) {
 
 ReportSection sessions_section(const ReportFacts& facts) {
   ReportSection section{"Every session", {}};
+  constexpr std::size_t kMostListed = 60;  // a page; more are looked up in a table of one's own
+  if (facts.sessions.size() > kMostListed) {
+    section.parts.emplace_back(
+        ReportText{reading_count(facts.sessions.size()) +
+                   " sessions are too many for a page: sessions.tsv of an export lists each with "
+                   "its dates, its state and its seed."});
+    return section;
+  }
   ReportTable table{};
   table.is_reference = true;
   table.title = "Sessions, with the seed of each";

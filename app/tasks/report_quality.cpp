@@ -163,6 +163,8 @@ ReportTable counts_table(const ReportFacts& facts) {
     table.rows.push_back(
         count_row("beyond a limit of " + limit.first + ": " + kind, count, "surfaces"));
   }
+  // What never happened has been said.
+  std::erase_if(table.rows, [](const Row& row) { return row[1] == "0"; });
   return table;
 }
 
@@ -180,7 +182,8 @@ ReportSection presentation_section(const ReportFacts& facts) {
       std::any_of(facts.sessions.begin(), facts.sessions.end(),
                   [](const ReportedSession& session) { return session.row.pacing != kStepped; });
   if (is_timed) section.parts.emplace_back(times_table(facts.servo));
-  section.parts.emplace_back(counts_table(facts));
+  ReportTable counts = counts_table(facts);
+  if (!counts.rows.empty()) section.parts.emplace_back(std::move(counts));
   return section;
 }
 

@@ -5,8 +5,10 @@
 #include <set>
 #include <utility>
 
+#include "app/analyses/cell_words.h"
 #include "app/analyses/reading_number.h"
 #include "app/analyses/reading_table.h"
+#include "app/tasks/report_numbers.h"
 #include "app/tasks/report_sections.h"
 #include "app/tasks/report_tests.h"
 
@@ -104,65 +106,65 @@ std::set<double> p_in_tables(const AnalysisOutcome& outcome) {
   return found;
 }
 
-std::vector<std::string> tests_in_words(const AnalysisOutcome& outcome, const Told& told,
-                                        std::vector<ReportedTest>& rest) {
+/// The tests that no table of the outcome has.
+std::vector<ReportedTest> other_tests(const AnalysisOutcome& outcome) {
   const std::set<double> in_tables = p_in_tables(outcome);
-  const bool has_questions = !outcome.questions.empty();
-  // Where the analysis has gathered its tests, those of its parts are adjusted for other families.
-  const bool are_gathered =
-      std::any_of(outcome.tables.begin(), outcome.tables.end(),
-                  [](const NamedTable& table) { return table.name == kTests; });
+  std::vector<ReportedTest> others{};
+  for (const ReportedTest& test : tests_among(outcome.findings)) {
+    if (!in_tables.contains(*test.p->value)) others.push_back(test);
+  }
+  return others;
+}
+
+/// Where an analysis has not gathered its tests and asked its questions: what is adjusted for its
+/// family, or about everything.
+std::vector<std::string> tests_in_words(const AnalysisOutcome& outcome, const Told& told) {
+  const std::set<double> in_tables = p_in_tables(outcome);
   std::vector<std::string> sentences{};
   for (const ReportedTest& test : tests_among(outcome.findings)) {
-    if (!test.estimates.empty() &&
-        told.contains({*test.estimates.front()->value, *test.p->value})) {
-      continue;
-    }
-    // Questions have said what the answers come to, and rows of a table speak for themselves; what
-    // is adjusted for its family, or about everything, is said besides.
-    const bool is_in_table = in_tables.contains(*test.p->value);
-    const bool is_said =
-        are_gathered ? test.holm != nullptr && test.p->analysis == kTests
-                     : test.holm != nullptr || (!has_questions && test.is_of_whole && !is_in_table);
-    if (is_said && sentences.size() < kMostSentences) {
-      sentences.push_back(sentence_of(test));
-    } else if (!is_in_table) {
-      rest.push_back(test);
-    }
+    if (sentences.size() == kMostSentences) break;
+    const bool is_told =
+        !test.estimates.empty() && told.contains({*test.estimates.front()->value, *test.p->value});
+    const bool is_of_all = test.is_of_whole && !in_tables.contains(*test.p->value);
+    if (!is_told && (test.holm != nullptr || is_of_all)) sentences.push_back(sentence_of(test));
   }
   return sentences;
 }
 
-ReportTable tests_table(const std::vector<ReportedTest>& tests) {
-  ReportTable table{};
-  table.title = "Other tests";
-  table.columns = {{"test", false}, {"of", false},  {"statistic", true},
-                   {"p", true},     {"Holm", true}, {"n", true}};
-  const auto p_text = [](const Finding* finding) {
-    return finding == nullptr ? std::string("–") : reading_p(*finding->value).substr(2);
-  };
-  for (const ReportedTest& test : tests) {
-    const std::string statistic = statistic_of(test);
-    std::string p = p_text(test.p);
-    if (p.starts_with("= ")) p = p.substr(2);
-    std::string holm = p_text(test.holm);
-    if (holm.starts_with("= ")) holm = holm.substr(2);
-    table.rows.push_back(
-        {test.p->method.empty() ? words_of_quantity(test.p->quantity) : test.p->method,
-         words_of_key(test.p->key), statistic.empty() ? "–" : statistic, p, holm,
-         reading_count(test.p->n)});
-  }
-  table.note = "Holm: p adjusted for all tests of its family.";
-  return table;
-}
-
 std::string heading_of(const std::string& column) {
   const std::string no_break = "\u00A0";
-  if (column == "sd") return "SD";
-  if (column == "p_holm") return "p, Holm";
+  static const std::map<std::string, std::string> kHeadings{
+      {"achieved_maximum_N", "achieved, maximum (N)"},
+      {"achieved_mean_N", "achieved, mean (N)"},
+      {"achieved_minimum_N", "achieved, minimum (N)"},
+      {"achieved_sd_N", "achieved, SD (N)"},
+      {"felt_as_other", "taken for the other"},
+      {"matched_mean_N", "aimed at, mean (N)"},
+      {"other_as_felt", "the other taken for it"},
+      {"p_holm", "p, Holm"},
+      {"sd", "SD"},
+      {"status", "why there is none"}};
+  if (const auto known = kHeadings.find(column); known != kHeadings.end()) return known->second;
   if (column.starts_with("wilson")) return "Wilson 95" + no_break + "%";
   if (column.starts_with("clopper_pearson")) return "Clopper–Pearson 95" + no_break + "%";
   return words_of_quantity(column);
+}
+
+/// Whether a table says with other columns what this one does: what is adjusted is of the family.
+bool is_left_out(const NamedTable& named, const std::string& column) {
+  return named.name == kTests && column == "family";
+}
+
+/// A cell as a person reads it: the program's names in words, two things of a pair with a stroke.
+std::string words_in(const std::string& column, const Cell& cell) {
+  const auto* text = std::get_if<std::string>(&cell);
+  if (text == nullptr) return text_of_cell(cell);
+  std::string words = words_of_cell(column, *text).english();
+  for (std::size_t bar = words.find('|'); column == "about" && bar != std::string::npos;
+       bar = words.find('|', bar + 1)) {
+    words.replace(bar, 1, " / ");
+  }
+  return words;
 }
 
 ReportTable table_of(const NamedTable& named) {
@@ -171,6 +173,7 @@ ReportTable table_of(const NamedTable& named) {
   table.title = named.title.english();
   table.note = named.note.english();
   for (const std::string& column : reading.columns) {
+    if (is_left_out(named, column)) continue;
     // Names and levels are text before they are shortened for reading; quantities are not.
     const auto at = column_of(named.table, column);
     const bool holds_words =
@@ -183,7 +186,10 @@ ReportTable table_of(const NamedTable& named) {
   }
   for (const std::vector<Cell>& row : reading.rows) {
     std::vector<std::string>& cells = table.rows.emplace_back();
-    for (const Cell& cell : row) cells.push_back(text_of_cell(cell));
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string& column = reading.columns[i];
+      if (!is_left_out(named, column)) cells.push_back(words_in(column, row[i]));
+    }
   }
   return table;
 }
@@ -218,19 +224,41 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
   return sentences;
 }
 
+bool is_of_question(const Figure& figure, const AnalysisOutcome& outcome) {
+  return std::any_of(outcome.questions.begin(), outcome.questions.end(),
+                     [&figure](const AnsweredQuestion& question) {
+                       return !question.name.empty() && question.name == figure.question;
+                     });
+}
+
+/// The tables of the body: what was counted, and what was tested.
+bool is_in_body(const NamedTable& table, const AnalysisOutcome& outcome) {
+  return &table == &outcome.tables.front() || table.name == kTests;
+}
+
+void add_answer(const AnsweredQuestion& question, std::span<const Figure> figures,
+                ReportSection& section) {
+  section.parts.emplace_back(
+      ReportText{question.question.english() + ' ' + question.answer.as_sentence().english(),
+                 ReportText::Tone::lead});
+  std::string method = question.method.as_sentence().english();
+  if (!question.counted.empty()) {
+    method += (method.empty() ? "n = " : " n = ") + question.counted.english() + '.';
+  }
+  if (!method.empty()) section.parts.emplace_back(ReportText{method});
+  for (const Figure& figure : figures) {
+    if (figure.question == question.name) section.parts.emplace_back(ReportFigure{0, figure});
+  }
+}
+
 }  // namespace
 
 ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Figure> figures) {
   ReportSection section{"Results", {}};
-  Told told{};
   for (const AnsweredQuestion& question : outcome.questions) {
-    section.parts.emplace_back(
-        ReportText{question.question.english() + ' ' + question.answer.as_sentence().english(),
-                   ReportText::Tone::lead});
-    if (!question.method.empty()) {
-      section.parts.emplace_back(ReportText{question.method.as_sentence().english()});
-    }
+    add_answer(question, figures, section);
   }
+  Told told{};
   if (outcome.questions.empty()) {
     for (const NamedTable& named : outcome.tables) {
       const std::vector<std::string> answers = answers_in(named.table, told);
@@ -240,15 +268,27 @@ ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Fi
       }
       break;  // the first table is the one that the experiment is about
     }
+    std::vector<std::string> sentences = tests_in_words(outcome, told);
+    if (!sentences.empty()) section.parts.emplace_back(ReportList{std::move(sentences)});
   }
   for (const Phrase& remark : outcome.remarks) {
     section.parts.emplace_back(ReportText{remark.english(), ReportText::Tone::notice});
   }
-  std::vector<ReportedTest> rest{};
-  std::vector<std::string> sentences = tests_in_words(outcome, told, rest);
-  if (!sentences.empty()) section.parts.emplace_back(ReportList{std::move(sentences)});
-  bool has_tests = false;
+  for (const NamedTable& named : outcome.tables) {
+    if (is_in_body(named, outcome)) section.parts.emplace_back(table_of(named));
+  }
+  std::vector<std::string> refusals = refusals_in(outcome);
+  if (!refusals.empty()) {
+    section.parts.emplace_back(ReportText{"What could not be answered, and why:"});
+    section.parts.emplace_back(ReportList{std::move(refusals)});
+  }
+  return section;
+}
+
+ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Figure> figures) {
+  ReportSection section{"Further tables and figures", {}};
   const auto belongs_to = [&outcome](const Figure& figure, const NamedTable* table) {
+    if (is_of_question(figure, outcome)) return false;
     if (table != nullptr) return figure.table == table->name;
     return std::none_of(outcome.tables.begin(), outcome.tables.end(),
                         [&figure](const NamedTable& each) { return each.name == figure.table; });
@@ -261,63 +301,34 @@ ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Fi
   add_figures_of(nullptr);
   for (const NamedTable& named : outcome.tables) {
     add_figures_of(&named);
-    section.parts.emplace_back(table_of(named));
-    if (named.name == kTests) has_tests = true;
-  }
-  if (!rest.empty() && !has_tests) section.parts.emplace_back(tests_table(rest));
-  std::vector<std::string> refusals = refusals_in(outcome);
-  if (!refusals.empty()) {
-    section.parts.emplace_back(ReportText{"What could not be answered, and why:"});
-    section.parts.emplace_back(ReportList{std::move(refusals)});
+    // What a figure with numbers in its cells has said stands once.
+    const bool is_drawn = std::any_of(figures.begin(), figures.end(), [&named](const Figure& one) {
+      return one.table == named.name && !one.cells.empty();
+    });
+    if (!is_drawn && !is_in_body(named, outcome)) section.parts.emplace_back(table_of(named));
   }
   return section;
 }
 
 ReportSection numbers_section(const AnalysisOutcome& outcome) {
-  ReportSection section{"Every number of the analysis", {}};
+  ReportSection section{"Further tests and numbers", {}};
   if (outcome.findings.empty()) {
     section.parts.emplace_back(ReportText{"The analysis has come to no numbers."});
     return section;
   }
-  ReportTable table{};
-  table.is_reference = true;
-  table.title = "Findings, as asperity analyze --json has them with all digits";
-  table.columns = {{"quantity", false}, {"of", false}, {"value", true},
-                   {"interval", true},  {"n", true},   {"how", true}};
-  const bool has_parts =
-      std::any_of(outcome.findings.begin(), outcome.findings.end(),
-                  [](const Finding& finding) { return !finding.analysis.empty(); });
-  if (has_parts) table.columns.insert(table.columns.begin(), {"analysis", false});
-  std::vector<std::string> ways{};
-  for (const Finding& finding : outcome.findings) {
-    const std::string way = finding.status == "ok" ? finding.method : finding.status;
-    std::string number = "–";
-    if (!way.empty()) {
-      auto found = std::find(ways.begin(), ways.end(), way);
-      if (found == ways.end()) found = ways.insert(ways.end(), way);
-      number = std::to_string(found - ways.begin() + 1);
-    }
-    std::string value = finding.word.empty() ? "–" : finding.word;
-    if (finding.value) {
-      value = reading_number(*finding.value);
-      if (!finding.unit.empty() && finding.unit != "1") value += ' ' + finding.unit;
-    }
-    const std::string interval =
-        finding.low && finding.high
-            ? '[' + reading_number(*finding.low) + ", " + reading_number(*finding.high) + ']'
-            : "–";
-    table.rows.push_back({words_of_quantity(finding.quantity), words_of_key(finding.key), value,
-                          interval, reading_count(finding.n), number});
-    if (has_parts) {
-      std::vector<std::string>& cells = table.rows.back();
-      cells.insert(cells.begin(), words_of_quantity(finding.analysis));
-    }
-  }
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    table.note += (i == 0 ? "How: (" : " (") + std::to_string(i + 1) + ") " + ways[i] +
-                  (ways[i].ends_with('.') ? "" : ".");
-  }
-  section.parts.emplace_back(std::move(table));
+  const std::vector<ReportedTest> others = other_tests(outcome);
+  ReportTable tests = further_tests_table(others);
+  if (!tests.rows.empty()) section.parts.emplace_back(std::move(tests));
+  ReportTable numbers = further_numbers_table(outcome.findings);
+  if (!numbers.rows.empty()) section.parts.emplace_back(std::move(numbers));
+  section.parts.emplace_back(
+      ReportText{"The analysis has come to " + reading_count(outcome.findings.size()) +
+                 " numbers. Those of single participants, the ends of intervals, and what is only "
+                 "another form of a test or a fit above are not printed: asperity analyze STUDY "
+                 "--protocol " +
+                 outcome.protocol +
+                 " --json gives all of them with every digit, their n, their interval and their "
+                 "method."});
   return section;
 }
 

@@ -22,13 +22,15 @@ ReportSection exclusions_section(const ReportFacts& facts);
 ReportSection presentation_section(const ReportFacts& facts);
 /// Whether hands did what they were asked to.
 ReportSection exploration_section(const ReportFacts& facts);
-/// Answers in sentences, figures, tables, tests, refusals.
+/// Each question with its answer, method and figure; what was counted and tested; refusals.
 ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Figure> figures);
 /// Program, device, files, seeds: what somebody needs to do it again.
 ReportSection making_section(const ReportFacts& facts);
 /// To look up: every session.
 ReportSection sessions_section(const ReportFacts& facts);
-/// To look up: every number of the analysis, refusals too.
+/// To look up: the other tables of the analysis with their figures.
+ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Figure> figures);
+/// To look up: tests and numbers that no table has, and where the rest is.
 ReportSection numbers_section(const AnalysisOutcome& outcome);
 
 /// "24 persons", "one virtual participant": whoever a group consists of.

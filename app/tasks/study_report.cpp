@@ -1,7 +1,9 @@
 #include "app/tasks/study_report.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "app/analyses/analyze_study.h"
@@ -95,7 +97,8 @@ ReportChapter overview_chapter(const std::vector<ReportFacts>& all) {
                      (all.size() == 1 ? " set of sessions" : " sets of sessions") +
                      ", one for each version of a protocol and each group of participants. They "
                      "never mix: each has a chapter of its own, and the heading of every page says "
-                     "whose data it shows.";
+                     "whose data it shows. What is to be looked up, not read, is in appendices at "
+                     "the end.";
   section.parts.emplace_back(ReportText{text});
   section.parts.emplace_back(std::move(table));
   if (groups.contains(AnswerGroup::virtual_participants)) {
@@ -119,28 +122,42 @@ const AnalysisOutcome* outcome_of(const std::vector<AnalysisOutcome>& outcomes,
   return found == outcomes.end() ? nullptr : &*found;
 }
 
+/// Whoever runs a session is blind.
+bool is_held_back(const ReportFacts& facts) {
+  return facts.group == AnswerGroup::people && facts.is_running();
+}
+
+ReportChapter appendix_of(const ReportFacts& facts, const AnalysisOutcome* outcome,
+                          std::span<const Figure> figures) {
+  ReportChapter chapter{
+      "Appendix to " + chapter_heading(facts), mark_of(facts.group), facts.group, {}};
+  if (outcome != nullptr && !is_held_back(facts)) {
+    ReportSection tables = tables_section(*outcome, figures);
+    if (!tables.parts.empty()) chapter.sections.push_back(std::move(tables));
+    chapter.sections.push_back(numbers_section(*outcome));
+  }
+  chapter.sections.push_back(sessions_section(facts));
+  return chapter;
+}
+
 ReportChapter chapter_of(const ReportFacts& facts, const AnalysisOutcome* outcome,
-                         const FiguresOfOutcome& figures_of) {
+                         std::span<const Figure> figures) {
   ReportChapter chapter{chapter_heading(facts), mark_of(facts.group), facts.group, {}};
   chapter.sections.push_back(design_section(facts));
   chapter.sections.push_back(participants_section(facts));
   chapter.sections.push_back(exclusions_section(facts));
-  const bool is_held_back = facts.group == AnswerGroup::people && facts.is_running();
-  if (is_held_back) {
+  if (is_held_back(facts)) {
     chapter.sections.push_back(
         {"Results",
          {ReportText{"A session of this protocol is running, and whoever runs it is blind: the "
                      "results by name are in a report that is made when it is over.",
                      ReportText::Tone::notice}}});
   } else if (outcome != nullptr) {
-    const std::vector<Figure> figures = figures_of ? figures_of(*outcome) : std::vector<Figure>{};
     chapter.sections.push_back(results_section(*outcome, figures));
   }
   chapter.sections.push_back(exploration_section(facts));
   chapter.sections.push_back(presentation_section(facts));
   chapter.sections.push_back(making_section(facts));
-  chapter.sections.push_back(sessions_section(facts));
-  if (!is_held_back && outcome != nullptr) chapter.sections.push_back(numbers_section(*outcome));
   return chapter;
 }
 
@@ -176,10 +193,17 @@ Report study_report(const Study& study, const FiguresOfOutcome& figures_of,
   if (stop.stop_requested()) return report;
   report.subtitle = dates_text(all);
   report.chapters.push_back(overview_chapter(all));
+  // What is read comes first, what is looked up behind it.
+  std::vector<ReportChapter> appendices{};
   for (const ReportFacts& facts : all) {
     if (stop.stop_requested()) return report;
-    report.chapters.push_back(chapter_of(facts, outcome_of(outcomes, facts), figures_of));
+    const AnalysisOutcome* outcome = outcome_of(outcomes, facts);
+    const std::vector<Figure> figures =
+        outcome != nullptr && figures_of ? figures_of(*outcome) : std::vector<Figure>{};
+    report.chapters.push_back(chapter_of(facts, outcome, figures));
+    appendices.push_back(appendix_of(facts, outcome, figures));
   }
+  std::move(appendices.begin(), appendices.end(), std::back_inserter(report.chapters));
   number_parts(report);
   if (progress) progress(1.0);
   return report;

@@ -18,9 +18,9 @@ namespace asperity {
 using FiguresOfOutcome = std::function<std::vector<Figure>(const AnalysisOutcome&)>;
 
 /// A chapter about the study, then one per protocol, version and group of participants: design,
-/// participants, sessions and exclusions, presentation, exploration, results, what it was made with,
-/// and every number of the analysis. With a `protocol` only the chapters of that name. Of a protocol
-/// that is running with a person now, the results are held back: whoever runs it is blind.
+/// participants, sessions and exclusions, results, exploration, presentation and what it was made
+/// with; then an appendix to each: further tables and figures, tests and numbers, and every session.
+/// With a `protocol` only the chapters of that name. Of a protocol that is running with a person now, the results are held back: whoever runs it is blind.
 ///
 /// The same study gives the same report. When asked to stop, what there is by then; `progress` is
 /// told 0 to 1.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <stop_token>
 #include <variant>
 
@@ -12,6 +13,7 @@
 
 #include "app/analyses/analyze_study.h"
 #include "app/analyses/reading_number.h"
+#include "app/tasks/report_numbers.h"
 #include "app/tasks/report_sections.h"
 #include "app/tasks/report_tests.h"
 #include "app/tasks/simulation.h"
@@ -194,7 +196,7 @@ TEST(StudyReport, SaysSoWhereNothingOfTheMainPhaseWasAnswered) {
   made.add_session("p1", protocol, trials);
   const Report report = study_report(made.study(), {});
   EXPECT_THAT(words_of(report.chapters.at(1)), HasSubstr("There is no answer to count yet."));
-  EXPECT_THAT(words_of(report.chapters.at(1)), HasSubstr("The analysis has come to no numbers."));
+  EXPECT_THAT(words_of(report.chapters.at(2)), HasSubstr("The analysis has come to no numbers."));
 }
 
 TEST(StudyReport, GivesPeoplePilotsAndVirtualOnesMarkedChaptersOfTheirOwn) {
@@ -209,7 +211,9 @@ TEST(StudyReport, GivesPeoplePilotsAndVirtualOnesMarkedChaptersOfTheirOwn) {
   const Report report = study_report(made.study(), {});
   std::vector<std::string> marks{};
   for (const ReportChapter& chapter : report.chapters) marks.push_back(chapter.mark);
+  // The appendices follow in the same order.
   EXPECT_THAT(marks, ElementsAre("includes SIMULATED data", "", "PILOT: not study data",
+                                 "SIMULATED: no person", "", "PILOT: not study data",
                                  "SIMULATED: no person"));
   EXPECT_THAT(words_of(report.chapters.at(1)), Not(HasSubstr("virtual")));
   EXPECT_THAT(words_of(report.chapters.at(1)), Not(HasSubstr("p2")));
@@ -235,6 +239,9 @@ TEST(StudyReport, HoldsResultsBackWhileAPersonIsRunThroughTheProtocol) {
   EXPECT_THAT(words, HasSubstr("whoever runs it is blind"));
   EXPECT_THAT(words, Not(HasSubstr("was chosen")));
   EXPECT_THAT(words, Not(HasSubstr("share chosen")));
+  const std::string appendix = words_of(study_report(made.study(), {}).chapters.at(2));
+  EXPECT_THAT(appendix, Not(HasSubstr("height_map")));
+  EXPECT_THAT(appendix, HasSubstr("Every session"));
 }
 
 TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
@@ -322,22 +329,58 @@ const TemporaryFolder& simulated() {
   return *kFolder;
 }
 
-TEST(StudyReport, HasEveryNumberOfTheAnalysis) {
+Finding found(const std::string& quantity, const std::string& key, double value,
+              const std::string& method = "") {
+  Finding finding{};
+  finding.quantity = quantity;
+  finding.key = key;
+  finding.value = value;
+  finding.method = method;
+  finding.n = 20;
+  return finding;
+}
+
+TEST(StudyReport, TellsFurtherNumbersOnceInWordsAndWhereTheRestIs) {
   const Study study = Study::open(simulated().path() / "study", Access::read_only);
   const Report report = study_report(study, {});
-  ASSERT_EQ(report.chapters.size(), 2U);
-  const ReportSection& all = section(report.chapters[1], "Every number of the analysis");
-  const auto& table = std::get<ReportTable>(all.parts.at(0));
-  const std::vector<AnalysisOutcome> outcomes = analyze_study(study);
-  const std::vector<Finding>& findings = outcomes.at(0).findings;
-  ASSERT_GT(findings.size(), 5U);
-  ASSERT_EQ(table.rows.size(), findings.size());
-  for (std::size_t i = 0; i < findings.size(); ++i) {
-    if (!findings[i].value) continue;
-    std::string cells{};
-    for (const std::string& cell : table.rows[i]) cells += cell + '|';
-    EXPECT_THAT(cells, HasSubstr(reading_number(*findings[i].value)));
+  ASSERT_EQ(report.chapters.size(), 3U);
+  EXPECT_EQ(report.chapters[2].heading, "Appendix to " + report.chapters[1].heading);
+  const ReportSection& numbers = section(report.chapters[2], "Further tests and numbers");
+  std::set<std::vector<std::string>> rows{};
+  for (const ReportPart& part : numbers.parts) {
+    const auto* table = std::get_if<ReportTable>(&part);
+    if (table == nullptr) continue;
+    for (std::vector<std::string> row : table->rows) {
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        EXPECT_THAT(row[i], Not(testing::ContainsRegex("[0-9]e-"))) << table->columns[i].heading;
+        // Things keep the names that the study has given them.
+        if (table->columns[i].heading == "of") continue;
+        EXPECT_THAT(row[i], Not(HasSubstr("_"))) << table->columns[i].heading;
+        EXPECT_THAT(row[i], Not(HasSubstr("subj.")));
+      }
+      row.push_back(table->title);
+      EXPECT_TRUE(rows.insert(row).second) << testing::PrintToString(row) << " stands twice";
+    }
   }
+  EXPECT_GT(rows.size(), 3U);
+  EXPECT_THAT(words_of(numbers), HasSubstr("asperity analyze STUDY --protocol"));
+}
+
+TEST(ReportNumbers, WriteCountsAsCountsAndNumbersWithTheirUnit) {
+  Finding count = found("total.items", "", 234.0);
+  Finding bits = found("H.response", "", 2.466);
+  bits.unit = "bit";
+  Finding share = found("precision", "wood", 0.8);
+  share.low = 0.55;
+  share.high = 0.975;
+  const std::vector<Finding> findings{count, bits, share, found("subject.mean", "p1", 3.0)};
+  const ReportTable table = further_numbers_table(findings);
+  ASSERT_EQ(table.rows.size(), 3U) << "no number of a single participant";
+  EXPECT_THAT(table.rows[0], ElementsAre("items", "–", "234", "–", "20"));
+  EXPECT_THAT(table.rows[1],
+              ElementsAre("information in the choice of answers", "–", "2.47 bit", "–", "20"));
+  EXPECT_THAT(table.rows[2], ElementsAre("right among the answers that name it", "wood", "80 %",
+                                         "55 % to 97 %", "20"));
 }
 
 TEST(StudyReport, TellsDesignAndMakingOfARealStudy) {
@@ -354,7 +397,9 @@ TEST(StudyReport, TellsDesignAndMakingOfARealStudy) {
   const std::string made = words_of(section(report.chapters[1], "What it was made with"));
   EXPECT_THAT(made, HasSubstr(study.protocols().front().source_sha256));
   EXPECT_THAT(made, HasSubstr(study.sessions().front().program_commit));
-  const std::string sessions = words_of(section(report.chapters[1], "Every session"));
+  EXPECT_THAT(design, HasSubstr("irtual participants neither see nor hear."));
+  EXPECT_THAT(design, Not(HasSubstr("They saw")));
+  const std::string sessions = words_of(section(report.chapters[2], "Every session"));
   for (const SessionRow& session : study.sessions()) EXPECT_THAT(sessions, HasSubstr(session.seed));
 }
 
@@ -387,17 +432,6 @@ TEST(StudyReport, EndsEarlyWhenItIsAskedTo) {
 TEST(StudyReport, RefusesAProtocolThatTheStudyHasNoSessionOf) {
   const Study study = Study::open(simulated().path() / "study", Access::read_only);
   EXPECT_THROW(study_report(study, {}, "another"), ResultsError);
-}
-
-Finding found(const std::string& quantity, const std::string& key, double value,
-              const std::string& method = "") {
-  Finding finding{};
-  finding.quantity = quantity;
-  finding.key = key;
-  finding.value = value;
-  finding.method = method;
-  finding.n = 20;
-  return finding;
 }
 
 TEST(ReportTests, PutsStatisticDegreesAndAdjustedPTogether) {
@@ -458,7 +492,6 @@ TEST(ReportResults, SaysRefusalsAsSentences) {
       words_of(results_section(outcome, {})),
       HasSubstr("P of a: chance differs between the trials, so that one test of all would be "
                 "wrong."));
-  EXPECT_THAT(words_of(numbers_section(outcome)), HasSubstr("chance differs between the trials"));
 }
 
 TEST(ReportResults, AnswersTheQuestionsOfAnAnalysisFirst) {
@@ -468,14 +501,31 @@ TEST(ReportResults, AnswersTheQuestionsOfAnAnalysisFirst) {
                                Phrase("Yes: 15 of 20 times"),
                                Phrase("by counting"),
                                "",
-                               {}});
+                               {},
+                               Phrase("20 answers")});
   const ReportSection results = results_section(outcome, {});
   const auto& first = std::get<ReportText>(results.parts.at(0));
   EXPECT_EQ(first.text, "Is one chosen more often? Yes: 15 of 20 times.");
   EXPECT_EQ(first.tone, ReportText::Tone::lead);
+  EXPECT_EQ(std::get<ReportText>(results.parts.at(1)).text, "By counting. n = 20 answers.");
 }
 
-TEST(ReportResults, PutsAFigureBesideItsTableAndOthersFirst) {
+TEST(ReportResults, PutsAFigureBesideItsQuestion) {
+  AnalysisOutcome outcome{};
+  for (const char* name : {"first", "second"}) {
+    outcome.questions.push_back({name, Phrase("Is it?"), Phrase("Yes"), {}, "", {}, {}});
+  }
+  Figure figure{};
+  figure.name = "of_second";
+  figure.question = "second";
+  const std::vector<Figure> figures{figure};
+  const ReportSection results = results_section(outcome, figures);
+  ASSERT_EQ(results.parts.size(), 3U);
+  EXPECT_EQ(std::get<ReportFigure>(results.parts[2]).figure.name, "of_second");
+  EXPECT_TRUE(tables_section(outcome, figures).parts.empty()) << "once";
+}
+
+TEST(ReportResults, PutsTheOtherFiguresBesideTheirTablesBehind) {
   AnalysisOutcome outcome{};
   outcome.tables = {{"one", Phrase("One"), {{"a"}, {}}, {}},
                     {"two", Phrase("Two"), {{"a"}, {}}, {}}};
@@ -486,11 +536,13 @@ TEST(ReportResults, PutsAFigureBesideItsTableAndOthersFirst) {
   free.name = "free";
   const std::vector<Figure> figures{of_two, free};
   const ReportSection results = results_section(outcome, figures);
-  ASSERT_EQ(results.parts.size(), 4U);
-  EXPECT_EQ(std::get<ReportFigure>(results.parts[0]).figure.name, "free");
-  EXPECT_EQ(std::get<ReportTable>(results.parts[1]).title, "One");
-  EXPECT_EQ(std::get<ReportFigure>(results.parts[2]).figure.name, "of_two");
-  EXPECT_EQ(std::get<ReportTable>(results.parts[3]).title, "Two");
+  ASSERT_EQ(results.parts.size(), 1U) << "what was counted";
+  EXPECT_EQ(std::get<ReportTable>(results.parts[0]).title, "One");
+  const ReportSection behind = tables_section(outcome, figures);
+  ASSERT_EQ(behind.parts.size(), 3U);
+  EXPECT_EQ(std::get<ReportFigure>(behind.parts[0]).figure.name, "free");
+  EXPECT_EQ(std::get<ReportFigure>(behind.parts[1]).figure.name, "of_two");
+  EXPECT_EQ(std::get<ReportTable>(behind.parts[2]).title, "Two");
 }
 
 TEST(ReadingNumber, HasTheDigitsThatMeanSomething) {
@@ -501,6 +553,8 @@ TEST(ReadingNumber, HasTheDigitsThatMeanSomething) {
   EXPECT_EQ(reading_p(0.0004), "p < .001");
   EXPECT_EQ(reading_p(1.0), "p = 1.000");
   EXPECT_EQ(reading_percent(0.7833), "78 %");
+  EXPECT_EQ(reading_percent(0.975), "97 %") << "as a table rounds it to two decimals";
+  EXPECT_EQ(reading_p_cell(0.0004), "< .001");
   EXPECT_EQ(reading_percent(0.002), "0.2 %") << "not nothing";
   EXPECT_EQ(reading_percent(0.998), "99.8 %") << "not all";
   EXPECT_EQ(reading_quantity(31e-6, "s"), "31 µs");

@@ -31,10 +31,11 @@ TEST_F(Report, IsAFileThatSaysWhatIsInTheStudy) {
   ASSERT_EQ(html.status, 0) << html.err;
   EXPECT_EQ(html.out, "");
   EXPECT_NE(html.err.find("100 %"), std::string::npos) << "how far it is";
+  EXPECT_EQ(html.err.find("XDG_RUNTIME_DIR"), std::string::npos) << html.err;
   const std::string text = text_of(file("report.html"));
   for (const char* words : {"small_selection 1.0.0: virtual participants", "SIMULATED: no person",
                             "Two virtual participants stand in for people", "small_recognition",
-                            "Every number of the analysis"}) {
+                            "Further tests and numbers"}) {
     EXPECT_NE(text.find(words), std::string::npos) << words;
   }
   ASSERT_EQ(report(file("again.html")).status, 0);
@@ -55,7 +56,10 @@ TEST_F(Report, IsNotWrittenWhereSomethingStandsInItsWay) {
   EXPECT_EQ(text_of(file("mine.pdf")).substr(0, 5), "%PDF-");
 
   EXPECT_EQ(report(file("report.docx")).status, 2);
-  EXPECT_EQ(report(file("nowhere") / "report.pdf").status, 1);
+  const Outcome nowhere = report(file("nowhere") / "report.pdf");
+  EXPECT_EQ(nowhere.status, 1);
+  EXPECT_NE(nowhere.err.find("there is no folder"), std::string::npos) << nowhere.err;
+  EXPECT_EQ(nowhere.err.find('%'), std::string::npos) << "before the work: " << nowhere.err;
   EXPECT_EQ(report(file("report.pdf"), {"--protocol", "another"}).status, 1);
   EXPECT_EQ(asperity({"report", file("no-study"), "--out", file("report.pdf")}).status, 1);
   EXPECT_EQ(asperity({"report", small_.study()}).status, 2);

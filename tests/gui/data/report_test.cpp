@@ -228,7 +228,7 @@ TEST(ReportPages, SayInTheHeadingOfEachWhoseDataItShows) {
   add_choices(made, 20);
   add_choices(made, 20, SessionMode::pilot);
   const Report report = report_of(made.study());
-  ASSERT_EQ(report.chapters.size(), 3U);
+  ASSERT_EQ(report.chapters.size(), 5U);
   const ReportPages pages(report);
   std::set<QString> seen{};
   for (std::size_t page = 1; page < pages.count(); ++page) {
@@ -237,7 +237,7 @@ TEST(ReportPages, SayInTheHeadingOfEachWhoseDataItShows) {
     EXPECT_EQ(is_pilot, heading.contains("pilot sessions")) << heading.toStdString();
     seen.insert(heading);
   }
-  EXPECT_EQ(seen.size(), 2U) << "no page has both";
+  EXPECT_EQ(seen.size(), 4U) << "no page has both";
 }
 
 TEST(ReportPages, RepeatTheHeadingsOfALongTableAndCutNoRow) {
@@ -335,6 +335,23 @@ TEST(ReportFile, HasOneOfTwoEndings) {
   EXPECT_THROW(require_report_path("report.docx", Overwrite::allow), std::invalid_argument);
   EXPECT_THROW(require_report_path(made.folder() / "study.sqlite", Overwrite::allow),
                std::invalid_argument);
+}
+
+TEST(ReportFile, LooksAtItsFolderBeforeTheWork) {
+  const MadeUpStudy made;
+  const auto refusal_of = [](const std::filesystem::path& path) -> std::string {
+    try {
+      require_report_path(path, Overwrite::refuse);
+    } catch (const ResultsError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_NE(refusal_of(made.beside("nowhere") / "report.pdf").find("there is no folder"),
+            std::string::npos);
+  std::filesystem::create_directory(made.beside("folder.pdf"));
+  EXPECT_NE(refusal_of(made.beside("folder.pdf")).find("is a folder"), std::string::npos);
+  EXPECT_EQ(refusal_of(made.beside("report.pdf")), "");
 }
 
 class SavingAReport : public testing::Test {

@@ -1,0 +1,170 @@
+#include "app/tasks/report_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/number_text.h"
+#include "app/analyses/reading_number.h"
+
+namespace asperity {
+
+namespace {
+
+enum class NumberForm { count, share, number };
+
+struct NumberWords {
+  std::string words{};
+  NumberForm form = NumberForm::number;
+};
+
+/// By quantity. What is not among them is in a table, is the end of an interval, is a listing, or
+/// needs more words than a row has.
+const std::map<std::string, NumberWords>& known_numbers() {
+  using enum NumberForm;
+  static const std::map<std::string, NumberWords> kKnown{
+      {"balanced.pc", {"right answers, mean over the textures", share}},
+      {"cochran.n.complete", {"participants who answered with every texture", count}},
+      {"cohen.d", {"Cohen’s d of the participants’ shares", number}},
+      {"correct", {"right answers", count}},
+      {"cramer.w", {"Cohen’s w of the choices", number}},
+      {"diff", {"shares of all answers, first less second", number}},
+      {"dprime.corrected", {"d′ with half an answer moved from the end", number}},
+      {"dprime.se", {"standard error of d′", number}},
+      {"fisher.or.cond", {"odds ratio of all answers", number}},
+      {"H.response", {"information in the choice of answers", number}},
+      {"hclust.shepard.average.cophcor", {"cophenetic correlation of the tree", number}},
+      {"hedges.g", {"Hedges’ g of the participants’ shares", number}},
+      {"IT.items", {"items told apart", number}},
+      {"IT.relative", {"information, of what there was to tell", share}},
+      {"mallows.lr", {"likelihood ratio of Mallows’ θ against chance", number}},
+      {"mallows.se", {"standard error of Mallows’ θ", number}},
+      {"mds.shepard.gof2", {"fit of the map in two dimensions", number}},
+      {"mixed.sigma", {"spread of the participants’ logits", number}},
+      {"n", {"answers that name a picture", count}},
+      {"n.missing", {"answers that name none", count}},
+      {"n.stages", {"choices that the scale rests on", count}},
+      {"n.trials", {"goes", count}},
+      {"n.trials.permutation", {"goes that give every picture once", count}},
+      {"n.valid", {"choices", count}},
+      {"null.lower", {"right items in all, least of the middle 95 % of chance", count}},
+      {"null.sd", {"right items in all, SD of chance", number}},
+      {"null.upper", {"right items in all, most of the middle 95 % of chance", count}},
+      {"pc.se.cluster", {"standard error of the share of right answers, by participant", number}},
+      {"pl.loglik", {"log likelihood of the scale", number}},
+      {"pooled.deff", {"design effect of pooling the choices", number}},
+      {"pooled.k", {"right answers", count}},
+      {"pooled.n", {"answers", count}},
+      {"pooled.se.cluster", {"standard error of the share chosen, by participant", number}},
+      {"precision", {"right among the answers that name it", share}},
+      {"scm.bias", {"favour as an answer (adds up to 1)", number}},
+      {"signflip.diff", {"choices of the first less those of the second", count}},
+      {"subj.diff", {"share of right answers, means, first less second", number}},
+      {"subj.n", {"participants who chose", count}},
+      {"thurstone.firstchoice.mu", {"place on Thurstone’s scale of the best (mean 0)", number}},
+      {"total.items", {"items", count}}};
+  return kKnown;
+}
+
+/// Alternatives of a test that is listed as well.
+bool is_another_form(const std::string& quantity) {
+  static const std::set<std::string> kAlternatives{
+      "G.p",           "exact.midp.greater", "exact.p.less",        "fisher.p.greater",
+      "fisher.p.less", "multinom.exact.p",   "pairwise.binom.p.two"};
+  return kAlternatives.contains(quantity);
+}
+
+/// What a part of the analysis is about; its own name where the program has no words.
+std::string words_of_analysis(const std::string& analysis) {
+  static const std::map<std::string, std::string> kWords{
+      {"choice", "models"},       {"position", "positions"}, {"sexes", "women, men"},
+      {"similarity", "likeness"}, {"texture", "textures"},   {"textures", "textures"}};
+  const auto found = kWords.find(analysis);
+  return found == kWords.end() ? analysis : found->second;
+}
+
+std::string subject_of_row(const std::string& key) {
+  std::string words = words_of_key(key);
+  if (words == "F") return "women";
+  if (words == "M") return "men";
+  if (words == "F, M" || words == "F-M") return "women, men";
+  return words.empty() ? "–" : words;
+}
+
+std::string number_in_form(double value, NumberForm form) {
+  switch (form) {
+    case NumberForm::count:
+      return fixed(value, 0);
+    case NumberForm::share:
+      return reading_percent(value);
+    case NumberForm::number:
+      break;
+  }
+  const double size = std::abs(value);
+  constexpr double kRounding = 1e-12;  // sums that are nothing but for it
+  if (size < kRounding) return fixed(0.0, 2);
+  if (size >= 0.095) return fixed(value, 2);
+  return size >= 0.0095 ? fixed(value, 3) : reading_number(value);
+}
+
+/// Without the first column, where all rows have the same in it.
+void drop_lone_part(ReportTable& table) {
+  std::set<std::string> parts{};
+  for (const std::vector<std::string>& row : table.rows) parts.insert(row.front());
+  if (parts.size() > 1) return;
+  table.columns.erase(table.columns.begin());
+  for (std::vector<std::string>& row : table.rows) row.erase(row.begin());
+}
+
+}  // namespace
+
+ReportTable further_tests_table(std::span<const ReportedTest> tests) {
+  ReportTable table{};
+  table.is_reference = true;
+  table.title = "Further tests, which claim nothing by themselves";
+  table.columns = {{"about", false}, {"test", false}, {"of", false}, {"statistic", true},
+                   {"p", true},      {"Holm", true},  {"n", true}};
+  table.note =
+      "Holm: p adjusted over the tests of the same name. n: as the method counts; participants "
+      "where nothing else is said.";
+  for (const ReportedTest& test : tests) {
+    const Finding& p = *test.p;
+    if (is_another_form(p.quantity) || p.quantity.starts_with("subject.")) continue;
+    const std::string statistic = statistic_of(test);
+    table.rows.push_back(
+        {words_of_analysis(p.analysis), p.method.empty() ? words_of_quantity(p.quantity) : p.method,
+         subject_of_row(p.key), statistic.empty() ? "–" : statistic, reading_p_cell(*p.value),
+         test.holm == nullptr ? "–" : reading_p_cell(*test.holm->value), reading_count(p.n)});
+  }
+  drop_lone_part(table);
+  return table;
+}
+
+ReportTable further_numbers_table(std::span<const Finding> findings) {
+  ReportTable table{};
+  table.is_reference = true;
+  table.title = "Further numbers";
+  table.columns = {{"about", false}, {"what", false},         {"of", false},
+                   {"value", true},  {"95 % interval", true}, {"n", true}};
+  for (const Finding& finding : findings) {
+    const auto known = known_numbers().find(finding.quantity);
+    if (known == known_numbers().end() || !finding.value) continue;
+    const auto& [words, form] = known->second;
+    std::string value = number_in_form(*finding.value, form);
+    if (!finding.unit.empty() && finding.unit != "1") value += ' ' + finding.unit;
+    table.rows.push_back(
+        {words_of_analysis(finding.analysis), words, subject_of_row(finding.key), value,
+         finding.low && finding.high
+             ? number_in_form(*finding.low, form) + " to " + number_in_form(*finding.high, form)
+             : "–",
+         reading_count(finding.n)});
+  }
+  drop_lone_part(table);
+  return table;
+}
+
+}  // namespace asperity

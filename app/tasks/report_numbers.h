@@ -1,0 +1,21 @@
+// What an analysis has found besides its answers and tables, to look up.
+
+#pragma once
+
+#include <span>
+
+#include "analysis/finding.h"
+#include "app/tasks/report.h"
+#include "app/tasks/report_tests.h"
+
+namespace asperity {
+
+/// Tests that no table of the analysis has, a row each. Those of single participants and those that
+/// only repeat another in a different form are left out. Without rows where there are none.
+ReportTable further_tests_table(std::span<const ReportedTest> tests);
+
+/// Numbers that no table of the analysis has, in words, counts as counts, each with its interval.
+/// Without rows where there are none.
+ReportTable further_numbers_table(std::span<const Finding> findings);
+
+}  // namespace asperity
