@@ -91,6 +91,9 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
     less.instead = phrase("Figures", "There is no difference of means.");
     return {both, less};
   }
+  // No difference stands in the middle: which way it goes is seen at once.
+  less.x.high = std::max(less.x.high, -less.x.low);
+  less.x.low = -less.x.high;
   add_room(less);
   less.references.push_back({.value = 0.0, .label = phrase("Figures", "no difference")});
   return {both, less};

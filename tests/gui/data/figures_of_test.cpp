@@ -85,7 +85,8 @@ TEST(FiguresOf, GiveRoomToAnIntervalThatReachesBeyondAllOrNothing) {
                                       {{std::string("all"), std::int64_t{5}, 0.9, 0.7, 1.1}}}});
   const std::vector<Figure> figures = figures_of(outcome);
   ASSERT_EQ(figures.size(), 1U);
-  EXPECT_EQ(places_of(figures.front().y), (std::vector<std::string>{"all (mean of 5)"}));
+  EXPECT_EQ(places_of(figures.front().y),
+            (std::vector<std::string>{"all · mean of 5 participants"}));
   EXPECT_EQ(figures.front().series.front().points.front().x_interval->high, 1.1);
   EXPECT_EQ(figures.front().x.high, 1.1);
   EXPECT_EQ(figures.front().x.low, 0.0);
