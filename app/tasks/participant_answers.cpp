@@ -30,7 +30,7 @@ std::optional<NumberedLabel> numbered(const std::string& label) {
   return parts;
 }
 
-std::string text_of(const NumberedLabel& label) {
+std::string label_of(const NumberedLabel& label) {
   std::string number = std::to_string(label.number);
   if (number.size() < label.digits) number.insert(0, label.digits - number.size(), '0');
   return label.beginning + number;
@@ -58,7 +58,7 @@ std::string suggested_label(const std::vector<ParticipantRow>& participants) {
         return a.second.people < b.second.people;
       })->second.highest;
   ++next.number;
-  return text_of(next);
+  return label_of(next);
 }
 
 std::string next_virtual_label(const std::vector<ParticipantRow>& participants) {
@@ -68,7 +68,7 @@ std::string next_virtual_label(const std::vector<ParticipantRow>& participants) 
     if (label && label->beginning == kVirtual) next.number = std::max(next.number, label->number);
   }
   ++next.number;
-  return text_of(next);
+  return label_of(next);
 }
 
 std::optional<Phrase> complaint_about_answer(const Question& question, const std::string& answer) {

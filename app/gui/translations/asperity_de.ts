@@ -12,24 +12,12 @@
         <translation>%1 beantwortet, aber ungültig</translation>
     </message>
     <message>
-        <source>%1 device_fault</source>
-        <translation>%1 mit Gerätefehler</translation>
-    </message>
-    <message>
         <source>%1 excluded</source>
         <translation>%1 ausgeschlossen</translation>
     </message>
     <message>
-        <source>%1 not_compliant</source>
-        <translation>%1 nicht wie verlangt erkundet</translation>
-    </message>
-    <message>
         <source>%1 skipped</source>
         <translation>%1 übersprungen</translation>
-    </message>
-    <message>
-        <source>%1 timed_out</source>
-        <translation>%1 ohne Antwort in der Zeit</translation>
     </message>
     <message>
         <source>These participants are virtual: the numbers exercise the machinery and say nothing about people.</source>
@@ -46,10 +34,6 @@
     <message>
         <source>Sessions that are not completed: %1 of %2.</source>
         <translation>Nicht abgeschlossene Sitzungen: %1 von %2.</translation>
-    </message>
-    <message>
-        <source>Sessions of observers that are deaf or expect nothing, so that their answers are guesses (source virtual_guess): %1.</source>
-        <translation>Sitzungen von virtuellen Versuchspersonen, die nichts fühlen oder nichts erwarten, sodass ihre Antworten geraten sind (source virtual_guess): %1.</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -132,10 +116,6 @@
         <translation>Anteil richtiger Antworten</translation>
     </message>
     <message>
-        <source>Chance is 1 in the number of pictures shown; &quot;cannot_tell&quot; is not right. p: exact binomial test, two-sided, not corrected for the number of rows.</source>
-        <translation>Der Zufall trifft mit 1 durch die Zahl der gezeigten Bilder; „nicht zu sagen“ ist nicht richtig. p: exakter Binomialtest, zweiseitig, für die Zahl der Zeilen nicht korrigiert.</translation>
-    </message>
-    <message>
         <source>Share of right answers, by felt texture</source>
         <translation>Anteil richtiger Antworten nach gefühlter Textur</translation>
     </message>
@@ -168,10 +148,6 @@
         <translation>Der Zufall trifft mit 1/2: Die Wahl eines dritten Modells sagt nichts über die zwei.</translation>
     </message>
     <message>
-        <source>%1 Answers &quot;cannot_tell&quot; are counted above and take no part here.</source>
-        <translation>%1 Antworten „nicht zu sagen“ sind oben gezählt und haben hier keinen Teil.</translation>
-    </message>
-    <message>
         <source>Chance differs between the trials.</source>
         <translation>Der Zufall ist von Durchgang zu Durchgang verschieden.</translation>
     </message>
@@ -192,14 +168,6 @@
         <translation>Gleicher RMS ist nicht gleiche Stärke: Was gefühlt wird, hängt auch von der Frequenz ab, und jede Hand drückt und bewegt sich auf ihre Weise.</translation>
     </message>
     <message>
-        <source>Where &quot;of&quot; is larger than &quot;persons&quot;, answers of the same person are pooled (%1 answers of one person in all). They are not independent: the intervals are too narrow and the p too small.</source>
-        <translation>Wo „von“ größer ist als „Personen“, sind Antworten derselben Person zusammengefasst (insgesamt %1 Antworten einer Person). Sie sind nicht unabhängig: Die Intervalle sind zu schmal und die p zu klein.</translation>
-    </message>
-    <message>
-        <source>Where &quot;of&quot; is larger than &quot;persons&quot;, answers of the same persons are pooled (%1 answers of %2 persons in all). They are not independent: the intervals are too narrow and the p too small. The table &quot;persons&quot; takes the person as the unit.</source>
-        <translation>Wo „von“ größer ist als „Personen“, sind Antworten derselben Personen zusammengefasst (insgesamt %1 Antworten von %2 Personen). Sie sind nicht unabhängig: Die Intervalle sind zu schmal und die p zu klein. Die Tabelle „Die Person als Einheit“ zählt Personen.</translation>
-    </message>
-    <message>
         <source>These files declare different tests: nothing counts as declared before the data.</source>
         <translation>Diese Dateien legen verschiedene Tests fest: nichts gilt als vor den Daten festgelegt.</translation>
     </message>
@@ -214,10 +182,6 @@
     <message>
         <source>Goes with so many right items</source>
         <translation>Durchgänge mit so vielen richtigen Zuordnungen</translation>
-    </message>
-    <message>
-        <source>by_chance: how many goes of random permutations.</source>
-        <translation>durch Zufall: wie viele Durchgänge zufälliger Permutationen.</translation>
     </message>
     <message>
         <source>They do: %1 of a participant&apos;s items are right on average (%2), where chance is %3; %4 against random permutations.</source>
@@ -272,10 +236,6 @@
         <translation>Wie ähnlich sich die Texturen anfühlen</translation>
     </message>
     <message>
-        <source>similarity: Luce&apos;s choice model, 1 for what cannot be told apart, with the favourite answers taken out. dissimilarity: Shepard&apos;s −ln of it from the counts plus ½, not below 0.</source>
-        <translation>Ähnlichkeit: Wahlmodell von Luce, 1 für Ununterscheidbares, ohne die bevorzugten Antworten. Unähnlichkeit: −ln davon nach Shepard aus den Anzahlen plus ½, nicht unter 0.</translation>
-    </message>
-    <message>
         <source>The textures on a map: what is alike lies together</source>
         <translation>Die Texturen auf einer Karte: Ähnliches liegt beieinander</translation>
     </message>
@@ -296,10 +256,6 @@
         <translation>Werden gefühlte Texturen wiedererkannt?</translation>
     </message>
     <message>
-        <source>The share of each participant&apos;s own answers, averaged over the participants, with Student&apos;s interval and test against chance; with a single participant the exact binomial test. Answers &quot;cannot_tell&quot; name no picture and are left out here; the table of shares counts them as not right.</source>
-        <translation>Der Anteil an den eigenen Antworten jeder Person, gemittelt über die Personen, mit dem Intervall von Student und seinem Test gegen den Zufall; bei einer einzigen Person der exakte Binomialtest. Antworten „cannot_tell“ nennen kein Bild und entfallen hier; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
-    </message>
-    <message>
         <source>%1 of a participant&apos;s answers are right on average (%2), where chance is %3; the participants do not differ, so there is no test.</source>
         <translation>Im Mittel sind %1 der Antworten einer Person richtig (%2), wo der Zufall %3 gäbe; die Personen unterscheiden sich nicht, also gibt es keinen Test.</translation>
     </message>
@@ -310,10 +266,6 @@
     <message>
         <source>Nothing shows that they are: %1 of a participant&apos;s answers are right on average (%2), where chance is %3; %4.</source>
         <translation>Nichts zeigt das: im Mittel sind %1 der Antworten einer Person richtig (%2), wo der Zufall %3 gäbe; %4.</translation>
-    </message>
-    <message>
-        <source>d′ is %1 (95 % interval %2 to %3)</source>
-        <translation>d′ ist %1 (95-%-Intervall %2 bis %3)</translation>
     </message>
     <message>
         <source>d′ has no finite value</source>
@@ -358,14 +310,6 @@
     <message>
         <source>The models on one scale</source>
         <translation>Die Modelle auf einer Skala</translation>
-    </message>
-    <message>
-        <source>Bradley and Terry: of two models, i is chosen with probability 1/(1 + exp(l_j − l_i)). log_worth has the mean 0; its interval is Wald&apos;s with the persons as clusters. Worths add up to 1.</source>
-        <translation>Bradley und Terry: von zwei Modellen wird i mit der Wahrscheinlichkeit 1/(1 + exp(l_j − l_i)) gewählt. Der Logarithmus des Werts hat den Mittelwert 0; sein Intervall ist das von Wald mit den Personen als Gruppen. Die Werte ergeben zusammen 1.</translation>
-    </message>
-    <message>
-        <source>Luce and Plackett: of several models, each is chosen in proportion to its worth. log_worth has the mean 0; its interval is Wald&apos;s with the persons as clusters. Worths add up to 1.</source>
-        <translation>Luce und Plackett: von mehreren Modellen wird jedes im Verhältnis zu seinem Wert gewählt. Der Logarithmus des Werts hat den Mittelwert 0; sein Intervall ist das von Wald mit den Personen als Gruppen. Die Werte ergeben zusammen 1.</translation>
     </message>
     <message>
         <source>Which rendering is the most realistic?</source>
@@ -480,20 +424,8 @@
         <translation>alle Personen gleich, was kein Intervall ergibt</translation>
     </message>
     <message>
-        <source>They do: women less men is %1 (%2).</source>
-        <translation>Ja: Frauen weniger Männer ist %1 (%2).</translation>
-    </message>
-    <message>
-        <source>Nothing shows that they do: women less men is %1 (%2). That does not show that they are alike.</source>
-        <translation>Nichts zeigt das: Frauen weniger Männer ist %1 (%2). Das zeigt nicht, dass sie gleich sind.</translation>
-    </message>
-    <message>
         <source>Do women and men differ?</source>
         <translation>Unterscheiden sich Frauen und Männer?</translation>
-    </message>
-    <message>
-        <source>The difference of the means of the participants&apos; own results, against all ways to split the participants into groups of these sizes.</source>
-        <translation>Die Differenz der Mittelwerte der Ergebnisse der einzelnen Personen, gegen alle Aufteilungen der Personen in Gruppen dieser Größe.</translation>
     </message>
     <message>
         <source>The interval of the mean is Student&apos;s, over the persons.</source>
@@ -548,14 +480,6 @@
         <translation>Dass %1 bei jeder Textur gleich oft gewählt wird, hat %2.</translation>
     </message>
     <message>
-        <source>p_holm: adjusted after Holm over the %1 tests of the family that the protocol declares (%2); one that cannot be made counts as p = 1. Tests outside the family are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
-        <translation>p_holm: nach Holm angepasst über die %1 Tests der Familie, die das Protokoll angibt (%2); einer, der sich nicht rechnen lässt, zählt als p = 1. Tests außerhalb der Familie sind nicht angepasst und zeigen nicht mehr, als was beim nächsten Mal zu fragen ist. n zählt die Einheiten, die daneben stehen; Antworten und Durchgänge sind zusammengenommen, als wären sie unabhängig.</translation>
-    </message>
-    <message>
-        <source>The protocol declares no family of tests. p_holm: adjusted after Holm over the %1 tests of the family that this kind of protocol has by itself (%2); one that cannot be made counts as p = 1. The other tests are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
-        <translation>Das Protokoll gibt keine Familie von Tests an. p_holm: nach Holm angepasst über die %1 Tests der Familie, die diese Art von Protokoll von sich aus hat (%2); einer, der sich nicht rechnen lässt, zählt als p = 1. Die anderen Tests sind nicht angepasst und zeigen nicht mehr, als was beim nächsten Mal zu fragen ist. n zählt die Einheiten, die daneben stehen; Antworten und Durchgänge sind zusammengenommen, als wären sie unabhängig.</translation>
-    </message>
-    <message>
         <source>%1 without adjustment</source>
         <translation>%1 ohne Anpassung</translation>
     </message>
@@ -564,24 +488,148 @@
         <translation>%1 Dieser Test gehört nicht zur Familie der Studie und zeigt nicht mehr, als was beim nächsten Mal zu fragen ist.</translation>
     </message>
     <message>
-        <source>The means of the participants&apos; own results, compared by Welch&apos;s t: there are too many participants to count all ways to split them.</source>
-        <translation>Die Mittelwerte der eigenen Ergebnisse der Versuchspersonen, verglichen mit Welchs t: Es sind zu viele Versuchspersonen, um alle Aufteilungen zu zählen.</translation>
-    </message>
-    <message>
-        <source>Women less men is %1. It is not tested: the table of tests says why.</source>
-        <translation>Frauen minus Männer ist %1. Es wird nicht getestet: Die Tabelle der Tests sagt, warum.</translation>
-    </message>
-    <message>
-        <source>Women less men is %1 (%2).</source>
-        <translation>Frauen minus Männer ist %1 (%2).</translation>
-    </message>
-    <message>
         <source>The file study.sqlite is larger than 1 GiB, so its checksum was not looked at. &quot;asperity verify&quot; says whether everything holds.</source>
         <translation>Die Datei study.sqlite ist größer als 1 GiB, deshalb wurde ihre Prüfsumme nicht angesehen. „asperity verify“ sagt, ob alles stimmt.</translation>
     </message>
     <message>
         <source>The file study.sqlite is not what it was when Asperity last closed it: what is read from it can be wrong. &quot;asperity verify&quot; says what does not hold, and what that can mean.</source>
         <translation>Die Datei study.sqlite ist nicht mehr, was sie war, als Asperity sie zuletzt geschlossen hat: Was daraus gelesen wird, kann falsch sein. „asperity verify“ sagt, was nicht stimmt und was das bedeuten kann.</translation>
+    </message>
+    <message>
+        <source>%1 stopped by a fault of the device</source>
+        <translation>%1 durch eine Störung des Geräts abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1 not explored as asked</source>
+        <translation>%1 nicht wie verlangt erkundet</translation>
+    </message>
+    <message>
+        <source>%1 not answered in time</source>
+        <translation>%1 nicht rechtzeitig beantwortet</translation>
+    </message>
+    <message>
+        <source>Sessions of observers that are deaf or expect nothing, so that their answers are guesses: %1.</source>
+        <translation>Sitzungen von Beobachtern, die taub sind oder nichts erwarten, sodass ihre Antworten geraten sind: %1.</translation>
+    </message>
+    <message>
+        <source>By chance: how many goes of random permutations.</source>
+        <translation>Durch Zufall: wie viele Runden bei zufälligen Permutationen.</translation>
+    </message>
+    <message>
+        <source>Chance is 1 in the number of pictures shown; “cannot tell” is not right. p: exact binomial test, two-sided, not corrected for the number of rows.</source>
+        <translation>Der Zufall ist 1 durch die Zahl der gezeigten Bilder; „Weiß nicht“ ist nicht richtig. p: exakter Binomialtest, zweiseitig, nicht für die Zahl der Zeilen korrigiert.</translation>
+    </message>
+    <message>
+        <source>Similarity: Luce&apos;s choice model, 1 for what cannot be told apart, with the favourite answers taken out. Dissimilarity: Shepard&apos;s −ln of it from the counts plus ½, not below 0.</source>
+        <translation>Ähnlichkeit: Luces Wahlmodell, 1 für Ununterscheidbares, ohne den Einfluss bevorzugter Antworten. Unähnlichkeit: Shepards −ln davon aus den Anzahlen plus ½, nicht unter 0.</translation>
+    </message>
+    <message>
+        <source>The share of each participant&apos;s own answers, averaged over the participants, with Student&apos;s interval and test against chance; with a single participant the exact binomial test. Answers “cannot tell” name no picture and are left out here; the table of shares counts them as not right.</source>
+        <translation>Der Anteil an den eigenen Antworten jeder Versuchsperson, über die Versuchspersonen gemittelt, mit Students Intervall und Test gegen den Zufall; bei einer einzigen Versuchsperson der exakte Binomialtest. Antworten „Weiß nicht“ nennen kein Bild und bleiben hier außer Betracht; die Tabelle der Anteile zählt sie als nicht richtig.</translation>
+    </message>
+    <message>
+        <source>d′ is %1 (95 % interval %2 to %3, n = %4 answers)</source>
+        <translation>d′ ist %1 (95-%-Intervall %2 bis %3, n = %4 Antworten)</translation>
+    </message>
+    <message>
+        <source>%1 Answers “cannot tell” are counted above and take no part here.</source>
+        <translation>%1 Antworten „Weiß nicht“ sind oben gezählt und bleiben hier außer Betracht.</translation>
+    </message>
+    <message>
+        <source>Bradley and Terry: of two models, i is chosen with probability 1/(1 + exp(l_j − l_i)). The log worths have the mean 0; their intervals are Wald&apos;s with the persons as clusters. Worths add up to 1.</source>
+        <translation>Bradley und Terry: Von zwei Modellen wird i mit der Wahrscheinlichkeit 1/(1 + exp(l_j − l_i)) gewählt. Die Log-Werte haben den Mittelwert 0; ihre Intervalle sind Walds mit den Personen als Clustern. Die Werte summieren sich zu 1.</translation>
+    </message>
+    <message>
+        <source>Luce and Plackett: of several models, each is chosen in proportion to its worth. The log worths have the mean 0; their intervals are Wald&apos;s with the persons as clusters. Worths add up to 1.</source>
+        <translation>Luce und Plackett: Von mehreren Modellen wird jedes im Verhältnis seines Wertes gewählt. Die Log-Werte haben den Mittelwert 0; ihre Intervalle sind Walds mit den Personen als Clustern. Die Werte summieren sich zu 1.</translation>
+    </message>
+    <message>
+        <source>one participant</source>
+        <translation>eine Versuchsperson</translation>
+    </message>
+    <message>
+        <source>%1 participants</source>
+        <translation>%1 Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>one answer</source>
+        <translation>eine Antwort</translation>
+    </message>
+    <message>
+        <source>%1 answers</source>
+        <translation>%1 Antworten</translation>
+    </message>
+    <message>
+        <source>one go</source>
+        <translation>eine Runde</translation>
+    </message>
+    <message>
+        <source>%1 goes</source>
+        <translation>%1 Runden</translation>
+    </message>
+    <message>
+        <source>without an interval</source>
+        <translation>ohne Intervall</translation>
+    </message>
+    <message>
+        <source>p, Holm: adjusted after Holm over the %1 tests of the family that the protocol declares (%2); one that cannot be made counts as p = 1. Tests outside the family are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
+        <translation>p, Holm: nach Holm über die %1 Tests der Familie adjustiert, die das Protokoll erklärt (%2); ein nicht möglicher zählt als p = 1. Tests außerhalb der Familie sind nicht adjustiert und zeigen nur, was als Nächstes zu fragen wäre. n zählt die Einheiten daneben; Antworten und Runden sind zusammengefasst, als wären sie unabhängig.</translation>
+    </message>
+    <message>
+        <source>The protocol declares no family of tests. p, Holm: adjusted after Holm over the %1 tests of the family that this kind of protocol has by itself (%2); one that cannot be made counts as p = 1. The other tests are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
+        <translation>Das Protokoll erklärt keine Familie von Tests. p, Holm: nach Holm über die %1 Tests der Familie adjustiert, die diese Art von Protokoll von selbst hat (%2); ein nicht möglicher zählt als p = 1. Die anderen Tests sind nicht adjustiert und zeigen nur, was als Nächstes zu fragen wäre. n zählt die Einheiten daneben; Antworten und Runden sind zusammengefasst, als wären sie unabhängig.</translation>
+    </message>
+    <message>
+        <source>%1 (%2, n = %3)</source>
+        <translation>%1 (%2, n = %3)</translation>
+    </message>
+    <message>
+        <source>women are right in %1 of their answers on average, men in %2</source>
+        <translation>Frauen antworten im Mittel in %1 der Fälle richtig, Männer in %2</translation>
+    </message>
+    <message>
+        <source>women have %1 of their items right on average, men %2</source>
+        <translation>Frauen haben im Mittel %1 ihrer Zuordnungen richtig, Männer %2</translation>
+    </message>
+    <message>
+        <source>women have %1 items of a go right on average, men %2</source>
+        <translation>Frauen haben im Mittel %1 Zuordnungen einer Runde richtig, Männer %2</translation>
+    </message>
+    <message>
+        <source>%1 percentage points (%2)</source>
+        <translation>%1 Prozentpunkte (%2)</translation>
+    </message>
+    <message>
+        <source>%1 items (%2)</source>
+        <translation>%1 Zuordnungen (%2)</translation>
+    </message>
+    <message>
+        <source>They do: %1; women less men is %2, %3.</source>
+        <translation>Ja: %1; Frauen minus Männer ist %2, %3.</translation>
+    </message>
+    <message>
+        <source>Nothing shows that they do: %1; women less men is %2, %3. That does not show that they are alike.</source>
+        <translation>Nichts zeigt es: %1; Frauen minus Männer ist %2, %3. Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>Of these participants %1; women less men is %2, %3.</source>
+        <translation>Bei diesen Versuchspersonen: %1; Frauen minus Männer ist %2, %3.</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; own results with Student&apos;s intervals; their difference with Welch&apos;s, tested against all ways to split the participants into groups of these sizes.</source>
+        <translation>Mittelwerte der Ergebnisse der einzelnen Versuchspersonen mit Students Intervallen; ihr Unterschied mit dem von Welch, geprüft gegen alle Aufteilungen der Versuchspersonen in Gruppen dieser Größen.</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; own results with Student&apos;s intervals; their difference with Welch&apos;s, tested against %1 random ways to split the participants into groups of these sizes: there are too many to count all.</source>
+        <translation>Mittelwerte der Ergebnisse der einzelnen Versuchspersonen mit Students Intervallen; ihr Unterschied mit dem von Welch, geprüft gegen %1 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen: alle zu zählen wären zu viele.</translation>
+    </message>
+    <message>
+        <source>Shares of all answers pool several answers of one person (%1 in all). They are not independent: the intervals of these shares are too narrow and their p too small.</source>
+        <translation>Anteile an allen Antworten fassen mehrere Antworten einer Person zusammen (insgesamt %1). Sie sind nicht unabhängig: Die Intervalle dieser Anteile sind zu eng und ihre p zu klein.</translation>
+    </message>
+    <message>
+        <source>Shares of all answers pool several answers of the same persons (%1 answers of %2 persons in all). They are not independent: the intervals of these shares are too narrow and their p too small. Means over the persons take the person as the unit.</source>
+        <translation>Anteile an allen Antworten fassen mehrere Antworten derselben Personen zusammen (insgesamt %1 Antworten von %2 Personen). Sie sind nicht unabhängig: Die Intervalle dieser Anteile sind zu eng und ihre p zu klein. Mittelwerte über die Personen nehmen die Person als Einheit.</translation>
     </message>
 </context>
 <context>
@@ -842,6 +890,10 @@
         <source>y</source>
         <translation>y</translation>
     </message>
+    <message>
+        <source>why there is none</source>
+        <translation>warum es keinen gibt</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -943,6 +995,141 @@
     </message>
 </context>
 <context>
+    <name>CellWords</name>
+    <message>
+        <source>right answers, mean over the textures</source>
+        <translation>richtige Antworten, Mittel über die Texturen</translation>
+    </message>
+    <message>
+        <source>right items by chance, in all</source>
+        <translation>richtige Zuordnungen durch Zufall, insgesamt</translation>
+    </message>
+    <message>
+        <source>d′</source>
+        <translation>d′</translation>
+    </message>
+    <message>
+        <source>information that there was to tell</source>
+        <translation>Information, die zu übertragen war</translation>
+    </message>
+    <message>
+        <source>information, if all errors were equally frequent</source>
+        <translation>Information, wären alle Fehler gleich häufig</translation>
+    </message>
+    <message>
+        <source>information, jackknife</source>
+        <translation>Information, Jackknife</translation>
+    </message>
+    <message>
+        <source>information, less Miller’s bias</source>
+        <translation>Information, ohne Millers Verzerrung</translation>
+    </message>
+    <message>
+        <source>information, after Miller and Madow</source>
+        <translation>Information nach Miller und Madow</translation>
+    </message>
+    <message>
+        <source>information, not corrected</source>
+        <translation>Information, nicht korrigiert</translation>
+    </message>
+    <message>
+        <source>Cohen’s κ</source>
+        <translation>Cohens κ</translation>
+    </message>
+    <message>
+        <source>Mallows’ θ (chance is 0)</source>
+        <translation>Mallows’ θ (Zufall ist 0)</translation>
+    </message>
+    <message>
+        <source>right items, in all</source>
+        <translation>richtige Zuordnungen, insgesamt</translation>
+    </message>
+    <message>
+        <source>right items of a go</source>
+        <translation>richtige Zuordnungen einer Runde</translation>
+    </message>
+    <message>
+        <source>right answers, “cannot tell” left out</source>
+        <translation>richtige Antworten, ohne „Weiß nicht“</translation>
+    </message>
+    <message>
+        <source>z of the right items against chance</source>
+        <translation>z der richtigen Zuordnungen gegen den Zufall</translation>
+    </message>
+    <message>
+        <source>information</source>
+        <translation>Information</translation>
+    </message>
+    <message>
+        <source>items</source>
+        <translation>Zuordnungen</translation>
+    </message>
+    <message>
+        <source>pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>preference</source>
+        <translation>Vorliebe</translation>
+    </message>
+    <message>
+        <source>right answers</source>
+        <translation>richtige Antworten</translation>
+    </message>
+    <message>
+        <source>women and men</source>
+        <translation>Frauen und Männer</translation>
+    </message>
+    <message>
+        <source>pairs with the target</source>
+        <translation>Paare mit dem Ziel</translation>
+    </message>
+    <message>
+        <source>textures</source>
+        <translation>Texturen</translation>
+    </message>
+    <message>
+        <source>whole goes</source>
+        <translation>ganze Runden</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>bit</source>
+        <translation>Bit</translation>
+    </message>
+    <message>
+        <source>goes</source>
+        <translation>Runden</translation>
+    </message>
+    <message>
+        <source>participants</source>
+        <translation>Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>there are no answers of which this could be tested</source>
+        <translation>es gibt keine Antworten, an denen sich das prüfen ließe</translation>
+    </message>
+    <message>
+        <source>women, men</source>
+        <translation>Frauen, Männer</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
     <name>Figures</name>
     <message>
         <source>cannot tell</source>
@@ -1035,10 +1222,6 @@
     <message>
         <source>Points are shares of all answers of a row, bars their 95 % intervals by Wilson; outlined points are parts of the full ones.</source>
         <translation>Punkte sind Anteile an allen Antworten einer Zeile, Striche ihre 95-%-Intervalle nach Wilson; leere Punkte sind Teile der vollen.</translation>
-    </message>
-    <message>
-        <source>%1 (mean of %2)</source>
-        <translation>%1 (Mittel von %2)</translation>
     </message>
     <message>
         <source>Squares are means of the persons&apos; own shares, bars their 95 % intervals by t: a person is the unit.</source>
@@ -1219,6 +1402,170 @@
     <message>
         <source>second dimension</source>
         <translation>zweite Dimension</translation>
+    </message>
+    <message>
+        <source>share of right answers, mean with its %1 % interval</source>
+        <translation>Anteil richtiger Antworten, Mittelwert mit %1-%-Intervall</translation>
+    </message>
+    <message>
+        <source>right items of a go, mean with its %1 % interval</source>
+        <translation>richtige Zuordnungen einer Runde, Mittelwert mit %1-%-Intervall</translation>
+    </message>
+    <message>
+        <source>%1 Squares are means of the persons&apos; own shares with t intervals: a person is the unit.</source>
+        <translation>%1 Quadrate sind Mittelwerte der Anteile der einzelnen Personen mit t-Intervallen: Eine Person ist die Einheit.</translation>
+    </message>
+    <message>
+        <source>Both groups: means of the participants</source>
+        <translation>Beide Gruppen: Mittelwerte der Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Points are means of the participants&apos; own results, bars their %1 % t intervals. That intervals overlap is no test of a difference.</source>
+        <translation>Punkte sind Mittelwerte der Ergebnisse der einzelnen Versuchspersonen, Balken ihre %1-%-t-Intervalle. Dass Intervalle überlappen, ist kein Test eines Unterschieds.</translation>
+    </message>
+    <message>
+        <source>The difference between the groups</source>
+        <translation>Der Unterschied zwischen den Gruppen</translation>
+    </message>
+    <message>
+        <source>Bars are %1 % intervals: of the participants&apos; means by Welch, of all answers pooled by Newcombe, as if they were independent.</source>
+        <translation>Balken sind %1-%-Intervalle: der Mittelwerte der Versuchspersonen nach Welch, aller Antworten zusammen nach Newcombe, als wären sie unabhängig.</translation>
+    </message>
+    <message>
+        <source>There are not two groups with answers: there is nothing to compare.</source>
+        <translation>Es gibt keine zwei Gruppen mit Antworten: Es ist nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>%1 (n = %2)</source>
+        <translation>%1 (n = %2)</translation>
+    </message>
+    <message>
+        <source>%1 less %2, with its %3 % interval</source>
+        <translation>%1 minus %2, mit %3-%-Intervall</translation>
+    </message>
+    <message>
+        <source>means of the participants</source>
+        <translation>Mittelwerte der Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>all answers together</source>
+        <translation>alle Antworten zusammen</translation>
+    </message>
+    <message>
+        <source>There is no difference of means.</source>
+        <translation>Es gibt keinen Unterschied von Mittelwerten.</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>kein Unterschied</translation>
+    </message>
+    <message>
+        <source>Scores by item</source>
+        <translation>Bewertungen je Gegenstand</translation>
+    </message>
+    <message>
+        <source>Points are means over the participants who scored every item, bars their %1 % t intervals. The tests beside them use the order of the scores alone.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, die alles bewertet haben, Balken ihre %1-%-t-Intervalle. Die Tests daneben verwenden nur die Reihenfolge der Bewertungen.</translation>
+    </message>
+    <message>
+        <source>Nobody scored every item: there are no means to show.</source>
+        <translation>Niemand hat alles bewertet: Es gibt keine Mittelwerte zu zeigen.</translation>
+    </message>
+    <message>
+        <source>score, mean with its %1 % interval</source>
+        <translation>Bewertung, Mittelwert mit %1-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Means by condition</source>
+        <translation>Mittelwerte je Bedingung</translation>
+    </message>
+    <message>
+        <source>Points are means over the participants, moved aside where several stand at one place. Bars: %1 % intervals without the participants&apos; own levels (Cousineau and Morey), which show differences within participants. Lines lead the eye.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: %1-%-Intervalle ohne die eigenen Niveaus der Versuchspersonen (Cousineau und Morey), die Unterschiede innerhalb der Versuchspersonen zeigen. Linien führen das Auge.</translation>
+    </message>
+    <message>
+        <source>Points are means over the participants, moved aside where several stand at one place. Bars: %1 % t intervals. Lines lead the eye.</source>
+        <translation>Punkte sind Mittelwerte über die Versuchspersonen, zur Seite gerückt, wo mehrere an einer Stelle stehen. Balken: %1-%-t-Intervalle. Linien führen das Auge.</translation>
+    </message>
+    <message>
+        <source>There are no means: %1.</source>
+        <translation>Es gibt keine Mittelwerte: %1.</translation>
+    </message>
+    <message>
+        <source>There are no means: nothing was measured.</source>
+        <translation>Es gibt keine Mittelwerte: Es wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>mean, in the unit of the table</source>
+        <translation>Mittelwert, in der Einheit der Tabelle</translation>
+    </message>
+    <message>
+        <source>exact binomial, one-sided</source>
+        <translation>exakter Binomialtest, einseitig</translation>
+    </message>
+    <message>
+        <source>exact binomial, two-sided</source>
+        <translation>exakter Binomialtest, zweiseitig</translation>
+    </message>
+    <message>
+        <source>χ² against equal shares</source>
+        <translation>χ² gegen gleiche Anteile</translation>
+    </message>
+    <message>
+        <source>Fisher&apos;s exact test</source>
+        <translation>Fishers exakter Test</translation>
+    </message>
+    <message>
+        <source>right answers at a d′</source>
+        <translation>richtige Antworten bei einem d′</translation>
+    </message>
+    <message>
+        <source>matching, some items known</source>
+        <translation>Zuordnung, einiges bekannt</translation>
+    </message>
+    <message>
+        <source>matching, Mallows&apos; model</source>
+        <translation>Zuordnung, Mallows’ Modell</translation>
+    </message>
+    <message>
+        <source>paired t</source>
+        <translation>gepaarter t-Test</translation>
+    </message>
+    <message>
+        <source>one factor within participants</source>
+        <translation>ein Faktor innerhalb der Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>n of the plan</source>
+        <translation>n des Plans</translation>
+    </message>
+    <message>
+        <source>power: probability that the test finds it</source>
+        <translation>Teststärke: Wahrscheinlichkeit, dass der Test es findet</translation>
+    </message>
+    <message>
+        <source>80 %</source>
+        <translation>80 %</translation>
+    </message>
+    <message>
+        <source>%1 · %2 (n = %3)</source>
+        <translation>%1 · %2 (n = %3)</translation>
+    </message>
+    <message>
+        <source>Power of the planned tests</source>
+        <translation>Teststärke der geplanten Tests</translation>
+    </message>
+    <message>
+        <source>Points are planned sizes, each computed by itself: the exact tests of counts go up and down between them. The dashed line is what plans usually aim at.</source>
+        <translation>Punkte sind geplante Größen, jede für sich berechnet: Die exakten Tests von Anzahlen gehen dazwischen auf und ab. Die gestrichelte Linie ist, was Pläne meist anstreben.</translation>
+    </message>
+    <message>
+        <source>No plan has a power to show.</source>
+        <translation>Kein Plan hat eine Teststärke zu zeigen.</translation>
     </message>
 </context>
 <context>
