@@ -445,7 +445,7 @@ TEST(AnalysisOutput, PutsIntervalsInBracketsForReaders) {
   EXPECT_THAT(text, testing::StartsWith("selection 1 (selection, chapter): people\n"));
   EXPECT_THAT(text,
               testing::ContainsRegex("1 +height_map +12  20 +20  0\\.60 +\\[0\\.39, 0\\.78\\] +"
-                                     "\\[0\\.36, 0\\.81\\] +0\\.333 +0\\.016\n"));
+                                     "\\[0\\.36, 0\\.81\\] +0\\.333 +\\.016\n"));
 }
 
 TEST(AnalysisOutput, KeepsAllDigitsForPrograms) {

@@ -119,12 +119,13 @@ TEST(Render, SaysWhatIsWrongWithAPath) {
 TEST(Render, RefusesAModelOrParameterThatThereIsNot) {
   const TemporaryFolder place{};
   write_text(place / "path.tsv", "time_s\tx_m\ty_m\tz_m\n0\t0\t0\t0\n1\t0\t0\t0\n");
-  const auto refused = [&place](std::vector<std::string> more, const std::string& word) {
+  const auto refused = [&place](std::vector<std::string> more, const std::string& word,
+                                int status = 1) {
     std::vector<std::string> arguments{"render", "--path", place / "path.tsv", "--out",
                                        place / "forces.tsv"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = asperity(arguments);
-    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_EQ(outcome.status, status) << outcome.err;
     EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " in " << outcome.err;
     EXPECT_FALSE(fs::exists(place / "forces.tsv"));
   };
@@ -134,7 +135,7 @@ TEST(Render, RefusesAModelOrParameterThatThereIsNot) {
   refused({"--model", "sinusoid", "--param", "amplitude_m=0,001"}, "0,001");
   refused({"--model", "height_map"}, "height field");
   refused({"--model", "height_map", "--stimulus", place / "nowhere.png"}, "nowhere.png");
-  refused({"--model", "sinusoid", "--stiffness-n-per-m", "-5"}, "stiffness_N_per_m");
+  refused({"--model", "sinusoid", "--stiffness-n-per-m", "-5"}, "--stiffness-n-per-m", 2);
 }
 
 TEST(Render, OverwritesOnlyWithForce) {
