@@ -262,9 +262,14 @@ TEST_F(DoubleBlind, NoNameIsSeenInAnyPhaseOfARunUntilAReasonIsGiven) {
   auto& form = child<ReasonForm>(experimenter(), "reason_form");
   wait_for("the question", [&] { return form.isVisible(); });
   EXPECT_TRUE(experimenter().is_blind());
-  experimenter().activateWindow();
-  child<QLineEdit>(form, "reason").setFocus();
-  wait_for("the keyboard", [&] { return child<QLineEdit>(form, "reason").hasFocus(); });
+  // The participant's window may still be asking for the keyboard that the pause took from it.
+  wait_for("the keyboard", [&] {
+    auto& reason = child<QLineEdit>(form, "reason");
+    if (reason.hasFocus()) return true;
+    experimenter().activateWindow();
+    reason.setFocus();
+    return false;
+  });
   QTest::keyClicks(&child<QLineEdit>(form, "reason"), "the hand is hot");
   click(form, "reason_given");
   EXPECT_FALSE(experimenter().is_blind());
