@@ -42,11 +42,7 @@ struct LeastSquares {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver{};
 };
 
-LeastSquares least_squares(const MagnitudeCurves& curves, Eigen::Index coefficients) {
-  if (curves.log10.rows() < 2) {
-    throw std::invalid_argument("log10 has " + std::to_string(curves.log10.rows()) +
-                                " participants; curves are compared over at least two");
-  }
+LeastSquares least_squares_of_any(const MagnitudeCurves& curves, Eigen::Index coefficients) {
   if (curves.x.size() != curves.log10.cols() || !curves.x.allFinite() ||
       !curves.log10.allFinite()) {
     throw std::invalid_argument("x must have one finite level per column of log10, all finite");
@@ -58,6 +54,14 @@ LeastSquares least_squares(const MagnitudeCurves& curves, Eigen::Index coefficie
                                 std::to_string(coefficients) + " coefficients");
   }
   return fit;
+}
+
+LeastSquares least_squares(const MagnitudeCurves& curves, Eigen::Index coefficients) {
+  if (curves.log10.rows() < 2) {
+    throw std::invalid_argument("log10 has " + std::to_string(curves.log10.rows()) +
+                                " participants; curves are compared over at least two");
+  }
+  return least_squares_of_any(curves, coefficients);
 }
 
 // The curve through the means of all participants.
@@ -384,6 +388,34 @@ QuadraticFit quadratic_fit(const MagnitudeCurves& curves) {
       found.pooled_standard_error = error(curve.covariance);
     }
     answer.peak = found;
+  }
+  return answer;
+}
+
+CurveFit curve_fit(const CurvePoints& points) {
+  const MagnitudeCurves curves{
+      .log10 =
+          Eigen::Map<const Eigen::RowVectorXd>(points.log10.data(), index(points.log10.size())),
+      .x = Eigen::Map<const Eigen::VectorXd>(points.x.data(), index(points.x.size()))};
+  const MeanFit fit = mean_fit(curves, least_squares_of_any(curves, 3));
+  CurveFit answer{.curve = quadratic_of(fit.coefficients), .r2 = fit.r2};
+  const std::optional<double> peak = answer.curve.peak();
+  if (!peak) return answer;
+  const bool is_inside = *peak >= curves.x.minCoeff() && *peak <= curves.x.maxCoeff();
+  answer.status = is_inside ? PeakStatus::inside : PeakStatus::outside_range;
+  if (is_inside) {
+    answer.peak = CurveFit::Peak{
+        .x = *peak,
+        .height = answer.curve.a + answer.curve.b * *peak + answer.curve.c * *peak * *peak};
+  }
+  if (fit.df > 0.0) {
+    const double t = *t_limit({.confidence = points.confidence, .df = fit.df});
+    answer.fieller = fieller_set(answer.curve, fit.covariance, t);
+    if (is_inside) {
+      const Eigen::Vector2d gradient = peak_gradient(answer.curve);
+      answer.peak->standard_error =
+          std::sqrt(gradient.dot(fit.covariance.bottomRightCorner<2, 2>() * gradient));
+    }
   }
   return answer;
 }

@@ -149,6 +149,33 @@ struct QuadraticFit {
 };
 QuadraticFit quadratic_fit(const MagnitudeCurves& curves);
 
+/// One curve that nobody repeated, as of a simulation: the parabola of least squares through its
+/// points.
+///
+/// Standard error and interval of the peak come from the residuals about the parabola, t with n − 3
+/// degrees of freedom: they say how well a parabola describes the curve and how well it places its
+/// top, nothing about people. `fieller` as in QuadraticFit, with the covariance of the residuals.
+struct CurveFit {
+  Quadratic curve{};
+  double r2 = 0.0;
+  PeakStatus status = PeakStatus::no_maximum;
+  struct Peak {
+    double x = 0.0;
+    double height = 0.0;                     ///< log₁₀R
+    std::optional<double> standard_error{};  ///< of more than three points
+  };
+  std::optional<Peak> peak{};                   ///< where the status is `inside`
+  std::optional<ConfidenceInterval> fieller{};  ///< of more than three points, c < 0
+};
+struct CurvePoints {
+  std::span<const double> x{};
+  std::span<const double> log10{};
+  double confidence = 0.95;
+};
+/// Throws std::invalid_argument for spans of different length, numbers that are not finite and fewer
+/// than three different x.
+CurveFit curve_fit(const CurvePoints& points);
+
 /// The peak of resampled participants. Resamples without a maximum are left out and counted.
 ///
 /// `bias_corrected` is BCa [Efron 1987]: z₀ from the resamples below the peak (ties half), the

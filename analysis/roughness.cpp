@@ -14,9 +14,13 @@
 namespace asperity {
 namespace {
 
-constexpr double kBest_Hz = 250.0;
-constexpr double kOmega_rad_per_s = 2.0 * std::numbers::pi * kBest_Hz;
-constexpr double kThreshold_m_per_s2 = kOmega_rad_per_s * kOmega_rad_per_s * 0.1e-6;
+constexpr double kPacinianFrom_Hz = 40.0;
+
+// a₀.
+constexpr double acceleration_of(const VibrationThreshold& threshold) {
+  const double omega_rad_per_s = 2.0 * std::numbers::pi * threshold.best_Hz;
+  return omega_rad_per_s * omega_rad_per_s * threshold.displacement_m;
+}
 
 void refuse_unusable(std::span<const double> record, double rate_Hz) {
   if (record.empty()) {
@@ -59,6 +63,22 @@ void for_each_line(std::span<const double> centred, double rate_Hz, Visit visit)
   }
 }
 
+void add_bands(double frequency_Hz, double power, double& fa1, double& fa2) {
+  if (frequency_Hz >= 5.0 && frequency_Hz < 50.0) {
+    fa1 += power;
+  } else if (frequency_Hz >= 50.0 && frequency_Hz <= 500.0) {
+    fa2 += power;
+  }
+}
+
+// A line's part of P_w.
+double pacinian_part(double frequency_Hz, double power, const VibrationThreshold& threshold) {
+  if (frequency_Hz < kPacinianFrom_Hz) return 0.0;
+  const double over = std::max(1.0, frequency_Hz / threshold.best_Hz);
+  const double at_m_per_s2 = acceleration_of(threshold) * over * over * over * over;
+  return 2.0 * power / (at_m_per_s2 * at_m_per_s2);
+}
+
 }  // namespace
 
 RecordRoughness record_roughness(std::span<const double> record, double rate_Hz) {
@@ -70,11 +90,7 @@ RecordRoughness record_roughness(std::span<const double> record, double rate_Hz)
     roughness.maximum = std::max(roughness.maximum, std::abs(value));
   }
   for_each_line(centred, rate_Hz, [&](double frequency_Hz, double power) {
-    if (frequency_Hz >= 5.0 && frequency_Hz < 50.0) {
-      roughness.fa1_power += power;
-    } else if (frequency_Hz >= 50.0 && frequency_Hz <= 500.0) {
-      roughness.fa2_power += power;
-    }
+    add_bands(frequency_Hz, power, roughness.fa1_power, roughness.fa2_power);
   });
   return roughness;
 }
@@ -93,22 +109,57 @@ std::optional<double> acceleration_roughness_dB(std::span<const double> accelera
   if (!(rms > 0.0)) {
     return std::nullopt;
   }
-  return 20.0 * std::log10(rms / kThreshold_m_per_s2);
+  return 20.0 * std::log10(rms / acceleration_of(kLargeContactor));
 }
 
-double pacinian_power(std::span<const double> acceleration_m_per_s2, double rate_Hz) {
+double pacinian_power(std::span<const double> acceleration_m_per_s2, double rate_Hz,
+                      const VibrationThreshold& threshold) {
   refuse_unusable(acceleration_m_per_s2, rate_Hz);
   double sum = 0.0;
-  for_each_line(about_mean(acceleration_m_per_s2), rate_Hz,
-                [&sum](double frequency_Hz, double power) {
-                  if (frequency_Hz < 40.0) {
-                    return;
-                  }
-                  const double over = std::max(1.0, frequency_Hz / kBest_Hz);
-                  const double threshold_m_per_s2 = kThreshold_m_per_s2 * over * over * over * over;
-                  sum += 2.0 * power / (threshold_m_per_s2 * threshold_m_per_s2);
-                });
+  for_each_line(about_mean(acceleration_m_per_s2), rate_Hz, [&](double frequency_Hz, double power) {
+    sum += pacinian_part(frequency_Hz, power, threshold);
+  });
   return sum;
+}
+
+HeldToolRecord::HeldToolRecord(double rate_Hz) : rate_Hz_(rate_Hz) {
+  if (!(rate_Hz > 0.0)) throw std::invalid_argument("rate_Hz must be positive");
+}
+
+void HeldToolRecord::reserve(std::size_t samples) {
+  for (std::vector<double>& one : accelerations_m_per_s2_) one.reserve(samples);
+}
+
+void HeldToolRecord::add(double along_m_per_s2, double across_m_per_s2) {
+  accelerations_m_per_s2_[0].push_back(along_m_per_s2);
+  accelerations_m_per_s2_[1].push_back(across_m_per_s2);
+}
+
+void HeldToolRecord::clear() noexcept {
+  for (std::vector<double>& one : accelerations_m_per_s2_) one.clear();
+}
+
+HeldToolRoughness HeldToolRecord::roughness() const {
+  refuse_unusable(accelerations_m_per_s2_[0], rate_Hz_);
+  std::vector<double> squares(size(), 0.0);
+  HeldToolRoughness roughness{};
+  double weighted = 0.0;
+  for (const std::vector<double>& one : accelerations_m_per_s2_) {
+    const std::vector<double> centred = about_mean(one);
+    const auto [low, high] = std::minmax_element(centred.begin(), centred.end());
+    if (*low == *high) continue;  // held still in this direction
+    for (std::size_t i = 0; i < centred.size(); ++i) squares[i] += centred[i] * centred[i];
+    for_each_line(centred, rate_Hz_, [&](double frequency_Hz, double power) {
+      add_bands(frequency_Hz, power, roughness.fa1_m2_per_s4, roughness.fa2_m2_per_s4);
+      weighted += pacinian_part(frequency_Hz, power, kHeldTool);
+    });
+  }
+  double sum = 0.0;
+  for (const double square : squares) sum += square;
+  roughness.rms_accel_m_per_s2 = std::sqrt(sum / static_cast<double>(squares.size()));
+  roughness.max_accel_m_per_s2 = std::sqrt(*std::max_element(squares.begin(), squares.end()));
+  if (weighted > 0.0) roughness.pacinian_dB = 10.0 * std::log10(weighted);
+  return roughness;
 }
 
 std::optional<HeightRoughness> height_roughness(std::span<const float> heights_m) {

@@ -59,6 +59,38 @@ TEST(QuadraticFit, RefusesTooFewLevelsAndOneParticipant) {
   EXPECT_THROW(quadratic_fit(humps({0.1})), std::invalid_argument);
 }
 
+// R 4.2: lm(y ~ x + I(x^2)), the delta method with vcov(), and the roots of Fieller's quadratic with
+// qt(.975, 2).
+TEST(CurveFit, PlacesThePeakOfACurveThatNobodyRepeated) {
+  constexpr std::array kX{0.0, 0.25, 0.5, 0.75, 1.0};
+  constexpr std::array kY{0.1, 0.42, 0.5, 0.45, 0.12};
+  const CurveFit fit = curve_fit({.x = kX, .log10 = kY});
+  EXPECT_NEAR(fit.curve.a, 0.0997142857143, 1e-12);
+  EXPECT_NEAR(fit.curve.b, 1.66228571429, 1e-11);
+  EXPECT_NEAR(fit.curve.c, -1.63428571429, 1e-11);
+  EXPECT_NEAR(fit.r2, 0.992377340969, 1e-11);
+  ASSERT_TRUE(fit.peak && fit.fieller);
+  EXPECT_EQ(fit.status, PeakStatus::inside);
+  EXPECT_NEAR(fit.peak->x, 0.508566433566, 1e-11);
+  EXPECT_NEAR(fit.peak->height, 0.522405644356, 1e-11);
+  EXPECT_NEAR(fit.peak->standard_error.value(), 0.00919662216092, 1e-11);
+  EXPECT_NEAR(fit.fieller->low, 0.468157612055, 1e-11);
+  EXPECT_NEAR(fit.fieller->high, 0.550291387388, 1e-11);
+}
+
+TEST(CurveFit, SaysWhereThereIsNoPeakAndRefusesTooFewPoints) {
+  constexpr std::array kX{0.0, 1.0, 2.0};
+  constexpr std::array kBowl{1.0, 0.0, 1.0};
+  EXPECT_EQ(curve_fit({.x = kX, .log10 = kBowl}).status, PeakStatus::no_maximum);
+  constexpr std::array kRising{0.0, 3.0, 5.0};  // its parabola turns at x = 3.5
+  const CurveFit rising = curve_fit({.x = kX, .log10 = kRising});
+  EXPECT_EQ(rising.status, PeakStatus::outside_range);
+  EXPECT_FALSE(rising.peak || rising.fieller);
+  EXPECT_THROW(curve_fit({.x = std::span(kX).first(2), .log10 = std::span(kBowl).first(2)}),
+               std::invalid_argument);
+  EXPECT_THROW(curve_fit({.x = kX, .log10 = std::span(kBowl).first(2)}), std::invalid_argument);
+}
+
 TEST(PeakShift, ComparesWithinParticipants) {
   const QuadraticFit near = quadratic_fit(humps({0.1, 0.4, 0.3}));
   const QuadraticFit far = quadratic_fit(humps({0.3, 0.6, 0.51}));

@@ -87,6 +87,40 @@ TEST(HeightRoughness, OfASinusoidFollowsFromItsAmplitude) {
   EXPECT_NEAR(roughness.Sku, 1.5, 1e-3);
 }
 
+// A tone at the held tool's own threshold, a₀ = (2π·175)²·0.03 µm, is 0 dB; twice as strong 6.02 dB.
+// Along and across it counts as √2 of either.
+TEST(HeldToolRecord, AddsThePowersOfBothDirections) {
+  const double threshold_m_per_s2 = std::pow(2.0 * std::numbers::pi * 175.0, 2) * 0.03e-6;
+  EXPECT_NEAR(threshold_m_per_s2, 0.0363, 1e-4);
+  HeldToolRecord along(kRate_Hz);
+  HeldToolRecord both(kRate_Hz);
+  for (const double one : tone(100.0, 2.0 * threshold_m_per_s2)) {
+    along.add(one, 7.0);
+    both.add(one, -one);
+  }
+  const HeldToolRoughness one = along.roughness();
+  EXPECT_NEAR(one.pacinian_dB.value(), 20.0 * std::log10(2.0), 1e-6);
+  EXPECT_NEAR(one.max_accel_m_per_s2, 2.0 * threshold_m_per_s2, 1e-6);
+  EXPECT_NEAR(one.fa2_m2_per_s4, 2.0 * threshold_m_per_s2 * threshold_m_per_s2, 1e-9);
+  EXPECT_NEAR(one.fa1_m2_per_s4, 0.0, 1e-12);
+  const HeldToolRoughness two = both.roughness();
+  EXPECT_NEAR(two.max_accel_m_per_s2, std::sqrt(2.0) * one.max_accel_m_per_s2, 1e-9);
+  EXPECT_NEAR(two.rms_accel_m_per_s2, std::sqrt(2.0) * one.rms_accel_m_per_s2, 1e-9);
+  EXPECT_NEAR(two.fa2_m2_per_s4, 2.0 * one.fa2_m2_per_s4, 1e-9);
+  EXPECT_NEAR(two.pacinian_dB.value(), one.pacinian_dB.value() + 10.0 * std::log10(2.0), 1e-9);
+}
+
+TEST(HeldToolRecord, BeginsAnewWhenItIsCleared) {
+  HeldToolRecord record(kRate_Hz);
+  EXPECT_THROW(record.roughness(), std::invalid_argument);
+  record.add(100.0, 0.0);
+  record.clear();
+  for (int i = 0; i < 100; ++i) record.add(3.0, -2.0);
+  EXPECT_EQ(record.roughness().max_accel_m_per_s2, 0.0);
+  EXPECT_FALSE(record.roughness().pacinian_dB);
+  EXPECT_THROW(HeldToolRecord(0.0), std::invalid_argument);
+}
+
 // One pit of depth 1 in n = 10: mean −0.1; Sa 0.18, Sq 0.3, Ssk −(0.729 − 9·0.001)/10/0.027 = −8/3,
 // Sku (0.6561 + 9·0.0001)/10/0.0081 = 73/9.
 TEST(HeightRoughness, SkewsDownwardsForAPit) {
