@@ -17,14 +17,12 @@
 
 #include "analysis/spectrum.h"
 #include "renderers/offline/along_path.h"
+#include "renderers/offline/constant_height.h"
 
 namespace asperity {
 namespace {
 
 constexpr std::uintmax_t kIterations = 200;
-// A height is looked for this far above and below the plane: more than any texture or hand.
-constexpr double kFarthest_m = 0.1;
-constexpr double kMeanForceTolerance = 1e-9;
 constexpr double kRmsTolerance = 1e-9;
 
 std::string text_of(double value) {
@@ -103,39 +101,15 @@ double mean_normal_N(std::span<const glm::dvec3> forces_N) {
 // The height over the plane at which the mean normal force is the path's.
 double height_of(const ForceModel& model, ForceRenderer& renderer, Strokes& strokes,
                  const RendererInputs& inputs, const TextureForcePath& path) {
-  const double wanted_N = path.mean_normal_force_N;
-  const auto excess = [&](double height_m) {
-    return mean_normal_N(strokes.forces_N(renderer, height_m)) / wanted_N - 1.0;
-  };
-  // Up and down in growing steps from where a plain plate would be.
-  double step_m = wanted_N / inputs.material.stiffness_N_per_m;
-  Bracket height_m{-step_m, -step_m};
-  Bracket value{excess(height_m.low), 0.0};
-  value.high = value.low;
-  while (value.high > 0.0 && height_m.high < kFarthest_m) {
-    height_m.low = height_m.high;
-    value.low = value.high;
-    height_m.high += step_m;
-    value.high = excess(height_m.high);
-    step_m *= 2.0;
-  }
-  while (value.low < 0.0 && height_m.low > -kFarthest_m) {
-    height_m.high = height_m.low;
-    value.high = value.low;
-    height_m.low -= step_m;
-    value.low = excess(height_m.low);
-    step_m *= 2.0;
-  }
-  double reached = value.low < 0.0 ? value.low : value.high;
-  if (value.low >= 0.0 && value.high <= 0.0) {
-    const double root_m = root_of(excess, height_m, value);
-    reached = excess(root_m);
-    if (std::abs(reached) <= kMeanForceTolerance) return root_m;
-  }
-  throw std::invalid_argument("the force model " + model.declaration.id +
-                              " has no constant height with a mean normal force of " +
-                              text_of(wanted_N) + " N; the nearest that it reaches is " +
-                              text_of((1.0 + reached) * wanted_N) + " N");
+  const ConstantHeight found = constant_height(
+      [&](double height_m) { return mean_normal_N(strokes.forces_N(renderer, height_m)); },
+      {.force_N = path.mean_normal_force_N,
+       .stiffness_N_per_m = inputs.material.stiffness_N_per_m});
+  if (found.height_m) return *found.height_m;
+  throw std::invalid_argument(
+      "the force model " + model.declaration.id +
+      " has no constant height with a mean normal force of " + text_of(path.mean_normal_force_N) +
+      " N; the nearest that it reaches is " + text_of(found.reached_N) + " N");
 }
 
 void check(const TextureForcePath& path) {

@@ -1,0 +1,259 @@
+// Finds the height, drags in ever smaller steps, and compares the measures.
+
+#include "renderers/offline/drag.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analysis/number_text.h"
+#include "renderers/offline/constant_height.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kLongestStep_s = 50e-6;
+constexpr int kHalvings = 5;
+constexpr double kForgotten = 8.0;  // e⁻⁸ of the beginning is left
+constexpr double kShortestRecord_s = 0.5;
+constexpr std::size_t kFewestSpacings = 16;
+constexpr std::size_t kFewestOnShortPlate = 4;
+constexpr std::size_t kSamplesPerSpacing = 256;
+constexpr double kAccelerationTolerance = 0.01;
+constexpr double kPowerTolerance = 0.02;
+constexpr double kPowerFloor = 1e-4;
+constexpr double kRounding_m_per_s2 = 1e-6;  // of the arithmetic, and far below what anybody feels
+constexpr double kCaught = 0.05;
+constexpr double kDeeper_m = 10e-6;
+constexpr double kYielding = 0.1;
+constexpr std::size_t kBetweenStops = 4096;
+
+void require_positive(const char* field, double value) {
+  if (value > 0.0 && std::isfinite(value)) return;
+  throw std::invalid_argument(std::string("Drag::") + field + " must be positive, and it is " +
+                              number_text(value));
+}
+
+// How long, in spacings and in time.
+struct Length {
+  std::size_t spacings = 0;
+  double spacing_s = 0.0;
+  double dropped_s = 0.0;
+};
+
+Length length_of(const Drag& stroke) {
+  Length length{.spacing_s = stroke.spacing_m / stroke.speed_m_per_s};
+  length.dropped_s = beginning_s(stroke.hand, stroke.mode == DragMode::constant_force
+                                                  ? std::optional<double>(stroke.stiffness_N_per_m)
+                                                  : std::nullopt);
+  length.spacings = std::bit_ceil(std::max(
+      kFewestSpacings, static_cast<std::size_t>(std::ceil(kShortestRecord_s / length.spacing_s))));
+  if (stroke.reach_m > 0.0) {
+    const auto takes_m = [&] {
+      return stroke.speed_m_per_s *
+             (length.dropped_s + static_cast<double>(length.spacings) * length.spacing_s);
+    };
+    while (takes_m() > stroke.reach_m && length.spacings > kFewestOnShortPlate)
+      length.spacings /= 2;
+    if (takes_m() > stroke.reach_m) {
+      throw std::invalid_argument("Drag::reach_m is " + number_text(stroke.reach_m) +
+                                  ", and the stroke is " + number_text(takes_m()) + " m long");
+    }
+  }
+  return length;
+}
+
+// Normal forces along the texture at a height, nothing yielding.
+class StillHeight {
+ public:
+  StillHeight(ForceRenderer& renderer, const Drag& stroke) : renderer_(renderer), stroke_(stroke) {
+    const double spacings = std::max(1.0, std::round(stroke.repeats_after_m / stroke.spacing_m));
+    samples_ = static_cast<std::size_t>(spacings) * kSamplesPerSpacing;
+    pitch_m_ = stroke.repeats_after_m / static_cast<double>(samples_);
+  }
+
+  const std::vector<double>& normal_N(double height_m) {
+    normal_N_.resize(samples_);
+    const double dt_s = pitch_m_ / stroke_.speed_m_per_s;
+    for (std::size_t i = 0; i < samples_; ++i) {
+      ProbeState probe{};
+      probe.time_ns = std::llround(static_cast<double>(i) * dt_s * 1e9);
+      probe.position_m = {stroke_.start_x_m + static_cast<double>(i) * pitch_m_, 0.0, height_m};
+      probe.velocity_m_per_s = {stroke_.speed_m_per_s, 0.0, 0.0};
+      if (i == 0) renderer_.reset(probe);
+      normal_N_[i] = renderer_.tick(probe, dt_s).wrench.force_N.z;
+    }
+    return normal_N_;
+  }
+
+  double mean_normal_N(double height_m) {
+    double sum_N = 0.0;
+    for (const double one_N : normal_N(height_m)) sum_N += one_N;
+    return sum_N / static_cast<double>(samples_);
+  }
+
+  bool yields_at(double height_m) {
+    const std::vector<double> here_N = normal_N(height_m);
+    const std::vector<double>& deeper_N = normal_N(height_m - kDeeper_m);
+    for (std::size_t i = 0; i < samples_; ++i) {
+      if (here_N[i] > 0.0 &&
+          deeper_N[i] - here_N[i] < kYielding * kDeeper_m * stroke_.stiffness_N_per_m) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  ForceRenderer& renderer_;
+  const Drag& stroke_;
+  std::size_t samples_ = 0;
+  double pitch_m_ = 0.0;
+  std::vector<double> normal_N_{};
+};
+
+// What one simulation with one time step came to.
+struct Run {
+  HeldToolRoughness roughness{};
+  double slowest_m_per_s = 0.0;
+  double lowest_m = 0.0;
+};
+
+struct Steps {
+  std::size_t in_a_spacing = 0;
+  double height_m = 0.0;
+};
+
+std::optional<Run> simulated(ForceRenderer& renderer, const Drag& stroke, const Length& length,
+                             const Steps& steps, const std::stop_token& stop) {
+  const double dt_s = length.spacing_s / static_cast<double>(steps.in_a_spacing);
+  const auto dropped = static_cast<std::size_t>(std::ceil(length.dropped_s / dt_s));
+  const std::size_t kept = length.spacings * steps.in_a_spacing;
+  HeldTool tool(stroke.hand, {.speed_m_per_s = stroke.speed_m_per_s,
+                              .press_N = stroke.mode == DragMode::constant_force
+                                             ? std::optional<double>(stroke.force_N)
+                                             : std::nullopt,
+                              .start_m = {stroke.start_x_m, 0.0, steps.height_m}});
+  HeldToolRecord record(1.0 / dt_s);
+  record.reserve(kept);
+  Run run{.slowest_m_per_s = stroke.speed_m_per_s, .lowest_m = steps.height_m};
+  renderer.reset(tool.state());
+  tool.feel(renderer.tick(tool.state(), dt_s).wrench.force_N);
+  for (std::size_t i = 0; i < dropped + kept; ++i) {
+    if (i % kBetweenStops == 0 && stop.stop_requested()) return std::nullopt;
+    tool.feel(renderer.tick(tool.advance(dt_s), dt_s).wrench.force_N);
+    if (i < dropped) continue;
+    record.add(tool.acceleration_m_per_s2().x, tool.acceleration_m_per_s2().y);
+    run.slowest_m_per_s = std::min(run.slowest_m_per_s, tool.state().velocity_m_per_s.x);
+    run.lowest_m = std::min(run.lowest_m, tool.state().position_m.z);
+  }
+  run.roughness = record.roughness();
+  if (run.roughness.max_accel_m_per_s2 < kRounding_m_per_s2) run.roughness = {};
+  return run;
+}
+
+bool agree(double a, double b, double tolerance, double floor) {
+  return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b)) + floor;
+}
+
+bool agree(const HeldToolRoughness& a, const HeldToolRoughness& b) {
+  const double floor = kPowerFloor * b.rms_accel_m_per_s2 * b.rms_accel_m_per_s2;
+  const auto power_of = [](const HeldToolRoughness& one) {
+    return one.pacinian_dB ? std::pow(10.0, 0.1 * *one.pacinian_dB) : 0.0;
+  };
+  // In units of the weighted power, what the floor would be at the threshold's own frequency.
+  const double weighted_floor =
+      floor * power_of(b) / std::max(b.rms_accel_m_per_s2 * b.rms_accel_m_per_s2, 1e-300);
+  return agree(a.max_accel_m_per_s2, b.max_accel_m_per_s2, kAccelerationTolerance, 0.0) &&
+         agree(a.rms_accel_m_per_s2, b.rms_accel_m_per_s2, kAccelerationTolerance, 0.0) &&
+         agree(a.fa1_m2_per_s4, b.fa1_m2_per_s4, kPowerTolerance, floor) &&
+         agree(a.fa2_m2_per_s4, b.fa2_m2_per_s4, kPowerTolerance, floor) &&
+         agree(power_of(a), power_of(b), kPowerTolerance, weighted_floor);
+}
+
+}  // namespace
+
+const char* text_of(DragStatus status) noexcept {
+  switch (status) {
+    case DragStatus::ok:
+      return "ok";
+    case DragStatus::stick_slip:
+      return "stick_slip";
+    case DragStatus::not_converged:
+      return "not_converged";
+    case DragStatus::saturated:
+      return "saturated";
+  }
+  return "";
+}
+
+const char* text_of(DragMode mode) noexcept {
+  switch (mode) {
+    case DragMode::constant_height:
+      return "constant_height";
+    case DragMode::constant_force:
+      return "constant_force";
+  }
+  return "";
+}
+
+double beginning_s(const HandModel& hand, std::optional<double> surface_N_per_m) {
+  const double decay_per_s = slowest_decay_per_s(hand, surface_N_per_m);
+  if (!(decay_per_s > 0.0)) {
+    throw std::invalid_argument(
+        "Drag::hand never forgets how the stroke began; give it a damping and a stiffness");
+  }
+  return kForgotten / decay_per_s;
+}
+
+std::optional<DragResult> drag(ForceRenderer& renderer, const Drag& stroke,
+                               const std::stop_token& stop) {
+  require_positive("speed_m_per_s", stroke.speed_m_per_s);
+  require_positive("force_N", stroke.force_N);
+  require_positive("spacing_m", stroke.spacing_m);
+  require_positive("repeats_after_m", stroke.repeats_after_m);
+  require_positive("stiffness_N_per_m", stroke.stiffness_N_per_m);
+  const Length length = length_of(stroke);
+  StillHeight still(renderer, stroke);
+  const ConstantHeight found =
+      constant_height([&](double height_m) { return still.mean_normal_N(height_m); },
+                      {.force_N = stroke.force_N,
+                       .stiffness_N_per_m = stroke.stiffness_N_per_m,
+                       .tolerance = 1e-3,
+                       .height_bits = 24});
+  if (!found.height_m) return DragResult{.status = DragStatus::saturated};
+
+  Steps steps{.in_a_spacing = std::bit_ceil(
+                  static_cast<std::size_t>(std::ceil(length.spacing_s / kLongestStep_s))),
+              .height_m = *found.height_m};
+  std::optional<Run> last = simulated(renderer, stroke, length, steps, stop);
+  DragResult result{.status = DragStatus::not_converged, .height_m = *found.height_m};
+  for (int halving = 0; last && halving < kHalvings; ++halving) {
+    steps.in_a_spacing *= 2;
+    const std::optional<Run> finer = simulated(renderer, stroke, length, steps, stop);
+    const bool is_same = finer && agree(last->roughness, finer->roughness);
+    last = finer;
+    if (is_same) {
+      result.status = DragStatus::ok;
+      break;
+    }
+  }
+  if (!last) return std::nullopt;
+  result.roughness = last->roughness;
+  result.time_step_s = length.spacing_s / static_cast<double>(steps.in_a_spacing);
+  result.slowest_m_per_s = last->slowest_m_per_s;
+  if (still.yields_at(last->lowest_m)) {
+    result.status = DragStatus::saturated;
+  } else if (result.status == DragStatus::ok &&
+             result.slowest_m_per_s < kCaught * stroke.speed_m_per_s) {
+    result.status = DragStatus::stick_slip;
+  }
+  return result;
+}
+
+}  // namespace asperity

@@ -1,0 +1,171 @@
+// Lays out the texture, makes the renderer, and drags.
+
+#include "renderers/offline/roughness_stroke.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/number_text.h"
+#include "analysis/spectrum.h"
+#include "stimuli/synthetic_surface.h"
+#include "stimuli/textured_shape.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kSpacings = 8.0;
+constexpr double kDitheredSpacings = 16.0;
+constexpr double kSamplesPerSpacing = 64.0;
+constexpr double kCoarsest_m = 30e-6;
+constexpr std::size_t kMostPixels = 2048;
+constexpr double kLongestStep_m = 1e-4;  // the declared default: what sessions render
+constexpr double kStepsPerSpacing = 40.0;
+// A plate is beside the stroke as wide as any tool's contact, and its relief rises from its edges.
+constexpr double kPlateWidth_m = 0.010;
+constexpr double kPlateBeyond_m = 0.006;
+constexpr double kPlateRim_m = 0.002;
+constexpr double kTexelsPerWave = 2.0;  // of the shortest, of two samples: each sample has a texel
+constexpr double kPlateThickness_m = 0.01;
+constexpr double kLongestPlate_m = 0.25;
+
+TextureAtSpacing stretched(const HeightField& relief, double spacing_m) {
+  const std::optional<double> wavelength_m =
+      dominant_wavelength_m({.heights_m = relief.heights_m(),
+                             .rows = relief.grid().rows,
+                             .columns = relief.grid().columns,
+                             .pitch_m = relief.grid().pitch_m});
+  if (!wavelength_m) {
+    throw std::invalid_argument("the relief is a plane; it has no wavelength to be stretched");
+  }
+  HeightField::Grid grid = relief.grid();
+  grid.pitch_m *= spacing_m / *wavelength_m;
+  TextureAtSpacing texture{.field = std::make_shared<const HeightField>(grid, relief.heights_m()),
+                           .tiling = Tiling::mirror,  // nobody's picture repeats without a seam
+                           .spacing_m = spacing_m};
+  texture.repeats_after_m = 2.0 * texture.field->width_m();
+  return texture;
+}
+
+bool declares(const std::vector<Parameter>& parameters, std::string_view name) {
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [name](const Parameter& one) { return one.name == name; });
+}
+
+// As long as the stroke has to be, with a record of a quarter of a second or sixteen spacings.
+double plate_length_m(const RoughnessStroke& stroke, const TextureAtSpacing& texture) {
+  const double beginning_m =
+      stroke.speed_m_per_s * beginning_s(stroke.hand, stroke.material.stiffness_N_per_m);
+  const double record_m = std::max(0.25 * stroke.speed_m_per_s, 16.0 * texture.spacing_m);
+  return std::min(kLongestPlate_m, beginning_m + record_m + 2.0 * kPlateBeyond_m);
+}
+
+}  // namespace
+
+TextureAtSpacing texture_at_spacing(const SpacedTexture& texture, double spacing_m) {
+  if (!(spacing_m > 0.0 && std::isfinite(spacing_m))) {
+    throw std::invalid_argument("spacing_m must be positive, and it is " + number_text(spacing_m));
+  }
+  if (texture.relief) return stretched(*texture.relief, spacing_m);
+  for (const SurfaceDeclaration& surface : synthetic_surfaces()) {
+    if (surface.kind == texture.kind && !declares(surface.parameters, "spacing_m")) {
+      throw std::invalid_argument("the synthetic surface " + texture.kind +
+                                  " has no spacing_m that could be varied");
+    }
+  }
+  ParameterValues values = texture.values;
+  values["spacing_m"] = spacing_m;
+  const bool has_rows = texture.kind == "cones";
+  const double spacings = has_rows ? kDitheredSpacings : kSpacings;
+  const double width_m = spacings * spacing_m;
+  const double pitch_m = std::min(spacing_m / kSamplesPerSpacing, kCoarsest_m);
+  const auto pixels =
+      std::min(kMostPixels, static_cast<std::size_t>(std::lround(width_m / pitch_m)));
+  return {.field = std::make_shared<const HeightField>(make_surface(
+              texture.kind, values, {.width_m = width_m, .pixels = pixels, .seed = texture.seed})),
+          .spacing_m = spacing_m,
+          .repeats_after_m = width_m,
+          .line_m = has_rows ? 0.5 * spacing_m : 0.0};  // an even number of rows lies about y = 0
+}
+
+std::unique_ptr<ForceRenderer> stroked_renderer(const RoughnessStroke& stroke,
+                                                const TextureAtSpacing& texture) {
+  const ForceModel& model = *stroke.model;
+  RendererInputs inputs{.parameters = stroke.parameters,
+                        .material = stroke.material,
+                        .patch = {.centre_m = {0.0, -texture.line_m, 0.0},
+                                  .extent_m = {1e3, 1e3},
+                                  .tiling = texture.tiling},
+                        .height_field = texture.field,
+                        .seed = stroke.seed};
+  if (!model.declaration.needs_bodies) {
+    if (model.suggested_by) {
+      ParameterValues suggested = model.suggested_by(*texture.field, stroke.material);
+      if (declares(model.declaration.parameters, "wavelength_m")) {
+        suggested["wavelength_m"] = texture.spacing_m;
+      }
+      inputs.parameters.merge(suggested);  // what is given stays
+    }
+    return make_renderer(model, inputs);
+  }
+  const double step_m = std::min(kLongestStep_m, texture.spacing_m / kStepsPerSpacing);
+  inputs.parameters.try_emplace("step_m", step_m);
+  if (!stroke.tool) return make_tip_renderer(model, inputs, stroke.tip);
+  inputs.parameters.try_emplace("cell_m", inputs.parameters.at("step_m"));
+  inputs.parameters.try_emplace("coupling", std::string("none"));
+  inputs.tool = stroke.tool;
+  inputs.surface = std::make_shared<const TexturedMesh>(textured_shape(
+      PlateShape{{plate_length_m(stroke, texture), kPlateWidth_m, kPlateThickness_m}},
+      *texture.field,
+      {.tiling = texture.tiling, .rim_m = kPlateRim_m, .samples_per_wavelength = kTexelsPerWave}));
+  return make_renderer(model, inputs);
+}
+
+std::optional<DragResult> dragged(const RoughnessStroke& stroke, const TextureAtSpacing& texture,
+                                  const std::stop_token& stop) {
+  const std::unique_ptr<ForceRenderer> renderer = stroked_renderer(stroke, texture);
+  Drag drag_of{.hand = stroke.hand,
+               .mode = stroke.mode,
+               .speed_m_per_s = stroke.speed_m_per_s,
+               .force_N = stroke.force_N,
+               .spacing_m = texture.spacing_m,
+               .repeats_after_m = texture.repeats_after_m,
+               .stiffness_N_per_m = stroke.material.stiffness_N_per_m};
+  if (stroke.model->declaration.needs_bodies && stroke.tool) {
+    const double length_m = plate_length_m(stroke, texture);
+    drag_of.start_x_m = -0.5 * length_m + kPlateBeyond_m;
+    drag_of.reach_m = length_m - 2.0 * kPlateBeyond_m;
+    drag_of.repeats_after_m =
+        std::max(1.0, std::floor(std::min(texture.repeats_after_m, drag_of.reach_m) /
+                                 texture.spacing_m)) *
+        texture.spacing_m;
+  }
+  return drag(*renderer, drag_of, stop);
+}
+
+const char* text_of(VariedQuantity varied) noexcept {
+  switch (varied) {
+    case VariedQuantity::probe_diameter:
+      return "probe_diameter";
+    case VariedQuantity::applied_force:
+      return "applied_force";
+    case VariedQuantity::exploratory_speed:
+      return "exploratory_speed";
+  }
+  return "";
+}
+
+bool depends_on(const ModelDeclaration& declaration, VariedQuantity varied) noexcept {
+  switch (varied) {
+    case VariedQuantity::probe_diameter:
+      return declaration.needs_bodies;
+    case VariedQuantity::applied_force:
+    case VariedQuantity::exploratory_speed:
+      return true;
+  }
+  return true;
+}
+
+}  // namespace asperity
