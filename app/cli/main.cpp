@@ -94,6 +94,7 @@ int main(int argc, char** argv) {
   add_bake(program, job);
   add_verify(program, job);
   add_replay(program, job);
+  add_sweep(program, job);
   add_copy(program, job);
   try {
     program.parse(argc, argv);

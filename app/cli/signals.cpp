@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <utility>
 
 #include "app/cli/terminal.h"
 
@@ -22,7 +23,7 @@ extern "C" void note_interrupt(int number) {
 
 }  // namespace
 
-InterruptWatch::InterruptWatch() {
+InterruptWatch::InterruptWatch(std::string saying) : saying_(std::move(saying)) {
   interrupts = 0;
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
@@ -31,7 +32,7 @@ InterruptWatch::InterruptWatch() {
   watcher_ = std::jthread([this](const std::stop_token& ended) {
     while (!ended.stop_requested()) {
       if (interrupts > 0) {
-        say("stopping after this trial (once more to end at once)");
+        say(saying_ + " (once more to end at once)");
         source_.request_stop();
         return;
       }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <stop_token>
+#include <string>
 #include <thread>
 
 namespace asperity {
@@ -13,7 +14,8 @@ namespace asperity {
 /// Threads: owns one, which watches. One object at a time.
 class InterruptWatch final {
  public:
-  InterruptWatch();
+  /// `saying` is told once, when the first one comes.
+  explicit InterruptWatch(std::string saying = "stopping after this trial");
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
@@ -21,6 +23,7 @@ class InterruptWatch final {
   std::stop_token token() const noexcept { return source_.get_token(); }
 
  private:
+  std::string saying_{};
   std::stop_source source_{};
   std::jthread watcher_{};
 };

@@ -1,0 +1,295 @@
+// asperity sweep: the offline roughness experiment.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/parameter_option.h"
+#include "app/cli/signals.h"
+#include "app/cli/terminal.h"
+#include "app/height_field_files.h"
+#include "app/tasks/sweep.h"
+#include "app/textured_mesh_files.h"
+#ifdef ASPERITY_WITH_WINDOWS
+#include "app/figures/figure_files.h"
+#include "app/figures/sweep_figure.h"
+#endif
+#include "stimuli/synthetic_surface.h"
+
+namespace asperity {
+
+namespace {
+
+struct SweepOptions {
+  std::string model{};
+  std::vector<std::string> parameters{};
+  SweepOrder order{};
+  std::string values{};
+  std::string spacings = "0.0005:0.008:40";
+  std::string texture = "sinusoid,amplitude_m=0.0002";
+  std::string tool = "sphere";
+  std::string hand = "0.05,3,200";
+  int jobs = 0;
+  std::string out{};
+  std::string plot{};
+  bool force = false;
+};
+
+std::vector<std::string> pieces_of(const std::string& text, char separator) {
+  std::vector<std::string> pieces(1);
+  for (const char letter : text) {
+    if (letter == separator) {
+      pieces.emplace_back();
+    } else {
+      pieces.back() += letter;
+    }
+  }
+  return pieces;
+}
+
+std::vector<double> numbers_of(const std::string& option, const std::string& text, char separator) {
+  std::vector<double> numbers{};
+  for (const std::string& piece : pieces_of(text, separator)) {
+    const std::optional<double> number = number_in(piece);
+    if (!number) throw WrongUsage(option + " " + text + ": \"" + piece + "\" is not a number");
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+std::vector<double> spacings_of(const std::string& text) {
+  const std::vector<double> numbers = numbers_of("--spacings", text, ':');
+  if (numbers.size() != 3 || numbers[2] != std::floor(numbers[2]) || numbers[2] > 10000.0) {
+    throw WrongUsage("--spacings " + text +
+                     ": write FROM:TO:COUNT, in metres, like 0.0005:0.008:40");
+  }
+  try {
+    return logarithmic_spacings(numbers[0], numbers[1], static_cast<int>(numbers[2]));
+  } catch (const std::invalid_argument& error) {
+    throw WrongUsage("--spacings " + text + ": " + error.what());
+  }
+}
+
+HandModel hand_of(const std::string& text) {
+  const std::vector<double> numbers = numbers_of("--hand", text, ',');
+  if (numbers.size() != 3) {
+    throw WrongUsage("--hand " + text + ": write M_kg,B_N_s_per_m,K_N_per_m, like 0.05,3,200");
+  }
+  return {.mass_kg = numbers[0], .damping_N_s_per_m = numbers[1], .stiffness_N_per_m = numbers[2]};
+}
+
+void take_texture(SweepOrder& order, const std::string& text) {
+  std::vector<std::string> pieces = pieces_of(text, ',');
+  if (std::filesystem::path(text).extension() == ".png") {
+    const LoadedHeightField loaded = load_height_field(text);
+    order.texture.relief = loaded.field;
+    order.relief_sha256 = loaded.sha256;
+    return;
+  }
+  order.texture.kind = pieces.front();
+  pieces.erase(pieces.begin());
+  for (const std::string& piece : pieces) {
+    if (piece.find('=') == std::string::npos) {
+      throw WrongUsage("--texture " + text + ": write KIND[,NAME=VALUE…] or FILE.png");
+    }
+  }
+  for (const SurfaceDeclaration& surface : synthetic_surfaces()) {
+    if (surface.kind != order.texture.kind) continue;
+    order.texture.values = parameters_from(pieces, surface.parameters, surface.kind);
+  }
+  if (order.texture.values.contains("spacing_m")) {
+    throw WrongUsage("--texture " + text + ": the spacing is what --spacings says");
+  }
+}
+
+void take_tip(SweepOrder& order, const std::string& text) {
+  const std::map<std::string, TipForm> forms{
+      {"point", TipForm::point}, {"sphere", TipForm::sphere}, {"disc", TipForm::disc}};
+  const auto form = forms.find(text);
+  if (form != forms.end()) {
+    order.stroke.tip.form = form->second;
+    return;
+  }
+  const LoadedTexturedMesh loaded = load_textured_mesh(text);
+  order.stroke.tool = {loaded.stored, &loaded.stored->mesh};
+  order.tool_sha256 = loaded.sha256;
+}
+
+/// What the rows come to, a line per level.
+Table summary_table(const Sweep& sweep) {
+  const auto count = [&sweep](double value, const char* status) {
+    return static_cast<std::int64_t>(std::count_if(
+        sweep.rows.begin(), sweep.rows.end(),
+        [&](const SweepRow& row) { return row.value == value && row.status == status; }));
+  };
+  Table table{.columns = {text_of(sweep.order.varied), "rows_fitted", "stick_slip", "not_converged",
+                          "saturated", "greatest_at_mm", "parabola_peak_mm", "low_mm", "high_mm",
+                          "r2"}};
+  const auto rounded = [](std::optional<double> number, double unit) {
+    return number ? Cell(std::round(*number * unit * 1e3) / 1e3) : Cell();
+  };
+  for (const SweepCurve& curve : curves_of(sweep)) {
+    std::optional<double> peak_m{};
+    std::optional<double> low_m{};
+    std::optional<double> high_m{};
+    std::optional<double> r2{};
+    if (curve.fit) {
+      if (std::isfinite(curve.fit->r2)) r2 = curve.fit->r2;
+      if (curve.fit->peak) peak_m = std::pow(10.0, -curve.fit->peak->x);
+      if (curve.fit->peak && curve.fit->fieller) {
+        low_m = std::pow(10.0, -curve.fit->fieller->high);
+        high_m = std::pow(10.0, -curve.fit->fieller->low);
+      }
+    }
+    table.rows.push_back({curve.value, static_cast<std::int64_t>(curve.fitted.size()),
+                          count(curve.value, "stick_slip"), count(curve.value, "not_converged"),
+                          count(curve.value, "saturated"), rounded(curve.greatest_at_m, 1e3),
+                          rounded(peak_m, 1e3), rounded(low_m, 1e3), rounded(high_m, 1e3),
+                          rounded(r2, 1.0)});
+  }
+  return table;
+}
+
+int run_sweep(SweepOptions options) {
+  const ModelRegistry models = built_in_models();
+  const ForceModel* model = models.find(options.model);
+  if (model == nullptr) {
+    std::string sentence = "there is no force model \"" + options.model + "\"; there are:";
+    for (const ForceModel& known : models.models()) sentence += ' ' + known.declaration.id;
+    throw std::runtime_error(sentence);
+  }
+  SweepOrder& order = options.order;
+  order.stroke.model = model;
+  order.stroke.parameters =
+      parameters_from(options.parameters, model->declaration.parameters, options.model);
+  order.stroke.hand = hand_of(options.hand);
+  order.values = options.values.empty() ? usual_values(order.varied)
+                                        : numbers_of("--values", options.values, ',');
+  order.spacings_m = spacings_of(options.spacings);
+  take_texture(order, options.texture);
+  take_tip(order, options.tool);
+  const SweepFile file{
+      .out = options.out,
+      .overwrite = options.force ? Overwrite::allow : Overwrite::refuse,
+      .jobs = options.jobs > 0
+                  ? options.jobs
+                  : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))};
+#ifdef ASPERITY_WITH_WINDOWS
+  const std::filesystem::path plot = options.plot;
+  if (!plot.empty()) {
+    constexpr std::array kEndings{".svg", ".png", ".pdf"};
+    if (std::find(kEndings.begin(), kEndings.end(), plot.extension()) == kEndings.end()) {
+      throw WrongUsage("--plot " + options.plot + ": write a file that ends in .svg, .png or .pdf");
+    }
+    refuse_existing({plot}, file.overwrite);
+  }
+#endif
+  Sweep sweep{};
+  {
+    const InterruptWatch interrupt("stopping; rows that are whole are kept");
+    Progress progress("sweeping");
+    sweep = sweep_into_file(order, file, interrupt.token(),
+                            [&progress](double fraction) { progress.show(fraction); });
+  }
+  const std::size_t asked = order.values.size() * order.spacings_m.size();
+  if (!sweep.is_complete) {
+    say("asperity: stopped; " + options.out + " holds " + std::to_string(sweep.rows.size()) +
+        " of " + std::to_string(asked) + " rows; the same command goes on with it");
+    return 1;
+  }
+  std::cout << options.out << ": " << sweep.rows.size() << " rows, " << text_of(order.stroke.mode)
+            << '\n'
+            << aligned(summary_table(sweep));
+#ifdef ASPERITY_WITH_WINDOWS
+  if (!plot.empty()) {
+    const LettersWithoutWindows letters;
+    write_figure(plot, sweep_figure(sweep), {}, file.overwrite);
+  }
+#endif
+  return 0;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& program, Job& job) {
+  auto options = std::make_shared<SweepOptions>();
+  CLI::App* command = program.add_subcommand(
+      "sweep",
+      "Predict roughness over texture spacing, by probe diameter, applied force or speed.");
+  command->add_option("--model", options->model, "A force model; see: asperity models")->required();
+  command->add_option("--param", options->parameters, "NAME=VALUE of the model's parameters");
+  const std::map<std::string, VariedQuantity> varied{
+      {"probe_diameter", VariedQuantity::probe_diameter},
+      {"applied_force", VariedQuantity::applied_force},
+      {"exploratory_speed", VariedQuantity::exploratory_speed}};
+  command
+      ->add_option("--vary", options->order.varied,
+                   "probe_diameter, applied_force or exploratory_speed: a curve for each value")
+      ->required()
+      ->transform(CLI::CheckedTransformer(varied));
+  command->add_option("--values", options->values,
+                      "V,V,… of what is varied, in m, N or m/s; three usual ones without it");
+  command
+      ->add_option("--spacings", options->spacings, "FROM:TO:COUNT of the texture, m, logarithmic")
+      ->capture_default_str();
+  command
+      ->add_option("--texture", options->texture,
+                   "KIND[,NAME=VALUE…] of asperity synth, or FILE.png, a height field that is "
+                   "stretched to each spacing")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--tool", options->tool,
+          "Of a model with two bodies: sphere, disc (upright, along the stroke), point, or "
+          "the file of a textured mesh")
+      ->capture_default_str();
+  const std::map<std::string, DragMode> modes{{"constant_height", DragMode::constant_height},
+                                              {"constant_force", DragMode::constant_force}};
+  command
+      ->add_option("--drag", options->order.stroke.mode,
+                   "constant_height (of the mean normal force) or constant_force")
+      ->transform(CLI::CheckedTransformer(modes))
+      ->default_str("constant_height");
+  command->add_option("--hand", options->hand, "M_kg,B_N_s_per_m,K_N_per_m")->capture_default_str();
+  command
+      ->add_option("--stiffness-n-per-m", options->order.stroke.material.stiffness_N_per_m,
+                   "Of the surface, N/m")
+      ->capture_default_str();
+  command
+      ->add_option("--friction", options->order.stroke.material.friction,
+                   "Coulomb coefficient of the surface")
+      ->capture_default_str();
+  command
+      ->add_option("--probe-diameter-m", options->order.stroke.tip.diameter_m,
+                   "Where it is not varied")
+      ->capture_default_str();
+  command->add_option("--applied-force-n", options->order.stroke.force_N, "Where it is not varied")
+      ->capture_default_str();
+  command
+      ->add_option("--exploratory-speed-m-per-s", options->order.stroke.speed_m_per_s,
+                   "Where it is not varied")
+      ->capture_default_str();
+  command
+      ->add_option("--jobs", options->jobs,
+                   "Spacings at the same time, all processors by default; changes no result")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--out", options->out, "Table of the rows (TSV)")->required();
+#ifdef ASPERITY_WITH_WINDOWS
+  command->add_option("--plot", options->plot, "Also a figure, by its ending .svg, .png or .pdf");
+#endif
+  command->add_flag("--force", options->force, "Replace what is there of another sweep");
+  command->callback([options, &job] { job = [options] { return run_sweep(*options); }; });
+}
+
+}  // namespace asperity

@@ -1,0 +1,122 @@
+// Rows of a sweep as marks, their parabolas as lines.
+
+#include "app/figures/sweep_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "results_schema/table.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kCurveSteps = 60;
+constexpr double kMargin = 1.12;  // beyond the outermost marks, as a factor
+constexpr double kSmall = 0.6;
+
+Phrase level_name(VariedQuantity varied, double value) {
+  switch (varied) {
+    case VariedQuantity::probe_diameter:
+      return phrase("Figures", "probe %1 mm").with(text_of_number(1e3 * value));
+    case VariedQuantity::applied_force:
+      return phrase("Figures", "force %1 N").with(text_of_number(value));
+    case VariedQuantity::exploratory_speed:
+      return phrase("Figures", "speed %1 mm/s").with(text_of_number(1e3 * value));
+  }
+  return {};
+}
+
+Phrase sweep_title(VariedQuantity varied) {
+  switch (varied) {
+    case VariedQuantity::probe_diameter:
+      return phrase("Figures", "Predicted roughness by probe diameter");
+    case VariedQuantity::applied_force:
+      return phrase("Figures", "Predicted roughness by applied force");
+    case VariedQuantity::exploratory_speed:
+      return phrase("Figures", "Predicted roughness by exploratory speed");
+  }
+  return {};
+}
+
+FigurePlace on_curve(const Quadratic& curve, double log10_frequency) {
+  const double y =
+      curve.a + curve.b * log10_frequency + curve.c * log10_frequency * log10_frequency;
+  return {.x = std::pow(10.0, log10_frequency), .y = std::pow(10.0, y)};
+}
+
+}  // namespace
+
+Figure sweep_figure(const Sweep& sweep) {
+  Figure figure{.name = "sweep",
+                .title = sweep_title(sweep.order.varied),
+                .note = phrase(
+                    "Figures",
+                    "Full marks: greatest acceleration of the held tool; small outlined ones: rows "
+                    "that a status excludes. Curves: parabolas of the logarithms. Large outlined "
+                    "marks: their peaks within the range, with 95 % Fieller intervals of the fit."),
+                .x = {.name = phrase("Figures", "texture frequency"),
+                      .unit = "1/m",
+                      .scale = AxisScale::log10},
+                .y = {.name = phrase("Figures", "greatest acceleration"),
+                      .unit = "m/s²",
+                      .scale = AxisScale::log10}};
+  std::vector<FigurePlace> all{};
+  const std::vector<SweepCurve> curves = curves_of(sweep);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const SweepCurve& curve = curves[i];
+    const int style = static_cast<int>(i);
+    FigureSeries counted{.name = level_name(sweep.order.varied, curve.value), .style = style};
+    FigureSeries excluded{.style = style, .hollow = true};
+    for (const SweepRow& row : sweep.rows) {
+      if (row.value != curve.value || !row.roughness ||
+          !(row.roughness->max_accel_m_per_s2 > 0.0)) {
+        continue;
+      }
+      const bool counts =
+          std::any_of(curve.fitted.begin(), curve.fitted.end(),
+                      [&row](const SweepRow& fitted) { return fitted.spacing_m == row.spacing_m; });
+      const FigurePoint mark{
+          .x = 1.0 / row.spacing_m, .y = row.roughness->max_accel_m_per_s2, .size = kSmall};
+      (counts ? counted : excluded).points.push_back(mark);
+      all.push_back({.x = mark.x, .y = mark.y});
+    }
+    if (counted.points.empty() && excluded.points.empty()) continue;
+    if (curve.fit) {
+      const double low = -std::log10(curve.fitted.back().spacing_m);
+      const double high = -std::log10(curve.fitted.front().spacing_m);
+      std::vector<FigurePlace>& line = counted.lines.emplace_back();
+      for (int step = 0; step <= kCurveSteps; ++step) {
+        const double part = static_cast<double>(step) / kCurveSteps;
+        line.push_back(on_curve(curve.fit->curve, std::lerp(low, high, part)));
+      }
+      all.insert(all.end(), line.begin(), line.end());
+    }
+    figure.series.push_back(std::move(counted));
+    if (!excluded.points.empty()) figure.series.push_back(std::move(excluded));
+    if (curve.fit && curve.fit->peak) {
+      const FigurePlace top = on_curve(curve.fit->curve, curve.fit->peak->x);
+      FigurePoint mark{.x = top.x, .y = top.y, .size = 1.4};
+      if (curve.fit->fieller) {
+        mark.x_interval = FigureSpan{.low = std::pow(10.0, curve.fit->fieller->low),
+                                     .high = std::pow(10.0, curve.fit->fieller->high)};
+      }
+      figure.series.push_back({.style = style, .hollow = true, .points = {mark}});
+    }
+  }
+  if (all.empty()) {
+    figure.instead = phrase("Figures", "There is no curve: nothing moved the tool.");
+    return figure;
+  }
+  const auto [left, right] = std::minmax_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  const auto [bottom, top] = std::minmax_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+  figure.x.low = left->x / kMargin;
+  figure.x.high = right->x * kMargin;
+  figure.y.low = bottom->y / kMargin;
+  figure.y.high = top->y * kMargin;
+  return figure;
+}
+
+}  // namespace asperity

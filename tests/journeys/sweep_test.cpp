@@ -1,0 +1,158 @@
+// asperity sweep: rows that do not depend on the jobs, files that are gone on with, refusals.
+
+#include <csignal>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "results_schema/table.h"
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+using testing::Each;
+using testing::HasSubstr;
+
+std::vector<std::string> sweep_into(const fs::path& out, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"sweep", "--out", out.string()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+const std::vector<std::string> kSmall{"--model",  "pd_gradient", "--vary",     "probe_diameter",
+                                      "--values", "0.001,0.002", "--spacings", "0.001:0.004:3"};
+
+TEST(Sweep, HasTheSameRowsWhateverTheJobs) {
+  const TemporaryFolder place{};
+  std::vector<std::string> one = sweep_into(place / "one.tsv", kSmall);
+  one.insert(one.end(), {"--jobs", "1"});
+  std::vector<std::string> three = sweep_into(place / "three.tsv", kSmall);
+  three.insert(three.end(), {"--jobs", "3"});
+  const Outcome first = asperity(one);
+  ASSERT_EQ(first.status, 0) << first.err;
+  ASSERT_EQ(asperity(three).status, 0);
+  EXPECT_EQ(text_of(place / "one.tsv"), text_of(place / "three.tsv"));
+  EXPECT_EQ(text_of(place / "one.tsv.json"), text_of(place / "three.tsv.json"));
+  EXPECT_THAT(first.out, HasSubstr("6 rows, constant_height"));
+
+  const Tsv table = tsv(text_of(place / "one.tsv"));
+  EXPECT_EQ(table.columns,
+            (std::vector<std::string>{
+                "model", "varied", "value", "spacing_m", "drag", "roughness_max_accel_m_per_s2",
+                "roughness_rms_accel_m_per_s2", "roughness_fa1_m2_per_s4",
+                "roughness_fa2_m2_per_s4", "roughness_pacinian_dB", "status"}));
+  EXPECT_EQ(table.column("value"),
+            (std::vector<std::string>{"0.001", "0.001", "0.001", "0.002", "0.002", "0.002"}));
+  EXPECT_EQ(number_in(table.column("spacing_m")[1]).value(), 0.002);
+  EXPECT_THAT(table.column("status"), Each("ok"));
+  // A larger probe is smoother on the finest of them.
+  const std::vector<std::string> greatest = table.column("roughness_max_accel_m_per_s2");
+  EXPECT_GT(number_in(greatest[0]).value(), number_in(greatest[3]).value());
+}
+
+TEST(Sweep, GoesOnWithTheRowsThatAreThere) {
+  const TemporaryFolder place{};
+  const fs::path out = place / "sweep.tsv";
+  ASSERT_EQ(asperity(sweep_into(out, kSmall)).status, 0);
+  const std::string whole = text_of(out);
+  // Without its last two rows, and with a number in the first that no stroke gives: it is kept.
+  std::string part = whole;
+  part.erase(part.rfind('\n', part.rfind('\n', part.rfind('\n') - 1) - 1) + 1);
+  const std::string known = tsv(whole).column("roughness_max_accel_m_per_s2")[0];
+  part.replace(part.find(known), known.size(), "123.5");
+  write_text(out, part);
+  ASSERT_EQ(asperity(sweep_into(out, kSmall)).status, 0);
+  std::string expected = whole;
+  expected.replace(expected.find(known), known.size(), "123.5");
+  EXPECT_EQ(text_of(out), expected);
+}
+
+TEST(Sweep, KeepsWholeRowsWhenItIsInterrupted) {
+  const TemporaryFolder place{};
+  const std::vector<std::string> order{
+      "--model", "pd_gradient", "--vary", "applied_force", "--values",
+      "0.5",     "--jobs",      "1",      "--spacings",    "0.0005:0.008:40"};
+  Program program({.arguments = sweep_into(place / "sweep.tsv", order)});
+  ASSERT_TRUE(program.read_until([](const std::string&, const std::string& err) {
+    return err.find("sweeping: 10 %") != std::string::npos;
+  }));
+  program.send(SIGINT);
+  const Outcome stopped = program.finish();
+  if (stopped.status != 0) {  // 0: it was over before it heard
+    EXPECT_EQ(stopped.status, 1);
+    EXPECT_THAT(stopped.err, HasSubstr("the same command goes on with it"));
+    const std::size_t rows = tsv(text_of(place / "sweep.tsv")).rows.size();
+    EXPECT_GE(rows, 4U);
+    EXPECT_LT(rows, 40U);
+  }
+  ASSERT_EQ(asperity(sweep_into(place / "sweep.tsv", order)).status, 0);
+  ASSERT_EQ(asperity(sweep_into(place / "another.tsv", order)).status, 0);
+  EXPECT_EQ(text_of(place / "sweep.tsv"), text_of(place / "another.tsv"));
+}
+
+TEST(Sweep, SaysWhatCannotHaveAnEffect) {
+  const TemporaryFolder place{};
+  ASSERT_EQ(
+      asperity(sweep_into(place / "sweep.tsv", {"--model", "lateral_gradient", "--vary",
+                                                "probe_diameter", "--spacings", "0.002:0.004:2"}))
+          .status,
+      0);
+  const Tsv table = tsv(text_of(place / "sweep.tsv"));
+  ASSERT_EQ(table.rows.size(), 6U);
+  EXPECT_THAT(table.column("status"), Each("no_effect_by_construction"));
+  const std::vector<std::string> greatest = table.column("roughness_max_accel_m_per_s2");
+  EXPECT_GT(number_in(greatest[0]).value(), 0.0);
+  EXPECT_EQ(greatest[0], greatest[2]);
+  EXPECT_EQ(greatest[0], greatest[4]);
+}
+
+TEST(Sweep, ReplacesNothingOfAnotherSweep) {
+  const TemporaryFolder place{};
+  const fs::path out = place / "sweep.tsv";
+  write_text(out, "mine\n");
+  const Outcome refused = asperity(sweep_into(out, kSmall));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("--force replaces it"));
+  EXPECT_EQ(text_of(out), "mine\n");
+}
+
+TEST(Sweep, RefusesWhatMakesNoSense) {
+  const TemporaryFolder place{};
+  const fs::path out = place / "sweep.tsv";
+  const auto outcome = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"--model", "pd_gradient", "--vary", "probe_diameter"};
+    all.insert(all.end(), more.begin(), more.end());
+    return asperity(sweep_into(out, all));
+  };
+  EXPECT_EQ(outcome({"--spacings", "0.001:0.004"}).status, 2);
+  EXPECT_EQ(outcome({"--values", "0.001,much"}).status, 2);
+  EXPECT_EQ(outcome({"--hand", "0.05,3"}).status, 2);
+  EXPECT_EQ(outcome({"--texture", "sinusoid,spacing_m=0.002"}).status, 2);
+  EXPECT_EQ(outcome({"--values", "0"}).status, 1);
+  EXPECT_EQ(outcome({"--texture", "noise"}).status, 1);
+  EXPECT_EQ(outcome({"--hand", "0,3,200"}).status, 1);
+  EXPECT_EQ(outcome({"--tool", "point"}).status, 1);
+  EXPECT_THAT(outcome({"--texture", "velvet"}).err, HasSubstr("There is no synthetic surface"));
+  EXPECT_FALSE(fs::exists(out));
+}
+
+#ifdef ASPERITY_WITH_WINDOWS
+TEST(Sweep, DrawsACurveForEveryValue) {
+  const TemporaryFolder place{};
+  std::vector<std::string> order = sweep_into(place / "sweep.tsv", kSmall);
+  order.insert(order.end(), {"--plot", place / "sweep.svg"});
+  ASSERT_EQ(asperity(order).status, 0);
+  const std::string svg = text_of(place / "sweep.svg");
+  EXPECT_THAT(svg, HasSubstr("<svg"));
+  EXPECT_EQ(asperity(order).status, 1);  // the figure is there
+  order.back() = place / "sweep.bmp";
+  EXPECT_EQ(asperity(order).status, 2);
+}
+#endif
+
+}  // namespace
+}  // namespace asperity::test
