@@ -44,6 +44,7 @@ ForceModel lateral_gradient_model() {
       .summary = "A flat plate that pushes sideways in proportion to the slope of the texture",
       .source = "Minsky (1995), Computational haptics: the Sandpaper system, PhD thesis, MIT",
       .needs_height_field = true,
+      .feels_applied_force = false,
       .amplitude_parameter = "gain_N",
       .replay_tolerance_N = 1e-9,
       .parameters = {}};

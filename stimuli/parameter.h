@@ -54,6 +54,9 @@ struct ModelDeclaration {
   std::string source{};  ///< the publication the law comes from
   bool needs_height_field = false;
   bool needs_bodies = false;  ///< a tool and a surface, meshes with haptic textures
+  /// Whether its texture is felt differently by a hand that presses harder. How wide the tip is, only a
+  /// model of bodies can know.
+  bool feels_applied_force = true;
   /// The one parameter that scales the texture alone and that matching of forces may solve for;
   /// absent where there is none.
   std::optional<std::string> amplitude_parameter{};

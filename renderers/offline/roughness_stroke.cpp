@@ -162,6 +162,7 @@ bool depends_on(const ModelDeclaration& declaration, VariedQuantity varied) noex
     case VariedQuantity::probe_diameter:
       return declaration.needs_bodies;
     case VariedQuantity::applied_force:
+      return declaration.feels_applied_force;
     case VariedQuantity::exploratory_speed:
       return true;
   }

@@ -1567,6 +1567,46 @@
         <source>No plan has a power to show.</source>
         <translation>Kein Plan hat eine Teststärke zu zeigen.</translation>
     </message>
+    <message>
+        <source>probe %1 mm</source>
+        <translation>Taster %1 mm</translation>
+    </message>
+    <message>
+        <source>force %1 N</source>
+        <translation>Kraft %1 N</translation>
+    </message>
+    <message>
+        <source>speed %1 mm/s</source>
+        <translation>Geschwindigkeit %1 mm/s</translation>
+    </message>
+    <message>
+        <source>Predicted roughness by probe diameter</source>
+        <translation>Vorhergesagte Rauheit nach Durchmesser des Tasters</translation>
+    </message>
+    <message>
+        <source>Predicted roughness by applied force</source>
+        <translation>Vorhergesagte Rauheit nach Andruckkraft</translation>
+    </message>
+    <message>
+        <source>Predicted roughness by exploratory speed</source>
+        <translation>Vorhergesagte Rauheit nach Geschwindigkeit des Strichs</translation>
+    </message>
+    <message>
+        <source>Full marks: greatest acceleration of the held tool; small outlined ones: rows that a status excludes. Curves: parabolas of the logarithms. Large outlined marks: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
+        <translation>Volle Zeichen: größte Beschleunigung des gehaltenen Werkzeugs; kleine umrandete: Zeilen, die ein Status ausschließt. Kurven: Parabeln der Logarithmen. Große umrandete Zeichen: ihre Gipfel im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
+    </message>
+    <message>
+        <source>texture frequency</source>
+        <translation>Texturfrequenz</translation>
+    </message>
+    <message>
+        <source>greatest acceleration</source>
+        <translation>größte Beschleunigung</translation>
+    </message>
+    <message>
+        <source>There is no curve: nothing moved the tool.</source>
+        <translation>Es gibt keine Kurve: Nichts hat das Werkzeug bewegt.</translation>
+    </message>
 </context>
 <context>
     <name>FormWords</name>
