@@ -145,11 +145,19 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
   left_out_.pairs = query_.count() - pairs.size();
   const std::span<const ContactRegion> regions = regions_.update(pairs, a, b);
   left_out_.regions = regions_.regions_left_out();
-  for (const ContactRegion& region : regions) {
-    const bool is_part =
-        std::any_of(contacts_.begin(), contacts_.end(), [&](const TexturedContact& longer) {
-          return !longer.is_doubtful && lies_in(region, longer);
-        });
+  std::array<const ContactRegion*, kMostContacts> ordered{};
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    std::size_t place = i;
+    for (; place > 0 && goes_before(regions[i], *ordered[place - 1]); --place) {
+      ordered[place] = ordered[place - 1];
+    }
+    ordered[place] = &regions[i];
+  }
+  for (const ContactRegion* each : std::span(ordered).first(regions.size())) {
+    const ContactRegion& region = *each;
+    const bool is_part = std::any_of(
+        contacts_.begin(), contacts_.end(),
+        [&](const TexturedContact& other) { return !other.is_doubtful && lies_in(region, other); });
     if (is_part) continue;
     add({.id = region.id,
          .frame = region.frame,
@@ -213,6 +221,18 @@ bool TexturedContacts::hold_each_other(const Pose& a, const Pose& b) noexcept {
 double TexturedContacts::half_height_m(double width_m, double last_depth_m) const noexcept {
   return 0.5 * width_m + a_.furthest_displacement_m() + b_.furthest_displacement_m() +
          2.0 * std::max(0.0, last_depth_m);
+}
+
+// Regions come longest first. Two may be as long as each other, as where a block goes through two sheets,
+// and which is longer then changes with every tick: the one that was felt stays the one.
+bool TexturedContacts::goes_before(const ContactRegion& one,
+                                   const ContactRegion& longer) const noexcept {
+  const auto was_felt = [this](const ContactRegion& region) {
+    return std::any_of(before_.begin(), before_.end(), [&](const TexturedContact& last) {
+      return last.id == region.id && is_felt(last) && !last.is_fading && last.share > 0.0;
+    });
+  };
+  return one.width_m >= longer.width_m && was_felt(one) && !was_felt(longer);
 }
 
 // A region that is new may be where a kept contact was.

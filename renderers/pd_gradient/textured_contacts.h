@@ -94,7 +94,8 @@ struct LeftOut {
 /// it can jump where the deepest place does. A doubtful depth is doubted before it is bounded.
 ///
 /// One place is felt once: a region in the window of a longer one whose n is within 60° is part of
-/// it. So are the inner curve and the outer one of a rim that is pressed into a plate. Windows are
+/// it; of two whose windows are as wide, the one that was felt stays the longer one. So are the inner
+/// curve and the outer one of a rim that is pressed into a plate. Windows are
 /// wider than regions: of contacts whose deepest samples are within 1.5 cells of each other and whose n
 /// is within 60°, the one that was felt there goes on, or else the deepest; the others are left out. So
 /// is one whose deepest sample lies outside the square around its own curve and in that around another
@@ -171,6 +172,7 @@ class TexturedContacts final {
   void add(TexturedContact contact, const Pose& a, const Pose& b) noexcept;
   double half_height_m(double width_m, double last_depth_m) const noexcept;
   double most_depth_m(const TexturedContact& contact, const Pose& a, const Pose& b) const noexcept;
+  bool goes_before(const ContactRegion& one, const ContactRegion& longer) const noexcept;
   double depth_before_m(const ContactRegion& region) const noexcept;
   bool hold_each_other(const Pose& a, const Pose& b) noexcept;
   void look_inside(const Pose& a, const Pose& b) noexcept;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <numbers>
@@ -1042,18 +1043,48 @@ TEST(TexturedContacts, LeaveTheHeapAlone) {
   EXPECT_GT(found, 20U);
 }
 
+/// Two sheets of that thickness, their middles `gap_m` apart, the upper one's at zero.
+TriangleMesh two_sheets(double thickness_m, double gap_m) {
+  TriangleMesh sheets = box({0.02, 0.02, thickness_m});
+  const TriangleMesh lower = sheets;
+  for (const glm::dvec3& vertex_m : lower.vertices_m) {
+    sheets.vertices_m.push_back(vertex_m - glm::dvec3{0.0, 0.0, gap_m});
+  }
+  for (const auto& [p, q, r] : lower.triangles) sheets.triangles.push_back({p + 8, q + 8, r + 8});
+  return sheets;
+}
+
+// A block through both: its curves are as long as each other, each in the other one's window.
+TEST(TexturedContacts, StayTheOnesTheyWereWhereCurvesAreAsLong) {
+  TexturedContacts contacts = between(bare(box({3.135e-3, 2.461e-3, 2.25e-3})),
+                                      bare(two_sheets(0.755e-3, 1.567e-3)), hard(0.1e-3));
+  std::vector<std::uint64_t> before;
+  int changes = 0;
+  std::size_t most = 0;
+  for (int tick = 0; tick < 300; ++tick) {
+    const double angle_rad = 1.3e-3 + 3e-4 * std::sin(0.01 * (tick + 400));
+    const Pose pose{
+        .rotation = turn_about({0.226, 0.617, 0.265}, angle_rad),
+        .position_m = {1e-3 * std::sin(0.006 * (tick + 400)), 0.3e-3, -0.805e-3 - 6.5e-6 * tick}};
+    std::vector<std::uint64_t> now;
+    for (const TexturedContact& contact : contacts.find(pose, {}, kTick_s)) {
+      if (is_felt(contact) && !contact.is_fading) now.push_back(contact.id);
+    }
+    std::sort(now.begin(), now.end());
+    changes += tick > 0 && now != before ? 1 : 0;
+    most = std::max(most, now.size());
+    before = now;
+  }
+  RecordProperty("changes", changes);
+  EXPECT_GE(most, 2U);
+  EXPECT_LE(changes, 8);
+}
+
 // The lower sheet comes into the box in which triangles are looked for while the heights of the upper one are
 // kept.
 TEST(TexturedContacts, FeelTheSameFromKeptHeightsThroughTwoThinSheets) {
-  TriangleMesh sheets = box({0.02, 0.02, 0.5e-3});
-  for (const glm::dvec3& vertex_m : box({0.02, 0.02, 0.5e-3}).vertices_m) {
-    sheets.vertices_m.push_back(vertex_m - glm::dvec3{0.0, 0.0, 1.5e-3});
-  }
-  for (const auto& [p, q, r] : box({0.02, 0.02, 0.5e-3}).triangles) {
-    sheets.triangles.push_back({p + 8, q + 8, r + 8});
-  }
   const TexturedMesh tool = bare(ball(2e-3, 24, 32));
-  const TexturedMesh surface = bare(sheets);
+  const TexturedMesh surface = bare(two_sheets(0.5e-3, 1.5e-3));
   WindowSampling sampling = hard(0.1e-3);
   TexturedContacts kept = between(tool, surface, sampling);
   sampling.heights = Heights::sampled;
