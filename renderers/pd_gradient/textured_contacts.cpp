@@ -303,6 +303,16 @@ double TexturedContacts::most_depth_m(const TexturedContact& contact, const Pose
   return std::min(median_m, out_of_b.is_inside ? out_of_b.way_m : out_of_a.way_m);
 }
 
+// Where the deepest place is at a rim, the way from there to where a body ends is another one with every
+// sample that it goes on: a bound falls at once, and rises as what is doubtful is believed.
+double TexturedContacts::most_after_m(const TexturedContact& contact) const noexcept {
+  for (const TexturedContact& last : before_) {
+    if (last.id != contact.id || !is_felt(last) || !last.is_bounded || last.is_fading) continue;
+    return last.penetration.depth_m + kReachGrowth_m_per_s * dt_s_;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 void TexturedContacts::keep_buried(const Pose& a, const Pose& b) noexcept {
   for (const TexturedContact& last : before_) {
     if (!is_felt(last) || last.is_fading || last.share == 0.0) continue;
@@ -547,8 +557,9 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   if (is_felt(contact)) {
     const double slope = glm::length(contact.penetration.slope);
     const double most_m =
-        std::min(most_depth_m(contact, a, b),
-                 contact.sampled_depth_m * std::min(1.0, kSteepestSlope / std::max(slope, 1.0)));
+        std::min({most_depth_m(contact, a, b),
+                  contact.sampled_depth_m * std::min(1.0, kSteepestSlope / std::max(slope, 1.0)),
+                  most_after_m(contact)});
     contact.is_bounded = most_m < contact.sampled_depth_m;
     if (contact.is_bounded) contact.penetration = pressed_to(most_m, contact.penetration);
   }

@@ -91,7 +91,8 @@ struct LeftOut {
 /// (pressed_to), so that a wall's steepness is not multiplied with it. Thickness is that of the meshes,
 /// and none where a line meets nothing, beside a rim or in a hole. The bound is computed from what was
 /// sampled and changes no contact that keeps it. The force is continuous where the bound sets in; beyond,
-/// it can jump where the deepest place does. A doubtful depth is doubted before it is bounded.
+/// it can fall at once where the deepest place jumps, but a contact that was bounded gets no deeper than
+/// by `kReachGrowth_m_per_s`. A doubtful depth is doubted before it is bounded.
 ///
 /// One place is felt once: a region in the window of a longer one whose n is within 60° is part of
 /// it; of two whose windows are as wide, the one that was felt stays the longer one. So are the inner
@@ -173,6 +174,7 @@ class TexturedContacts final {
   double half_height_m(double width_m, double last_depth_m) const noexcept;
   double most_depth_m(const TexturedContact& contact, const Pose& a, const Pose& b) const noexcept;
   bool goes_before(const ContactRegion& one, const ContactRegion& longer) const noexcept;
+  double most_after_m(const TexturedContact& contact) const noexcept;
   double depth_before_m(const ContactRegion& region) const noexcept;
   bool hold_each_other(const Pose& a, const Pose& b) noexcept;
   void look_inside(const Pose& a, const Pose& b) noexcept;

@@ -8,8 +8,10 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -1078,6 +1080,35 @@ TEST(TexturedContacts, StayTheOnesTheyWereWhereCurvesAreAsLong) {
   RecordProperty("changes", changes);
   EXPECT_GE(most, 2U);
   EXPECT_LE(changes, 8);
+}
+
+// A block that leans goes through both. The line from its deepest place, which goes on from sample to sample
+// along an edge, leaves it beside that edge, once further and once less far.
+TEST(TexturedContacts, RiseNoFasterThanBelievedWhereTheirBoundComesAndGoes) {
+  TexturedContacts contacts = between(bare(box({2.985e-3, 2.519e-3, 4.285e-3})),
+                                      bare(two_sheets(0.781e-3, 2.31e-3)), hard(0.1e-3));
+  std::map<std::uint64_t, TexturedContact> before;
+  int bounded = 0;
+  for (int tick = 0; tick < 900; ++tick) {
+    const Pose pose{
+        .rotation = turn_about({0.519, 0.486, 0.298}, 0.149 + 0.049 * std::sin(0.01 * tick)),
+        .position_m = {1e-3 * std::sin(0.006 * tick), 0.3e-3, 2.833e-3 - 8.1e-6 * tick}};
+    std::map<std::uint64_t, TexturedContact> now;
+    for (const TexturedContact& contact : contacts.find(pose, {}, kTick_s)) {
+      if (is_felt(contact) && !contact.is_fading) now.emplace(contact.id, contact);
+    }
+    for (const auto& [id, contact] : now) {
+      const auto last = before.find(id);
+      if (last == before.end() || !last->second.is_bounded) continue;
+      ++bounded;
+      EXPECT_LE(contact.penetration.depth_m, last->second.penetration.depth_m +
+                                                 TexturedContacts::kReachGrowth_m_per_s * kTick_s +
+                                                 1e-9)
+          << tick;
+    }
+    before = std::move(now);
+  }
+  EXPECT_GT(bounded, 200);
 }
 
 // The lower sheet comes into the box in which triangles are looked for while the heights of the upper one are
