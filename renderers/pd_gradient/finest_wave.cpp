@@ -178,7 +178,7 @@ struct Loss {
   double least = 1.0;  ///< chords in `from_m` that it begins with: 0 where nothing is known below
 };
 
-// By the square of the length; then a third of what is lost up to 2ℓ is lost up to ℓ.
+// By the square of the length; then what is lost up to ℓ is a third of what is lost from there to 2ℓ.
 double lost_m2(const Loss& loss, double chord_m) {
   const double part = std::clamp(chord_m / loss.from_m, loss.least, 2.0);
   return loss.slope_m2 / 3.0 * (part * part - loss.least * loss.least);
