@@ -36,7 +36,8 @@ bool log_is_empty(const std::filesystem::path& study) {
   return error || bytes == 0;
 }
 
-std::string seal_text_of(Database& database) {
+/// Nothing when it was asked to stop.
+std::optional<std::string> seal_text_of(Database& database, const SealWatch& watch = {}) {
   constexpr sqlite3_int64 kPiece_bytes = 1 << 20;
   sqlite3_file* file = nullptr;
   int code = sqlite3_file_control(database.handle(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
@@ -47,6 +48,8 @@ std::string seal_text_of(Database& database) {
   Sha256Stream sha256;
   std::vector<char> piece(static_cast<std::size_t>(std::min(kPiece_bytes, bytes)));
   for (sqlite3_int64 at = 0; at < bytes; at += kPiece_bytes) {
+    if (watch.progress) watch.progress(static_cast<double>(at) / static_cast<double>(bytes));
+    if (watch.stop.stop_requested()) return std::nullopt;
     const auto count = static_cast<int>(std::min(kPiece_bytes, bytes - at));
     code = file->pMethods->xRead(file, piece.data(), count, at);
     if (code != SQLITE_OK) database.fail(code, "cannot be read");
@@ -94,16 +97,22 @@ bool lock_shared(int file) {
 
 }  // namespace
 
-Seal seal_of(const std::filesystem::path& study) {
+Seal seal_of(const std::filesystem::path& study, const SealWatch& watch) {
   const std::filesystem::path seal = beside_database(study, ".sha256");
   const std::optional<std::string> text = seal_text_in(seal);
   if (!text) return Seal::absent;
   if (!log_is_empty(study)) return Seal::in_use;
   Database database(study, database_in(study), Database::Mode::immutable);
-  if (seal_text_of(database) == *text) return Seal::holds;
+  const std::optional<std::string> now = seal_text_of(database, watch);
+  if (!now) return Seal::not_read;
+  if (now == text) return Seal::holds;
   // Somebody may have begun to write meanwhile, and takes the seal away before that.
   if (!std::filesystem::exists(seal)) return Seal::absent;
   return log_is_empty(study) ? Seal::broken : Seal::in_use;
+}
+
+bool has_seal(const std::filesystem::path& study) {
+  return seal_text_in(beside_database(study, ".sha256")) && log_is_empty(study);
 }
 
 bool is_being_written(const std::filesystem::path& study) noexcept {
@@ -117,7 +126,7 @@ bool is_being_written(const std::filesystem::path& study) noexcept {
 
 void seal_new(const std::filesystem::path& study) {
   Database database(study, database_in(study), Database::Mode::immutable);
-  write_file(beside_database(study, ".sha256"), seal_text_of(database), Overwrite::refuse);
+  write_file(beside_database(study, ".sha256"), *seal_text_of(database), Overwrite::refuse);
 }
 
 SealBreaker::SealBreaker(const std::filesystem::path& study, Database& database) : study_(study) {
@@ -136,7 +145,7 @@ SealBreaker::SealBreaker(const std::filesystem::path& study, Database& database)
   }
   const std::filesystem::path seal = beside_database(study, ".sha256");
   const std::optional<std::string> text = seal_text_in(seal);
-  if (text && log_is_empty(study) && *text != seal_text_of(database)) return;
+  if (text && log_is_empty(study) && text != seal_text_of(database)) return;
   // One that cannot be taken away must not keep a participant waiting: it will not hold, and what
   // says so says how that can be.
   std::error_code error;
@@ -162,7 +171,7 @@ void SealBreaker::seal_again(Database& database) noexcept {
     sqlite3_busy_timeout(database.handle(), 0);
     database.execute("PRAGMA wal_checkpoint(TRUNCATE)");
     if (!log_is_empty(study_)) return;
-    write_file(seal, seal_text_of(database), Overwrite::refuse);
+    write_file(seal, *seal_text_of(database), Overwrite::refuse);
     give_mode_of_database(study_, seal);
   } catch (const std::exception&) {
   }

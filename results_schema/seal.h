@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <stop_token>
 
 #include "results_schema/sqlite.h"
 
@@ -18,11 +20,22 @@ enum class Seal {
   in_use,  ///< what was written last is still in the log
   holds,
   broken,
+  not_read,  ///< it was asked to stop
+};
+
+/// For whoever waits while a large file is read.
+struct SealWatch {
+  std::function<void(double)> progress{};  ///< told 0 to 1
+  std::stop_token stop{};
 };
 
 /// Reads the file through SQLite: a descriptor of our own would, when closed, take the locks of
 /// this process's other connections with it. Errors: ResultsError.
-Seal seal_of(const std::filesystem::path& study);
+Seal seal_of(const std::filesystem::path& study, const SealWatch& watch = {});
+
+/// Whether there is a checksum that vouches for the whole file, be it right or not: neither `absent` nor
+/// `in_use`. Reads no more than the checksum.
+bool has_seal(const std::filesystem::path& study);
 
 /// Whether somebody holds the lock by which writers know of each other. False also where such a lock
 /// cannot be asked after.

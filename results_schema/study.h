@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -187,8 +188,10 @@ class Study final {
   StudyCondition condition() const;
 
   /// Everything that does not hold: constraints, hashes of files and recordings, rows that
-  /// contradict each other.
-  std::vector<std::string> verify(const std::function<void(double)>& progress) const;
+  /// contradict each other. `progress` is told 0 to 1, about as bytes are read; when asked to stop, what
+  /// was found by then, within the moment that SQLite takes for one of its trees.
+  std::vector<std::string> verify(const std::function<void(double)>& progress,
+                                  const std::stop_token& stop = {}) const;
   /// Files that nothing vouches for: what a program that died was writing, the database itself while
   /// it is written to (docs/formats/study.md, "Checksum"). They contradict nothing, and whether they
   /// are of use is for a person to decide.

@@ -1,8 +1,12 @@
 // Everything of a study that does not hold.
 
 #include <algorithm>
+#include <filesystem>
 #include <future>
 #include <set>
+#include <stop_token>
+#include <system_error>
+#include <utility>
 
 #include <sqlite3.h>
 
@@ -44,8 +48,8 @@ void check_database(Database& database, Findings& findings) {
   }
 }
 
-void check_seal(const std::filesystem::path& study, Findings& findings) {
-  if (seal_of(study) != Seal::broken) return;
+void check_seal(const std::filesystem::path& study, const SealWatch& watch, Findings& findings) {
+  if (seal_of(study, watch) != Seal::broken) return;
   findings.emplace_back(
       "study.sqlite: it is not what it was when Asperity last closed it (its SHA-256 is not that "
       "in "
@@ -129,6 +133,41 @@ std::vector<VouchedFile> vouched_files(Database& database) {
   return files;
 }
 
+/// How long reading them will take, and nothing where they cannot be asked for: that is found later.
+double bytes_of_vouched_files(Database& database) {
+  double bytes = 0.0;
+  try {
+    Statement statement(
+        database,
+        "SELECT total(bytes) FROM (SELECT bytes FROM recording UNION ALL "
+        "SELECT bytes FROM (SELECT DISTINCT path, sha256, bytes FROM session_file))");
+    if (statement.step()) statement.read(bytes);
+  } catch (const ResultsError&) {
+  }
+  return bytes;
+}
+
+/// While it lives, a statement that takes long ends when asked to, with an error.
+class StopOfStatements final {
+ public:
+  StopOfStatements(Database& database, std::stop_token stop)
+      : database_(database), stop_(std::move(stop)) {
+    constexpr int kInstructions = 10'000;  // of SQLite's machine: about a millisecond
+    sqlite3_progress_handler(database_.handle(), kInstructions, is_asked_to_stop, &stop_);
+  }
+  StopOfStatements(const StopOfStatements&) = delete;
+  StopOfStatements& operator=(const StopOfStatements&) = delete;
+  ~StopOfStatements() { sqlite3_progress_handler(database_.handle(), 0, nullptr, nullptr); }
+
+ private:
+  static int is_asked_to_stop(void* stop) {
+    return static_cast<const std::stop_token*>(stop)->stop_requested() ? 1 : 0;
+  }
+
+  Database& database_;
+  std::stop_token stop_;
+};
+
 void check_file(const std::filesystem::path& study, const VouchedFile& file, Findings& findings) {
   const std::string start = file.path + " (" + file.who + "): ";
   try {
@@ -185,29 +224,44 @@ StudyCondition Study::condition() const {
   return store_->condition.get();
 }
 
-std::vector<std::string> Study::verify(const std::function<void(double)>& progress) const {
+std::vector<std::string> Study::verify(const std::function<void(double)>& progress,
+                                       const std::stop_token& stop) const {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(database_in(store_->folder), error);
+  const double database_bytes = error ? 0.0 : static_cast<double>(size);
+  constexpr double kPasses = 3.0;  // its checksum, and SQLite's checks for as long as two more
+  double bytes = 0.0;
+  const auto tell = [&](double bytes_done) {
+    if (progress && bytes > 0.0) progress(std::min(1.0, bytes_done / bytes));
+  };
   Findings findings;
   const std::vector<VouchedFile> files = store_->read([&](Database& database) {
     findings.clear();
+    bytes = kPasses * database_bytes + bytes_of_vouched_files(database);
+    tell(0.0);
+    const auto tell_part = [&](double share) { tell(share * database_bytes); };
+    const StopOfStatements stop_of_statements(database, stop);
     try {
-      check_seal(store_->folder, findings);
+      check_seal(store_->folder, {.progress = tell_part, .stop = stop}, findings);
+      tell(database_bytes);
       check_database(database, findings);
       check_protocols(*this, findings);
       check_rows(database, findings);
       return vouched_files(database);
-    } catch (const ResultsError& error) {
-      findings.emplace_back(error.what());  // so broken that not even this can be read
+    } catch (const ResultsError& broken) {
+      // So broken that not even this can be read.
+      if (!stop.stop_requested()) findings.emplace_back(broken.what());
       return std::vector<VouchedFile>{};
     }
   });
-  double bytes = 0.0;
-  for (const VouchedFile& file : files) bytes += static_cast<double>(file.bytes);
-  double bytes_done = 0.0;
+  double bytes_done = kPasses * database_bytes;
   for (const VouchedFile& file : files) {
+    if (stop.stop_requested()) return findings;
+    tell(bytes_done);
     check_file(store_->folder, file, findings);
     bytes_done += static_cast<double>(file.bytes);
-    if (progress && bytes > 0.0) progress(bytes_done / bytes);
   }
+  tell(bytes);
   return findings;
 }
 
@@ -233,18 +287,11 @@ std::vector<std::string> Study::leftovers() const {
                           "left by a program that died");
     }
   }
-  switch (seal_of(study)) {
-    case Seal::absent:
-    case Seal::in_use:
-      leftovers.push_back(
-          "study.sqlite: no checksum vouches for the whole file: it is being written, was left by "
-          "a "
-          "program that died, or was changed by another tool. Whoever writes to the study next "
-          "leaves one");
-      break;
-    case Seal::holds:
-    case Seal::broken:
-      break;
+  if (!has_seal(study)) {
+    leftovers.push_back(
+        "study.sqlite: no checksum vouches for the whole file: it is being written, was left by a "
+        "program that died, or was changed by another tool. Whoever writes to the study next "
+        "leaves one");
   }
   std::sort(leftovers.begin(), leftovers.end());
   return leftovers;

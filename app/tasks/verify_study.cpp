@@ -140,7 +140,8 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
                           const std::function<void(double)>& progress) {
   VerifyResult result{};
   const double store_share = replay_too ? 0.3 : 0.9;
-  result.problems = study.verify([&](double fraction) { progress(store_share * fraction); });
+  result.problems = study.verify([&](double fraction) { progress(store_share * fraction); }, stop);
+  if (stop.stop_requested()) return result;
   add_failure_of([&] { result.remarks = study.leftovers(); }, result.problems);
   add_failure_of([&] { check_protocol_files(study, result); }, result.problems);
   std::vector<SessionRow> sessions{};

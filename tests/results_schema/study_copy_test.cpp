@@ -1,7 +1,10 @@
 // A copy is whole, of one moment, and checked; verify finds what does not hold.
 
 #include <algorithm>
+#include <cstdint>
+#include <fstream>
 #include <random>
+#include <stop_token>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -201,8 +204,53 @@ TEST(StudyVerify, FindsNothingWrongInAGoodStudy) {
   const auto [study, session_id] = recorded_study(folder / "s");
   std::vector<double> told;
   EXPECT_THAT(study.verify([&told](double fraction) { told.push_back(fraction); }), IsEmpty());
-  ASSERT_EQ(told.size(), 2U);  // a recording and a stimulus
+  ASSERT_GE(told.size(), 5U);  // the database, SQLite's checks, a recording, a stimulus, the end
+  EXPECT_EQ(told.front(), 0.0);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_EQ(told.back(), 1.0);
+}
+
+TEST(StudyVerify, StopsBeforeTheFilesAndBetweenThem) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  std::filesystem::remove(folder / "s" / "recordings/P01/a.asprec");
+  std::filesystem::remove(folder / "s" / "stimuli" / "metal.png");
+  ASSERT_EQ(study.verify({}).size(), 2U);
+  for (const double from : {0.0, 0.5}) {
+    std::stop_source stop;
+    const auto stop_there = [&](double fraction) {
+      if (fraction >= from) stop.request_stop();
+    };
+    EXPECT_EQ(study.verify(stop_there, stop.get_token()).size(), from == 0.0 ? 0U : 1U) << from;
+  }
+}
+
+std::uint64_t bytes_read_by_this_process() {
+  std::ifstream counts("/proc/self/io");
+  std::string name;
+  std::uint64_t bytes = 0;
+  counts >> name >> bytes;
+  return name == "rchar:" ? bytes : 0;
+}
+
+TEST(StudyVerify, ReadsALargeDatabaseForItsChecksumOnceUnlessItIsStopped) {
+  const TemporaryFolder folder;
+  { recorded_study(folder / "s"); }
+  constexpr std::uint64_t kBytes = 64U << 20;
+  std::filesystem::resize_file(folder / "s" / "study.sqlite", kBytes);
+  const Study study = Study::open(folder / "s", Access::read_only);
+  const std::uint64_t before = bytes_read_by_this_process();
+  if (before == 0) GTEST_SKIP() << "the kernel does not count what is read";
+  EXPECT_THAT(study.verify({}), Contains(HasSubstr("it is not what it was")));
+  const std::uint64_t once = bytes_read_by_this_process();
+  EXPECT_GE(once - before, kBytes);
+  EXPECT_LT(once - before, kBytes * 3 / 2);
+  EXPECT_THAT(study.leftovers(), IsEmpty());
+  const std::uint64_t for_leftovers = bytes_read_by_this_process();
+  EXPECT_LT(for_leftovers - once, kBytes / 4);
+  std::stop_source stop;
+  EXPECT_THAT(study.verify([&stop](double) { stop.request_stop(); }, stop.get_token()), IsEmpty());
+  EXPECT_LT(bytes_read_by_this_process() - for_leftovers, kBytes / 4) << "it did not stop";
 }
 
 TEST(StudyVerify, FindsFilesThatAreMissingOrChanged) {
