@@ -99,16 +99,17 @@ bool lock_shared(int file) {
 
 Seal seal_of(const std::filesystem::path& study, const SealWatch& watch) {
   const std::filesystem::path seal = beside_database(study, ".sha256");
-  const std::optional<std::string> text = seal_text_in(seal);
-  if (!text) return Seal::absent;
-  if (!log_is_empty(study)) return Seal::in_use;
-  Database database(study, database_in(study), Database::Mode::immutable);
-  const std::optional<std::string> now = seal_text_of(database, watch);
-  if (!now) return Seal::not_read;
-  if (now == text) return Seal::holds;
-  // Somebody may have begun to write meanwhile, and takes the seal away before that.
-  if (!std::filesystem::exists(seal)) return Seal::absent;
-  return log_is_empty(study) ? Seal::broken : Seal::in_use;
+  for (;;) {
+    const std::optional<std::string> text = seal_text_in(seal);
+    if (!text) return Seal::absent;
+    if (!log_is_empty(study)) return Seal::in_use;
+    Database database(study, database_in(study), Database::Mode::immutable);
+    const std::optional<std::string> now = seal_text_of(database, watch);
+    if (!now) return Seal::not_read;
+    if (now == text) return Seal::holds;
+    // Somebody may have written meanwhile, who takes the seal away before and leaves another after.
+    if (seal_text_in(seal) == text) return log_is_empty(study) ? Seal::broken : Seal::in_use;
+  }
 }
 
 bool has_seal(const std::filesystem::path& study) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <random>
 #include <stop_token>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 
 #include "results_schema/atomic_file.h"
 #include "results_schema/recording.h"
+#include "results_schema/seal.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/refusal.h"
@@ -251,6 +253,22 @@ TEST(StudyVerify, ReadsALargeDatabaseForItsChecksumOnceUnlessItIsStopped) {
   std::stop_source stop;
   EXPECT_THAT(study.verify([&stop](double) { stop.request_stop(); }, stop.get_token()), IsEmpty());
   EXPECT_LT(bytes_read_by_this_process() - for_leftovers, kBytes / 4) << "it did not stop";
+}
+
+// Between reading the checksum and reading the file, as may happen to whoever analyses a study that
+// is in use.
+TEST(SealOf, AFileThatWasWrittenMeanwhileHolds) {
+  const TemporaryFolder folder;
+  { recorded_study(folder / "s"); }
+  bool is_written = false;
+  const auto write_once = [&](double) {
+    if (std::exchange(is_written, true)) return;
+    ParticipantRow other = some_participant();
+    other.label = "P77";
+    Study::open(folder / "s", Access::read_write).add_participant(other);
+  };
+  EXPECT_EQ(seal_of(folder / "s", {.progress = write_once}), Seal::holds);
+  EXPECT_TRUE(is_written);
 }
 
 TEST(StudyVerify, FindsFilesThatAreMissingOrChanged) {
