@@ -31,6 +31,7 @@ CochranTest cochran_test(const CountMatrix& answers) {
   const RelabellingTest exact = relabelling_test(answers);
   test.exact_p = exact.p;
   test.counted = exact.exact;
+  test.drawn = exact.drawn;
   return test;
 }
 

@@ -25,7 +25,8 @@ struct CochranTest {
   double df = 0.0;
   double p = 1.0;
   double exact_p = 1.0;
-  bool counted = true;  ///< false: the exact p is of random permutations
+  bool counted = true;    ///< false: the exact p is of random permutations,
+  std::size_t drawn = 0;  ///< of so many
 };
 CochranTest cochran_test(const CountMatrix& answers);
 

@@ -108,7 +108,10 @@ SignFlipTest random_sign_flips(std::span<const std::int64_t> differences, Random
     as_large += sum >= observed ? 1 : 0;
     as_far += std::abs(sum) >= std::abs(observed) ? 1 : 0;
   }
-  return {.two_sided = as_far / (draws + 1.0), .upper = as_large / (draws + 1.0), .exact = false};
+  return {.two_sided = as_far / (draws + 1.0),
+          .upper = as_large / (draws + 1.0),
+          .exact = false,
+          .drawn = static_cast<std::size_t>(draws)};
 }
 
 }  // namespace
@@ -182,7 +185,7 @@ std::int64_t sum_of_squares(const CountMatrix& counts) {
   return counts.colwise().sum().array().square().sum();
 }
 
-double random_relabelling_p(const CountMatrix& counts, Random& random) {
+RelabellingTest random_relabellings(const CountMatrix& counts, Random& random) {
   const auto cells = static_cast<double>(counts.size());
   const int draws = static_cast<int>(std::clamp(3e7 / cells, 199.0, 99'999.0));
   const std::int64_t observed = sum_of_squares(counts);
@@ -201,7 +204,9 @@ double random_relabelling_p(const CountMatrix& counts, Random& random) {
         std::inner_product(totals.begin(), totals.end(), totals.begin(), std::int64_t{0});
     if (squares >= observed) ++as_extreme;
   }
-  return static_cast<double>(as_extreme) / (draws + 1.0);
+  return {.p = static_cast<double>(as_extreme) / (draws + 1.0),
+          .exact = false,
+          .drawn = static_cast<std::size_t>(draws)};
 }
 
 }  // namespace
@@ -213,7 +218,7 @@ RelabellingTest relabelling_test(const CountMatrix& counts, Random random) {
   }
   constexpr double kMostSteps = 2e7;
   constexpr std::int64_t kLargestTotal = 65535;
-  if (counts.sum() > kLargestTotal) return {random_relabelling_p(counts, random), false};
+  if (counts.sum() > kLargestTotal) return random_relabellings(counts, random);
   double relabellings_left = 0.0;
   for (Eigen::Index unit = 0; unit < counts.rows(); ++unit) {
     relabellings_left += number_of_relabellings(counts, unit);
@@ -225,10 +230,10 @@ RelabellingTest relabelling_test(const CountMatrix& counts, Random random) {
     // fewer of them, so that what is certain to be too much is given up before it is done.
     const auto so_far = static_cast<double>(now.size());
     if (steps + so_far * relabellings_left > kMostSteps) {
-      return {random_relabelling_p(counts, random), false};
+      return random_relabellings(counts, random);
     }
     const std::vector<Totals> additions = relabellings(counts, unit);
-    if (additions.empty()) return {random_relabelling_p(counts, random), false};
+    if (additions.empty()) return random_relabellings(counts, random);
     steps += so_far * static_cast<double>(additions.size());
     relabellings_left -= static_cast<double>(additions.size());
     TotalsDistribution next{};
@@ -253,7 +258,7 @@ RelabellingTest relabelling_test(const CountMatrix& counts, Random random) {
     for (const char16_t total : totals) squares += std::int64_t{total} * std::int64_t{total};
     if (squares >= observed) p += probability;
   }
-  return {std::min(1.0, p), true};
+  return {.p = std::min(1.0, p)};
 }
 
 namespace {

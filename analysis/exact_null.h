@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "analysis/random.h"
+#include "analysis/seed_of_tests.h"
 
 namespace asperity {
 
@@ -41,8 +43,10 @@ struct SignFlipTest {
   double two_sided = 1.0;  ///< P(|Σ s_i·d_i| ≥ |Σ d_i|)
   double upper = 1.0;      ///< P(Σ s_i·d_i ≥ Σ d_i)
   bool exact = true;
+  std::size_t drawn = 0;  ///< random patterns, where it is not exact
 };
-SignFlipTest sign_flip_test(std::span<const std::int64_t> differences, Random random = Random(1));
+SignFlipTest sign_flip_test(std::span<const std::int64_t> differences,
+                            Random random = Random(kSeedOfTests));
 
 /// A row per unit, a column per label; nonnegative.
 using CountMatrix = Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic>;
@@ -57,8 +61,9 @@ using CountMatrix = Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic>;
 struct RelabellingTest {
   double p = 1.0;
   bool exact = true;
+  std::size_t drawn = 0;  ///< random relabellings, where it is not exact
 };
-RelabellingTest relabelling_test(const CountMatrix& counts, Random random = Random(1));
+RelabellingTest relabelling_test(const CountMatrix& counts, Random random = Random(kSeedOfTests));
 
 /// Counts x_1 … x_K of n independent choices against the same chance for each alternative: the
 /// probability of all counts that are not more probable than these (but for one part in 10⁷), and of

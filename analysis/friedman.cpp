@@ -94,6 +94,7 @@ SignedRankTest signed_rank_test(std::span<const double> differences) {
   const SignFlipTest flips = sign_flip_test(twice);
   test.p = flips.two_sided;
   test.exact = flips.exact;
+  test.drawn = flips.drawn;
   test.rank_biserial = test.n > 0 ? (2.0 * test.positive - all) / all : kNone;
   return test;
 }

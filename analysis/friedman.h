@@ -51,7 +51,8 @@ struct SignedRankTest {
   std::size_t n = 0;           ///< differences that are not 0
   double positive = 0.0;       ///< W⁺, the sum of the ranks of positive differences
   double p = 1.0;              ///< two-sided; 1 without any difference
-  bool exact = true;           ///< or of random signs
+  bool exact = true;           ///< or of random signs,
+  std::size_t drawn = 0;       ///< of so many patterns
   double rank_biserial = 0.0;  ///< (W⁺ − W⁻)/(W⁺ + W⁻); NaN without any difference
 };
 SignedRankTest signed_rank_test(std::span<const double> differences);

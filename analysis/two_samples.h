@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "analysis/random.h"
+#include "analysis/seed_of_tests.h"
 #include "analysis/t_test.h"
 
 namespace asperity {
@@ -26,7 +27,7 @@ struct SplitTest {
   double p = 1.0;  ///< two-sided
   bool exact = true;
 };
-SplitTest permutation_test(const TwoSamples& samples, Random random = Random(1));
+SplitTest permutation_test(const TwoSamples& samples, Random random = Random(kSeedOfTests));
 
 /// How many numbers the exact distribution of ranks is computed for: its cost grows with the fourth
 /// power of them, and is a tenth of a second here.

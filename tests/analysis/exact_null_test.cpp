@@ -104,7 +104,9 @@ TEST(RelabellingTest, DrawsWhatIsTooMuchToCount) {
   EXPECT_FALSE(balanced.exact);
   EXPECT_EQ(balanced.p, 1.0);  // all totals are equal: nothing is less extreme
   counts.rowwise() = counts.row(0).eval();
-  EXPECT_NEAR(relabelling_test(counts).p, 1e-5, 1e-12);  // nothing drawn is as extreme
+  const RelabellingTest extreme = relabelling_test(counts);
+  EXPECT_EQ(extreme.drawn, 99'999U);
+  EXPECT_NEAR(extreme.p, 1e-5, 1e-12);  // nothing drawn is as extreme
 }
 
 TEST(RelabellingTest, RefusesWhatIsNoCount) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/seed_of_tests.h"
 #include "analysis/summary.h"
 
 namespace asperity {
@@ -57,6 +58,11 @@ void add_spread(const std::string& key, std::span<const double> shares, FindingL
   findings.number("subj.minimum", key, summary->minimum, basis);
   findings.number("subj.median", key, summary->p50, basis);
   findings.number("subj.maximum", key, summary->maximum, basis);
+}
+
+std::string way_of_counting(std::size_t drawn) {
+  if (drawn == 0) return "exact";
+  return "random (" + std::to_string(drawn) + " draws, seed " + std::to_string(kSeedOfTests) + ")";
 }
 
 void add_mean_of_group(const std::string& quantity, const std::string& key,

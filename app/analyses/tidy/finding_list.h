@@ -54,6 +54,9 @@ class FindingList final {
 /// for nobody.
 void add_spread(const std::string& key, std::span<const double> shares, FindingList& findings);
 
+/// "exact", or "random (9999 draws, seed 1)", for a method; `drawn` of 0 is exact.
+std::string way_of_counting(std::size_t drawn);
+
 /// The mean of a group's participants with Student's interval, where there is one.
 void add_mean_of_group(const std::string& quantity, const std::string& key,
                        std::span<const double> of_participants, double confidence,

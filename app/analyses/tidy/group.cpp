@@ -130,7 +130,7 @@ class GroupComparison final {
     }
     const SplitTest splits = permutation_test(samples);
     number("perm.p.two", splits.p,
-           std::string(splits.exact ? "all" : "random") +
+           (splits.exact ? "all" : way_of_counting(kRandomSplits)) +
                " splits of the participants, difference of means");
     const MannWhitney ranks = mann_whitney(samples);
     number("mannwhitney.U", groups_.names[0], ranks.U, "pairs of participants won, ties half");

@@ -352,7 +352,7 @@ void add_groups(const Matching& read, const std::vector<double>& means, FindingL
   const SplitTest test = permutation_test(samples);
   findings.number("group.perm.p.two", key, test.p,
                   {.n = first.size() + second.size(),
-                   .method = std::string(test.exact ? "exact" : "random") +
+                   .method = way_of_counting(test.exact ? 0 : kRandomSplits) +
                              " permutation of participants, two-sided"});
 }
 

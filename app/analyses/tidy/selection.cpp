@@ -235,7 +235,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
                       {.n = n, .method = "difference of the counts"});
       const SignFlipTest flips = sign_flip_test(differences);
       findings.number("signflip.p.two", key, flips.two_sided,
-                      {.n = n, .method = (flips.exact ? "exact " : "random ") + method});
+                      {.n = n, .method = way_of_counting(flips.drawn) + ' ' + method});
       findings.number(
           "pairwise.binom.p.two", key, mcnemar_test({.only_first = first, .only_second = second}),
           {.n = first + second, .method = "exact binomial as if all choices were independent"});
@@ -251,7 +251,7 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
   const RelabellingTest relabelling = relabelling_test(counts);
   findings.number("relabel.exact.p", "", relabelling.p,
                   {.n = n,
-                   .method = std::string(relabelling.exact ? "exact" : "random") +
+                   .method = way_of_counting(relabelling.drawn) +
                              " relabelling within participants, sum of squared totals"});
 }
 
@@ -299,8 +299,7 @@ void add_cochran(const Choices& read, FindingList& findings) {
     findings.number("cochran.p", target, test.p, basis);
     findings.number("cochran.exact.p", target, test.exact_p,
                     {.n = first.size(),
-                     .method = std::string(test.counted ? "exact" : "random") +
-                               " permutation within participants"});
+                     .method = way_of_counting(test.drawn) + " permutation within participants"});
   }
   for (Eigen::Index a = 0; a < answers.cols(); ++a) {
     for (Eigen::Index b = a + 1; b < answers.cols(); ++b) {
