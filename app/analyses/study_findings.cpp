@@ -127,6 +127,40 @@ const StudyTests::Test* StudyTests::find(std::string_view name, std::string_view
   return found == tests_.end() ? nullptr : &*found;
 }
 
+Phrase StudyTests::note_on_family(std::size_t tests) const {
+  if (tests == 1) {
+    const Phrase one =
+        is_declared_
+            ? phrase("Analysis",
+                     "The family that the protocol declares is a single test (%1), whose p Holm's "
+                     "method leaves as it is. Tests outside the family are not adjusted and show "
+                     "no more than what to ask next time. n counts the units beside it; answers "
+                     "and goes are pooled as if they were independent.")
+            : phrase("Analysis",
+                     "The protocol declares no family of tests. The family that this kind of "
+                     "protocol has by itself is a single test (%1), whose p Holm's method leaves "
+                     "as it is. The other tests are not adjusted and show no more than what to "
+                     "ask next time. n counts the units beside it; answers and goes are pooled as "
+                     "if they were independent.");
+    return one.with(words_of_cell("family", name_));
+  }
+  const Phrase several =
+      is_declared_
+          ? phrase("Analysis",
+                   "p, Holm: adjusted after Holm over the %1 tests of the family that the protocol "
+                   "declares (%2); one that cannot be made counts as p = 1. Tests outside the "
+                   "family are not adjusted and show no more than what to ask next time. n counts "
+                   "the units beside it; answers and goes are pooled as if they were independent.")
+          : phrase(
+                "Analysis",
+                "The protocol declares no family of tests. p, Holm: adjusted after Holm over the "
+                "%1 tests of the family that this kind of protocol has by itself (%2); one that "
+                "cannot be made counts as p = 1. The other tests are not adjusted and show no "
+                "more than what to ask next time. n counts the units beside it; answers and "
+                "goes are pooled as if they were independent.");
+  return several.with(std::to_string(tests), words_of_cell("family", name_));
+}
+
 void StudyTests::finish(AnalysisOutcome& outcome) {
   for (const std::string& name : family_) {
     const bool is_added = std::any_of(tests_.begin(), tests_.end(),
@@ -141,28 +175,10 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
   }
   const std::vector<double> adjusted = holm_adjusted(raw);
   std::size_t next = 0;
-  NamedTable made{
-      kTests,
-      phrase("Analysis", "Tests"),
-      {{"test", "about", "n", "unit", "p", "p_holm", "family"}, {}},
-      is_declared_
-          ? phrase(
-                "Analysis",
-                "p, Holm: adjusted after Holm over the %1 tests of the family that the protocol "
-                "declares (%2); one that cannot be made counts as p = 1. Tests outside the family "
-                "are not adjusted and show no more than what to ask next time. n counts the units "
-                "beside it; answers and goes are pooled as if they "
-                "were independent.")
-                .with(std::to_string(raw.size()), words_of_cell("family", name_))
-          : phrase(
-                "Analysis",
-                "The protocol declares no family of tests. p, Holm: adjusted after Holm over the "
-                "%1 tests of the family that this kind of protocol has by itself (%2); one that "
-                "cannot be made counts as p = 1. The other tests are not adjusted and show no "
-                "more than what to ask next time. n counts the units beside it; answers and "
-                "goes are pooled as if they "
-                "were independent.")
-                .with(std::to_string(raw.size()), words_of_cell("family", name_))};
+  NamedTable made{kTests,
+                  phrase("Analysis", "Tests"),
+                  {{"test", "about", "n", "unit", "p", "p_holm", "family"}, {}},
+                  note_on_family(raw.size())};
   const bool some_fail =
       std::any_of(tests_.begin(), tests_.end(), [](const Test& test) { return !test.p; });
   if (some_fail) made.table.columns.push_back("status");
@@ -184,8 +200,10 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
     if (!test.adjusted) continue;
     finding.quantity = "p.holm";
     finding.value = test.adjusted;
-    finding.method += "; Holm over the " + std::to_string(raw.size()) + " tests of the family " +
-                      name_ + (is_declared_ ? ", which the protocol declares" : "");
+    finding.method += "; Holm over the " +
+                      (raw.size() == 1 ? "one test" : std::to_string(raw.size()) + " tests") +
+                      " of the family " + name_ +
+                      (is_declared_ ? ", which the protocol declares" : "");
     outcome.findings.push_back(std::move(finding));
   }
   outcome.tables.push_back(std::move(made));

@@ -68,6 +68,9 @@ class StudyTests final {
   bool is_declared() const noexcept { return is_declared_; }
 
  private:
+  /// What stands below the table: of how many tests the family is.
+  Phrase note_on_family(std::size_t tests) const;
+
   std::vector<std::string> family_{};
   std::string name_{};
   bool is_declared_ = false;

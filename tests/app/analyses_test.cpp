@@ -577,6 +577,18 @@ TEST(StudyTests, AdjustTheFamilyThatTheProtocolDeclares) {
   EXPECT_THAT(question_of(outcome, "textures").question.english(), HasSubstr("for new"));
 }
 
+TEST(StudyTests, SayThatAFamilyOfOneTestLeavesItsPAsItIs) {
+  const AnalysisOutcome outcome =
+      analyze_pairs(R"({"analysis": {"target": "new", "family": ["preference"]}})");
+  const NamedTable& tests = table_of(outcome, "tests");
+  EXPECT_THAT(tests.note,
+              says("that the protocol declares is a single test \\(preference\\), whose"));
+  EXPECT_DOUBLE_EQ(number(tests.table, {"preference"}, "p_holm"),
+                   number(tests.table, {"preference"}, "p"));
+  EXPECT_THAT(finding_of(outcome, "tests", "p.holm", "test=preference").method,
+              HasSubstr("Holm over the one test of the family preference"));
+}
+
 TEST(StudyTests, SayThatNothingWasDeclared) {
   EXPECT_THAT(table_of(analyze_pairs("{}"), "tests").note, says("declares no family of tests"));
 }
@@ -707,6 +719,8 @@ TEST(StudyTests, SplitTheSexesAtRandomWhereThereAreTooManyWays) {
   EXPECT_DOUBLE_EQ(number(tests.table, {"items"}, "p_holm"), 2.0 * items);
   // No split of all is as far: of the random ones and the observed one only the latter.
   EXPECT_DOUBLE_EQ(number(tests.table, {"sexes", "F|M"}, "p"), 1.0 / 10001.0);
+  EXPECT_THAT(finding_of(outcome, "tests", "p", "test=sexes about=F|M").method,
+              HasSubstr("random (10000 draws, seed 1) permutation of participants"));
   const AnsweredQuestion& sexes = question_of(outcome, "sexes");
   EXPECT_THAT(sexes.answer.english(),
               testing::StartsWith(
