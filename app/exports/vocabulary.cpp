@@ -47,6 +47,7 @@ void learn_questions(const ProtocolRow& protocol, const Json& source, StudyVocab
     vocabulary.questions_of_source[{protocol.source_sha256, name}] = meaning;
     const bool free_text = meaning.free_text;
     const auto [question, is_new] = vocabulary.questions.insert({name, std::move(meaning)});
+    question->second.questionnaire = true;  // also where a trial of another protocol asks the same
     if (!is_new && free_text) question->second.free_text = true;
   }
   const Json blocks = member(source, "blocks");

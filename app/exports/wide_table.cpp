@@ -174,7 +174,7 @@ WideTable::Made WideTable::make() const {
     ExportColumn column{};
     column.name = "session_" + (elsewhere ? names_of.in_names(asked) + "_" : "") + asked.question;
     column.type = is_number ? "number" : "text";
-    column.description = "answer to the question " + asked.question + " of the session with " +
+    column.description = "answer to the question " + asked.question + " of the last session with " +
                          names_of.in_words(asked);
     column.missing = "not asked or not answered";
     const auto meaning =

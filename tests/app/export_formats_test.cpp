@@ -393,7 +393,7 @@ TEST(WideExport, KeepsAnswersToQuestionsOfAVersionApart) {
   EXPECT_EQ(anna.at("session_hand"), "left") << "asked by one protocol";
   EXPECT_FALSE(anna.contains("session_feel"));
   EXPECT_THAT(read_file(made.beside("out") / "codebook.tsv"),
-              HasSubstr("of the session with sorting 2.0.0: Your arm?\t"));
+              HasSubstr("of the last session with sorting 2.0.0: Your arm?\t"));
 }
 
 // A comma is not what every spreadsheet splits at, and some skip blanks before they look for "=".

@@ -305,6 +305,26 @@ TEST(Export, TellsThePublicNoAnswerToAQuestionnaireThatIsNotNamed) {
               HasSubstr("left out, but for hand, pain (MANIFEST"));
 }
 
+// In one protocol a trial asks how rough something was, in another the questionnaire does.
+TEST(Export, TellsThePublicOfAQuestionnairesQuestionThatATrialOfAnotherProtocolAsksAsWell) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  made.add_protocol(
+      "first", "recognition",
+      R"({"blocks": {"b": {"question": {"name": "rough", "prompt": "How rough?"}}}})");
+  const std::int64_t second = made.add_protocol("second", "recognition", R"({"questions": {
+      "rough": {"prompt": "Rough hands?", "form": "choice", "options": ["no", "cracked"]}}})");
+  const std::int64_t session = made.add_session("anna", second, {some_trial()});
+  made.study().add_session_answer(session, session_answer("rough", "cracked"));
+  ExportOptions options = options_of(ExportAudience::published);
+  export_to(made, made.beside("out"), options);
+  EXPECT_EQ(cells_that_are("cracked", made.beside("out")), 0);
+  EXPECT_THAT(read_file(made.beside("out") / "MANIFEST.tsv"), HasSubstr("answer(rough)"));
+  options.questions_for_public = {"rough"};
+  export_to(made, made.beside("named"), options);
+  EXPECT_GT(cells_that_are("cracked", made.beside("named")), 0);
+}
+
 TEST(Export, RefusesToTellThePublicWhatIsTypedFreelyOrNotAsked) {
   MadeUpStudy made;
   fill_with_health(made);
