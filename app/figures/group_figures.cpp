@@ -48,9 +48,14 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
               .series = {{}}};
   Figure less{.name = "group_difference",
               .title = phrase("Figures", "The difference between the groups"),
-              .note = phrase("Figures",
-                             "Bars are %1 % intervals: of the participants' means by Welch, of all "
-                             "answers pooled by Newcombe, as if they were independent.")
+              .note = (found.all(choice.pooled_difference).empty()
+                           ? phrase("Figures",
+                                    "The bar is Welch's %1 % interval of the difference of the "
+                                    "participants' means.")
+                           : phrase("Figures",
+                                    "Bars are %1 % intervals: of the participants' means by Welch, "
+                                    "of all answers pooled by Newcombe, as if they were "
+                                    "independent."))
                           .with(percent),
               .shape = FigureShape::rows,
               .series = {{.style = 1}}};

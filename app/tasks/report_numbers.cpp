@@ -39,7 +39,7 @@ const std::map<std::string, NumberWords>& known_numbers() {
       {"H.response", {"information in the choice of answers", number}},
       {"hclust.shepard.average.cophcor", {"cophenetic correlation of the tree", number}},
       {"hedges.g", {"Hedges’ g of the participants’ shares", number}},
-      {"IT.items", {"items told apart", number}},
+      {"IT.items", {"items told apart, not corrected for few answers", number}},
       {"IT.relative", {"information, of what there was to tell", share}},
       {"mallows.lr", {"likelihood ratio of Mallows’ θ against chance", number}},
       {"mallows.se", {"standard error of Mallows’ θ", number}},

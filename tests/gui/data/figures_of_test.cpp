@@ -7,6 +7,9 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -291,6 +294,26 @@ TEST(FiguresOf, ShowBothGroupsAndTheirDifference) {
   EXPECT_EQ(points[1].x, all.number("diff", ""));
   EXPECT_EQ(points[1].x_interval->low, all.number("diff.newcombe.lower", ""));
   EXPECT_EQ(difference.references.front().value, 0.0);
+  EXPECT_NE(difference.note.english().find("pooled by Newcombe"), std::string::npos);
+}
+
+// Items of one go depend on each other, so that they are not pooled, and nothing says that they are.
+TEST(FiguresOf, SayNothingOfAPooledDifferenceWhereThereIsNone) {
+  AnalysisOutcome outcome{};
+  for (const auto& [quantity, key, value] :
+       {std::tuple("subj.mean", "F", 0.75), std::tuple("subj.mean", "M", 0.5),
+        std::tuple("subj.diff", "", 0.25)}) {
+    outcome.findings.push_back({.quantity = quantity, .key = key, .value = value, .n = 8});
+    outcome.findings.back().analysis = "sexes";
+  }
+  const std::vector<Figure> figures = figures_of(outcome);
+  const auto found = std::find_if(figures.begin(), figures.end(), [](const Figure& figure) {
+    return figure.name == "group_difference";
+  });
+  ASSERT_NE(found, figures.end());
+  EXPECT_EQ(found->series.front().points.size(), 1U);
+  EXPECT_NE(found->note.english().find("Welch's"), std::string::npos);
+  EXPECT_EQ(found->note.english().find("Newcombe"), std::string::npos);
 }
 
 TEST(FiguresOf, DrawScoresByItemWithTheirIntervals) {
