@@ -631,6 +631,14 @@
         <source>Shares of all answers pool several answers of the same persons (%1 answers of %2 persons in all). They are not independent: the intervals of these shares are too narrow and their p too small. Means over the persons take the person as the unit.</source>
         <translation>Anteile an allen Antworten fassen mehrere Antworten derselben Personen zusammen (insgesamt %1 Antworten von %2 Personen). Sie sind nicht unabhängig: Die Intervalle dieser Anteile sind zu eng und ihre p zu klein. Mittelwerte über die Personen nehmen die Person als Einheit.</translation>
     </message>
+    <message>
+        <source>The family that the protocol declares is a single test (%1), whose p Holm&apos;s method leaves as it is. Tests outside the family are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
+        <translation>Die Familie, die das Protokoll festlegt, ist ein einziger Test (%1), dessen p das Verfahren von Holm lässt, wie es ist. Tests außerhalb der Familie sind nicht angepasst und zeigen nur, wonach als Nächstes zu fragen ist. n zählt die Einheiten daneben; Antworten und Durchgänge sind zusammengezählt, als wären sie unabhängig.</translation>
+    </message>
+    <message>
+        <source>The protocol declares no family of tests. The family that this kind of protocol has by itself is a single test (%1), whose p Holm&apos;s method leaves as it is. The other tests are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
+        <translation>Das Protokoll legt keine Familie von Tests fest. Die Familie, die diese Art von Protokoll von sich aus hat, ist ein einziger Test (%1), dessen p das Verfahren von Holm lässt, wie es ist. Die anderen Tests sind nicht angepasst und zeigen nur, wonach als Nächstes zu fragen ist. n zählt die Einheiten daneben; Antworten und Durchgänge sind zusammengezählt, als wären sie unabhängig.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
@@ -1606,6 +1614,10 @@
     <message>
         <source>There is no curve: nothing moved the tool.</source>
         <translation>Es gibt keine Kurve: Nichts hat das Werkzeug bewegt.</translation>
+    </message>
+    <message>
+        <source>The bar is Welch&apos;s %1 % interval of the difference of the participants&apos; means.</source>
+        <translation>Der Balken ist das %1-%-Intervall nach Welch für die Differenz der Mittelwerte der Teilnehmenden.</translation>
     </message>
 </context>
 <context>
