@@ -95,6 +95,34 @@ class CellReader final {
   std::size_t column_ = 0;
 };
 
+/// Where the text stops being UTF-8; its size when it is.
+std::size_t utf8_ends_at(std::string_view text) {
+  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const unsigned char first = byte(at);
+    if (first < 0x80) {
+      ++at;
+      continue;
+    }
+    const std::size_t length = first >= 0xC2 && first < 0xE0   ? 2
+                               : first >= 0xE0 && first < 0xF0 ? 3
+                               : first >= 0xF0 && first < 0xF5 ? 4
+                                                               : 0;
+    if (length == 0 || text.size() - at < length) return at;
+    // Too long a form, half of a pair of UTF-16 or more than there is: the second byte tells.
+    const unsigned char second = byte(at + 1);
+    const unsigned char least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+    const unsigned char most = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+    if (second < least || second > most) return at;
+    for (std::size_t i = 2; i < length; ++i) {
+      if (byte(at + i) < 0x80 || byte(at + i) > 0xBF) return at;
+    }
+    at += length;
+  }
+  return at;
+}
+
 char separator_of(std::string_view header, const std::string& name) {
   const auto has = [header](char c) { return header.find(c) != std::string_view::npos; };
   if (has('\t')) return '\t';
@@ -115,6 +143,14 @@ TidyTable::TidyTable(std::string_view text, std::string name) : name_(std::move(
   }
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     text.remove_prefix(kByteOrderMark.size());
+  }
+  if (const std::size_t end = utf8_ends_at(text); end < text.size()) {
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+    throw ResultsError(
+        name_ + ':' + std::to_string(line) +
+            ": a letter of this line is not UTF-8; save the table in the encoding UTF-8",
+        name_);
   }
   text_.assign(text.begin(), text.end());
   CellReader reader(text_, name_);

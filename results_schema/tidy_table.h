@@ -28,7 +28,7 @@ struct LabelColumn {
 ///
 /// Errors: ResultsError "FILE:LINE:COLUMN: …", COLUMN counting columns from 1, for a row of another
 /// length, a header with no name or the same twice, semicolons between columns, a decimal comma, a
-/// text where a number belongs, a quote that does not close.
+/// text where a number belongs, a quote that does not close; "FILE:LINE: …" for what is not UTF-8.
 class TidyTable final {
  public:
   /// `name` is what messages call the file.

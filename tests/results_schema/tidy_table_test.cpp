@@ -34,6 +34,18 @@ TEST(TidyTable, ReadsByteOrderMarksLineEndsOfWindowsAndEmptyLines) {
   EXPECT_EQ(table.counts("k"), (std::vector<std::uint64_t>{1, 2}));
 }
 
+TEST(TidyTable, RefusesWhatIsNotUtf8AndSaysInWhichLine) {
+  const std::string words =
+      ": a letter of this line is not UTF-8; save the table in the encoding UTF-8";
+  EXPECT_EQ(refusal_of("id,k\na,1\nRen\xE9,2\n"), "file.csv:3" + words) << "Latin-1";
+  EXPECT_EQ(refusal_of("id,k\n\xC0\xAF,1\n"), "file.csv:2" + words) << "longer than need be";
+  EXPECT_EQ(refusal_of("id,k\n\xED\xA0\x80,1\n"), "file.csv:2" + words) << "half a pair";
+  EXPECT_EQ(refusal_of("id,k\na,\xE2\x82"), "file.csv:2" + words) << "torn";
+  const TidyTable table = table_of("id\nRen\xC3\xA9\n\xE2\x82\xAC\n\xF0\x9F\x98\x80\n");
+  EXPECT_EQ(table.texts("id"),
+            (std::vector<std::string_view>{"Ren\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"}));
+}
+
 TEST(TidyTable, ReadsQuotedCells) {
   const TidyTable table =
       table_of("id,\"the note\"\n\"a,b\",\"she said \"\"no\"\"\nand left\"\nc,d\n");
