@@ -415,7 +415,12 @@ void ask_confusions(const AnalysisOutcome& made, AnalysisOutcome& outcome) {
                                   [](const auto& each) { return each.name == "confused_pairs"; });
   if (table == made.tables.end() || table->table.rows.empty()) return;
   const std::vector<Cell>& worst = table->table.rows.front();
-  const std::int64_t times = std::get<std::int64_t>(worst[2]) + std::get<std::int64_t>(worst[3]);
+  const auto times_of = [](const std::vector<Cell>& pair) {
+    return std::get<std::int64_t>(pair[2]) + std::get<std::int64_t>(pair[3]);
+  };
+  const std::int64_t times = times_of(worst);
+  const auto as_often = std::count_if(table->table.rows.begin(), table->table.rows.end(),
+                                      [&](const auto& pair) { return times_of(pair) == times; });
   Finding finding{};
   finding.quantity = "confusions";
   finding.key = std::get<std::string>(worst[0]) + '|' + std::get<std::string>(worst[1]);
@@ -426,9 +431,14 @@ void ask_confusions(const AnalysisOutcome& made, AnalysisOutcome& outcome) {
   add_question(
       outcome, "confusions", phrase("Analysis", "Which textures are confused?"),
       times == 0 ? phrase("Analysis", "None was ever taken for another.")
-                 : phrase("Analysis", "Most often %1 and %2: %3 times in both directions.")
-                       .with(std::get<std::string>(worst[0]), std::get<std::string>(worst[1]),
-                             std::to_string(times)),
+      : as_often > 1
+          ? phrase("Analysis",
+                   "No pair stands out: of %1 pairs each was confused %2 times in both directions, "
+                   "and none more often.")
+                .with(std::to_string(as_often), std::to_string(times))
+          : phrase("Analysis", "Most often %1 and %2: %3 times in both directions.")
+                .with(std::get<std::string>(worst[0]), std::get<std::string>(worst[1]),
+                      std::to_string(times)),
       phrase("Analysis", "Counts of all answers; an interval needs a model of confusions."),
       "confused_pairs", &finding, CountedUnit::participants);
 }

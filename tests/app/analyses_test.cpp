@@ -581,8 +581,7 @@ TEST(StudyTests, SayThatAFamilyOfOneTestLeavesItsPAsItIs) {
   const AnalysisOutcome outcome =
       analyze_pairs(R"({"analysis": {"target": "new", "family": ["preference"]}})");
   const NamedTable& tests = table_of(outcome, "tests");
-  EXPECT_THAT(tests.note,
-              says("that the protocol declares is a single test \\(preference\\), whose"));
+  EXPECT_THAT(tests.note, says("that the protocol declares is a single test (preference), whose"));
   EXPECT_DOUBLE_EQ(number(tests.table, {"preference"}, "p_holm"),
                    number(tests.table, {"preference"}, "p"));
   EXPECT_THAT(finding_of(outcome, "tests", "p.holm", "test=preference").method,
@@ -695,6 +694,23 @@ TEST(Recognition, CountsThePairsWhereTooManyAreConfusedEquallyOften) {
   EXPECT_EQ(question_of(analyze_answers(answers), "confusions").answer.english(),
             "6 pairs of textures are equally alike, and none more: one was taken for the other in "
             "33 % of the answers to each.");
+}
+
+TEST(Matching, NamesNoPairWhereSeveralAreConfusedEquallyOften) {
+  const auto answer_after = [](const std::vector<std::vector<std::string>>& goes) {
+    MadeUpStudy made;
+    made.add_person("a", "F");
+    std::vector<MadeUpTrial> trials{};
+    for (const auto& pictures : goes) trials.push_back(matching(pictures));
+    made.add_session("a", made.add_protocol("matching", "matching"), trials);
+    return question_of(analyze_study(made.study()).front(), "confusions").answer.english();
+  };
+  EXPECT_EQ(answer_after({{"metal", "stone", "brick", "wood"}}),
+            "Most often brick and wood: 2 times in both directions.");
+  EXPECT_EQ(
+      answer_after({{"metal", "stone", "brick", "wood"}, {"stone", "metal", "wood", "brick"}}),
+      "No pair stands out: of 2 pairs each was confused 2 times in both directions, and none "
+      "more often.");
 }
 
 /// Thirteen women match all, thirteen men exchange two.

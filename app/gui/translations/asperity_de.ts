@@ -639,6 +639,10 @@
         <source>The protocol declares no family of tests. The family that this kind of protocol has by itself is a single test (%1), whose p Holm&apos;s method leaves as it is. The other tests are not adjusted and show no more than what to ask next time. n counts the units beside it; answers and goes are pooled as if they were independent.</source>
         <translation>Das Protokoll legt keine Familie von Tests fest. Die Familie, die diese Art von Protokoll von sich aus hat, ist ein einziger Test (%1), dessen p das Verfahren von Holm lässt, wie es ist. Die anderen Tests sind nicht angepasst und zeigen nur, wonach als Nächstes zu fragen ist. n zählt die Einheiten daneben; Antworten und Durchgänge sind zusammengezählt, als wären sie unabhängig.</translation>
     </message>
+    <message>
+        <source>No pair stands out: of %1 pairs each was confused %2 times in both directions, and none more often.</source>
+        <translation>Kein Paar fällt auf: Von %1 Paaren wurde jedes %2-mal in beiden Richtungen verwechselt, keines öfter.</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
