@@ -106,12 +106,13 @@ std::set<double> p_in_tables(const AnalysisOutcome& outcome) {
   return found;
 }
 
-/// The tests that no table of the outcome has.
+/// The tests that no table of the outcome has. A test is known in a table by its p, but by p = 1 none is told
+/// from another: such a test stands here even where a table has it.
 std::vector<ReportedTest> other_tests(const AnalysisOutcome& outcome) {
   const std::set<double> in_tables = p_in_tables(outcome);
   std::vector<ReportedTest> others{};
   for (const ReportedTest& test : tests_among(outcome.findings)) {
-    if (!in_tables.contains(*test.p->value)) others.push_back(test);
+    if (*test.p->value == 1.0 || !in_tables.contains(*test.p->value)) others.push_back(test);
   }
   return others;
 }
