@@ -99,6 +99,19 @@ TEST(TableFindings, StandWithKeysDownAndQuantitiesAcross) {
   EXPECT_THAT(text, HasSubstr("friedman.chisq, friedman.df, friedman.p: Friedman's test"));
 }
 
+TEST(TableFindings, TellWhatIsLeftOutOfRatings) {
+  EXPECT_THAT(reading_text_of(ratings()), testing::Not(HasSubstr("left out")));
+  const TidyInput input =
+      input_of("subject,item,score\nx,new,3\nx,old,1\nx,new,9\ny,new,2\nz,old,\n",
+               R"({"items": ["new", "old"]})");
+  const std::string text =
+      reading_text_of(TableFindings{.kind = "rating", .findings = rating_findings(input)});
+  EXPECT_THAT(text, testing::ContainsRegex("n\\.complete +1\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("n\\.incomplete +2\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("scores\\.repeated +1\n"));
+  EXPECT_THAT(text, HasSubstr("left out: the first counts"));
+}
+
 TEST(TableFindings, AreOneJsonDocument) {
   const std::string json = findings_json(ratings());
   EXPECT_EQ(json.find("{\n  \"format\": \"asperity.findings/1\""), 0U);

@@ -15,36 +15,61 @@
 namespace asperity {
 namespace {
 
-/// A row per participant who scored every item; of several scores of one item the first counts.
-Eigen::MatrixXd complete_scores(const TidyTable& table, const std::vector<std::string>& items) {
+struct Scores {
+  Eigen::MatrixXd complete{};  ///< a row per participant who scored every item
+  std::size_t incomplete = 0;  ///< participants who did not
+  std::size_t repeated = 0;    ///< further scores of an item by one participant: the first counts
+};
+
+Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) {
   const LabelColumn participants = table.all_labels("subject");
   const LabelColumn codes = table.labels("item", items);
   const std::vector<std::optional<double>> scores = table.numbers("score");
   std::vector<std::vector<std::optional<double>>> all(
       participants.names.size(), std::vector<std::optional<double>>(items.size()));
+  Scores made{};
   std::vector<std::vector<bool>> seen(participants.names.size(), std::vector<bool>(items.size()));
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (codes.codes[row] == LabelColumn::kMissing) table.refuse(row, "item", "item is missing");
     const std::size_t person = participants.codes[row];
     const std::size_t item = codes.codes[row];
-    if (!seen[person][item]) all[person][item] = scores[row];
+    if (seen[person][item]) {
+      ++made.repeated;
+      continue;
+    }
+    all[person][item] = scores[row];
     seen[person][item] = true;
   }
-  std::erase_if(all, [](const std::vector<std::optional<double>>& own) {
+  made.incomplete = std::erase_if(all, [](const std::vector<std::optional<double>>& own) {
     for (const std::optional<double>& score : own) {
       if (!score) return true;
     }
     return false;
   });
-  Eigen::MatrixXd complete(static_cast<Eigen::Index>(all.size()),
-                           static_cast<Eigen::Index>(items.size()));
-  for (Eigen::Index person = 0; person < complete.rows(); ++person) {
-    for (Eigen::Index item = 0; item < complete.cols(); ++item) {
-      complete(person, item) =
+  made.complete.resize(static_cast<Eigen::Index>(all.size()),
+                       static_cast<Eigen::Index>(items.size()));
+  for (Eigen::Index person = 0; person < made.complete.rows(); ++person) {
+    for (Eigen::Index item = 0; item < made.complete.cols(); ++item) {
+      made.complete(person, item) =
           *all[static_cast<std::size_t>(person)][static_cast<std::size_t>(item)];
     }
   }
-  return complete;
+  return made;
+}
+
+/// What the numbers leave out, where they leave out something.
+void add_left_out(const Scores& scores, FindingList& findings) {
+  if (scores.incomplete > 0) {
+    findings.count("n.incomplete", "", scores.incomplete,
+                   {.n = scores.incomplete,
+                    .method = "participants without a score of every item, who are left out"});
+  }
+  if (scores.repeated > 0) {
+    findings.count("scores.repeated", "", scores.repeated,
+                   {.n = scores.repeated,
+                    .method = "further scores of an item by the same participant, which are left "
+                              "out: the first counts"});
+  }
 }
 
 void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& scores,
@@ -83,10 +108,12 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   if (std::set<std::string>(items.begin(), items.end()).size() < 2) {
     throw std::runtime_error("the option \"items\" must name two items at least");
   }
-  const Eigen::MatrixXd scores = complete_scores(input.table(), items);
+  const Scores given = scores_of(input.table(), items);
+  const Eigen::MatrixXd& scores = given.complete;
   const auto n = static_cast<std::size_t>(scores.rows());
   FindingList findings{};
   findings.count("n.complete", "", n, {.n = n, .method = "participants who scored every item"});
+  add_left_out(given, findings);
   const FriedmanTest test = friedman_test(scores);
   add_friedman(test, n, findings);
   for (std::size_t i = 0; i < items.size() && n > 0; ++i) {
