@@ -10,6 +10,7 @@
 #include "analysis/number_text.h"
 #include "app/cli/body_option.h"
 #include "app/cli/command.h"
+#include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
 #include "app/height_field_files.h"
 #include "app/tasks/path_table.h"
@@ -19,13 +20,6 @@
 namespace asperity {
 
 namespace {
-
-const ForceModel& model_named(const ModelRegistry& models, const std::string& id) {
-  if (const ForceModel* model = models.find(id)) return *model;
-  std::string sentence = "there is no force model \"" + id + "\"; there are:";
-  for (const ForceModel& model : models.models()) sentence += ' ' + model.declaration.id;
-  throw std::runtime_error(sentence);
-}
 
 /// What the hand holds and what it touches, of a model that needs both.
 void add_bodies(RendererInputs& inputs, const std::string& model, const BodyOption& surface,

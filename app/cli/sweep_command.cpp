@@ -15,6 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
@@ -163,16 +164,11 @@ Table summary_table(const Sweep& sweep) {
 
 int run_sweep(SweepOptions options) {
   const ModelRegistry models = built_in_models();
-  const ForceModel* model = models.find(options.model);
-  if (model == nullptr) {
-    std::string sentence = "there is no force model \"" + options.model + "\"; there are:";
-    for (const ForceModel& known : models.models()) sentence += ' ' + known.declaration.id;
-    throw std::runtime_error(sentence);
-  }
+  const ForceModel& model = model_named(models, options.model);
   SweepOrder& order = options.order;
-  order.stroke.model = model;
+  order.stroke.model = &model;
   order.stroke.parameters =
-      parameters_from(options.parameters, model->declaration.parameters, options.model);
+      parameters_from(options.parameters, model.declaration.parameters, options.model);
   order.stroke.hand = hand_of(options.hand);
   order.values = options.values.empty() ? usual_values(order.varied)
                                         : numbers_of("--values", options.values, ',');
