@@ -32,8 +32,8 @@ std::optional<Phrase> remark_on(const Study& study) {
       return phrase(
           "Analysis",
           "The file study.sqlite is not what it was when Asperity last closed it: what is read "
-          "from "
-          "it can be wrong. \"asperity verify\" says what does not hold, and what that can mean.");
+          "from it can be wrong. \"asperity verify\" says what does not hold, and what that can "
+          "mean.");
   }
   return {};
 }

@@ -1,5 +1,3 @@
-// How the constructors of this folder refuse a number.
-
 #include "device/refusal.h"
 
 #include <array>

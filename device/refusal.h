@@ -1,4 +1,4 @@
-// How the constructors of this folder refuse a number.
+// How a number is refused.
 
 #pragma once
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/number_text.h"
+#include "device/refusal.h"
 #include "renderers/offline/constant_height.h"
 
 namespace asperity {
@@ -32,12 +33,6 @@ constexpr double kCaught = 0.05;
 constexpr double kDeeper_m = 10e-6;
 constexpr double kYielding = 0.1;
 constexpr std::size_t kBetweenStops = 4096;
-
-void require_positive(const char* field, double value) {
-  if (value > 0.0 && std::isfinite(value)) return;
-  throw std::invalid_argument(std::string("Drag::") + field + " must be positive, and it is " +
-                              number_text(value));
-}
 
 // How long, in spacings and in time.
 struct Length {
@@ -213,11 +208,11 @@ double beginning_s(const HandModel& hand, std::optional<double> surface_N_per_m)
 
 std::optional<DragResult> drag(ForceRenderer& renderer, const Drag& stroke,
                                const std::stop_token& stop) {
-  require_positive("speed_m_per_s", stroke.speed_m_per_s);
-  require_positive("force_N", stroke.force_N);
-  require_positive("spacing_m", stroke.spacing_m);
-  require_positive("repeats_after_m", stroke.repeats_after_m);
-  require_positive("stiffness_N_per_m", stroke.stiffness_N_per_m);
+  require_positive("Drag::speed_m_per_s", stroke.speed_m_per_s);
+  require_positive("Drag::force_N", stroke.force_N);
+  require_positive("Drag::spacing_m", stroke.spacing_m);
+  require_positive("Drag::repeats_after_m", stroke.repeats_after_m);
+  require_positive("Drag::stiffness_N_per_m", stroke.stiffness_N_per_m);
   const Length length = length_of(stroke);
   StillHeight still(renderer, stroke);
   const ConstantHeight found =

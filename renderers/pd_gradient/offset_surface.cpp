@@ -10,6 +10,7 @@
 #include <string>
 
 #include "analysis/number_text.h"
+#include "device/refusal.h"
 #include "renderers/surface_contact.h"
 
 namespace asperity {
@@ -19,12 +20,6 @@ constexpr std::size_t kMostSamples = std::size_t{1} << 22;
 constexpr double kWidestRow_m = 25e-6;
 constexpr double kDiscWidth = 0.1;          // of its diameter
 constexpr std::ptrdiff_t kCellsInStep = 8;  // of the table, in the step of the differences
-
-void require_positive(const char* name, double value) {
-  if (value > 0.0 && std::isfinite(value)) return;
-  throw std::invalid_argument(std::string(name) + " must be positive, and it is " +
-                              number_text(value));
-}
 
 double period_of(const HeightField& field, Tiling tiling) {
   switch (tiling) {
