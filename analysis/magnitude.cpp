@@ -330,6 +330,13 @@ PowerLaw power_law(const MagnitudeCurves& curves) {
   return law;
 }
 
+CurveType curve_type(const Quadratic& curve, const TestedRange& tested) noexcept {
+  const double first = curve.slope(tested.lowest_x);
+  const double last = curve.slope(tested.highest_x);
+  if (last >= 0.0) return CurveType::other;
+  return first < 0.0 ? CurveType::descending : CurveType::inverted_u;
+}
+
 std::optional<double> Quadratic::peak() const noexcept {
   return c < 0.0 ? std::optional<double>(-b / (2.0 * c)) : std::nullopt;
 }

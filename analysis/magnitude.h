@@ -99,6 +99,22 @@ struct Quadratic {
   std::optional<double> peak() const noexcept;
 };
 
+/// The shape of one participant's curve between the lowest and the highest x, by its slopes there:
+/// the kinds that [Kornbrot 2007] counted, descending and quadratic, and the rest. No test decides.
+///
+/// [Kornbrot 2007] Kornbrot, Penn, Petrie, Furner, Hardwick: Roughness perception in haptic virtual
+/// reality for sighted and blind people.
+enum class CurveType {
+  descending,  ///< falls at both ends
+  inverted_u,  ///< rises at the lowest x and falls at the highest
+  other
+};
+struct TestedRange {
+  double lowest_x = 0.0;
+  double highest_x = 0.0;
+};
+CurveType curve_type(const Quadratic& curve, const TestedRange& tested) noexcept;
+
 /// The one-sided test that the mean curve rises at the lowest x, or falls at the highest: an
 /// inverted U needs both [Lind 2010], its p is the larger one.
 ///

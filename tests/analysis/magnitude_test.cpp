@@ -35,6 +35,16 @@ TEST(QuadraticFit, FindsThePeakThatIsThere) {
   EXPECT_EQ(fit.concave_participants, 3U);
 }
 
+TEST(CurveType, IsToldByTheSlopesAtBothEnds) {
+  const TestedRange range{.lowest_x = -1.0, .highest_x = 1.0};
+  const auto hump_at = [](double peak) { return Quadratic{.b = 2.0 * peak, .c = -1.0}; };
+  EXPECT_EQ(curve_type(hump_at(0.5), range), CurveType::inverted_u);
+  EXPECT_EQ(curve_type(hump_at(-2.0), range), CurveType::descending);
+  EXPECT_EQ(curve_type(hump_at(2.0), range), CurveType::other);
+  EXPECT_EQ(curve_type({.b = -1.0}, range), CurveType::descending);
+  EXPECT_EQ(curve_type({.b = 0.0, .c = 1.0}, range), CurveType::other);
+}
+
 TEST(QuadraticFit, SaysWhereThereIsNoPeak) {
   EXPECT_EQ(quadratic_fit(humps({2.0, 2.5, 3.0})).status, PeakStatus::outside_range);
   MagnitudeCurves bowls = humps({0.1, 0.2, 0.3});

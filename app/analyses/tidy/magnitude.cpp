@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -114,8 +115,8 @@ Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
   return read;
 }
 
-std::vector<std::vector<std::size_t>> read_resamples(const TidyTable& table,
-                                                     std::size_t participants) {
+std::vector<std::vector<std::size_t>> resampled_people(const TidyTable& table,
+                                                       std::size_t participants) {
   std::vector<std::vector<std::size_t>> rows(table.rows());
   for (std::size_t draw = 1; table.has('s' + std::to_string(draw)); ++draw) {
     const std::string column = 's' + std::to_string(draw);
@@ -272,7 +273,7 @@ class MagnitudeList final {
       x(i) = std::log10(read_.spacings[static_cast<std::size_t>(i)]);
     }
     const std::vector<std::vector<std::size_t>> resamples =
-        input_.tables.size() > 1 ? read_resamples(input_.table(1), n_)
+        input_.tables.size() > 1 ? resampled_people(input_.table(1), n_)
                                  : std::vector<std::vector<std::size_t>>{};
     std::vector<QuadraticFit> fits{};
     for (std::size_t probe = 0; probe < normalised.size(); ++probe) {
@@ -280,6 +281,7 @@ class MagnitudeList final {
       line(read_.probes[probe], power_law(one));
       fits.push_back(quadratic_fit(one));
       curve(read_.probes[probe], fits.back());
+      types(read_.probes[probe], fits.back(), x);
       if (fits.back().peak && !resamples.empty()) {
         bootstrap(read_.probes[probe], fits.back(), resamples);
       }
@@ -358,6 +360,19 @@ class MagnitudeList final {
       number("peak.subjects.median", probe, std::pow(10.0, summary_of(fit.participant_peaks)->p50),
              "median of the participants' tested peaks");
     }
+  }
+
+  void types(const std::string& probe, const QuadraticFit& fit, const Eigen::VectorXd& x) {
+    std::map<CurveType, std::uint64_t> counts{};
+    for (const Quadratic& one : fit.participants) {
+      ++counts[curve_type(one, {.lowest_x = x.minCoeff(), .highest_x = x.maxCoeff()})];
+    }
+    const std::string how = "participants whose own curve ";
+    list_.count("curve.descending", probe, counts[CurveType::descending],
+                basis(how + "falls at the smallest and the largest spacing"));
+    list_.count("curve.inverted_u", probe, counts[CurveType::inverted_u],
+                basis(how + "rises at the smallest and falls at the largest spacing"));
+    list_.count("curve.other", probe, counts[CurveType::other], basis(how + "does neither"));
   }
 
   void peak(const std::string& probe, const QuadraticFit& fit) {
