@@ -9,30 +9,29 @@ namespace asperity {
 
 namespace {
 
-using Json = nlohmann::json;
-
-std::string text(const Json& object, const char* key) {
+std::string text(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-std::optional<double> number(const Json& object, const char* key) {
+std::optional<double> number(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_number()) return std::nullopt;
   return found->get<double>();
 }
 
-Json member(const Json& object, const char* key) {
+nlohmann::json member(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
-  return found != object.end() && found->is_object() ? *found : Json::object();
+  return found != object.end() && found->is_object() ? *found : nlohmann::json::object();
 }
 
 std::string place(const ProtocolRow& protocol, const std::string& pointer) {
   return "protocol " + protocol.name + " " + protocol.version + ": " + pointer;
 }
 
-void learn_questions(const ProtocolRow& protocol, const Json& source, StudyVocabulary& vocabulary) {
-  const Json questions = member(source, "questions");
+void learn_questions(const ProtocolRow& protocol, const nlohmann::json& source,
+                     StudyVocabulary& vocabulary) {
+  const nlohmann::json questions = member(source, "questions");
   for (const auto& [name, declaration] : questions.items()) {
     if (!declaration.is_object()) continue;
     StudyVocabulary::AnswerMeaning meaning{};
@@ -41,7 +40,7 @@ void learn_questions(const ProtocolRow& protocol, const Json& source, StudyVocab
     meaning.minimum = number(declaration, "minimum");
     meaning.maximum = number(declaration, "maximum");
     meaning.source = place(protocol, "/questions/" + name);
-    for (const Json& option : declaration.value("options", Json::array())) {
+    for (const nlohmann::json& option : declaration.value("options", nlohmann::json::array())) {
       if (option.is_string()) meaning.options.push_back(option.get<std::string>());
     }
     vocabulary.questions_of_source[{protocol.source_sha256, name}] = meaning;
@@ -50,10 +49,10 @@ void learn_questions(const ProtocolRow& protocol, const Json& source, StudyVocab
     question->second.questionnaire = true;  // also where a trial of another protocol asks the same
     if (!is_new && free_text) question->second.free_text = true;
   }
-  const Json blocks = member(source, "blocks");
+  const nlohmann::json blocks = member(source, "blocks");
   for (const auto& [name, block] : blocks.items()) {
     if (!block.is_object()) continue;
-    const Json asked = member(block, "question");
+    const nlohmann::json asked = member(block, "question");
     const std::string called = text(asked, "name");
     if (called.empty()) continue;
     StudyVocabulary::AnswerMeaning meaning{};
@@ -66,9 +65,9 @@ void learn_questions(const ProtocolRow& protocol, const Json& source, StudyVocab
 }
 
 void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabulary) {
-  const Json source = Json::parse(protocol.source, nullptr, false);
+  const nlohmann::json source = nlohmann::json::parse(protocol.source, nullptr, false);
   if (!source.is_object()) return;
-  const Json factors = member(source, "factors");
+  const nlohmann::json factors = member(source, "factors");
   for (const auto& [name, declaration] : factors.items()) {
     const auto factor = vocabulary.factors.find(name);
     if (factor == vocabulary.factors.end() || !declaration.is_object()) continue;
@@ -79,7 +78,7 @@ void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabular
   learn_questions(protocol, source, vocabulary);
 }
 
-void learn_factors(const Json& factors, StudyVocabulary& vocabulary) {
+void learn_factors(const nlohmann::json& factors, StudyVocabulary& vocabulary) {
   for (const auto& [name, level] : factors.items()) {
     StudyVocabulary::FactorMeaning& factor = vocabulary.factors[name];
     if (!level.is_number()) factor.numeric = false;
@@ -120,11 +119,11 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models) {
   StudyVocabulary vocabulary{};
   const StudyWords words = study.words();
   for (const std::string& factors : words.factors_json) {
-    learn_factors(Json::parse(factors), vocabulary);
+    learn_factors(nlohmann::json::parse(factors), vocabulary);
   }
   for (auto& [name, factor] : vocabulary.factors) sort_levels(factor);
   for (const auto& [model, parameters_json] : words.parameters) {
-    const Json parameters = Json::parse(parameters_json);
+    const nlohmann::json parameters = nlohmann::json::parse(parameters_json);
     for (const auto& [name, value] : parameters.items()) {
       StudyVocabulary::ParameterMeaning& parameter = vocabulary.parameters[name];
       parameter.models.insert(model);
@@ -138,7 +137,7 @@ StudyVocabulary vocabulary_of(const Study& study, const ModelRegistry& models) {
   }
   for (const auto& [kind, model] : words.model_limits) vocabulary.limits[kind].insert(model);
   for (const ParticipantRow& participant : study.participants()) {
-    const Json answers = Json::parse(participant.answers_json);
+    const nlohmann::json answers = nlohmann::json::parse(participant.answers_json);
     for (const auto& [name, value] : answers.items()) vocabulary.participant_answers.insert(name);
   }
   for (const ProtocolRow& protocol : study.protocols()) learn_from_protocol(protocol, vocabulary);

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
+#include "app/analyses/found_numbers.h"
 #include "app/height_field_files.h"
 #include "app/parameter_json.h"
 
@@ -212,8 +213,6 @@ class SweepWork final {
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
   std::exception_ptr failure_{};
 };
-
-Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 
 /// The rows of a table that `table_of` made.
 Sweep sweep_in(const std::string& text, const SweepOrder& order, const std::string& name) {
