@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/number_text.h"
 #include "protocols/protocol_from_json.h"
 
 namespace asperity {
@@ -24,7 +25,11 @@ constexpr std::array kTests{
     TestName{"recognition", "textures",
              "of every texture: is it recognised more often than by chance"},
     TestName{"recognition", "information", "do the answers depend on what was felt"},
-    TestName{"recognition", "sexes", "do women and men differ"}};
+    TestName{"recognition", "sexes", "do women and men differ"},
+    TestName{"magnitude", "spacing", "do estimates depend on the spacing"},
+    TestName{"magnitude", "interaction", "does the curve over spacings depend on the condition"},
+    TestName{"magnitude", "condition", "do estimates depend on the condition"},
+    TestName{"magnitude", "peaks", "of every two conditions: do their peaks lie apart"}};
 
 }  // namespace
 
@@ -46,8 +51,42 @@ AnalysisDeclaration analysis_declared_in(const nlohmann::json& protocol) {
   return declared;
 }
 
+std::optional<EstimationDeclaration> estimation_declared_in(const nlohmann::json& protocol) {
+  if (!protocol.is_object()) return {};
+  const auto found = protocol.find("estimation");
+  if (found == protocol.end() || !found->is_object()) return {};
+  const auto text_at = [&found](const char* key) {
+    const auto member = found->find(key);
+    return member == found->end() || !member->is_string() ? std::string{}
+                                                          : member->get<std::string>();
+  };
+  EstimationDeclaration declared{text_at("spacing"), text_at("condition"), {}};
+  const nlohmann::json none = nlohmann::json::object();
+  const auto member_of = [&none](const nlohmann::json& object,
+                                 const std::string& key) -> const nlohmann::json& {
+    const auto member = object.is_object() ? object.find(key) : object.end();
+    return member == object.end() ? none : *member;
+  };
+  const nlohmann::json& textures = member_of(protocol, "textures");
+  for (const nlohmann::json& level :
+       member_of(member_of(member_of(protocol, "factors"), declared.spacing), "levels")) {
+    if (level.is_number()) {
+      declared.spacing_m.emplace(number_text(level.get<double>()), level.get<double>());
+    } else if (level.is_string()) {
+      const auto name = level.get<std::string>();
+      const nlohmann::json& spacing_m = member_of(member_of(textures, name), "spacing_m");
+      if (spacing_m.is_number()) declared.spacing_m.emplace(name, spacing_m.get<double>());
+    }
+  }
+  return declared;
+}
+
 AnalysisDeclaration declared_analysis(const std::string& source) {
   return analysis_declared_in(nlohmann::json::parse(source, nullptr, false));
+}
+
+std::optional<EstimationDeclaration> declared_estimation(const std::string& source) {
+  return estimation_declared_in(nlohmann::json::parse(source, nullptr, false));
 }
 
 }  // namespace asperity

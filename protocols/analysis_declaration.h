@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,9 +32,19 @@ struct AnalysisDeclaration {
   bool operator==(const AnalysisDeclaration&) const = default;
 };
 
+/// The key `estimation` of a magnitude: what estimates are analysed by.
+struct EstimationDeclaration {
+  std::string spacing{};    ///< the factor whose levels are spacings
+  std::string condition{};  ///< the factor that is held within a block; empty: there is none
+  /// Metres by level of the first, as text. A texture without a spacing is not in it.
+  std::map<std::string, double, std::less<>> spacing_m{};
+};
+
 /// Of the text of a protocol, which may be from another version of the program or no JSON at all;
 /// nothing where it declares nothing in this form. See also analysis_declared_in of
 /// protocol_from_json.h.
 AnalysisDeclaration declared_analysis(const std::string& source);
+/// Likewise; nothing where there is none.
+std::optional<EstimationDeclaration> declared_estimation(const std::string& source);
 
 }  // namespace asperity

@@ -58,13 +58,54 @@ void Meaning::check_block(const Block& block, const std::string& pointer) {
              "the factor " + in_quotes(run->for_each) + " is already set inside the block");
     }
   }
-  if (!protocol_.explorations.contains(block.exploration)) {
-    report(pointer + "/exploration",
-           unknown("exploration", block.exploration, protocol_.explorations));
+  for (const auto& [name, place] : texts_of(block.exploration, pointer + "/exploration")) {
+    if (!protocol_.explorations.contains(name)) {
+      report(place, unknown("exploration", name, protocol_.explorations));
+    }
   }
+  for (const Run* const run : runs_of(block)) {
+    const std::string& factor = block.exploration.factor;
+    if (factor.empty() || !protocol_.factors.contains(factor) ||
+        factors_set_by(block, run).contains(factor)) {
+      continue;
+    }
+    report(pointer + "/exploration",
+           "nothing sets the factor " + in_quotes(factor) + " in the trials of this block");
+  }
+  check_anchor(block, pointer);
   check_presented(block, pointer);
   check_question(block, pointer);
   check_order(block, pointer);
+}
+
+void Meaning::check_anchor(const Block& block, const std::string& pointer) {
+  if (block.anchor.empty()) return;
+  const std::string place = pointer + "/anchor";
+  if (protocol_.kind != ProtocolKind::magnitude) {
+    report_key(place, "only a magnitude has an anchor that others are judged by");
+    return;
+  }
+  if (!block.drawn.empty()) {
+    report(place,
+           "an anchor is the same for everybody: this block draws factors; cross or list "
+           "them, or leave the anchor out");
+  }
+  std::set<std::string> needed(block.crossed.begin(), block.crossed.end());
+  for (const FactorLevels& row : block.listed) {
+    for (const auto& [name, level] : row) needed.insert(name);
+  }
+  for (const auto& [name, level] : block.anchor) {
+    if (!check_level(name, level, pointer_to(place, name))) continue;
+    if (needed.erase(name) == 0) {
+      report_key(pointer_to(place, name), "the trials of this block do not set the factor " +
+                                              in_quotes(name) +
+                                              "; an anchor sets what they set, and nothing else");
+    }
+  }
+  for (const std::string& name : needed) {
+    report(place,
+           "the anchor does not set " + in_quotes(name) + ", which the trials of this block set");
+  }
 }
 
 void Meaning::check_presented(const Block& block, const std::string& pointer) {
@@ -111,10 +152,9 @@ void Meaning::check_criterion(const Block& block, const std::string& pointer) {
   if (!block.until) return;
   const Protocol::Criterion& criterion = *block.until;
   const std::string place = pointer + "/until";
-  if (protocol_.kind == ProtocolKind::selection) {
-    report(place,
-           "a criterion needs right answers, and no answer of a selection is right or "
-           "wrong");
+  if (!has_right_answers(protocol_.kind)) {
+    report(place, "a criterion needs right answers, and no answer of a " +
+                      std::string(text_of(protocol_.kind)) + " is right or wrong");
   }
   if (criterion.correct > criterion.of_last) {
     report(place + "/correct", "nobody can get " + std::to_string(criterion.correct) +

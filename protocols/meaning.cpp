@@ -21,6 +21,7 @@ std::vector<Diagnostic> Meaning::check() {
   for (const auto& [name, block] : protocol_.blocks) {
     check_block(block, pointer_to("/blocks", name));
   }
+  check_estimation();
   check_analysis();
   // What a trial amounts to can only be seen in one, and only when all references hold.
   if (found_.empty()) check_size();

@@ -43,6 +43,11 @@ std::string unknown(std::string_view what, const std::string& name, const Map& m
                           : "; declared: " + one_of(names));
 }
 
+/// Of a selection and a magnitude no answer is right or wrong.
+constexpr bool has_right_answers(ProtocolKind kind) {
+  return kind == ProtocolKind::matching || kind == ProtocolKind::recognition;
+}
+
 /// Complaints about the whole protocol, gathered place by place.
 class Meaning final {
  public:
@@ -89,6 +94,10 @@ class Meaning final {
   void check_equal_force(const StimulusTemplate& stimulus, const std::string& pointer);
   void check_flow();
   void check_block(const Protocol::Block& block, const std::string& pointer);
+  void check_anchor(const Protocol::Block& block, const std::string& pointer);
+  /// Of a magnitude: what estimates are analysed by is there, and held within blocks where it has to be.
+  void check_estimation();
+  void check_spacings(const std::string& factor);
   void check_presented(const Protocol::Block& block, const std::string& pointer);
   void check_question(const Protocol::Block& block, const std::string& pointer);
   void check_order(const Protocol::Block& block, const std::string& pointer);

@@ -144,6 +144,31 @@ std::string with_code(std::string prompt, const std::string& code) {
   return prompt;
 }
 
+TrialQuestion::Form form_of(ProtocolKind kind) {
+  switch (kind) {
+    case ProtocolKind::selection:
+    case ProtocolKind::recognition:
+      break;
+    case ProtocolKind::matching:
+      return TrialQuestion::Form::assignment;
+    case ProtocolKind::magnitude:
+      return TrialQuestion::Form::number;
+  }
+  return TrialQuestion::Form::choice;
+}
+
+const char* name_of(TrialQuestion::Form form) {
+  switch (form) {
+    case TrialQuestion::Form::choice:
+      break;
+    case TrialQuestion::Form::assignment:
+      return "assignment";
+    case TrialQuestion::Form::number:
+      return "number";
+  }
+  return "choice";
+}
+
 TrialQuestion question_of(const Protocol& protocol, const Block& block, const Trial& trial,
                           const std::vector<std::string>& pictures) {
   const Protocol::TrialQuestionTemplate& source = block.question;
@@ -152,8 +177,7 @@ TrialQuestion question_of(const Protocol& protocol, const Block& block, const Tr
   question.prompt = source.prompt;
   question.allow_revisit = source.allow_revisit;
   question.pictures_after_feeling = source.pictures_after_feeling;
-  question.form = protocol.kind == ProtocolKind::matching ? TrialQuestion::Form::assignment
-                                                          : TrialQuestion::Form::choice;
+  question.form = form_of(protocol.kind);
   if (const auto texture = protocol.textures.find(trial.presentations.front().stimulus.texture);
       texture != protocol.textures.end()) {
     question.experimenter_prompt = with_code(source.experimenter_prompt, texture->second.code);
@@ -163,6 +187,7 @@ TrialQuestion question_of(const Protocol& protocol, const Block& block, const Tr
   } else {
     question.experimenter_prompt = source.experimenter_prompt;
   }
+  if (question.form == TrialQuestion::Form::number) return question;
   if (pictures.empty()) {
     for (const PlannedPresentation& planned : trial.presentations) {
       question.options.push_back({planned.item, planned.code, std::nullopt});
@@ -178,6 +203,7 @@ TrialQuestion question_of(const Protocol& protocol, const Block& block, const Tr
   }
   switch (protocol.kind) {
     case ProtocolKind::selection:
+    case ProtocolKind::magnitude:
       break;
     case ProtocolKind::matching:
       for (const PlannedPresentation& planned : trial.presentations) {
@@ -251,32 +277,45 @@ class Planner {
     }
     const auto positions =
         positions_of(block.positions, block.presented.size(), trials, random.split("positions"));
+    if (!block.anchor.empty()) {
+      Trial anchor{};
+      anchor.repetition = 0;
+      anchor.factors = outer;
+      anchor.factors.insert(block.anchor.begin(), block.anchor.end());
+      add(std::move(anchor), block, {0}, random.split("anchor"));
+      plan_.trials.back().presentations.front().role = "anchor";
+    }
     for (std::size_t i = 0; i < trials; ++i) {
       if (i > 0 && run.pause && run.break_every_trials > 0 &&
           i % static_cast<std::size_t>(run.break_every_trials) == 0) {
         plan_.steps.emplace_back(*run.pause);
       }
       Trial trial{};
-      trial.ordinal = static_cast<int>(plan_.trials.size()) + 1;
-      trial.block = block.name;
-      trial.block_ordinal = block_ordinal_;
-      trial.phase = block.phase;
       trial.repetition = static_cast<int>(order[i] / rows.size()) + 1;
       trial.factors = outer;
       trial.factors.insert(rows[order[i] % rows.size()].begin(),
                            rows[order[i] % rows.size()].end());
       for (const auto& [factor, levels] : drawn) trial.factors[factor] = levels[i];
-      for (const std::size_t index : positions[i]) {
-        trial.presentations.push_back(
-            presentation_of(protocol_, block.presented[index], trial.factors));
-        trial.presentations.back().position = static_cast<int>(trial.presentations.size());
-        trial.presentations.back().code = place_code(trial.presentations.size() - 1);
-      }
-      trial.question = question_of(protocol_, block, trial,
-                                   pictures_of(block, random.split("pictures").split(i)));
-      plan_.steps.emplace_back(TrialStep{plan_.trials.size()});
-      plan_.trials.push_back(std::move(trial));
+      add(std::move(trial), block, positions[i], random.split("pictures").split(i));
     }
+  }
+
+  /// A trial that knows its factors. `surfaces`: places in `block.presented`, in order.
+  void add(Trial trial, const Block& block, const std::vector<std::size_t>& surfaces,
+           const Random& pictures) {
+    trial.ordinal = static_cast<int>(plan_.trials.size()) + 1;
+    trial.block = block.name;
+    trial.block_ordinal = block_ordinal_;
+    trial.phase = block.phase;
+    for (const std::size_t index : surfaces) {
+      trial.presentations.push_back(
+          presentation_of(protocol_, block.presented[index], trial.factors));
+      trial.presentations.back().position = static_cast<int>(trial.presentations.size());
+      trial.presentations.back().code = place_code(trial.presentations.size() - 1);
+    }
+    trial.question = question_of(protocol_, block, trial, pictures_of(block, pictures));
+    plan_.steps.emplace_back(TrialStep{plan_.trials.size()});
+    plan_.trials.push_back(std::move(trial));
   }
 
   static std::vector<std::size_t> order_of(const Block& block,
@@ -355,6 +394,17 @@ std::vector<std::size_t> Planner::counterbalanced(const std::string& factor,
 }
 
 }  // namespace
+
+const Exploration& exploration_of(const Protocol& protocol, const Trial& trial) {
+  const Binding<std::string>& named = protocol.blocks.at(trial.block).exploration;
+  return protocol.explorations.at(named.value ? *named.value
+                                              : text_of(trial.factors.at(named.factor)));
+}
+
+bool are_of_one_stimulus(const Trial& one, const Trial& other) {
+  return one.factors == other.factors &&
+         one.presentations.front().stimulus.name == other.presentations.front().stimulus.name;
+}
 
 Plan make_plan(const Protocol& protocol, const Allocation& allocation) {
   return Planner(protocol, allocation).make();
@@ -457,20 +507,19 @@ std::string json_of(const Trial& trial) {
     options.push_back(
         {{"value", option.value}, {"label", option.label}, {"picture", optional(option.picture)}});
   }
-  const json whole = {
-      {"ordinal", trial.ordinal},
-      {"block", trial.block},
-      {"block_ordinal", trial.block_ordinal},
-      {"phase", text_of(trial.phase)},
-      {"repetition", trial.repetition},
-      {"factors", factors},
-      {"presentations", presentations},
-      {"question",
-       {{"name", trial.question.name},
-        {"form", trial.question.form == TrialQuestion::Form::choice ? "choice" : "assignment"},
-        {"standard_picture", optional(trial.question.standard_picture)},
-        {"options", options},
-        {"correct", trial.question.correct}}}};
+  const json whole = {{"ordinal", trial.ordinal},
+                      {"block", trial.block},
+                      {"block_ordinal", trial.block_ordinal},
+                      {"phase", text_of(trial.phase)},
+                      {"repetition", trial.repetition},
+                      {"factors", factors},
+                      {"presentations", presentations},
+                      {"question",
+                       {{"name", trial.question.name},
+                        {"form", name_of(trial.question.form)},
+                        {"standard_picture", optional(trial.question.standard_picture)},
+                        {"options", options},
+                        {"correct", trial.question.correct}}}};
   return whole.dump();
 }
 

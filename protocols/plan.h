@@ -18,7 +18,7 @@ namespace asperity {
 /// One surface of a trial.
 struct PlannedPresentation {
   int position = 0;    ///< 1-based, the order in which the surfaces come
-  std::string role{};  ///< "alternative", "target"
+  std::string role{};  ///< "alternative", "target", "anchor"
   std::string item{};  ///< what it is an instance of: the model (selection) or texture it shows
   std::string code{};  ///< what blinded people see of it: "A" for the first position, then "B", …
   std::string stimulus_template{};  ///< that the stimulus fills in, as the protocol calls it
@@ -35,9 +35,9 @@ struct Option {
 };
 
 /// The question of a trial. A choice has one answer; an assignment one per presentation, each
-/// option used once.
+/// option used once; a number is above 0 and has no options.
 struct TrialQuestion {
-  enum class Form { choice, assignment };
+  enum class Form { choice, assignment, number };
   std::string name{};
   std::string prompt{};
   std::string experimenter_prompt{};  ///< e.g. which coded sample to place; empty: nothing to do
@@ -57,11 +57,18 @@ struct Trial {
   std::string block{};
   int block_ordinal = 0;  ///< 1-based within the session: every run of a block counts
   Phase phase = Phase::main;
-  int repetition = 1;
+  int repetition = 1;  ///< 0 of an anchor
   std::map<std::string, Level, std::less<>> factors{};
   std::vector<PlannedPresentation> presentations{};
   TrialQuestion question{};
 };
+
+/// How a trial is explored: what its block says, or the level of the factor that says it.
+const Exploration& exploration_of(const Protocol& protocol, const Trial& trial);
+
+/// Whether the first surfaces of two trials are one stimulus under one condition, so that numbers given
+/// to them are estimates of the same.
+bool are_of_one_stimulus(const Trial& one, const Trial& other);
 
 /// Steps of a session in order. `TrialStep` indexes Plan::trials.
 struct TrialStep {

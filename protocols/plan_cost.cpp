@@ -60,7 +60,7 @@ PlanCost cost_of(const Protocol& protocol, const Plan& plan) {
       const Trial& trial = plan.trials[std::get<TrialStep>(step).trial];
       const Protocol::Block& block = protocol.blocks.at(trial.block);
       const auto surfaces = static_cast<double>(trial.presentations.size());
-      const double felt_s = surfaces * contact_s(protocol.explorations.at(block.exploration));
+      const double felt_s = surfaces * contact_s(exploration_of(protocol, trial));
       ++cost.trials;
       cost.contacts += static_cast<int>(trial.presentations.size());
       cost.contact_s += felt_s;

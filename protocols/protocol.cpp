@@ -14,6 +14,8 @@ const char* text_of(ProtocolKind kind) noexcept {
       return "matching";
     case ProtocolKind::recognition:
       return "recognition";
+    case ProtocolKind::magnitude:
+      return "magnitude";
   }
   return "";
 }

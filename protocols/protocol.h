@@ -22,6 +22,7 @@ enum class ProtocolKind {
   selection,    ///< which of several renderings of one texture is the most realistic
   matching,     ///< several felt textures are assigned to as many pictures
   recognition,  ///< one felt texture is recognised among pictures
+  magnitude,    ///< a number says how rough one felt surface is
 };
 
 /// `chapter`: one outcome per person per column of the published table, as [Wu 2009] ran them.
@@ -90,6 +91,7 @@ struct Texture {
       height_field{};                    ///< study-relative PNG; absent: no rendered counterpart
   std::optional<std::string> picture{};  ///< study-relative
   std::optional<std::string> true_height_field{};  ///< study-relative; of procedural textures
+  std::optional<double> spacing_m{};               ///< distance of its elements
   std::optional<ForceFeatures> prior{};            ///< stated expectation where there is no truth
   std::string note{};
 };
@@ -162,6 +164,10 @@ struct ObserverDeclaration {
   double feature_noise = 0.1;  ///< standard deviation added to every feature
   double position_bias = 0.0;  ///< added to the evidence of the first position
   double lapse = 0.02;         ///< probability of a guess
+  /// Of a magnitude: the felt force that a number is made from, as a share of the mean normal force,
+  /// and the power of that share that numbers grow with.
+  enum class MagnitudeOf { lateral_force, normal_force } magnitude_of = MagnitudeOf::lateral_force;
+  double exponent = 1.0;
 };
 
 /// Everything a protocol file says. Always valid: only `read_protocol` makes one.
@@ -181,6 +187,7 @@ struct Protocol {
   int sessions = 1;                                   ///< per participant
   std::vector<Question> participant_questions{};      ///< asked once, before the first session
   std::optional<RealismStandard> realism_standard{};  ///< of a selection
+  std::optional<EstimationDeclaration> estimation{};  ///< of a magnitude
 
   Vision vision = Vision::free;
   std::optional<VisualTexture> scene{};  ///< shown while feeling; absent: nothing is
@@ -248,12 +255,15 @@ struct Protocol {
     int repetitions = 1;
     /// Factors drawn anew on every trial (balanced over the block as far as it goes).
     std::vector<std::string> drawn{};
+    /// Of a magnitude: the levels of the trial that comes first in every run of the block, what others
+    /// are judged by; empty: none does.
+    std::map<std::string, Level, std::less<>> anchor{};
     Order order = Order::shuffle;
     std::map<std::string, int, std::less<>> maximum_in_a_row{};
     std::vector<Presented> presented{};
     Positions positions = Positions::as_listed;
     TrialQuestionTemplate question{};
-    std::string exploration{};
+    Binding<std::string> exploration{};
     double pause_before_trial_s = 0.5;
     double pause_between_surfaces_s = 0.5;
     std::optional<double> response_deadline_s{};

@@ -101,6 +101,7 @@ Texture texture_of(const std::string& name, const json& object) {
   read(object, "height_field", texture.height_field);
   read(object, "picture", texture.picture);
   read(object, "true_height_field", texture.true_height_field);
+  read(object, "spacing_m", texture.spacing_m);
   read(object, "note", texture.note);
   if (const auto found = object.find("prior"); found != object.end()) {
     ForceFeatures prior{};
@@ -241,6 +242,9 @@ Protocol::Block block_of(const std::string& name, const json& object, ProtocolKi
   }
   read(object, "repetitions", block.repetitions);
   read(object, "drawn", block.drawn);
+  if (const auto found = object.find("anchor"); found != object.end()) {
+    block.anchor = levels_of(*found);
+  }
   read_choice(object, "order", block.order,
               {{"fixed", Block::Order::fixed},
                {"shuffle", Block::Order::shuffle},
@@ -307,7 +311,8 @@ void read_head(const json& root, Protocol& protocol) {
   read_choice(root, "kind", protocol.kind,
               {{"selection", ProtocolKind::selection},
                {"matching", ProtocolKind::matching},
-               {"recognition", ProtocolKind::recognition}});
+               {"recognition", ProtocolKind::recognition},
+               {"magnitude", ProtocolKind::magnitude}});
   read_choice(root, "design", protocol.design,
               {{"chapter", ProtocolDesign::chapter}, {"improved", ProtocolDesign::improved}});
   read(root, "name", protocol.name);
@@ -397,11 +402,17 @@ void read_observer(const json& root, Protocol& protocol) {
     read(*found, "feature_noise", observer.feature_noise);
     read(*found, "position_bias", observer.position_bias);
     read(*found, "lapse", observer.lapse);
+    using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
+    read_choice(*found, "magnitude_of", observer.magnitude_of,
+                {{"lateral_force", MagnitudeOf::lateral_force},
+                 {"normal_force", MagnitudeOf::normal_force}});
+    read(*found, "exponent", observer.exponent);
   }
   if (const auto found = root.find("recording"); found != root.end()) {
     read(*found, "every_tick", protocol.record);
   }
   protocol.analysis = analysis_declared_in(root);
+  protocol.estimation = estimation_declared_in(root);
 }
 
 }  // namespace

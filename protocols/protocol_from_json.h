@@ -13,5 +13,7 @@ Protocol protocol_from_json(const nlohmann::json& root);
 
 /// The key `analysis` of any JSON: what is not in this form is not there.
 AnalysisDeclaration analysis_declared_in(const nlohmann::json& root);
+/// Likewise the key `estimation`.
+std::optional<EstimationDeclaration> estimation_declared_in(const nlohmann::json& root);
 
 }  // namespace asperity

@@ -105,10 +105,25 @@ void Meaning::check_question(const Block& block, const std::string& pointer) {
         }
       }
       break;
+    case ProtocolKind::magnitude:
+      if (block.presented.size() != 1) {
+        report(pointer + "/presented", "a magnitude presents exactly one surface per trial");
+      }
+      if (!question.pictures.empty()) {
+        report(place + "/pictures", "a magnitude is answered by a number, not by a picture");
+      }
+      if (question.allow_cannot_tell) {
+        report(place + "/allow_cannot_tell",
+               "in a magnitude every surface gets a number; there is no \"cannot tell\"");
+      }
+      if (!question.correct_factor.empty()) {
+        report(place + "/correct_factor", "no answer of a magnitude is right or wrong");
+      }
+      break;
   }
-  if (block.feedback != Block::Feedback::none && protocol_.kind == ProtocolKind::selection) {
-    report(pointer + "/feedback",
-           "feedback needs a correct answer, and no answer of a selection is right or wrong");
+  if (block.feedback != Block::Feedback::none && !has_right_answers(protocol_.kind)) {
+    report(pointer + "/feedback", "feedback needs a correct answer, and no answer of a " +
+                                      std::string(text_of(protocol_.kind)) + " is right or wrong");
   }
   check_criterion(block, pointer);
 }

@@ -17,6 +17,15 @@ void Meaning::check_head() {
   if (!is_selection && protocol_.realism_standard) {
     report_key("/realism_standard", "only a selection is measured against a standard of realism");
   }
+  const bool is_magnitude = protocol_.kind == ProtocolKind::magnitude;
+  if (is_magnitude && !protocol_.estimation) {
+    report("/kind",
+           "a magnitude has to say what estimates are analysed by: add the key \"estimation\" with "
+           "the factor that is the \"spacing\"");
+  }
+  if (!is_magnitude && protocol_.estimation) {
+    report_key("/estimation", "only a magnitude has estimates to be analysed");
+  }
   const auto& patch = protocol_.patch;
   if (2.0 * patch.edge_width_m >= std::min(patch.extent_m.x, patch.extent_m.y)) {
     report("/surface/edge_width_m",

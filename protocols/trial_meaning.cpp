@@ -14,6 +14,11 @@ void Meaning::check_expectation(const Trial& trial,
                                 const std::string& pointer) {
   using Expectation = ObserverDeclaration::Expectation;
   if (protocol_.observer.expectation == Expectation::none) return;
+  if (protocol_.kind == ProtocolKind::magnitude) {
+    report("/observer/expectation",
+           "a number is made from what is felt: an observer of magnitudes expects \"none\"");
+    return;
+  }
   std::set<std::string> expected{};
   for (const PlannedPresentation& planned : trial.presentations) {
     expected.insert(planned.stimulus.texture);
@@ -113,6 +118,7 @@ void Meaning::check_trials() {
         }
         break;
       case ProtocolKind::matching:
+      case ProtocolKind::magnitude:
         break;
       case ProtocolKind::recognition:
         if (!texture.empty() && trial.question.correct.front() != texture) {

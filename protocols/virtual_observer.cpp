@@ -23,6 +23,15 @@ void require(bool holds, const char* what) {
 
 }  // namespace
 
+NumberHabit number_habit_of(Random person) {
+  constexpr double kSmallest = 10.0;
+  constexpr double kLargest = 1000.0;
+  NumberHabit habit{};
+  habit.modulus = kSmallest * std::pow(kLargest / kSmallest, person.uniform());
+  habit.digits = person.below(2) == 0 ? 1 : 2;
+  return habit;
+}
+
 VirtualObserver::VirtualObserver(const ObserverDeclaration& declaration, Random random)
     : declaration_(declaration), random_(random) {
   require(declaration.feature_noise >= 0.0, "feature_noise has to be at least 0");
@@ -108,6 +117,20 @@ std::vector<std::size_t> VirtualObserver::match(std::span<const ForceFeatures> f
     }
   } while (std::next_permutation(places.begin(), places.end()));
   return best;
+}
+
+double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& habit) {
+  const ForceFeatures noisy = perceived(felt);
+  const bool of_lateral =
+      declaration_.magnitude_of == ObserverDeclaration::MagnitudeOf::lateral_force;
+  const double guessed = random_.normal();
+  const double logarithm =
+      lapses() ? guessed : declaration_.exponent * (of_lateral ? noisy.roughness : noisy.size);
+  const double exact = habit.modulus * std::exp(logarithm);
+  // Whole numbers only on both sides: 0.3 and not 0.30000000000000004.
+  const int shift = habit.digits - 1 - static_cast<int>(std::floor(std::log10(exact)));
+  const double scale = std::pow(10.0, std::abs(shift));
+  return shift >= 0 ? std::round(exact * scale) / scale : std::round(exact / scale) * scale;
 }
 
 std::size_t VirtualObserver::guess(std::size_t options) {

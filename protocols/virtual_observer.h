@@ -13,6 +13,14 @@
 
 namespace asperity {
 
+/// How a person uses numbers.
+struct NumberHabit {
+  double modulus = 10.0;  ///< what a force as large as the mean normal force would be called
+  int digits = 2;         ///< significant ones
+};
+/// From somebody who counts to ten to somebody who counts to a thousand.
+NumberHabit number_habit_of(Random person);
+
 /// Judges from ForceFeatures of what the hand felt and of what is expected, and knows nothing else:
 /// no names, no models, no positions but the order in which things come.
 ///
@@ -24,6 +32,11 @@ namespace asperity {
 /// With noise, bias and lapse at zero the observer is an ideal judge of these features.
 ///
 /// Errors: std::invalid_argument for numbers of surfaces or options that make no question.
+///
+/// A number for how rough a surface feels is m·exp(n·(r + ε)), with r the natural logarithm of the felt
+/// force over the mean normal force (ForceFeatures::roughness of the lateral force, ::size of the
+/// normal one), n the declared exponent and m the person's own modulus; rounded to the digits that the
+/// person says. A lapse, and whoever is deaf, says m times the exponential of a normal number.
 ///
 /// What is expected may be limited to the band that a photograph keeps, by declaration
 /// (ObserverDeclaration::gaussian_wavelength_m); nothing else of how a texture came about is known
@@ -43,6 +56,8 @@ class VirtualObserver final {
   /// used once. Element i is the index into `expected` for felt i. Sizes are equal and at most 8.
   std::vector<std::size_t> match(std::span<const ForceFeatures> felt,
                                  std::span<const ForceFeatures> expected);
+  /// A number above 0 for what was felt.
+  double estimate(const ForceFeatures& felt, const NumberHabit& habit);
   /// A guess among `options`, for where nothing is expected.
   std::size_t guess(std::size_t options);
   /// Seconds from question to answer.

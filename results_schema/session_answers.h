@@ -20,6 +20,7 @@ struct SessionAnswers {
     int trial = 0;
     std::uint32_t phase = 0;
     std::uint32_t factors_json = 0;
+    int repetition = 1;  ///< as TrialRow::repetition
   };
   struct Surface {
     std::uint32_t item = 0;

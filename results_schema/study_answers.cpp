@@ -37,14 +37,15 @@ constexpr const char* kOfSession =
 
 void read_plan(Database& database, std::int64_t session_id, SessionAnswers& answers,
                WordPlaces& words) {
-  Statement statement(
-      database, "SELECT trial, phase, factors_json FROM trial WHERE session_id = ? ORDER BY trial");
+  Statement statement(database,
+                      "SELECT trial, phase, factors_json, repetition FROM trial WHERE session_id = "
+                      "? ORDER BY trial");
   statement.bind(session_id);
   std::string phase;
   std::string factors_json;
   while (statement.step()) {
     SessionAnswers::Trial& trial = answers.trials.emplace_back();
-    statement.read(trial.trial, phase, factors_json);
+    statement.read(trial.trial, phase, factors_json, trial.repetition);
     trial.phase = words.place(phase);
     trial.factors_json = words.place(factors_json);
   }

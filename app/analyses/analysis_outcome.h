@@ -15,6 +15,9 @@ namespace asperity {
 /// The table of what was felt and what was chosen: its columns are named by the study's pictures.
 inline constexpr const char* kConfusion = "confusion";
 
+/// The findings and the table of estimates by spacing and condition.
+inline constexpr const char* kRoughness = "roughness";
+
 /// A table for people and programs: column names are fixed words with units, numbers have all their
 /// digits, missing is missing. Where `x_low` and `x_high` stand, they are one interval.
 struct NamedTable {

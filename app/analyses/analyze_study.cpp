@@ -19,7 +19,8 @@ using Family = void (*)(const GatheredAnswers&, AnalysisOutcome&);
 Family family_of(const std::string& kind) {
   static const std::map<std::string, Family> kFamilies{{"selection", analyze_selection},
                                                        {"matching", analyze_matching},
-                                                       {"recognition", analyze_recognition}};
+                                                       {"recognition", analyze_recognition},
+                                                       {"magnitude", analyze_magnitude}};
   const auto found = kFamilies.find(kind);
   return found == kFamilies.end() ? nullptr : found->second;
 }

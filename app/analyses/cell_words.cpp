@@ -32,13 +32,17 @@ const CellWords& words_of_measures() {
 }
 
 const CellWords& words_of_tests() {
-  static const CellWords kWords{{"information", phrase("CellWords", "information")},
+  static const CellWords kWords{{"condition", phrase("CellWords", "condition")},
+                                {"information", phrase("CellWords", "information")},
+                                {"interaction", phrase("CellWords", "spacing by condition")},
                                 {"items", phrase("CellWords", "items")},
                                 {"pairs", phrase("CellWords", "pairs")},
+                                {"peaks", phrase("CellWords", "peaks")},
                                 {"position", phrase("CellWords", "position")},
                                 {"preference", phrase("CellWords", "preference")},
                                 {"right", phrase("CellWords", "right answers")},
                                 {"sexes", phrase("CellWords", "women and men")},
+                                {"spacing", phrase("CellWords", "spacing")},
                                 {"target_pairs", phrase("CellWords", "pairs with the target")},
                                 {"textures", phrase("CellWords", "textures")},
                                 {"whole", phrase("CellWords", "whole goes")}};
@@ -56,6 +60,8 @@ const CellWords& words_of_units() {
 
 const CellWords& words_of_reasons() {
   static const CellWords kWords{
+      {"no_maximum", phrase("CellWords", "the curve does not bend down")},
+      {"outside_range", phrase("CellWords", "not within the tested spacings")},
       {"there are no answers of which this could be tested",
        phrase("CellWords", "there are no answers of which this could be tested")}};
   return kWords;
@@ -70,7 +76,7 @@ Phrase cell_word_in(const CellWords& words, const std::string& text) {
 
 Phrase words_of_cell(const std::string& column, const std::string& text) {
   if (column == "measure") return cell_word_in(words_of_measures(), text);
-  if (column == "test") return cell_word_in(words_of_tests(), text);
+  if (column == "test" || column == "effect") return cell_word_in(words_of_tests(), text);
   if (column == "unit") return cell_word_in(words_of_units(), text);
   if (column == "status") return cell_word_in(words_of_reasons(), text);
   if (column == "about" && text == "F|M") return phrase("CellWords", "women, men");

@@ -20,4 +20,8 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
 /// Which picture was felt: chance 1 of as many as were shown.
 void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
 
+/// How rough a surface feels, as a number: curves over spacings for each condition, their peaks, and
+/// the analysis of variance of the logarithms. Each participant's own scale is taken out first.
+void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome);
+
 }  // namespace asperity

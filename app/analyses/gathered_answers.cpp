@@ -15,18 +15,21 @@ namespace {
 
 constexpr const char* kMainPhase = "main";
 
-std::string column_of(const std::string& factors_json) {
+std::string factor_level(const std::string& factors_json, std::string_view factor) {
   const nlohmann::json factors = nlohmann::json::parse(factors_json);
-  const auto level = factors.find(kColumnFactor);
+  const auto level = factors.find(factor);
   if (level == factors.end()) return {};
   return level->is_string() ? level->get<std::string>() : text_of_number(level->get<double>());
 }
 
-/// Whether the observer's answers are guesses by declaration.
-bool is_guessing(const SessionRow& session) {
+constexpr const char* kMagnitude = "magnitude";
+
+/// Whether the observer's answers are guesses by declaration. Numbers need no expectation.
+bool is_guessing(const SessionRow& session, const std::string& kind) {
   const nlohmann::json observer = nlohmann::json::parse(session.observer_json);
   if (!observer.is_object()) return false;
-  return observer.value("deaf", false) || observer.value("expectation", "") == "none";
+  return observer.value("deaf", false) ||
+         (kind != kMagnitude && observer.value("expectation", "") == "none");
 }
 
 /// The answers of a group while its sessions come in.
@@ -38,21 +41,28 @@ class Gathering {
                    const SessionAnswers& answers) {
     ++gathered.count.sessions;
     if (session.state != SessionState::completed) ++gathered.count.unfinished_sessions;
-    if (is_guessing(session)) ++gathered.count.guessing_sessions;
+    if (is_guessing(session, gathered.kind)) ++gathered.count.guessing_sessions;
     participants_.insert(session.participant);
     Session reading{.answers = answers,
                     .words = std::vector<std::optional<std::uint32_t>>(answers.words.size())};
-    reading.options = reading.columns = reading.words;
-    std::map<int, std::uint32_t> column_of_trial{};
+    reading.options = reading.factors = reading.words;
+    std::map<int, const SessionAnswers::Trial*> main_trials{};
+    std::set<int> anchors{};
     for (const SessionAnswers::Trial& trial : answers.trials) {
-      if (answers.words[trial.phase] == kMainPhase) {
-        column_of_trial[trial.trial] = column(reading, trial.factors_json);
+      if (answers.words[trial.phase] != kMainPhase) continue;
+      if (gathered.kind == kMagnitude && trial.repetition == 0) {
+        anchors.insert(trial.trial);
+      } else {
+        main_trials[trial.trial] = &trial;
       }
     }
-    gathered.count.planned_trials += column_of_trial.size();
+    gathered.count.planned_trials += main_trials.size();
     for (const SessionAnswers::Attempt& attempt : answers.attempts) {
-      const auto column = column_of_trial.find(attempt.trial);
-      if (column == column_of_trial.end()) continue;
+      if (anchors.contains(attempt.trial) && attempt.valid && attempt.replies > 0) {
+        ++gathered.count.anchors;
+      }
+      const auto trial = main_trials.find(attempt.trial);
+      if (trial == main_trials.end()) continue;
       if (!attempt.valid || attempt.replies == 0) {
         const std::string outcome = text_of(attempt.outcome);
         // An answer that does not count was given, but the machine failed.
@@ -61,7 +71,7 @@ class Gathering {
         ++gathered.count.not_counted["excluded"];
       } else {
         if (attempt.flagged) ++gathered.count.flagged;
-        add_answer(reading, attempt, person(participant), column->second);
+        add_answer(reading, attempt, person(participant), trial->second->factors_json);
       }
     }
   }
@@ -69,6 +79,11 @@ class Gathering {
   void declare(const ProtocolRow& protocol) {
     if (!sources_.insert(protocol.source_sha256).second) return;
     AnalysisDeclaration declared = declared_analysis(protocol.source);
+    if (auto estimation = declared_estimation(protocol.source)) {
+      gathered.estimation.spacing = estimation->spacing;
+      gathered.estimation.condition = estimation->condition;
+      gathered.estimation.spacing_m.merge(estimation->spacing_m);
+    }
     if (sources_.size() == 1) {
       gathered.declared = std::move(declared);
     } else if (!(declared == gathered.declared)) {
@@ -89,7 +104,12 @@ class Gathering {
     const SessionAnswers& answers;
     std::vector<std::optional<std::uint32_t>> words{};
     std::vector<std::optional<std::uint32_t>> options{};  ///< lists, by the word of their JSON
-    std::vector<std::optional<std::uint32_t>> columns{};  ///< by the word of the factors' JSON
+    std::vector<std::optional<std::uint32_t>> factors{};  ///< Levels, by the word of their JSON
+  };
+
+  struct Levels {
+    std::uint32_t column = 0;
+    std::uint32_t spacing = 0;
   };
 
   std::uint32_t word(Session& session, std::uint32_t place) {
@@ -98,10 +118,21 @@ class Gathering {
     return *own;
   }
 
-  std::uint32_t column(Session& session, std::uint32_t factors_json) {
-    std::optional<std::uint32_t>& own = session.columns[factors_json];
-    if (!own) own = gathered.words.place(column_of(session.answers.words[factors_json]));
-    return *own;
+  Levels levels(Session& session, std::uint32_t factors_json) {
+    std::optional<std::uint32_t>& own = session.factors[factors_json];
+    if (!own) {
+      own = static_cast<std::uint32_t>(levels_.size());
+      const std::string& text = session.answers.words[factors_json];
+      const bool is_magnitude = gathered.kind == kMagnitude;
+      const std::string_view column =
+          is_magnitude ? std::string_view(gathered.estimation.condition) : kColumnFactor;
+      levels_.push_back({.column = gathered.words.place(factor_level(text, column))});
+      if (is_magnitude) {
+        levels_.back().spacing =
+            gathered.words.place(factor_level(text, gathered.estimation.spacing));
+      }
+    }
+    return levels_[*own];
   }
 
   std::uint32_t options(Session& session, std::uint32_t options_json) {
@@ -125,11 +156,13 @@ class Gathering {
   }
 
   void add_answer(Session& session, const SessionAnswers::Attempt& attempt, std::uint32_t person,
-                  std::uint32_t column) {
+                  std::uint32_t factors_json) {
+    const Levels level = levels(session, factors_json);
     const auto surfaces = session.answers.surfaces_of(attempt);
     const auto replies = session.answers.replies_of(attempt);
     gathered.answers.push_back({.person = person,
-                                .column = column,
+                                .column = level.column,
+                                .spacing = level.spacing,
                                 .options = options(session, replies.back().options_json),
                                 .surface_count = static_cast<std::uint16_t>(surfaces.size()),
                                 .reply_count = static_cast<std::uint16_t>(replies.size()),
@@ -153,6 +186,7 @@ class Gathering {
 
   std::set<std::string> participants_{};
   std::set<std::string> sources_{};
+  std::vector<Levels> levels_{};
   std::map<std::string, std::uint32_t> option_lists_{};
 };
 

@@ -58,8 +58,11 @@ struct GatheredReply {
 
 /// One valid, answered attempt at a trial of the main phase.
 struct GatheredAnswer {
-  std::uint32_t person = 0;   ///< which of the people
-  std::uint32_t column = 0;   ///< word of the level of the factor `column`; the empty one without
+  std::uint32_t person = 0;  ///< which of the people
+  /// Word of the level of the factor `column`, or of the condition of a magnitude; the empty one
+  /// without.
+  std::uint32_t column = 0;
+  std::uint32_t spacing = 0;  ///< of a magnitude: word of the level of its spacings
   std::uint32_t options = 0;  ///< which of the option lists
   std::uint16_t surface_count = 0;
   std::uint16_t reply_count = 0;
@@ -88,6 +91,7 @@ struct AnswerCount {
   std::size_t planned_trials = 0;     ///< of the main phase
   std::map<std::string, std::size_t> not_counted{};  ///< attempts of the main phase, by outcome
   std::size_t flagged = 0;                           ///< counted, but flagged
+  std::size_t anchors = 0;  ///< numbers of a magnitude that are not analysed
 };
 
 struct GatheredAnswers {
@@ -97,6 +101,7 @@ struct GatheredAnswers {
   std::string design{};
   std::size_t sources = 0;  ///< different files that carry this name and version
   AnalysisDeclaration declared{};
+  EstimationDeclaration estimation{};  ///< of a magnitude
   bool declared_alike = true;  ///< by all of those files; otherwise nothing counts as declared
   AnswerGroup group = AnswerGroup::people;
   AnswerCount count{};

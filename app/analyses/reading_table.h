@@ -17,9 +17,9 @@ std::optional<std::size_t> column_of(const Table& table, const std::string& name
 std::optional<double> number_of(const Cell& cell);
 
 /// The same table with every number in the digits that mean something (a share to two decimals, a
-/// force to a millinewton, a p to three decimals or "< .001"), and `x_low` and `x_high` as one
-/// column: "[0.36, 0.81]". Numbers are shortened here and nowhere before. Whole numbers stay
-/// numbers; everything else is text or missing.
+/// force to a millinewton, a length to ten micrometres, a p to three decimals or "< .001"), and
+/// `x_low` and `x_high` as one column: "[0.36, 0.81]". Numbers are shortened here and nowhere
+/// before. Whole numbers stay numbers; everything else is text or missing.
 Table reading_table(const Table& table);
 
 }  // namespace asperity

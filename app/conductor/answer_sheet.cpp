@@ -46,6 +46,7 @@ void AnswerSheet::pass_turn() {
 }
 
 std::optional<std::size_t> AnswerSheet::point() {
+  if (options_ == 0) return {};
   std::optional<std::size_t>& before = is_assignment_ ? pointed_ : given_.front();
   points_at_feeling_again_ = may_feel_again_ && before == options_ - 1;
   if (points_at_feeling_again_) {

@@ -397,6 +397,7 @@ AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruptio
                            .attempt = tally_->attempts_at(trial.ordinal) + 1,
                            .segment = segment_,
                            .explored_wrongly = tally_->explored_wrongly(trial.ordinal),
+                           .earlier_estimate = tally_->earlier_estimate(trial),
                            .record = settings_.record};
   course_.update([&order](SessionSnapshot& snapshot) {
     snapshot.trial = order.trial.ordinal;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "results_schema/table.h"
 
@@ -11,6 +12,19 @@ std::optional<std::size_t> whole_number(const std::string& text) {
   std::size_t number = 0;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
   if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) return {};
+  return number;
+}
+
+std::optional<double> estimate_in(const std::string& text) {
+  std::string with_point = trimmed(text);
+  // More than one of these is a separator of thousands, which might be read either way.
+  if (std::count_if(with_point.begin(), with_point.end(),
+                    [](char sign) { return sign == '.' || sign == ','; }) > 1) {
+    return {};
+  }
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  const std::optional<double> number = number_in(with_point);
+  if (!number || !std::isfinite(*number) || *number <= 0.0) return {};
   return number;
 }
 

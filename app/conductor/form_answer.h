@@ -15,6 +15,9 @@ namespace asperity {
 /// `answer` may be the number of an option; it is then replaced by the option.
 std::optional<Saying> refusal_of(const Question& question, std::string& answer);
 
+/// The number above 0 that was typed, its decimals after a point or a comma; nothing when it is none.
+std::optional<double> estimate_in(const std::string& text);
+
 /// What was typed, without the blanks and line ends around it.
 std::string trimmed(const std::string& text);
 /// The whole text as a number without sign; nothing when it is not one.

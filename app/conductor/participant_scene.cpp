@@ -116,6 +116,12 @@ Phrase phrase_of(const Saying& saying) {
       return phrase("ParticipantWords", "A number is needed.");
     case Saying::What::option_needed:
       return phrase("ParticipantWords", "Please choose one of the answers.");
+    case Saying::What::estimate_needed:
+      return phrase("ParticipantWords", "A number above 0 is needed, such as 7 or 0.5.");
+    case Saying::What::check_estimate:
+      return phrase("ParticipantWords",
+                    "Please check the number %1: give it once more, or the one that you meant.")
+          .with(saying.code);
   }
   return {};
 }
@@ -177,8 +183,16 @@ ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& f
   if (all_felt || !trial.question.pictures_after_feeling) scene.choices = choices_of(trial);
   scene.is_assignment = trial.question.form == TrialQuestion::Form::assignment;
   if (scene.is_assignment) scene.assigning = 0;
+  scene.takes_number = trial.question.form == TrialQuestion::Form::number;
   scene.standard_picture = trial.question.standard_picture;
   scene.response_open = true;
+  return scene;
+}
+
+ParticipantScene scene_of_doubt(const Trial& trial, const std::vector<int>& felt, double estimate) {
+  ParticipantScene scene = scene_of_question(trial, felt);
+  scene.text_saying = {.what = Saying::What::check_estimate, .code = number_text(estimate)};
+  scene.text = text_of(scene.text_saying);
   return scene;
 }
 

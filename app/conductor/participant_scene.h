@@ -18,24 +18,26 @@ namespace asperity {
 struct Saying {
   enum class What {
     nothing,
-    feel_surface,   ///< surface `code` can be felt now
-    lift,           ///< surface `code` was felt long enough
-    put_mask_on,    ///< and confirm
-    take_mask_off,  ///< and confirm
-    cannot_tell,    ///< as an option
-    feel_first,     ///< refused: surface `code` has to be felt before the answer
-    feel_longer,    ///< refused: surface `code` is to be felt a little longer
-    not_asked_yet,  ///< refused: all was felt, and the question is about to be put
-    wait,           ///< refused: not before `number` seconds have gone by
-    choose_first,   ///< refused: nothing is chosen yet
-    assign_first,   ///< refused: surface `code` has no picture yet
-    feel_again,     ///< a confirmation now asks for surface `code` again
-    no_going_back,  ///< refused: surfaces cannot be felt again in this trial
-    was_right,      ///< feedback
-    was_wrong,      ///< feedback; the right answer was `code`, where it is told
-    answer_needed,  ///< refused: this question cannot be left out
-    number_needed,  ///< refused: a number, not below `minimum`, not above `maximum`
-    option_needed,  ///< refused: one of the options
+    feel_surface,     ///< surface `code` can be felt now
+    lift,             ///< surface `code` was felt long enough
+    put_mask_on,      ///< and confirm
+    take_mask_off,    ///< and confirm
+    cannot_tell,      ///< as an option
+    feel_first,       ///< refused: surface `code` has to be felt before the answer
+    feel_longer,      ///< refused: surface `code` is to be felt a little longer
+    not_asked_yet,    ///< refused: all was felt, and the question is about to be put
+    wait,             ///< refused: not before `number` seconds have gone by
+    choose_first,     ///< refused: nothing is chosen yet
+    assign_first,     ///< refused: surface `code` has no picture yet
+    feel_again,       ///< a confirmation now asks for surface `code` again
+    no_going_back,    ///< refused: surfaces cannot be felt again in this trial
+    was_right,        ///< feedback
+    was_wrong,        ///< feedback; the right answer was `code`, where it is told
+    answer_needed,    ///< refused: this question cannot be left out
+    number_needed,    ///< refused: a number, not below `minimum`, not above `maximum`
+    option_needed,    ///< refused: one of the options
+    estimate_needed,  ///< refused: a number above 0
+    check_estimate,   ///< the number `code` is far from an earlier one
   };
   What what = What::nothing;
   std::string code{};
@@ -98,6 +100,7 @@ struct ParticipantScene {
   std::vector<Surface> surfaces{};
   std::vector<Choice> choices{};
   bool is_assignment = false;
+  bool takes_number = false;  ///< the answer is typed: a number above 0
   /// Of an assignment: the surface (index in `surfaces`) that the next picture is given to.
   std::optional<std::size_t> assigning{};
   bool can_confirm = false;                       ///< the answer is complete
@@ -127,7 +130,7 @@ struct ParticipantInput {
     next,     ///< "enough of this surface"; on the question: the next surface to feel again
     confirm,  ///< goes on; confirms an answer that is complete
     click,    ///< of the mouse, on the empty ground between two surfaces
-    text,     ///< the answer to a form, as text; empty where optional and left out
+    text,     ///< the answer to a form, or a number, as text; empty where optional and left out
     /// A button of the device, `number` from 1, pressed for `held_s`.
     device_button,
     /// The key or button `text`, pressed at `time_ns`, was let go `held_s` later: stored, answers
@@ -154,6 +157,8 @@ ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& fe
 /// Nothing is seen until the next surface comes; keys are known, to be refused.
 ParticipantScene scene_between_surfaces(const Trial& trial, const std::vector<int>& felt);
 ParticipantScene scene_of_question(const Trial& trial, const std::vector<int>& felt);
+/// The same once more, of a number that is to be given again, or another one.
+ParticipantScene scene_of_doubt(const Trial& trial, const std::vector<int>& felt, double estimate);
 ParticipantScene scene_of_form(const Question& question);
 ParticipantScene scene_of_mask(bool on);
 /// `right_answer`: the labels of the right options where a wrong answer is told them; or empty.

@@ -154,6 +154,7 @@ struct PersonAtWindow::Desk {
 
   /// The rules of the trial's question; a reply once there is one.
   std::optional<Reply> hear_answer(const Trial& trial, const ParticipantInput& input);
+  std::optional<Reply> hear_number(const Trial& trial, const ParticipantInput& input);
   std::optional<Reply> hear_confirmation(const Trial& trial, const ParticipantInput& input);
   std::optional<Reply> hear_wish(const Trial& trial, const ParticipantInput& input);
   void show_sheet();
@@ -294,6 +295,7 @@ void PersonAtWindow::Desk::show_sheet() {
 
 std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
                                                        const ParticipantInput& input) {
+  if (trial.question.form == TrialQuestion::Form::number) return hear_number(trial, input);
   const std::optional<std::size_t> option = index_of(input.number, sheet->options());
   switch (input.kind) {
     case Kind::option:
@@ -339,6 +341,33 @@ std::optional<Reply> PersonAtWindow::Desk::hear_answer(const Trial& trial,
       return {};
   }
   show_sheet();
+  return {};
+}
+
+std::optional<Reply> PersonAtWindow::Desk::hear_number(const Trial& trial,
+                                                       const ParticipantInput& input) {
+  switch (input.kind) {
+    case Kind::surface:
+      if (!index_of(input.number, trial.presentations.size())) return {};
+      return hear_wish(trial, input);
+    case Kind::next:
+      return hear_wish(trial, input);
+    case Kind::text:
+      if (const std::optional<double> estimate = estimate_in(input.text)) {
+        source = input.source;
+        return Reply{.answered_ns = input.time_ns, .estimate = estimate};
+      }
+      break;
+    case Kind::confirm:
+    case Kind::device_button:  // it cannot say a number
+      break;
+    case Kind::option:
+    case Kind::assign:
+    case Kind::click:
+    case Kind::released:
+      return {};
+  }
+  refuse(input, {.what = Saying::What::estimate_needed});
   return {};
 }
 

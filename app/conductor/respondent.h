@@ -31,6 +31,10 @@ struct Reply {
   /// stamp of the key or button itself. Absent where nobody knows better than the time at which `ask`
   /// returns.
   std::optional<std::int64_t> answered_ns{};
+  /// The number that was given, where one is asked for (TrialQuestion::Form::number); above 0.
+  std::optional<double> estimate{};
+
+  bool is_answer() const noexcept { return !options.empty() || estimate; }
 };
 
 /// A button of the device went down or up, seen in the servo's records.

@@ -95,6 +95,10 @@ AttemptSummary SessionProgress::summary_of(const AttemptRow& attempt) {
   summary.flagged = attempt.flagged;
   summary.reason = attempt.invalid_reason.value_or(attempt.flag_reason.value_or(""));
   for (const ResponseRow& response : attempt.responses) {
+    if (trial.question.form == TrialQuestion::Form::number) {
+      summary.answers.push_back(response.answer);
+      continue;
+    }
     const auto option = std::find_if(
         trial.question.options.begin(), trial.question.options.end(),
         [&response](const Option& candidate) { return candidate.value == response.answer; });

@@ -104,6 +104,7 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
     wait(duration_s);
     if (left_s) left_s = std::max(0.0, *left_s - duration_s);
   };
+  if (question.form == TrialQuestion::Form::number) return ask_for_number(trial, timed, left_s);
   Reply reply{};
   const std::size_t items = assignment ? trial.presentations.size() : 1;
   while (reply.options.size() < items) {
@@ -115,19 +116,12 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
     output_ << std::flush;
     const std::optional<std::string> typed = line(timed, left_s);
     if (!typed) return {};
-    if (question.allow_revisit && typed->rfind("feel", 0) == 0) {
-      std::string code = trimmed(typed->substr(4));
-      for (char& letter : code) {
-        if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
-      }
-      for (const PlannedPresentation& surface : trial.presentations) {
-        if (surface.code != code) continue;
-        if (!reply.options.empty()) output_ << "After that, please assign all pictures anew.\n";
-        return {{}, surface.position};
-      }
-      output_ << "There is no surface " << code << ".\n";
-      continue;
+    bool is_wish = false;
+    if (const std::optional<int> again = wish_in(*typed, trial, is_wish)) {
+      if (!reply.options.empty()) output_ << "After that, please assign all pictures anew.\n";
+      return {{}, again};
     }
+    if (is_wish) continue;
     const std::optional<std::size_t> number = whole_number(*typed);
     if (!number || *number < 1 || *number > question.options.size()) {
       output_ << "Please type a number from 1 to " << question.options.size() << ".\n";
@@ -140,6 +134,35 @@ Reply TerminalRespondent::ask(const Trial& trial, std::span<const ForceFeatures>
     reply.options.push_back(*number - 1);
   }
   return reply;
+}
+
+Reply TerminalRespondent::ask_for_number(const Trial& trial, const Wait& wait,
+                                         const std::optional<double>& left_s) {
+  for (;;) {
+    output_ << "Your number: " << std::flush;
+    const std::optional<std::string> typed = line(wait, left_s);
+    if (!typed) return {};
+    bool is_wish = false;
+    if (const std::optional<int> again = wish_in(*typed, trial, is_wish)) return {{}, again};
+    if (is_wish) continue;
+    if (const std::optional<double> estimate = estimate_in(*typed)) return {.estimate = estimate};
+    output_ << text_of(Saying{.what = Saying::What::estimate_needed}) << '\n';
+  }
+}
+
+std::optional<int> TerminalRespondent::wish_in(const std::string& typed, const Trial& trial,
+                                               bool& said) {
+  said = trial.question.allow_revisit && typed.rfind("feel", 0) == 0;
+  if (!said) return {};
+  std::string code = trimmed(typed.substr(4));
+  for (char& letter : code) {
+    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+  }
+  for (const PlannedPresentation& surface : trial.presentations) {
+    if (surface.code == code) return surface.position;
+  }
+  output_ << "There is no surface " << code << ".\n";
+  return {};
 }
 
 void TerminalRespondent::tell(const std::string& text, const Wait&) {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/number_text.h"
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/layout.h"
 #include "app/conductor/masking_sound.h"
@@ -26,6 +27,8 @@ constexpr double kSlice_s = SessionCourse::kSlice_s;
 constexpr double kLifting_s = 0.3;
 // A surface that is not touched at all is given up after this much more than the longest contact.
 constexpr double kPatience_s = 5.0;
+// Between two numbers for one stimulus: more is a slip of the key, or has to be meant.
+constexpr double kDoubtfulRatio = 10.0;
 
 std::string options_json(const TrialQuestion& question) {
   nlohmann::ordered_json options = nlohmann::ordered_json::array();
@@ -38,12 +41,6 @@ double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
 }
 
 }  // namespace
-
-const Exploration& exploration_of(const Protocol& protocol, const Trial& trial) {
-  static const Exploration kFree{};
-  const std::string& name = protocol.blocks.at(trial.block).exploration;
-  return name.empty() ? kFree : protocol.explorations.at(name);
-}
 
 TrialAttempt::TrialAttempt(SessionCourse& course, StimulusBuilder& builder,
                            const AttemptOrder& order)
@@ -165,12 +162,36 @@ void TrialAttempt::carry_out() {
   if (!trial_.question.allow_revisit) course_.set_masking(false);
   for (;;) {
     reply_ = ask();
-    if (!reply_.feel_again) break;
+    if (!reply_.feel_again) {
+      if (!is_doubtful()) break;
+      doubt();
+      continue;
+    }
     course_.enter(SessionPhase::fore);
     course_.put_mask(true, waiting_);
     feel(static_cast<std::size_t>(*reply_.feel_again - 1));
   }
-  if (!reply_.options.empty()) course_.play(Cue::accepted);
+  if (!reply_.is_answer() && doubted_) {
+    reply_ = *doubted_;
+    answer_ns_ = reply_.answered_ns.value_or(answer_ns_);
+  }
+  if (reply_.is_answer()) course_.play(Cue::accepted);
+}
+
+bool TrialAttempt::is_doubtful() const {
+  if (!reply_.estimate || !order_.earlier_estimate || doubted_) return false;
+  const double ratio = *reply_.estimate / *order_.earlier_estimate;
+  return ratio >= kDoubtfulRatio || ratio <= 1.0 / kDoubtfulRatio;
+}
+
+void TrialAttempt::doubt() {
+  doubted_ = reply_;
+  doubted_->answered_ns = answer_ns_;
+  course_.event("estimate_doubted", number_text(*reply_.estimate),
+                nlohmann::ordered_json{{"estimate", *reply_.estimate},
+                                       {"earlier_estimate", *order_.earlier_estimate},
+                                       {"from_cue_s", seconds_between(cue_ns_.value(), answer_ns_)}}
+                    .dump());
 }
 
 Reply TrialAttempt::ask() {
@@ -183,13 +204,20 @@ Reply TrialAttempt::ask() {
   course_.respondent().refuse_answers();  // what was pressed meanwhile
   if (has_to_be_seen()) course_.put_mask(false, waiting_);
   course_.enter(SessionPhase::response);
-  course_.show(scene_of_question(trial_, felt_));
+  Trial asked = trial_;
+  if (doubted_) {
+    ParticipantScene scene = scene_of_doubt(trial_, felt_, doubted_->estimate.value());
+    asked.question.prompt = scene.text;
+    course_.show(std::move(scene));
+  } else {
+    course_.show(scene_of_question(trial_, felt_));
+  }
   course_.play(Cue::question);
   const std::int64_t asked_ns = course_.now_ns();
   if (!cue_ns_) cue_ns_ = asked_ns;
   std::optional<double> left_s = block_.response_deadline_s;
   if (left_s) left_s = std::max(0.0, *left_s - answerable_s_);
-  Reply reply = course_.respondent().ask(trial_, features, left_s, waiting_);
+  Reply reply = course_.respondent().ask(asked, features, left_s, waiting_);
   answer_ns_ = reply.answered_ns.value_or(course_.now_ns());
   answerable_s_ += seconds_between(asked_ns, answer_ns_);
   return reply;
@@ -309,15 +337,9 @@ void TrialAttempt::measure(const std::vector<TickRecord>& records) {
 
 void TrialAttempt::answer() {
   // No answer before the deadline is an outcome of the trial, and stays without a response.
-  if (reply_.options.empty()) row_.outcome = AttemptOutcome::timed_out;
-  for (std::size_t item = 0; item < reply_.options.size(); ++item) {
-    ResponseRow response{};
+  if (!reply_.is_answer()) row_.outcome = AttemptOutcome::timed_out;
+  const auto add = [this](ResponseRow response) {
     response.question = trial_.question.name;
-    response.item = static_cast<int>(item) + 1;
-    response.answer = trial_.question.options.at(reply_.options[item]).value;
-    if (item < trial_.question.correct.size()) {
-      response.correct = response.answer == trial_.question.correct[item];
-    }
     response.options_json = options_json(trial_.question);
     response.time_ns = answer_ns_;
     response.from_cue_s = seconds_between(cue_ns_.value(), answer_ns_);
@@ -326,6 +348,18 @@ void TrialAttempt::answer() {
     }
     response.source = course_.respondent().source();
     row_.responses.push_back(std::move(response));
+  };
+  if (reply_.estimate) {
+    add({.answer = number_text(*reply_.estimate), .answer_number = reply_.estimate});
+  }
+  for (std::size_t item = 0; item < reply_.options.size(); ++item) {
+    ResponseRow response{};
+    response.item = static_cast<int>(item) + 1;
+    response.answer = trial_.question.options.at(reply_.options[item]).value;
+    if (item < trial_.question.correct.size()) {
+      response.correct = response.answer == trial_.question.correct[item];
+    }
+    add(std::move(response));
   }
 }
 

@@ -18,7 +18,9 @@ struct AttemptOrder {
   int attempt = 1;
   int segment = 1;
   int explored_wrongly = 0;  ///< earlier attempts at this trial that were not explored as asked
-  bool record = true;        ///< keep the tick records
+  /// Of the same stimulus by the same person, where a number is asked for.
+  std::optional<double> earlier_estimate{};
+  bool record = true;  ///< keep the tick records
 };
 
 /// Builds the renderers off the servo thread → lets every surface be felt → asks → looks at the
@@ -31,6 +33,10 @@ struct AttemptOrder {
 /// counts from the first time, feeling again included: it is how long a person took to decide. The
 /// deadline counts the time in which they could answer: it stands still from the wish to feel again
 /// until the question is there again.
+///
+/// A number that is ten times an earlier one of the same stimulus, or a tenth of it, is asked for once
+/// more: the second one is the answer, and the first stays as the event "estimate_doubted". Where the
+/// deadline comes before a second one, the first is the answer.
 ///
 /// Feeling ends when the surface was felt as long as asked, or the participant has had enough of it:
 /// either way the cue `next` sounds and the scene says so until the hand has lifted.
@@ -63,6 +69,9 @@ class TrialAttempt final {
   void prepare();
   void carry_out();
   Reply ask();
+  /// Whether the reply is a number that has to be confirmed.
+  bool is_doubtful() const;
+  void doubt();
   void feel(std::size_t index);
   void explore(Surface& surface);
   void measure(const std::vector<TickRecord>& records);
@@ -85,14 +94,12 @@ class TrialAttempt final {
   std::vector<Surface> surfaces_{};
   std::vector<int> felt_{};  ///< positions, as they were felt
   Reply reply_{};
+  std::optional<Reply> doubted_{};        ///< what was answered before it was asked for once more
   std::optional<std::int64_t> cue_ns_{};  ///< when the question was put first
   std::int64_t answer_ns_ = 0;
   double answerable_s_ = 0.0;  ///< how long the question was there, felt again since or not
   std::optional<Interruption> interruption_{};
   AttemptRow row_{};
 };
-
-/// How the block of a trial is explored; free where it does not say.
-const Exploration& exploration_of(const Protocol& protocol, const Trial& trial);
 
 }  // namespace asperity

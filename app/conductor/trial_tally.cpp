@@ -97,6 +97,16 @@ int TrialTally::coming(std::size_t step, int block, int tried, Again again) cons
   return ahead(false);
 }
 
+std::optional<double> TrialTally::earlier_estimate(const Trial& trial) const {
+  for (auto attempt = attempts_.rbegin(); attempt != attempts_.rend(); ++attempt) {
+    if (!attempt->valid || attempt->responses.empty()) continue;
+    const Trial& tried = plan_.trials.at(static_cast<std::size_t>(attempt->trial - 1));
+    const std::optional<double>& number = attempt->responses.front().answer_number;
+    if (number && are_of_one_stimulus(tried, trial)) return number;
+  }
+  return {};
+}
+
 int TrialTally::explored_wrongly(int trial) const {
   return static_cast<int>(
       std::count_if(attempts_.begin(), attempts_.end(), [trial](const AttemptRow& attempt) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -53,6 +54,8 @@ class TrialTally final {
   enum class Again { at_once, after_others };
   int coming(std::size_t step, int block, int tried, Again again) const;
   int explored_wrongly(int trial) const;
+  /// The number that was last given to the stimulus of this trial, in whichever trial of the session.
+  std::optional<double> earlier_estimate(const Trial& trial) const;
 
  private:
   bool does_its_trial(const AttemptRow& attempt) const;

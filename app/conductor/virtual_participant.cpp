@@ -174,6 +174,15 @@ Reply VirtualParticipant::ask(const Trial& trial, std::span<const ForceFeatures>
     return {};
   }
   wait(thinking_s);
+  if (trial.question.form == TrialQuestion::Form::number) {
+    source_ = protocol_.observer.deaf ? "virtual_guess" : "virtual";
+    return {.estimate = observer.estimate(felt.front(), number_habit_of(random_.split("numbers")))};
+  }
+  return choose(trial, felt, observer);
+}
+
+Reply VirtualParticipant::choose(const Trial& trial, std::span<const ForceFeatures> felt,
+                                 VirtualObserver& observer) {
   const bool selects = protocol_.kind == ProtocolKind::selection;
   const std::vector<std::size_t> open = open_options(trial);
   std::vector<ForceFeatures> expected{};

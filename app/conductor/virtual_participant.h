@@ -40,6 +40,10 @@ Expectations expectations_of(const Protocol& protocol, StimulusBuilder& builder,
 /// among the surfaces or pictures that are open; "I cannot tell" is never answered. `source` is
 /// "virtual_guess" after a guess and "virtual" after any other answer; lapses belong to judging.
 ///
+/// A number for a surface is VirtualObserver::estimate of the features of what was felt, with a habit
+/// of saying numbers that belongs to the person; asked once more, they say the same. It needs no
+/// expectation, and is a guess only of who is deaf.
+///
 /// Virtual results exercise the machinery and say nothing about which model people prefer.
 class VirtualParticipant final : public Respondent {
  public:
@@ -56,6 +60,7 @@ class VirtualParticipant final : public Respondent {
   void begin_attempt(int trial, int attempt) override;
 
  private:
+  Reply choose(const Trial& trial, std::span<const ForceFeatures> felt, VirtualObserver& observer);
   /// The options that stand for surfaces (by position) or pictures, by index.
   std::vector<std::size_t> open_options(const Trial& trial) const;
 

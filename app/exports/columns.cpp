@@ -181,7 +181,7 @@ Columns session_columns() {
   of_protocol("protocol", "name of the protocol", &ProtocolRow::name);
   of_protocol("protocol_version", "version of the protocol", &ProtocolRow::version);
   of_protocol("kind", "kind of the protocol", &ProtocolRow::kind);
-  columns.back().levels = {"selection", "matching", "recognition"};
+  columns.back().levels = {"selection", "matching", "recognition", "magnitude"};
   of_protocol("design", "as published or improved", &ProtocolRow::design);
   columns.back().levels = {"chapter", "improved"};
   of_protocol("protocol_sha256", "SHA-256 of the protocol file, byte for byte",
@@ -343,7 +343,7 @@ Columns presentation_columns(const StudyVocabulary& vocabulary) {
   add(at_least(1, column("position", "integer", "", "place in the order of the trial's surfaces",
                          [](const Place& at) { return integer(at.presentation->position); })));
   text("role", "what the surface is in the trial", &PresentationRow::role);
-  columns.back().levels = {"alternative", "target"};
+  columns.back().levels = {"alternative", "target", "anchor"};
   text("item", "what the surface counts as in the answers", &PresentationRow::item);
   text("stimulus", "stimulus of the protocol", &PresentationRow::stimulus);
   text("model", "force model", &PresentationRow::model);
@@ -445,9 +445,10 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
   add(column("question", "text", "", "name of the question",
              [](const Place& at) { return at.response->question; }));
-  add(at_least(1, column("item", "integer", "",
-                         "1 for a choice; the position of the surface for an assignment",
-                         [](const Place& at) { return integer(at.response->item); })));
+  add(at_least(1,
+               column("item", "integer", "",
+                      "1 for a choice or a number; the position of the surface for an assignment",
+                      [](const Place& at) { return integer(at.response->item); })));
   std::string questions{};
   for (const auto& [name, question] : vocabulary.questions) {
     questions += (questions.empty() ? "; " : " · ") + name + ": " + question.prompt;
@@ -461,9 +462,10 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
              [](const Place& at) { return at.response->answer; }));
   columns.back().publication = Publication::without_questionnaires;
   columns.back().missing = "never, but for a questionnaire's in an export for the public";
-  add(missing("the answer is not a number, or is a questionnaire's in an export for the public",
-              column("answer_number", "number", "", "the answer as a number",
-                     [](const Place& at) { return optional_cell(at.response->answer_number); })));
+  add(missing(
+      "the answer is not a number, or is a questionnaire's in an export for the public",
+      column("answer_number", "number", "", "the answer as a number: the estimate of a magnitude",
+             [](const Place& at) { return optional_cell(at.response->answer_number); })));
   columns.back().publication = Publication::without_questionnaires;
   add(missing("no answer is right or wrong",
               column("correct", "boolean", "", "1: the right answer",

@@ -113,6 +113,11 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
     figures.push_back(scale_figure("scale", of_pairs ? bradley_terry() : plackett_luce(), found));
     figures.back().table = "scale";
   }
+  const std::vector<Finding> roughness = part_of(outcome.findings, kRoughness);
+  if (!roughness.empty()) {
+    figures.push_back(roughness_figure(FoundNumbers(roughness), "m"));
+    figures.back().table = kRoughness;
+  }
   const std::vector<Finding> similarity = part_of(outcome.findings, "similarity");
   if (!similarity.empty()) {
     const FoundNumbers found(similarity);

@@ -36,17 +36,18 @@ std::vector<DemoTexture> demo_textures() {
       {"pebbles", "sandpaper", false, 16, {{"grain_spacing_m", 0.004}, {"grain_height_m", 6e-4}}}};
 }
 
-/// A relief of `tools_matching`: felt as it is, on a tool or the plate, and seen where it has a
-/// picture.
+/// A relief of `tools_matching` or `roughness_diameter`: felt as it is, on a tool or the plate, and seen
+/// where it has a picture.
 struct BodyRelief {
   std::string_view name{};
   std::string_view kind{};
   bool has_picture = true;
   std::size_t pixels = 256;
   ParameterValues parameters{};
+  double width_m = 0.024;
 };
 
-/// All 24 mm wide, which holds whole ridges of each and goes once around a tool.
+/// Of `tools_matching`: all 24 mm wide, which holds whole ridges of each and goes once around a tool.
 std::vector<BodyRelief> body_reliefs() {
   const auto ridges = [](double spacing_m) {
     return ParameterValues{{"spacing_m", spacing_m},
@@ -67,11 +68,23 @@ std::vector<BodyRelief> body_reliefs() {
             {"base_diameter_m", 0.0018}}}};
 }
 
+/// Of `roughness_diameter`: 28 mm hold whole waves of each, every wave eight pixels long. More would only
+/// cost: a body has four texels a pixel.
+std::vector<BodyRelief> waves() {
+  const auto wave = [](std::string_view name, double spacing_m, std::size_t pixels) {
+    return BodyRelief{
+        name, "sinusoid", false, pixels, {{"spacing_m", spacing_m}, {"amplitude_m", 1e-4}}, 0.028};
+  };
+  return {wave("wave_05", 0.0005, 448), wave("wave_07", 0.0007, 320), wave("wave_10", 0.0010, 224),
+          wave("wave_14", 0.0014, 160), wave("wave_20", 0.0020, 112), wave("wave_28", 0.0028, 80),
+          wave("wave_40", 0.0040, 56)};
+}
+
 constexpr double kWidth_m = 0.10;
 constexpr std::size_t kPixels = 1024;
 
 void make_body_relief(const BodyRelief& relief, const std::filesystem::path& folder) {
-  const SurfaceCanvas canvas{0.024, relief.pixels, 17};
+  const SurfaceCanvas canvas{relief.width_m, relief.pixels, 17};
   const std::string name(relief.name);
   const HeightField surface = make_surface(relief.kind, relief.parameters, canvas);
   HeightFieldProvenance made{};
@@ -127,10 +140,10 @@ void new_demo_study(const std::filesystem::path& folder,
                     const std::function<void(double)>& progress) {
   new_study(folder);
   for (const LibraryProtocol& protocol : library_protocols()) {
-    // What the demo data come from, a session that shows what goes without sight, and one with tools
-    // in six degrees of freedom.
+    // What the demo data come from, a session that shows what goes without sight, one with tools in six
+    // degrees of freedom, and one of numbers.
     if (!protocol.name.starts_with("chapter_") && protocol.name != "improved_selection_blindfold" &&
-        protocol.name != "tools_matching") {
+        protocol.name != "tools_matching" && protocol.name != "roughness_diameter") {
       continue;
     }
     write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,
@@ -138,6 +151,7 @@ void new_demo_study(const std::filesystem::path& folder,
   }
   // First: whether the study is whole is seen by what is made last.
   for (const BodyRelief& relief : body_reliefs()) make_body_relief(relief, folder / "stimuli");
+  for (const BodyRelief& relief : waves()) make_body_relief(relief, folder / "stimuli");
   const std::vector<DemoTexture> textures = demo_textures();
   for (std::size_t i = 0; i < textures.size(); ++i) {
     progress(static_cast<double>(i) / static_cast<double>(textures.size()));

@@ -37,6 +37,10 @@ std::string task_text(const Protocol& protocol) {
     case ProtocolKind::recognition:
       return "In each trial participants felt one texture and chose, among pictures, the one that "
              "it was.";
+    case ProtocolKind::magnitude:
+      return "In each trial participants felt one surface and gave it a number for how rough it "
+             "felt "
+             "(absolute magnitude estimation with free modulus).";
   }
   return {};
 }
@@ -137,6 +141,7 @@ ReportList blocks_list(const Protocol& protocol) {
     text += order_text(block);
     if (block.repetitions > 1) text += ", " + std::to_string(block.repetitions) + " repetitions";
     if (!run->for_each.empty()) text += ", once for each level of " + run->for_each;
+    if (!block.anchor.empty()) text += ", after an anchor that is not analysed";
     text += ". Question: " + quoted(block.question.prompt);
     if (block.question.allow_cannot_tell) text += " “Cannot tell” was an answer, too.";
     if (!block.question.allow_revisit) text += " Surfaces could not be felt again.";

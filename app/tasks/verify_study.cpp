@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/conductor/form_answer.h"
 #include "app/program.h"
 #include "app/tasks/recorded_attempt.h"
 #include "renderers/offline/replay.h"
@@ -73,6 +74,12 @@ void check_answers(const SessionRow& session, const Trial& trial, const AttemptR
   for (const ResponseRow& response : attempt.responses) {
     const std::string where = "attempt " + natural_key(session, attempt) + ", item " +
                               std::to_string(response.item) + ": ";
+    if (trial.question.form == TrialQuestion::Form::number) {
+      if (estimate_in(response.answer) != response.answer_number || !response.answer_number) {
+        problems.push_back(where + "the answer is no number above 0, or not the one beside it");
+      }
+      continue;
+    }
     const auto& options = trial.question.options;
     const bool is_option = std::any_of(options.begin(), options.end(), [&](const Option& option) {
       return option.value == response.answer;

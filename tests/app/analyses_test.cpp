@@ -888,5 +888,85 @@ TEST(AnalyzeStudy, RefusesInSentencesWhatCannotBeTested) {
   EXPECT_THAT(outcomes["unknown"].remarks, testing::Contains(says("kind \"adjustment\"")));
 }
 
+constexpr std::array<double, 5> kSpacings_m{0.0005, 0.001, 0.002, 0.004, 0.008};
+constexpr const char* kEstimation = R"({
+  "estimation": {"spacing": "texture", "condition": "tip"},
+  "factors": {"texture": {"levels": ["s1", "s2", "s3", "s4", "s5"]}},
+  "textures": {"s1": {"spacing_m": 0.0005}, "s2": {"spacing_m": 0.001}, "s3": {"spacing_m": 0.002},
+               "s4": {"spacing_m": 0.004}, "s5": {"spacing_m": 0.008}},
+  "analysis": {"family": ["spacing", "interaction", "peaks"]}
+})";
+
+/// Numbers on parabolas of the logarithms, roughest at 1 mm with the small tip and at 2 mm with the
+/// large one, a little more or less for each of six people, who all have a scale of their own.
+AnalysisOutcome analyze_numbers() {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("rough", "magnitude", kEstimation);
+  for (int i = 0; i < 6; ++i) {
+    made.add_person(person(i), "F");
+    std::vector<MadeUpTrial> trials{};
+    for (const auto& [tip, peak_m] : {std::pair{"small", 0.001}, std::pair{"large", 0.002}}) {
+      // The other way with the other tip, and half as far: people differ in how the tips differ and in
+      // the curve over both.
+      const double own = (peak_m < 0.0015 ? 0.02 : -0.01) * (i - 2.5);
+      for (int level = -1; level < 5; ++level) {  // −1: the anchor
+        const std::size_t at = level < 0 ? 2U : static_cast<std::size_t>(level);
+        const double away = std::log10(kSpacings_m[at] / peak_m) - own;
+        const double number = std::pow(10.0, 0.3 * i - away * away);
+        MadeUpTrial trial{};
+        trial.surfaces = {surface_of("s", "pd_gradient", "s")};
+        trial.factors_json =
+            R"({"texture": "s)" + std::to_string(at + 1) + R"(", "tip": ")" + tip + "\"}";
+        trial.answers = {text_of_number(level < 0 ? 1e6 : number)};
+        trial.repetition = level < 0 ? 0 : 1;
+        trials.push_back(trial);
+      }
+    }
+    made.add_session(person(i), protocol, trials);
+  }
+  return analyze_study(made.study()).at(0);
+}
+
+TEST(Magnitudes, PeakWhereTheyWereMadeToPeak) {
+  const AnalysisOutcome outcome = analyze_numbers();
+  EXPECT_EQ(outcome.answers, 60U);
+  EXPECT_EQ(outcome.count.anchors, 12U);
+  EXPECT_EQ(outcome.count.planned_trials, 60U);
+  const Table& peaks = table_of(outcome, "peaks").table;
+  const auto peak_m = [&peaks](const char* tip) {
+    return std::get<double>(row_of(peaks, {tip})[2]);
+  };
+  EXPECT_NEAR(peak_m("small"), 0.001, 1e-9);
+  EXPECT_NEAR(peak_m("large"), 0.002, 1e-9);
+  EXPECT_EQ(row_of(peaks, {"small"})[1], Cell{});
+  EXPECT_EQ(row_of(peaks, {"small"})[9], Cell{std::int64_t{6}});  // inverted U, for everybody
+}
+
+TEST(Magnitudes, LoseEachParticipantsScaleAndKeepTheRawNumbersBeside) {
+  const AnalysisOutcome outcome = analyze_numbers();
+  const Table& estimates = table_of(outcome, "estimates").table;
+  ASSERT_EQ(estimates.rows.size(), 60U);
+  // Whoever says numbers 10^0.3 times as large: the same shape, but for a peak a little elsewhere.
+  const std::vector<Cell>& first = row_of(estimates, {person(0), "small"});
+  const std::vector<Cell>& second = row_of(estimates, {person(1), "small"});
+  EXPECT_NEAR(std::get<double>(second[4]) / std::get<double>(first[4]), std::pow(10.0, 0.3), 0.15);
+  EXPECT_NEAR(std::get<double>(second[5]) / std::get<double>(first[5]), 1.0, 0.08);
+  EXPECT_EQ(table_of(outcome, "roughness").table.rows.size(), 10U);
+}
+
+TEST(Magnitudes, AreTestedInTheDeclaredFamily) {
+  const AnalysisOutcome outcome = analyze_numbers();
+  const Table& tests = table_of(outcome, "tests").table;
+  for (const char* name : {"spacing", "interaction"}) {
+    const std::vector<Cell>& row = row_of(tests, {name});
+    EXPECT_LT(std::get<double>(row[5]), 0.05) << name;
+  }
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(row_of(tests, {"condition"})[5]));
+  ASSERT_FALSE(outcome.questions.empty());
+  EXPECT_EQ(outcome.questions[0].name, "spacing");
+  EXPECT_THAT(outcome.questions[0].answer, says("It does: F = "));
+  EXPECT_THAT(outcome.remarks, testing::Contains(says("Numbers given to anchors")));
+}
+
 }  // namespace
 }  // namespace asperity

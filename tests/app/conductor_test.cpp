@@ -2,12 +2,19 @@
 
 #include "app/conductor/conductor.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
+#include <sstream>
+#include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/conductor/form_answer.h"
 #include "app/conductor/recording_columns.h"
+#include "app/conductor/terminal_respondent.h"
+#include "results_schema/table.h"
 #include "tests/app/scripted_session.h"
 
 namespace asperity {
@@ -333,6 +340,121 @@ TEST_F(ConductorTest, CountsReactionTimesFromTheFirstTimeTheQuestionWasPut) {
   const ResponseRow response = attempts().front().responses.at(0);
   EXPECT_NEAR(*response.from_cue_s, 1e-9 * static_cast<double>(response.time_ns - put_ns), 2e-3);
   EXPECT_GT(*response.from_cue_s, 1.5);  // the surface was felt twice again
+}
+
+bool is_doubt(const Trial& trial) { return trial.question.prompt.starts_with("Please check"); }
+
+TEST_F(ConductorTest, AsksOnceMoreForANumberTenTimesAnEarlierOneAndKeepsBoth) {
+  begin(estimated_protocol());
+  std::map<decltype(Trial::factors), int> times{};
+  person_.at_question = [&times](int, const Trial& trial) {
+    const double number = is_doubt(trial) ? 120.0 : ++times[trial.factors] == 1 ? 10.0 : 100.0;
+    return Reply{.estimate = number};
+  };
+  run();
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 14U);
+  int doubts = 0;
+  for (const AttemptRow& row : rows) {
+    ASSERT_EQ(row.responses.size(), 1U);
+    const ResponseRow& response = row.responses[0];
+    EXPECT_EQ(response.question, "roughness");
+    EXPECT_EQ(number_in(response.answer), response.answer_number);
+    EXPECT_EQ(response.options_json, "[]");
+    const auto doubt =
+        std::find_if(row.events.begin(), row.events.end(),
+                     [](const EventRow& event) { return event.kind == "estimate_doubted"; });
+    if (doubt == row.events.end()) {
+      EXPECT_NE(response.answer, "120");
+      continue;
+    }
+    ++doubts;
+    EXPECT_EQ(doubt->text, "100");
+    EXPECT_NE(doubt->data_json.find("\"earlier_estimate\":10.0"), std::string::npos)
+        << doubt->data_json;
+    EXPECT_EQ(response.answer, "120");
+    EXPECT_GT(*response.from_cue_s, 0.39);  // both times of 0.2 s
+  }
+  // The third number for the anchor's spacing is compared with the second, not with the first.
+  EXPECT_EQ(doubts, 6);
+}
+
+TEST_F(ConductorTest, TakesASecondNumberAsItIsAndOneLessThanTenTimesWithoutAsking) {
+  begin(estimated_protocol());
+  int doubts = 0;
+  std::map<decltype(Trial::factors), int> times{};
+  person_.at_question = [&](int, const Trial& trial) {
+    if (is_doubt(trial)) {
+      ++doubts;
+      return Reply{.estimate = 1e6};
+    }
+    const bool is_small = std::get<std::string>(trial.factors.at("tip")) == "small";
+    return Reply{.estimate = ++times[trial.factors] == 1 ? 1.0 : is_small ? 9.9 : 0.1};
+  };
+  run();
+  // With the large tip: a tenth asks, a million for it stands, and after a million a tenth asks again
+  // where there is a third number.
+  EXPECT_EQ(doubts, 4);
+}
+
+TEST_F(ConductorTest, BeginsEveryRunOfABlockWithItsAnchor) {
+  begin(estimated_protocol());
+  person_.at_question = [](int, const Trial&) { return Reply{.estimate = 5.0}; };
+  run();
+  for (const AttemptRow& row : attempts()) {
+    const bool is_first = row.trial == 1 || row.trial == 8;
+    EXPECT_EQ(row.presentations[0].role, is_first ? "anchor" : "target") << row.trial;
+  }
+}
+
+TEST_F(ConductorTest, KeepsTheNumberThatNobodyConfirmedBeforeTheDeadline) {
+  std::string text = estimated_protocol();
+  const std::string from = "\"repetitions\": 2,";
+  text.replace(text.find(from), from.size(), from + " \"response_deadline_s\": 5,");
+  begin(text);
+  std::map<decltype(Trial::factors), int> times{};
+  person_.at_question = [&times](int, const Trial& trial) {
+    if (is_doubt(trial)) return Reply{};
+    return Reply{.estimate = ++times[trial.factors] == 1 ? 10.0 : 1.0};
+  };
+  run();
+  int kept = 0;
+  for (const AttemptRow& row : attempts()) {
+    EXPECT_EQ(row.outcome, AttemptOutcome::answered);
+    ASSERT_EQ(row.responses.size(), 1U);
+    if (row.responses[0].answer == "1") ++kept;
+  }
+  EXPECT_EQ(kept, 8);
+}
+
+TEST(EstimateIn, UnderstandsPointAndCommaAndNothingElse) {
+  EXPECT_EQ(estimate_in(" 0,5 "), 0.5);
+  EXPECT_EQ(estimate_in("0.5"), 0.5);
+  EXPECT_EQ(estimate_in("120"), 120.0);
+  for (const char* text :
+       {"", "0", "-3", "0,0", "1,000.5", "1.000.000", "ten", "3x", "inf", "nan"}) {
+    EXPECT_EQ(estimate_in(text), std::nullopt) << text;
+  }
+}
+
+TEST(TerminalRespondent, AsksForANumberUntilItIsOneAboveZero) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const std::string typed = "rough\n0\n7,5\n";
+  ASSERT_EQ(::write(ends[1], typed.data(), typed.size()), static_cast<ssize_t>(typed.size()));
+  std::ostringstream shown;
+  TerminalRespondent person(ends[0], shown, {}, {});
+  Trial trial{};
+  trial.question.form = TrialQuestion::Form::number;
+  trial.question.prompt = "How rough was it?";
+  trial.question.allow_revisit = false;
+  const Reply reply = person.ask(trial, {}, {}, [](double) {});
+  EXPECT_EQ(reply.estimate, 7.5);
+  EXPECT_NE(shown.str().find("How rough was it?\nYour number: A number above 0 is needed"),
+            std::string::npos)
+      << shown.str();
+  ::close(ends[0]);
+  ::close(ends[1]);
 }
 
 TEST_F(ConductorTest, StopsTheDeadlineWhileASurfaceIsFeltAgain) {

@@ -140,6 +140,7 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
     row.block_ordinal = 1;
     row.phase = trial.phase;
     row.factors_json = trial.factors_json;
+    row.repetition = trial.repetition;
     plan.push_back(row);
   }
   const std::int64_t id = study_->add_session(session, plan);

@@ -21,6 +21,7 @@ struct MadeUpTrial {
   std::vector<std::string> right{};  ///< as many as answers, or none
   std::vector<std::string> options{};
   std::string phase = "main";
+  int repetition = 1;  ///< 0 of an anchor
   AttemptOutcome outcome = AttemptOutcome::answered;
   bool valid = true;
   bool flagged = false;

@@ -123,9 +123,9 @@ class PersonAtWindowTest : public testing::Test {
     monitor_.show(std::move(scene));
     return person_.ask(trial, {}, deadline_s, wait_);
   }
-  Reply feel_all_and_ask(const Trial& trial) {
+  Reply feel_all_and_ask(const Trial& trial, std::optional<double> deadline_s = {}) {
     feel_all(trial);
-    return ask(trial);
+    return ask(trial, deadline_s);
   }
   /// What was seen while waiting, at `after_s` from now.
   void look(double after_s, std::function<void(const ParticipantScene&)> see) {
@@ -160,6 +160,66 @@ class PersonAtWindowTest : public testing::Test {
 };
 
 using Options = std::vector<std::size_t>;
+
+// --- a number ------------------------------------------------------------------------------------
+
+class ANumber : public PersonAtWindowTest {
+ protected:
+  ANumber() {
+    trial_.presentations.resize(1);
+    trial_.question = {};
+    trial_.question.form = TrialQuestion::Form::number;
+    trial_.question.prompt = "How rough did it feel?";
+    trial_.question.allow_revisit = false;
+  }
+  Trial trial_ = one_surface();
+
+ private:
+  static Trial one_surface() {
+    Trial trial{};
+    trial.ordinal = 1;
+    PlannedPresentation planned{};
+    planned.position = 1;
+    planned.code = "A";
+    trial.presentations.push_back(planned);
+    return trial;
+  }
+};
+
+TEST_F(ANumber, IsTakenWithAPointAndWithAComma) {
+  feel_all(trial_);
+  type(0.5, "12,5");
+  const Reply reply = ask(trial_);
+  EXPECT_EQ(reply.estimate, 12.5);
+  EXPECT_TRUE(reply.options.empty());
+  EXPECT_TRUE(reply.is_answer());
+  EXPECT_EQ(reply.answered_ns, nanoseconds(kBegin_s + 1.5));
+}
+
+TEST_F(ANumber, IsRefusedInWordsUntilItIsAboveZero) {
+  feel_all(trial_);
+  type(0.5, "0");
+  press(0.8, Kind::confirm);
+  hold_button(1.0, 1, 0.2);
+  type(2.0, "3");
+  EXPECT_EQ(ask(trial_).estimate, 3.0);
+  const std::vector<EventRow> refused = events("refused");
+  ASSERT_EQ(refused.size(), 3U);
+  for (const EventRow& event : refused) {
+    EXPECT_EQ(event.text, "A number above 0 is needed, such as 7 or 0.5.");
+  }
+}
+
+TEST_F(ANumber, AsksToFeelTheSurfaceAgainWhereThatIsAllowed) {
+  trial_.question.allow_revisit = true;
+  feel_all(trial_);
+  press(0.5, Kind::next);
+  EXPECT_EQ(ask(trial_).feel_again, 1);
+}
+
+TEST_F(ANumber, IsLeftOutWhenTheTimeIsOver) {
+  EXPECT_FALSE(feel_all_and_ask(trial_, 2.0).is_answer());
+}
 
 // --- a choice ------------------------------------------------------------------------------------
 

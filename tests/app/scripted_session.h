@@ -75,6 +75,29 @@ inline std::string practised_protocol(const std::string& on_failure) {
 })";
 }
 
+/// Numbers for three spacings under two conditions, twice each, after an anchor.
+inline std::string estimated_protocol() {
+  return R"({
+  "format": "asperity.protocol/1", "kind": "magnitude", "design": "improved",
+  "name": "estimated", "version": "1.0.0", "title": "How rough",
+  "consent": {"version": "1.0", "statement": "I take part of my own free will."},
+  "estimation": {"spacing": "spacing", "condition": "tip"},
+  "textures": {"grain": {"height_field": "stimuli/grain.png"}},
+  "factors": {"spacing": {"levels": [0.001, 0.002, 0.004]}, "tip": {"levels": ["small", "large"]}},
+  "stimuli": {"rendered": {"model": "height_map", "texture": "grain"}},
+  "explorations": {"short": {"minimum_contact_s": 0.2, "maximum_contact_s": 2}},
+  "blocks": {
+    "main": {
+      "crossed": ["spacing"], "repetitions": 2, "anchor": {"spacing": 0.002},
+      "presented": [{"stimulus": "rendered"}],
+      "question": {"name": "roughness", "prompt": "How rough was it?"},
+      "exploration": "short"}
+  },
+  "counterbalance": "latin",
+  "flow": [{"run": "main", "for_each": "tip"}]
+})";
+}
+
 /// Answers the first option, unless told otherwise; does something at the n-th question.
 class ScriptedPerson final : public Respondent {
  public:

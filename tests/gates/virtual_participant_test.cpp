@@ -4,13 +4,17 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <map>
 #include <set>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "app/height_field_files.h"
+#include "app/tasks/new_study.h"
+#include "app/tasks/simulation.h"
 #include "protocols/plan.h"
 #include "renderers/force_model.h"
 #include "stimuli/synthetic_surface.h"
@@ -139,6 +143,72 @@ TEST(VirtualParticipant, ExpectsNoMoreThanAPhotographKeeps) {
   std::filesystem::remove_all(folder);
   EXPECT_LT(kept.spectrum.front(), whole.spectrum.front() - 1.0);
   EXPECT_NEAR(kept.spectrum[8], whole.spectrum[8], 0.3);
+}
+
+/// Three waves under the smallest and the largest tip, once each, on a plate that is soon made.
+void make_short(json& protocol) {
+  protocol["surface"]["extent_m"] = {0.05, 0.028};
+  protocol["bodies"]["plate"]["size_m"] = {0.05, 0.028, 0.004};
+  protocol["explorations"]["stroking"]["stroke_length_m"] = {
+      {"minimum", 0.01}, {"target", 0.02}, {"maximum", 0.04}};
+  const std::vector<std::string> waves{"spacing_07", "spacing_14", "spacing_28"};
+  json textures{};
+  for (const std::string& wave : waves) textures[wave] = protocol["textures"][wave];
+  protocol["textures"] = textures;
+  protocol["factors"]["texture"]["levels"] = waves;
+  protocol["factors"]["tip"]["levels"] = {"sphere_1mm", "sphere_3mm"};
+  json main = protocol["blocks"]["main"];
+  main["repetitions"] = 1;
+  main.erase("anchor");
+  main.erase("pause_before_trial_s");
+  protocol["blocks"] = json{{"main", main}};
+  protocol["flow"] = json::array({json{{"run", "main"}, {"for_each", "tip"}}});
+  protocol["observer"]["feature_noise"] = 0.0;
+  protocol["observer"]["lapse"] = 0.0;
+}
+
+// Between waves 0.7 mm apart a ball of 3 mm sinks by a third of what one of 1 mm does; 2.8 mm apart
+// both go down to the troughs.
+TEST(VirtualParticipant, FindsFineWavesRougherWithASmallTipThanWithALargeOne) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "asperity_XXXXXX").string();
+  ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+  const std::filesystem::path folder = pattern;
+  new_study(folder / "study");
+  for (const auto& [name, spacing_m] :
+       {std::pair("wave_07", 0.0007), std::pair("wave_14", 0.0014), std::pair("wave_28", 0.0028)}) {
+    save_height_field(
+        folder / "study/stimuli" / (std::string(name) + ".png"),
+        make_surface("sinusoid", {{"spacing_m", spacing_m}, {"amplitude_m", 1e-4}},
+                     {.width_m = 0.028,
+                      .pixels = static_cast<std::size_t>(8.0 * 0.028 / spacing_m + 0.5),
+                      .seed = 1}),
+        {}, Overwrite::refuse);
+  }
+  SimulationInputs inputs{};
+  inputs.protocols = {folder / "short.json"};
+  inputs.study = folder / "study";
+  inputs.seed = 1;
+  inputs.participants = 1;
+  inputs.recordings = Recordings::none;
+  std::ofstream(inputs.protocols[0], std::ios::binary)
+      << library_protocol("roughness_diameter", make_short).source;
+  (void)simulate(inputs, built_in_models(), {}, {}, {});
+  std::map<std::string, double> numbers{};
+  {
+    const Study study = Study::open(inputs.study, Access::read_only);
+    for (const AttemptRow& attempt : study.attempts(study.sessions().front().id)) {
+      ASSERT_EQ(attempt.responses.size(), 1U);
+      EXPECT_EQ(attempt.responses[0].source, "virtual");
+      numbers[attempt.presentations[0].stimulus] = attempt.responses[0].answer_number.value();
+    }
+  }
+  std::filesystem::remove_all(folder);
+  ASSERT_EQ(numbers.size(), 6U);
+  const auto of_fine = [&numbers](const std::string& tip) {
+    return numbers.at("wave_spacing_07_pd_gradient_" + tip) /
+           numbers.at("wave_spacing_28_pd_gradient_" + tip);
+  };
+  EXPECT_GT(of_fine("sphere_1mm"), 1.5 * of_fine("sphere_3mm"));
 }
 
 // "I cannot tell" stands last among the options of these protocols; guesses are of the others, all

@@ -46,7 +46,8 @@ inline std::vector<ModelDeclaration> example_models() {
   two_bodies.needs_bodies = true;
   two_bodies.amplitude_parameter = "texture_gain";
   two_bodies.parameters = {number("texture_gain", 0.0, 10.0, 1.0), number("step", 1.0, 9.0, 2.0),
-                           number("cell", 1.0, 9.0, 2.0)};
+                           number("cell", 1.0, 9.0, 2.0), number("step_m", 1e-6, 1e-3, 1e-4),
+                           number("cell_m", 1e-6, 1e-3, 1e-4)};
   two_bodies.conflict_among = [](const ParameterValues& values) {
     return std::get<double>(values.at("step")) < std::get<double>(values.at("cell"))
                ? std::optional(ParameterConflict{.parameters = {"step", "cell"},

@@ -38,6 +38,48 @@ std::string text_of_plan(const Plan& plan) {
   return text;
 }
 
+TEST(Plan, BeginsEveryRunOfABlockWithItsAnchorAndHoldsTheConditionWithinIt) {
+  const Protocol protocol = library("roughness_diameter");
+  std::set<std::string> first_tips{};
+  for (int row = 0; row < 3; ++row) {
+    const Plan plan = make_plan(protocol, {.seed = 5, .counterbalance_row = row});
+    ASSERT_EQ(plan.trials.size(), 6U + 3U * 22U);
+    std::set<std::string> tips{};
+    for (std::size_t i = 6; i < plan.trials.size(); ++i) {
+      const Trial& trial = plan.trials[i];
+      const bool is_anchor = (i - 6) % 22 == 0;
+      EXPECT_EQ(trial.presentations[0].role, is_anchor ? "anchor" : "target");
+      EXPECT_EQ(trial.repetition == 0, is_anchor);
+      if (is_anchor) {
+        EXPECT_EQ(text_of(trial.factors.at("texture")), "spacing_14");
+        tips.insert(text_of(trial.factors.at("tip")));
+      }
+      EXPECT_EQ(trial.factors.at("tip"), plan.trials[i - (i - 6) % 22].factors.at("tip"));
+      EXPECT_EQ(trial.question.form, TrialQuestion::Form::number);
+      EXPECT_TRUE(trial.question.options.empty());
+    }
+    EXPECT_EQ(tips.size(), 3U);
+    first_tips.insert(text_of(plan.trials[6].factors.at("tip")));
+  }
+  // The rows of the Latin square begin with each tip in turn.
+  EXPECT_EQ(first_tips.size(), 3U);
+}
+
+TEST(Plan, ExploresATrialAsTheLevelOfItsFactorSays) {
+  Protocol protocol = library("roughness_diameter");
+  protocol.explorations["firmly"] = protocol.explorations.at("stroking");
+  protocol.explorations["firmly"].name = "firmly";
+  protocol.factors["force"].levels = {std::string("stroking"), std::string("firmly")};
+  protocol.blocks.at("main").crossed.push_back("force");
+  protocol.blocks.at("main").anchor["force"] = std::string("stroking");
+  protocol.blocks.at("main").exploration = {.factor = "force"};
+  const Plan plan = make_plan(protocol, {.seed = 5, .counterbalance_row = 0});
+  for (std::size_t i = 6; i < plan.trials.size(); ++i) {
+    EXPECT_EQ(exploration_of(protocol, plan.trials[i]).name,
+              text_of(plan.trials[i].factors.at("force")));
+  }
+}
+
 TEST(Plan, IsTheSameForTheSameSeedAndAnotherForAnother) {
   const Protocol protocol = library("improved_selection");
   EXPECT_EQ(text_of_plan(make_plan(protocol, {7, 0})), text_of_plan(make_plan(protocol, {7, 0})));

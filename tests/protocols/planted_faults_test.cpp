@@ -179,7 +179,7 @@ const Fault kForm[] = {
     {"unknown_key", R"("version": "1.0.0",)", R"("version": "1.0.0", "zebra": 1,)", R"("zebra")",
      "/zebra", "there is no key"},
     {"unknown_kind", R"("kind": "selection")", R"("kind": "ranking")", R"("ranking")", "/kind",
-     R"("selection", "matching" or "recognition")"},
+     R"("selection", "matching", "recognition" or "magnitude")"},
     {"near_choice", R"("order": "shuffle")", R"("order": "shufle")", R"("shufle")",
      "/blocks/main/order", R"(did you mean "shuffle"?)"},
     {"version", R"("version": "1.0.0")", R"("version": "1.0")", R"("1.0")", "/version",
@@ -498,6 +498,53 @@ TEST(PlantedFaults, WhatIsNoJsonTextAtAllGetsASentence) {
         << text.substr(0, 40) << " → " << problems[0].message;
   }
 }
+
+class PlantedInMagnitude : public testing::TestWithParam<Fault> {};
+TEST_P(PlantedInMagnitude, IsRefusedAtItsPlace) {
+  expect_complaint(planted(library("roughness_diameter"), GetParam()), GetParam());
+}
+INSTANTIATE_TEST_SUITE_P(
+    Faults, PlantedInMagnitude,
+    testing::Values(
+        Fault{"NoEstimation", R"("estimation": {"spacing": "texture", "condition": "tip"},)", "",
+              R"("magnitude")", "/kind", "add the key \"estimation\""},
+        Fault{"AnUnknownSpacing", R"("spacing": "texture",)", R"("spacing": "textur",)",
+              R"("textur",)", "/estimation/spacing", "did you mean \"texture\"?"},
+        Fault{"SpacingAndConditionInOne", R"("condition": "tip")", R"("condition": "texture")",
+              R"("texture"})", "/estimation/condition", "one and the same factor"},
+        Fault{"ATextureWithoutSpacing", R"("spacing_m": 0.0005,)", "",
+              R"({
+      "height_field": "stimuli/wave_05.png")",
+              "/textures/spacing_05", "give it a \"spacing_m\""},
+        Fault{"SpacingsThatAreNoTextures", R"("spacing": "texture",)", R"("spacing": "tip",)",
+              R"("sphere_1mm", "sphere_2mm")", "/factors/tip/levels/0",
+              "neither a number nor a texture"},
+        Fault{"AMixedCondition", R"("crossed": ["texture"])", R"("crossed": ["texture", "tip"])",
+              R"({
+      "phase": "main")",
+              "/blocks/main", "run this block for_each level of \"tip\""},
+        Fault{"AConditionThatNothingSets", R"("for_each": "tip",)", "", R"({
+      "phase": "main")",
+              "/blocks/main", "nothing sets the condition \"tip\""},
+        Fault{"AnAnchorOfAnotherFactor", R"("anchor": {"texture": "spacing_14"})",
+              R"("anchor": {"texture": "spacing_14", "tip": "sphere_1mm"})",
+              R"("tip": "sphere_1mm"})", "/blocks/main/anchor/tip", "and nothing else"},
+        Fault{"AnAnchorOfNoLevel", R"("anchor": {"texture": "spacing_14"})",
+              R"("anchor": {"texture": "spacing_15"})", R"("spacing_15"})",
+              "/blocks/main/anchor/texture", "is not a level of the factor"},
+        Fault{"ACannotTell", R"("allow_revisit": false)",
+              R"("allow_revisit": false, "allow_cannot_tell": true)", R"(true},
+      "exploration")",
+              "/blocks/practice/question/allow_cannot_tell", "every surface gets a number"},
+        Fault{"Feedback", R"("exploration": "stroking")",
+              R"("exploration": "stroking", "feedback": "correctness")", R"("correctness")",
+              "/blocks/practice/feedback", "no answer of a magnitude is right or wrong"},
+        Fault{"LevelsThatAreNoExplorations", R"("exploration": "stroking")",
+              R"("exploration": {"factor": "texture"})", R"("spacing_05", "spacing_07")",
+              "/factors/texture/levels/0", "there is no exploration \"spacing_05\""},
+        Fault{"AnExpectation", R"("magnitude_of": "lateral_force",)", R"("expectation": "prior",)",
+              R"("prior")", "/observer/expectation", "expects \"none\""}),
+    [](const auto& given) { return given.param.name; });
 
 TEST(PlantedFaults, ColumnsCountCharactersNotBytes) {
   const auto problems = problems_of("{\"ä\": 1, \"ö\": x}");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <boost/math/distributions/binomial.hpp>
 
@@ -37,6 +38,36 @@ std::pair<double, double> bounds(int trials, double probability) {
 
 const std::vector<ForceFeatures> kFour{features(-4.0), features(-3.0), features(-2.0),
                                        features(-1.0)};
+
+ForceFeatures felt_with(double roughness) {
+  ForceFeatures features{};
+  features.roughness = roughness;
+  features.size = -1.0;
+  return features;
+}
+
+TEST(VirtualObserver, SaysNumbersThatGrowWithThePowerOfTheFeltForce) {
+  ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0};
+  exact.exponent = 2.0;
+  const NumberHabit habit{.modulus = 100.0, .digits = 2};
+  VirtualObserver observer(exact, Random(1));
+  EXPECT_EQ(observer.estimate(felt_with(0.0), habit), 100.0);
+  EXPECT_EQ(observer.estimate(felt_with(std::log(0.5)), habit), 25.0);
+  EXPECT_EQ(observer.estimate(felt_with(std::log(0.0123)), habit), 0.015);  // 0.015129
+  exact.magnitude_of = ObserverDeclaration::MagnitudeOf::normal_force;
+  EXPECT_EQ(VirtualObserver(exact, Random(1)).estimate(felt_with(0.0), habit), 14.0);  // 100/e²
+}
+
+TEST(VirtualObserver, HasNumberHabitsOfThePerson) {
+  std::set<double> moduli{};
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const NumberHabit habit = number_habit_of(Random(seed));
+    EXPECT_GE(habit.modulus, 10.0);
+    EXPECT_LT(habit.modulus, 1000.0);
+    moduli.insert(habit.modulus);
+  }
+  EXPECT_EQ(moduli.size(), 20U);
+}
 
 TEST(VirtualObserver, WithoutNoiseSelectsTheNearestWhereverItIs) {
   VirtualObserver observer(ideal(), Random(1));

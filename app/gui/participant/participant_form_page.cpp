@@ -77,10 +77,20 @@ QString ParticipantPage::range_text(const Question& question) {
 }
 
 void ParticipantPage::form_number(const Question& question) {
-  const bool signed_number = !question.minimum || *question.minimum < 0.0;
+  const bool is_signed = !question.minimum || *question.minimum < 0.0;
+  number_pad(range_text(question), is_signed ? Sign::minus : Sign::none);
+}
+
+bool ParticipantPage::is_enough_for_number(double height) const {
+  const double gap = px(kGap) / 2.0;
+  const double pad = 4.0 * em(44.0) + 3.0 * gap;
+  const double above = tall(kChip) + em(2.0 * kLine) + gap;
+  return height >= pad + (is_wide() ? 0.0 : above);
+}
+
+void ParticipantPage::number_pad(const QString& range, Sign sign) {
   const double gap = px(kGap) / 2.0;
   const double key_width = std::min(em(104.0), std::floor((body_.width() - 2.0 * gap) / 3.0));
-  const QString range = range_text(question);
   // Beside the pad, or above it.
   const double beside = body_.width() - (3.0 * key_width + 2.0 * gap) - px(3 * kGap);
   QSizeF shown(std::min(em(320.0), is_wide() ? beside : body_.width()), tall(kChip));
@@ -146,7 +156,7 @@ void ParticipantPage::form_number(const Question& question) {
     };
     if (is_erase) {
       add_key(rect, key, {.what = Action::What::erase});
-    } else if (key == "." && signed_number) {
+    } else if (key == "." && sign == Sign::minus) {
       const QRectF half = rect.adjusted(0.0, 0.0, -(rect.width() + gap) / 2.0, 0.0);
       add_key(half, key, {.what = Action::What::write, .text = key});
       add_key(half.translated((rect.width() + gap) / 2.0, 0.0), QStringLiteral("−"),
@@ -164,15 +174,11 @@ void ParticipantPage::form() {
   }
   const Question& question = *scene_.question;
   const auto is_enough = [&](double height) {
-    const double gap = px(kGap) / 2.0;
     switch (question.form) {
       case Question::Form::choice:
         return option_rows(question, height).fits;
-      case Question::Form::number: {
-        const double pad = 4.0 * em(44.0) + 3.0 * gap;
-        const double above = tall(kChip) + em(2.0 * kLine) + gap;
-        return height >= pad + (is_wide() ? 0.0 : above);
-      }
+      case Question::Form::number:
+        return is_enough_for_number(height);
       case Question::Form::text:
         return height >= em(104.0);
     }

@@ -13,6 +13,15 @@ using Scene = ParticipantScene;
 
 QString upper(const std::string& text) { return QString::fromStdString(text).toUpper(); }
 
+std::optional<Action> typed_into_number(int key, const QString& typed, const QString& signs) {
+  if (key == Qt::Key_Backspace) return Action{.what = Action::What::erase};
+  if (typed == ",") return Action{.what = Action::What::write, .text = "."};
+  if (typed.size() == 1 && signs.contains(typed)) {
+    return Action{.what = Action::What::write, .text = typed};
+  }
+  return {};
+}
+
 }  // namespace
 
 QString key_of_form_option(int number) {
@@ -40,6 +49,9 @@ std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, in
         return Action{.what = Action::What::confirm};
       }
       if (key == Qt::Key_Space) return Action{.what = Action::What::next};
+      if (scene.takes_number) {
+        if (auto action = typed_into_number(key, typed, "0123456789.")) return action;
+      }
       if (typed.isEmpty()) return {};
       for (std::size_t i = 0; i < scene.choices.size(); ++i) {
         if (upper(scene.choices[i].key) == typed) {
@@ -77,12 +89,7 @@ std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, in
         return {};
       }
       if (scene.question->form != Question::Form::number) return {};
-      if (key == Qt::Key_Backspace) return Action{.what = Action::What::erase};
-      if (typed == ",") return Action{.what = Action::What::write, .text = "."};
-      if (typed.size() == 1 && QStringLiteral("0123456789.-").contains(typed)) {
-        return Action{.what = Action::What::write, .text = typed};
-      }
-      return {};
+      return typed_into_number(key, typed, "0123456789.-");
     }
     case Scene::Kind::feedback:
     case Scene::Kind::paused:

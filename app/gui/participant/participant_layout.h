@@ -20,7 +20,7 @@ namespace asperity {
 struct ParticipantDraft {
   std::optional<int> surface{};  ///< of an assignment: picked by hand, from 1
   std::optional<int> option{};   ///< of a form
-  QString number{};              ///< of a form, as typed
+  QString number{};              ///< of a form or a trial, as typed
   QString text{};                ///< of a form, as written
 };
 

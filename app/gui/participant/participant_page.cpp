@@ -165,7 +165,8 @@ void ParticipantPage::controls() {
       add_control(tr("Enough of this surface"), space_key, next, false);
       break;
     case Scene::Kind::question:
-      add_control(tr("Confirm"), return_key, confirm, scene_.can_confirm);
+      add_control(tr("Confirm"), return_key, confirm,
+                  scene_.takes_number ? !inputs_.draft.number.isEmpty() : scene_.can_confirm);
       if (scene_.can_switch) add_control(again_text(), space_key, next, false);
       if (shows_pictures()) answers_in_words_as_controls();
       break;

@@ -174,6 +174,10 @@ class ParticipantPage final {
   OptionRows option_rows(const Question& question, double height) const;
   void form_choice(const Question& question);
   void form_number(const Question& question);
+  enum class Sign { none, minus };
+  /// What was typed, and the keys that type it; `range` says what may be.
+  void number_pad(const QString& range, Sign sign);
+  bool is_enough_for_number(double height) const;
   static QString range_text(const Question& question);
   Item answer_in_words(std::size_t index) const;
 

@@ -393,6 +393,13 @@ bool ParticipantPage::is_enough_for_question(double height) const {
 }
 
 void ParticipantPage::question() {
+  if (scene_.takes_number) {
+    const bool is_answered_here =
+        question_over(scene_text(), [this](double height) { return is_enough_for_number(height); });
+    pages_ = std::max(pages_, question_pages_ + 1);
+    if (is_answered_here) number_pad(tr("Any number above 0"), Sign::none);
+    return;
+  }
   const bool answers =
       question_over(scene_text(), [this](double height) { return is_enough_for_question(height); });
   pages_ = std::max(pages_, question_pages_ + 1);

@@ -36,7 +36,9 @@ bool same_question(const Scene& one, const Scene& other) {
   const auto name = [](const Scene& scene) {
     return scene.question ? scene.question->name : std::string();
   };
-  return one.kind == other.kind && one.text == other.text && name(one) == name(other);
+  // A number that is to be checked stays in its field under other words.
+  const bool same_text = one.text == other.text || (one.takes_number && other.takes_number);
+  return one.kind == other.kind && same_text && name(one) == name(other);
 }
 
 bool same_answer(const Scene& one, const Scene& other) {
@@ -451,7 +453,7 @@ void ParticipantView::mouseReleaseEvent(QMouseEvent* event) {
   } else {
     return;
   }
-  if (scene_->kind == Scene::Kind::form) return;
+  if (is_typed()) return;
   tell({.kind = ParticipantInput::Kind::released,
         .text = "mouse button",
         .held_s = static_cast<double>(released_ns - press.time_ns) * 1e-9},
@@ -525,9 +527,14 @@ bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
   return true;
 }
 
+bool ParticipantView::is_typed() const {
+  return scene_->kind == Scene::Kind::form ||
+         (scene_->kind == Scene::Kind::question && scene_->takes_number);
+}
+
 // What is typed into a form may be private.
 void ParticipantView::release(const QString& key, std::int64_t pressed_ns, double held_s) {
-  if (scene_->kind == Scene::Kind::form) return;
+  if (is_typed()) return;
   tell({.kind = ParticipantInput::Kind::released, .text = key.toStdString(), .held_s = held_s},
        pressed_ns, "keyboard");
 }
@@ -579,13 +586,32 @@ void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
       }
       return;
     case Action::What::confirm:
-      tell({.kind = Kind::confirm}, time_ns, source);
+      if (is_typed()) {
+        tell({.kind = Kind::text, .text = draft_.number.toStdString()}, time_ns, source);
+      } else {
+        tell({.kind = Kind::confirm}, time_ns, source);
+      }
       return;
     case Action::What::write:
     case Action::What::erase:
+      write_number(action);
+      return;
     case Action::What::turn_to:
       return;
   }
+}
+
+void ParticipantView::write_number(const ParticipantAction& action) {
+  if (action.what == Action::What::erase) {
+    draft_.number.chop(1);
+  } else if (action.text == "-") {
+    // A minus changes the sign, wherever it is pressed.
+    draft_.number = draft_.number.startsWith('-') ? draft_.number.mid(1) : '-' + draft_.number;
+  } else if (draft_.number.size() < kLongestNumber &&
+             !(action.text == "." && draft_.number.contains('.'))) {
+    draft_.number += action.text;
+  }
+  turn_to(0);
 }
 
 void ParticipantView::act_on_form(const ParticipantAction& action, std::int64_t time_ns,
@@ -602,18 +628,8 @@ void ParticipantView::act_on_form(const ParticipantAction& action, std::int64_t 
       turn_to(0);
       return;
     case Action::What::write:
-      // A minus changes the sign, wherever it is pressed.
-      if (action.text == "-") {
-        draft_.number = draft_.number.startsWith('-') ? draft_.number.mid(1) : '-' + draft_.number;
-      } else if (draft_.number.size() < kLongestNumber &&
-                 !(action.text == "." && draft_.number.contains('.'))) {
-        draft_.number += action.text;
-      }
-      turn_to(0);
-      return;
     case Action::What::erase:
-      draft_.number.chop(1);
-      turn_to(0);
+      write_number(action);
       return;
     case Action::What::confirm: {
       QString text{};

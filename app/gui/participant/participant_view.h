@@ -128,6 +128,10 @@ class ParticipantView final : public QWidget {
   std::optional<std::size_t> item_at(QPointF page_point) const;
   QPointF to_page(QPointF point) const;
   void act(const ParticipantAction& action, std::int64_t time_ns, const char* source);
+  /// Into a number that is being typed.
+  void write_number(const ParticipantAction& action);
+  /// What is typed is the answer and nothing else of it is told.
+  bool is_typed() const;
   void act_on_form(const ParticipantAction& action, std::int64_t time_ns, const char* source);
   void tell(ParticipantInput input, std::int64_t time_ns, const char* source);
   bool is_text_form() const;

@@ -399,9 +399,8 @@ void SessionWindow::show_exploration() {
   explored_trial_ = shown_.trial;
   std::optional<Exploration> exploration{};
   if (const Trial* trial = trial_now()) {
-    const auto block = facts_->protocol->blocks.find(trial->block);
-    if (block != facts_->protocol->blocks.end() && !block->second.exploration.empty()) {
-      exploration = facts_->protocol->explorations.at(block->second.exploration);
+    if (facts_->protocol->blocks.contains(trial->block)) {
+      exploration = exploration_of(*facts_->protocol, *trial);
     }
   }
   plots_->set_exploration(exploration);

@@ -70,6 +70,8 @@ QString text_of_kind(ProtocolKind kind) {
       return QCoreApplication::translate("asperity::ShownText", "selection");
     case ProtocolKind::matching:
       return QCoreApplication::translate("asperity::ShownText", "matching");
+    case ProtocolKind::magnitude:
+      return QCoreApplication::translate("asperity::ShownText", "magnitude estimation");
     case ProtocolKind::recognition:
       break;
   }

@@ -299,6 +299,33 @@ TEST(ParticipantView, WritesNumbersWithAPointWhateverKeyWasPressed) {
   EXPECT_EQ(seat.last().text, "-1.5");
 }
 
+TEST(ParticipantView, WritesTheNumberOfATrialByKeyAndByPad) {
+  Seat seat{};
+  seat.show(scenes::magnitude());
+  seat.key(Qt::Key_1);
+  seat.key(Qt::Key_Minus);  // no magnitude has a sign
+  seat.click(Item::Kind::pad, "2");
+  seat.key(Qt::Key_Comma);
+  seat.key(Qt::Key_5);
+  EXPECT_TRUE(seat.inputs.empty());
+  seat.click(Item::Kind::control, "Confirm");
+  EXPECT_EQ(seat.last().kind, Kind::text);
+  EXPECT_EQ(seat.last().text, "12.5");
+}
+
+// What is to be checked stays in its field: a confirmation gives it once more.
+TEST(ParticipantView, KeepsANumberThatIsToBeChecked) {
+  Seat seat{};
+  seat.show(scenes::magnitude());
+  for (const Qt::Key key : {Qt::Key_5, Qt::Key_0, Qt::Key_0}) seat.key(key);
+  ParticipantScene doubted = scenes::magnitude();
+  doubted.text_saying = {.what = Saying::What::check_estimate, .code = "500"};
+  doubted.text = text_of(doubted.text_saying);
+  seat.show(doubted);
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().text, "500");
+}
+
 TEST(ParticipantView, TakesAChoiceOfAFormAfterConfirmation) {
   Seat seat{};
   seat.show(scenes::form_choice());

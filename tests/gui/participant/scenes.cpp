@@ -100,6 +100,15 @@ ParticipantScene selection(int count) {
   return scene;
 }
 
+ParticipantScene magnitude() {
+  ParticipantScene scene =
+      in_block(ParticipantScene::Kind::question, "How rough did this surface feel?");
+  scene.surfaces = surfaces(1);
+  scene.takes_number = true;
+  scene.response_open = true;
+  return scene;
+}
+
 ParticipantScene form_choice() {
   return of_question({.name = "hand_problems",
                       .prompt = "Do you have any trouble with your sense of touch, or with the "
@@ -183,6 +192,12 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   ParticipantScene from_memory = selection(6);
   from_memory.standard_picture.reset();
   scenes.emplace_back("selection-memory", from_memory);
+  scenes.emplace_back("magnitude", magnitude());
+  ParticipantScene doubted = magnitude();
+  doubted.text_saying = {.what = Saying::What::check_estimate, .code = "500"};
+  doubted.text = text_of(doubted.text_saying);
+  doubted.can_switch = true;
+  scenes.emplace_back("magnitude-checked", doubted);
   ParticipantScene feedback = in_block(ParticipantScene::Kind::feedback, "That was picture 4.");
   scenes.emplace_back("feedback", feedback);
   scenes.emplace_back("rest", rest(0));

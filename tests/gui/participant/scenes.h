@@ -21,6 +21,8 @@ ParticipantScene recognition(int count);
 ParticipantScene matching(int count);
 /// Selection: letters and "I cannot tell", with the picture of the material.
 ParticipantScene selection(int count);
+/// One surface, answered by a number.
+ParticipantScene magnitude();
 ParticipantScene form_choice();
 ParticipantScene form_number();
 ParticipantScene form_text();

@@ -1,0 +1,380 @@
+// Magnitude estimation: how rough a surface feels, by its spacing and by what is held within a block.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "analysis/number_text.h"
+#include "app/analyses/families.h"
+#include "app/analyses/reading_number.h"
+#include "app/analyses/study_findings.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kAnova = "anova";
+// Where a protocol has no condition, all estimates are of this one.
+constexpr const char* kOneCondition = "all";
+
+/// One number with the names that tables give to what it is of.
+struct Estimated {
+  std::uint32_t person = 0;
+  std::string condition{};
+  std::string spacing{};  ///< metres
+  double estimate = 0.0;
+};
+
+std::optional<double> spacing_in(const GatheredAnswers& gathered, const std::string& level) {
+  const auto texture = gathered.estimation.spacing_m.find(level);
+  return texture == gathered.estimation.spacing_m.end() ? number_in(level) : texture->second;
+}
+
+std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  std::vector<Estimated> estimates{};
+  for (const GatheredAnswer& answer : gathered.answers) {
+    const std::optional<double> spacing_m = spacing_in(gathered, gathered.word(answer.spacing));
+    const std::optional<double> estimate =
+        number_in(gathered.word(gathered.reply_of(answer).answer));
+    if (!spacing_m || !estimate || *spacing_m <= 0.0 || *estimate <= 0.0) continue;
+    const std::string& condition = gathered.word(answer.column);
+    estimates.push_back({.person = answer.person,
+                         .condition = condition.empty() ? kOneCondition : condition,
+                         .spacing = number_text(*spacing_m),
+                         .estimate = *estimate});
+  }
+  const std::size_t left_out = gathered.answers.size() - estimates.size();
+  if (left_out > 0) {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Answers that are no number above 0, or whose spacing the protocol does not say, "
+               "which are left out: %1.")
+            .with(std::to_string(left_out)));
+  }
+  if (gathered.count.anchors > 0) {
+    outcome.remarks.push_back(
+        phrase("Analysis", "Numbers given to anchors, which are not analysed: %1.")
+            .with(std::to_string(gathered.count.anchors)));
+  }
+  return estimates;
+}
+
+/// In ascending order of what they say, where that is a number.
+std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
+                                   std::string Estimated::*name) {
+  std::vector<std::string> levels{};
+  for (const Estimated& one : estimates) levels.push_back(one.*name);
+  std::sort(levels.begin(), levels.end(), [](const std::string& a, const std::string& b) {
+    const auto first = number_in(a);
+    const auto second = number_in(b);
+    return first && second ? *first < *second : a < b;
+  });
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+std::string csv_cell(const std::string& text) {
+  std::string cell = "\"";
+  for (const char sign : text) cell += sign == '"' ? "\"\"" : std::string(1, sign);
+  return cell + '"';
+}
+
+TidyInput curves_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates) {
+  std::string text = "subject,probe,spacing,estimate\n";
+  for (const Estimated& one : estimates) {
+    text += csv_cell(gathered.people[one.person].label) + ',' + csv_cell(one.condition) + ',' +
+            one.spacing + ',' + number_text(one.estimate) + '\n';
+  }
+  TidyInput input{};
+  input.tables.emplace_back(text, "the estimates");
+  input.options.add("zero_rule", json_text("exclude"));
+  input.options.add("normalisation", json_text("geomean"));
+  return input;
+}
+
+/// Of the logarithms: raw estimates, whose scale is a participant's own and no part of any effect.
+TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
+                      const std::vector<std::string>& conditions,
+                      const std::vector<std::string>& spacings) {
+  std::string text = "subject,condition,spacing,y\n";
+  for (const Estimated& one : estimates) {
+    text += csv_cell(gathered.people[one.person].label) + ',' + csv_cell(one.condition) + ',' +
+            one.spacing + ',' + number_text(std::log10(one.estimate)) + '\n';
+  }
+  TidyInput input{};
+  input.tables.emplace_back(text, "the estimates");
+  std::string within = "{";
+  if (conditions.size() > 1) within += "\"condition\": " + json_list(conditions) + ", ";
+  input.options.add("within", within + "\"spacing\": " + json_list(spacings) + '}');
+  return input;
+}
+
+std::string cell_key(const std::string& condition, const std::string& spacing) {
+  return condition + '|' + spacing;
+}
+
+/// By condition and spacing: logarithms of the estimates of each person.
+using Cells = std::map<std::tuple<std::uint32_t, std::string, std::string>, std::vector<double>>;
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates,
+                   const std::vector<std::string>& conditions,
+                   const std::vector<std::string>& spacings, const FoundNumbers& found,
+                   AnalysisOutcome& outcome) {
+  Cells cells{};
+  for (const Estimated& one : estimates) {
+    cells[{one.person, one.condition, one.spacing}].push_back(std::log10(one.estimate));
+  }
+  NamedTable curves{
+      kRoughness,
+      phrase("Analysis", "Roughness by spacing and condition"),
+      {{"condition", "spacing_m", "persons", "normalised", "normalised_low", "normalised_high",
+        "raw"},
+       {}},
+      phrase("Analysis",
+             "Geometric means. normalised: each participant's own scale taken out, by the mean of "
+             "the logarithms of all cells; its interval is Student's, of the logarithms. raw: "
+             "participants as they count.")};
+  NamedTable persons{
+      "estimates",
+      phrase("Analysis", "Estimates of each participant"),
+      {{"person", "condition", "spacing_m", "answers", "raw", "normalised"}, {}},
+      phrase("Analysis",
+             "Geometric means over repetitions. A participant without an estimate in every cell is "
+             "not normalised and takes no part in curves and tests.")};
+  for (const std::string& condition : conditions) {
+    for (const std::string& spacing : spacings) {
+      std::vector<double> raw{};
+      for (std::uint32_t person = 0; person < gathered.people.size(); ++person) {
+        const auto cell = cells.find({person, condition, spacing});
+        if (cell == cells.end()) continue;
+        raw.push_back(mean_of(cell->second));
+        const std::string& label = gathered.people[person].label;
+        persons.table.rows.push_back(
+            {label, condition, *number_in(spacing), static_cast<std::int64_t>(cell->second.size()),
+             std::pow(10.0, raw.back()),
+             found.cell("norm.estimate", label + '|' + cell_key(condition, spacing))});
+      }
+      if (raw.empty()) continue;
+      const auto [low, high] = found.interval("geomean", cell_key(condition, spacing));
+      curves.table.rows.push_back({condition, *number_in(spacing),
+                                   static_cast<std::int64_t>(raw.size()),
+                                   found.cell("geomean", cell_key(condition, spacing)), low, high,
+                                   std::pow(10.0, mean_of(raw))});
+    }
+  }
+  outcome.tables.push_back(std::move(curves));
+  outcome.tables.push_back(std::move(persons));
+}
+
+/// A count, which is read without decimals.
+Cell whole_cell(const FoundNumbers& found, const char* quantity, const std::string& key) {
+  const std::optional<double> value = found.value(quantity, key);
+  return value ? Cell{static_cast<std::int64_t>(std::llround(*value))} : Cell{};
+}
+
+void add_peaks(const std::vector<std::string>& conditions, const FoundNumbers& found,
+               AnalysisOutcome& outcome) {
+  NamedTable peaks{
+      "peaks",
+      phrase("Analysis", "Where it is roughest: a parabola per condition"),
+      {{"condition", "status", "peak_m", "peak_m_low", "peak_m_high", "fieller_m_low",
+        "fieller_m_high", "height", "descending", "inverted_u", "other"},
+       {}},
+      phrase("Analysis",
+             "Parabolas of the logarithms over the logarithm of the spacing, one per participant; "
+             "the peak is that of their mean, its interval by the delta method, and Fieller's "
+             "beside it. The last three columns count the participants' own curves.")};
+  for (const std::string& condition : conditions) {
+    const Finding* status = found.find("peak.status", condition);
+    if (status == nullptr) continue;
+    const auto [low, high] = found.interval("peak", condition);
+    peaks.table.rows.push_back(
+        {condition, status->word == "ok" ? Cell{} : Cell{status->word},
+         found.cell("peak", condition), low, high, found.cell("peak.fieller.lower", condition),
+         found.cell("peak.fieller.upper", condition), found.cell("peak.height", condition),
+         whole_cell(found, "curve.descending", condition),
+         whole_cell(found, "curve.inverted_u", condition),
+         whole_cell(found, "curve.other", condition)});
+  }
+  if (!peaks.table.rows.empty()) outcome.tables.push_back(std::move(peaks));
+  NamedTable shifts{"peak_ratios",
+                    phrase("Analysis", "How far the peaks lie apart"),
+                    {{"first", "second", "ratio", "ratio_low", "ratio_high", "p"}, {}},
+                    phrase("Analysis",
+                           "Spacing of the first peak over that of the second, the same "
+                           "participants in both; delta method. p is not adjusted.")};
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    for (std::size_t j = i + 1; j < conditions.size(); ++j) {
+      for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
+        const std::string key = conditions[a] + '|' + conditions[b];
+        if (found.find("peakratio", key) == nullptr) continue;
+        const auto [low, high] = found.interval("peakratio", key);
+        shifts.table.rows.push_back({conditions[a], conditions[b], found.cell("peakratio", key),
+                                     low, high, found.cell("peakratio.p", key)});
+      }
+    }
+  }
+  if (!shifts.table.rows.empty()) outcome.tables.push_back(std::move(shifts));
+}
+
+/// With the correction of Greenhouse and Geisser, where there is anything to be corrected.
+const Finding* p_of(const FoundNumbers& found, const std::string& effect) {
+  const Finding* corrected = found.find("p.GG", effect);
+  return corrected != nullptr ? corrected : found.find("p", effect);
+}
+
+constexpr std::array<std::pair<const char*, const char*>, 3> kEffects{
+    {{"condition", "condition"}, {"spacing", "spacing"}, {"interaction", "condition:spacing"}}};
+
+void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
+  NamedTable table{kAnova,
+                   phrase("Analysis", "Analysis of variance of the logarithms"),
+                   {{"effect", "df1", "df2", "F", "epsilon", "p", "partial_eta_squared"}, {}},
+                   phrase("Analysis",
+                          "Every participant in every cell, replicates averaged. p: F corrected by "
+                          "epsilon of Greenhouse and Geisser, where an effect has more than one "
+                          "degree of freedom.")};
+  for (const auto& [name, effect] : kEffects) {
+    const Finding* p = p_of(found, effect);
+    if (p == nullptr) continue;
+    table.table.rows.push_back({name, whole_cell(found, "df1", effect),
+                                whole_cell(found, "df2", effect), found.cell("F", effect),
+                                found.cell("eps.GG", effect), cell_of(p->value),
+                                found.cell("pes", effect)});
+  }
+  if (!table.table.rows.empty()) outcome.tables.push_back(std::move(table));
+}
+
+void ask_effect(const char* name, const Phrase& question, const FoundNumbers& found,
+                const StudyTests& tests, AnalysisOutcome& outcome) {
+  const StudyTests::Test* test = tests.find(name);
+  if (test == nullptr || !test->p) return;
+  const std::string effect =
+      std::string_view(name) == "interaction" ? "condition:spacing" : std::string(name);
+  const auto filled = [&](const Phrase& text) {
+    return text.with(fixed(found.value("F", effect).value_or(0.0), 2), p_text(*test));
+  };
+  const Sayings sayings{filled(phrase("Analysis", "It does: F = %1, %2.")),
+                        filled(phrase("Analysis", "Nothing shows that it does: F = %1, %2.")),
+                        filled(phrase("Analysis", "F = %1, %2."))};
+  add_question(outcome, name, question, said_of(*test, sayings),
+               phrase("Analysis",
+                      "Analysis of variance of the logarithms with repeated measures, corrected by "
+                      "epsilon of Greenhouse and Geisser."),
+               kAnova, found.find("F", effect));
+}
+
+void ask_peaks(const std::vector<std::string>& conditions, const FoundNumbers& found,
+               AnalysisOutcome& outcome) {
+  Phrase answer{};
+  const Finding* first = nullptr;
+  for (const std::string& condition : conditions) {
+    const Finding* peak = found.find("peak", condition);
+    const Finding* status = found.find("peak.status", condition);
+    if (status == nullptr) continue;
+    if (first == nullptr) first = peak != nullptr ? peak : status;
+    Phrase one{};
+    if (peak != nullptr && peak->value && peak->low && peak->high) {
+      one = phrase("Analysis", "%1: at %2 (95 % interval %3 to %4)")
+                .with(condition, reading_quantity(*peak->value, "m"),
+                      reading_quantity(*peak->low, "m"), reading_quantity(*peak->high, "m"));
+    } else if (status->word == "outside_range") {
+      one = phrase("Analysis", "%1: not within the tested spacings").with(condition);
+    } else {
+      one = phrase("Analysis", "%1: nowhere, the curve does not bend down").with(condition);
+    }
+    answer = answer.empty() ? one : phrase("Analysis", "%1; %2").with(answer, one);
+  }
+  if (answer.empty()) return;
+  add_question(
+      outcome, "peaks", phrase("Analysis", "At which spacing does it feel roughest?"),
+      answer.as_sentence(),
+      phrase("Analysis",
+             "The peak of the mean of the participants' parabolas, in logarithms; interval "
+             "by the delta method."),
+      "peaks", first);
+}
+
+void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& found,
+               AnalysisOutcome& outcome) {
+  constexpr std::array kTypes{"curve.descending", "curve.inverted_u", "curve.other"};
+  std::array<double, 3> counts{};
+  for (const std::string& condition : conditions) {
+    for (std::size_t i = 0; i < kTypes.size(); ++i) {
+      counts[i] += found.value(kTypes[i], condition).value_or(0.0);
+    }
+  }
+  if (counts[0] + counts[1] + counts[2] <= 0.0) return;
+  add_question(
+      outcome, "types", phrase("Analysis", "Which shapes do the participants' own curves have?"),
+      phrase("Analysis",
+             "Of the participants' curves, all conditions together, %1 descend, %2 are an inverted "
+             "U, and %3 are neither.")
+          .with(fixed(counts[0], 0), fixed(counts[1], 0), fixed(counts[2], 0)),
+      phrase("Analysis",
+             "By the slopes of each participant's own parabola at the smallest and the largest "
+             "spacing, without a test."),
+      "peaks", found.find(kTypes[0], conditions.front()));
+}
+
+}  // namespace
+
+void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
+  const std::vector<Estimated> estimates = estimates_in(gathered, outcome);
+  if (estimates.empty()) return;
+  const std::vector<std::string> conditions = levels_of(estimates, &Estimated::condition);
+  const std::vector<std::string> spacings = levels_of(estimates, &Estimated::spacing);
+  const std::vector<Finding> roughness =
+      analysis_of(kRoughness, "magnitude", curves_table(gathered, estimates));
+  const std::vector<Finding> anova =
+      analysis_of(kAnova, "rmanova", anova_table(gathered, estimates, conditions, spacings));
+  const FoundNumbers found(roughness);
+  const FoundNumbers found_anova(anova);
+  add_estimates(gathered, estimates, conditions, spacings, found, outcome);
+  add_peaks(conditions, found, outcome);
+  add_anova(found_anova, outcome);
+  if (const Finding* incomplete = found.find("subjects.incomplete");
+      incomplete != nullptr && incomplete->word != "none") {
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "Participants without an estimate in every cell, who take no part in curves and "
+               "tests: %1.")
+            .with(incomplete->word));
+  }
+  StudyTests tests(gathered);
+  const Finding* no_anova = found_anova.find("status");
+  for (const auto& [name, effect] : kEffects) {
+    if (conditions.size() < 2 && std::string_view(name) != "spacing") continue;
+    const Finding* p = p_of(found_anova, effect);
+    tests.add(name, "", p != nullptr ? p : no_anova);
+  }
+  for (const Finding* ratio : found.all("peakratio.p")) tests.add("peaks", ratio->key, ratio);
+  tests.finish(outcome);
+  ask_effect("spacing", phrase("Analysis", "Does roughness depend on the spacing?"), found_anova,
+             tests, outcome);
+  ask_effect("condition", phrase("Analysis", "Does roughness depend on the condition?"),
+             found_anova, tests, outcome);
+  ask_effect("interaction",
+             phrase("Analysis", "Does the curve over spacings depend on the condition?"),
+             found_anova, tests, outcome);
+  ask_peaks(conditions, found, outcome);
+  ask_types(conditions, found, outcome);
+  keep_findings(roughness, outcome);
+  keep_findings(anova, outcome);
+}
+
+}  // namespace asperity
