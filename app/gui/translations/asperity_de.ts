@@ -643,6 +643,122 @@
         <source>No pair stands out: of %1 pairs each was confused %2 times in both directions, and none more often.</source>
         <translation>Kein Paar fällt auf: Von %1 Paaren wurde jedes %2-mal in beiden Richtungen verwechselt, keines öfter.</translation>
     </message>
+    <message>
+        <source>Answers that are no number above 0, or whose spacing the protocol does not say, which are left out: %1.</source>
+        <translation>Antworten, die keine Zahl über 0 sind oder deren Abstand das Protokoll nicht nennt, ausgelassen: %1.</translation>
+    </message>
+    <message>
+        <source>Numbers given to anchors, which are not analysed: %1.</source>
+        <translation>Zahlen für Anker, nicht ausgewertet: %1.</translation>
+    </message>
+    <message>
+        <source>Roughness by spacing and condition</source>
+        <translation>Rauheit nach Abstand und Bedingung</translation>
+    </message>
+    <message>
+        <source>Geometric means. normalised: each participant&apos;s own scale taken out, by the mean of the logarithms of all cells; its interval is Student&apos;s, of the logarithms. raw: participants as they count.</source>
+        <translation>Geometrische Mittel. normiert: ohne den eigenen Maßstab der Versuchsperson (Mittel der Logarithmen aller Zellen); Intervall nach Student, der Logarithmen. roh: Versuchspersonen, wie sie zählen.</translation>
+    </message>
+    <message>
+        <source>Estimates of each participant</source>
+        <translation>Schätzungen der einzelnen Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>Geometric means over repetitions. A participant without an estimate in every cell is not normalised and takes no part in curves and tests.</source>
+        <translation>Geometrische Mittel über Wiederholungen. Wem eine Schätzung in einer Zelle fehlt, wird nicht normiert und fehlt in Kurven und Tests.</translation>
+    </message>
+    <message>
+        <source>Where it is roughest: a parabola per condition</source>
+        <translation>Wo es am rauesten ist: eine Parabel je Bedingung</translation>
+    </message>
+    <message>
+        <source>Parabolas of the logarithms over the logarithm of the spacing, one per participant; the peak is that of their mean, its interval by the delta method, and Fieller&apos;s beside it. The last three columns count the participants&apos; own curves.</source>
+        <translation>Parabeln der Logarithmen über dem Logarithmus des Abstands, eine je Versuchsperson; der Gipfel ist der ihres Mittels, sein Intervall nach der Delta-Methode, daneben das von Fieller. Die letzten drei Spalten zählen die eigenen Kurven der Versuchspersonen.</translation>
+    </message>
+    <message>
+        <source>How far the peaks lie apart</source>
+        <translation>Wie weit die Gipfel auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>Spacing of the first peak over that of the second, the same participants in both; delta method. p is not adjusted.</source>
+        <translation>Abstand des ersten Gipfels geteilt durch den des zweiten, dieselben Versuchspersonen; Delta-Methode. p nicht angepasst.</translation>
+    </message>
+    <message>
+        <source>Analysis of variance of the logarithms</source>
+        <translation>Varianzanalyse der Logarithmen</translation>
+    </message>
+    <message>
+        <source>Every participant in every cell, replicates averaged. p: F corrected by epsilon of Greenhouse and Geisser, where an effect has more than one degree of freedom.</source>
+        <translation>Alle Versuchspersonen in jeder Zelle, Wiederholungen gemittelt. p: F mit Epsilon nach Greenhouse und Geisser, wo ein Effekt mehr als einen Freiheitsgrad hat.</translation>
+    </message>
+    <message>
+        <source>It does: F = %1, %2.</source>
+        <translation>Ja: F = %1, %2.</translation>
+    </message>
+    <message>
+        <source>Nothing shows that it does: F = %1, %2.</source>
+        <translation>Nichts zeigt das: F = %1, %2.</translation>
+    </message>
+    <message>
+        <source>F = %1, %2.</source>
+        <translation>F = %1, %2.</translation>
+    </message>
+    <message>
+        <source>Analysis of variance of the logarithms with repeated measures, corrected by epsilon of Greenhouse and Geisser.</source>
+        <translation>Varianzanalyse der Logarithmen mit Messwiederholung, mit Epsilon nach Greenhouse und Geisser.</translation>
+    </message>
+    <message>
+        <source>%1: at %2 (95 % interval %3 to %4)</source>
+        <translation>%1: bei %2 (95-%-Intervall %3 bis %4)</translation>
+    </message>
+    <message>
+        <source>%1: not within the tested spacings</source>
+        <translation>%1: nicht innerhalb der geprüften Abstände</translation>
+    </message>
+    <message>
+        <source>%1: nowhere, the curve does not bend down</source>
+        <translation>%1: nirgends, die Kurve biegt sich nicht nach unten</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>At which spacing does it feel roughest?</source>
+        <translation>Bei welchem Abstand fühlt es sich am rauesten an?</translation>
+    </message>
+    <message>
+        <source>The peak of the mean of the participants&apos; parabolas, in logarithms; interval by the delta method.</source>
+        <translation>Gipfel des Mittels der Parabeln der Versuchspersonen, in Logarithmen; Intervall nach der Delta-Methode.</translation>
+    </message>
+    <message>
+        <source>Which shapes do the participants&apos; own curves have?</source>
+        <translation>Welche Formen haben die Kurven der einzelnen Versuchspersonen?</translation>
+    </message>
+    <message>
+        <source>Of the participants&apos; curves, all conditions together, %1 descend, %2 are an inverted U, and %3 are neither.</source>
+        <translation>Von diesen Kurven, alle Bedingungen zusammen, fallen %1, sind %2 ein umgekehrtes U und %3 keines von beiden.</translation>
+    </message>
+    <message>
+        <source>By the slopes of each participant&apos;s own parabola at the smallest and the largest spacing, without a test.</source>
+        <translation>Nach den Steigungen der eigenen Parabel jeder Versuchsperson am kleinsten und am größten Abstand, ohne Test.</translation>
+    </message>
+    <message>
+        <source>Participants without an estimate in every cell, who take no part in curves and tests: %1.</source>
+        <translation>Versuchspersonen ohne Schätzung in jeder Zelle, nicht in Kurven und Tests: %1.</translation>
+    </message>
+    <message>
+        <source>Does roughness depend on the spacing?</source>
+        <translation>Hängt die Rauheit vom Abstand ab?</translation>
+    </message>
+    <message>
+        <source>Does roughness depend on the condition?</source>
+        <translation>Hängt die Rauheit von der Bedingung ab?</translation>
+    </message>
+    <message>
+        <source>Does the curve over spacings depend on the condition?</source>
+        <translation>Hängt die Kurve über die Abstände von der Bedingung ab?</translation>
+    </message>
 </context>
 <context>
     <name>AnalysisWords</name>
@@ -906,6 +1022,78 @@
         <source>why there is none</source>
         <translation>warum es keinen gibt</translation>
     </message>
+    <message>
+        <source>condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>descending</source>
+        <translation>fallend</translation>
+    </message>
+    <message>
+        <source>df₁</source>
+        <translation>df₁</translation>
+    </message>
+    <message>
+        <source>df₂</source>
+        <translation>df₂</translation>
+    </message>
+    <message>
+        <source>effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>ε</source>
+        <translation>ε</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Fieller, m, 95 %</source>
+        <translation>Fieller, m, 95 %</translation>
+    </message>
+    <message>
+        <source>inverted U</source>
+        <translation>umgekehrtes U</translation>
+    </message>
+    <message>
+        <source>normalised</source>
+        <translation>normiert</translation>
+    </message>
+    <message>
+        <source>normalised, 95 %</source>
+        <translation>normiert, 95 %</translation>
+    </message>
+    <message>
+        <source>partial η²</source>
+        <translation>partielles η²</translation>
+    </message>
+    <message>
+        <source>peak, m, 95 %</source>
+        <translation>Gipfel, m, 95 %</translation>
+    </message>
+    <message>
+        <source>peak, m</source>
+        <translation>Gipfel, m</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>ratio, 95 %</source>
+        <translation>Verhältnis, 95 %</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>roh</translation>
+    </message>
+    <message>
+        <source>spacing, m</source>
+        <translation>Abstand, m</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -1139,6 +1327,30 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>spacing by condition</source>
+        <translation>Abstand mal Bedingung</translation>
+    </message>
+    <message>
+        <source>peaks</source>
+        <translation>Gipfel</translation>
+    </message>
+    <message>
+        <source>spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>the curve does not bend down</source>
+        <translation>die Kurve biegt sich nicht nach unten</translation>
+    </message>
+    <message>
+        <source>not within the tested spacings</source>
+        <translation>nicht innerhalb der geprüften Abstände</translation>
     </message>
 </context>
 <context>
@@ -1866,6 +2078,10 @@
         <source>Page %1 of %2</source>
         <translation>Seite %1 von %2</translation>
     </message>
+    <message>
+        <source>Any number above 0</source>
+        <translation>Jede Zahl über 0</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantWords</name>
@@ -1960,6 +2176,14 @@
     <message>
         <source>Please wait %1 more seconds.</source>
         <translation>Bitte warten Sie noch %1 Sekunden.</translation>
+    </message>
+    <message>
+        <source>A number above 0 is needed, such as 7 or 0.5.</source>
+        <translation>Bitte eine Zahl über 0, etwa 7 oder 0,5.</translation>
+    </message>
+    <message>
+        <source>Please check the number %1: give it once more, or the one that you meant.</source>
+        <translation>Bitte prüfen Sie die Zahl %1: Geben Sie sie noch einmal ein oder die, die Sie meinten.</translation>
     </message>
 </context>
 <context>
@@ -6115,6 +6339,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>simulated clock</source>
         <translation>simulierte Uhr</translation>
+    </message>
+    <message>
+        <source>magnitude estimation</source>
+        <translation>Größenschätzung</translation>
     </message>
 </context>
 <context>
