@@ -303,7 +303,7 @@ std::vector<Parameter> parameters() {
 ForceModel pd_gradient_model() {
   ModelDeclaration declaration{
       .id = "pd_gradient",
-      .version = "4",
+      .version = "5",
       .summary = "Two textured meshes in six degrees of freedom: the gradient of penetration depth",
       .source =
           "Otaduy, Jain, Sud, Lin (2004), Haptic display of interaction between textured models, "

@@ -19,7 +19,7 @@ constexpr double kSteepestSlope = 1.7320508075688772;  // of a surface as far fr
 // In cells: each of two grids has a sample within 0.71 of a peak.
 constexpr double kSamePlace = 1.5;
 constexpr double kNone = 1e-9;  // what rounding leaves of a share
-constexpr double kAlike = 0.5;  // of a depth: what may be the same contact's
+constexpr double kAlike = 0.1;  // of a force: what a share changes by in a millisecond
 
 bool is_finite(const Pose& pose) noexcept {
   double sum = 0.0;
@@ -70,6 +70,11 @@ bool are_at_one_place(const TexturedContact& one, const TexturedContact& other) 
   const double cell_m = std::max(one.grid.spacing_m(), other.grid.spacing_m());
   return are_felt_alike(one, other) &&
          glm::distance(deepest_m(one), deepest_m(other)) <= kSamePlace * cell_m;
+}
+
+/// Whether it is felt less deep than it is.
+bool is_cut_short(const TexturedContact& contact) noexcept {
+  return contact.penetration.depth_m < contact.sampled_depth_m;
 }
 
 /// The larger of both ways across n.
@@ -306,6 +311,7 @@ double TexturedContacts::most_depth_m(const TexturedContact& contact, const Pose
 // Where the deepest place is at a rim, the way from there to where a body ends is another one with every
 // sample that it goes on: a bound falls at once, and rises as what is doubtful is believed.
 double TexturedContacts::most_after_m(const TexturedContact& contact) const noexcept {
+  if (contact.is_fading) return std::numeric_limits<double>::infinity();
   for (const TexturedContact& last : before_) {
     if (last.id != contact.id || !is_felt(last) || !last.is_bounded || last.is_fading) continue;
     return last.penetration.depth_m + kReachGrowth_m_per_s * dt_s_;
@@ -341,9 +347,9 @@ std::size_t TexturedContacts::successor_of(const TexturedContact& last) const no
 
 // The contact of the tick before that goes on as this one, of those of which it is the successor. Where
 // others joined it, that is the one whose deepest place is nearest to its own; none has its share where
-// that place was in no window before.
-std::size_t TexturedContacts::heir_of(std::size_t contact,
-                                      const Successors& successors) const noexcept {
+// that place was in no window before, or where it would be felt otherwise under another name.
+std::size_t TexturedContacts::heir_of(std::size_t contact, const Successors& successors,
+                                      const Pose& a, const Pose& b) const noexcept {
   const TexturedContact& now = contacts_[contact];
   std::size_t heir = kMostContacts;
   std::size_t nearest = kMostContacts;
@@ -363,18 +369,38 @@ std::size_t TexturedContacts::heir_of(std::size_t contact,
   const TexturedContact& last = before_[heir];
   const glm::dvec3 way_m = last.frame.to_frame(deepest_m(now) - last.frame.origin_m);
   const bool was_seen = std::max(std::abs(way_m.x), std::abs(way_m.y)) <= 0.5 * last.grid.width_m;
-  return was_seen ? heir : kMostContacts;
+  if (!was_seen || (last.id != now.id && !is_felt_on(last, now, a, b))) return kMostContacts;
+  return is_cut_off(last, now, a, b) ? kMostContacts : heir;
 }
 
-// Of what was one contact, what is nearest to its deepest place, and about as deep there, has its share.
-void TexturedContacts::part(const TexturedContact& last, std::size_t heir, Begun& begun) noexcept {
-  const double depth_m = last.penetration.depth_m;
+// Whether a contact pushes as the one before would, if that one's deepest place, which goes with A, went
+// along its gradient.
+bool TexturedContacts::is_felt_on(const TexturedContact& last, const TexturedContact& now,
+                                  const Pose& a, const Pose& b) const noexcept {
+  const ContactFrame frame = gone_on(last, a, b).frame;
+  const glm::dvec3 place_m = a.rotation * in_body(a_before_, deepest_m(last)) + a.position_m;
+  const glm::dvec3 stayed_m = b.rotation * in_body(b_before_, deepest_m(last)) + b.position_m;
+  const glm::dvec3 gradient = frame.to_world({last.penetration.slope, -1.0});
+  const double depth_m = last.penetration.depth_m + glm::dot(gradient, place_m - stayed_m);
+  const glm::dvec3 gradient_now = now.frame.to_world({now.penetration.slope, -1.0});
+  return glm::distance(now.penetration.depth_m * gradient_now, depth_m * gradient) <=
+         kAlike * now.penetration.depth_m + kReachGrowth_m_per_s * dt_s_;
+}
+
+// Whether the bound of a depth is another one, so that it falls at once.
+bool TexturedContacts::is_cut_off(const TexturedContact& last, const TexturedContact& now,
+                                  const Pose& a, const Pose& b) const noexcept {
+  return (is_cut_short(last) || is_cut_short(now)) && !is_felt_on(last, now, a, b);
+}
+
+// Of what was one contact, what is nearest to its deepest place, and pushes as it did, has its share.
+void TexturedContacts::part(const TexturedContact& last, std::size_t heir, const Pose& a,
+                            const Pose& b, Begun& begun) noexcept {
   std::size_t nearest = heir;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const TexturedContact& contact = contacts_[i];
     if (!begun[i] || i == heir || !is_felt(contact)) continue;
-    if (std::abs(contact.penetration.depth_m - depth_m) > kAlike * depth_m) continue;
-    if (!is_part_of(contact.frame, last)) continue;
+    if (!is_part_of(contact.frame, last) || !is_felt_on(last, contact, a, b)) continue;
     if (glm::distance(deepest_m(contact), deepest_m(last)) <
         glm::distance(deepest_m(contacts_[nearest]), deepest_m(last))) {
       nearest = i;
@@ -449,7 +475,7 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
   bool parts = false;
   for (std::size_t i = 0; i < now; ++i) {
     TexturedContact& contact = contacts_[i];
-    heirs[i] = contact.is_doubtful ? kMostContacts : heir_of(i, successors);
+    heirs[i] = contact.is_doubtful ? kMostContacts : heir_of(i, successors, a, b);
     bool had_any = contact.is_doubtful;
     for (std::size_t j = 0; j < before_.size(); ++j) {
       const TexturedContact& last = before_[j];
@@ -468,7 +494,7 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
     }
   }
   for (std::size_t i = 0; parts && i < now; ++i) {
-    if (heirs[i] < kMostContacts) part(before_[heirs[i]], i, begun);
+    if (heirs[i] < kMostContacts) part(before_[heirs[i]], i, a, b, begun);
   }
   for (std::size_t i = 0; !are_apart && i < before_.size(); ++i) {
     const TexturedContact& last = before_[i];
@@ -477,9 +503,8 @@ void TexturedContacts::blend(const Pose& a, const Pose& b, bool are_apart) noexc
   }
 }
 
-// Where its window shows what another contact feels already, it stays at its own place. If it is that one's
-// place too, it has what is left of its share; but what is fading for longer ends as it began, for another
-// contact whose deepest place has come there has just left its own.
+// Where its window shows what another contact feels already, or its bound is another one, it stays at its own
+// place.
 void TexturedContacts::fade(const TexturedContact& last, const Pose& a, const Pose& b) noexcept {
   const std::size_t others = contacts_.size();
   TexturedContact fading = gone_on(last, a, b);
@@ -494,10 +519,8 @@ void TexturedContacts::fade(const TexturedContact& last, const Pose& a, const Po
   };
   if (added.is_doubtful || std::any_of(before_it.begin(), before_it.end(), is_at_its_place)) {
     added.is_doubtful = !lead_on(added, last, a, b);
-  }
-  for (const TexturedContact& other : before_it) {
-    if (!last.is_fading && is_at_its_place(other))
-      added.share = std::min(added.share, 1.0 - other.share);
+  } else if (is_cut_off(last, added, a, b)) {
+    lead_on(added, last, a, b);
   }
   if (!is_felt(added) || added.share <= kNone) contacts_.pop_back();
 }

@@ -90,9 +90,9 @@ struct LeftOut {
 /// A contact that was deeper `is_bounded`: it has that depth, and slopes that are less by the same part
 /// (pressed_to), so that a wall's steepness is not multiplied with it. Thickness is that of the meshes,
 /// and none where a line meets nothing, beside a rim or in a hole. The bound is computed from what was
-/// sampled and changes no contact that keeps it. The force is continuous where the bound sets in; beyond,
-/// it can fall at once where the deepest place jumps, but a contact that was bounded gets no deeper than
-/// by `kReachGrowth_m_per_s`. A doubtful depth is doubted before it is bounded.
+/// sampled and changes no contact that keeps it. The force is continuous where the bound sets in. Beyond,
+/// the bound is another one where the deepest place jumps: it may fall at once, and what was felt fades
+/// (below), but rises by `kReachGrowth_m_per_s` at most. A doubtful depth is doubted before it is bounded.
 ///
 /// One place is felt once: a region in the window of a longer one whose n is within 60° is part of
 /// it; of two whose windows are as wide, the one that was felt stays the longer one. So are the inner
@@ -114,13 +114,16 @@ struct LeftOut {
 /// `kBlend_s`, however long a tick is: of contacts that become one, that goes on whose deepest place is the new one's and the others fade,
 /// each with its own window, or, where that shows what another one feels, from its own place along its
 /// gradient; of a contact that parts, the one that holds its deepest place goes on and the others rise.
+/// A contact goes on under another name, or with another bound, only where it pushes as the one before
+/// would, to a tenth of its force and what depth is believed in the time; else the old one fades and the new
+/// one rises.
 /// What was doubtful and is believed rises; a contact that is felt fades where it becomes doubtful or its
 /// curve is gone while the bodies cut or hold each other, as of one ball of two that goes wholly in.
 /// What a wider window holds beside what was felt rises likewise. So does a contact that is new and, as its
 /// deepest place has moved since, would have been felt in the tick before: that comes out of the other body
 /// where it was not felt. One that begins is felt wholly at once, from the depth of its first tick on.
 /// The sum of the shares is never above the number of contacts on either side, and at one place not above
-/// one, but while a share is fading where another contact's deepest place has come meanwhile. For that time the force
+/// one, but while a share is fading there. For that time the force
 /// depends on time too: it lags, and takes energy from a hand that presses contacts together and lifts
 /// them apart. On every path that was measured energy was taken and none given
 /// (textured_contacts_test.cpp).
@@ -188,11 +191,17 @@ class TexturedContacts final {
   /// Of each contact of the tick before, which of the present ones has its place.
   using Successors = std::array<std::size_t, kMostContacts>;
   std::size_t successor_of(const TexturedContact& last) const noexcept;
-  std::size_t heir_of(std::size_t contact, const Successors& successors) const noexcept;
+  std::size_t heir_of(std::size_t contact, const Successors& successors, const Pose& a,
+                      const Pose& b) const noexcept;
+  bool is_felt_on(const TexturedContact& last, const TexturedContact& now, const Pose& a,
+                  const Pose& b) const noexcept;
+  bool is_cut_off(const TexturedContact& last, const TexturedContact& now, const Pose& a,
+                  const Pose& b) const noexcept;
   double share_before(const TexturedContact& contact) const noexcept;
   Successors owners() const noexcept;
   bool was_deep(const TexturedContact& contact, const Pose& a, const Pose& b) const noexcept;
-  void part(const TexturedContact& last, std::size_t heir, Begun& begun) noexcept;
+  void part(const TexturedContact& last, std::size_t heir, const Pose& a, const Pose& b,
+            Begun& begun) noexcept;
   std::span<const std::uint32_t> triangles_in(const TexturedBody& body, const Pose& pose,
                                               const ContactFrame& frame, double outwards,
                                               const WindowBox& box,
