@@ -24,6 +24,7 @@ constexpr double kMostTilt = 0.03;  // sines: heights off the lattice's plane mo
 constexpr double kMostAwayFromN = 0.06;
 constexpr double kLeastFall = 0.8;  // at that angle, of a surface that is 73° from n
 constexpr double kMostOfBox = 1.0;  // of its half height: how far its ends may have gone since
+constexpr double kMostOtherLeaning = 0.05;  // of the cosine from which faces sink, at most 0.5
 constexpr double kMostTurnOfLanes = 2.0 / (kMostLanes - 1);  // 3 rows hold what lies along a row
 constexpr int kStepOfWindow = 4;                             // cells: a whole number of kBoundRows
 constexpr double kHurryWithoutHeights = 0.15;  // of the work: sampling anew costs as much
@@ -206,6 +207,8 @@ std::optional<CachedPenetration::Fit> CachedPenetration::fit(
   const double half_m = a.half_height_m;
   strained((std::abs(origin_m.z) + std::abs(half_m - place.half_height_m)) /
            (kMostOfBox * std::min(half_m, place.half_height_m)));
+  strained(std::abs(a.leaning_cosine - place.leaning_a) / kMostOtherLeaning);
+  strained(std::abs(b.leaning_cosine - place.leaning_b) / kMostOtherLeaning);
   strained(glm::length(glm::dvec2{n}) / kMostAwayFromN);
   strained(tilt / kMostTilt);
   strained(turn / (kMostTurnOfLanes - steps_.turn_rad));
@@ -357,6 +360,8 @@ void CachedPenetration::begin(const PackedPatch& a, const PackedPatch& b,
   place.lattice_in_a = after(inverse(a.pose), lattice);
   place.lattice_in_b = after(inverse(b.pose), lattice);
   place.half_height_m = a.half_height_m;
+  place.leaning_a = a.leaning_cosine;
+  place.leaning_b = b.leaning_cosine;
   place.covered = 0;
   place.folded = 0;
   place.deepest_block = 0;
@@ -392,14 +397,16 @@ void CachedPenetration::continue_work(double hurry) noexcept {
     case Step::idle:
       return;
     case Step::triangles_of_a:
-      prepare_triangles(*place.surface_a, work_.triangles_a, work_.pose_a, -1.0, Step::rows_of_a,
-                        share(kTrianglesInACall, 2 * static_cast<int>(work_.triangles_a.size() +
-                                                                      work_.triangles_b.size())));
+      prepare_triangles(
+          *place.surface_a, work_.triangles_a, work_.pose_a, -1.0, place.leaning_a, Step::rows_of_a,
+          share(kTrianglesInACall,
+                2 * static_cast<int>(work_.triangles_a.size() + work_.triangles_b.size())));
       return;
     case Step::triangles_of_b:
-      prepare_triangles(*place.surface_b, work_.triangles_b, work_.pose_b, 1.0, Step::rows_of_b,
-                        share(kTrianglesInACall, 2 * static_cast<int>(work_.triangles_a.size() +
-                                                                      work_.triangles_b.size())));
+      prepare_triangles(
+          *place.surface_b, work_.triangles_b, work_.pose_b, 1.0, place.leaning_b, Step::rows_of_b,
+          share(kTrianglesInACall,
+                2 * static_cast<int>(work_.triangles_a.size() + work_.triangles_b.size())));
       return;
     case Step::rows_of_a:
       sample_rows(*place.surface_a, kept(place.a, span_of_a_),
@@ -422,15 +429,16 @@ void CachedPenetration::continue_work(double hurry) noexcept {
 
 void CachedPenetration::prepare_triangles(const PackedSurface& surface,
                                           const std::vector<std::uint32_t>& triangles,
-                                          const Pose& pose, double outwards, Step next,
-                                          int most) noexcept {
+                                          const Pose& pose, double outwards, double leaning_cosine,
+                                          Step next, int most) noexcept {
   const ToWindow window = to_window(pose, work_.frame, lattice_, outwards);
   const FieldEnds ends{.first = 0, .end = lattice_.samples};
   const std::size_t end =
       std::min(triangles.size(), work_.next_triangle + static_cast<std::size_t>(most));
   for (; work_.next_triangle < end; ++work_.next_triangle) {
-    const auto triangle = sampled_triangle(surface.triangles()[triangles[work_.next_triangle]],
-                                           window, ends, surface.step_m());
+    const auto triangle =
+        sampled_triangle(surface.triangles()[triangles[work_.next_triangle]], window, ends,
+                         {.cosine = leaning_cosine, .window_m = grid().width_m}, surface.step_m());
     if (triangle) triangles_[triangle_count_++] = *triangle;
   }
   if (work_.next_triangle < triangles.size()) return;

@@ -47,10 +47,11 @@ struct CachedSettings {
 ///
 /// Heights are sampled anew, some rows in a call, when the bodies have moved half as far as they may:
 /// a quarter of the window along it, 0.03 rad of tilt, 0.13 rad of turning less the step of the
-/// differences, 0.06 rad between the asked n and the kept one, and by its half height for either end of
-/// the box in which triangles are looked for (PackedPatch::half_height_m, the same for both): what was
-/// outside of it then is not in the heights. Until they are there the kept ones serve; where none serve,
-/// PenetrationSampler does. A place that no contact comes back to is the
+/// differences, 0.06 rad between the asked n and the kept one, by 0.05 for the cosines from which faces sink
+/// (PackedPatch::leaning_cosine), and by its half height for either end of the box in which triangles are
+/// looked for (PackedPatch::half_height_m, the same for both): what was outside of it then is not in the
+/// heights. Until they are there the kept ones serve; where none serve, PenetrationSampler does. A place
+/// that no contact comes back to is the
 /// first to be given up.
 ///
 /// Reading between samples shaves peaks. Bodies that have drifted as far as they may, against
@@ -104,6 +105,8 @@ class CachedPenetration final {
     Pose lattice_in_a{};  // axes u, v, n and the middle, in the mesh's frame
     Pose lattice_in_b{};
     double half_height_m = 0.0;  // of the box that its triangles were chosen by
+    double leaning_a = 0.0;      // the cosines of the patches
+    double leaning_b = 0.0;
     BodyHeights a{};
     BodyHeights b{};
     int covered = 0;
@@ -153,7 +156,8 @@ class CachedPenetration final {
   double hurry(double strain) noexcept;
   void continue_work(double hurry) noexcept;
   void prepare_triangles(const PackedSurface& surface, const std::vector<std::uint32_t>& triangles,
-                         const Pose& pose, double outwards, Step next, int most) noexcept;
+                         const Pose& pose, double outwards, double leaning_cosine, Step next,
+                         int most) noexcept;
   void sample_rows(const PackedSurface& surface, const KeptHeights& heights, int rows) noexcept;
   void count_covered(Place& place, int first_row, int end_row) noexcept;
 

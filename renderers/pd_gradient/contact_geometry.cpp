@@ -3,6 +3,7 @@
 #include "renderers/pd_gradient/contact_geometry.h"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -28,6 +29,13 @@ glm::dvec3 ContactFrame::to_frame(const glm::dvec3& world) const noexcept {
 
 glm::dvec3 ContactFrame::to_world(const glm::dvec3& frame) const noexcept {
   return frame.x * u + frame.y * v + frame.z * n;
+}
+
+double sunk_m(double cosine, double leaning_cosine, double window_m) noexcept {
+  if (cosine >= leaning_cosine) return 0.0;
+  const double left = cosine - 0.5 * leaning_cosine;
+  if (left <= 0.0) return std::numeric_limits<double>::infinity();
+  return 0.5 * window_m * (leaning_cosine - cosine) / left;
 }
 
 void require_sound(const ContactFrame& frame) {

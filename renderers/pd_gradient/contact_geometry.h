@@ -57,6 +57,11 @@ struct ContactPatch {
 /// and is left out: |cosine| of the angle between its plane's normal and n, 88.9°.
 inline constexpr double kSteepest_cosine = 0.02;
 
+/// How much lower than it is a face counts, by the cosine of the angle between its normal and n, in a window
+/// that is so wide: by nothing where the cosine is `leaning_cosine` or more, by half the window's width
+/// at three quarters of that, and infinitely at half of it, where it is left out.
+double sunk_m(double cosine, double leaning_cosine, double window_m) noexcept;
+
 /// Throw std::invalid_argument with what is wrong: axes that are not orthonormal and right-handed to
 /// 1e-9; a window without width or with fewer than two samples; a mesh whose lists do not fit each
 /// other, an atlas without a texel or with other than rows × columns values, a number that is not

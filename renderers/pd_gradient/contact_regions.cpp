@@ -202,7 +202,8 @@ void ContactRegions::add_up() noexcept {
     const Segment& segment = segments_[pair];
     sum.length_m += segment.length_m;
     sum.middles += segment.length_m * 0.5 * (segment.ends_m[0] + segment.ends_m[1]);
-    sum.normals += segment.length_m * segment.normals;
+    sum.normals_a += segment.length_m * segment.normal_a;
+    sum.normals_b += segment.length_m * segment.normal_b;
     ++sum.pairs;
   }
 }
@@ -211,7 +212,7 @@ void ContactRegions::keep_longest() noexcept {
   const std::size_t all = sums_.size();
   std::erase_if(sums_, [](const Sum& sum) {
     return !(sum.length_m > 0.0) ||
-           !(glm::length(sum.normals) > kSmallestDirection * 2.0 * sum.length_m);
+           !(glm::length(sum.normals_b - sum.normals_a) > kSmallestDirection * 2.0 * sum.length_m);
   });
   std::sort(sums_.begin(), sums_.end(), [](const Sum& one, const Sum& other) {
     return std::pair(-one.length_m, one.root) < std::pair(-other.length_m, other.root);
@@ -271,7 +272,7 @@ std::span<const ContactRegion> ContactRegions::update(std::span<const TrianglePa
     }
     const glm::dvec3 p_normal = a.rotation * a_.normals[pair.a];
     const glm::dvec3 q_normal = b.rotation * b_.normals[pair.b];
-    Segment segment{.normals = q_normal - p_normal};
+    Segment segment{.normal_a = p_normal, .normal_b = q_normal};
     const glm::dvec3 along = glm::cross(p_normal, q_normal);
     const Interval of_p = cut(p, q_normal, q[0], along);
     const Interval of_q = cut(q, p_normal, p[0], along);
@@ -292,13 +293,16 @@ std::span<const ContactRegion> ContactRegions::update(std::span<const TrianglePa
   lasts_.clear();
   for (const Sum& sum : sums_) {
     const glm::dvec3 origin_m = sum.middles / sum.length_m;
-    const glm::dvec3 n = glm::normalize(sum.normals);
+    const glm::dvec3 n = glm::normalize(sum.normals_b - sum.normals_a);
     const ContactRegion* last = before(origin_m);
     lasts_.push_back(last);
     kept_.push_back({.id = last == nullptr ? next_id_++ : last->id,
                      .frame = last == nullptr ? first_frame(origin_m, n, b.rotation)
                                               : led_frame(last->frame, origin_m, n),
                      .pairs = sum.pairs});
+    ContactRegion& region = kept_.back();
+    region.upright_a = -glm::dot(sum.normals_a, region.frame.n) / sum.length_m;
+    region.upright_b = glm::dot(sum.normals_b, region.frame.n) / sum.length_m;
   }
   find_half_extents();
   for (std::size_t i = 0; i < kept_.size(); ++i) {

@@ -23,6 +23,9 @@ struct ContactRegion {
   /// Half of the smallest such width, but of kSmallestWidth_m at least; without steps.
   double half_extent_m = 0.0;
   std::size_t pairs = 0;
+  /// How upright the faces stand along the curve: n_b·n and −n_a·n, their means by length.
+  double upright_a = 1.0;
+  double upright_b = 1.0;
 };
 
 /// Groups the pairs of intersecting triangles into contacts and gives each its direction n.
@@ -90,13 +93,15 @@ class ContactRegions final {
   /// What two triangles have in common.
   struct Segment {
     glm::dvec3 ends_m[2]{glm::dvec3(0.0), glm::dvec3(0.0)};
-    glm::dvec3 normals{0.0};  ///< n_b − n_a
+    glm::dvec3 normal_a{0.0};
+    glm::dvec3 normal_b{0.0};
     double length_m = 0.0;
   };
   struct Sum {
     double length_m = 0.0;
-    glm::dvec3 middles{0.0};  ///< Σ Lᵢ mᵢ
-    glm::dvec3 normals{0.0};  ///< Σ Lᵢ (n_b − n_a)
+    glm::dvec3 middles{0.0};    ///< Σ Lᵢ mᵢ
+    glm::dvec3 normals_a{0.0};  ///< Σ Lᵢ n_a
+    glm::dvec3 normals_b{0.0};
     std::size_t pairs = 0;
     std::uint32_t root = 0;
   };

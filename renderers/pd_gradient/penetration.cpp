@@ -35,15 +35,19 @@ DifferenceSteps difference_steps(const SamplingGrid& grid, double step_m) noexce
           .turn_rad = 2.0 * step_m / grid.width_m};
 }
 
-Penetration pressed_to(double depth_m, const Penetration& found) noexcept {
-  const double part = depth_m / found.depth_m;
+Penetration flattened(double part, const Penetration& found) noexcept {
   Penetration result = found;
-  result.depth_m = depth_m;
   result.slope = part * found.slope;
   // At one place the lever is −r × (−h_u, −h_v, 1); what differences add to that shrinks as well.
   const glm::dvec3 rest_m =
       found.lever_m + glm::cross(found.deepest_m, glm::dvec3{-found.slope, 1.0});
   result.lever_m = part * rest_m - glm::cross(found.deepest_m, glm::dvec3{-result.slope, 1.0});
+  return result;
+}
+
+Penetration pressed_to(double depth_m, const Penetration& found) noexcept {
+  Penetration result = flattened(depth_m / found.depth_m, found);
+  result.depth_m = depth_m;
   return result;
 }
 

@@ -76,6 +76,9 @@ struct Penetration {
   bool at_window = false;
 };
 
+/// The same depth at the same place, slopes that are less by a part; what moving along n does stays.
+Penetration flattened(double part, const Penetration& found) noexcept;
+
 /// As if the heights were pressed together along n until the depth is `depth_m`, a part of what it is:
 /// slopes become less by that part, the deepest place and what moving along n does stay.
 Penetration pressed_to(double depth_m, const Penetration& found) noexcept;

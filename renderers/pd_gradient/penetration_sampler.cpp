@@ -104,8 +104,9 @@ int PenetrationSampler::sample(const PackedPatch& patch, const ContactFrame& fra
   std::size_t count = 0;
   for (const std::uint32_t index : patch.triangles) {
     assert(index < patch.surface.triangles().size());
-    const auto triangle =
-        sampled_triangle(patch.surface.triangles()[index], window, ends, patch.surface.step_m());
+    const auto triangle = sampled_triangle(
+        patch.surface.triangles()[index], window, ends,
+        {.cosine = patch.leaning_cosine, .window_m = grid_.width_m}, patch.surface.step_m());
     if (triangle) triangles_[count++] = *triangle;
   }
   const auto band = room_.size() / 4;

@@ -22,6 +22,8 @@ struct PackedPatch {
   /// What of the surface is further than that from the frame's origin along n, either way, may be left
   /// out; without another number, all that can be sampled is there.
   double half_height_m = 0.2;
+  /// Faces that lean further from n than this cosine says sink and are left out (sunk_m). 0: none.
+  double leaning_cosine = 0.0;
 };
 
 struct SamplerSettings {

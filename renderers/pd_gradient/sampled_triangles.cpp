@@ -74,6 +74,7 @@ ToWindow to_window(const Pose& pose, const ContactFrame& frame, const SamplingGr
 
 std::optional<SampledTriangle> sampled_triangle(const PackedSurface::Triangle& triangle,
                                                 const ToWindow& window, const FieldEnds& ends,
+                                                const LeaningFaces& leaning,
                                                 double texture_step_m) noexcept {
   const double lift_m = texture_step_m / kWeightOfTexture;
   std::array<glm::dvec3, 3> points;
@@ -91,6 +92,8 @@ std::optional<SampledTriangle> sampled_triangle(const PackedSurface::Triangle& t
   if (!(normal.z > 0.0 && normal.z * normal.z > kSteepest * glm::dot(normal, normal))) {
     return std::nullopt;
   }
+  const double sunk_by_m = sunk_m(normal.z / glm::length(normal), leaning.cosine, leaning.window_m);
+  if (!std::isfinite(sunk_by_m)) return std::nullopt;
 
   std::sort(corners.begin(), corners.end(), [](const WindowCorner& p, const WindowCorner& q) {
     return p.y < q.y || (p.y == q.y && p.x < q.x);
@@ -119,7 +122,8 @@ std::optional<SampledTriangle> sampled_triangle(const PackedSurface::Triangle& t
   };
   result.place_x = ramps.through(a.place_x, b.place_x, c.place_x);
   result.place_y = ramps.through(a.place_y, b.place_y, c.place_y);
-  result.height_m = ramps.through(points[0].z, points[1].z, points[2].z);
+  result.height_m =
+      ramps.through(points[0].z - sunk_by_m, points[1].z - sunk_by_m, points[2].z - sunk_by_m);
   result.lift_m = ramps.through(lift(a), lift(b), lift(c));
   return result;
 }

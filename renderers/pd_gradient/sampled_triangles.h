@@ -33,10 +33,17 @@ struct FieldEnds {
   int end = 0;
 };
 
+/// Which faces sink (sunk_m).
+struct LeaningFaces {
+  double cosine = 0.0;
+  double window_m = 0.0;
+};
+
 /// Nothing for a face that looks away, is a wall, or is not finite or far from the window.
 /// `texture_step_m`: of the surface's atlas.
 std::optional<SampledTriangle> sampled_triangle(const PackedSurface::Triangle& triangle,
                                                 const ToWindow& window, const FieldEnds& ends,
+                                                const LeaningFaces& leaning,
                                                 double texture_step_m) noexcept;
 
 /// Floats from one row of samples to the next: odd multiples of 16, as rows a power of two apart would

@@ -168,7 +168,9 @@ std::span<const TexturedContact> TexturedContacts::find(const Pose& a, const Pos
          .frame = region.frame,
          .width_m = region.width_m,
          .half_extent_m = region.half_extent_m,
-         .half_height_m = half_height_m(region.width_m, depth_before_m(region))},
+         .half_height_m = half_height_m(region.width_m, depth_before_m(region)),
+         .leaning_a = std::clamp(region.upright_a, 0.0, kAgreement),
+         .leaning_b = std::clamp(region.upright_b, 0.0, kAgreement)},
         a, b);
   }
   const bool were_in_contact =
@@ -263,7 +265,9 @@ TexturedContact TexturedContacts::gone_on(const TexturedContact& last, const Pos
                     .n = turned * last.frame.n},
           .width_m = last.width_m,
           .half_extent_m = last.half_extent_m,
-          .half_height_m = half_height_m(last.width_m, last.sampled_depth_m)};
+          .half_height_m = half_height_m(last.width_m, last.sampled_depth_m),
+          .leaning_a = last.leaning_a,
+          .leaning_b = last.leaning_b};
 }
 
 double TexturedContacts::most_depth_m(const TexturedContact& contact, const Pose& a,
@@ -563,8 +567,14 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   }
   WindowSamplers::Window& window = samplers_.window_for(contact.width_m);
   const SamplingGrid& grid = window.sampler.grid();
-  PackedPatch patch_a{.surface = a_.surface(), .pose = a, .half_height_m = contact.half_height_m};
-  PackedPatch patch_b{.surface = b_.surface(), .pose = b, .half_height_m = contact.half_height_m};
+  PackedPatch patch_a{.surface = a_.surface(),
+                      .pose = a,
+                      .half_height_m = contact.half_height_m,
+                      .leaning_cosine = contact.leaning_a};
+  PackedPatch patch_b{.surface = b_.surface(),
+                      .pose = b,
+                      .half_height_m = contact.half_height_m,
+                      .leaning_cosine = contact.leaning_b};
   if (window.sampler.needs_triangles(patch_a, patch_b, contact.frame)) {
     const WindowBox box{.half_width_m = 0.5 * window.sampler.patch_width_m(),
                         .half_height_m = contact.half_height_m};
@@ -578,13 +588,16 @@ void TexturedContacts::add(TexturedContact contact, const Pose& a, const Pose& b
   left_out_.depths += found && contact.is_doubtful ? 1 : 0;
   contact.sampled_depth_m = contact.penetration.depth_m;
   if (is_felt(contact)) {
+    const double most_m = std::min(most_depth_m(contact, a, b), most_after_m(contact));
+    if (most_m < contact.sampled_depth_m) {
+      contact.penetration = pressed_to(most_m, contact.penetration);
+      contact.is_bounded = true;
+    }
     const double slope = glm::length(contact.penetration.slope);
-    const double most_m =
-        std::min({most_depth_m(contact, a, b),
-                  contact.sampled_depth_m * std::min(1.0, kSteepestSlope / std::max(slope, 1.0)),
-                  most_after_m(contact)});
-    contact.is_bounded = most_m < contact.sampled_depth_m;
-    if (contact.is_bounded) contact.penetration = pressed_to(most_m, contact.penetration);
+    if (slope > kSteepestSlope) {
+      contact.penetration = flattened(kSteepestSlope / slope, contact.penetration);
+      contact.is_bounded = true;
+    }
   }
   contact.grid = grid;
   contact.is_coarse = window.is_coarse;

@@ -23,21 +23,23 @@ namespace asperity {
 
 /// One contact of a tick.
 struct TexturedContact {
-  std::uint64_t id = 0;           ///< the same from tick to tick while it is the same contact
-  ContactFrame frame{};           ///< in the world
-  double width_m = 0.0;           ///< of the region
-  SamplingGrid grid{};            ///< the window that was sampled, as wide or wider
-  Penetration penetration{};      ///< of no more depth than the bound (TexturedContacts)
-  double sampled_depth_m = 0.0;   ///< before it was bounded
-  double half_extent_m = 0.0;     ///< how far the curve reaches along u or v
-  bool is_bounded = false;        ///< deeper than the bodies are thick there
-  double share = 1.0;             ///< of its force that is felt; less while contacts part or join
-  bool is_fading = false;         ///< another contact took its place; its share falls to 0
-  bool is_kept = false;           ///< its curve is gone; the frame goes on from the tick before
-  bool is_coarse = false;         ///< sampled with a step that is longer than the declared one
-  double half_height_m = 0.0;     ///< of the box that its triangles touch
-  double reach_m = 0.0;           ///< as deep as it can be by now
-  bool is_doubtful = false;       ///< deeper than that: not to be felt
+  std::uint64_t id = 0;          ///< the same from tick to tick while it is the same contact
+  ContactFrame frame{};          ///< in the world
+  double width_m = 0.0;          ///< of the region
+  SamplingGrid grid{};           ///< the window that was sampled, as wide or wider
+  Penetration penetration{};     ///< of no more depth than the bound (TexturedContacts)
+  double sampled_depth_m = 0.0;  ///< before it was bounded
+  double half_extent_m = 0.0;    ///< how far the curve reaches along u or v
+  bool is_bounded = false;       ///< deeper than the bodies are thick there
+  double share = 1.0;            ///< of its force that is felt; less while contacts part or join
+  bool is_fading = false;        ///< another contact took its place; its share falls to 0
+  bool is_kept = false;          ///< its curve is gone; the frame goes on from the tick before
+  bool is_coarse = false;        ///< sampled with a step that is longer than the declared one
+  double half_height_m = 0.0;    ///< of the box that its triangles touch
+  double reach_m = 0.0;          ///< as deep as it can be by now
+  bool is_doubtful = false;      ///< deeper than that: not to be felt
+  double leaning_a = 0.0;        ///< the cosines from which A's and B's faces sink (sunk_m)
+  double leaning_b = 0.0;
   glm::dvec3 origin_in_a_m{0.0};  ///< where the frame's origin is on A, in A's own frame
 };
 
@@ -84,8 +86,11 @@ struct LeftOut {
 /// way round, δ goes no further than that place's own way out either: the sheet that it is in, not the
 /// one above. A contact that is kept has no curve: t_A or t_B, whichever is larger.
 ///
-/// Nor is n a direction of a surface that is more than 60° from it: where ∇δ across n is longer than
-/// tan 60°, as at a wall in the window, depth and slopes shrink until it is not.
+/// Nor is n a direction of a face that leans more than 60° from it: along the n of a floor a ball at the foot of
+/// a wall is as deep as the wall is high. Faces that lean further than that, and further than those along
+/// the curve do on average, as all of a needle do, therefore sink, and are left out at half of that cosine
+/// (sunk_m). A wall that is touched has a curve, and a contact along an n of its own. Where ∇δ across n is still
+/// longer than tan 60°, as beside a wall of a texture, slopes shrink until it is not; depth does not.
 ///
 /// A contact that was deeper `is_bounded`: it has that depth, and slopes that are less by the same part
 /// (pressed_to), so that a wall's steepness is not multiplied with it. Thickness is that of the meshes,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -315,6 +316,35 @@ TEST(CachedPenetration, SamplesAnewWhereTrianglesAreOfAnotherBox) {
   for (int i = 0; i < 100; ++i) ASSERT_NEAR(depth_m(1.2e-3), 1.1e-3, 1e-9) << i;
   EXPECT_GT(cached.kept_answers(), kept + 30U);
   ASSERT_NEAR(depth_m(0.4e-3), 0.1e-3, 1e-9);
+}
+
+// A plate at 65° sinks, and heights from before it did do not serve; as far from n as the cosine of all, or half
+// of it, it is all there or left out.
+TEST(CachedPenetration, LetsFacesSinkThatLeanFurtherThanTold) {
+  constexpr double kLeaning_rad = 65.0 * std::numbers::pi / 180.0;
+  const TexturedMesh tool =
+      formed_plate({.size_m = {20e-3, 20e-3}}, [](double, double) { return 0.0; });
+  const TexturedMesh ramp = formed_plate(
+      {.size_m = {20e-3, 20e-3}}, [](double x_m, double) { return std::tan(kLeaning_rad) * x_m; });
+  const PackedSurface a(tool);
+  const PackedSurface b(ramp);
+  const std::vector<std::uint32_t> triangles = all_triangles(tool);
+  CachedPenetration cached(settings_for(64, step_of(64, 1)));
+  const auto found = [&](double leaning_cosine) {
+    return cached.evaluate({.surface = a, .triangles = triangles, .pose = upside_down({})},
+                           {.surface = b, .triangles = triangles, .leaning_cosine = leaning_cosine},
+                           {});
+  };
+  const double cosine = std::cos(kLeaning_rad);
+  EXPECT_EQ(sunk_m(cosine, cosine, 8e-3), 0.0);
+  EXPECT_DOUBLE_EQ(sunk_m(cosine, cosine / 0.75, 8e-3), 4e-3);
+  const double all_m = found(cosine - 1e-6)->depth_m;
+  for (const double leaning_cosine : {0.5, 0.56, 0.0}) {
+    const double expected_m = all_m - sunk_m(cosine, leaning_cosine, cached.grid().width_m);
+    for (int i = 0; i < 100; ++i) EXPECT_NEAR(found(leaning_cosine)->depth_m, expected_m, 20e-9);
+  }
+  EXPECT_GT(cached.kept_answers(), 150U);
+  EXPECT_FALSE(found(2.01 * cosine).has_value());
 }
 
 // A slide over six windows' widths in which heights are sampled anew several times: nowhere is the
