@@ -8,6 +8,10 @@
 
 namespace asperity {
 
+bool is_inside(const AskedBand& band, double value) noexcept {
+  return (!band.minimum || value >= *band.minimum) && (!band.maximum || value <= *band.maximum);
+}
+
 std::optional<Compliance> compliance_of(std::span<const double> samples, const AskedBand& band) {
   if ((band.minimum && std::isnan(*band.minimum)) || (band.maximum && std::isnan(*band.maximum)) ||
       (band.minimum && band.maximum && *band.minimum > *band.maximum)) {
@@ -21,14 +25,18 @@ std::optional<Compliance> compliance_of(std::span<const double> samples, const A
   if (band.minimum || band.maximum) {
     std::size_t inside = 0;
     for (const double sample : samples) {
-      if ((!band.minimum || sample >= *band.minimum) &&
-          (!band.maximum || sample <= *band.maximum)) {
-        ++inside;
-      }
+      if (is_inside(band, sample)) ++inside;
     }
     compliance.fraction_inside = static_cast<double>(inside) / static_cast<double>(samples.size());
   }
   return compliance;
+}
+
+double PressingForce::take(double force_N, double duration_s) noexcept {
+  const double kept = kMemory_s / (kMemory_s + duration_s);
+  weighted_N_s_ = kept * weighted_N_s_ + duration_s * force_N;
+  weight_s_ = kept * weight_s_ + duration_s;
+  return weighted_N_s_ / weight_s_;
 }
 
 std::vector<StrokePassage> strokes_along(std::span<const double> position_m,

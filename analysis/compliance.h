@@ -18,6 +18,9 @@ struct AskedBand {
   std::optional<double> maximum{};
 };
 
+/// Whether a value belongs to the band.
+bool is_inside(const AskedBand& band, double value) noexcept;
+
 /// What one quantity was, and how often it was inside its band.
 ///
 /// The live display and the later analysis call this with the same samples in the same order, as
@@ -31,6 +34,28 @@ struct Compliance {
 /// Nothing for no samples. Throws std::invalid_argument for a sample that is not finite and for a
 /// band whose minimum is above its maximum or not a number.
 std::optional<Compliance> compliance_of(std::span<const double> samples, const AskedBand& band);
+
+/// How hard a hand presses on a surface whose texture makes the force ripple.
+///
+///   p_n = Σ w_i F_i / Σ w_i over the samples i = 1 … n of one contact,
+///   w_i = dt_i · Π τ / (τ + dt_j) over j = i + 1 … n,
+///
+/// F_i the normal force in N, dt_i the time since the sample before in s, τ = 0.2 s: the mean of the
+/// contact so far, of which the latest counts most. A steady force is known with its first sample;
+/// a ripple of f Hz is left with 1 / (2π f τ) of its amplitude in a contact much longer than τ.
+class PressingForce final {
+ public:
+  static constexpr double kMemory_s = 0.2;
+
+  /// The force in N, this sample included. `duration_s` is positive.
+  double take(double force_N, double duration_s) noexcept;
+  /// The contact is over: the next sample begins another.
+  void lift() noexcept { *this = {}; }
+
+ private:
+  double weighted_N_s_ = 0.0;
+  double weight_s_ = 0.0;
+};
 
 /// One passage in one direction: samples `begin` to `end`, both included, of the position.
 struct StrokePassage {

@@ -6,13 +6,11 @@
 
 #include "analysis/compliance.h"
 #include "analysis/summary.h"
+#include "app/conductor/contact_reader.h"
 
 namespace asperity {
 
 namespace {
-
-// Band limits are asked for along a stroke; a turn of the hand is no stroke.
-constexpr double kMoving_m_per_s = 0.010;
 
 bool belongs(const TickRecord& record, std::uint64_t presentation) {
   return record.presentation == presentation && record.has(TickFlag::presenting);
@@ -20,11 +18,6 @@ bool belongs(const TickRecord& record, std::uint64_t presentation) {
 
 bool touches(const TickRecord& record, std::uint64_t presentation) {
   return belongs(record, presentation) && record.penetration_m > 0.0;
-}
-
-double speed_of(const TickRecord& record) {
-  const glm::dvec3& velocity = record.probe.velocity_m_per_s;
-  return tangential_speed_m_per_s({velocity.x, velocity.y, velocity.z}, {0.0, 0.0, 1.0});
 }
 
 std::vector<double> sorted_seconds(std::vector<double> nanoseconds) {
@@ -132,6 +125,7 @@ void fill_times(std::span<const TickRecord> records, std::uint64_t presentation,
 std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
                                          std::uint64_t presentation, double rate_Hz,
                                          const Exploration& exploration) {
+  ContactReader reader{};
   std::vector<double> force_N{};
   std::vector<double> speed_m_per_s{};
   std::vector<double> stroke_lengths_m{};
@@ -151,15 +145,15 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
     if (belongs(record, presentation) && record.has(TickFlag::first_of_presentation)) {
       visit_ticks = 0;
     }
-    if (!touches(record, presentation)) {
+    const std::optional<HandSample> hand = reader.take(record);
+    if (!hand || hand->presentation != presentation) {
       end_of_contact();
       continue;
     }
     ++contact_ticks;
     longest_visit_ticks = std::max(longest_visit_ticks, ++visit_ticks);
-    const double speed = speed_of(record);
-    force_N.push_back(record.sent.force_N.z);
-    if (speed >= kMoving_m_per_s) speed_m_per_s.push_back(speed);
+    force_N.push_back(hand->pressing_N);
+    if (hand->is_stroking) speed_m_per_s.push_back(hand->speed_m_per_s);
     contact_position_m.push_back(cosine * record.probe.position_m.x +
                                  sine * record.probe.position_m.y);
   }

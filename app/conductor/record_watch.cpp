@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -13,8 +14,6 @@ namespace {
 constexpr auto kBin_ns = static_cast<std::int64_t>(SessionMonitor::kBin_s * 1e9);
 constexpr auto kHealth_ns = static_cast<std::int64_t>(RecordWatch::kHealth_s * 1e9);
 constexpr int kButtons = 32;
-// Records farther apart than this are not one movement.
-constexpr double kLongestStep_s = 0.1;
 
 double lateness_s(std::vector<std::int32_t>& sorted_ns, double fraction) {
   const auto last = static_cast<double>(sorted_ns.size() - 1);
@@ -49,14 +48,46 @@ void RecordWatch::take(const TickRecord& record) {
   take_into_bin(record);
 }
 
+void RecordWatch::Tally::add(double sample, const AskedBand& band) noexcept {
+  ++samples;
+  if (is_inside(band, sample)) ++inside;
+  const double from_mean = sample - mean;
+  mean += from_mean / static_cast<double>(samples);
+  squares += from_mean * (sample - mean);
+}
+
+QuantitySoFar RecordWatch::Tally::so_far(const AskedBand& band) const {
+  QuantitySoFar quantity{.samples = samples, .mean = mean};
+  if (samples > 1) quantity.sd = std::sqrt(squares / static_cast<double>(samples - 1));
+  if (samples > 0 && (band.minimum || band.maximum)) {
+    quantity.fraction_in_band = static_cast<double>(inside) / static_cast<double>(samples);
+  }
+  return quantity;
+}
+
+void RecordWatch::begin_attempt(const HandBands& bands) {
+  bands_ = bands;
+  presented_ = 0;
+  tallies_.clear();
+}
+
+HandSoFar RecordWatch::hand() const {
+  HandSoFar hand{.surface = static_cast<int>(presented_)};
+  if (const auto found = tallies_.find(presented_); found != tallies_.end()) {
+    hand.force_N = found->second.force_N.so_far(bands_.normal_force_N);
+    hand.speed_m_per_s = found->second.speed_m_per_s.so_far(bands_.speed_m_per_s);
+  }
+  return hand;
+}
+
 void RecordWatch::take_into_bin(const TickRecord& record) {
   const std::int64_t time_ns = record.probe.time_ns;
-  const double step_s = static_cast<double>(time_ns - last_ns_) * 1e-9;
-  last_ns_ = time_ns;
-  if (step_s > 0.0 && step_s < kLongestStep_s) {
-    pressing_N_ += (record.sent.force_N.z - pressing_N_) * step_s / (kPressing_s + step_s);
-  } else {
-    pressing_N_ = record.sent.force_N.z;
+  const std::optional<HandSample> hand = reader_.take(record);
+  if (record.has(TickFlag::presenting)) presented_ = record.presentation;
+  if (hand) {
+    HandTally& tally = tallies_[hand->presentation];
+    tally.force_N.add(hand->pressing_N, bands_.normal_force_N);
+    if (hand->is_stroking) tally.speed_m_per_s.add(hand->speed_m_per_s, bands_.speed_m_per_s);
   }
   if (bin_is_open_ && time_ns - bin_began_ns_ >= kBin_ns) {
     monitor_->add_bin(bin_);
@@ -80,7 +111,8 @@ void RecordWatch::take_into_bin(const TickRecord& record) {
   bin_.force_maximum_N = std::max(bin_.force_maximum_N, force_N);
   bin_.speed_minimum_m_per_s = std::min(bin_.speed_minimum_m_per_s, speed);
   bin_.speed_maximum_m_per_s = std::max(bin_.speed_maximum_m_per_s, speed);
-  bin_.pressing_N = static_cast<float>(pressing_N_);
+  bin_.pressing_N = hand ? hand->pressing_N : 0.0;
+  bin_.stroking_m_per_s = hand && hand->is_stroking ? hand->speed_m_per_s : 0.0;
   bin_.x_m = static_cast<float>(record.probe.position_m.x);
   bin_.y_m = static_cast<float>(record.probe.position_m.y);
   bin_.z_m = static_cast<float>(record.probe.position_m.z);

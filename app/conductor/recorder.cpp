@@ -25,9 +25,9 @@ void Recorder::drain(RecordRing& records, std::int64_t ahead_ns) {
   TickRecord raw{};
   while (records.pop(raw)) {
     raw.probe.time_ns += ahead_ns;
-    if (watch_ != nullptr) watch_->take(raw);
-    if (!open_) continue;
     const TickRecord record = as_recorded(raw);
+    if (watch_ != nullptr) watch_->take(record);
+    if (!open_) continue;
     records_.push_back(record);
     if (watched_ != 0 && record.presentation == watched_) {
       live_.presented = true;

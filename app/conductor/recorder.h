@@ -26,7 +26,7 @@ struct LiveContact {
 /// Takes the records out of the ring between `begin` and `finish`; throws them away otherwise. A
 /// watch sees them all.
 ///
-/// Every record that is kept is first made what its recording will give again (`as_recorded`).
+/// Every record is first made what its recording will give again (`as_recorded`).
 ///
 /// Errors: a recording that cannot be written (a full disk) does not disturb the loop: the attempt
 /// goes on in memory, and `finish` throws what the disk said.

@@ -136,8 +136,10 @@ void SessionCourse::publish_now() {
     health->lost_records = rig_.records().lost();
   }
   const MaskingState masking = masking_state();
+  const HandSoFar hand = watch_.hand();
   links_.monitor->update([&](SessionSnapshot& snapshot) {
     snapshot.now_ns = now;
+    snapshot.hand = hand;
     snapshot.fault = fault;
     snapshot.masking = masking;
     if (snapshot.surface != 0) snapshot.contact_s = contact_s;

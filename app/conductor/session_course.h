@@ -118,6 +118,8 @@ class SessionCourse final {
   /// What happened at the participant's side outside an attempt.
   void store_respondent_events();
   void begin_attempt();
+  /// From now on force and speed are counted against these.
+  void watch_hand(const HandBands& bands) { watch_.begin_attempt(bands); }
   /// Ends the attempt: what happened in it, in the order of time.
   std::vector<EventRow> take_attempt_events();
 

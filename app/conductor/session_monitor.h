@@ -98,6 +98,22 @@ struct LoopHealth {
   std::uint64_t saturated_ticks = 0;
 };
 
+/// One quantity of a contact so far, against its band.
+struct QuantitySoFar {
+  std::int64_t samples = 0;
+  double mean = 0.0;
+  double sd = 0.0;
+  std::optional<double> fraction_in_band{};  ///< absent without samples or band
+};
+
+/// How the hand has explored the surface that was presented last: what the attempt would be judged by
+/// if feeling ended now. Agrees with the stored compliance to 1e-9.
+struct HandSoFar {
+  int surface = 0;  ///< position; 0 before the first of an attempt
+  QuantitySoFar force_N{};
+  QuantitySoFar speed_m_per_s{};
+};
+
 /// The session at one moment.
 struct SessionSnapshot {
   std::uint64_t version = 0;  ///< grows with every change
@@ -111,7 +127,8 @@ struct SessionSnapshot {
   int surface = 0;            ///< position, from 1; 0 while none is felt
   double contact_s = 0.0;     ///< with the present surface
   double wanted_contact_s = 0.0;
-  int block = 0;  ///< 1-based; 0 outside blocks
+  HandSoFar hand{};  ///< stays until the next attempt begins
+  int block = 0;     ///< 1-based; 0 outside blocks
   int blocks = 0;
   int trials_done = 0;
   int trials = 0;
@@ -131,9 +148,12 @@ struct LiveBin {
   std::int64_t time_ns = 0;      ///< of its end
   float force_minimum_N = 0.0F;  ///< magnitude of the force that was sent
   float force_maximum_N = 0.0F;
-  float pressing_N = 0.0F;  ///< the normal force less its quick part (0.2 s): tells no texture
   float speed_minimum_m_per_s = 0.0F;
   float speed_maximum_m_per_s = 0.0F;
+  /// At its end, as the attempt is judged by: the pressing force, which tells no texture, and the speed
+  /// of a stroke. 0 without contact; a hand that turns or rests has no speed.
+  double pressing_N = 0.0;
+  double stroking_m_per_s = 0.0;
   float x_m = 0.0F;  ///< at its end
   float y_m = 0.0F;
   float z_m = 0.0F;

@@ -138,6 +138,8 @@ void TrialAttempt::prepare() {
         RecordingHeader{protocol.rate_Hz, recording_columns(), about.dump()});
   }
   course_.recorder().begin(std::move(writer), protocol.rate_Hz, course_.rig().records());
+  const auto asked = [](const Band& band) { return AskedBand{band.minimum, band.maximum}; };
+  course_.watch_hand({asked(exploration_.normal_force_N), asked(exploration_.speed_m_per_s)});
 }
 
 void TrialAttempt::carry_out() {

@@ -40,6 +40,21 @@ std::vector<double> through(const std::vector<double>& corners_m) {
   return position_m;
 }
 
+TEST(PressingForce, IsASteadyForceFromTheFirstSampleOn) {
+  PressingForce pressing;
+  EXPECT_DOUBLE_EQ(pressing.take(0.9, 1e-3), 0.9);
+  EXPECT_DOUBLE_EQ(pressing.take(0.9, 1e-3), 0.9);
+  pressing.lift();
+  EXPECT_DOUBLE_EQ(pressing.take(1.5, 1e-3), 1.5);  // nothing is left of the contact before
+}
+
+// Two samples of 0.2 s: the first has lost half of its weight, so that p = (1 + 2·4) / 3 = 3.
+TEST(PressingForce, ForgetsWhatIsOlderThanAFifthOfASecond) {
+  PressingForce pressing;
+  pressing.take(1.0, 0.2);
+  EXPECT_DOUBLE_EQ(pressing.take(4.0, 0.2), 3.0);
+}
+
 TEST(Strokes, AreCutAtTurningPoints) {
   const auto strokes = strokes_along(through({0.0, 0.06, 0.01, 0.07}));
   ASSERT_EQ(strokes.size(), 3U);

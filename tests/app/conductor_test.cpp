@@ -11,6 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/conductor/attempt_measures.h"
+#include "app/conductor/contact_reader.h"
 #include "app/conductor/form_answer.h"
 #include "app/conductor/recording_columns.h"
 #include "app/conductor/terminal_respondent.h"
@@ -181,6 +183,129 @@ TEST_F(ConductorTest, AsksATrialAgainAtTheEndOfTheBlock) {
   std::vector<int> trials{};
   for (const AttemptDone& done : done_) trials.push_back(done.trial);
   EXPECT_EQ(trials, (std::vector<int>{1, 2, 3, 1, 2, 3}));
+}
+
+// The texture is away and the hand strokes on a plain plate: what it means to press is what it presses.
+TEST_F(ConductorTest, TakesAHandAtNineTenthsOfTheTargetAndAsksOneAtOneAndAHalfAgain) {
+  begin(small_protocol("", R"(, "normal_force_N": {"minimum": 0.75, "target": 0.9, "maximum": 1.25},
+       "strokes": {"target": 4}, "required_fraction_in_band": 0.7, "on_failure": "repeat_now",
+       "maximum_repeats": 1)"));
+  protocol_.stimuli.at("rendered").parameters["height_scale"] = {ParameterValue{0.0}, ""};
+  protocol_.blocks.at("main").presented.pop_back();
+  session_.plan = make_plan(protocol_, {7, 0});
+  person_.at_question = [this](int question, const Trial&) -> Reply {
+    auto& force_N = protocol_.explorations.at("short").normal_force_N;
+    force_N.target = question == 1 ? 1.5 : 0.9;
+    return {{0}, {}};
+  };
+  run();
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 4U);  // the second trial twice
+  const auto force_of = [](const AttemptRow& row) { return row.compliance.at(0); };
+  EXPECT_TRUE(rows[0].valid);
+  EXPECT_FALSE(rows[0].flagged);
+  EXPECT_EQ(force_of(rows[0]).passed, true);
+  EXPECT_NEAR(force_of(rows[0]).p50, 0.9, 0.09);
+  EXPECT_EQ(rows[1].trial, 2);
+  EXPECT_EQ(rows[1].outcome, AttemptOutcome::not_compliant);
+  EXPECT_EQ(rows[1].invalid_reason, "not explored as asked: normal_force_N of surface 1");
+  EXPECT_EQ(force_of(rows[1]).passed, false);
+  EXPECT_GT(force_of(rows[1]).p50, 1.25);
+  EXPECT_LT(*force_of(rows[1]).fraction_in_band, 0.3);  // while the force rises
+  EXPECT_EQ(rows[2].trial, 2);
+  EXPECT_EQ(rows[2].attempt, 2);
+  EXPECT_TRUE(rows[2].valid);
+  EXPECT_FALSE(rows[2].flagged);
+}
+
+// Ten strokes of 100 ticks by a hand that is told 1 N and 100 mm/s, each ending in a turn of 20 ticks at
+// rest. Bands are 20 % to either side.
+std::vector<ComplianceRow> stroked_at(double times_target) {
+  std::vector<TickRecord> records{};
+  for (int i = 0; i < 1200; ++i) {
+    TickRecord record{};
+    record.probe.time_ns = 1'000'000LL * i;
+    record.presentation = 1;
+    record.flags = static_cast<std::uint32_t>(TickFlag::presenting);
+    record.penetration_m = 1e-4;
+    record.sent.force_N = {0.2, 0.0, times_target};
+    const bool turns = i % 120 >= 100;
+    record.probe.velocity_m_per_s = {turns ? 0.0 : 0.1 * times_target, 0.0, 0.0};
+    records.push_back(record);
+  }
+  Exploration asked{};
+  asked.normal_force_N = {.minimum = 0.8, .target = 1.0, .maximum = 1.2};
+  asked.speed_m_per_s = {.minimum = 0.08, .target = 0.1, .maximum = 0.12};
+  asked.required_fraction_in_band = 0.7;
+  return compliance_of(records, 1, 1000.0, asked);
+}
+
+TEST(AttemptMeasures, PassAHandAtNineTenthsOfTheTargetAndFailOneAtOneAndAHalf) {
+  for (const double times_target : {0.9, 1.5}) {
+    const auto rows = stroked_at(times_target);
+    const ComplianceRow& force = rows.at(0);
+    const ComplianceRow& speed = rows.at(1);
+    const bool is_inside = times_target < 1.0;
+    EXPECT_NEAR(force.mean, times_target, 1e-12);
+    EXPECT_NEAR(force.sd, 0.0, 1e-12);
+    EXPECT_EQ(force.fraction_in_band, is_inside ? 1.0 : 0.0);
+    EXPECT_EQ(force.passed, is_inside);
+    EXPECT_NEAR(speed.mean, 0.1 * times_target, 1e-12);
+    EXPECT_EQ(speed.fraction_in_band, is_inside ? 1.0 : 0.0);  // turns are no strokes
+    EXPECT_EQ(speed.passed, is_inside);
+  }
+}
+
+// What the windows show of a hand while it feels, its row in the store, and what anybody computes of the
+// recording: one number.
+TEST_F(ConductorTest, ShowsOfTheHandWhatItsRecordingGivesAgain) {
+  SessionMonitor monitor{};
+  links_.monitor = &monitor;
+  begin(small_protocol("", R"(, "strokes": {"target": 4}, "normal_force_N": {"minimum": 0.9,
+       "maximum": 1.1}, "speed_m_per_s": {"minimum": 0.06, "maximum": 0.09})"));
+  std::vector<HandSoFar> shown{};
+  person_.at_question = [&](int, const Trial&) -> Reply {
+    shown.push_back(monitor.snapshot().hand);
+    return {{0}, {}};
+  };
+  run();
+  std::vector<LiveBin> bins{};
+  monitor.bins_from(0, bins);
+  const auto rows = attempts();
+  ASSERT_EQ(shown.size(), rows.size());
+  std::size_t bins_held = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto records =
+        records_of(read_recording(folder_.path() / "study" / rows[i].recording->path));
+    const auto computed =
+        compliance_of(records, 2, protocol_.rate_Hz, protocol_.explorations.at("short"));
+    EXPECT_EQ(shown[i].surface, 2);
+    for (std::size_t quantity = 0; quantity < 2; ++quantity) {
+      const QuantitySoFar& live = quantity == 0 ? shown[i].force_N : shown[i].speed_m_per_s;
+      const ComplianceRow& stored = rows[i].compliance.at(5 + quantity);
+      EXPECT_EQ(stored.quantity, computed[quantity].quantity);
+      EXPECT_GT(live.sd, 1e-6);
+      EXPECT_NEAR(live.mean, computed[quantity].mean, 1e-9);
+      EXPECT_NEAR(live.sd, computed[quantity].sd, 1e-9);
+      EXPECT_NEAR(*live.fraction_in_band, *computed[quantity].fraction_in_band, 1e-9);
+      EXPECT_GT(*live.fraction_in_band, 0.0);
+      EXPECT_LT(*live.fraction_in_band, 1.0);
+      EXPECT_EQ(stored.mean, computed[quantity].mean);
+      EXPECT_EQ(stored.fraction_in_band, computed[quantity].fraction_in_band);
+    }
+    ContactReader reader{};
+    for (const TickRecord& record : records) {
+      const auto hand = reader.take(record);
+      const auto bin = std::find_if(bins.begin(), bins.end(), [&](const LiveBin& one) {
+        return one.time_ns == record.probe.time_ns;
+      });
+      if (bin == bins.end() || !hand) continue;
+      ++bins_held;
+      EXPECT_NEAR(bin->pressing_N, hand->pressing_N, 1e-9);
+      EXPECT_NEAR(bin->stroking_m_per_s, hand->is_stroking ? hand->speed_m_per_s : 0.0, 1e-9);
+    }
+  }
+  EXPECT_GT(bins_held, 100U);
 }
 
 Reply answer_with(const Trial& trial, bool right) {

@@ -50,6 +50,9 @@ TEST(RecordWatch, ShowsThePressWithoutTheTexture) {
   for (int i = 0; i < 3000; ++i) {
     TickRecord record = tick_at(i);
     record.sent.force_N = {0.0, 0.0, 1.0 + 0.5 * std::sin(2.0 * 3.14159265 * 100.0 * 1e-3 * i)};
+    record.penetration_m = 1e-4;
+    record.presentation = 1;
+    record.flags = static_cast<std::uint32_t>(TickFlag::presenting);
     watch.take(record);
   }
   std::vector<LiveBin> bins{};
@@ -57,6 +60,48 @@ TEST(RecordWatch, ShowsThePressWithoutTheTexture) {
   // A first-order low-pass of 0.2 s leaves 1 / (2π · 100 Hz · 0.2 s) = 0.8 % of 100 Hz.
   EXPECT_NEAR(bins.back().pressing_N, 1.0, 0.006);
   EXPECT_GT(bins.back().force_maximum_N, 1.4F);
+}
+
+/// A tick on surface `presentation`, pressed with so many newtons at so many metres per second.
+TickRecord touch_at(int number, std::uint64_t presentation, double force_N, double speed_m_per_s) {
+  TickRecord record = tick_at(number);
+  record.presentation = presentation;
+  record.flags = static_cast<std::uint32_t>(TickFlag::presenting);
+  record.penetration_m = 1e-4;
+  record.sent.force_N = {0.3, 0.0, force_N};
+  record.probe.velocity_m_per_s = {0.0, -speed_m_per_s, 0.5};
+  return record;
+}
+
+TEST(RecordWatch, CountsHowTheHandMeetsItsBandsSurfaceBySurface) {
+  SessionMonitor monitor;
+  RecordWatch watch(&monitor);
+  watch.begin_attempt({.normal_force_N = {0.75, 1.25}, .speed_m_per_s = {0.05, {}}});
+  EXPECT_EQ(watch.hand().surface, 0);
+  int tick = 0;
+  for (int i = 0; i < 100; ++i) watch.take(touch_at(++tick, 1, 0.9, i < 30 ? 0.04 : 0.06));
+  for (int i = 0; i < 50; ++i) watch.take(touch_at(++tick, 1, 0.9, 0.005));  // a turn
+  HandSoFar hand = watch.hand();
+  EXPECT_EQ(hand.surface, 1);
+  EXPECT_EQ(hand.force_N.samples, 150);
+  EXPECT_NEAR(hand.force_N.mean, 0.9, 1e-12);
+  EXPECT_NEAR(hand.force_N.sd, 0.0, 1e-12);
+  EXPECT_EQ(hand.force_N.fraction_in_band, 1.0);
+  EXPECT_EQ(hand.speed_m_per_s.samples, 100);
+  EXPECT_NEAR(hand.speed_m_per_s.mean, 0.054, 1e-12);
+  // √(100 · 0.3 · 0.7 · 0.02² / 99)
+  EXPECT_NEAR(hand.speed_m_per_s.sd, 0.02 * std::sqrt(21.0 / 99.0), 1e-12);
+  EXPECT_EQ(hand.speed_m_per_s.fraction_in_band, 0.7);
+
+  watch.take(touch_at(++tick, 2, 1.5, 0.06));
+  hand = watch.hand();
+  EXPECT_EQ(hand.surface, 2);
+  EXPECT_EQ(hand.force_N.samples, 1);
+  EXPECT_EQ(hand.force_N.fraction_in_band, 0.0);
+  watch.take(touch_at(++tick, 1, 1.5, 0.06));  // felt again: goes on counting
+  EXPECT_EQ(watch.hand().force_N.samples, 151);
+  watch.begin_attempt({});
+  EXPECT_EQ(watch.hand().surface, 0);
 }
 
 TEST(RecordWatch, SaysHowTheLoopHasKeptTimeInTheLastTwoSeconds) {

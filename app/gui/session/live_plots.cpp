@@ -18,8 +18,6 @@ namespace asperity {
 namespace {
 
 constexpr double kLiveMillimetres = 1000.0;  // per metre
-// Slower than this a hand turns or rests, as the compliance of an attempt counts it.
-constexpr double kMoving_m_per_s = 0.010;
 // Words that change sixty times a second cannot be read.
 constexpr int kBinsPerWords = 15;
 constexpr auto kBinsShown =
@@ -145,6 +143,7 @@ struct LivePlots::Drawing {
 
   SurfacePatch patch{};
   std::optional<Exploration> exploration{};
+  HandSoFar hand{};
   bool blind = true;
   std::uint64_t next_bin = 0;
   std::vector<LiveBin> fresh{};
@@ -273,6 +272,8 @@ void LivePlots::set_exploration(const std::optional<Exploration>& exploration) {
   d.path->replot(QCustomPlot::rpQueuedReplot);
 }
 
+void LivePlots::set_hand(const HandSoFar& hand) { drawing_->hand = hand; }
+
 void LivePlots::set_blind(bool blind) {
   if (blind == drawing_->blind) return;
   drawing_->blind = blind;
@@ -312,9 +313,8 @@ void LivePlots::draw_bins() {
     const auto add = [at_s](QVector<QCPGraphData>& points, double value) {
       points.append(QCPGraphData(at_s, value));
     };
-    const double pressing = static_cast<double>(bin.pressing_N);
-    add(d.force.middle_points, pressing);
-    most_force = std::max(most_force, pressing);
+    add(d.force.middle_points, bin.pressing_N);
+    most_force = std::max(most_force, bin.pressing_N);
     if (!d.blind) {
       add(d.force.lower_points, static_cast<double>(bin.force_minimum_N));
       add(d.force.upper_points, static_cast<double>(bin.force_maximum_N));
@@ -357,11 +357,8 @@ void LivePlots::draw_bins() {
   }
 }
 
-/// Of the contact that is in sight, with the measures that an attempt is judged by.
 void LivePlots::write_compliance() {
   Drawing& d = *drawing_;
-  std::vector<double> force_N{};
-  std::vector<double> speed_m_per_s{};
   std::vector<double> along_m{};
   std::vector<double> strokes_m{};
   const Exploration asked = d.exploration.value_or(Exploration{});
@@ -380,28 +377,21 @@ void LivePlots::write_compliance() {
     }
     const double along =
         along_x * static_cast<double>(bin.x_m) + along_y * static_cast<double>(bin.y_m);
-    const double speed = 0.5 * (static_cast<double>(bin.speed_minimum_m_per_s) +
-                                static_cast<double>(bin.speed_maximum_m_per_s));
-    const double pressing = static_cast<double>(bin.pressing_N);
-    if (!std::isfinite(along) || !std::isfinite(speed) || !std::isfinite(pressing)) continue;
-    force_N.push_back(pressing);
-    if (speed >= kMoving_m_per_s) speed_m_per_s.push_back(speed);
+    if (!std::isfinite(along)) continue;
     along_m.push_back(along);
   }
   end_of_contact();
-  const auto write = [this, &asked](FittedLabel& label, const std::vector<double>& samples,
-                                    const Band& band) {
-    const auto met = compliance_of(samples, {band.minimum, band.maximum});
-    if (!met) return label.show_state(State::unknown, tr("no contact"));
-    if (!met->fraction_inside) return label.show_state(State::unknown, tr("nothing asked"));
+  const auto write = [this, &asked](FittedLabel& label, const QuantitySoFar& met) {
+    if (met.samples == 0) return label.show_state(State::unknown, tr("no contact"));
+    if (!met.fraction_in_band) return label.show_state(State::unknown, tr("nothing asked"));
     const QString words =
-        tr("in band %1 %").arg(static_cast<int>(std::lround(100.0 * *met->fraction_inside)));
+        tr("in band %1 %").arg(static_cast<int>(std::lround(100.0 * *met.fraction_in_band)));
     label.show_state(
-        *met->fraction_inside >= asked.required_fraction_in_band ? State::fine : State::look,
+        *met.fraction_in_band >= asked.required_fraction_in_band ? State::fine : State::look,
         words);
   };
-  write(*d.force.heading.compliance, force_N, asked.normal_force_N);
-  write(*d.speed.heading.compliance, speed_m_per_s, asked.speed_m_per_s);
+  write(*d.force.heading.compliance, d.hand.force_N);
+  write(*d.speed.heading.compliance, d.hand.speed_m_per_s);
   if (strokes_m.empty()) {
     d.path_heading.compliance->show_state(State::unknown, tr("no stroke yet"));
     return;

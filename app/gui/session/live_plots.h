@@ -11,8 +11,9 @@
 
 namespace asperity {
 
-/// Three plots, each with its allowed band as a shaded area and how much of the contact in sight lay
-/// inside it, in words.
+/// Three plots, each with its allowed band as a shaded area. Beside it in words how much of the
+/// contact with the present surface has been inside, as the attempt will be judged; of strokes those in
+/// sight.
 ///
 /// A frame costs what has changed: the axes and bands lie in layers of their own, which are drawn
 /// anew only when they change; without new bins nothing is drawn at all. The time axis ends at the
@@ -31,6 +32,8 @@ class LivePlots final : public QWidget {
   void set_patch(const SurfacePatch& patch);
   /// What is asked of the trial under way; absent: nothing.
   void set_exploration(const std::optional<Exploration>& exploration);
+  /// How the surface under the hand has been explored so far.
+  void set_hand(const HandSoFar& hand);
   void set_blind(bool blind);
   /// Takes the bins that came since; draws if there were any.
   void take_bins(const SessionMonitor& monitor);

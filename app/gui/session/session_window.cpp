@@ -360,6 +360,7 @@ void SessionWindow::refresh() {
     write_health();
     write_left();
   }
+  plots_->set_hand(shown_.hand);
   plots_->take_bins(monitor_);
   troubles_->look_again();
   if (shown_.phase == SessionPhase::ended && !ended_) end();
@@ -413,8 +414,9 @@ void SessionWindow::write_moving_texts() {
     header_->show_now(shown_.phase == SessionPhase::ended ? tr("The session did not begin")
                                                           : tr("Preparing the session"));
   } else {
-    header_->show_now(SessionText::of_now(
-        shown_, trial_now(), trial_to_come(), plan_->model().condition(shown_.trial, shown_.surface), in_phase_s));
+    header_->show_now(SessionText::of_now(shown_, trial_now(), trial_to_come(),
+                                          plan_->model().condition(shown_.trial, shown_.surface),
+                                          in_phase_s));
   }
   plan_->set_now(trial_to_come(), SessionText::of_phase(shown_, in_phase_s));
   header_->show_elapsed(facts_ == nullptr ? 0.0 : seconds_between(shown_.began_ns, time_ns));

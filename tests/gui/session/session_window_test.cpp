@@ -228,10 +228,14 @@ void feel(FilledMonitor& session) {
     LiveBin bin{};
     bin.time_ns = i * 16'666'667LL;
     bin.touching = i < 500;
-    bin.pressing_N = i < 375 ? 1.0F : 2.9F;  // asked: 0.3 to 2.5
-    bin.speed_minimum_m_per_s = bin.speed_maximum_m_per_s = i < 100 ? 0.020F : 0.060F;  // 0.03 on
     session.monitor.add_bin(bin);
   }
+  session.monitor.update([](SessionSnapshot& s) {
+    s.hand = {
+        .surface = 1,
+        .force_N = {.samples = 8000, .mean = 1.4, .sd = 0.8, .fraction_in_band = 0.75},
+        .speed_m_per_s = {.samples = 7000, .mean = 0.052, .sd = 0.016, .fraction_in_band = 0.8}};
+  });
 }
 
 TEST(SessionWindow, SaysHowMuchOfTheContactLayInTheBands) {
