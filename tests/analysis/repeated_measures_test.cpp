@@ -40,7 +40,8 @@ TEST(RepeatedMeasures, HaveNoMauchlyTestWithFewerPeopleThanContrasts) {
   RepeatedMeasures data{.levels = {4}};
   data.y.resize(3, 4);
   data.y << 1, 3, 2, 5, 2, 2, 6, 4, 0, 4, 3, 9;
-  const auto& sphericity = effect(repeated_measures_anova(data), 0).sphericity;
+  const AnovaTable table = repeated_measures_anova(data);
+  const auto& sphericity = effect(table, 0).sphericity;
   ASSERT_TRUE(sphericity);
   EXPECT_FALSE(sphericity->mauchly);
   EXPECT_GE(*sphericity->gg, 1.0 / 3.0);
