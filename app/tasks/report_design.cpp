@@ -232,7 +232,9 @@ std::string trials_text(const ReportFacts& facts) {
   std::string text = "A session has " + range(main_trials) +
                      (main_trials == std::set<int>{1} ? " trial" : " trials") + " that count";
   if (planned != main_trials) {
-    text += ", of " + range(planned) + " with familiarisation and practice";
+    text += ", of " + range(planned) + " with " +
+            (facts.has_anchors() ? "familiarisation, practice and anchors"
+                                 : "familiarisation and practice");
   }
   text += '.';
   if (!facts.surfaces.empty()) {

@@ -10,6 +10,8 @@ namespace asperity {
 namespace {
 
 constexpr const char* kMainPhase = "main";
+// No limit, but the ticks that those of a model are a part of.
+constexpr const char* kAllContact = "contact";
 
 void count_servo(const ServoQualityRow& row, ReportedServo& servo) {
   ++servo.attempts;
@@ -62,6 +64,7 @@ void count_attempt(const AttemptRow& attempt, bool is_main, ReportFacts& facts) 
   for (const PresentationRow& surface : attempt.presentations) {
     facts.models.insert(surface.model + ' ' + surface.model_version);
     for (const ModelLimitRow& limit : surface.limits) {
+      if (limit.kind == kAllContact) continue;
       facts.limits[{surface.model, limit.kind}].add(limit.ticks);
     }
   }
@@ -83,7 +86,8 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   session.decisions = study.decisions(row.id);
   std::set<int> main_trials{};
   for (const PlannedTrialRow& trial : study.plan(row.id)) {
-    if (trial.phase == kMainPhase) main_trials.insert(trial.trial);
+    const bool is_anchor = facts.has_anchors() && trial.repetition == 0;
+    if (trial.phase == kMainPhase && !is_anchor) main_trials.insert(trial.trial);
   }
   session.main_trials = static_cast<int>(main_trials.size());
   for (const AttemptRow& attempt : study.attempts(row.id)) {
@@ -104,6 +108,8 @@ bool ReportFacts::is_running() const {
   return std::any_of(sessions.begin(), sessions.end(),
                      [](const ReportedSession& session) { return session.is_running; });
 }
+
+bool ReportFacts::has_anchors() const { return protocol.kind == "magnitude"; }
 
 std::vector<ReportFacts> report_facts(const Study& study,
                                       const std::optional<std::string>& protocol,

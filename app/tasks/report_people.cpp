@@ -165,8 +165,10 @@ ReportText attempts_text(const ReportFacts& facts) {
   }
   if (facts.other_attempts > 0) {
     text += ' ' + capitalised(count_in_words(facts.other_attempts)) +
-            (facts.other_attempts == 1 ? " attempt belongs" : " attempts belong") +
-            " to familiarisation or practice and is in no result.";
+            (facts.other_attempts == 1 ? " attempt belongs" : " attempts belong") + " to " +
+            (facts.has_anchors() ? "familiarisation, practice or anchors"
+                                 : "familiarisation or practice") +
+            (facts.other_attempts == 1 ? " and is in no result." : " and are in no result.");
   }
   return {text};
 }

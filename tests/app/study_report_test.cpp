@@ -187,6 +187,28 @@ TEST(StudyReport, SaysWhatBecameOfAttemptsThatDoNotCountAndWhichAreFlagged) {
   EXPECT_THAT(words, HasSubstr("1 | flagged, counts | made up to be flagged"));
 }
 
+TEST(StudyReport, CountsAnchorsWithPracticeAndNotWithWhatCounts) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("rough", "magnitude");
+  made.add_person("p1", "F");
+  std::vector<MadeUpTrial> trials(3);
+  for (MadeUpTrial& trial : trials) {
+    trial.surfaces = {surface_of("wave", "pd_gradient", "wave")};
+    trial.answers = {"5"};
+  }
+  trials[0].repetition = 0;
+  made.add_session("p1", protocol, trials);
+  const Report report = study_report(made.study(), {});
+  const std::string words = words_of(section(report.chapters.at(1), "Sessions and exclusions"));
+  EXPECT_THAT(words,
+              HasSubstr("2 attempts at trials of the main phase are stored; all of them count."));
+  EXPECT_THAT(
+      words, HasSubstr("One attempt belongs to familiarisation, practice or anchors and is in no"));
+  EXPECT_THAT(words_of(section(report.chapters.at(1), "Design")),
+              HasSubstr("A session has 2 trials that count, of 3 with familiarisation, practice "
+                        "and anchors."));
+}
+
 TEST(StudyReport, SaysSoWhereNothingOfTheMainPhaseWasAnswered) {
   MadeUpStudy made;
   const std::int64_t protocol = made.add_protocol("which", "selection");
