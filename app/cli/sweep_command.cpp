@@ -23,8 +23,11 @@
 #include "app/tasks/sweep.h"
 #include "app/textured_mesh_files.h"
 #ifdef ASPERITY_WITH_WINDOWS
+#include "app/analyses/analyze_study.h"
 #include "app/figures/figure_files.h"
+#include "app/figures/figures_of.h"
 #include "app/figures/sweep_figure.h"
+#include "results_schema/study.h"
 #endif
 #include "stimuli/synthetic_surface.h"
 
@@ -44,6 +47,8 @@ struct SweepOptions {
   int jobs = 0;
   std::string out{};
   std::string plot{};
+  std::string beside{};
+  std::optional<std::string> protocol{};
   bool force = false;
 };
 
@@ -162,6 +167,23 @@ Table summary_table(const Sweep& sweep) {
   return table;
 }
 
+#ifdef ASPERITY_WITH_WINDOWS
+/// The first estimates of roughness in a study, in the order of `analyze`: of people before others.
+Figure estimates_in(const std::string& folder, const std::optional<std::string>& protocol) {
+  const Study study = Study::open(folder, Access::read_only);
+  for (const AnalysisOutcome& outcome : analyze_study(study, protocol)) {
+    for (Figure& figure : figures_of(outcome)) {
+      if (figure.name != "roughness") continue;
+      if (!figure.is_drawn()) throw std::runtime_error(figure.instead.english());
+      say("beside it: " + outcome.protocol + " " + outcome.version + ", " + text_of(outcome.group) +
+          ", " + std::to_string(outcome.answers) + " answers");
+      return std::move(figure);
+    }
+  }
+  throw std::runtime_error("the study " + folder + " has no estimates of roughness");
+}
+#endif
+
 int run_sweep(SweepOptions options) {
   const ModelRegistry models = built_in_models();
   const ForceModel& model = model_named(models, options.model);
@@ -190,6 +212,8 @@ int run_sweep(SweepOptions options) {
     }
     refuse_existing({plot}, file.overwrite);
   }
+  std::optional<Figure> estimates{};
+  if (!options.beside.empty()) estimates = estimates_in(options.beside, options.protocol);
 #endif
   Sweep sweep{};
   {
@@ -210,7 +234,9 @@ int run_sweep(SweepOptions options) {
 #ifdef ASPERITY_WITH_WINDOWS
   if (!plot.empty()) {
     const LettersWithoutWindows letters;
-    write_figure(plot, sweep_figure(sweep), {}, file.overwrite);
+    const Figure figure =
+        estimates ? beside_prediction(*std::move(estimates), sweep) : sweep_figure(sweep);
+    write_figure(plot, figure, {}, file.overwrite);
   }
 #endif
   return 0;
@@ -282,7 +308,14 @@ void add_sweep(CLI::App& program, Job& job) {
       ->check(CLI::Range(1, 256));
   command->add_option("--out", options->out, "Table of the rows (TSV)")->required();
 #ifdef ASPERITY_WITH_WINDOWS
-  command->add_option("--plot", options->plot, "Also a figure, by its ending .svg, .png or .pdf");
+  auto* plot = command->add_option("--plot", options->plot,
+                                   "Also a figure, by its ending .svg, .png or .pdf");
+  auto* beside = command
+                     ->add_option("--beside", options->beside,
+                                  "In the figure: what the participants of this study estimated")
+                     ->needs(plot);
+  command->add_option("--protocol", options->protocol, "Of the study, the protocol of this name")
+      ->needs(beside);
 #endif
   command->add_flag("--force", options->force, "Replace what is there of another sweep");
   command->callback([options, &job] { job = [options] { return run_sweep(*options); }; });

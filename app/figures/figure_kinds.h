@@ -39,9 +39,12 @@ Figure confusion_figure(const NamedTable& table);
 Figure dendrogram(const FoundNumbers& found);
 Figure similarity_map(const FoundNumbers& found);
 
-/// Estimates by spacing on logarithmic axes, a curve per probe, with the fitted parabola and its
-/// peak. `unit`: of the spacings; empty where it is not known.
-Figure roughness_figure(const FoundNumbers& found, const std::string& unit);
+/// Whether curves are named as those of probes, or by the names that a study gave its conditions.
+enum class CurveNames { of_probes, alone };
+
+/// Estimates by spacing on logarithmic axes, a curve per probe or condition, with the fitted parabola
+/// and its peak. `unit`: of the spacings, metres being shown as millimetres; empty where it is not known.
+Figure roughness_figure(const FoundNumbers& found, const std::string& unit, CurveNames names);
 
 /// The means of two groups and their difference, a figure each. `axis`: with a place for the
 /// confidence, in percent.

@@ -71,6 +71,7 @@ void name_questions(const AnalysisOutcome& outcome, std::vector<Figure>& figures
       {"whole", {"whole_permutations_forest"}},
       {"right", {"shares_by_texture_forest"}},
       {"confusions", {"confusions"}},
+      {"spacing", {"roughness"}},
       {"sexes", {"group_means", "group_difference"}}};
   for (const auto& [question, names] : kAnswers) {
     const bool is_asked =
@@ -115,7 +116,7 @@ std::vector<Figure> figures_of(const AnalysisOutcome& outcome) {
   }
   const std::vector<Finding> roughness = part_of(outcome.findings, kRoughness);
   if (!roughness.empty()) {
-    figures.push_back(roughness_figure(FoundNumbers(roughness), "m"));
+    figures.push_back(roughness_figure(FoundNumbers(roughness), "m", CurveNames::alone));
     figures.back().table = kRoughness;
   }
   const std::vector<Finding> similarity = part_of(outcome.findings, "similarity");
@@ -144,7 +145,7 @@ std::vector<Figure> figures_of(const std::string& family, const TidyInput& input
   if (family == "group") return group_figures(shares_of_groups(), found);
   if (family == "rmanova") return {interaction_figure(input, found, level_unit)};
   if (family == "power") return {power_figure(input, found)};
-  if (family == "magnitude") return {roughness_figure(found, level_unit)};
+  if (family == "magnitude") return {roughness_figure(found, level_unit, CurveNames::of_probes)};
   if (family == "psyfit") return {psychometric_figure(input, found, level_unit)};
   if (family == "seedpaper") return seedpaper_forests(found);
   return {};

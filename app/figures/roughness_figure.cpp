@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kSteps = 60;      // of a fitted curve
 constexpr double kRoom = 1.12;  // beyond the outermost marks, as a factor
+constexpr double kMillimetres = 1e3;
 
 struct Range {
   double low = 0.0;
@@ -25,7 +26,7 @@ struct Range {
 
 }  // namespace
 
-Figure roughness_figure(const FoundNumbers& found, const std::string& unit) {
+Figure roughness_figure(const FoundNumbers& found, const std::string& unit, CurveNames names) {
   Figure figure{.name = "roughness",
                 .title = phrase("Figures", "Estimated roughness by spacing"),
                 .note = phrase("Figures",
@@ -34,6 +35,8 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit) {
                                "logarithms. Outlined marks: their peaks within the tested "
                                "spacings, with intervals by the delta method.")
                             .with(percent_of(found.all("geomean")))};
+  // Textures are read in millimetres: 0.5 and not 5e-04.
+  const double scale = unit == "m" ? kMillimetres : 1.0;
   Range x{};
   Range y{};
   std::vector<std::string> probes{};
@@ -42,8 +45,10 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit) {
     const auto at = std::find(probes.begin(), probes.end(), probe) - probes.begin();
     if (at == static_cast<std::ptrdiff_t>(probes.size())) {
       probes.push_back(probe);
-      figure.series.push_back(
-          {.name = phrase("Figures", "probe %1").with(probe), .style = static_cast<int>(at)});
+      figure.series.push_back({.name = names == CurveNames::alone
+                                           ? Phrase(probe)
+                                           : phrase("Figures", "probe %1").with(probe),
+                               .style = static_cast<int>(at)});
     }
     return figure.series[static_cast<std::size_t>(at)];
   };
@@ -53,7 +58,7 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit) {
     if (parts.size() != 2 || !spacing || !mean->value || !(*mean->value > 0.0)) continue;
     const auto interval = interval_of(*mean);
     series_of(parts.front())
-        .points.push_back({.x = *spacing, .y = *mean->value, .y_interval = interval});
+        .points.push_back({.x = scale * *spacing, .y = *mean->value, .y_interval = interval});
     x.hold(*spacing);
     y.hold(*mean->value);
     if (interval && interval->low > 0.0) {
@@ -79,7 +84,7 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit) {
     for (int step = 0; step <= kSteps; ++step) {
       const double at = std::lerp(first, last, static_cast<double>(step) / kSteps);
       const double roughness = std::pow(10.0, *a + *b * at + *c * at * at);
-      curve.push_back({.x = std::pow(10.0, at), .y = roughness});
+      curve.push_back({.x = scale * std::pow(10.0, at), .y = roughness});
       y.hold(roughness);
     }
     const Finding* peak = found.find("peak", probes[i]);
@@ -88,18 +93,22 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit) {
     if (peak == nullptr || !peak->value || !height || status == nullptr || status->word != "ok") {
       continue;
     }
-    const FigurePoint mark{
-        .x = *peak->value, .y = *height, .x_interval = interval_of(*peak), .size = 1.4};
+    FigurePoint mark{
+        .x = scale * *peak->value, .y = *height, .x_interval = interval_of(*peak), .size = 1.4};
+    if (mark.x_interval) {
+      mark.x_interval =
+          FigureSpan{.low = scale * mark.x_interval->low, .high = scale * mark.x_interval->high};
+    }
     peaks.push_back({.style = static_cast<int>(i), .hollow = true, .points = {mark}});
   }
   figure.series.insert(figure.series.end(), peaks.begin(), peaks.end());
   if (probes.size() == 1) figure.series.front().name = {};
   figure.x = {.name = unit.empty() ? phrase("Figures", "spacing, in the unit of the table")
                                    : phrase("Figures", "spacing"),
-              .unit = unit,
+              .unit = unit == "m" ? "mm" : unit,
               .scale = AxisScale::log10,
-              .low = x.low / kRoom,
-              .high = x.high * kRoom};
+              .low = scale * x.low / kRoom,
+              .high = scale * x.high * kRoom};
   figure.y = {.name = phrase("Figures", "roughness, normalised estimate"),
               .scale = AxisScale::log10,
               .low = y.low / kRoom,

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "results_schema/table.h"
 
@@ -14,15 +18,16 @@ namespace {
 constexpr int kCurveSteps = 60;
 constexpr double kMargin = 1.12;  // beyond the outermost marks, as a factor
 constexpr double kSmall = 0.6;
+constexpr double kMillimetres = 1e3;
 
 Phrase level_name(VariedQuantity varied, double value) {
   switch (varied) {
     case VariedQuantity::probe_diameter:
-      return phrase("Figures", "probe %1 mm").with(text_of_number(1e3 * value));
+      return phrase("Figures", "probe %1 mm").with(text_of_number(kMillimetres * value));
     case VariedQuantity::applied_force:
       return phrase("Figures", "force %1 N").with(text_of_number(value));
     case VariedQuantity::exploratory_speed:
-      return phrase("Figures", "speed %1 mm/s").with(text_of_number(1e3 * value));
+      return phrase("Figures", "speed %1 mm/s").with(text_of_number(kMillimetres * value));
   }
   return {};
 }
@@ -117,6 +122,75 @@ Figure sweep_figure(const Sweep& sweep) {
   figure.y.low = bottom->y / kMargin;
   figure.y.high = top->y * kMargin;
   return figure;
+}
+
+Figure beside_prediction(Figure estimates, const Sweep& sweep) {
+  std::vector<FigureSeries*> conditions{};
+  double shortest_mm = 0.0;
+  double longest_mm = 0.0;
+  double sum = 0.0;
+  double count = 0.0;
+  for (FigureSeries& series : estimates.series) {
+    if (series.hollow) continue;
+    conditions.push_back(&series);
+    for (const FigurePoint& point : series.points) {
+      shortest_mm = count > 0.0 ? std::min(shortest_mm, point.x) : point.x;
+      longest_mm = std::max(longest_mm, point.x);
+      sum += std::log(point.y);
+      count += 1.0;
+    }
+  }
+  const std::vector<SweepCurve> curves = curves_of(sweep);
+  if (curves.size() != conditions.size()) {
+    throw std::runtime_error("the sweep has " + std::to_string(curves.size()) +
+                             " levels and the study estimates under " +
+                             std::to_string(conditions.size()) +
+                             " conditions; give a level for each, in their order");
+  }
+  constexpr double kRounding = 1e-9;  // of the spacings at the ends
+  std::vector<FigureSeries> predicted{};
+  double predicted_sum = 0.0;
+  double predicted_count = 0.0;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    FigureSeries& marks =
+        predicted.emplace_back(FigureSeries{.style = conditions[i]->style, .hollow = true});
+    for (const SweepRow& row : curves[i].fitted) {
+      const double spacing_mm = kMillimetres * row.spacing_m;
+      if (spacing_mm < shortest_mm * (1.0 - kRounding) ||
+          spacing_mm > longest_mm * (1.0 + kRounding)) {
+        continue;
+      }
+      marks.points.push_back(
+          {.x = spacing_mm, .y = row.roughness.value().max_accel_m_per_s2, .size = kSmall});
+      predicted_sum += std::log(marks.points.back().y);
+      predicted_count += 1.0;
+    }
+    // One style is one entry of the key.
+    const Phrase level = level_name(sweep.order.varied, curves[i].value);
+    conditions[i]->name =
+        conditions[i]->name.empty()
+            ? level
+            : phrase("Figures", "%1; predicted: %2").with(conditions[i]->name, level);
+  }
+  if (predicted_count == 0.0) {
+    throw std::runtime_error("nothing of the sweep is within the spacings that were estimated, " +
+                             text_of_number(shortest_mm) + " to " + text_of_number(longest_mm) +
+                             " mm");
+  }
+  const double factor = std::exp(sum / count - predicted_sum / predicted_count);
+  for (FigureSeries& marks : predicted) {
+    for (FigurePoint& mark : marks.points) {
+      mark.y *= factor;
+      estimates.y.low = std::min(estimates.y.low, mark.y / kMargin);
+      estimates.y.high = std::max(estimates.y.high, mark.y * kMargin);
+    }
+    estimates.series.push_back(std::move(marks));
+  }
+  estimates.note = phrase("Figures",
+                          "%1 Small outlined marks: the greatest accelerations that a sweep "
+                          "predicts, all times one factor.")
+                       .with(estimates.note);
+  return estimates;
 }
 
 }  // namespace asperity

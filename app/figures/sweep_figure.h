@@ -11,4 +11,13 @@ namespace asperity {
 /// every level.
 Figure sweep_figure(const Sweep& sweep);
 
+/// The figure `roughness` of a study (figures_of.h), whose spacings are in millimetres, and beside its estimates what a sweep predicts:
+/// the greatest accelerations as small outlined marks, each level in the style of a condition, in the
+/// order of both, within the study's range of spacings. An estimate has no unit, so all accelerations
+/// are multiplied by one factor: both have the same geometric mean.
+///
+/// Errors: std::runtime_error where there are not as many levels as conditions, or nothing of the sweep
+/// is within the range.
+Figure beside_prediction(Figure estimates, const Sweep& sweep);
+
 }  // namespace asperity

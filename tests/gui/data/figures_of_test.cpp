@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "app/analyses/tidy/reference_case.h"
+#include "app/figures/sweep_figure.h"
 
 namespace asperity {
 namespace {
@@ -188,6 +190,56 @@ TEST(FiguresOf, OrderAScaleFromTheTopDown) {
     EXPECT_LT(figure.x.low, points[i].x_interval->low);
     EXPECT_GT(figure.x.high, points[i].x_interval->high);
   }
+}
+
+/// Two tips over four spacings, the second half as rough.
+Sweep two_tips() {
+  Sweep sweep{};
+  sweep.order.values = {0.001, 0.002};
+  sweep.order.spacings_m = {0.0005, 0.001, 0.002, 0.004};
+  for (const double tip_m : sweep.order.values) {
+    for (const double spacing_m : sweep.order.spacings_m) {
+      HeldToolRoughness roughness{};
+      roughness.max_accel_m_per_s2 = 1e-6 / (tip_m * spacing_m);
+      sweep.rows.push_back(
+          {.value = tip_m, .spacing_m = spacing_m, .roughness = roughness, .status = "ok"});
+    }
+  }
+  return sweep;
+}
+
+TEST(BesidePrediction, HasTheGeometricMeanOfTheEstimatesAndNothingBeyondTheirSpacings) {
+  Figure estimates{};
+  for (int style = 0; style < 2; ++style) {
+    FigureSeries& tip = estimates.series.emplace_back();
+    tip.name = Phrase(style == 0 ? "small" : "large");
+    tip.style = style;
+    for (const double spacing_mm : {1.0, 2.0, 4.0}) {
+      tip.points.push_back({.x = spacing_mm, .y = 8.0});
+    }
+  }
+  estimates.series.push_back({.style = 0, .hollow = true, .points = {{.x = 1.5, .y = 9.0}}});
+  estimates.y = {.scale = AxisScale::log10, .low = 7.0, .high = 9.0};
+
+  const Figure both = beside_prediction(estimates, two_tips());
+  ASSERT_EQ(both.series.size(), 5U);
+  EXPECT_EQ(both.series[0].name.english(), "small; predicted: probe 1 mm");
+  double product = 1.0;
+  for (std::size_t tip = 0; tip < 2; ++tip) {
+    const FigureSeries& marks = both.series[3 + tip];
+    EXPECT_EQ(marks.style, static_cast<int>(tip));
+    EXPECT_TRUE(marks.hollow);
+    ASSERT_EQ(marks.points.size(), 3U);
+    EXPECT_EQ(marks.points.front().x, 1.0);
+    for (const FigurePoint& mark : marks.points) product *= mark.y / 8.0;
+  }
+  EXPECT_NEAR(product, 1.0, 1e-9);
+  EXPECT_NEAR(both.series[3].points[0].y / both.series[4].points[0].y, 2.0, 1e-9);
+  EXPECT_LT(both.y.low, both.series[4].points[2].y);
+  EXPECT_GT(both.y.high, both.series[3].points[0].y);
+
+  estimates.series.erase(estimates.series.begin());
+  EXPECT_THROW(beside_prediction(estimates, two_tips()), std::runtime_error);
 }
 
 TEST(FiguresOf, DrawRoughnessByProbeWithItsCurveAndPeak) {
