@@ -259,8 +259,8 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
   if (!table.table.rows.empty()) outcome.tables.push_back(std::move(table));
 }
 
-void ask_effect(const char* name, const Phrase& question, const FoundNumbers& found,
-                const StudyTests& tests, AnalysisOutcome& outcome) {
+void ask_effect(const char* name, const Phrase& question, const char* table,
+                const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome) {
   const StudyTests::Test* test = tests.find(name);
   if (test == nullptr || !test->p) return;
   const std::string effect =
@@ -275,7 +275,7 @@ void ask_effect(const char* name, const Phrase& question, const FoundNumbers& fo
                phrase("Analysis",
                       "Analysis of variance of the logarithms with repeated measures, corrected by "
                       "epsilon of Greenhouse and Geisser."),
-               kAnova, found.find("F", effect));
+               table, found.find("F", effect));
 }
 
 void ask_peaks(const std::vector<std::string>& conditions, const FoundNumbers& found,
@@ -289,20 +289,20 @@ void ask_peaks(const std::vector<std::string>& conditions, const FoundNumbers& f
     if (first == nullptr) first = peak != nullptr ? peak : status;
     Phrase one{};
     if (peak != nullptr && peak->value && peak->low && peak->high) {
-      one = phrase("Analysis", "%1: at %2 (95 % interval %3 to %4)")
+      one = phrase("Analysis", "%1 at %2 (95 % interval %3 to %4)")
                 .with(condition, reading_quantity(*peak->value, "m"),
                       reading_quantity(*peak->low, "m"), reading_quantity(*peak->high, "m"));
     } else if (status->word == "outside_range") {
-      one = phrase("Analysis", "%1: not within the tested spacings").with(condition);
+      one = phrase("Analysis", "%1 not within the tested spacings").with(condition);
     } else {
-      one = phrase("Analysis", "%1: nowhere, the curve does not bend down").with(condition);
+      one = phrase("Analysis", "%1 nowhere, because the curve does not bend down").with(condition);
     }
     answer = answer.empty() ? one : phrase("Analysis", "%1; %2").with(answer, one);
   }
   if (answer.empty()) return;
   add_question(
       outcome, "peaks", phrase("Analysis", "At which spacing does it feel roughest?"),
-      answer.as_sentence(),
+      phrase("Analysis", "By the peaks of the curves: %1.").with(answer),
       phrase("Analysis",
              "The peak of the mean of the participants' parabolas, in logarithms; interval "
              "by the delta method."),
@@ -349,11 +349,13 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   add_anova(found_anova, outcome);
   if (const Finding* incomplete = found.find("subjects.incomplete");
       incomplete != nullptr && incomplete->word != "none") {
+    std::string names{};
+    for (const char sign : incomplete->word) names += sign == ';' ? ", " : std::string(1, sign);
     outcome.remarks.push_back(
         phrase("Analysis",
                "Participants without an estimate in every cell, who take no part in curves and "
                "tests: %1.")
-            .with(incomplete->word));
+            .with(names));
   }
   StudyTests tests(gathered);
   const Finding* no_anova = found_anova.find("status");
@@ -364,12 +366,12 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   }
   for (const Finding* ratio : found.all("peakratio.p")) tests.add("peaks", ratio->key, ratio);
   tests.finish(outcome);
-  ask_effect("spacing", phrase("Analysis", "Does roughness depend on the spacing?"), found_anova,
-             tests, outcome);
-  ask_effect("condition", phrase("Analysis", "Does roughness depend on the condition?"),
+  ask_effect("spacing", phrase("Analysis", "Does roughness depend on the spacing?"), kRoughness,
+             found_anova, tests, outcome);
+  ask_effect("condition", phrase("Analysis", "Does roughness depend on the condition?"), kAnova,
              found_anova, tests, outcome);
   ask_effect("interaction",
-             phrase("Analysis", "Does the curve over spacings depend on the condition?"),
+             phrase("Analysis", "Does the curve over spacings depend on the condition?"), kAnova,
              found_anova, tests, outcome);
   ask_peaks(conditions, found, outcome);
   ask_types(conditions, found, outcome);

@@ -940,6 +940,10 @@ TEST(Magnitudes, PeakWhereTheyWereMadeToPeak) {
   EXPECT_NEAR(peak_m("large"), 0.002, 1e-9);
   EXPECT_EQ(row_of(peaks, {"small"})[1], Cell{});
   EXPECT_EQ(row_of(peaks, {"small"})[9], Cell{std::int64_t{6}});  // inverted U, for everybody
+  const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
+                                  [](const AnsweredQuestion& one) { return one.name == "peaks"; });
+  ASSERT_NE(asked, outcome.questions.end());
+  EXPECT_THAT(asked->answer, says("By the peaks of the curves: large at 2 mm (95 % interval "));
 }
 
 TEST(Magnitudes, LoseEachParticipantsScaleAndKeepTheRawNumbersBeside) {
