@@ -150,7 +150,7 @@ TEST(SessionWindow, ShowsTheWholeNumberOfTheTrialUnderWay) {
 
 TEST(SessionWindow, ShowsNoNameAnywhereWhileItIsBlind) {
   for (const char* const protocol :
-       {"improved_recognition", "improved_selection", "chapter_matching"}) {
+       {"improved_recognition", "improved_selection", "chapter_matching", "roughness_diameter"}) {
     FilledMonitor session(protocol);
     session.answer_up_to(1);
     session.set_phase(SessionPhase::contact);
