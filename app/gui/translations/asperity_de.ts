@@ -708,18 +708,6 @@
         <translation>Varianzanalyse der Logarithmen mit Messwiederholung, mit Epsilon nach Greenhouse und Geisser.</translation>
     </message>
     <message>
-        <source>%1: at %2 (95 % interval %3 to %4)</source>
-        <translation>%1: bei %2 (95-%-Intervall %3 bis %4)</translation>
-    </message>
-    <message>
-        <source>%1: not within the tested spacings</source>
-        <translation>%1: nicht innerhalb der geprüften Abstände</translation>
-    </message>
-    <message>
-        <source>%1: nowhere, the curve does not bend down</source>
-        <translation>%1: nirgends, die Kurve biegt sich nicht nach unten</translation>
-    </message>
-    <message>
         <source>%1; %2</source>
         <translation>%1; %2</translation>
     </message>
@@ -758,6 +746,22 @@
     <message>
         <source>Does the curve over spacings depend on the condition?</source>
         <translation>Hängt die Kurve über die Abstände von der Bedingung ab?</translation>
+    </message>
+    <message>
+        <source>%1 at %2 (95 % interval %3 to %4)</source>
+        <translation>%1 bei %2 (95-%-Intervall %3 bis %4)</translation>
+    </message>
+    <message>
+        <source>%1 not within the tested spacings</source>
+        <translation>%1 nicht innerhalb der geprüften Abstände</translation>
+    </message>
+    <message>
+        <source>%1 nowhere, because the curve does not bend down</source>
+        <translation>%1 nirgends, weil sich die Kurve nicht nach unten biegt</translation>
+    </message>
+    <message>
+        <source>By the peaks of the curves: %1.</source>
+        <translation>Nach den Gipfeln der Kurven: %1.</translation>
     </message>
 </context>
 <context>
@@ -1834,6 +1838,14 @@
     <message>
         <source>The bar is Welch&apos;s %1 % interval of the difference of the participants&apos; means.</source>
         <translation>Der Balken ist das %1-%-Intervall nach Welch für die Differenz der Mittelwerte der Teilnehmenden.</translation>
+    </message>
+    <message>
+        <source>%1; predicted: %2</source>
+        <translation>%1; vorhergesagt: %2</translation>
+    </message>
+    <message>
+        <source>%1 Small outlined marks: the greatest accelerations that a sweep predicts, all times one factor.</source>
+        <translation>%1 Kleine umrandete Zeichen: die größten Beschleunigungen, die ein Durchlauf von „sweep“ vorhersagt, alle mal denselben Faktor.</translation>
     </message>
 </context>
 <context>
