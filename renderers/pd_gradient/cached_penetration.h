@@ -48,11 +48,10 @@ struct CachedSettings {
 /// Heights are sampled anew, some rows in a call, when the bodies have moved half as far as they may:
 /// a quarter of the window along it, 0.03 rad of tilt, 0.13 rad of turning less the step of the
 /// differences, 0.06 rad between the asked n and the kept one, by 0.05 for the cosines from which faces sink
-/// (PackedPatch::leaning_cosine), and by its half height for either end of the box in which triangles are
-/// looked for (PackedPatch::half_height_m, the same for both): what was outside of it then is not in the
-/// heights. Until they are there the kept ones serve; where none serve, PenetrationSampler does. A place
-/// that no contact comes back to is the
-/// first to be given up.
+/// (PackedPatch::leaning_cosine), and by 0.75 of its half height for either end of the box in which
+/// triangles are looked for (PackedPatch::half_height_m, the same for both): what was outside of it then is
+/// not in the heights. Until they are there the kept ones serve; where none serve, PenetrationSampler does.
+/// A place that no contact comes back to is the first to be given up.
 ///
 /// Reading between samples shaves peaks. Bodies that have drifted as far as they may, against
 /// PenetrationSampler: at 8 samples a wavelength 4 to 11 % of the RMS of ∂δ/∂u, at 16 half of that.

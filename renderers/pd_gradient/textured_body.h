@@ -50,8 +50,9 @@ class TexturedBody final {
   std::size_t triangles() const noexcept { return hull_.triangles.size(); }
   double furthest_displacement_m() const noexcept { return furthest_m_; }
 
-  /// How thick the hull is: the shortest way between two parallel planes around it, of those that lie
-  /// along one of its 256 largest faces. Between two edges a body can be thinner, a regular tetrahedron by 13 %.
+  /// No less than how thick the hull is: the shortest way between two parallel planes around it, of those
+  /// that lie along one of its 256 largest faces. Between two edges a body is thinner, a regular tetrahedron
+  /// by 13 %, and the wall of a hollow one by any amount.
   double thickness_m() const noexcept { return thickness_m_; }
 
   /// How long the finest waves of the texture are (finest_wave.h).

@@ -130,8 +130,10 @@ struct LeftOut {
 /// The sum of the shares is never above the number of contacts on either side, and at one place not above
 /// one, but while a share is fading there. For that time the force
 /// depends on time too: it lags, and takes energy from a hand that presses contacts together and lifts
-/// them apart. On every path that was measured energy was taken and none given
-/// (textured_contacts_test.cpp).
+/// them apart. On every path that was measured where no depth was bounded, energy was taken and none given
+/// by that. A bounded depth is no potential: what falls at once and rises slowly takes energy on the way in
+/// and out, half of the gross work in 0.4 s, and of blocks that lean gives up to a quarter of it back or takes
+/// more where they go slowly (docs/models.md, textured_contacts_test.cpp).
 ///
 /// Where the window ends before the bodies do, as of a pen that leans and is pressed deeper than its
 /// own radius, the deepest sample lies at the window's border and δ is a lower bound
@@ -165,7 +167,8 @@ class TexturedContacts final {
 
   /// Of the last `find`: one body was wholly in the other, nothing was cut and no contact was kept. It
   /// is looked for where it can have come about: in the first call after `reset`, where A has moved
-  /// further than a body is thick since the call before, and from then on until it is over.
+  /// further since the call before than a body is thick (TexturedBody::thickness_m, which may be more than
+  /// it is: a step between the two goes unnoticed), and from then on until it is over.
   bool is_inside() const noexcept { return is_inside_; }
 
   /// Whether the hulls cut each other or one is in the other. Leaves the contacts alone.

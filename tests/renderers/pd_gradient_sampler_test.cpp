@@ -172,6 +172,8 @@ TEST(PenetrationSampler, AgreesWithThePlainSmoothMaximum) {
   RecordProperty("smooth_slopes", std::to_string(slopes.rms()));
   RecordProperty("smooth_tilts", std::to_string(tilts.rms()));
   RecordProperty("smooth_turn", std::to_string(turn.rms()));
+  // The plain law takes the slope between the two texels around a sample, of which there are eight to the shortest
+  // wave, the fast one that through five samples over two texels: 3.5 % are left of that in the means.
   EXPECT_LT(slopes.rms(), 0.045);
   EXPECT_LT(tilts.rms(), 0.01);
   EXPECT_LT(turn.rms(), 0.05);
