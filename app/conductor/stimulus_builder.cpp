@@ -165,11 +165,6 @@ PreparedStimulus StimulusBuilder::prepare(const PlannedPresentation& presentatio
   return prepared;
 }
 
-void StimulusBuilder::require_renderer(const StimulusDescription& stimulus) {
-  const PreparedStimulus prepared = unmatched(stimulus);
-  (void)make_renderer(*prepared.model, prepared.inputs);
-}
-
 PreparedStimulus StimulusBuilder::unmatched(const StimulusDescription& description) {
   PreparedStimulus prepared{};
   prepared.model = models_.find(description.model);

@@ -59,9 +59,6 @@ class StimulusBuilder final {
   PreparedStimulus prepare(const PlannedPresentation& presentation, Study& study);
   /// The same with its force as it is.
   PreparedStimulus unmatched(const StimulusDescription& description);
-  /// Makes a renderer of it and lets it go: what a session would be refused at its first trial is
-  /// refused before. Forces stay unmatched. Errors: as `prepare`, and what the model refuses.
-  void require_renderer(const StimulusDescription& stimulus);
 
   LoadedHeightField height_field(const std::string& study_path);
   /// The same as a photograph's heights would have it (without_long_wavelengths), filtered once.

@@ -3,15 +3,22 @@
 #include "app/tasks/protocol_files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <span>
 #include <utility>
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
+#include "analysis/number_text.h"
 #include "analysis/random.h"
+#include "app/conductor/attempt_measures.h"
+#include "app/conductor/trial_attempt.h"
 #include "app/parameter_json.h"
 #include "device/simulated_device.h"
 #include "results_schema/atomic_file.h"
@@ -121,6 +128,76 @@ std::string name_of_making(const StimulusDescription& stimulus) {
   return name;
 }
 
+enum class FirstTouch { from_outside, never, never_outside };
+
+/// How the simulated device's hand, which strokes to and fro, comes upon the surface. Nothing pushes
+/// it until then, so that no servo loop is needed. As in a session a tool that begins inside has to
+/// come out first.
+FirstTouch first_touch(ForceRenderer& renderer, const HandHabits& habits, double rate_Hz) {
+  constexpr double kSeveralStrokes_s = 10.0;
+  VirtualHand hand(habits, Random(0));
+  SimulatedDevice device(hand, {});
+  hand.stroke();
+  bool has_been_free = false;
+  for (int tick = 0; tick < kSeveralStrokes_s * rate_Hz; ++tick) {
+    const ProbeState probe = device.read(std::llround(1e9 * tick / rate_Hz)).value();
+    if (tick == 0) renderer.reset(probe);
+    const bool is_free = renderer.tick(probe, 1.0 / rate_Hz).penetration_m == 0.0;
+    if (has_been_free && !is_free) return FirstTouch::from_outside;
+    has_been_free = has_been_free || is_free;
+  }
+  return has_been_free ? FirstTouch::never : FirstTouch::never_outside;
+}
+
+std::string in_mm(double from_m, double to_m) {
+  return fixed(1e3 * from_m, 1) + " to " + fixed(1e3 * to_m, 1) + " mm";
+}
+
+/// Where the hand strokes, where the surface lies, and what would be right.
+std::string never_touched(const StimulusDescription& stimulus, const TexturedMesh& surface,
+                          const HandHabits& habits, FirstTouch touch) {
+  glm::dvec3 low_m = surface.vertices_m.front();
+  glm::dvec3 high_m = low_m;
+  for (const glm::dvec3& vertex_m : surface.vertices_m) {
+    low_m = glm::min(low_m, vertex_m);
+    high_m = glm::max(high_m, vertex_m);
+  }
+  const glm::dvec2 end_m =
+      0.5 * habits.stroke_length_m *
+      glm::dvec2(std::cos(habits.direction_rad), std::sin(habits.direction_rad));
+  std::string surface_name = "the surface \"" + stimulus.surface->name + '"';
+  if (stimulus.surface->mesh) surface_name += " (" + *stimulus.surface->mesh + ')';
+  const std::string tool_name = "the tool \"" + stimulus.tool->name + '"';
+  std::string sentence =
+      touch == FirstTouch::never
+          ? "nothing of " + surface_name + " lies under the way of " + tool_name
+          : tool_name + " begins inside " + surface_name + " and never comes out of it";
+  sentence +=
+      ": strokes begin " + fixed(0.5e3 * habits.stroke_length_m, 1) +
+      " mm beside the middle, where the hand comes down on the plane z = 0, and the surface "
+      "lies at x " +
+      in_mm(low_m.x, high_m.x) + ", y " + in_mm(low_m.y, high_m.y) + ", z " +
+      in_mm(low_m.z, high_m.z);
+  const double off_m = 0.01 * (high_m.z - low_m.z);
+  if (stimulus.surface->mesh && std::abs(high_m.z) > off_m) {
+    sentence += std::abs(low_m.z) <= off_m
+                    ? "; its lowest point lies in that plane, as `asperity bake --for tool` puts "
+                      "it: bake it again with `--for surface`"
+                    : "; a surface has its highest point in that plane, where `asperity bake --for "
+                      "surface` puts it";
+  }
+  const auto ends_before = [&](const glm::dvec2& place_m) {
+    return place_m.x < low_m.x || place_m.x > high_m.x || place_m.y < low_m.y ||
+           place_m.y > high_m.y;
+  };
+  if (ends_before(end_m) || ends_before(-end_m)) {
+    sentence +=
+        "; it ends before the strokes do: make it longer, or `stroke_length_m` of the exploration "
+        "shorter";
+  }
+  return sentence;
+}
+
 std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::string& file_name,
                                           const std::filesystem::path& study,
                                           StimulusBuilder& builder) {
@@ -164,14 +241,24 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
 std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
                                  StimulusBuilder& builder) {
   std::set<std::string> made{};
+  std::set<std::string> untouched{};
   std::vector<Diagnostic> problems{};
   for (const Trial& trial : possible_trials(protocol)) {
     for (const PlannedPresentation& planned : trial.presentations) {
       const StimulusDescription& stimulus = planned.stimulus;
       if (!stimulus.surface || !stimulus.tool) continue;
-      if (!made.insert(name_of_making(stimulus)).second) continue;
+      const std::string& explored = protocol.blocks.at(trial.block).exploration;
+      if (!made.insert(name_of_making(stimulus) + ' ' + explored).second) continue;
       try {
-        builder.require_renderer(stimulus);
+        const PreparedStimulus prepared = builder.unmatched(stimulus);
+        const HandHabits habits = habits_for(exploration_of(protocol, trial), stimulus.patch);
+        const auto renderer = make_renderer(*prepared.model, prepared.inputs);
+        if (untouched.contains(stimulus.surface->name)) continue;  // said, with another tool
+        const FirstTouch touch = first_touch(*renderer, habits, protocol.rate_Hz);
+        if (touch == FirstTouch::from_outside) continue;
+        untouched.insert(stimulus.surface->name);
+        problems.push_back(place_of_body(protocol, file_name, stimulus.surface->name));
+        problems.back().message = never_touched(stimulus, *prepared.inputs.surface, habits, touch);
       } catch (const std::exception& error) {
         problems.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
         problems.back().message =

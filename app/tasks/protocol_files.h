@@ -37,8 +37,9 @@ Protocol load_protocol(const std::filesystem::path& file, const ModelRegistry& m
 Protocol load_protocol_to_run(const std::filesystem::path& file, const std::filesystem::path& study,
                               StimulusBuilder& builder);
 
-/// What a session would be refused at a trial: every stimulus of two bodies is made once as in a
-/// session and let go, which takes a second or two. The files have been looked at.
+/// What a session would fail at in a trial: every stimulus of two bodies is made once as in a
+/// session, and the simulated device's hand strokes where it should be until it touches it. A second
+/// or two. The files have been looked at.
 std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
                                  StimulusBuilder& builder);
 

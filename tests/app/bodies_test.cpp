@@ -171,6 +171,49 @@ TEST_F(Bodies, ThatNoRendererTakesAreRefusedBeforeASession) {
   }
 }
 
+// Strokes are 20 mm long: the hand comes down 10 mm beside the middle of the surface.
+TEST_F(Bodies, WhoseSurfaceLiesNowhereUnderTheToolAreRefusedBeforeASession) {
+  replace_in_protocol(R"({"shape": "plate", "size_m": [0.04, 0.02, 0.01]})",
+                      R"({"mesh": "stimuli/cube.mesh"})");
+  const auto cube = [](double size_m) {
+    return body_mesh(BoxShape{{size_m, size_m, size_m}}, nullptr);
+  };
+  const auto refusals = [this](const TexturedMesh& mesh) {
+    StoredTexturedMesh stored{};
+    stored.mesh = mesh;
+    save_textured_mesh(study_ / "stimuli" / "cube.mesh", stored, Overwrite::allow);
+    EXPECT_THAT(problems(), IsEmpty());  // the files are as they should be
+    StimulusBuilder builder(models_, study_);
+    return rehearse(load_protocol(protocol_, models_, study_), protocol_.string(), builder);
+  };
+  const std::vector<Diagnostic> of_a_tool = refusals(placed(cube(0.004), BodyRole::tool));
+  ASSERT_EQ(of_a_tool.size(), 1U);
+  EXPECT_EQ(of_a_tool[0].pointer, "/bodies/plate");
+  EXPECT_GT(of_a_tool[0].line, 1);
+  for (const char* said :
+       {"nothing of the surface \"plate\" (stimuli/cube.mesh) lies", "the tool \"ball\"",
+        "10.0 mm beside the middle", "x -2.0 to 2.0 mm", "z 0.0 to 4.0 mm",
+        "again with `--for surface`", "it ends before the strokes do"}) {
+    EXPECT_THAT(of_a_tool[0].message, HasSubstr(said));
+  }
+  SimulationInputs inputs{};
+  inputs.protocols = {protocol_};
+  inputs.study = study_;
+  EXPECT_THROW(simulate(inputs, models_, {}, {}, {}), ProtocolError);  // before anybody sits there
+
+  const std::vector<Diagnostic> of_a_short_one = refusals(placed(cube(0.004), BodyRole::surface));
+  ASSERT_EQ(of_a_short_one.size(), 1U);
+  EXPECT_THAT(of_a_short_one[0].message, HasSubstr("it ends before the strokes do"));
+  EXPECT_THAT(of_a_short_one[0].message, testing::Not(HasSubstr("--for surface")));
+  EXPECT_THAT(refusals(placed(cube(0.04), BodyRole::surface)), IsEmpty());
+  // About its middle: from 30 mm above the plane to where no hand goes.
+  const std::vector<Diagnostic> of_its_own_frame = refusals(cube(0.06));
+  ASSERT_EQ(of_its_own_frame.size(), 1U);
+  EXPECT_THAT(of_its_own_frame[0].message,
+              HasSubstr("the tool \"ball\" begins inside the surface \"plate\""));
+  EXPECT_THAT(of_its_own_frame[0].message, HasSubstr("has its highest point in that plane"));
+}
+
 TEST_F(Bodies, OfTheSameMakingAreOneMeshAndOthersAreNot) {
   StimulusBuilder builder(models_, study_);
   BodyDescription ball{.name = "one", .shape = SphereShape{.diameter_m = 0.006}};
