@@ -94,7 +94,8 @@ void add_render(CLI::App& program, Job& job) {
   command->add_option(
       "--tool", options->tool,
       "What the hand holds, of a model with two bodies: a textured mesh, sphere:D_m, "
-      "disc:D_m, cylinder:D_m,L_m, or another shape as of --stimulus");
+      "disc:D_m, cylinder:D_m,L_m, or another shape as of --stimulus. The path leads the origin of "
+      "its frame: of a shape its middle, while in a protocol it is the tool's lowest point");
   command
       ->add_option("--coupling", options->coupling,
                    "Of a model with two bodies. none: the path is the tool's own; virtual: the "
