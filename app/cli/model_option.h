@@ -4,19 +4,23 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "protocols/wording.h"
 #include "renderers/force_model.h"
 
 namespace asperity {
 
 /// Lives as long as the registry.
 ///
-/// Errors: std::runtime_error for an id that there is not, naming those that there are.
+/// Errors: std::runtime_error for an id that there is not, naming one whose id is close, or else all.
 inline const ForceModel& model_named(const ModelRegistry& models, const std::string& id) {
   if (const ForceModel* model = models.find(id)) return *model;
-  std::string sentence = "there is no force model \"" + id + "\"; there are:";
-  for (const ForceModel& model : models.models()) sentence += ' ' + model.declaration.id;
-  throw std::runtime_error(sentence);
+  std::vector<std::string> ids{};
+  for (const ForceModel& model : models.models()) ids.push_back(model.declaration.id);
+  const std::string guess = did_you_mean(id, ids);
+  throw std::runtime_error("there is no force model " + in_quotes(id) +
+                           (guess.empty() ? "; write " + one_of(ids) : guess));
 }
 
 }  // namespace asperity

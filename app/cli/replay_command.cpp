@@ -4,18 +4,45 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
 #include "app/height_field_files.h"
 #include "app/tasks/path_table.h"
 #include "app/tasks/recorded_attempt.h"
+#include "protocols/wording.h"
 #include "renderers/offline/replay.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
+
+namespace {
+
+/// A hand that held a tool against a surface tells nothing to a model that feels a height field with a
+/// point, and the other way round.
+void require_same_kind(const ModelRegistry& models, const ForceModel& asked, const ForceModel& felt,
+                       int surface) {
+  const bool felt_bodies = felt.declaration.needs_bodies;
+  if (asked.declaration.needs_bodies == felt_bodies) return;
+  std::vector<std::string> fitting{};
+  for (const ForceModel& model : models.models()) {
+    if (model.declaration.needs_bodies == felt_bodies) fitting.push_back(model.declaration.id);
+  }
+  throw std::runtime_error(
+      "surface " + std::to_string(surface) + " was felt with " + felt.declaration.id + ", " +
+      (felt_bodies ? "a tool against a surface" : "a point on a height field") + ", and " +
+      asked.declaration.id + " needs " +
+      (felt_bodies ? "a height field that is felt with a point"
+                   : "a tool and a surface as bodies") +
+      "; --model takes " + one_of(fitting) + " here");
+}
+
+}  // namespace
 
 void add_replay(CLI::App& program, Job& job) {
   struct Options {
@@ -37,7 +64,9 @@ void add_replay(CLI::App& program, Job& job) {
       ->required();
   command->add_option("--surface", options->surface, "Which of the surfaces of the trial")
       ->capture_default_str();
-  command->add_option("--model", options->model, "Another force model on the same texture");
+  command->add_option(
+      "--model", options->model,
+      "Another force model on the same texture, of the same kind: with two bodies or with a point");
   command->add_option("--param", options->parameters, "NAME=VALUE of that model's parameters");
   command->add_option("--out", options->out, "Table of the forces (TSV)")->required();
   command->add_flag("--force", options->force, "Replace an existing file");
@@ -63,21 +92,18 @@ void add_replay(CLI::App& program, Job& job) {
           recorded.surfaces[static_cast<std::size_t>(options->surface - 1)];
       std::unique_ptr<ForceRenderer> renderer{};
       if (options->model) {
-        const ForceModel* model = models.find(*options->model);
-        if (model == nullptr) {
-          throw std::runtime_error("there is no force model \"" + *options->model +
-                                   "\"; see: asperity models");
-        }
+        const ForceModel& model = model_named(models, *options->model);
+        require_same_kind(models, model, *surface.stimulus.model, options->surface);
         RendererInputs inputs = surface.stimulus.inputs;
         inputs.parameters.clear();
-        if (model->suggested_by && inputs.height_field) {
-          inputs.parameters = model->suggested_by(*inputs.height_field, inputs.material);
+        if (model.suggested_by && inputs.height_field) {
+          inputs.parameters = model.suggested_by(*inputs.height_field, inputs.material);
         }
         for (const auto& [name, value] :
-             parameters_from(options->parameters, model->declaration.parameters, *options->model)) {
+             parameters_from(options->parameters, model.declaration.parameters, *options->model)) {
           inputs.parameters[name] = value;
         }
-        renderer = make_renderer(*model, inputs);
+        renderer = make_renderer(model, inputs);
       } else {
         if (!options->parameters.empty()) throw WrongUsage("--param goes with --model");
         renderer = make_renderer(*surface.stimulus.model, surface.stimulus.inputs);

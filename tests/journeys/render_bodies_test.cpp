@@ -76,6 +76,17 @@ TEST_F(RenderBodies, ABallOnAPlateIsASpring) {
   EXPECT_NEAR(last("fx_N"), 0.0, 0.002);
 }
 
+TEST_F(RenderBodies, NamesAModelThatIsNearlyCalledThat) {
+  const Outcome outcome = asperity(
+      {"render", "--model", "pd_gradiant", "--path", "path.tsv", "--out", place_ / "forces.tsv"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("did you mean \"pd_gradient\"?"));
+  const Outcome sweep = asperity(
+      {"sweep", "--model", "wool", "--vary", "applied_force", "--out", place_ / "sweep.tsv"});
+  EXPECT_EQ(sweep.status, 1);
+  EXPECT_THAT(sweep.err, HasSubstr("or \"pd_gradient\""));
+}
+
 TEST_F(RenderBodies, SaysWhenThePathBeginsWhollyInside) {
   const std::vector<std::string> bodies{"--stimulus", "box:0.02,0.02,0.02", "--tool",
                                         "sphere:0.006"};

@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
@@ -266,6 +267,16 @@ TEST_F(Verify, ReplayPutsTheSameHandThroughAnotherModel) {
   };
   refused("99", "1 to 4");
   refused("virtual0001/9/1/1", "PARTICIPANT/SESSION/TRIAL/ATTEMPT");
+  const auto refused_model = [&](const std::string& model) {
+    const Outcome outcome = asperity({"replay", study_, "--attempt", "1", "--model", model, "--out",
+                                      small_.place() / "none.tsv"});
+    EXPECT_EQ(outcome.status, 1);
+    return outcome.err;
+  };
+  EXPECT_THAT(refused_model("stochastik"), testing::HasSubstr("did you mean \"stochastic\"?"));
+  EXPECT_THAT(refused_model("pd_gradient"),
+              testing::AllOf(testing::HasSubstr("needs a tool and a surface as bodies"),
+                             testing::HasSubstr("--model takes \"height_map\", ")));
 }
 
 }  // namespace
