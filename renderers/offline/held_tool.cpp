@@ -4,18 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
-#include "analysis/number_text.h"
+#include "device/refusal.h"
 
 namespace asperity {
 namespace {
-
-void refuse(const char* field, const char* what, double value) {
-  throw std::invalid_argument(std::string("HandModel::") + field + " must be " + what +
-                              ", and it is " + number_text(value));
-}
 
 // Of m·ẍ + b·ẋ + k·x = 0.
 double decay_of(double mass_kg, double damping_N_s_per_m, double stiffness_N_per_m) noexcept {
@@ -27,13 +20,9 @@ double decay_of(double mass_kg, double damping_N_s_per_m, double stiffness_N_per
 }  // namespace
 
 HeldTool::HeldTool(const HandModel& hand, const Stroke& stroke) : hand_(hand), stroke_(stroke) {
-  if (!(hand.mass_kg > 0.0)) refuse("mass_kg", "positive", hand.mass_kg);
-  if (!(hand.damping_N_s_per_m >= 0.0)) {
-    refuse("damping_N_s_per_m", "zero or positive", hand.damping_N_s_per_m);
-  }
-  if (!(hand.stiffness_N_per_m >= 0.0)) {
-    refuse("stiffness_N_per_m", "zero or positive", hand.stiffness_N_per_m);
-  }
+  require_positive("HandModel::mass_kg", hand.mass_kg);
+  require_not_negative("HandModel::damping_N_s_per_m", hand.damping_N_s_per_m);
+  require_not_negative("HandModel::stiffness_N_per_m", hand.stiffness_N_per_m);
   state_.position_m = stroke.start_m;
   state_.velocity_m_per_s = {stroke.speed_m_per_s, 0.0, 0.0};
   velocity_m_per_s_ = {stroke.speed_m_per_s, 0.0};

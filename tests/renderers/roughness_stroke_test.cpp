@@ -162,6 +162,52 @@ TEST(HeldTool, AnswersToAForceAsAMassOnASpringAndADamper) {
   EXPECT_THROW(HeldTool({.mass_kg = 0.0}, {}), std::invalid_argument);
 }
 
+// Pushed by a force that stays, without a hand's spring and damper: x = v·t + F·t²/2m at every step,
+// however long, because velocity Verlet is exact there.
+TEST(HeldTool, IsWhereAConstantForceBringsAFreeMass) {
+  HeldTool tool({.mass_kg = 0.05, .damping_N_s_per_m = 0.0, .stiffness_N_per_m = 0.0},
+                {.speed_m_per_s = 0.1, .press_N = 1.0, .start_m = {0.002, 0.0, 0.003}});
+  constexpr double kDt_s = 0.01;
+  const glm::dvec3 force_N{0.5, 7.0, 3.0};
+  tool.feel(force_N);
+  for (int i = 1; i <= 100; ++i) {
+    const double t_s = i * kDt_s;
+    const glm::dvec3 at_m = tool.advance(kDt_s).position_m;
+    ASSERT_NEAR(at_m.x, 0.002 + 0.1 * t_s + 0.5 * 10.0 * t_s * t_s, 1e-12);
+    ASSERT_EQ(at_m.y, 0.0);
+    ASSERT_NEAR(at_m.z, 0.003 + 0.5 * 40.0 * t_s * t_s, 1e-12);
+    tool.feel(force_N);
+    ASSERT_NEAR(tool.state().velocity_m_per_s.x, 0.1 + 10.0 * t_s, 1e-12);
+    ASSERT_NEAR(tool.state().velocity_m_per_s.z, 40.0 * t_s, 1e-12);
+  }
+}
+
+// A held tool on which a force F is put at once: x = F/k·(1 − e^(−γt)·(cos ωt + γ/ω·sin ωt)) with
+// γ = b/2m, ω² = k/m − γ². Of second order: half the step has a quarter of the error.
+TEST(HeldTool, ComesCloserToTheTruthWithTheSquareOfItsStep) {
+  constexpr HandModel kHand{.mass_kg = 0.05, .damping_N_s_per_m = 3.0, .stiffness_N_per_m = 200.0};
+  const double gamma_per_s = 0.5 * kHand.damping_N_s_per_m / kHand.mass_kg;
+  const double omega_rad_per_s =
+      std::sqrt(kHand.stiffness_N_per_m / kHand.mass_kg - gamma_per_s * gamma_per_s);
+  const auto greatest_error_m = [&](double dt_s) {
+    HeldTool tool(kHand, {});
+    tool.feel({1.0, 0.0, 0.0});
+    double error_m = 0.0;
+    for (int i = 1; i * dt_s < 0.2; ++i) {
+      const double phase = omega_rad_per_s * i * dt_s;
+      const double true_m =
+          0.005 * (1.0 - std::exp(-gamma_per_s * i * dt_s) *
+                             (std::cos(phase) + gamma_per_s / omega_rad_per_s * std::sin(phase)));
+      error_m = std::max(error_m, std::abs(tool.advance(dt_s).position_m.x - true_m));
+      tool.feel({1.0, 0.0, 0.0});
+    }
+    return error_m;
+  };
+  const double coarse_m = greatest_error_m(1e-3);
+  EXPECT_LT(coarse_m, 0.005 * 1e-3);
+  EXPECT_NEAR(coarse_m / greatest_error_m(5e-4), 4.0, 0.4);
+}
+
 // A ball on a sinusoid: the largest acceleration peaks near the spacing from which on it touches the
 // ground between points that high. Measured: 2.5 % below to 7.5 % above.
 TEST(RoughnessStroke, PeaksWhereTheProbeDropsBetween) {
