@@ -2,18 +2,6 @@
 
 namespace asperity {
 
-std::vector<std::string> parts_of(const std::string& key, char between) {
-  std::vector<std::string> parts{""};
-  for (const char letter : key) {
-    if (letter == between) {
-      parts.emplace_back();
-    } else {
-      parts.back() += letter;
-    }
-  }
-  return parts;
-}
-
 Cell cell_of(const std::optional<double>& number) { return number ? Cell{*number} : Cell{}; }
 
 FoundNumbers::FoundNumbers(std::span<const Finding> findings) : in_order_(findings) {

@@ -11,12 +11,10 @@
 #include <vector>
 
 #include "analysis/finding.h"
+#include "app/text_parts.h"
 #include "results_schema/table.h"
 
 namespace asperity {
-
-/// The names of things that a key is made of; with another letter `between`, the parts of any name.
-std::vector<std::string> parts_of(const std::string& key, char between = '|');
 
 /// Missing where there is no number.
 Cell cell_of(const std::optional<double>& number);

@@ -1,26 +1,29 @@
 // asperity sweep: the offline roughness experiment.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/cli/word_option.h"
 #include "app/height_field_files.h"
 #include "app/tasks/sweep.h"
+#include "app/text_parts.h"
 #include "app/textured_mesh_files.h"
 #ifdef ASPERITY_WITH_WINDOWS
 #include "app/analyses/analyze_study.h"
@@ -42,31 +45,23 @@ struct SweepOptions {
   std::string values{};
   std::string spacings = "0.0005:0.008:40";
   std::string texture = "sinusoid,amplitude_m=0.0002";
-  std::string tool = "sphere";
+  std::optional<std::string> tool{};
+  std::optional<double> probe_diameter_m{};
+  std::optional<double> applied_force_N{};
+  std::optional<double> exploratory_speed_m_per_s{};
   std::string hand = "0.05,3,200";
   int jobs = 0;
   std::string out{};
+  SweepMeasure measure = SweepMeasure::max_accel;
   std::string plot{};
   std::string beside{};
   std::optional<std::string> protocol{};
   bool force = false;
 };
 
-std::vector<std::string> pieces_of(const std::string& text, char separator) {
-  std::vector<std::string> pieces(1);
-  for (const char letter : text) {
-    if (letter == separator) {
-      pieces.emplace_back();
-    } else {
-      pieces.back() += letter;
-    }
-  }
-  return pieces;
-}
-
 std::vector<double> numbers_of(const std::string& option, const std::string& text, char separator) {
   std::vector<double> numbers{};
-  for (const std::string& piece : pieces_of(text, separator)) {
+  for (const std::string& piece : parts_of(text, separator)) {
     const std::optional<double> number = number_in(piece);
     if (!number) throw WrongUsage(option + " " + text + ": \"" + piece + "\" is not a number");
     numbers.push_back(*number);
@@ -96,7 +91,7 @@ HandModel hand_of(const std::string& text) {
 }
 
 void take_texture(SweepOrder& order, const std::string& text) {
-  std::vector<std::string> pieces = pieces_of(text, ',');
+  std::vector<std::string> pieces = parts_of(text, ',');
   if (std::filesystem::path(text).extension() == ".png") {
     const LoadedHeightField loaded = load_height_field(text);
     order.texture.relief = loaded.field;
@@ -120,6 +115,10 @@ void take_texture(SweepOrder& order, const std::string& text) {
 }
 
 void take_tip(SweepOrder& order, const std::string& text) {
+  if (!order.stroke.model->declaration.needs_bodies) {
+    throw WrongUsage("the force model " + order.stroke.model->declaration.id +
+                     " touches with a point; --tool goes with a model that has two bodies");
+  }
   const std::map<std::string, TipForm> forms{
       {"point", TipForm::point}, {"sphere", TipForm::sphere}, {"disc", TipForm::disc}};
   const auto form = forms.find(text);
@@ -127,25 +126,44 @@ void take_tip(SweepOrder& order, const std::string& text) {
     order.stroke.tip.form = form->second;
     return;
   }
+  if (!std::filesystem::exists(text)) {
+    throw std::runtime_error("--tool " + text +
+                             ": there is no such file; write sphere, disc, point, or the file of a "
+                             "textured mesh");
+  }
   const LoadedTexturedMesh loaded = load_textured_mesh(text);
   order.stroke.tool = {loaded.stored, &loaded.stored->mesh};
   order.tool_sha256 = loaded.sha256;
 }
 
+/// A level that stays as it is through the whole sweep, which what is varied does not.
+void take_level(const SweepOrder& order, VariedQuantity quantity, const char* option,
+                std::optional<double> given, double& level) {
+  if (!given) return;
+  if (order.varied == quantity) {
+    throw WrongUsage(std::string(option) + " is what --vary varies; its levels are --values");
+  }
+  level = *given;
+}
+
 /// What the rows come to, a line per level.
-Table summary_table(const Sweep& sweep) {
+Table summary_table(const Sweep& sweep, SweepMeasure measure) {
   const auto count = [&sweep](double value, const char* status) {
     return static_cast<std::int64_t>(std::count_if(
         sweep.rows.begin(), sweep.rows.end(),
         [&](const SweepRow& row) { return row.value == value && row.status == status; }));
   };
-  Table table{.columns = {text_of(sweep.order.varied), "rows_fitted", "stick_slip", "not_converged",
-                          "saturated", "greatest_at_mm", "parabola_peak_mm", "low_mm", "high_mm",
-                          "r2"}};
+  const std::map<VariedQuantity, const char*> units{
+      {VariedQuantity::probe_diameter, "_m"},
+      {VariedQuantity::applied_force, "_N"},
+      {VariedQuantity::exploratory_speed, "_m_per_s"}};
+  Table table{.columns = {text_of(sweep.order.varied) + std::string(units.at(sweep.order.varied)),
+                          "rows_fitted", "stick_slip", "not_converged", "saturated",
+                          "greatest_at_mm", "parabola_peak_mm", "low_mm", "high_mm", "r2"}};
   const auto rounded = [](std::optional<double> number, double unit) {
     return number ? Cell(std::round(*number * unit * 1e3) / 1e3) : Cell();
   };
-  for (const SweepCurve& curve : curves_of(sweep)) {
+  for (const SweepCurve& curve : curves_of(sweep, measure)) {
     std::optional<double> peak_m{};
     std::optional<double> low_m{};
     std::optional<double> high_m{};
@@ -196,7 +214,13 @@ int run_sweep(SweepOptions options) {
                                         : numbers_of("--values", options.values, ',');
   order.spacings_m = spacings_of(options.spacings);
   take_texture(order, options.texture);
-  take_tip(order, options.tool);
+  if (options.tool) take_tip(order, *options.tool);
+  take_level(order, VariedQuantity::probe_diameter, "--probe-diameter-m", options.probe_diameter_m,
+             order.stroke.tip.diameter_m);
+  take_level(order, VariedQuantity::applied_force, "--applied-force-n", options.applied_force_N,
+             order.stroke.force_N);
+  take_level(order, VariedQuantity::exploratory_speed, "--exploratory-speed-m-per-s",
+             options.exploratory_speed_m_per_s, order.stroke.speed_m_per_s);
   const SweepFile file{
       .out = options.out,
       .overwrite = options.force ? Overwrite::allow : Overwrite::refuse,
@@ -206,11 +230,16 @@ int run_sweep(SweepOptions options) {
 #ifdef ASPERITY_WITH_WINDOWS
   const std::filesystem::path plot = options.plot;
   if (!plot.empty()) {
-    constexpr std::array kEndings{".svg", ".png", ".pdf"};
-    if (std::find(kEndings.begin(), kEndings.end(), plot.extension()) == kEndings.end()) {
-      throw WrongUsage("--plot " + options.plot + ": write a file that ends in .svg, .png or .pdf");
+    try {
+      require_figure_ending(plot);
+    } catch (const std::invalid_argument& error) {
+      throw WrongUsage(std::string("--plot: ") + error.what());
     }
     refuse_existing({plot}, file.overwrite);
+    if (plot.has_parent_path() && !std::filesystem::is_directory(plot.parent_path())) {
+      throw std::runtime_error("--plot " + options.plot + ": there is no folder " +
+                               plot.parent_path().string());
+    }
   }
   std::optional<Figure> estimates{};
   if (!options.beside.empty()) estimates = estimates_in(options.beside, options.protocol);
@@ -224,18 +253,21 @@ int run_sweep(SweepOptions options) {
   }
   const std::size_t asked = order.values.size() * order.spacings_m.size();
   if (!sweep.is_complete) {
-    say("asperity: stopped; " + options.out + " holds " + std::to_string(sweep.rows.size()) +
-        " of " + std::to_string(asked) + " rows; the same command goes on with it");
+    say(sweep.rows.empty()
+            ? "asperity: stopped before the first row"
+            : "asperity: stopped; " + options.out + " holds " + std::to_string(sweep.rows.size()) +
+                  " of " + std::to_string(asked) + " rows; the same command goes on with it");
     return 1;
   }
   std::cout << options.out << ": " << sweep.rows.size() << " rows, " << text_of(order.stroke.mode)
-            << '\n'
-            << aligned(summary_table(sweep));
+            << ", " << text_of(options.measure) << '\n'
+            << aligned(summary_table(sweep, options.measure));
 #ifdef ASPERITY_WITH_WINDOWS
   if (!plot.empty()) {
     const LettersWithoutWindows letters;
-    const Figure figure =
-        estimates ? beside_prediction(*std::move(estimates), sweep) : sweep_figure(sweep);
+    const Figure figure = estimates
+                              ? beside_prediction(*std::move(estimates), sweep, options.measure)
+                              : sweep_figure(sweep, options.measure);
     write_figure(plot, figure, {}, file.overwrite);
   }
 #endif
@@ -255,11 +287,10 @@ void add_sweep(CLI::App& program, Job& job) {
       {"probe_diameter", VariedQuantity::probe_diameter},
       {"applied_force", VariedQuantity::applied_force},
       {"exploratory_speed", VariedQuantity::exploratory_speed}};
-  command
-      ->add_option("--vary", options->order.varied,
-                   "probe_diameter, applied_force or exploratory_speed: a curve for each value")
+  command->add_option("--vary", options->order.varied, "A curve for each of its values")
       ->required()
-      ->transform(CLI::CheckedTransformer(varied));
+      ->transform(word_of(varied))
+      ->option_text("probe_diameter|applied_force|exploratory_speed REQUIRED");
   command->add_option("--values", options->values,
                       "V,V,… of what is varied, in m, N or m/s; three usual ones without it");
   command
@@ -270,19 +301,17 @@ void add_sweep(CLI::App& program, Job& job) {
                    "KIND[,NAME=VALUE…] of asperity synth, or FILE.png, a height field that is "
                    "stretched to each spacing")
       ->capture_default_str();
-  command
-      ->add_option(
-          "--tool", options->tool,
-          "Of a model with two bodies: sphere, disc (upright, along the stroke), point, or "
-          "the file of a textured mesh")
-      ->capture_default_str();
+  command->add_option(
+      "--tool", options->tool,
+      "Of a model with two bodies: sphere (the default), disc (upright, along the stroke), "
+      "point, or the file of a textured mesh");
   const std::map<std::string, DragMode> modes{{"constant_height", DragMode::constant_height},
                                               {"constant_force", DragMode::constant_force}};
   command
       ->add_option("--drag", options->order.stroke.mode,
-                   "constant_height (of the mean normal force) or constant_force")
-      ->transform(CLI::CheckedTransformer(modes))
-      ->default_str("constant_height");
+                   "constant_height: of the mean normal force; the default")
+      ->transform(word_of(modes))
+      ->option_text("constant_height|constant_force");
   command->add_option("--hand", options->hand, "M_kg,B_N_s_per_m,K_N_per_m")->capture_default_str();
   command
       ->add_option("--stiffness-n-per-m", options->order.stroke.material.stiffness_N_per_m,
@@ -292,24 +321,35 @@ void add_sweep(CLI::App& program, Job& job) {
       ->add_option("--friction", options->order.stroke.material.friction,
                    "Coulomb coefficient of the surface")
       ->capture_default_str();
+  command->add_option("--probe-diameter-m", options->probe_diameter_m, "Where it is not varied")
+      ->default_str(number_text(options->order.stroke.tip.diameter_m));
+  command->add_option("--applied-force-n", options->applied_force_N, "Where it is not varied")
+      ->default_str(number_text(options->order.stroke.force_N));
   command
-      ->add_option("--probe-diameter-m", options->order.stroke.tip.diameter_m,
+      ->add_option("--exploratory-speed-m-per-s", options->exploratory_speed_m_per_s,
                    "Where it is not varied")
-      ->capture_default_str();
-  command->add_option("--applied-force-n", options->order.stroke.force_N, "Where it is not varied")
-      ->capture_default_str();
-  command
-      ->add_option("--exploratory-speed-m-per-s", options->order.stroke.speed_m_per_s,
-                   "Where it is not varied")
-      ->capture_default_str();
+      ->default_str(number_text(options->order.stroke.speed_m_per_s));
   command
       ->add_option("--jobs", options->jobs,
                    "Spacings at the same time, all processors by default; changes no result")
       ->check(CLI::Range(1, 256));
   command->add_option("--out", options->out, "Table of the rows (TSV)")->required();
+  std::map<std::string, SweepMeasure> measures{};
+  for (const SweepMeasure measure :
+       {SweepMeasure::max_accel, SweepMeasure::rms_accel, SweepMeasure::fa1, SweepMeasure::fa2,
+        SweepMeasure::pacinian}) {
+    measures[text_of(measure)] = measure;
+  }
+  command
+      ->add_option(
+          "--measure", options->measure,
+          "Which column the printed peaks and the figure are of: the greatest acceleration "
+          "(the default), its RMS, a band's power, or the power over the threshold of touch")
+      ->transform(word_of(measures))
+      ->option_text("max_accel|rms_accel|fa1|fa2|pacinian");
 #ifdef ASPERITY_WITH_WINDOWS
-  auto* plot = command->add_option("--plot", options->plot,
-                                   "Also a figure, by its ending .svg, .png or .pdf");
+  auto* plot = command->add_option(
+      "--plot", options->plot, "Also a figure of that measure, by its ending .svg, .png or .pdf");
   auto* beside = command
                      ->add_option("--beside", options->beside,
                                   "In the figure: what the participants of this study estimated")

@@ -152,14 +152,32 @@ void write_pdf(const std::filesystem::path& path, const Figure& figure, const Fi
   write_file(path, pdf_of(figure, print), overwrite);
 }
 
-void write_figure(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
-                  Overwrite overwrite) {
+namespace {
+
+using WriteFigure = void (*)(const std::filesystem::path&, const Figure&, const FigurePrint&,
+                             Overwrite);
+
+/// Null for an ending that no figure has.
+WriteFigure writer_by_ending(const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
-  if (ending == ".svg") return write_svg(path, figure, print, overwrite);
-  if (ending == ".png") return write_png(path, figure, print, overwrite);
-  if (ending == ".pdf") return write_pdf(path, figure, print, overwrite);
+  if (ending == ".svg") return write_svg;
+  if (ending == ".png") return write_png;
+  if (ending == ".pdf") return write_pdf;
+  return nullptr;
+}
+
+}  // namespace
+
+void require_figure_ending(const std::filesystem::path& path) {
+  if (writer_by_ending(path) != nullptr) return;
   throw std::invalid_argument("a figure is written as .svg, .png or .pdf; \"" +
                               path.filename().string() + "\" ends otherwise");
+}
+
+void write_figure(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
+                  Overwrite overwrite) {
+  require_figure_ending(path);
+  writer_by_ending(path)(path, figure, print, overwrite);
 }
 
 namespace {

@@ -33,7 +33,9 @@ void write_png(const std::filesystem::path& path, const Figure& figure, const Fi
                Overwrite overwrite);
 void write_pdf(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
                Overwrite overwrite);
-/// By the ending, .svg, .png or .pdf. Errors: std::invalid_argument for another one.
+/// Before there is a figure. Errors: std::invalid_argument for an ending that is not .svg, .png or .pdf.
+void require_figure_ending(const std::filesystem::path& path);
+/// By that ending. Errors: as both.
 void write_figure(const std::filesystem::path& path, const Figure& figure, const FigurePrint& print,
                   Overwrite overwrite);
 

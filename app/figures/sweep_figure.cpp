@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr int kCurveSteps = 60;
 constexpr double kMargin = 1.12;  // beyond the outermost marks, as a factor
+constexpr double kMargin_dB = 1.0;
 constexpr double kSmall = 0.6;
 constexpr double kMillimetres = 1e3;
 
@@ -44,45 +46,70 @@ Phrase sweep_title(VariedQuantity varied) {
   return {};
 }
 
-FigurePlace on_curve(const Quadratic& curve, double log10_frequency) {
+FigureAxis measure_axis(SweepMeasure measure) {
+  FigureAxis axis{.unit = "m²/s⁴", .scale = AxisScale::log10};
+  switch (measure) {
+    case SweepMeasure::max_accel:
+      axis.name = phrase("Figures", "greatest acceleration");
+      axis.unit = "m/s²";
+      break;
+    case SweepMeasure::rms_accel:
+      axis.name = phrase("Figures", "RMS acceleration");
+      axis.unit = "m/s²";
+      break;
+    case SweepMeasure::fa1:
+      axis.name = phrase("Figures", "power from 5 to 50 Hz");
+      break;
+    case SweepMeasure::fa2:
+      axis.name = phrase("Figures", "power from 50 to 500 Hz");
+      break;
+    case SweepMeasure::pacinian:
+      axis = {.name = phrase("Figures", "power over the threshold"), .unit = "dB"};
+      break;
+  }
+  return axis;
+}
+
+/// As it stands at the axis: decibels are logarithms already.
+double shown(const FigureAxis& axis, double log10) {
+  return axis.scale == AxisScale::log10 ? std::pow(10.0, log10) : 10.0 * log10;
+}
+
+FigurePlace on_curve(const FigureAxis& axis, const Quadratic& curve, double log10_frequency) {
   const double y =
       curve.a + curve.b * log10_frequency + curve.c * log10_frequency * log10_frequency;
-  return {.x = std::pow(10.0, log10_frequency), .y = std::pow(10.0, y)};
+  return {.x = std::pow(10.0, log10_frequency), .y = shown(axis, y)};
 }
 
 }  // namespace
 
-Figure sweep_figure(const Sweep& sweep) {
-  Figure figure{.name = "sweep",
-                .title = sweep_title(sweep.order.varied),
-                .note = phrase(
-                    "Figures",
-                    "Full marks: greatest acceleration of the held tool; small outlined ones: rows "
-                    "that a status excludes. Curves: parabolas of the logarithms. Large outlined "
-                    "marks: their peaks within the range, with 95 % Fieller intervals of the fit."),
-                .x = {.name = phrase("Figures", "texture frequency"),
-                      .unit = "1/m",
-                      .scale = AxisScale::log10},
-                .y = {.name = phrase("Figures", "greatest acceleration"),
-                      .unit = "m/s²",
-                      .scale = AxisScale::log10}};
+Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
+  Figure figure{
+      .name = "sweep",
+      .title = sweep_title(sweep.order.varied),
+      .note = phrase("Figures",
+                     "Full marks: strokes of the held tool; small outlined ones: strokes that a "
+                     "status excludes. Curves: parabolas of the logarithms. Large outlined marks: "
+                     "their peaks within the range, with 95 % Fieller intervals of the fit."),
+      .x = {.name = phrase("Figures", "texture frequency"),
+            .unit = "1/m",
+            .scale = AxisScale::log10},
+      .y = measure_axis(measure)};
   std::vector<FigurePlace> all{};
-  const std::vector<SweepCurve> curves = curves_of(sweep);
+  const std::vector<SweepCurve> curves = curves_of(sweep, measure);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const SweepCurve& curve = curves[i];
     const int style = static_cast<int>(i);
     FigureSeries counted{.name = level_name(sweep.order.varied, curve.value), .style = style};
     FigureSeries excluded{.style = style, .hollow = true};
     for (const SweepRow& row : sweep.rows) {
-      if (row.value != curve.value || !row.roughness ||
-          !(row.roughness->max_accel_m_per_s2 > 0.0)) {
-        continue;
-      }
+      const std::optional<double> log10 = log10_of(row, measure);
+      if (row.value != curve.value || !log10) continue;
       const bool counts =
           std::any_of(curve.fitted.begin(), curve.fitted.end(),
                       [&row](const SweepRow& fitted) { return fitted.spacing_m == row.spacing_m; });
       const FigurePoint mark{
-          .x = 1.0 / row.spacing_m, .y = row.roughness->max_accel_m_per_s2, .size = kSmall};
+          .x = 1.0 / row.spacing_m, .y = shown(figure.y, *log10), .size = kSmall};
       (counts ? counted : excluded).points.push_back(mark);
       all.push_back({.x = mark.x, .y = mark.y});
     }
@@ -93,14 +120,14 @@ Figure sweep_figure(const Sweep& sweep) {
       std::vector<FigurePlace>& line = counted.lines.emplace_back();
       for (int step = 0; step <= kCurveSteps; ++step) {
         const double part = static_cast<double>(step) / kCurveSteps;
-        line.push_back(on_curve(curve.fit->curve, std::lerp(low, high, part)));
+        line.push_back(on_curve(figure.y, curve.fit->curve, std::lerp(low, high, part)));
       }
       all.insert(all.end(), line.begin(), line.end());
     }
     figure.series.push_back(std::move(counted));
     if (!excluded.points.empty()) figure.series.push_back(std::move(excluded));
     if (curve.fit && curve.fit->peak) {
-      const FigurePlace top = on_curve(curve.fit->curve, curve.fit->peak->x);
+      const FigurePlace top = on_curve(figure.y, curve.fit->curve, curve.fit->peak->x);
       FigurePoint mark{.x = top.x, .y = top.y, .size = 1.4};
       if (curve.fit->fieller) {
         mark.x_interval = FigureSpan{.low = std::pow(10.0, curve.fit->fieller->low),
@@ -119,12 +146,17 @@ Figure sweep_figure(const Sweep& sweep) {
       all.begin(), all.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
   figure.x.low = left->x / kMargin;
   figure.x.high = right->x * kMargin;
-  figure.y.low = bottom->y / kMargin;
-  figure.y.high = top->y * kMargin;
+  if (figure.y.scale == AxisScale::log10) {
+    figure.y.low = bottom->y / kMargin;
+    figure.y.high = top->y * kMargin;
+  } else {
+    figure.y.low = bottom->y - kMargin_dB;
+    figure.y.high = top->y + kMargin_dB;
+  }
   return figure;
 }
 
-Figure beside_prediction(Figure estimates, const Sweep& sweep) {
+Figure beside_prediction(Figure estimates, const Sweep& sweep, SweepMeasure measure) {
   std::vector<FigureSeries*> conditions{};
   double shortest_mm = 0.0;
   double longest_mm = 0.0;
@@ -140,7 +172,7 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep) {
       count += 1.0;
     }
   }
-  const std::vector<SweepCurve> curves = curves_of(sweep);
+  const std::vector<SweepCurve> curves = curves_of(sweep, measure);
   if (curves.size() != conditions.size()) {
     throw std::runtime_error("the sweep has " + std::to_string(curves.size()) +
                              " levels and the study estimates under " +
@@ -160,8 +192,9 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep) {
           spacing_mm > longest_mm * (1.0 + kRounding)) {
         continue;
       }
-      marks.points.push_back(
-          {.x = spacing_mm, .y = row.roughness.value().max_accel_m_per_s2, .size = kSmall});
+      const std::optional<double> log10 = log10_of(row, measure);
+      if (!log10) continue;
+      marks.points.push_back({.x = spacing_mm, .y = std::pow(10.0, *log10), .size = kSmall});
       predicted_sum += std::log(marks.points.back().y);
       predicted_count += 1.0;
     }
@@ -187,9 +220,9 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep) {
     estimates.series.push_back(std::move(marks));
   }
   estimates.note = phrase("Figures",
-                          "%1 Small outlined marks: the greatest accelerations that a sweep "
-                          "predicts, all times one factor.")
-                       .with(estimates.note);
+                          "%1 Small outlined marks: the %2 that a sweep predicts, all times one "
+                          "factor.")
+                       .with(estimates.note, measure_axis(measure).name);
   return estimates;
 }
 

@@ -87,6 +87,14 @@ void require_sweep(const SweepOrder& order) {
   }
 }
 
+// Before hours of work, after which nothing could be written.
+void require_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  if (folder.empty() || std::filesystem::is_directory(folder)) return;
+  throw std::invalid_argument("there is no folder " + folder.string() + " for " +
+                              file.filename().string());
+}
+
 double log10_frequency(const SweepRow& row) { return -std::log10(row.spacing_m); }
 
 /// The work on one sweep, and its file.
@@ -126,12 +134,20 @@ class SweepWork final {
       if (spacing >= order_.spacings_m.size()) return;
       try {
         drag_over(spacing);
+      } catch (const std::invalid_argument& error) {
+        fail(std::make_exception_ptr(std::invalid_argument("over the spacing " +
+                                                           number_text(order_.spacings_m[spacing]) +
+                                                           " m: " + error.what())));
       } catch (...) {
-        const std::lock_guard lock(mutex_);
-        if (!failure_) failure_ = std::current_exception();
-        failed_ = true;
+        fail(std::current_exception());
       }
     }
+  }
+
+  void fail(const std::exception_ptr& failure) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = failure;
+    failed_ = true;
   }
 
   void drag_over(std::size_t spacing) {
@@ -214,6 +230,8 @@ class SweepWork final {
   std::exception_ptr failure_{};
 };
 
+Cell cell_of_measure(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+
 /// The rows of a table that `table_of` made.
 Sweep sweep_in(const std::string& text, const SweepOrder& order, const std::string& name) {
   Sweep sweep{.order = order};
@@ -254,21 +272,56 @@ const SweepRow* Sweep::find(double value, double spacing_m) const noexcept {
   return found == rows.end() ? nullptr : &*found;
 }
 
-std::vector<SweepCurve> curves_of(const Sweep& sweep) {
+const char* text_of(SweepMeasure measure) noexcept {
+  switch (measure) {
+    case SweepMeasure::max_accel:
+      return "max_accel";
+    case SweepMeasure::rms_accel:
+      return "rms_accel";
+    case SweepMeasure::fa1:
+      return "fa1";
+    case SweepMeasure::fa2:
+      return "fa2";
+    case SweepMeasure::pacinian:
+      return "pacinian";
+  }
+  return "";
+}
+
+std::optional<double> log10_of(const SweepRow& row, SweepMeasure measure) {
+  if (!row.roughness) return {};
+  const auto of_positive = [](double value) {
+    return value > 0.0 ? std::optional(std::log10(value)) : std::nullopt;
+  };
+  const HeldToolRoughness& roughness = *row.roughness;
+  switch (measure) {
+    case SweepMeasure::max_accel:
+      return of_positive(roughness.max_accel_m_per_s2);
+    case SweepMeasure::rms_accel:
+      return of_positive(roughness.rms_accel_m_per_s2);
+    case SweepMeasure::fa1:
+      return of_positive(roughness.fa1_m2_per_s4);
+    case SweepMeasure::fa2:
+      return of_positive(roughness.fa2_m2_per_s4);
+    case SweepMeasure::pacinian:
+      return roughness.pacinian_dB ? std::optional(0.1 * *roughness.pacinian_dB) : std::nullopt;
+  }
+  return {};
+}
+
+std::vector<SweepCurve> curves_of(const Sweep& sweep, SweepMeasure measure) {
   std::vector<SweepCurve> curves{};
   for (const double value : sweep.order.values) {
     SweepCurve& curve = curves.emplace_back(SweepCurve{.value = value});
     std::vector<double> x{};
     std::vector<double> y{};
     for (const SweepRow& row : sweep.rows) {
+      const std::optional<double> log10 = log10_of(row, measure);
       const bool counts = row.status == "ok" || row.status == kNoEffect;
-      if (row.value != value || !counts || !row.roughness ||
-          !(row.roughness->max_accel_m_per_s2 > 0.0)) {
-        continue;
-      }
+      if (row.value != value || !counts || !log10) continue;
       curve.fitted.push_back(row);
       x.push_back(log10_frequency(row));
-      y.push_back(std::log10(row.roughness->max_accel_m_per_s2));
+      y.push_back(*log10);
     }
     if (x.size() < 3) continue;
     curve.fit = curve_fit({.x = x, .log10 = y});
@@ -321,7 +374,7 @@ Table table_of(const Sweep& sweep) {
          measure(&HeldToolRoughness::max_accel_m_per_s2),
          measure(&HeldToolRoughness::rms_accel_m_per_s2),
          measure(&HeldToolRoughness::fa1_m2_per_s4), measure(&HeldToolRoughness::fa2_m2_per_s4),
-         cell_of(row.roughness ? row.roughness->pacinian_dB : std::nullopt), row.status});
+         cell_of_measure(row.roughness ? row.roughness->pacinian_dB : std::nullopt), row.status});
   }
   return table;
 }
@@ -376,6 +429,7 @@ std::filesystem::path declaration_beside(const std::filesystem::path& table) {
 Sweep sweep_into_file(const SweepOrder& order, const SweepFile& file, const std::stop_token& stop,
                       const std::function<void(double)>& progress) {
   require_sweep(order);
+  require_folder_of(file.out);
   Sweep known{.order = order};
   const std::filesystem::path beside = declaration_beside(file.out);
   if (std::filesystem::exists(file.out) || std::filesystem::exists(beside)) {

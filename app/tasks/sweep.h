@@ -44,9 +44,17 @@ struct Sweep {
   const SweepRow* find(double value, double spacing_m) const noexcept;
 };
 
-/// A level of each curve as the seeds' figures show it: parabolas of log₁₀ roughness over log₁₀
-/// texture frequency (1/spacing), through the rows whose status is `ok` or
-/// `no_effect_by_construction`.
+/// Which of the measures of a row is looked at.
+enum class SweepMeasure { max_accel, rms_accel, fa1, fa2, pacinian };
+/// As in the name of its column, without the unit.
+const char* text_of(SweepMeasure measure) noexcept;
+/// Its decimal logarithm, of the Pacinian power that of P_w, a tenth of the decibels; nothing where
+/// nothing moved the tool, or not in that band.
+std::optional<double> log10_of(const SweepRow& row, SweepMeasure measure);
+
+/// One curve, of a level of what is varied, as the source's figures have it: a parabola of log₁₀
+/// roughness over log₁₀ texture frequency (1/spacing), through the rows whose status is `ok` or
+/// `no_effect_by_construction` and that have a logarithm.
 struct SweepCurve {
   double value = 0.0;
   std::vector<SweepRow> fitted{};
@@ -54,7 +62,8 @@ struct SweepCurve {
   /// The row with the greatest value; nothing where that is the first or the last spacing.
   std::optional<double> greatest_at_m{};
 };
-std::vector<SweepCurve> curves_of(const Sweep& sweep);
+std::vector<SweepCurve> curves_of(const Sweep& sweep,
+                                  SweepMeasure measure = SweepMeasure::max_accel);
 
 /// The levels that are used where none are given, in SI units.
 std::vector<double> usual_values(VariedQuantity varied);

@@ -1,7 +1,11 @@
 // asperity sweep: rows that do not depend on the jobs, files that are gone on with, refusals.
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
-#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -148,6 +152,16 @@ TEST(Sweep, RefusesWhatMakesNoSense) {
   EXPECT_EQ(outcome({"--texture", "noise"}).status, 1);
   EXPECT_EQ(outcome({"--hand", "0,3,200"}).status, 1);
   EXPECT_EQ(outcome({"--tool", "point"}).status, 1);
+  EXPECT_THAT(outcome({"--tool", "sphre"}).err,
+              HasSubstr("write sphere, disc, point, or the file"));
+  EXPECT_EQ(outcome({"--probe-diameter-m", "0.004"}).status, 2);  // that is what is varied
+  EXPECT_THAT(outcome({"--drag", "constant"}).err, HasSubstr("constant_force or constant_height"));
+  EXPECT_EQ(asperity(sweep_into(
+                         out, {"--model", "sinusoid", "--vary", "applied_force", "--tool", "disc"}))
+                .status,
+            2);
+  EXPECT_THAT(asperity(sweep_into(place / "no" / "such.tsv", kSmall)).err,
+              HasSubstr("there is no folder"));
   EXPECT_THAT(outcome({"--texture", "velvet"}).err, HasSubstr("There is no synthetic surface"));
   EXPECT_FALSE(fs::exists(out));
 }
@@ -160,11 +174,67 @@ TEST(Sweep, DrawsACurveForEveryValue) {
   ASSERT_EQ(asperity(order).status, 0);
   const std::string svg = text_of(place / "sweep.svg");
   EXPECT_THAT(svg, HasSubstr("<svg"));
+  EXPECT_THAT(svg, HasSubstr("greatest acceleration"));
   EXPECT_EQ(asperity(order).status, 1);  // the figure is there
-  order.back() = place / "sweep.bmp";
-  EXPECT_EQ(asperity(order).status, 2);
+  // Another measure of the rows that are there.
+  order.back() = place / "powers.svg";
+  order.insert(order.end(), {"--measure", "pacinian"});
+  const Outcome powers = asperity(order);
+  ASSERT_EQ(powers.status, 0) << powers.err;
+  EXPECT_THAT(powers.out, HasSubstr("6 rows, constant_height, pacinian"));
+  EXPECT_THAT(text_of(place / "powers.svg"), HasSubstr("power over the threshold"));
+}
+
+TEST(Sweep, RefusesAFigureThatCannotBeWrittenBeforeItBegins) {
+  const TemporaryFolder place{};
+  std::vector<std::string> order = sweep_into(place / "sweep.tsv", kSmall);
+  order.insert(order.end(), {"--plot", place / "sweep.bmp"});
+  const Outcome refused = asperity(order);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr(".svg, .png or .pdf"));
+  order.back() = place / "no" / "sweep.svg";
+  EXPECT_THAT(asperity(order).err, HasSubstr("there is no folder"));
+  EXPECT_FALSE(fs::exists(place / "sweep.tsv"));
 }
 #endif
+
+// Each measure has its own peak: of the same strokes the power over the threshold of touch, whose
+// decibels are logarithms already, is greatest elsewhere than the greatest acceleration.
+TEST(Sweep, PrintsThePeaksOfTheMeasureThatIsChosen) {
+  const TemporaryFolder place{};
+  std::vector<std::string> order =
+      sweep_into(place / "sweep.tsv", {"--model", "pd_gradient", "--vary", "probe_diameter",
+                                       "--values", "0.001", "--spacings", "0.0005:0.008:9"});
+  const auto greatest_at_mm = [&order] {
+    const Outcome outcome = asperity(order);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::istringstream last(outcome.out.substr(outcome.out.rfind('\n', outcome.out.size() - 2)));
+    std::vector<std::string> words{std::istream_iterator<std::string>(last), {}};
+    return words.at(5);
+  };
+  for (const auto& [measure, column] :
+       std::map<std::string, std::string>{{"max_accel", "roughness_max_accel_m_per_s2"},
+                                          {"rms_accel", "roughness_rms_accel_m_per_s2"},
+                                          {"fa1", "roughness_fa1_m2_per_s4"},
+                                          {"fa2", "roughness_fa2_m2_per_s4"},
+                                          {"pacinian", "roughness_pacinian_dB"}}) {
+    order.insert(order.end(), {"--measure", measure});
+    const std::string said = greatest_at_mm();
+    order.resize(order.size() - 2);
+    const Tsv rows = tsv(text_of(place / "sweep.tsv"));
+    std::vector<double> values{};
+    for (const std::string& cell : rows.column(column)) values.push_back(number_in(cell).value());
+    const auto at =
+        static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+    const bool is_inside = at > 0 && at + 1 < values.size();
+    EXPECT_EQ(said,
+              is_inside
+                  ? text_of_number(
+                        std::round(1e6 * number_in(rows.column("spacing_m")[at]).value()) / 1e3)
+                  : "n/a")
+        << measure;
+  }
+}
 
 }  // namespace
 }  // namespace asperity::test
