@@ -130,9 +130,10 @@ void HeldToolRecord::reserve(std::size_t samples) {
   for (std::vector<double>& one : accelerations_m_per_s2_) one.reserve(samples);
 }
 
-void HeldToolRecord::add(double along_m_per_s2, double across_m_per_s2) {
+void HeldToolRecord::add(double along_m_per_s2, double across_m_per_s2, double beside_m_per_s2) {
   accelerations_m_per_s2_[0].push_back(along_m_per_s2);
   accelerations_m_per_s2_[1].push_back(across_m_per_s2);
+  accelerations_m_per_s2_[2].push_back(beside_m_per_s2);
 }
 
 void HeldToolRecord::clear() noexcept {

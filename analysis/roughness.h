@@ -67,7 +67,7 @@ inline constexpr VibrationThreshold kHeldTool{.best_Hz = 175.0, .displacement_m 
 double pacinian_power(std::span<const double> acceleration_m_per_s2, double rate_Hz,
                       const VibrationThreshold& threshold = kLargeContactor);
 
-/// How rough the acceleration of a held tool is, over both directions in which it can move.
+/// How rough the acceleration of a held tool is, over all directions in which it can move.
 struct HeldToolRoughness {
   double max_accel_m_per_s2 = 0.0;  ///< the longest vector of the record less its mean
   double rms_accel_m_per_s2 = 0.0;
@@ -87,7 +87,8 @@ class HeldToolRecord final {
   explicit HeldToolRecord(double rate_Hz);
 
   void reserve(std::size_t samples);
-  void add(double along_m_per_s2, double across_m_per_s2);
+  /// Along the stroke and across the surface; where it can also move beside the stroke, there too.
+  void add(double along_m_per_s2, double across_m_per_s2, double beside_m_per_s2 = 0.0);
   void clear() noexcept;
   std::size_t size() const noexcept { return accelerations_m_per_s2_[0].size(); }
   /// Of all samples since the last `clear`; throws std::invalid_argument without any.
@@ -95,7 +96,7 @@ class HeldToolRecord final {
 
  private:
   double rate_Hz_ = 0.0;
-  std::array<std::vector<double>, 2> accelerations_m_per_s2_{};
+  std::array<std::vector<double>, 3> accelerations_m_per_s2_{};
 };
 
 /// Amplitude parameters of heights about their mean (ISO 25178-2, without a filter of its own).

@@ -28,8 +28,8 @@ struct HandModel {
 /// with F the surface's force on the tool, taken where the tool is after each step. y stays 0. Steps
 /// are those of velocity Verlet with the dampers implicit: of second order, F asked for once a step.
 ///
-/// Fed with a force that was recorded instead of computed, at speed 0 and a kept height, its
-/// acceleration is what that force does to a held tool.
+/// Fed with a force that was recorded instead of computed, its acceleration is what that force does to a
+/// held tool (FeltRoughness).
 ///
 /// Errors: std::invalid_argument, naming the field, for a mass that is not positive, and a damping or a
 /// stiffness that is negative.

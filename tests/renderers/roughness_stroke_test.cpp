@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderers/offline/felt_roughness.h"
 #include "stimuli/solid_body.h"
 #include "tests/renderers/surfaces.h"
 
@@ -206,6 +207,43 @@ TEST(HeldTool, ComesCloserToTheTruthWithTheSquareOfItsStep) {
   const double coarse_m = greatest_error_m(1e-3);
   EXPECT_LT(coarse_m, 0.005 * 1e-3);
   EXPECT_NEAR(coarse_m / greatest_error_m(5e-4), 4.0, 0.4);
+}
+
+// A·sin ωt shakes a tool on the hand's spring and damper with the amplitude ω²A/√((k − mω²)² + (bω)²),
+// and across the surface, where there is no spring, with ωA/√((mω)² + b²).
+TEST(FeltRoughness, IsThatOfAToolWhichTheForceShakes) {
+  constexpr double kRate_Hz = 4000.0;
+  constexpr double kOmega_rad_per_s = kTwoPi * 60.0;
+  FeltRoughness felt({.rate_Hz = kRate_Hz});
+  auto feel_until = [&, sample = 0](double until_s) mutable {
+    for (; sample < until_s * kRate_Hz; ++sample) {
+      const double wave = std::sin(kOmega_rad_per_s * sample / kRate_Hz);
+      felt.add({0.2 * wave, 0.1 * wave, 1.0 + 0.3 * wave});
+    }
+  };
+  feel_until(0.5);  // 8/30 s of beginning, and less than a quarter of a second
+  EXPECT_FALSE(felt.roughness());
+  feel_until(3.0);
+  const HeldToolRoughness roughness = felt.roughness().value();
+  const double held =
+      kOmega_rad_per_s * kOmega_rad_per_s /
+      std::hypot(200.0 - 0.05 * kOmega_rad_per_s * kOmega_rad_per_s, 3.0 * kOmega_rad_per_s);
+  const double free = kOmega_rad_per_s / std::hypot(0.05 * kOmega_rad_per_s, 3.0);
+  const double rms_m_per_s2 = std::sqrt(
+      0.5 * (std::pow(0.2 * held, 2) + std::pow(0.1 * held, 2) + std::pow(0.3 * free, 2)));
+  EXPECT_NEAR(roughness.rms_accel_m_per_s2 / rms_m_per_s2, 1.0, 0.005);
+  EXPECT_NEAR(roughness.fa2_m2_per_s4 / (rms_m_per_s2 * rms_m_per_s2), 1.0, 0.01);
+  EXPECT_GT(roughness.pacinian_dB.value(), 20.0);
+}
+
+TEST(FeltRoughness, ForgetsWhatIsOlderThanASecond) {
+  FeltRoughness felt(FeltRoughness::Judging{});
+  for (int i = 0; i < 1500; ++i) felt.add({i % 10 < 5 ? 0.5 : -0.5, 0.0, 1.0});
+  EXPECT_GT(felt.roughness().value().rms_accel_m_per_s2, 1.0);
+  for (int i = 0; i < 1500; ++i) felt.add({0.3, 0.0, 1.0});  // pushed, and not shaken
+  EXPECT_LT(felt.roughness().value().rms_accel_m_per_s2, 0.01);
+  EXPECT_THROW(FeltRoughness({.hand = {.damping_N_s_per_m = 0.0}}), std::invalid_argument);
+  EXPECT_THROW(FeltRoughness({.rate_Hz = 0.0}), std::invalid_argument);
 }
 
 // A ball on a sinusoid: the largest acceleration peaks near the spacing from which on it touches the

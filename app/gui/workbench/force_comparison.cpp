@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <QtCore/QStringList>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
@@ -22,13 +23,15 @@ namespace {
 
 constexpr int kFrame_ms = 16;
 constexpr int kLook_ms = 250;
-constexpr std::size_t kShownSamples = 2000;  // two seconds
+constexpr std::size_t kShownSamples = 2000;
+constexpr double kShown_s = 2.0;  // the same
 constexpr std::size_t kWelchSamples = 256;
 constexpr double kAcross_m_per_s = 0.060;
 constexpr double kComparedRate_Hz = 1000.0;
 constexpr std::int64_t kComparedPeriod_ns = 1'000'000;
-constexpr double kLoud_N = 0.2;          // a strong texture force is at half of full scale
-constexpr double kStill_m_per_s = 1e-4;  // below, a direction of motion means nothing
+constexpr std::size_t kBetweenJudgings = 50;  // samples: twenty numbers a second
+constexpr double kLoud_N = 0.2;               // a strong texture force is at half of full scale
+constexpr double kStill_m_per_s = 1e-4;       // below, a direction of motion means nothing
 
 std::vector<Parameter> surface_parameters() {
   const Material usual{};
@@ -59,6 +62,12 @@ QString name_of(const ForceModel& model) {
   QString name = QString::fromStdString(model.declaration.id).replace('_', ' ');
   name[0] = name[0].toUpper();
   return name;
+}
+
+/// Two digits: more would only flicker.
+QString in_m_per_s2(double acceleration_m_per_s2) {
+  const int decimals = acceleration_m_per_s2 < 0.995 ? 2 : acceleration_m_per_s2 < 9.95 ? 1 : 0;
+  return QString::number(acceleration_m_per_s2, 'f', decimals);
 }
 
 }  // namespace
@@ -233,6 +242,8 @@ void ForceComparison::take(Built built) {
     models.push_back(std::move(model.stroked));
   }
   stroke_.set_models(std::move(models), built.depth_m);
+  judged_ = 0;
+  judge();
   frames_.stop();
   emit advanced();
 }
@@ -241,6 +252,7 @@ void ForceComparison::begin_stroke(double x_m, double y_m) {
   across_y_m_.reset();
   played_ = 0;
   stroke_.begin({x_m, y_m});
+  judged_ = 0;
   clock_.start();
   frames_.start();
 }
@@ -280,6 +292,7 @@ void ForceComparison::frame() {
     stroke_.advance(now_ns);
   }
   play();
+  judge();
   // The sound wants every frame, the plots every other.
   if (++frame_ % 2 == 0 || !frames_.isActive()) emit advanced();
 }
@@ -344,6 +357,61 @@ void ForceComparison::play() {
   played_ = stroke_.path().size();
 }
 
+/// What has been felt since the last time; of a new stroke, from nothing.
+void ForceComparison::judge() {
+  if (judged_ == 0) shakings_.assign(stroke_.models().size(), {});
+  for (; judged_ < stroke_.path().size(); ++judged_) {
+    for (std::size_t m = 0; m < shakings_.size(); ++m) {
+      Shaking& shaking = shakings_[m];
+      shaking.felt.add(stroke_.forces_N()[m][judged_]);
+      if (judged_ % kBetweenJudgings != 0) continue;
+      shaking.newest = shaking.felt.roughness();
+      if (!shaking.newest) continue;
+      shaking.time_s << 1e-9 * static_cast<double>(stroke_.path()[judged_].time_ns);
+      shaking.rms_m_per_s2 << shaking.newest->rms_accel_m_per_s2;
+    }
+  }
+}
+
+const ForceComparison::ModelCard& ForceComparison::card_of(std::size_t model) const {
+  return *std::find_if(cards_.begin(), cards_.end(), [&](const ModelCard& card) {
+    return card.model->declaration.id == stroke_.models()[model].id;
+  });
+}
+
+std::vector<PlotSeries> ForceComparison::roughness() const {
+  std::vector<PlotSeries> all{};
+  for (std::size_t m = 0; m < shakings_.size(); ++m) {
+    const Shaking& shaking = shakings_[m];
+    if (!shaking.newest) continue;
+    PlotSeries series{.name = in_m_per_s2(shaking.newest->rms_accel_m_per_s2),
+                      .color = card_of(m).color};
+    for (qsizetype i = 0; i < shaking.time_s.size(); ++i) {
+      if (shaking.time_s[i] < shaking.time_s.back() - kShown_s) continue;
+      series.x << shaking.time_s[i];
+      series.y << shaking.rms_m_per_s2[i];
+    }
+    all.push_back(std::move(series));
+  }
+  return all;
+}
+
+QString ForceComparison::roughness_in_words() const {
+  QStringList lines{};
+  for (std::size_t m = 0; m < shakings_.size(); ++m) {
+    const std::optional<HeldToolRoughness>& newest = shakings_[m].newest;
+    if (!newest) continue;
+    const QString name = name_of(*card_of(m).model);
+    const QString rms = in_m_per_s2(newest->rms_accel_m_per_s2);
+    const QString greatest = in_m_per_s2(newest->max_accel_m_per_s2);
+    lines << (newest->pacinian_dB
+                  ? tr("%1: RMS %2 m/s², greatest %3 m/s², %4 dB over the threshold of touch")
+                        .arg(name, rms, greatest, QString::number(*newest->pacinian_dB, 'f', 0))
+                  : tr("%1: RMS %2 m/s², greatest %3 m/s²").arg(name, rms, greatest));
+  }
+  return lines.join('\n');
+}
+
 std::vector<double> ForceComparison::component_of(std::size_t model, std::size_t first) const {
   const std::vector<glm::dvec3>& forces_N = stroke_.forces_N()[model];
   std::vector<double> component_N{};
@@ -373,11 +441,8 @@ std::vector<PlotSeries> ForceComparison::forces() const {
       series.x.push_back(1e-9 * static_cast<double>(stroke_.path()[first + i].time_ns));
       series.y.push_back(component_N[i]);
     }
-    for (const ModelCard& card : cards_) {
-      if (card.model->declaration.id != stroke_.models()[m].id) continue;
-      series.name = name_of(*card.model);
-      series.color = card.color;
-    }
+    series.name = name_of(*card_of(m).model);
+    series.color = card_of(m).color;
     all.push_back(std::move(series));
   }
   return all;

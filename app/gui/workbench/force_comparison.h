@@ -9,7 +9,9 @@
 #include <vector>
 
 #include <QtCore/QElapsedTimer>
+#include <QtCore/QString>
 #include <QtCore/QTimer>
+#include <QtCore/QVector>
 #include <QtWidgets/QWidget>
 
 #include "app/gui/look/newest_work.h"
@@ -17,6 +19,7 @@
 #include "app/gui/workbench/force_stroke.h"
 #include "app/gui/workbench/signal_plots.h"
 #include "renderers/force_model.h"
+#include "renderers/offline/felt_roughness.h"
 
 class QCheckBox;
 class QComboBox;
@@ -53,6 +56,11 @@ class ForceComparison final : public QWidget {
   /// The last two seconds of the stroke, and their spectra.
   std::vector<PlotSeries> forces() const;
   std::vector<PlotSeries> spectra() const;
+  /// How the forces of the stroke would shake a held tool (FeltRoughness): a curve of the RMS
+  /// acceleration for every model, over the same two seconds, with the newest number as its name.
+  std::vector<PlotSeries> roughness() const;
+  /// The same numbers and the other measures, a line for every model; empty before there are any.
+  QString roughness_in_words() const;
 
  signals:
   void advanced();  ///< there is more of the stroke, or there are other models
@@ -73,10 +81,19 @@ class ForceComparison final : public QWidget {
     QColor color{};
   };
   struct Built;
+  /// Of the stroke through one model.
+  struct Shaking {
+    FeltRoughness felt{FeltRoughness::Judging{}};
+    std::optional<HeldToolRoughness> newest{};
+    QVector<double> time_s{};
+    QVector<double> rms_m_per_s2{};
+  };
   void add_card(const ForceModel& model, QWidget* parent);
   void make_renderers();
   void take(Built built);
   void frame();
+  void judge();
+  const ModelCard& card_of(std::size_t model) const;
   std::vector<double> component_of(std::size_t model, std::size_t first) const;
   void play();
   void open_or_close_sound();
@@ -89,6 +106,8 @@ class ForceComparison final : public QWidget {
   QLabel* no_sound_ = nullptr;
   std::shared_ptr<FieldPlate> field_{};
   ForceStroke stroke_{};
+  std::vector<Shaking> shakings_{};  // by model of the stroke
+  std::size_t judged_ = 0;           // samples of this stroke
   QElapsedTimer clock_{};
   QTimer frames_{};
   std::uint64_t frame_ = 0;

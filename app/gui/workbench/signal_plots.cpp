@@ -5,7 +5,9 @@
 #include <limits>
 
 #include <QtCore/QEvent>
+#include <QtCore/QStringList>
 #include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QLabel>
 #include <qcustomplot.h>
 
 #include "app/gui/look/controls.h"
@@ -54,104 +56,137 @@ void fit(QCPAxis& axis, PlotScale scale, Extent extent, bool margin) {
 
 }  // namespace
 
-SignalPlots::SignalPlots(const PlotAxes& signal, const PlotAxes& spectrum, QWidget* parent)
-    : QWidget(parent) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(kMargin);
-  layout->addWidget(make_side(signal_, signal), 3);
-  layout->addWidget(make_side(spectrum_, spectrum), 2);
-}
-
-QWidget* SignalPlots::make_side(Side& side, const PlotAxes& axes) {
-  side.axes = axes;
-  auto* box = new QFrame(this);
-  box->setProperty("role", "card");
-  auto* layout = new QVBoxLayout(box);
+SignalPlot::SignalPlot(const PlotAxes& axes, QWidget* parent) : QFrame(parent), axes_(axes) {
+  setProperty("role", "card");
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kGrid, kGrid, kGrid, kGrid / 2);
   layout->setSpacing(0);
-  side.heading = make_text(axes.heading, box);
-  side.heading->setFont(text_font(TextSize::small));
-  side.heading->setWordWrap(false);
-  side.heading->setTextFormat(Qt::RichText);
-  // Names that find no room are cut off, they do not widen the page.
-  side.heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  layout->addWidget(side.heading);
+  const auto add_line = [this, layout](const QString& text, TextSize size, bool muted) {
+    QLabel* line = make_text(text, this, muted);
+    line->setFont(text_font(size));
+    line->setWordWrap(false);
+    // What finds no room is cut off, it does not widen the page.
+    line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    layout->addWidget(line);
+    return line;
+  };
+  heading_ = add_line(axes.heading, TextSize::small, false);
+  heading_->setTextFormat(Qt::RichText);
   // Lying above its axis it is read whole however low the plot is; beside it, it would be cut off.
-  QLabel* y = make_text(axes.y, box, true);
-  y->setFont(text_font(TextSize::small));
-  y->setWordWrap(false);
-  y->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  layout->addWidget(y);
-  side.plot = new QCustomPlot(box);
-  side.plot->setMinimumHeight(96);
-  side.plot->xAxis->setLabel(axes.x);
-  set_scale(*side.plot->xAxis, axes.x_scale);
-  set_scale(*side.plot->yAxis, axes.y_scale);
-  side.plot->axisRect()->setMinimumMargins(QMargins(56, 4, 8, 0));
-  layout->addWidget(side.plot, 1);
-  style_plot(*side.plot);
-  return box;
+  add_line(axes.y, TextSize::small, true);
+  if (axes.names_are_large) {
+    large_names_ = add_line({}, TextSize::body, false);
+    large_names_->setTextFormat(Qt::RichText);
+    large_names_->setObjectName("large_names");
+  }
+  plot_ = new QCustomPlot(this);
+  plot_->setMinimumHeight(axes.names_are_large ? 72 : 96);
+  plot_->xAxis->setLabel(axes.x);
+  set_scale(*plot_->xAxis, axes.x_scale);
+  set_scale(*plot_->yAxis, axes.y_scale);
+  plot_->axisRect()->setMinimumMargins(QMargins(56, 4, 8, 0));
+  layout->addWidget(plot_, 1);
+  style_plot(*plot_);
+  write_names();
 }
 
-void SignalPlots::show_signal(const std::vector<PlotSeries>& series, const QString& empty) {
-  signal_.series = series;
-  signal_.empty = empty;
-  draw(signal_);
+void SignalPlot::show_series(const std::vector<PlotSeries>& series, const QString& empty) {
+  series_ = series;
+  empty_ = empty;
+  draw();
 }
 
-void SignalPlots::show_spectrum(const std::vector<PlotSeries>& series, const QString& empty) {
-  spectrum_.series = series;
-  spectrum_.empty = empty;
-  draw(spectrum_);
+void SignalPlot::write_names() {
+  QStringList names{};
+  for (const PlotSeries& series : series_) {
+    if (series.name.isEmpty()) continue;
+    names << QString("<span style='color:%1'>━</span> %2")
+                 .arg(series.color.name(), series.name.toHtmlEscaped());
+  }
+  const QString written = names.join(large_names_ == nullptr ? "&nbsp;&nbsp; " : "&nbsp; ");
+  const QString heading = "<b>" + axes_.heading.toHtmlEscaped() + "</b>";
+  if (large_names_ == nullptr) {
+    heading_->setText(names.isEmpty() ? heading : heading + "&nbsp;&nbsp; " + written);
+    return;
+  }
+  heading_->setText(heading);
+  // A line that is empty would be lower, and the plot would jump.
+  large_names_->setText(names.isEmpty() ? QString("&nbsp;") : "<b>" + written + "</b>");
 }
 
-void SignalPlots::draw(Side& side) {
-  QCustomPlot& plot = *side.plot;
-  plot.clearGraphs();
-  plot.clearItems();
+void SignalPlot::draw() {
+  plot_->clearGraphs();
+  plot_->clearItems();
   Extent x{};
   Extent y{};
-  QString heading = "<b>" + side.axes.heading.toHtmlEscaped() + "</b>";
-  for (const PlotSeries& series : side.series) {
-    QCPGraph* graph = plot.addGraph();
+  for (const PlotSeries& series : series_) {
+    QCPGraph* graph = plot_->addGraph();
     graph->setPen(QPen(series.color, 1.5));
     graph->setData(series.x, series.y, true);
     for (qsizetype i = 0; i < series.x.size(); ++i) {
       x.include(series.x[i]);
       // A logarithm needs something to take it of.
-      if (side.axes.y_scale == PlotScale::linear || series.y[i] > 0.0) y.include(series.y[i]);
-    }
-    if (!series.name.isEmpty()) {
-      heading += QString("&nbsp;&nbsp; <span style='color:%1'>━</span> %2")
-                     .arg(series.color.name(), series.name.toHtmlEscaped());
+      if (axes_.y_scale == PlotScale::linear || series.y[i] > 0.0) y.include(series.y[i]);
     }
   }
-  side.heading->setText(heading);
-  const bool nothing = side.series.empty() || x.is_empty();
-  if (nothing && !side.empty.isEmpty()) {
-    auto* label = new QCPItemText(&plot);
+  write_names();
+  const bool nothing = series_.empty() || x.is_empty();
+  if (nothing && !empty_.isEmpty()) {
+    auto* label = new QCPItemText(plot_);
     label->position->setType(QCPItemPosition::ptAxisRectRatio);
     label->position->setCoords(0.5, 0.5);
-    label->setText(side.empty);
+    label->setText(empty_);
     label->setColor(theme().muted);
     label->setFont(text_font(TextSize::small));
   }
-  plot.xAxis->setTickLabels(!nothing);
-  plot.yAxis->setTickLabels(!nothing);
-  fit(*plot.xAxis, side.axes.x_scale, x, false);
-  fit(*plot.yAxis, side.axes.y_scale, y, true);
-  plot.replot(QCustomPlot::rpQueuedReplot);
+  plot_->xAxis->setTickLabels(!nothing);
+  plot_->yAxis->setTickLabels(!nothing);
+  fit(*plot_->xAxis, axes_.x_scale, x, false);
+  fit(*plot_->yAxis, axes_.y_scale, y, true);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void SignalPlots::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() != QEvent::PaletteChange) return;
-  for (Side* side : {&signal_, &spectrum_}) {
-    if (side->plot == nullptr) continue;
-    style_plot(*side->plot);
-    draw(*side);
-  }
+void SignalPlot::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange || plot_ == nullptr) return;
+  style_plot(*plot_);
+  choose_ticks();
+  draw();
+}
+
+void SignalPlot::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  choose_ticks();
+}
+
+/// In a narrow plot four numbers of three digits would run into each other.
+void SignalPlot::choose_ticks() {
+  constexpr int kNarrow = 256;
+  const int ticks = width() < kNarrow ? 2 : 4;
+  QCPAxisTicker& ticker = *plot_->xAxis->ticker();
+  if (axes_.x_scale == PlotScale::logarithmic || ticker.tickCount() == ticks) return;
+  ticker.setTickCount(ticks);
+  // The plot has drawn itself in its new size already.
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+SignalPlots::SignalPlots(const PlotAxes& signal, const PlotAxes& spectrum, QWidget* parent)
+    : QWidget(parent),
+      signal_(new SignalPlot(signal, this)),
+      spectrum_(new SignalPlot(spectrum, this)) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kMargin);
+  layout->addWidget(signal_, 3);
+  layout->addWidget(spectrum_, 2);
+}
+
+void SignalPlots::show_signal(const std::vector<PlotSeries>& series, const QString& empty) {
+  signal_->show_series(series, empty);
+}
+
+void SignalPlots::show_spectrum(const std::vector<PlotSeries>& series, const QString& empty) {
+  spectrum_->show_series(series, empty);
 }
 
 }  // namespace asperity

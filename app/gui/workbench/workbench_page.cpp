@@ -177,15 +177,27 @@ QWidget* WorkbenchPage::make_workspace() {
        .y_scale = PlotScale::logarithmic},
       plots_);
   profile_->setObjectName("profile");
+  auto* felt = new QWidget(plots_);
   forces_ = new SignalPlots({.heading = tr("Force"), .x = tr("Time, s"), .y = tr("Force, N")},
                             {.heading = tr("Its spectrum"),
                              .x = tr("Frequency, Hz"),
                              .y = tr("Power, N²/Hz"),
                              .y_scale = PlotScale::logarithmic},
-                            plots_);
+                            felt);
   forces_->setObjectName("forces");
+  roughness_ = new SignalPlot({.heading = tr("Predicted roughness"),
+                               .x = tr("Time, s"),
+                               .y = tr("RMS acceleration, m/s²"),
+                               .names_are_large = true},
+                              felt);
+  roughness_->setObjectName("roughness");
+  auto* row = new QHBoxLayout(felt);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kMargin);
+  row->addWidget(forces_, 5);
+  row->addWidget(roughness_, 2);
   plots_->addWidget(profile_);
-  plots_->addWidget(forces_);
+  plots_->addWidget(felt);
   middle->addWidget(plots_, 3);
   layout->addLayout(middle, 1);
 
@@ -410,6 +422,13 @@ void WorkbenchPage::show_forces() {
   if (mode_->checkedId() != static_cast<int>(Mode::comparing)) return;
   forces_->show_signal(comparison_->forces(), tr("Drag over the relief to feel it"));
   forces_->show_spectrum(comparison_->spectra(), tr("After a quarter of a second"));
+  roughness_->show_series(comparison_->roughness(), tr("After half a second"));
+  const QString meaning =
+      tr("How the force of the last second would shake a tool of 50 g in a hand: the prediction of "
+         "asperity sweep, of this stroke.");
+  const QString numbers = comparison_->roughness_in_words();
+  roughness_->setToolTip(numbers.isEmpty() ? meaning : meaning + '\n' + numbers);
+  roughness_->setAccessibleDescription(roughness_->toolTip());
   constexpr std::size_t kTrail = 400;  // samples: what the eye follows
   const std::vector<ProbeState>& path = comparison_->stroke().path();
   std::vector<glm::dvec2> trail_m{};

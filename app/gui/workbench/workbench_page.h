@@ -26,6 +26,7 @@ class OpenStudy;
 class RecipePanel;
 class ReliefView;
 class SavePanel;
+class SignalPlot;
 class SignalPlots;
 class TaskLine;
 
@@ -89,6 +90,7 @@ class WorkbenchPage final : public QWidget {
   QLabel* caption_ = nullptr;
   SignalPlots* profile_ = nullptr;
   SignalPlots* forces_ = nullptr;
+  SignalPlot* roughness_ = nullptr;
   ForceComparison* comparison_ = nullptr;
   RecipePanel* recipe_ = nullptr;
   SavePanel* save_ = nullptr;

@@ -664,6 +664,40 @@ TEST_F(Workbench, StrokesAcrossOnTheSamePathHoweverTheFramesCome) {
   }
 }
 
+TEST_F(Workbench, TellsHowRoughTheStrokeIsThroughEveryModel) {
+  drop(photograph("brick", 256));
+  click("mode_comparing");
+  find<QCheckBox>("model_lateral_gradient").setChecked(true);
+  settle();
+  auto& comparison = find<ForceComparison>("comparison");
+  auto& roughness = find<SignalPlot>("roughness");
+  auto& numbers = find<QLabel>("large_names");
+  EXPECT_TRUE(roughness.isVisible());
+  EXPECT_TRUE(roughness.series().empty());
+  click("stroke_across");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !roughness.series().empty(); }, kLongest_ms));
+  EXPECT_GE(comparison.stroke().path().size(), 500U) << "the beginning is left out";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !comparison.stroke().is_going_on(); }, kLongest_ms));
+  ASSERT_EQ(roughness.series().size(), 3U);
+  for (std::size_t m = 0; m < 3; ++m) {
+    const PlotSeries& curve = roughness.series()[m];
+    EXPECT_EQ(curve.color, find<SignalPlots>("forces").signal_series()[m].color);
+    // The same forces at once: live is what is computed later.
+    FeltRoughness later(FeltRoughness::Judging{});
+    const auto samples = static_cast<std::size_t>(std::lround(1000.0 * curve.x.back())) + 1;
+    for (std::size_t i = 0; i < samples; ++i) later.add(comparison.stroke().forces_N()[m][i]);
+    EXPECT_EQ(curve.y.back(), later.roughness().value().rms_accel_m_per_s2);
+    EXPECT_GT(curve.y.back(), 0.01);
+    EXPECT_TRUE(numbers.text().contains(curve.name)) << numbers.text().toStdString();
+    EXPECT_NEAR(curve.name.toDouble(), curve.y.back(), 0.05);
+  }
+  EXPECT_TRUE(roughness.toolTip().contains("Lateral gradient: RMS "));
+  comparison.begin_stroke(0.0, 0.0);
+  comparison.end_stroke();
+  EXPECT_TRUE(roughness.series().empty()) << "of another stroke";
+  EXPECT_FALSE(roughness.toolTip().contains("RMS "));
+}
+
 TEST_F(Workbench, PlaysTheForceOfTheModelThatIsToBeHeard) {
   drop(photograph("brick", 256));
   click("mode_comparing");
