@@ -56,7 +56,7 @@ FriedmanTest friedman_test(const Eigen::MatrixXd& judgements) {
   const double ties = 12.0 * (n * k * (k + 1.0) * (2.0 * k + 1.0) / 6.0 - squares);
   const double below = n * k * (k + 1.0) - ties / (k - 1.0);
   const double above = 12.0 * (sums.array() - n * (k + 1.0) / 2.0).square().sum();
-  if (!(below > 1e-9)) {
+  if (n < 2.0 || !(below > 1e-9)) {
     test.chi_squared = test.p = test.concordance = test.f = test.f_p = kNone;
     return test;
   }
@@ -64,10 +64,6 @@ FriedmanTest friedman_test(const Eigen::MatrixXd& judgements) {
   test.p = *upper_tail(ChiSquaredStatistic{.value = test.chi_squared, .df = test.df});
   test.concordance = test.chi_squared / (n * (k - 1.0));
   const double rest = n * (k - 1.0) - test.chi_squared;
-  if (n < 2.0) {
-    test.f = test.f_p = kNone;
-    return test;
-  }
   const bool agreed = rest <= 1e-12 * n * k;
   test.f = agreed ? std::numeric_limits<double>::infinity() : (n - 1.0) * test.chi_squared / rest;
   test.f_p = *upper_tail(FStatistic{.value = test.f, .df1 = k - 1.0, .df2 = (k - 1.0) * (n - 1.0)});

@@ -24,8 +24,8 @@ std::vector<double> midranks(std::span<const double> numbers);
 /// F = (N − 1)·X²/(N(K − 1) − X²), with K − 1 and (K − 1)(N − 1) degrees of freedom.
 /// W = X²/(N(K − 1)) is Kendall's concordance: 0 for none, 1 for the same order in every row.
 ///
-/// What is not defined is NaN: everything where all rows are tied throughout, F and its p also for
-/// a single row. With W = 1, F is infinite.
+/// What is not defined is NaN: everything where all rows are tied throughout, and for fewer than two
+/// rows, of which none can agree with another. With W = 1, F is infinite.
 ///
 /// [Friedman 1937] Friedman: The use of ranks to avoid the assumption of normality implicit in the
 /// analysis of variance. [Iman 1980] Iman, Davenport: Approximations of the critical region of the

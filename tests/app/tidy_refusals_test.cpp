@@ -94,6 +94,41 @@ TEST(TidyRefusals, AreWordsWhereOnePersonOrNobodyAnswered) {
       "no_data");
 }
 
+TEST(TidyRefusals, TakeNoAgreementOfOneWithHimself) {
+  const char* items = R"({"items": ["a", "b", "c"]})";
+  const std::vector<Finding> one =
+      findings_of("rating", "subject,item,score\nA,a,1\nA,b,2\nA,c,3\n", items);
+  EXPECT_EQ(word_of(one, "friedman.chisq"), "undefined_one_row");
+  EXPECT_EQ(word_of(one, "friedman.p"), "(absent)");
+  EXPECT_EQ(word_of(one, "kendall.W"), "(absent)");
+  EXPECT_EQ(word_of(findings_of("rating", "subject,item,score\nA,a,1\n", items), "friedman.chisq"),
+            "no_data");
+  EXPECT_EQ(
+      word_of(findings_of("ranking", "subject,trial,item,rank\nA,1,a,1\nA,1,b,2\nA,1,c,3\n", items),
+              "friedman.chisq"),
+      "undefined_one_row");
+}
+
+TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
+  const auto why = [](const std::vector<Finding>& findings, const std::string& quantity) {
+    for (const Finding& finding : findings) {
+      if (finding.quantity == quantity) return finding.word + ": " + finding.status;
+    }
+    return std::string();
+  };
+  const char* choices = R"({"renderers": ["a", "b"], "target": "a"})";
+  EXPECT_EQ(
+      why(findings_of("selection", "subject,sample,choice\nA,1,a\n", choices), "subj.t.p.two"),
+      "NA: one participant has no spread: run more");
+  EXPECT_EQ(why(findings_of("selection", "subject,sample,choice\nA,1,a\nB,1,a\n", choices),
+                "subj.t.p.two"),
+            "NA: all participants have the same share");
+  EXPECT_EQ(why(findings_of("rating", "subject,item,score\nA,a,2\nA,b,2\nB,a,3\nB,b,3\n",
+                            R"({"items": ["a", "b"]})"),
+                "friedman.p"),
+            "NA: all items are tied in every row: there is no order to test");
+}
+
 // 0.50 in a table and 0.5 in the options are one level, and the order is that of the options.
 TEST(TidyFamilies, TakeEqualNumbersForOneLevel) {
   const std::vector<Finding> findings =

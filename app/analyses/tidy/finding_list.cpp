@@ -24,10 +24,12 @@ Finding& FindingList::add(std::string quantity, std::string key, Basis&& basis) 
 }
 
 void FindingList::number(std::string quantity, std::string key, double value, Basis basis) {
+  std::string why = basis.undefined.empty() ? "this number is not defined for these data"
+                                            : std::move(basis.undefined);
   Finding& finding = add(std::move(quantity), std::move(key), std::move(basis));
   if (std::isnan(value)) {
     finding.word = "NA";
-    finding.status = "this number is not defined for these data";
+    finding.status = std::move(why);
   } else if (std::isinf(value)) {
     finding.word = value > 0.0 ? "Inf" : "-Inf";
     finding.status = "this number is infinite for these data";

@@ -29,6 +29,7 @@ struct Basis {
   std::string unit = "1";                        ///< as SI writes it
   std::optional<ConfidenceInterval> interval{};  ///< around the number
   std::optional<double> confidence{};            ///< of that
+  std::string undefined{};  ///< why the number is not defined, should it not be; empty: not said
 };
 
 /// Collects findings with a word in the place of a number that is none.

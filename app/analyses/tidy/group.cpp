@@ -93,7 +93,10 @@ class GroupComparison final {
     number("fisher.p.two", fisher.p_two_sided, "Fisher's exact test" + independent);
     number("fisher.p.greater", fisher.p_greater, "Fisher's exact test, one-sided" + independent);
     number("fisher.p.less", fisher.p_less, "Fisher's exact test, one-sided" + independent);
-    Basis ratio = basis("conditional maximum likelihood, exact limits" + independent);
+    Basis ratio = basis("conditional maximum likelihood, exact limits" + independent +
+                        (fisher.margins_decide
+                             ? "; all answers are right, or all wrong: these say nothing about it"
+                             : ""));
     ratio.interval = fisher.interval;
     ratio.confidence = confidence_;
     list_.number("fisher.or.cond", "", fisher.odds_ratio, ratio);

@@ -243,11 +243,14 @@ class MagnitudeList final {
         const auto column = static_cast<Eigen::Index>(level);
         const std::string key = cell_key(probe, level);
         const double mean = cell.mean(column);
-        const double half = cell.half_width ? (*cell.half_width)(column) : kUndefined;
+        // With a single cell everybody's normalised estimate is the grand mean, whoever they are.
+        const bool has_spread =
+            cell.half_width && (normalisation_ != Normalisation::grand_mean || cells > 1.0);
+        const double half = has_spread ? (*cell.half_width)(column) : kUndefined;
         const ConfidenceInterval ends{.low = std::pow(10.0, mean - half),
                                       .high = std::pow(10.0, mean + half)};
         Basis shown = basis("geometric mean of normalised estimates; t interval of logarithms");
-        if (cell.half_width) {
+        if (has_spread) {
           shown.interval = ends;
           shown.confidence = confidence_;
         }

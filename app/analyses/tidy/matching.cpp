@@ -369,7 +369,9 @@ void add_shares_of_participants(std::span<const HitCount> own, double confidence
   }
   findings.number("subj.mean", "", t.mean, mean);
   findings.number("subj.sd", "", t.sd.value_or(std::numeric_limits<double>::quiet_NaN()),
-                  {.n = t.n, .method = "of the participants' shares"});
+                  {.n = t.n,
+                   .method = "of the participants' shares",
+                   .undefined = "one participant has no spread: run more"});
   add_spread("", shares, findings);
 }
 

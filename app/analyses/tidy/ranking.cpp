@@ -162,7 +162,9 @@ std::vector<Finding> ranking_findings(const TidyInput& input) {
   }
   if (read.ranks.rows() > 0) {
     const auto rows = static_cast<std::size_t>(read.ranks.rows());
-    add_friedman(friedman_test(read.ranks), rows, findings);
+    add_friedman(friedman_test(read.ranks),
+                 {.n = rows, .none = {}, .one = "one ranking agrees with no other: gather more"},
+                 findings);
     for (std::size_t i = 0; i < read.items.size(); ++i) {
       findings.number("mean.rank", read.items[i],
                       read.ranks.col(static_cast<Eigen::Index>(i)).mean(), {.n = rows});

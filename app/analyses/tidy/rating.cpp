@@ -91,7 +91,9 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
       pairs.push_back(key);
       p.push_back(test.p);
       findings.number("wilcoxon.rankbiserial", key, test.rank_biserial,
-                      {.n = test.n, .method = "rank-biserial correlation"});
+                      {.n = test.n,
+                       .method = "rank-biserial correlation",
+                       .undefined = "nobody scored the two items differently"});
     }
   }
   const std::vector<double> adjusted = holm_adjusted(p);
@@ -115,7 +117,11 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   findings.count("n.complete", "", n, {.n = n, .method = "participants who scored every item"});
   add_left_out(given, findings);
   const FriedmanTest test = friedman_test(scores);
-  add_friedman(test, n, findings);
+  add_friedman(test,
+               {.n = n,
+                .none = "nobody scored every item",
+                .one = "one participant agrees or disagrees with nobody: run more"},
+               findings);
   for (std::size_t i = 0; i < items.size() && n > 0; ++i) {
     const Eigen::VectorXd own = scores.col(static_cast<Eigen::Index>(i));
     add_mean_of_group("mean.score", items[i], std::span(own.data(), n), input.options.confidence(),
@@ -123,7 +129,9 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   }
   for (std::size_t i = 0; i < items.size(); ++i) {
     findings.number("mean.rank", items[i], test.mean_rank[i],
-                    {.n = n, .method = "within participants, 1 for the lowest score"});
+                    {.n = n,
+                     .method = "within participants, 1 for the lowest score",
+                     .undefined = "nobody scored every item"});
   }
   add_pairs(items, scores, findings);
   return findings.take();

@@ -22,13 +22,27 @@ void add_scale(std::span<const std::string> items, const Abilities& scale, const
   }
 }
 
-void add_friedman(const FriedmanTest& test, std::size_t n, FindingList& findings) {
-  const Basis friedman{.n = n, .method = "Friedman's test, ties corrected for"};
-  const Basis iman{.n = n, .method = "F of Iman and Davenport"};
+void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingList& findings) {
+  const std::size_t n = rows.n;
+  const Basis friedman{.n = n,
+                       .method = "Friedman's test, ties corrected for",
+                       .undefined = "all items are tied in every row: there is no order to test"};
+  if (n < 2) {
+    // One row agrees with itself alone: its W is 1 and its p the same whatever it says.
+    findings.word("friedman.chisq", "", n == 0 ? "no_data" : "undefined_one_row",
+                  n == 0 ? rows.none : rows.one, friedman);
+    return;
+  }
+  const auto with_method = [&friedman](const char* method) {
+    Basis basis = friedman;
+    basis.method = method;
+    return basis;
+  };
+  const Basis iman = with_method("F of Iman and Davenport");
   findings.number("friedman.chisq", "", test.chi_squared, friedman);
   findings.number("friedman.df", "", test.df, friedman);
   findings.number("friedman.p", "", test.p, friedman);
-  findings.number("kendall.W", "", test.concordance, {.n = n, .method = "Kendall's concordance"});
+  findings.number("kendall.W", "", test.concordance, with_method("Kendall's concordance"));
   findings.number("iman.davenport.F", "", test.f, iman);
   findings.number("iman.davenport.p", "", test.f_p, iman);
 }

@@ -25,7 +25,14 @@ struct ScaleNames {
 void add_scale(std::span<const std::string> items, const Abilities& scale, const ScaleNames& names,
                FindingList& findings);
 
-/// Friedman's test with Kendall's W and the F of Iman and Davenport; `n`: rows.
-void add_friedman(const FriedmanTest& test, std::size_t n, FindingList& findings);
+/// How many rows were judged, with the sentences for none and for a single one.
+struct FriedmanRows {
+  std::size_t n = 0;
+  std::string none{};
+  std::string one{};
+};
+/// Friedman's test with Kendall's W and the F of Iman and Davenport; of fewer than two rows the word
+/// for why there are none.
+void add_friedman(const FriedmanTest& test, const FriedmanRows& rows, FindingList& findings);
 
 }  // namespace asperity

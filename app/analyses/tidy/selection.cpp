@@ -176,9 +176,12 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
                        FindingList& findings) {
   const std::string& target = read.renderers[alternative];
   const auto n = static_cast<std::size_t>(counts.rows());
+  const std::string undefined = n == 0   ? "nobody has chosen"
+                                : n == 1 ? "one participant has no spread: run more"
+                                         : "all participants have the same share";
   const auto number = [&](const char* quantity, const std::string& key, double value,
                           const std::string& method) {
-    findings.number(quantity, key, value, {.n = n, .method = method});
+    findings.number(quantity, key, value, {.n = n, .method = method, .undefined = undefined});
   };
   std::vector<HitCount> own{};
   std::vector<double> shares{};
