@@ -65,6 +65,11 @@ double proportion(const HitCount& count) {
   return static_cast<double>(count.hits) / static_cast<double>(count.trials);
 }
 
+ConfidenceInterval within(const ConfidenceInterval& possible, const ConfidenceInterval& interval) {
+  return {.low = std::clamp(interval.low, possible.low, possible.high),
+          .high = std::clamp(interval.high, possible.low, possible.high)};
+}
+
 ConfidenceInterval wilson_interval(const HitCount& count, double confidence) {
   refuse_impossible(count);
   refuse_improbable(confidence);
@@ -103,7 +108,7 @@ ConfidenceInterval agresti_coull_interval(const HitCount& count, double confiden
   const double n = static_cast<double>(count.trials) + z * z;
   const double p = (static_cast<double>(count.hits) + 0.5 * z * z) / n;
   const double half = z * std::sqrt(p * (1.0 - p) / n);
-  return {.low = std::max(0.0, p - half), .high = std::min(1.0, p + half)};
+  return within(kShares, {.low = p - half, .high = p + half});
 }
 
 double binomial_upper_tail(const HitCount& count, double chance) {

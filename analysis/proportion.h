@@ -18,6 +18,14 @@ struct ConfidenceInterval {
   double high = 1.0;
 };
 
+/// What of an interval can be. A method that knows no bounds (Student's, Welch's) reaches beyond those
+/// of a share, and says of values that do not exist that it does not exclude them. What is left holds
+/// the true value exactly when the whole does, so it covers as often; a test of a possible value
+/// rejects with the one as with the other.
+ConfidenceInterval within(const ConfidenceInterval& possible, const ConfidenceInterval& interval);
+/// What a share can be.
+inline constexpr ConfidenceInterval kShares{.low = 0.0, .high = 1.0};
+
 double proportion(const HitCount& count);
 
 /// The proportions p that a score test with z = Φ⁻¹(½ + confidence/2) does not reject

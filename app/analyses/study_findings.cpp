@@ -229,7 +229,7 @@ Phrase said_of(const StudyTests::Test& test, const Sayings& sayings) {
 Phrase interval_text(const Finding& share) {
   if (share.low && share.high) {
     return phrase("Analysis", "95 % interval %1 to %2")
-        .with(percent(std::max(0.0, *share.low)), percent(std::min(1.0, *share.high)));
+        .with(percent(*share.low), percent(*share.high));
   }
   if (share.n < 2) return phrase("Analysis", "one participant has no interval");
   return phrase("Analysis", "all participants alike, which gives no interval");
@@ -313,7 +313,9 @@ void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
       {{key_column, "persons", "mean", "mean_low", "mean_high", "sd", "minimum", "median",
         "maximum"},
        {}},
-      phrase("Analysis", "The interval of the mean is Student's, over the persons.")};
+      phrase("Analysis",
+             "The interval of the mean is Student's, over the persons, cut at 0 and 1: a share "
+             "cannot lie beyond, so that it covers as often.")};
   for (const PersonsRow& row : rows) {
     const Finding* mean = found.find("subj.mean", row.key);
     if (mean == nullptr || !mean->value) continue;

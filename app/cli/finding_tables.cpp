@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/analyses/found_numbers.h"
 #include "app/analyses/reading_number.h"
 #include "app/cli/analysis_output.h"
 #include "app/cli/terminal.h"
@@ -15,7 +16,16 @@ namespace {
 
 constexpr std::size_t kTableWidth = 100;
 
-std::string reading_value(const Finding& finding) {
+/// Student's interval of a mean share stands as it stands everywhere: as far as a share can go. Uncut
+/// it is a finding of its own, for programs that compare it.
+std::string reading_value(const Finding& finding, const FoundNumbers& found) {
+  const bool is_low = finding.quantity == "subj.ci.lower";
+  if (is_low || finding.quantity == "subj.ci.upper") {
+    const Finding* mean = found.find("subj.mean", finding.key);
+    if (mean != nullptr && mean->low && mean->high) {
+      return reading_number(is_low ? *mean->low : *mean->high);
+    }
+  }
   return finding.value ? reading_number(*finding.value) : finding.word;
 }
 
@@ -29,6 +39,7 @@ struct Column {
 std::vector<Column> columns_of(std::span<const Finding> findings) {
   constexpr std::string_view kLower = ".lower";
   constexpr std::string_view kUpper = ".upper";
+  const FoundNumbers found(findings);
   std::vector<Column> columns{};
   std::map<std::string, std::size_t> place{};
   for (const Finding& finding : findings) {
@@ -37,15 +48,15 @@ std::vector<Column> columns_of(std::span<const Finding> findings) {
     const bool upper = name.ends_with(kUpper);
     if (lower || upper) name.resize(name.size() - kLower.size());
     if (lower || upper) name += " interval";
-    const auto [found, first] = place.emplace(name, columns.size());
+    const auto [known, first] = place.emplace(name, columns.size());
     if (first) columns.push_back({name, {}, {}});
-    Column& column = columns[found->second];
+    Column& column = columns[known->second];
     if (upper && !column.keys.empty() && column.keys.back() == finding.key) {
-      column.values.back() += ", " + reading_value(finding) + ']';
+      column.values.back() += ", " + reading_value(finding, found) + ']';
       continue;
     }
     column.keys.push_back(finding.key);
-    column.values.push_back((lower ? "[" : "") + reading_value(finding));
+    column.values.push_back((lower ? "[" : "") + reading_value(finding, found));
   }
   return columns;
 }

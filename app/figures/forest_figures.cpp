@@ -57,9 +57,6 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
     if (!row.share) continue;
     figure.series[static_cast<std::size_t>(row.kind)].points.push_back(
         {.x = *row.share, .y = place, .x_interval = row.interval});
-    if (!row.interval) continue;  // one by t may reach beyond what a share can be
-    figure.x.low = std::min(figure.x.low, row.interval->low);
-    figure.x.high = std::max(figure.x.high, row.interval->high);
   }
   const bool has_points =
       std::any_of(figure.series.begin(), figure.series.end(),

@@ -502,6 +502,33 @@ TEST(Selection, AnswersItsQuestionWithThePersonAsTheUnit) {
   EXPECT_TRUE(preference.finding.low.has_value());
 }
 
+// 1, 1, 1, 1, 1 and 0.5 of the choices: Student's interval of the mean goes to 1.13, and no share does.
+TEST(Selection, SaysTheIntervalOfAShareInSentenceAndTableAsFarAsSharesGo) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("pair", "selection");
+  for (int person = 0; person < 6; ++person) {
+    const std::string label = "p" + std::to_string(person);
+    made.add_person(label, "F");
+    std::vector<MadeUpTrial> trials{};
+    for (int trial = 0; trial < 2; ++trial) {
+      MadeUpTrial& one = trials.emplace_back();
+      // What is second is always the one.
+      one.options = {"old", "new"};
+      for (const std::string& model : one.options) {
+        one.surfaces.push_back(surface_of(model, model, "wood"));
+      }
+      one.answers = {person == 5 && trial == 1 ? "old" : "new"};
+    }
+    made.add_session(label, protocol, trials);
+  }
+  const AnalysisOutcome outcome = analyze_study(made.study()).front();
+  EXPECT_GT(finding_of(outcome, "choice", "subj.ci.upper", "new").value.value(), 1.1);
+  EXPECT_EQ(finding_of(outcome, "choice", "subj.mean", "new").high, 1.0);
+  EXPECT_EQ(number(table_of(outcome, "persons").table, {"new"}, "mean_high"), 1.0);
+  EXPECT_EQ(number(table_of(outcome, "persons").table, {"old"}, "mean_low"), 0.0);
+  EXPECT_THAT(question_of(outcome, "preference").answer.english(), HasSubstr("to 100 %)"));
+}
+
 // 20 people, each three times: whatever a table says of all of them, the family says too.
 TEST(Selection, HasItsNumbersFromTheFamily) {
   const AnalysisOutcome& outcome = selections_of_the_chapter();

@@ -112,6 +112,17 @@ TEST(TableFindings, TellWhatIsLeftOutOfRatings) {
   EXPECT_THAT(text, HasSubstr("left out: the first counts"));
 }
 
+// Of four shares, 1, 1, 1 and 0.5, Student's interval goes beyond 1.
+TEST(TableFindings, EndTheIntervalOfAMeanShareWhereSharesEnd) {
+  const TidyInput input = input_of(
+      "subject,stimulus,response\nA,x,x\nA,y,y\nB,x,x\nB,y,y\nC,x,x\nC,y,y\nD,x,x\nD,y,x\n",
+      R"({"labels": ["x", "y"]})");
+  const TableFindings findings{.kind = "recognition", .findings = recognition_findings(input)};
+  EXPECT_THAT(reading_text_of(findings),
+              testing::ContainsRegex("subj\\.ci interval +\\[0\\.4772, 1\\]\n"));
+  EXPECT_THAT(findings_json(findings), HasSubstr("1.27")) << "uncut for who compares it";
+}
+
 TEST(TableFindings, AreOneJsonDocument) {
   const std::string json = findings_json(ratings());
   EXPECT_EQ(json.find("{\n  \"format\": \"asperity.findings/1\""), 0U);

@@ -67,26 +67,45 @@ std::string way_of_counting(std::size_t drawn) {
   return "random (" + std::to_string(drawn) + " draws, seed " + std::to_string(kSeedOfTests) + ")";
 }
 
-void add_mean_of_group(const std::string& quantity, const std::string& key,
-                       std::span<const double> of_participants, double confidence,
-                       FindingList& findings) {
-  const OneSampleT t = one_sample_t(of_participants, {.confidence = confidence});
-  Basis basis{.n = t.n, .method = "mean of the group's participants; t interval"};
+void add_mean_share(const std::string& key, const OneSampleT& t, const std::string& method,
+                    double confidence, FindingList& findings) {
+  Basis basis{.n = t.n,
+              .method = method + "; t interval, cut at 0 and 1",
+              .undefined = "there is no participant with a share"};
   if (t.test) {
-    basis.interval = t.test->interval;
+    basis.interval = within(kShares, t.test->interval);
     basis.confidence = confidence;
+  }
+  findings.number("subj.mean", key, t.mean, basis);
+}
+
+void add_mean_of_group(const std::string& quantity, const std::string& key,
+                       std::span<const double> of_participants, const GroupScale& scale,
+                       FindingList& findings) {
+  const OneSampleT t = one_sample_t(of_participants, {.confidence = scale.confidence});
+  Basis basis{.n = t.n, .method = "mean of the group's participants; t interval"};
+  if (scale.possible) basis.method += ", cut where no mean can be";
+  if (t.test) {
+    basis.interval = scale.possible ? within(*scale.possible, t.test->interval) : t.test->interval;
+    basis.confidence = scale.confidence;
   }
   findings.number(quantity, key, t.mean, basis);
 }
 
 void add_difference_of_means(const std::string& quantity, const std::string& key,
-                             const TwoSamples& samples, double confidence, FindingList& findings) {
+                             const TwoSamples& samples, const GroupScale& scale,
+                             FindingList& findings) {
   Basis basis{.n = samples.first.size() + samples.second.size(),
               .method = "means of the participants, first less second; Welch's interval"};
-  const std::optional<WelchT> welch = welch_t(samples, confidence);
+  if (scale.possible) basis.method += ", cut where no difference can be";
+  const std::optional<WelchT> welch = welch_t(samples, scale.confidence);
   if (welch) {
     basis.interval = welch->interval;
-    basis.confidence = confidence;
+    if (scale.possible) {
+      const double most = scale.possible->high - scale.possible->low;
+      basis.interval = within({.low = -most, .high = most}, welch->interval);
+    }
+    basis.confidence = scale.confidence;
   }
   findings.number(quantity, key,
                   one_sample_t(samples.first).mean - one_sample_t(samples.second).mean, basis);

@@ -58,12 +58,24 @@ void add_spread(const std::string& key, std::span<const double> shares, FindingL
 /// "exact", or "random (9999 draws, seed 1)", for a method; `drawn` of 0 is exact.
 std::string way_of_counting(std::size_t drawn);
 
+/// The mean of participants' own shares with Student's interval, where there is one, as far as a share
+/// can go (`within`). `method`: of what it is the mean. Whatever shows the interval of a mean share
+/// takes it from here.
+void add_mean_share(const std::string& key, const OneSampleT& t, const std::string& method,
+                    double confidence, FindingList& findings);
+
+/// The numbers of single participants, with what these can be where there are bounds to it.
+struct GroupScale {
+  double confidence = 0.95;
+  std::optional<ConfidenceInterval> possible{};
+};
 /// The mean of a group's participants with Student's interval, where there is one.
 void add_mean_of_group(const std::string& quantity, const std::string& key,
-                       std::span<const double> of_participants, double confidence,
+                       std::span<const double> of_participants, const GroupScale& scale,
                        FindingList& findings);
 /// The means of two groups, first minus second, with Welch's interval, where there is one.
 void add_difference_of_means(const std::string& quantity, const std::string& key,
-                             const TwoSamples& samples, double confidence, FindingList& findings);
+                             const TwoSamples& samples, const GroupScale& scale,
+                             FindingList& findings);
 
 }  // namespace asperity

@@ -116,10 +116,11 @@ class GroupComparison final {
 
   void participants() {
     const TwoSamples samples{.first = groups_.first, .second = groups_.second};
-    add_mean_of_group("subj.mean", groups_.names[0], samples.first, confidence_, list_);
-    add_mean_of_group("subj.mean", groups_.names[1], samples.second, confidence_, list_);
+    const GroupScale shares{.confidence = confidence_, .possible = kShares};
+    add_mean_of_group("subj.mean", groups_.names[0], samples.first, shares, list_);
+    add_mean_of_group("subj.mean", groups_.names[1], samples.second, shares, list_);
     const std::optional<WelchT> welch = welch_t(samples, confidence_);
-    add_difference_of_means("subj.diff", "", samples, confidence_, list_);
+    add_difference_of_means("subj.diff", "", samples, shares, list_);
     if (welch) {
       number("welch.t", welch->t, "Welch's t over participants");
       number("welch.df", welch->df, "Welch's degrees of freedom");

@@ -346,9 +346,14 @@ void add_groups(const Matching& read, const std::vector<double>& means, FindingL
   }
   const TwoSamples samples{.first = first, .second = second};
   const std::string key = names[0] + '-' + names[1];
-  add_mean_of_group("group.mean", names[0], first, read.confidence, findings);
-  add_mean_of_group("group.mean", names[1], second, read.confidence, findings);
-  add_difference_of_means("group.diff", key, samples, read.confidence, findings);
+  std::size_t most = 0;  // items of a trial, so that no participant's mean is above it
+  for (const Trial& trial : read.trials) most = std::max(most, trial.items);
+  const GroupScale scale{
+      .confidence = read.confidence,
+      .possible = ConfidenceInterval{.low = 0.0, .high = static_cast<double>(most)}};
+  add_mean_of_group("group.mean", names[0], first, scale, findings);
+  add_mean_of_group("group.mean", names[1], second, scale, findings);
+  add_difference_of_means("group.diff", key, samples, scale, findings);
   const SplitTest test = permutation_test(samples);
   findings.number("group.perm.p.two", key, test.p,
                   {.n = first.size() + second.size(),
@@ -362,12 +367,7 @@ void add_shares_of_participants(std::span<const HitCount> own, double confidence
   std::vector<double> shares{};
   for (const HitCount& count : own) shares.push_back(proportion(count));
   const OneSampleT t = one_sample_t(shares, {.confidence = confidence});
-  Basis mean{.n = t.n, .method = "mean of the participants' shares of right items; t interval"};
-  if (t.test) {
-    mean.interval = t.test->interval;
-    mean.confidence = confidence;
-  }
-  findings.number("subj.mean", "", t.mean, mean);
+  add_mean_share("", t, "mean of the participants' shares of right items", confidence, findings);
   findings.number("subj.sd", "", t.sd.value_or(std::numeric_limits<double>::quiet_NaN()),
                   {.n = t.n,
                    .method = "of the participants' shares",

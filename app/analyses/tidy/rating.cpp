@@ -124,8 +124,8 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
                findings);
   for (std::size_t i = 0; i < items.size() && n > 0; ++i) {
     const Eigen::VectorXd own = scores.col(static_cast<Eigen::Index>(i));
-    add_mean_of_group("mean.score", items[i], std::span(own.data(), n), input.options.confidence(),
-                      findings);
+    add_mean_of_group("mean.score", items[i], std::span(own.data(), n),
+                      {.confidence = input.options.confidence(), .possible = {}}, findings);
   }
   for (std::size_t i = 0; i < items.size(); ++i) {
     findings.number("mean.rank", items[i], test.mean_rank[i],

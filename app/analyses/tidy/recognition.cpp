@@ -132,19 +132,20 @@ class Recognition final {
     std::vector<double> shares{};
     for (const HitCount& one : trials_.participants) shares.push_back(proportion(one));
     const OneSampleT t = one_sample_t(shares, {.null_mean = chance(), .confidence = confidence_});
-    Basis mean = basis("mean of the participants' shares; t interval");
-    if (t.test) {
-      mean.interval = t.test->interval;
-      mean.confidence = confidence_;
-    }
-    list_.number("subj.mean", "", t.mean, mean);
-    number("subj.sd", "", t.sd.value_or(kUndefined), "spread of the participants' shares");
+    add_mean_share("", t, "mean of the participants' shares", confidence_, list_);
+    const auto of_spread = [this](const char* method) {
+      Basis made = basis(method);
+      made.undefined = "one participant has no spread: run more";
+      return made;
+    };
+    list_.number("subj.sd", "", t.sd.value_or(kUndefined),
+                 of_spread("spread of the participants' shares"));
     add_spread("", shares, list_);
     if (t.test) {
       number("subj.t", "", t.test->t, "t over participants against chance 1/m");
       number("subj.t.p.two", "", t.test->p, "two-sided t over participants against chance 1/m");
-      number("subj.ci.lower", "", t.test->interval.low, "t interval over participants");
-      number("subj.ci.upper", "", t.test->interval.high, "t interval over participants");
+      number("subj.ci.lower", "", t.test->interval.low, "t interval over participants, uncut");
+      number("subj.ci.upper", "", t.test->interval.high, "t interval over participants, uncut");
     } else if (t.n < 2) {
       list_.word("subj.t", "", "undefined_one_participant",
                  "one participant has no spread: run more", basis("t over participants"));
@@ -153,8 +154,9 @@ class Recognition final {
                  "all participants have the same share, so there is no t",
                  basis("t over participants"));
     }
-    number("pc.se.cluster", "", pooled_share(trials_.participants).clustered_standard_error,
-           "standard error of the share of right answers with the participant as the unit");
+    list_.number(
+        "pc.se.cluster", "", pooled_share(trials_.participants).clustered_standard_error,
+        of_spread("standard error of the share of right answers with the participant as the unit"));
   }
 
   void labels() {

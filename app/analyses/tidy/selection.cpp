@@ -195,20 +195,15 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   const OneSampleT t =
       n > 0 ? one_sample_t(shares, {.null_mean = chance, .confidence = read.confidence})
             : OneSampleT{.mean = kNone};
-  Basis mean{.n = n, .method = "mean of the participants' shares; interval of Student's t"};
-  if (t.test) {
-    mean.interval = t.test->interval;
-    mean.confidence = read.confidence;
-  }
-  findings.number("subj.mean", target, t.mean, mean);
+  add_mean_share(target, t, "mean of the participants' shares", read.confidence, findings);
   number("subj.sd", target, t.sd.value_or(kNone), "of the participants' shares");
   const std::string method =
       "Student's t over participants, against chance 1/" + std::to_string(read.renderers.size());
   number("subj.t", target, t.test ? t.test->t : kNone, method);
   number("subj.t.df", target, n > 0 ? static_cast<double>(n) - 1.0 : kNone, method);
   number("subj.t.p.two", target, t.test ? t.test->p : kNone, method);
-  number("subj.ci.lower", target, t.test ? t.test->interval.low : kNone, "Student's t");
-  number("subj.ci.upper", target, t.test ? t.test->interval.high : kNone, "Student's t");
+  number("subj.ci.lower", target, t.test ? t.test->interval.low : kNone, "Student's t, uncut");
+  number("subj.ci.upper", target, t.test ? t.test->interval.high : kNone, "Student's t, uncut");
   add_spread(target, shares, findings);
   const PooledShare pooled = n > 0 ? pooled_share(own) : PooledShare{kNone, kNone, kNone, kNone};
   number("pooled.se.cluster", target, pooled.clustered_standard_error,

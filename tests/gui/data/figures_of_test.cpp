@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/analyses/found_numbers.h"
 #include "app/analyses/tidy/reference_case.h"
 #include "app/figures/sweep_figure.h"
 
@@ -83,18 +84,21 @@ TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
   EXPECT_EQ(figure.references.front().value, 0.5);
 }
 
-TEST(FiguresOf, GiveRoomToAnIntervalThatReachesBeyondAllOrNothing) {
-  AnalysisOutcome outcome{};
-  outcome.tables.push_back({.name = "persons",
-                            .table = {{"answers", "persons", "mean", "mean_low", "mean_high"},
-                                      {{std::string("all"), std::int64_t{5}, 0.9, 0.7, 1.1}}}});
-  const std::vector<Figure> figures = figures_of(outcome);
-  ASSERT_EQ(figures.size(), 1U);
-  EXPECT_EQ(places_of(figures.front().y),
-            (std::vector<std::string>{"all · mean of 5 participants"}));
-  EXPECT_EQ(figures.front().series.front().points.front().x_interval->high, 1.1);
-  EXPECT_EQ(figures.front().x.high, 1.1);
-  EXPECT_EQ(figures.front().x.low, 0.0);
+// 1, 1, 1 and 0.5: Student's interval of the mean, 0.875, goes to 1.27, but no share does.
+TEST(FiguresOf, EndTheIntervalOfAMeanShareWhereSharesEnd) {
+  TidyInput input{.options = FamilyOptions::of_json(R"({"labels": ["x", "y"]})", "options")};
+  input.tables.emplace_back(
+      "subject,stimulus,response\nA,x,x\nA,y,y\nB,x,x\nB,y,y\nC,x,x\nC,y,y\nD,x,x\nD,y,x\n",
+      "t.csv");
+  const std::vector<Finding> findings = recognition_findings(input);
+  EXPECT_GT(FoundNumbers(findings).value("subj.ci.upper").value(), 1.2);
+  const Figure figure = figures_of("recognition", input, findings).front();
+  EXPECT_EQ(figure.x.low, 0.0);
+  EXPECT_EQ(figure.x.high, 1.0);
+  const FigurePoint& mean = figure.series.back().points.back();
+  EXPECT_EQ(mean.x, 0.875);
+  EXPECT_EQ(mean.x_interval->high, 1.0);
+  EXPECT_EQ(mean.x_interval->low, FoundNumbers(findings).value("subj.ci.lower").value());
 }
 
 TEST(FiguresOf, MarkChanceInEachRowWhereItDiffers) {
