@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <compare>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,18 @@ struct AnsweredQuestion {
   Phrase counted{};     ///< what its n counts: "20 participants"; empty where there is none
 };
 
+/// What tells a finding of an outcome from its others.
+struct FindingName {
+  std::string analysis{};
+  std::string quantity{};
+  std::string key{};
+
+  auto operator<=>(const FindingName&) const = default;
+};
+inline FindingName name_of(const Finding& finding) {
+  return {finding.analysis, finding.quantity, finding.key};
+}
+
 /// The answers of one group to one version of one protocol, analysed.
 struct AnalysisOutcome {
   std::string protocol{};
@@ -50,6 +64,7 @@ struct AnalysisOutcome {
   std::vector<AnsweredQuestion> questions{};  ///< the one that the study is about first
   std::vector<NamedTable> tables{};
   std::vector<Finding> findings{};
+  std::set<FindingName> tests_in_tables{};  ///< whose p stands in a table: told there
   std::vector<Phrase> remarks{};  ///< sentences, each to be read before believing a number
 };
 

@@ -208,6 +208,7 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
   finding.value = p;
   finding.method = "one-sided test of the number of right items against random permutations of " +
                    std::to_string(items);
+  outcome.tests_in_tables.insert(name_of(finding));
   outcome.findings.push_back(std::move(finding));
 }
 

@@ -117,6 +117,7 @@ void StudyTests::add(const std::string& name, const std::string& about, const Fi
   test.method = finding->method;
   if (test.unit != kParticipants) test.method += "; n counts " + test.unit;
   test.p = finding->value;
+  test.source = name_of(*finding);
   if (!test.p) test.status = finding->status;
 }
 
@@ -197,6 +198,7 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
     if (some_fail) row.push_back(test.p ? Cell{} : Cell{test.status});
     Finding finding = finding_of(test);
     outcome.findings.push_back(finding);
+    if (test.p) outcome.tests_in_tables.insert({name_of(finding), test.source});
     if (!test.adjusted) continue;
     finding.quantity = "p.holm";
     finding.value = test.adjusted;

@@ -46,6 +46,7 @@ class StudyTests final {
     std::size_t n = 0;   ///< of the units
     std::string unit{};  ///< "participants"; "answers", "goes" where those are pooled
     std::optional<double> p{};
+    FindingName source{};              ///< whose p it is
     std::optional<double> adjusted{};  ///< within the family
     std::string status = "ok";
 

@@ -117,6 +117,7 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
       test.method = "exact two-sided binomial test of " + words + " against chance 1/" +
                     std::to_string(*outcomes);
       cells.insert(cells.end(), {chance, *test.value});
+      outcome.tests_in_tables.insert(name_of(test));
     } else {
       test.value.reset();
       test.status = "chance differs between the trials, so that one test of all would be wrong";

@@ -91,42 +91,24 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
   return sentences;
 }
 
-/// What stands in a column "p" of some table.
-std::set<double> p_in_tables(const AnalysisOutcome& outcome) {
-  std::set<double> found{};
-  for (const NamedTable& named : outcome.tables) {
-    for (std::size_t i = 0; i < named.table.columns.size(); ++i) {
-      const std::string& name = named.table.columns[i];
-      if (name != "p" && !name.ends_with("_p") && !name.starts_with("p_")) continue;
-      for (const std::vector<Cell>& row : named.table.rows) {
-        if (const auto p = number_of(row[i])) found.insert(*p);
-      }
-    }
-  }
-  return found;
-}
-
-/// The tests that no table of the outcome has. A test is known in a table by its p, but by p = 1 none is told
-/// from another: such a test stands here even where a table has it.
+/// The tests that no table of the outcome has.
 std::vector<ReportedTest> other_tests(const AnalysisOutcome& outcome) {
-  const std::set<double> in_tables = p_in_tables(outcome);
-  std::vector<ReportedTest> others{};
-  for (const ReportedTest& test : tests_among(outcome.findings)) {
-    if (*test.p->value == 1.0 || !in_tables.contains(*test.p->value)) others.push_back(test);
-  }
+  std::vector<ReportedTest> others = tests_among(outcome.findings);
+  std::erase_if(others, [&outcome](const ReportedTest& test) {
+    return outcome.tests_in_tables.contains(name_of(*test.p));
+  });
   return others;
 }
 
 /// Where an analysis has not gathered its tests and asked its questions: what is adjusted for its
 /// family, or about everything.
 std::vector<std::string> tests_in_words(const AnalysisOutcome& outcome, const Told& told) {
-  const std::set<double> in_tables = p_in_tables(outcome);
   std::vector<std::string> sentences{};
   for (const ReportedTest& test : tests_among(outcome.findings)) {
     if (sentences.size() == kMostSentences) break;
     const bool is_told =
         !test.estimates.empty() && told.contains({*test.estimates.front()->value, *test.p->value});
-    const bool is_of_all = test.is_of_whole && !in_tables.contains(*test.p->value);
+    const bool is_of_all = test.is_of_whole && !outcome.tests_in_tables.contains(name_of(*test.p));
     if (!is_told && (test.holm != nullptr || is_of_all)) sentences.push_back(sentence_of(test));
   }
   return sentences;

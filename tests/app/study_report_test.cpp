@@ -503,6 +503,18 @@ TEST(ReportTests, TellsWholesFromTheirParts) {
   EXPECT_EQ(words_of_key("column=1 person=Other or not told"), "column 1, Other or not told");
 }
 
+// Both p are alike; what is told is known by its name.
+TEST(ReportResults, ListsATestThatNoTableHasWhateverItsP) {
+  AnalysisOutcome outcome{};
+  outcome.findings = {found("signflip.p.two", "a|b", 0.25, "sign flips"),
+                      found("signflip.p.two", "a|c", 0.25, "other sign flips")};
+  outcome.tables.push_back({.name = "tests", .table = {{"test", "p"}, {{std::string("x"), 0.25}}}});
+  outcome.tests_in_tables.insert(name_of(outcome.findings[0]));
+  const std::string words = words_of(numbers_section(outcome));
+  EXPECT_THAT(words, HasSubstr("other sign flips | a, c"));
+  EXPECT_THAT(words, Not(HasSubstr("a, b")));
+}
+
 TEST(ReportResults, SaysRefusalsAsSentences) {
   AnalysisOutcome outcome{};
   Finding refused{};
