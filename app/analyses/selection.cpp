@@ -422,28 +422,64 @@ void ask_pairs(const std::string& name, const StudyTests& tests, const FoundNumb
                found.find("signflip.p.two", least->about));
 }
 
-void ask_position(const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome) {
+/// The position whose mean share is the largest, with its number; of equal ones the first.
+std::pair<std::string, const Finding*> most_chosen_position(std::size_t positions,
+                                                            const FoundNumbers& found) {
+  std::pair<std::string, const Finding*> most{};
+  for (const std::string& position : numbers_up_to(positions)) {
+    const Finding* mean = found.find("subj.mean", position);
+    if (mean == nullptr || !mean->value) continue;
+    if (most.second == nullptr || *mean->value > *most.second->value) most = {position, mean};
+  }
+  return most;
+}
+
+void ask_position(std::size_t positions, const FoundNumbers& found, const StudyTests& tests,
+                  AnalysisOutcome& outcome) {
   const StudyTests::Test* test = tests.find("position");
   const Finding* first = found.find("subj.mean", "1");
   if (test == nullptr || !test->p || first == nullptr || !first->value) return;
-  const auto with_numbers = [&](const Phrase& words) {
-    return words.with(percent(*first->value), interval_text(*first), p_text(*test));
+  const auto [name, most] = most_chosen_position(positions, found);
+  const Phrase chance = percent(1.0 / static_cast<double>(positions));
+  const auto of_first = [&](const Phrase& words) {
+    return words.with(percent(*first->value), interval_text(*first), chance, p_text(*test));
   };
-  const Sayings sayings{
-      with_numbers(phrase("Analysis",
-                          "The position matters: what was felt first was chosen in %1 of a "
-                          "participant's choices on average (%2), %3.")),
-      with_numbers(phrase("Analysis",
-                          "Nothing shows that the position matters: what was felt first was chosen "
-                          "in %1 of a participant's choices on average (%2), %3.")),
-      with_numbers(phrase("Analysis",
-                          "What was felt first was chosen in %1 of a participant's choices on "
-                          "average (%2), %3."))};
+  const auto of_most = [&, &name = name, &most = most](const Phrase& words) {
+    return words.with(name, percent(*most->value), interval_text(*most), percent(*first->value),
+                      interval_text(*first), chance, p_text(*test));
+  };
+  const Sayings sayings =
+      most == first
+          ? Sayings{of_first(phrase("Analysis",
+                                    "The position matters: what was felt first was chosen most "
+                                    "often, in %1 of a participant's choices on average (%2), "
+                                    "where chance is %3; %4.")),
+                    of_first(phrase("Analysis",
+                                    "Nothing shows that the position matters: what was felt first "
+                                    "was chosen most often, in %1 of a participant's choices on "
+                                    "average (%2), where chance is %3; %4.")),
+                    of_first(phrase("Analysis",
+                                    "What was felt first was chosen most often, in %1 of a "
+                                    "participant's choices on average (%2), where chance is %3; "
+                                    "%4."))}
+          : Sayings{of_most(phrase("Analysis",
+                                   "The position matters: what was felt at position %1 was chosen "
+                                   "most often, in %2 of a participant's choices on average (%3), "
+                                   "and what was felt first in %4 (%5), where chance is %6; %7.")),
+                    of_most(phrase("Analysis",
+                                   "Nothing shows that the position matters: what was felt at "
+                                   "position %1 was chosen most often, in %2 of a participant's "
+                                   "choices on average (%3), and what was felt first in %4 (%5), "
+                                   "where chance is %6; %7.")),
+                    of_most(phrase("Analysis",
+                                   "What was felt at position %1 was chosen most often, in %2 of "
+                                   "a participant's choices on average (%3), and what was felt "
+                                   "first in %4 (%5), where chance is %6; %7."))};
   add_question(
       outcome, "position", phrase("Analysis", "Does it matter what is felt first?"),
       said_of(*test, sayings),
       phrase("Analysis", "As the preference, with the positions in the place of the models."),
-      "positions", first);
+      "positions", most);
 }
 
 /// Whether every participant felt every texture equally often, so that textures can be exchanged.
@@ -598,7 +634,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
 
   ask_preference(selection, found, tests, outcome);
   ask_pairs(pairs, tests, found, outcome);
-  ask_position(found_position, tests, outcome);
+  ask_position(selection.positions, found_position, tests, outcome);
   ask_textures(selection, tests, outcome);
   add_texture_force(gathered, outcome);
   remark_on_pooling(gathered.answers.size(), people, outcome);

@@ -527,6 +527,13 @@ TEST(Selection, SaysTheIntervalOfAShareInSentenceAndTableAsFarAsSharesGo) {
   EXPECT_EQ(number(table_of(outcome, "persons").table, {"new"}, "mean_high"), 1.0);
   EXPECT_EQ(number(table_of(outcome, "persons").table, {"old"}, "mean_low"), 0.0);
   EXPECT_THAT(question_of(outcome, "preference").answer.english(), HasSubstr("to 100 %)"));
+  // The position that stands out is named, not the first one alone.
+  const AnsweredQuestion& position = question_of(outcome, "position");
+  EXPECT_THAT(position.answer.english(),
+              testing::StartsWith("What was felt at position 2 was chosen most often, in 92 % of a "
+                                  "participant's choices on average (95 % interval 70 % to 100 %), "
+                                  "and what was felt first in 8 % ("));
+  EXPECT_EQ(position.finding.key, "2");
 }
 
 // 20 people, each three times: whatever a table says of all of them, the family says too.
