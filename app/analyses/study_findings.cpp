@@ -57,10 +57,19 @@ std::string signed_number(double value, int digits) {
   return (value < 0.0 && !is_nothing ? "−" : "") + text;
 }
 
-/// The same of what is no share.
+/// "95 % interval 2.10 to 2.90" of what is no share.
 Phrase plain_interval(const Finding& finding, int digits) {
   if (finding.low && finding.high) {
     return phrase("Analysis", "95 % interval %1 to %2")
+        .with(signed_number(*finding.low, digits), signed_number(*finding.high, digits));
+  }
+  return phrase("Analysis", "without an interval");
+}
+
+/// The same of a difference, whose p is of another method than its interval.
+Phrase interval_of_difference(const Finding& finding, int digits) {
+  if (finding.low && finding.high) {
+    return phrase("Analysis", "95 % interval after Welch %1 to %2")
         .with(signed_number(*finding.low, digits), signed_number(*finding.high, digits));
   }
   return phrase("Analysis", "without an interval");
@@ -281,27 +290,34 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
   const Phrase difference =
       (are_shares ? phrase("Analysis", "%1 percentage points (%2)")
                   : phrase("Analysis", "%1 items (%2)"))
-          .with(signed_number(*shown.value, digits), plain_interval(shown, digits));
+          .with(signed_number(*shown.value, digits), interval_of_difference(shown, digits));
   const auto with_numbers = [&](const Phrase& words) {
     return words.with(means, difference, p_text(*test));
   };
   const Sayings sayings{
-      with_numbers(phrase("Analysis", "They do: %1; women less men is %2, %3.")),
       with_numbers(phrase("Analysis",
-                          "Nothing shows that they do: %1; women less men is %2, %3. That does not "
-                          "show that they are alike.")),
-      with_numbers(phrase("Analysis", "Of these participants %1; women less men is %2, %3."))};
+                          "They do: %1; women less men is %2. Splitting the participants anew "
+                          "gives %3.")),
+      with_numbers(phrase("Analysis",
+                          "Nothing shows that they do: %1; women less men is %2. Splitting the "
+                          "participants anew gives %3. That does not show that they are alike.")),
+      with_numbers(phrase("Analysis",
+                          "Of these participants %1; women less men is %2. Splitting the "
+                          "participants anew gives %3."))};
   add_question(
       outcome, "sexes", phrase("Analysis", "Do women and men differ?"), said_of(*test, sayings),
       sexes.women->n + sexes.men->n <= kMostPermuted
           ? phrase("Analysis",
                    "Means of the participants' own results with Student's intervals; their "
-                   "difference with Welch's, tested against all ways to split the participants "
-                   "into groups of these sizes.")
+                   "difference with Welch's. The p is of another method, which assumes less: all "
+                   "ways to split the participants into groups of these sizes. Where one just "
+                   "excludes that there is no difference, the other need not.")
           : phrase("Analysis",
                    "Means of the participants' own results with Student's intervals; their "
-                   "difference with Welch's, tested against %1 random ways to split the "
-                   "participants into groups of these sizes: there are too many to count all.")
+                   "difference with Welch's. The p is of another method, which assumes less: %1 "
+                   "random ways to split the participants into groups of these sizes, of which "
+                   "there are too many to count all. Where one just excludes that there is no "
+                   "difference, the other need not.")
                 .with(std::to_string(kRandomSplits)),
       "tests", &*sexes.difference);
 }

@@ -51,11 +51,13 @@ std::vector<Figure> group_figures(const GroupChoice& choice, const FoundNumbers&
               .note = (found.all(choice.pooled_difference).empty()
                            ? phrase("Figures",
                                     "The bar is Welch's %1 % interval of the difference of the "
-                                    "participants' means.")
+                                    "participants' means; the test beside it splits the "
+                                    "participants anew and assumes less.")
                            : phrase("Figures",
                                     "Bars are %1 % intervals: of the participants' means by Welch, "
                                     "of all answers pooled by Newcombe, as if they were "
-                                    "independent."))
+                                    "independent. The test of the means splits the participants "
+                                    "anew and assumes less than either."))
                           .with(percent),
               .shape = FigureShape::rows,
               .series = {{.style = 1}}};
