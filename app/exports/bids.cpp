@@ -187,9 +187,12 @@ void BidsDataset::begin_session(const ExportPlace& at) {
     const auto title = source.find("title");
     if (title != source.end() && title->is_string()) sidecar["TaskDescription"] = *title;
   }
-  sidecar["StimulusPresentation"] = Json{{"OperatingSystem", at.session->os},
-                                         {"SoftwareName", "Asperity"},
-                                         {"SoftwareVersion", at.session->program_version}};
+  // Its release tells machines apart; what it is called is told to everybody.
+  const std::string& os = at.session->os;
+  sidecar["StimulusPresentation"] = Json{
+      {"OperatingSystem", audience_ == ExportAudience::published ? os.substr(0, os.find(' ')) : os},
+      {"SoftwareName", "Asperity"},
+      {"SoftwareVersion", at.session->program_version}};
   for (const ExportColumn& column : columns_) sidecar[column.name] = described(column);
   folder_.write(start_ + "_beh.json", text_of(sidecar));
 }

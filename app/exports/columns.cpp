@@ -202,7 +202,8 @@ Columns session_columns() {
   text("program_build", "how the program was built", &SessionRow::program_build);
   text("program_sha256", "SHA-256 of the program file", &SessionRow::program_sha256);
   text("instruction_set", "instruction set of the numerical code", &SessionRow::instruction_set);
-  text("os", "operating system", &SessionRow::os);
+  text("os", "operating system, with the release of its kernel", &SessionRow::os);
+  columns.back().publication = Publication::dropped;  // its name can be an institution's own
   text("device", "driver and model of the haptic device", &SessionRow::device);
   text("pacing", "real_time, or stepped on a simulated clock", &SessionRow::pacing);
   columns.back().levels = {"stepped", "real_time"};

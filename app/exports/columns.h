@@ -45,7 +45,7 @@ enum class Publication {
   kept,
   without_questionnaires,  ///< kept, but n/a where the answer is one to a questionnaire
   dropped_unless_named,    ///< answers to a questionnaire
-  dropped,                 ///< dates and free text
+  dropped,                 ///< dates, free text, what tells one machine from others
 };
 
 /// One column: what the codebook says of it, and how to get a cell.

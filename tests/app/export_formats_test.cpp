@@ -396,6 +396,57 @@ TEST(WideExport, KeepsAnswersToQuestionsOfAVersionApart) {
               HasSubstr("of the last session with sorting 2.0.0: Your arm?\t"));
 }
 
+// "feel" of sorting and of choosing, and "sorting_feel" of choosing: one name, three questions.
+TEST(WideExport, NumbersColumnsWhoseNamesWouldBeTheSame) {
+  MadeUpStudy made;
+  fill(made);
+  const auto ask = [&made](const std::string& name,
+                           const std::vector<std::pair<std::string, std::string>>& answers) {
+    const std::int64_t session = made.add_session(
+        "anna", made.add_protocol(name, "recognition", R"({"questions": {}})"), {some_trial()});
+    for (const auto& [question, answer] : answers) {
+      made.study().add_session_answer(session, session_answer(question, answer));
+    }
+  };
+  ask("choosing", {{"feel", "a"}, {"sorting_feel", "b"}});
+  ask("sorting", {{"feel", "c"}});
+  export_to(made, made.beside("out"));
+  const auto anna = only_row_of(made.beside("out") / "wide.csv");
+  EXPECT_EQ(anna.at("session_choosing_feel"), "a");
+  const std::string codebook = read_file(made.beside("out") / "codebook.tsv");
+  for (const auto& [question, answer] :
+       {std::pair{"sorting_feel of the last session with choosing", "b"},
+        std::pair{"feel of the last session with sorting", "c"}}) {
+    const std::regex row("(session_sorting_feel(_2)?)\t[^\n]*question " + std::string(question));
+    std::smatch found{};
+    ASSERT_TRUE(std::regex_search(codebook, found, row)) << question;
+    EXPECT_EQ(anna.at(found[1]), answer) << question;
+  }
+}
+
+// The release of a kernel can bear an institution's name.
+TEST(PublicExport, TellsTheSystemsNameAndNothingElseOfTheMachine) {
+  MadeUpStudy made;
+  made.add_person("kim", "F");
+  made.add_session("kim", made.add_protocol("sorting", "recognition"), {some_trial()});
+  for (const ExportAudience audience : {ExportAudience::own, ExportAudience::published}) {
+    const bool is_public = audience == ExportAudience::published;
+    const std::filesystem::path out = made.beside(is_public ? "public" : "own");
+    export_to(made, out, options_of(audience));
+    for (const std::string& name : files_in(out)) {
+      const bool tells = read_file(out / name).find("6.1.0-made-up") != std::string::npos;
+      EXPECT_FALSE(is_public && tells) << name;
+    }
+    const Table sessions = table_in(out, "sessions.tsv");
+    EXPECT_EQ(std::count(sessions.columns.begin(), sessions.columns.end(), "os"),
+              is_public ? 0 : 1);
+    const nlohmann::json sidecar =
+        json_in(out / "bids/sub-kim/ses-01/beh/sub-kim_ses-01_task-sorting_beh.json");
+    EXPECT_EQ(sidecar.at("StimulusPresentation").at("OperatingSystem"),
+              is_public ? "Linux" : "Linux 6.1.0-made-up x86_64");
+  }
+}
+
 // A comma is not what every spreadsheet splits at, and some skip blanks before they look for "=".
 TEST(TextsOfAnExport, AreNoFormulaAfterATabALineBreakOrASemicolon) {
   MadeUpStudy made;  // for its folder

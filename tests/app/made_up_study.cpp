@@ -123,7 +123,7 @@ std::int64_t MadeUpStudy::add_session(const std::string& participant, std::int64
   session.program_commit = "none";
   session.program_build = "test";
   session.instruction_set = "sse2";
-  session.os = "none";
+  session.os = "Linux 6.1.0-made-up x86_64";
   session.device = "simulated";
   session.device_json = "{}";
   session.pacing = "stepped";
