@@ -9,7 +9,7 @@ namespace {
 
 /// "%3" at `at` is 2: the place in the arguments.
 std::optional<std::size_t> place_at(const std::string& words, std::size_t at) {
-  if (words[at] != '%' || at + 1 >= words.size()) return {};
+  if (at >= words.size() || words[at] != '%' || at + 1 >= words.size()) return {};
   const char digit = words[at + 1];
   if (digit < '1' || digit > '9') return {};
   return static_cast<std::size_t>(digit - '1');
@@ -43,6 +43,14 @@ std::string Phrase::english() const {
   return translated([](const char*, const char* words) { return std::string(words); });
 }
 
+bool Phrase::begins_with_a_name(const LookUp& look_up) const {
+  const std::string words = context_ == nullptr ? words_ : look_up(context_, words_.c_str());
+  const std::optional<std::size_t> place = place_at(words, 0);
+  if (!place || *place >= arguments_.size()) return false;
+  const Phrase& first = arguments_[*place];
+  return first.context_ == nullptr || first.begins_with_a_name(look_up);
+}
+
 std::string Phrase::translated(const LookUp& look_up) const {
   const std::string words = context_ == nullptr ? words_ : look_up(context_, words_.c_str());
   std::string text{};
@@ -57,7 +65,7 @@ std::string Phrase::translated(const LookUp& look_up) const {
     }
   }
   if (is_sentence_ && !text.empty()) {
-    make_capital(text);
+    if (!begins_with_a_name(look_up)) make_capital(text);
     if (text.back() != '.' && text.back() != '!' && text.back() != '?') text += '.';
   }
   return text;

@@ -35,7 +35,8 @@ class Phrase final {
     return filled({Phrase(arguments)...});
   }
   Phrase filled(std::vector<Phrase> arguments) const;
-  /// Standing by itself: with a capital letter, and a full stop if it has none.
+  /// Standing by itself: with a full stop if it has none, and with a capital letter, unless it begins
+  /// with an argument that is the same in every language: that may be a name, which nobody changes.
   Phrase as_sentence() const;
 
   bool empty() const noexcept { return words_.empty(); }
@@ -52,6 +53,8 @@ class Phrase final {
   std::string translated(const LookUp& look_up) const;
 
  private:
+  bool begins_with_a_name(const LookUp& look_up) const;
+
   const char* context_ = nullptr;  // a literal; null: not to be looked up
   std::string words_{};
   std::vector<Phrase> arguments_{};

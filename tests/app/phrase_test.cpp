@@ -55,6 +55,11 @@ TEST(Phrase, CanStandByItselfInAnyLanguage) {
   EXPECT_EQ(everybody.translated(german), "Übrigens alle.");
   EXPECT_EQ(Phrase("Done.").as_sentence().english(), "Done.");
   EXPECT_TRUE(Phrase().as_sentence().english().empty());
+  const Phrase named = phrase("Test", "%1 was chosen");
+  EXPECT_EQ(named.with("height_map").as_sentence().english(), "height_map was chosen.")
+      << "a name stays as it is";
+  EXPECT_EQ(named.with(phrase("Test", "everybody")).as_sentence().english(),
+            "Everybody was chosen.");
 }
 
 TEST(Phrase, IsReadBackFromWhatItWasMadeInto) {
