@@ -1,13 +1,11 @@
 // asperity analyze: the tables and tests of a study's answers, of anyone's tables, or of a reference
 // case.
 
-#include <cctype>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -42,33 +40,12 @@ int analyze_case(const Options& options) {
   return 0;
 }
 
-bool has_word(std::string_view text, const std::string& word) {
-  const auto is_of_a_word = [](char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
-  };
-  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || !is_of_a_word(text[at - 1])) &&
-        (end == text.size() || !is_of_a_word(text[end]))) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Of an option that the analysis did not ask for: one that it has may be of no use with these data or
-/// these other options.
-void refuse_option(const TidyFamily& family, const TidyInput& input, const std::string& name) {
-  const std::string kind(family.name);
-  if (!has_word(family.options, name)) {
-    throw std::runtime_error(
-        kind + " has no option \"" + name + "\"; " +
-        (family.options.empty() ? "it takes none" : "it has: " + std::string(family.options)));
-  }
-  if (input.table().has(name)) {
-    throw std::runtime_error("the option \"" + name + "\" is not used, because " +
-                             input.table().name() + " has a column of that name; leave out one");
-  }
+/// Of an option that the analysis has and did not ask for: it may be of no use with these data or these
+/// other options.
+void refuse_unused(const TidyInput& input, const std::string& name) {
+  if (!input.table().has(name)) return;
+  throw std::runtime_error("the option \"" + name + "\" is not used, because " +
+                           input.table().name() + " has a column of that name; leave out one");
 }
 
 int analyze_tables(const Options& options) {
@@ -84,6 +61,7 @@ int analyze_tables(const Options& options) {
     }
     input.options.add(assignment.substr(0, equals), assignment.substr(equals + 1));
   }
+  refuse_unknown_options(family, input.options);
   for (const std::string& file : options.tables) {
     const TidyTable& table = input.tables.emplace_back(read_file(file), file);
     if (table.rows() > 0) continue;
@@ -93,8 +71,7 @@ int analyze_tables(const Options& options) {
   }
   const TableFindings findings{
       .kind = options.kind, .files = options.tables, .findings = family.findings(input)};
-  for (const std::string& name : input.options.never_asked_for())
-    refuse_option(family, input, name);
+  for (const std::string& name : input.options.never_asked_for()) refuse_unused(input, name);
   std::cout << (options.json ? findings_json(findings) : reading_text_of(findings));
   return 0;
 }

@@ -129,6 +129,24 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
             "NA: all items are tied in every row: there is no order to test");
 }
 
+TEST(TidyFamilies, RefuseAnOptionThatTheyDoNotHaveAndSayWhichIsMeant) {
+  const auto refusal = [](const std::string& family, const std::string& option) {
+    FamilyOptions options{};
+    options.add(option, "x");
+    try {
+      refuse_unknown_options(tidy_family(family), options);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal("rating", "item"), "rating has no option \"item\"; did you mean \"items\"?");
+  EXPECT_EQ(refusal("rating", "target"),
+            "rating has no option \"target\"; it has: items (all that were scored), conf");
+  EXPECT_EQ(refusal("power", "conf"), "power has no option \"conf\"; it takes none");
+  EXPECT_EQ(refusal("rating", "items"), "");
+}
+
 // 0.50 in a table and 0.5 in the options are one level, and the order is that of the options.
 TEST(TidyFamilies, TakeEqualNumbersForOneLevel) {
   const std::vector<Finding> findings =

@@ -120,6 +120,12 @@ const OptionValue& FamilyOptions::at(const std::string& name) const {
   return *option;
 }
 
+std::vector<std::string> FamilyOptions::names() const {
+  std::vector<std::string> names{};
+  for (const auto& [name, value] : options_) names.push_back(name);
+  return names;
+}
+
 bool FamilyOptions::has(const std::string& name) const { return find(name) != nullptr; }
 
 double FamilyOptions::number(const std::string& name) const {

@@ -32,6 +32,8 @@ class FamilyOptions final {
   /// One more from the command line. Its text is read as JSON where it is that; `a,b,c` is a list.
   void add(const std::string& name, const std::string& text);
 
+  /// Of all that are given, in their order.
+  std::vector<std::string> names() const;
   bool has(const std::string& name) const;
 
   double number(const std::string& name) const;

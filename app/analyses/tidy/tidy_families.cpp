@@ -5,65 +5,85 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/analyses/found_numbers.h"
+#include "protocols/wording.h"
 
 namespace asperity {
 namespace {
 
 constexpr std::array kFamilies{
     TidyFamily{"group", "subject,group,correct,trials: one participant per row",
-               "groups: two names, in order; conf", group_findings},
+               "groups: two names, in order; conf", group_findings, "groups,conf"},
     TidyFamily{"magnitude",
                "subject,probe,spacing,rep,estimate: one estimate per row, empty where there is "
                "none; and b,s1,s2,...: resampled participants",
                "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
                "standard_spacing; modulus; conf",
-               magnitude_findings},
+               magnitude_findings, "zero_rule,normalisation,standard_spacing,modulus,conf"},
     TidyFamily{
         "matching",
         "subject,trial,stimulus,response and, where there are groups, group: one row per "
         "place of a trial, response empty where it was left blank; and, where a trial stands "
         "for several, times",
-        "conf; parts: all, summary, totals", matching_findings},
+        "conf; parts: all, summary, totals", matching_findings, "conf,parts"},
     TidyFamily{"paired",
                "subject,first,second,winner: the item that was put before the other, or tie, empty "
                "where nothing was judged; and, where rows stand for several judgements, times",
-               "items (all that were compared), conf", paired_findings},
+               "items (all that were compared), conf", paired_findings, "items,conf"},
     TidyFamily{"power",
                "id,kind,n,k,p0,p1,alpha,theta,d,f,rho,eps,probs: one plan per row; the columns "
                "that its kind needs",
-               "", power_findings},
+               "", power_findings, ""},
     TidyFamily{"proportion",
                "id,k,n,p0: hits k of n trials each, chance p0; and, where rows differ in it, conf",
-               "conf, where there is no such column", proportion_findings},
+               "conf, where there is no such column", proportion_findings, "conf"},
     TidyFamily{"psyfit",
                "condition,x,n,k: k right of n trials at level x; and b,k1,k2,...: resampled k of "
                "the first condition",
                "shape: logistic, normal, gumbel, weibull; gamma, lambda: a rate or free; "
                "lambda_max; pt: performance at the threshold; conf",
-               psyfit_findings},
+               psyfit_findings, "shape,gamma,lambda,lambda_max,pt,conf"},
     TidyFamily{"ranking",
                "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
                "stands behind all that were ranked; an item that was not offered has no row; and, "
                "where a trial stands for several, times",
-               "items (all that were offered anywhere), conf", ranking_findings},
+               "items (all that were offered anywhere), conf", ranking_findings, "items,conf"},
     TidyFamily{"rating", "subject,item,score: the larger the better, ties allowed",
-               "items (all that were scored)", rating_findings},
+               "items (all that were scored), conf", rating_findings, "items,conf"},
     TidyFamily{"recognition", "subject,stimulus,response: one trial per row; empty: no answer",
-               "labels: of the stimuli, in order; conf", recognition_findings},
+               "labels: of the stimuli, in order; conf", recognition_findings, "labels,conf"},
     TidyFamily{"rmanova", "subject,y and one column per factor: one measurement per row",
                "within: factors with their levels; between: none or one; type: 2, 3; trend: a "
                "factor; trend_scale: linear, log10; conf",
-               rmanova_findings},
+               rmanova_findings, "within,between,type,trend,trend_scale,conf"},
     TidyFamily{"seedpaper",
                "three tables of margins: exp,renderer,count; exp,sex,correct,n of matching; "
                "exp,sex,correct,n of recognition",
-               "", seedpaper_findings},
-    TidyFamily{
-        "selection", "subject,sample,choice: the best of several, empty where none was chosen",
-        "renderers (all that can be chosen), target (one of them), conf", selection_findings},
+               "", seedpaper_findings, ""},
+    TidyFamily{"selection",
+               "subject,sample,choice: the best of several, empty where none was chosen",
+               "renderers (all that can be chosen), target (one of them), conf", selection_findings,
+               "renderers,target,conf"},
 };
 
 }  // namespace
+
+void refuse_unknown_options(const TidyFamily& family, const FamilyOptions& options) {
+  const std::vector<std::string> known = family.option_names.empty()
+                                             ? std::vector<std::string>{}
+                                             : parts_of(std::string(family.option_names), ',');
+  for (const std::string& name : options.names()) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string meant = did_you_mean(name, known);
+    throw std::runtime_error(std::string(family.name) + " has no option \"" + name + '"' +
+                             (known.empty()   ? "; it takes none"
+                              : meant.empty() ? "; it has: " + std::string(family.options)
+                                              : meant));
+  }
+}
 
 const TidyTable& TidyInput::table(std::size_t index) const {
   if (index < tables.size()) return tables[index];

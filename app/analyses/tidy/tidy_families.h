@@ -44,9 +44,13 @@ struct TidyInput {
 struct TidyFamily {
   std::string_view name{};
   std::string_view tables{};   ///< which, with their columns; for people
-  std::string_view options{};  ///< names; for people
+  std::string_view options{};  ///< with what they take; for people
   std::vector<Finding> (*findings)(const TidyInput&) = nullptr;
+  std::string_view option_names{};  ///< those names alone, a comma between
 };
+
+/// Throws std::runtime_error naming an option that the family does not have, and what may be meant.
+void refuse_unknown_options(const TidyFamily& family, const FamilyOptions& options);
 
 std::span<const TidyFamily> tidy_families();
 
