@@ -57,10 +57,6 @@ Table in_words(Table table) {
   return table;
 }
 
-std::string plural(std::size_t count, const std::string& word) {
-  return std::to_string(count) + ' ' + word + (count == 1 ? "" : "s");
-}
-
 Json json_of(const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return *number;
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return *whole;
@@ -147,10 +143,10 @@ std::string reading_text_of(const AnalysisOutcome& outcome) {
   std::string heading = outcome.protocol + ' ' + outcome.version + " (" + outcome.kind + ", " +
                         outcome.design + "): " + text_of(outcome.group);
   std::string text = heading + '\n' + std::string(heading.size(), '=') + '\n';
-  text += plural(outcome.count.participants, "participant") + ", " +
-          plural(outcome.count.sessions, "session") + ", " +
-          plural(outcome.count.planned_trials, "planned trial") + " of the main phase, " +
-          plural(outcome.answers, "answer") + " counted\n";
+  text += counted(outcome.count.participants, "participant") + ", " +
+          counted(outcome.count.sessions, "session") + ", " +
+          counted(outcome.count.planned_trials, "planned trial") + " of the main phase, " +
+          counted(outcome.answers, "answer") + " counted\n";
   for (const Phrase& remark : outcome.remarks) text += wrapped("! ", remark.english());
   for (const AnsweredQuestion& question : outcome.questions) {
     text += '\n' + wrapped("", question.question.english());

@@ -79,10 +79,10 @@ void add_check(CLI::App& program, Job& job) {
           json["protocols"].push_back(json_of(check));
         } else if (check.diagnostics.empty()) {
           std::cout << check.file << ": " << check.protocol->name << ' ' << check.protocol->version
-                    << ": " << check.cost.trials << " trials, " << check.cost.contacts
-                    << " contacts, " << fixed(check.cost.contact_s / 60.0, 1)
-                    << " min of contact, about " << fixed(check.cost.total_s / 60.0, 0)
-                    << " min in all, at most "
+                    << ": " << counted(check.cost.trials, "trial") << ", "
+                    << counted(check.cost.contacts, "contact") << ", "
+                    << fixed(check.cost.contact_s / 60.0, 1) << " min of contact, about "
+                    << fixed(check.cost.total_s / 60.0, 0) << " min in all, at most "
                     << fixed(check.cost.longest_without_break_s / 60.0, 1)
                     << " min without a break\n";
         }

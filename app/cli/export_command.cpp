@@ -40,10 +40,10 @@ void say_what_was_written(const std::string& out, const std::vector<ExportedFile
     if (at != std::string::npos) {
       ++of_dataset[file.name.substr(0, file.name.find('/', at) + 1)];
     } else {
-      say(out + "/" + file.name + (file.rows ? ": " + std::to_string(*file.rows) + " rows" : ""));
+      say(out + "/" + file.name + (file.rows ? ": " + counted(*file.rows, "row") : ""));
     }
     const auto remark = [&file](std::size_t cells, const char* what) {
-      if (cells > 0) say(file.name + ": in " + std::to_string(cells) + " cells " + what);
+      if (cells > 0) say(file.name + ": in " + counted(cells, "cell") + ' ' + what);
     };
     remark(file.spaced_cells, "tabs or line breaks became spaces, which TSV cannot hold");
     remark(file.marked_cells,
@@ -51,7 +51,7 @@ void say_what_was_written(const std::string& out, const std::vector<ExportedFile
     remark(file.cut_cells, "a text was cut: SPSS takes 32 000 bytes, and 120 of an option");
   }
   for (const auto& [name, count] : of_dataset) {
-    say(out + "/" + name + ": " + std::to_string(count) + " files");
+    say(out + "/" + name + ": " + counted(count, "file"));
   }
 }
 

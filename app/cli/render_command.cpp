@@ -12,6 +12,7 @@
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
+#include "app/cli/terminal.h"
 #include "app/height_field_files.h"
 #include "app/tasks/path_table.h"
 #include "renderers/force_model.h"
@@ -156,7 +157,7 @@ void add_render(CLI::App& program, Job& job) {
       const auto renderer = make_renderer(model, inputs);
       const std::vector<RenderedTick> forces = along_path(*renderer, path, rate_Hz_of(path));
       write_file(options->out, forces_tsv(path, forces), overwrite);
-      std::cout << options->out.string() << ": " << forces.size() << " rows\n";
+      std::cout << options->out.string() << ": " << counted(forces.size(), "row") << '\n';
       tell_limits(*renderer, forces.size());
       return 0;
     };

@@ -12,6 +12,7 @@
 #include "app/cli/command.h"
 #include "app/cli/model_option.h"
 #include "app/cli/parameter_option.h"
+#include "app/cli/terminal.h"
 #include "app/height_field_files.h"
 #include "app/tasks/path_table.h"
 #include "app/tasks/recorded_attempt.h"
@@ -120,7 +121,7 @@ void add_replay(CLI::App& program, Job& job) {
       }
       const std::vector<RenderedTick> forces = replay(*renderer, felt, recorded.rate_Hz);
       write_file(options->out, forces_tsv(path, forces), overwrite);
-      std::cout << options->out.string() << ": " << forces.size() << " rows\n";
+      std::cout << options->out.string() << ": " << counted(forces.size(), "row") << '\n';
       return 0;
     };
   });

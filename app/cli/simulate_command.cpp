@@ -79,9 +79,9 @@ void add_simulate(CLI::App& program, Job& job) {
                                           {"wall_s", result.wall_s}};
         std::cout << json.dump(2) << '\n';
       } else {
-        std::cout << result.sessions << " sessions, " << result.attempts << " attempts, "
-                  << fixed(result.simulated_s, 0) << " s of sessions in " << fixed(result.wall_s, 1)
-                  << " s\n";
+        std::cout << counted(result.sessions, "session") << ", "
+                  << counted(result.attempts, "attempt") << ", " << fixed(result.simulated_s, 0)
+                  << " s of sessions in " << fixed(result.wall_s, 1) << " s\n";
       }
       return 0;
     };

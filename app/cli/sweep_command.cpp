@@ -259,8 +259,8 @@ int run_sweep(SweepOptions options) {
                   " of " + std::to_string(asked) + " rows; the same command goes on with it");
     return 1;
   }
-  std::cout << options.out << ": " << sweep.rows.size() << " rows, " << text_of(order.stroke.mode)
-            << ", " << text_of(options.measure) << '\n'
+  std::cout << options.out << ": " << counted(sweep.rows.size(), "row") << ", "
+            << text_of(order.stroke.mode) << ", " << text_of(options.measure) << '\n'
             << aligned(summary_table(sweep, options.measure));
 #ifdef ASPERITY_WITH_WINDOWS
   if (!plot.empty()) {

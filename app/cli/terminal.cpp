@@ -78,6 +78,10 @@ void say_condition(const Study& study) {
   if (const auto remark = remark_on(study)) say("asperity: " + remark->english());
 }
 
+std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
+}
+
 std::string aligned(const Table& table) {
   const std::size_t columns = table.columns.size();
   std::vector<std::size_t> widths(columns, 0);

@@ -38,6 +38,9 @@ void say(const std::string& line);
 /// What whoever reads on should know of the study's file, if anything.
 void say_condition(const Study& study);
 
+/// "1 session", "3 sessions".
+std::string counted(std::size_t count, const std::string& thing);
+
 /// Aligned columns: text to the left, numbers to the right, two spaces between.
 std::string aligned(const Table& table);
 

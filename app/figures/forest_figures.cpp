@@ -32,6 +32,11 @@ Phrase counted(const Phrase& label, std::size_t hits, std::size_t of) {
   return phrase("Figures", "%1 (%2 of %3)").with(label, std::to_string(hits), std::to_string(of));
 }
 
+Phrase mean_of(std::size_t people) {
+  return people == 1 ? phrase("Figures", "one participant")
+                     : phrase("Figures", "mean of %1 participants").with(std::to_string(people));
+}
+
 Phrase share_axis(const std::string& percent) {
   return phrase("Figures", "share, with its %1 % interval").with(percent);
 }
@@ -123,7 +128,7 @@ std::vector<ForestRow> rows_of_persons(const NamedTable& table, bool with_name) 
     return rows;
   for (const std::vector<Cell>& cells : table.table.rows) {
     const auto people = static_cast<std::size_t>(number_of(cells[persons]).value_or(0.0));
-    const Phrase of = phrase("Figures", "mean of %1 participants").with(std::to_string(people));
+    const Phrase of = mean_of(people);
     ForestRow row{
         .label = with_name ? phrase("Figures", "%1 · %2").with(word_of(cells.front()), of) : of,
         .share = number_of(cells[mean])};
@@ -258,7 +263,7 @@ void add_mean_of_people(const FoundNumbers& found, std::optional<double> chance,
                         std::vector<ForestRow>& rows) {
   for (const Finding* mean : found.all("subj.mean")) {
     if (!mean->value) continue;
-    const Phrase of = phrase("Figures", "mean of %1 participants").with(std::to_string(mean->n));
+    const Phrase of = mean_of(mean->n);
     rows.push_back(
         {.label = mean->key.empty() ? of : phrase("Figures", "%1 · %2").with(Phrase(mean->key), of),
          .share = mean->value,

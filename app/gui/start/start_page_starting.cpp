@@ -170,11 +170,14 @@ void StartPage::simulate_several() {
                         [answers](const AttemptDone&) { ++*answers; });
       },
       [this](const SimulationResult& result) {
-        banner_->show_news(State::fine,
-                           tr("%1 sessions, %2 answers: look at the table.")
-                               .arg(result.sessions)
-                               .arg(result.attempts),
-                           tr("Show the sessions"), [this] { emit sessions_wanted(); });
+        banner_->show_news(
+            State::fine,
+            result.sessions == 1
+                ? tr("One session, %1 answers: look at the table.").arg(result.attempts)
+                : tr("%1 sessions, %2 answers: look at the table.")
+                      .arg(result.sessions)
+                      .arg(result.attempts),
+            tr("Show the sessions"), [this] { emit sessions_wanted(); });
         study_.announce_change();
       },
       [this, answers](const QString& what) {
