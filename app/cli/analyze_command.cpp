@@ -1,6 +1,7 @@
 // asperity analyze: the tables and tests of a study's answers, of anyone's tables, or of a reference
 // case.
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -15,6 +16,10 @@
 #include "app/cli/analysis_output.h"
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
+#ifdef ASPERITY_WITH_WINDOWS
+#include "app/figures/figure_files.h"
+#include "app/figures/figures_of.h"
+#endif
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
@@ -28,6 +33,8 @@ struct Options {
   std::string kind{};
   std::string options_file{};
   std::vector<std::string> options{};
+  std::string figures{};
+  std::string level_unit{};
   std::string reference_case{};
   std::string out{};
   bool force = false;
@@ -47,6 +54,25 @@ void refuse_unused(const TidyInput& input, const std::string& name) {
   throw std::runtime_error("the option \"" + name + "\" is not used, because " +
                            input.table().name() + " has a column of that name; leave out one");
 }
+
+#ifdef ASPERITY_WITH_WINDOWS
+/// A file for each figure; the sentence of one that these data cannot fill goes to standard error.
+void write_figures(const std::string& folder, const std::vector<Figure>& figures,
+                   Overwrite overwrite) {
+  std::filesystem::create_directories(folder);
+  const LettersWithoutWindows letters;
+  if (figures.empty()) say("asperity: this kind of analysis has no figures");
+  for (const Figure& figure : figures) {
+    if (!figure.is_drawn()) {
+      say("asperity: " + figure.name + ": " + figure.instead.as_sentence().english());
+      continue;
+    }
+    const std::filesystem::path path = std::filesystem::path(folder) / (figure.name + ".svg");
+    write_svg(path, figure, {}, overwrite);
+    say(path.string() + ": " + figure.title.english() + ". " + figure.note.english());
+  }
+}
+#endif
 
 int analyze_tables(const Options& options) {
   const TidyFamily& family = tidy_family(options.kind);
@@ -73,6 +99,13 @@ int analyze_tables(const Options& options) {
       .kind = options.kind, .files = options.tables, .findings = family.findings(input)};
   for (const std::string& name : input.options.never_asked_for()) refuse_unused(input, name);
   std::cout << (options.json ? findings_json(findings) : reading_text_of(findings));
+#ifdef ASPERITY_WITH_WINDOWS
+  if (!options.figures.empty()) {
+    write_figures(options.figures,
+                  figures_of(options.kind, input, findings.findings, options.level_unit),
+                  options.force ? Overwrite::allow : Overwrite::refuse);
+  }
+#endif
   return 0;
 }
 
@@ -112,6 +145,12 @@ void add_analyze(CLI::App& program, Job& job) {
                                    "Options of that analysis (JSON, an object)");
   auto* option = command->add_option("--option", options->options,
                                      "Options of that analysis, NAME=VALUE; a,b,c is a list");
+#ifdef ASPERITY_WITH_WINDOWS
+  auto* figures = command->add_option("--figures", options->figures,
+                                      "Also the figures of that analysis, as SVG in this folder");
+  auto* level_unit = command->add_option("--level-unit", options->level_unit,
+                                         "Unit of the levels or spacings in the table, for axes");
+#endif
   auto* reference_case = command->add_option(
       "--case", options->reference_case,
       "Instead of a study: a folder with case.json (family, inputs, options) and its tables");
@@ -124,8 +163,15 @@ void add_analyze(CLI::App& program, Job& job) {
   option->needs(tables);
   reference_case->excludes(study)->excludes(tables)->excludes(json)->needs(out);
   out->needs(reference_case);
-  command->add_flag("--force", options->force, "Replace an existing file")->needs(out);
+  command->add_flag("--force", options->force, "Replace existing files");
+#ifdef ASPERITY_WITH_WINDOWS
+  figures->needs(tables);
+  level_unit->needs(figures);
+#endif
   command->callback([options, &job] {
+    if (options->force && options->out.empty() && options->figures.empty()) {
+      throw CLI::RequiresError("--force", "what it writes, --out or --figures");
+    }
     if (!options->reference_case.empty()) {
       job = [options] { return analyze_case(*options); };
     } else if (!options->tables.empty()) {
