@@ -15,6 +15,8 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kTableWidth = 100;
+constexpr std::size_t kMostRows = 200;  // of one table: nobody reads more
+constexpr std::size_t kRowsOfLonger = 100;
 
 /// Student's interval of a mean share stands as it stands everywhere: as far as a share can go. Uncut
 /// it is a finding of its own, for programs that compare it.
@@ -73,12 +75,18 @@ std::string table_of(std::span<const Column* const> columns, const std::string& 
   }
   table.columns.push_back(key_name);
   for (const Column* column : columns) table.columns.push_back(column->name);
-  for (std::size_t row = 0; row < columns.front()->keys.size(); ++row) {
+  const std::size_t rows = columns.front()->keys.size();
+  const std::size_t shown = rows > kMostRows ? kRowsOfLonger : rows;
+  for (std::size_t row = 0; row < shown; ++row) {
     std::vector<Cell>& cells = table.rows.emplace_back();
     cells.emplace_back(columns.front()->keys[row]);
     for (const Column* column : columns) cells.emplace_back(column->values[row]);
   }
-  return aligned(table);
+  std::string text = aligned(table);
+  if (shown < rows) {
+    text += "… and " + counted(rows - shown, "more row") + "; --json gives all of them\n";
+  }
+  return text;
 }
 
 std::size_t width_of(const Column& column) {

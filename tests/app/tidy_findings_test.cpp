@@ -112,6 +112,18 @@ TEST(TableFindings, TellWhatIsLeftOutOfRatings) {
   EXPECT_THAT(text, HasSubstr("left out: the first counts"));
 }
 
+TEST(TableFindings, StopWhereNobodyReadsOnAndSayHowManyThereAre) {
+  std::string rows = "subject,trial,stimulus,response\n";
+  for (int person = 1; person <= 201; ++person) rows += std::to_string(person) + ",1,a,a\n";
+  const TidyInput input = input_of(rows, "{}");
+  const TableFindings findings{.kind = "matching", .findings = matching_findings(input)};
+  const std::string text = reading_text_of(findings);
+  EXPECT_THAT(text, HasSubstr("\n100 "));
+  EXPECT_THAT(text, testing::Not(HasSubstr("\n101 ")));
+  EXPECT_THAT(text, HasSubstr("… and 101 more rows; --json gives all of them\n"));
+  EXPECT_THAT(findings_json(findings), HasSubstr("\"key\": \"201\""));
+}
+
 // Of four shares, 1, 1, 1 and 0.5, Student's interval goes beyond 1.
 TEST(TableFindings, EndTheIntervalOfAMeanShareWhereSharesEnd) {
   const TidyInput input = input_of(
