@@ -49,7 +49,7 @@ footer { margin-top: 3rem; border-top: 1px solid #bbbbbb; padding-top: .8rem; fo
   body { max-width: none; padding: 0; }
   nav, .scroll { overflow: visible; }
   section.chapter { break-before: page; }
-  h2, h3, caption { break-after: avoid; }
+  h2, h3, caption, p.lead, p.lead + p { break-after: avoid; }
   tr, figure, p { break-inside: avoid; }
   thead { display: table-header-group; }
   a { color: inherit; text-decoration: none; }

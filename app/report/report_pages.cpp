@@ -37,6 +37,7 @@ constexpr double kLeading = 1.38;
 
 constexpr double kLargestMovedTable = 0.45;  // of a page: smaller ones are kept in one piece
 constexpr std::size_t kLeastRows = 3;        // of a table at the end of a page
+constexpr double kHeadingsHeight = 1600.0;   // of a chapter and a section, which may stand above
 
 const QColor kInk(0x1a, 0x1a, 0x1a);
 const QColor kGrey(0x55, 0x55, 0x55);
@@ -85,7 +86,7 @@ class PageMaker final {
     const QFont heading = font(kSectionPixels, true);
     const double before = y_ > area_.top() ? 220.0 : 0.0;
     const double wanted = before + line_height(heading) + 60.0 +
-                          (section.parts.empty() ? 0.0 : least_height(section.parts.front()));
+                          (section.parts.empty() ? 0.0 : height_together(section, 0));
     if (y_ + wanted > area_.bottom()) {
       new_page();
     } else {
@@ -94,11 +95,7 @@ class PageMaker final {
     place_lines(QString::fromStdString(section.heading), heading, kInk, 0.0);
     y_ += 60.0;
     for (std::size_t i = 0; i < section.parts.size(); ++i) {
-      // A line that announces a list or a table stays with it.
-      const auto* text = std::get_if<ReportText>(&section.parts[i]);
-      if (text != nullptr && text->text.ends_with(':') && i + 1 < section.parts.size()) {
-        need(line_height(font(kTextPixels)) + 90.0 + least_height(section.parts[i + 1]));
-      }
+      need(height_together(section, i));
       std::visit([this](const auto& part) { place(part); }, section.parts[i]);
     }
   }
@@ -192,6 +189,37 @@ class PageMaker final {
       next += now;
       if (next < lines.size()) new_page();
     }
+  }
+
+  double height_of(const ReportText& part) const {
+    const double indent = part.tone == ReportText::Tone::notice ? kIndent : 0.0;
+    const QFont used = font(kTextPixels, part.tone == ReportText::Tone::lead);
+    const QStringList lines =
+        broken_lines(QString::fromStdString(part.text), used, area_.width() - indent);
+    return static_cast<double>(lines.size()) * line_height(used) + 90.0;
+  }
+
+  /// What the part `from` needs at least on one page with what belongs to it: an answer with how it was
+  /// computed and its figure, a line that announces a list or a table with the beginning of that.
+  double height_together(const ReportSection& section, std::size_t from) {
+    const double alone = least_height(section.parts[from]);
+    const auto* text = std::get_if<ReportText>(&section.parts[from]);
+    if (text == nullptr) return alone;
+    double height = height_of(*text);
+    if (text->text.ends_with(':') && from + 1 < section.parts.size()) {
+      return height + least_height(section.parts[from + 1]);
+    }
+    if (text->tone != ReportText::Tone::lead) return alone;
+    for (std::size_t i = from + 1; i < section.parts.size(); ++i) {
+      if (const auto* figure = std::get_if<ReportFigure>(&section.parts[i])) {
+        height += height_of(*figure);
+        return height <= area_.height() - kHeadingsHeight ? height : alone;
+      }
+      const auto* further = std::get_if<ReportText>(&section.parts[i]);
+      if (further == nullptr || further->tone == ReportText::Tone::lead) break;
+      height += height_of(*further);
+    }
+    return alone;
   }
 
   double least_height(const ReportPart& part) {

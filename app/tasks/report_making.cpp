@@ -107,7 +107,6 @@ ReportSection making_section(const ReportFacts& facts) {
                                         (mirrored == 1 ? " session" : " sessions") + " of " +
                                         reading_count(facts.sessions.size()));
   }
-  section.parts.emplace_back(std::move(table));
   if (!files.empty()) {
     section.parts.emplace_back(ReportText{
         reading_count(files.size()) +
@@ -116,6 +115,7 @@ ReportSection making_section(const ReportFacts& facts) {
         "own, which the list of sessions gives: with the protocol, the files and the program it "
         "determines the order of everything."});
   }
+  section.parts.emplace_back(std::move(table));
   return section;
 }
 

@@ -287,6 +287,28 @@ TEST(ReportPages, LeaveNoHeadingAloneAtTheEndOfAPage) {
   }
 }
 
+TEST(ReportPages, KeepAnAnswerWithItsFigure) {
+  Figure figure{.name = "shares", .shape = FigureShape::wide, .series = {{}}};
+  figure.series.front().points = {{.x = 0.5, .y = 0.5}};
+  // Whatever the height that is left: answer, method and figure move together.
+  for (int lines = 0; lines < 60; ++lines) {
+    std::vector<ReportPart> parts(static_cast<std::size_t>(lines), ReportText{"A line."});
+    parts.emplace_back(ReportText{"An answer.", ReportText::Tone::lead});
+    parts.emplace_back(ReportText{"How it was computed."});
+    parts.emplace_back(ReportFigure{1, figure});
+    const Report report = report_with(std::move(parts));
+    const ReportPages pages(report);
+    for (std::size_t page = 0; page < pages.count(); ++page) {
+      const std::vector<PageMark>& marks = pages.marks(page);
+      const bool has_figure = std::any_of(marks.begin(), marks.end(), [](const PageMark& mark) {
+        return std::holds_alternative<PageFigure>(mark);
+      });
+      EXPECT_EQ(stands_on(pages, page, "An answer."), has_figure) << lines;
+      EXPECT_EQ(stands_on(pages, page, "How it was computed."), has_figure) << lines;
+    }
+  }
+}
+
 TEST(TableLayout, BreaksWordsAndNamesThatAreTooLong) {
   ReportTable table = long_table(1);
   table.rows[0][0] = std::string(400, 'a');
