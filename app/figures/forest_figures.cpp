@@ -92,6 +92,26 @@ Phrase word_of(const Cell& cell) {
   return *text;
 }
 
+/// The names of a row together: "column 1 · height_map over sinusoid".
+Phrase label_of_row(const std::vector<std::string>& columns, const std::vector<Cell>& cells,
+                    std::size_t keys) {
+  Phrase label{};
+  for (std::size_t i = 0; i < keys; ++i) {
+    Phrase word = word_of(cells[i]);
+    const bool is_level = columns[i] == "column" && cells[i] != Cell{"all"};
+    if (is_level) word = phrase("Figures", "column %1").with(word);
+    if (columns[i] == "position") word = phrase("Figures", "position %1").with(word);
+    if (label.empty()) {
+      label = std::move(word);
+    } else if (columns[i] == "against") {
+      label = phrase("Figures", "%1 over %2").with(label, word);
+    } else {
+      label = phrase("Figures", "%1 · %2").with(label, word);
+    }
+  }
+  return label;
+}
+
 /// Whether a row of a table counts what other rows of it count in parts.
 bool is_part(const NamedTable& table, const std::vector<Cell>& row, std::size_t keys) {
   for (std::size_t i = 0; i < keys; ++i) {
@@ -165,11 +185,8 @@ std::optional<Figure> table_forest(const NamedTable& table, const NamedTable* pe
   std::vector<ForestRow> rows{};
   for (const std::vector<Cell>& cells : table.table.rows) {
     ForestRow row{};
-    for (std::size_t i = 0; i < hits; ++i) {
-      const Phrase word = word_of(cells[i]);
-      row.label = row.label.empty() ? word : phrase("Figures", "%1 · %2").with(row.label, word);
-    }
-    row.label = counted(row.label, static_cast<std::size_t>(number_of(cells[hits]).value_or(0.0)),
+    row.label = counted(label_of_row(columns, cells, hits),
+                        static_cast<std::size_t>(number_of(cells[hits]).value_or(0.0)),
                         static_cast<std::size_t>(number_of(cells[*of]).value_or(0.0)));
     row.share = number_of(cells[*share]);
     const auto from = number_of(cells[*low]);

@@ -194,7 +194,7 @@ class OutcomeColumn final {
       }
       layout_->addWidget(make_table(table, page_));
       if (table.note.empty()) continue;
-      add_folded(AnalysisPage::tr("How it was computed"), words_of(table.note), *layout_, page_);
+      add_folded(AnalysisPage::tr("How to read this table"), words_of(table.note), *layout_, page_);
     }
   }
 

@@ -71,7 +71,7 @@ TEST(FiguresOf, PutEachShareOfATableWithItsIntervalIntoARow) {
   EXPECT_TRUE(figure.is_drawn());
   EXPECT_EQ(figure.table, "shares");
   EXPECT_EQ(places_of(figure.y),
-            (std::vector<std::string>{"1 · wave (3 of 10)", "all · wave (12 of 20)"}));
+            (std::vector<std::string>{"column 1 · wave (3 of 10)", "all · wave (12 of 20)"}));
   ASSERT_EQ(figure.series.size(), 2U);
   EXPECT_FALSE(figure.series[0].hollow);  // all columns
   EXPECT_TRUE(figure.series[1].hollow);   // a part
