@@ -247,11 +247,11 @@ std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& fi
     for (const PlannedPresentation& planned : trial.presentations) {
       const StimulusDescription& stimulus = planned.stimulus;
       if (!stimulus.surface || !stimulus.tool) continue;
-      const std::string& explored = protocol.blocks.at(trial.block).exploration;
-      if (!made.insert(name_of_making(stimulus) + ' ' + explored).second) continue;
+      const Exploration& exploration = exploration_of(protocol, trial);
+      if (!made.insert(name_of_making(stimulus) + ' ' + exploration.name).second) continue;
       try {
         const PreparedStimulus prepared = builder.unmatched(stimulus);
-        const HandHabits habits = habits_for(exploration_of(protocol, trial), stimulus.patch);
+        const HandHabits habits = habits_for(exploration, stimulus.patch);
         const auto renderer = make_renderer(*prepared.model, prepared.inputs);
         if (untouched.contains(stimulus.surface->name)) continue;  // said, with another tool
         const FirstTouch touch = first_touch(*renderer, habits, protocol.rate_Hz);
