@@ -127,6 +127,9 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
                             R"({"items": ["a", "b"]})"),
                 "friedman.p"),
             "NA: all items are tied in every row: there is no order to test");
+  EXPECT_EQ(why(findings_of("recognition", "subject,stimulus,response\nA,y,y\nB,y,x\n", kLabels),
+                "recall"),
+            "NA: it was never presented");
 }
 
 TEST(TidyFamilies, RefuseAnOptionThatTheyDoNotHaveAndSayWhichIsMeant) {

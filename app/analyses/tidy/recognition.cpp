@@ -164,7 +164,9 @@ class Recognition final {
       const std::string& key = trials_.labels[i];
       const std::optional<HitCount> hits = recall(trials_.counts, i);
       if (!hits) {
-        number("recall", key, kUndefined, "right of the trials with this stimulus");
+        Basis never = basis("right of the trials with this stimulus");
+        never.undefined = "it was never presented";
+        list_.number("recall", key, kUndefined, never);
         continue;
       }
       const ConfidenceInterval wilson = wilson_interval(*hits, confidence_);
