@@ -77,6 +77,7 @@ class Meaning final {
   void check_factors();
   void check_explorations();
   void check_band(const Band& band, const std::string& pointer);
+  void check_guidance(const Exploration& exploration, const std::string& pointer);
   void check_questions();
   void check_stimulus(const StimulusTemplate& stimulus, const std::string& pointer);
   void check_bodies();

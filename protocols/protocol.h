@@ -69,6 +69,14 @@ struct Band {
 /// How a surface is to be explored, and what follows when it was not.
 struct Exploration {
   enum class OnFailure { flag, repeat_now, requeue_at_end_of_block };
+  /// Who is told how force and speed meet their bands while a surface is felt. The experimenter always
+  /// is.
+  enum class Guidance {
+    experimenter,   ///< and nobody else
+    bars,           ///< the participant sees each quantity in its band
+    moving_target,  ///< the participant follows a mark to and fro, and sees the force in its band
+    tones,          ///< the participant hears when a quantity leaves its band, and on which side
+  };
   std::string name{};
   double direction_rad = 0.0;  ///< of the stroke, from +x towards +y
   Band stroke_length_m{};
@@ -81,6 +89,7 @@ struct Exploration {
   double required_fraction_in_band = 0.0;
   OnFailure on_failure = OnFailure::flag;
   int maximum_repeats = 0;
+  Guidance guidance = Guidance::experimenter;
 };
 
 /// A texture as participants meet it: felt (a height field), seen (a picture), or both.

@@ -185,6 +185,12 @@ Exploration exploration_of(const std::string& name, const json& object) {
                {"repeat_now", OnFailure::repeat_now},
                {"requeue_at_end_of_block", OnFailure::requeue_at_end_of_block}});
   read(object, "maximum_repeats", exploration.maximum_repeats);
+  using Guidance = Exploration::Guidance;
+  read_choice(object, "guidance", exploration.guidance,
+              {{"experimenter", Guidance::experimenter},
+               {"bars", Guidance::bars},
+               {"moving_target", Guidance::moving_target},
+               {"tones", Guidance::tones}});
   return exploration;
 }
 

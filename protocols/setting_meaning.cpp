@@ -108,6 +108,33 @@ void Meaning::check_band(const Band& band, const std::string& pointer) {
   }
 }
 
+/// Whether there is something to show, and somebody to see it.
+void Meaning::check_guidance(const Exploration& exploration, const std::string& pointer) {
+  using Guidance = Exploration::Guidance;
+  if (exploration.guidance == Guidance::experimenter) return;
+  const std::string place = pointer + "/guidance";
+  if (protocol_.vision == Vision::blindfold && exploration.guidance != Guidance::tones) {
+    report(place,
+           "whoever is blindfold sees neither bars nor a target; choose \"tones\" or "
+           "\"experimenter\", or another \"vision\"");
+  }
+  const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
+  if (exploration.guidance != Guidance::moving_target && !bounded(exploration.normal_force_N) &&
+      !bounded(exploration.speed_m_per_s)) {
+    report(place,
+           "there is no band to tell of: give normal_force_N or speed_m_per_s a minimum or a "
+           "maximum");
+  }
+  if (exploration.guidance == Guidance::moving_target) {
+    const auto positive = [](const Band& band) { return band.target.value_or(0.0) > 0.0; };
+    if (!positive(exploration.speed_m_per_s) || !positive(exploration.stroke_length_m)) {
+      report(place,
+             "a target has to know how fast and how far it moves: give speed_m_per_s and "
+             "stroke_length_m a target above 0");
+    }
+  }
+}
+
 void Meaning::check_explorations() {
   for (const auto& [name, exploration] : protocol_.explorations) {
     const std::string pointer = pointer_to("/explorations", name);
@@ -115,6 +142,7 @@ void Meaning::check_explorations() {
     check_band(exploration.speed_m_per_s, pointer + "/speed_m_per_s");
     check_band(exploration.normal_force_N, pointer + "/normal_force_N");
     check_band(exploration.strokes, pointer + "/strokes");
+    check_guidance(exploration, pointer);
     const auto too_strong = [&](const std::optional<double>& force_N, const char* key) {
       if (!force_N || *force_N <= protocol_.force_limit_N) return;
       report(pointer + "/normal_force_N/" + key,

@@ -70,6 +70,30 @@ std::vector<Tone> pattern_of(Cue cue) {
   return {};
 }
 
+std::vector<Tone> pattern_of(GuideTone tone) {
+  constexpr double kLow_Hz = 220.0, kHigh_Hz = 1760.0;
+  const auto beep = [](double at_Hz) { return std::vector<Tone>{{at_Hz, at_Hz, 0.15, 0.15}}; };
+  const auto ticks = [](double at_Hz) {
+    return std::vector<Tone>{{at_Hz, at_Hz, 0.05, 0.05}, {at_Hz, at_Hz, 0.05, 0.25}};
+  };
+  switch (tone) {
+    case GuideTone::none:
+      break;
+    case GuideTone::press_more:
+      return beep(kLow_Hz);
+    case GuideTone::press_less:
+      return beep(kHigh_Hz);
+    case GuideTone::faster:
+      return ticks(kLow_Hz);
+    case GuideTone::slower:
+      return ticks(kHigh_Hz);
+  }
+  return {};
+}
+
+constexpr std::array kGuideTones = {GuideTone::press_more, GuideTone::press_less, GuideTone::faster,
+                                    GuideTone::slower};
+
 constexpr std::array kCues = {
     Cue::surface, Cue::next, Cue::question, Cue::option,  Cue::accepted, Cue::refused, Cue::right,
     Cue::wrong,   Cue::rest, Cue::paused,   Cue::mask_on, Cue::mask_off, Cue::finished};
@@ -185,6 +209,11 @@ MaskingSound::MaskingSound(const MaskingSoundSettings& settings)
     for (const Tone& tone : pattern_of(cue)) add_tone(tone, rate_Hz_, clip.samples);
     clips_[text_of(cue)] = std::move(clip);
   }
+  for (const GuideTone tone : kGuideTones) {
+    for (const Tone& part : pattern_of(tone)) {
+      add_tone(part, rate_Hz_, guides_.at(static_cast<std::size_t>(tone)));
+    }
+  }
   for (const auto& [name, recording] : settings.speech) {
     if (std::none_of(kCues.begin(), kCues.end(), [&name = name](Cue cue) {
           return is_numbered(cue) ? name.starts_with(text_of(cue) + std::string("_"))
@@ -283,6 +312,24 @@ double MaskingSound::cue_sample() noexcept {
   return sample;
 }
 
+double MaskingSound::guide_sample() noexcept {
+  const GuideTone wanted =
+      playing_.clip != nullptr ? GuideTone::none : wanted_guide_.load(std::memory_order_relaxed);
+  // A tone that gives way fades out first, so that nothing clicks; the next begins softly by itself.
+  const double step = 1.0 / (kRelease_s * rate_Hz_);
+  guide_fade_ = std::min(1.0, guide_fade_ + (guide_ == wanted ? step : -step));
+  if (guide_ != wanted && (guide_ == GuideTone::none || guide_fade_ <= 0.0)) {
+    guide_ = wanted;
+    guide_position_ = 0;
+    guide_fade_ = 1.0;
+  }
+  if (guide_ == GuideTone::none) return 0.0;
+  const std::vector<float>& samples = guides_[static_cast<std::size_t>(guide_)];
+  const double sample = guide_fade_ * static_cast<double>(samples[guide_position_]);
+  if (++guide_position_ == samples.size()) guide_position_ = 0;
+  return kCueOverNoise * gain_ * sample;
+}
+
 double MaskingSound::noise_sample(std::size_t ear) noexcept {
   const double white = white_[ear].normal();
   return kind_ == MaskingNoise::Kind::pink ? pink_scale_ * pink_[ear].next(white) : white;
@@ -301,7 +348,8 @@ void MaskingSound::fill(std::span<float> stereo) noexcept {
   for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) {
     gain_ += (wanted_gain - gain_) * glide;
     fade_ = std::clamp(fade_ + fade_step, 0.0, 1.0);
-    const double cue = cue_sample();
+    double cue = cue_sample();
+    cue += guide_sample();
     double loud = 0.0;
     if (fade_ > 0.0) {
       const double sine = std::sin(0.5 * std::numbers::pi * fade_);

@@ -53,6 +53,11 @@ struct MaskingSoundSettings {
 ///   paused      three equal low tones  mask_on    a long fall            mask_off   a long rise
 ///   finished    four tones, up and on
 ///
+/// Guiding tones go on until they are changed, at the same RMS, and stand back while a cue sounds. Below a
+/// band they are at 220 Hz, above it at 1760 Hz, three octaves apart and away from the cues; of force a
+/// beep of 0.15 s every 0.3 s, of speed two ticks of 0.05 s. In the ear's band around it (48 and 215 Hz
+/// wide [Glasberg 1990]) a tone is 18 dB or more above the noise, white or pink.
+///
 /// A recorded word is brought to the same RMS, or less, so that its peak stays below 0.7 of full
 /// scale. Cues wait for each other; only a new option cuts the one that sounds off, because whoever
 /// steps through the options wants to hear where they are.
@@ -70,6 +75,7 @@ struct MaskingSoundSettings {
 /// Real-time: `fill` does not allocate, lock or throw.
 ///
 /// [Hirsh 1948] Hirsh: The influence of interaural phase on interaural summation and inhibition.
+/// [Glasberg 1990] Glasberg, Moore: Derivation of auditory filter shapes from notched-noise data.
 /// [Kellett 2000] Kellett: Filter to make pink noise from white, musicdsp.org.
 class MaskingSound final {
  public:
@@ -88,6 +94,7 @@ class MaskingSound final {
   /// `number` counts from 1 where the cue has one. A cue behind sixteen that wait is lost, and
   /// counted.
   void play(Cue cue, int number);
+  void set_guide(GuideTone tone) noexcept { wanted_guide_.store(tone, std::memory_order_relaxed); }
   std::uint64_t cues_lost() const noexcept { return cues_lost_.load(std::memory_order_relaxed); }
 
   /// The next samples, left and right in turn.
@@ -112,15 +119,18 @@ class MaskingSound final {
   bool waits_to_cut_off() const noexcept;
   bool take(Playing& cue) noexcept;
   double cue_sample() noexcept;
+  double guide_sample() noexcept;
   double noise_sample(std::size_t ear) noexcept;
 
   MaskingNoise::Kind kind_ = MaskingNoise::Kind::none;
   double rate_Hz_ = 48000.0;
   std::map<std::string, Clip, std::less<>> clips_{};  // fixed once constructed
+  std::array<std::vector<float>, 5> guides_{};        // by GuideTone, likewise; the first is empty
 
   // What is asked for.
   std::atomic<bool> wanted_{false};
   std::atomic<double> wanted_gain_{0.1};
+  std::atomic<GuideTone> wanted_guide_{GuideTone::none};
   static constexpr std::size_t kWaiting = 16;
   std::mutex callers_{};  // of `play`
   std::array<Playing, kWaiting> waiting_{};
@@ -136,6 +146,9 @@ class MaskingSound final {
   double fade_ = 0.0;  ///< 0 silent, 1 full
   Playing playing_{};
   std::size_t position_ = 0;
+  GuideTone guide_ = GuideTone::none;  ///< sounding, or fading out
+  std::size_t guide_position_ = 0;
+  double guide_fade_ = 0.0;
   std::size_t pause_ = 0;  ///< samples of silence before the next cue
   double release_ = 1.0;   ///< falls to 0 while a cue is cut off
 };

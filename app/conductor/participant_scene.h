@@ -111,6 +111,9 @@ struct ParticipantScene {
   std::optional<std::int64_t> rest_until_ns{};  ///< on the session's clock
   /// While a surface is felt: show the workspace (object, tool, probe) to who is allowed to see it.
   bool show_workspace = false;
+  /// While a surface is felt: what is asked of the hand, as the session's layout has it, where the
+  /// participant is to see how they meet it.
+  std::optional<Exploration> guide{};
   /// Counts how often a button of the device asked for the next page of what is read.
   int pages_turned = 0;
   /// A response of the trial is open: keys of any window belong to it.
@@ -149,8 +152,8 @@ struct ParticipantInput {
 /// The scenes of a session; the conductor shows them, whoever answers.
 ParticipantScene scene_to_read(const std::string& text);
 /// `felt`: positions that were felt in this attempt; `now`: the position under the hand. Pictures
-/// stand beside, unless they are to be seen only after feeling. `show_workspace` is left to the
-/// caller.
+/// stand beside, unless they are to be seen only after feeling. `show_workspace` and `guide` are left
+/// to the caller.
 ParticipantScene scene_of_surface(const Trial& trial, const std::vector<int>& felt, int now);
 /// The same when feeling is over, by the participant's wish or by itself: the hand is to lift.
 ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& felt, int now);

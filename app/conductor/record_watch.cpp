@@ -80,10 +80,29 @@ HandSoFar RecordWatch::hand() const {
   return hand;
 }
 
+GuideTone RecordWatch::tone() const {
+  if (!now_) return GuideTone::none;
+  const AskedBand& force_N = bands_.normal_force_N;
+  if (force_N.minimum && now_->pressing_N < *force_N.minimum) return GuideTone::press_more;
+  if (force_N.maximum && now_->pressing_N > *force_N.maximum) return GuideTone::press_less;
+  const AskedBand& speed = bands_.speed_m_per_s;
+  const bool rests = static_cast<double>(last_ns_ - stroked_ns_) * 1e-9 > kTurn_s;
+  if (speed.minimum && now_->speed_m_per_s < *speed.minimum && (now_->is_stroking || rests)) {
+    return GuideTone::faster;
+  }
+  if (speed.maximum && now_->is_stroking && now_->speed_m_per_s > *speed.maximum) {
+    return GuideTone::slower;
+  }
+  return GuideTone::none;
+}
+
 void RecordWatch::take_into_bin(const TickRecord& record) {
   const std::int64_t time_ns = record.probe.time_ns;
   const std::optional<HandSample> hand = reader_.take(record);
   if (record.has(TickFlag::presenting)) presented_ = record.presentation;
+  if (!now_ || !hand || hand->is_stroking) stroked_ns_ = time_ns;
+  now_ = hand;
+  last_ns_ = time_ns;
   if (hand) {
     HandTally& tally = tallies_[hand->presentation];
     tally.force_N.add(hand->pressing_N, bands_.normal_force_N);

@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "analysis/compliance.h"
 #include "app/conductor/contact_reader.h"
 #include "app/conductor/respondent.h"
 #include "app/conductor/session_monitor.h"
+#include "app/conductor/sound.h"
 #include "renderers/tick_record.h"
 
 namespace asperity {
@@ -39,6 +41,10 @@ class RecordWatch final {
   void begin_attempt(const HandBands& bands);
   /// Of the surface that was presented last in the attempt, all its visits together.
   HandSoFar hand() const;
+  /// What the hand is to be told now: of the force before the speed. Nothing without contact, nor while
+  /// the hand turns; one that rests longer is to move.
+  GuideTone tone() const;
+  static constexpr double kTurn_s = 0.5;
 
   std::vector<ButtonChange> take_button_changes();
   /// All but the lost records, which nobody sees go by.
@@ -77,6 +83,9 @@ class RecordWatch final {
   HandBands bands_{};
   std::uint64_t presented_ = 0;  ///< in this attempt; 0: none yet
   std::map<std::uint64_t, HandTally> tallies_{};
+  std::optional<HandSample> now_{};  ///< of the last tick
+  std::int64_t last_ns_ = 0;
+  std::int64_t stroked_ns_ = 0;  ///< when the hand last stroked, or touched after a lift
 };
 
 }  // namespace asperity

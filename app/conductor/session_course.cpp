@@ -98,6 +98,7 @@ void SessionCourse::pass(double duration_s) {
   for (const ButtonChange& change : watch_.take_button_changes()) {
     respondent_.button_changed(change);
   }
+  if (guiding_) links_.sound->set_guide(watch_.tone());
   publish_now();
 }
 
@@ -205,6 +206,12 @@ void SessionCourse::set_masking(bool on) {
   has_masked_ = has_masked_ || (on && links_.sound->is_running());
   const MaskingState masking = masking_state();
   update([masking](SessionSnapshot& snapshot) { snapshot.masking = masking; });
+}
+
+void SessionCourse::set_guiding_tones(bool on) {
+  if (links_.sound == nullptr || on == guiding_) return;
+  guiding_ = on;
+  if (!on) links_.sound->set_guide(GuideTone::none);
 }
 
 bool SessionCourse::has_lost_noise() const {

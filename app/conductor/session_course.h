@@ -97,6 +97,8 @@ class SessionCourse final {
   void play(Cue cue, int number = 0);
   /// Does nothing where the protocol wants no noise or nothing can sound.
   void set_masking(bool on);
+  /// Tones tell the hand that feels a surface when force or speed leave what is asked.
+  void set_guiding_tones(bool on);
   bool is_masking() const noexcept { return masking_; }
   /// The protocol wants noise, there is a card to play it, and it does not. Without a card nothing
   /// was heard before either: the checklist and the window say so, and there is nothing to mend.
@@ -143,6 +145,7 @@ class SessionCourse final {
   SessionPhase phase_ = SessionPhase::idle;
   bool in_attempt_ = false;
   bool masking_ = false;
+  bool guiding_ = false;
   bool has_masked_ = false;
   bool mask_on_ = false;
   std::vector<EventRow> attempt_events_{};

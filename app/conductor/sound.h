@@ -23,6 +23,15 @@ enum class Cue {
   mask_off,
   finished,
 };
+/// What a continuing tone asks of the hand that feels a surface.
+enum class GuideTone {
+  none,
+  press_more,  ///< a low beep, again and again
+  press_less,  ///< a high one
+  faster,      ///< two low ticks, again and again
+  slower,      ///< two high ones
+};
+
 /// "surface", "mask_on".
 const char* text_of(Cue cue) noexcept;
 
@@ -47,6 +56,8 @@ class Sound {
   /// Fades in or out in 0.2 s.
   virtual void set_masking(bool on) = 0;
   virtual void play(Cue cue, int number) = 0;
+  /// Sounds until another one is set.
+  virtual void set_guide(GuideTone tone) = 0;
   /// Samples have been consumed within the last half second. A session that needs its noise pauses
   /// when this becomes false.
   virtual bool is_running() const = 0;

@@ -36,6 +36,11 @@ std::string options_json(const TrialQuestion& question) {
   return options.dump();
 }
 
+bool is_guided_by_sight(const Exploration& exploration) {
+  return exploration.guidance == Exploration::Guidance::bars ||
+         exploration.guidance == Exploration::Guidance::moving_target;
+}
+
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   return static_cast<double>(to_ns - from_ns) * 1e-9;
 }
@@ -74,6 +79,7 @@ AttemptRow TrialAttempt::make() {
   row_.offset_ns = course_.now_ns();
   if (interruption_) take_surface_away();
   course_.set_masking(false);
+  course_.set_guiding_tones(false);
   course_.update([](SessionSnapshot& snapshot) {
     snapshot.surface = 0;
     snapshot.contact_s = 0.0;
@@ -230,6 +236,7 @@ void TrialAttempt::feel(std::size_t index) {
   Surface& surface = surfaces_.at(index);
   const auto show = [this](ParticipantScene scene) {
     scene.show_workspace = course_.protocol().scene.has_value();
+    if (is_guided_by_sight(exploration_)) scene.guide = exploration_;
     course_.show(std::move(scene));
   };
   show(scene_of_surface(trial_, felt_, planned.position));
@@ -246,7 +253,9 @@ void TrialAttempt::feel(std::size_t index) {
   recorder.watch(surface.presentation.id);
   rig.loop().present(std::move(surface.presentation));
   rig.hand().stroke();
+  course_.set_guiding_tones(exploration_.guidance == Exploration::Guidance::tones);
   explore(surface);
+  course_.set_guiding_tones(false);
   show(scene_of_lifting(trial_, felt_, planned.position));
   course_.play(Cue::next);
   rig.hand().lift();

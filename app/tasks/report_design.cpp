@@ -176,6 +176,22 @@ std::string exploration_text(const Exploration& exploration) {
     text += " Force and speed had to lie in their bands for " +
             reading_percent(exploration.required_fraction_in_band) + " of the contact time.";
   }
+  switch (exploration.guidance) {
+    case Exploration::Guidance::experimenter:
+      break;
+    case Exploration::Guidance::bars:
+      text += " Participants saw force and speed as bars with their bands.";
+      break;
+    case Exploration::Guidance::moving_target:
+      text += " Participants followed a mark that moved to and fro at the speed aimed at" +
+              std::string(exploration.normal_force_N.minimum || exploration.normal_force_N.maximum
+                              ? ", and saw the force as a bar with its band."
+                              : ".");
+      break;
+    case Exploration::Guidance::tones:
+      text += " Tones told participants when force or speed left their bands.";
+      break;
+  }
   switch (exploration.on_failure) {
     case Exploration::OnFailure::flag:
       return text + " Attempts that were not explored so are flagged and count.";

@@ -308,6 +308,31 @@ TEST_F(ConductorTest, ShowsOfTheHandWhatItsRecordingGivesAgain) {
   EXPECT_GT(bins_held, 100U);
 }
 
+TEST_F(ConductorTest, GuidesTheHandOfAParticipantOnlyWhileASurfaceIsFeltAndWhereTheProtocolSaysSo) {
+  SessionMonitor monitor{};
+  links_.monitor = &monitor;
+  begin(small_protocol("", R"(, "guidance": "bars", "normal_force_N": {"minimum": 0.7})"));
+  int guided = 0;
+  rig_->at_pass = [&] {
+    const auto scene = monitor.snapshot().scene;
+    EXPECT_EQ(scene->guide.has_value(),
+              scene->kind == ParticipantScene::Kind::feel &&
+                  protocol_.explorations.at("short").guidance == Exploration::Guidance::bars);
+    if (!scene->guide) return;
+    ++guided;
+    EXPECT_EQ(scene->guide->normal_force_N.minimum, 0.7);
+  };
+  int guided_at_first = 0;
+  person_.at_question = [&](int, const Trial&) -> Reply {
+    protocol_.explorations.at("short").guidance = Exploration::Guidance::experimenter;
+    if (guided_at_first == 0) guided_at_first = guided;
+    return {{0}, {}};
+  };
+  run();
+  EXPECT_GT(guided_at_first, 20);
+  EXPECT_EQ(guided, guided_at_first);
+}
+
 Reply answer_with(const Trial& trial, bool right) {
   for (std::size_t i = 0; i < trial.question.options.size(); ++i) {
     if ((trial.question.options[i].value == trial.question.correct[0]) == right) return {{i}, {}};

@@ -127,6 +127,69 @@ TEST(MaskingSound, PinkFallsByThreeDecibelsPerOctaveAndWhiteIsFlat) {
   }
 }
 
+constexpr double kLow_Hz = 220.0;
+constexpr double kHigh_Hz = 1760.0;
+
+TEST(MaskingSound, GuidesByALowToneBelowAndAHighOneAboveAndBySilenceInside) {
+  MaskingSound sound(settings_of(MaskingNoise::Kind::none));
+  EXPECT_EQ(peak_of(listen(sound, 0.5).left), 0.0);
+  struct {
+    GuideTone tone;
+    double frequency_Hz;
+    int onsets_in_1200_ms;
+  } const kCases[] = {{GuideTone::press_more, kLow_Hz, 4},
+                      {GuideTone::press_less, kHigh_Hz, 4},
+                      {GuideTone::faster, kLow_Hz, 6},
+                      {GuideTone::slower, kHigh_Hz, 6}};
+  for (const auto& [tone, frequency_Hz, onsets_in_1200_ms] : kCases) {
+    sound.set_guide(tone);
+    const Ears ears = listen(sound, 1.2);
+    EXPECT_EQ(onsets(ears.left), onsets_in_1200_ms);
+    EXPECT_EQ(ears.left, ears.right);
+    const double other_Hz = frequency_Hz == kLow_Hz ? kHigh_Hz : kLow_Hz;
+    EXPECT_GT(tone_power(ears.left, 0.005, frequency_Hz), 1e-3);
+    EXPECT_LT(tone_power(ears.left, 0.005, other_Hz), 1e-4);
+    sound.set_guide(GuideTone::none);
+    listen(sound, 0.02);  // fades out
+    EXPECT_EQ(peak_of(listen(sound, 0.5).left), 0.0);
+  }
+}
+
+TEST(MaskingSound, LetsACueBeHeardAloneWhileItGuides) {
+  MaskingSound sound(settings_of(MaskingNoise::Kind::none));
+  sound.set_guide(GuideTone::press_more);
+  listen(sound, 0.3);
+  sound.play(Cue::accepted, 0);  // 1318.5 Hz for 0.25 s
+  const Ears ears = listen(sound, 1.0);
+  EXPECT_GT(tone_power(ears.left, 0.1, 1318.51), 1e-3);
+  EXPECT_LT(tone_power(ears.left, 0.1, kLow_Hz), 1e-4);
+  EXPECT_GT(tone_power(ears.left, 0.3, kLow_Hz), 1e-3);
+}
+
+// A window of 40 ms hears a band of 25 Hz; the ear's around 220 and 1760 Hz are 48 and 215 Hz wide.
+TEST(MaskingSound, GuidesEighteenDecibelsAboveTheNoiseInTheEarsBand) {
+  for (const auto kind : {MaskingNoise::Kind::white, MaskingNoise::Kind::pink}) {
+    MaskingSound sound(settings_of(kind));
+    sound.set_masking(true);
+    listen(sound, 1.0);
+    const Ears noise = listen(sound, 8.0);
+    const auto in_noise = [&](double frequency_Hz) {
+      double sum = 0.0;
+      for (int i = 0; i < 190; ++i) sum += tone_power(noise.left, 0.04 * i, frequency_Hz);
+      return sum / 190.0;
+    };
+    MaskingSound silent(settings_of(MaskingNoise::Kind::none));
+    silent.set_guide(GuideTone::press_more);
+    const double low = tone_power(listen(silent, 1.0).left, 0.05, kLow_Hz);
+    silent.set_guide(GuideTone::none);
+    listen(silent, 0.1);
+    silent.set_guide(GuideTone::press_less);
+    const double high = tone_power(listen(silent, 1.0).left, 0.05, kHigh_Hz);
+    EXPECT_GT(10.0 * std::log10(low / (in_noise(kLow_Hz) * 48.0 / 25.0)), 18.0);
+    EXPECT_GT(10.0 * std::log10(high / (in_noise(kHigh_Hz) * 215.0 / 25.0)), 18.0);
+  }
+}
+
 TEST(MaskingSound, NoiseIsIndependentInBothEars) {
   MaskingSound sound(settings_of(MaskingNoise::Kind::white));
   sound.set_masking(true);

@@ -20,6 +20,7 @@ class SoundThatRemembers final : public Sound {
  public:
   void set_masking(bool) override {}
   void play(Cue cue, int number) override { played.emplace_back(cue, number); }
+  void set_guide(GuideTone) override {}
   bool is_running() const override { return true; }
   bool is_heard() const override { return true; }
   std::string description_json() const override { return "null"; }

@@ -104,6 +104,31 @@ TEST(RecordWatch, CountsHowTheHandMeetsItsBandsSurfaceBySurface) {
   EXPECT_EQ(watch.hand().surface, 0);
 }
 
+TEST(RecordWatch, TellsTheHandOfItsForceFirstAndLeavesATurnAlone) {
+  SessionMonitor monitor;
+  RecordWatch watch(&monitor);
+  watch.begin_attempt({.normal_force_N = {0.75, 1.25}, .speed_m_per_s = {0.05, 0.08}});
+  int tick = 0;
+  // Between contacts, so that the force of one is forgotten in the next.
+  const auto tone_at = [&](double force_N, double speed_m_per_s) {
+    watch.take(tick_at(++tick));
+    EXPECT_EQ(watch.tone(), GuideTone::none);
+    watch.take(touch_at(++tick, 1, force_N, speed_m_per_s));
+    return watch.tone();
+  };
+  EXPECT_EQ(tone_at(0.9, 0.06), GuideTone::none);
+  EXPECT_EQ(tone_at(0.7, 0.06), GuideTone::press_more);
+  EXPECT_EQ(tone_at(1.5, 0.06), GuideTone::press_less);
+  EXPECT_EQ(tone_at(1.5, 0.09), GuideTone::press_less);
+  EXPECT_EQ(tone_at(0.9, 0.09), GuideTone::slower);
+  EXPECT_EQ(tone_at(0.9, 0.04), GuideTone::faster);
+  EXPECT_EQ(tone_at(0.9, 0.005), GuideTone::none);  // a turn
+  for (int i = 0; i < 490; ++i) watch.take(touch_at(++tick, 1, 0.9, 0.005));
+  EXPECT_EQ(watch.tone(), GuideTone::none);
+  for (int i = 0; i < 20; ++i) watch.take(touch_at(++tick, 1, 0.9, 0.005));
+  EXPECT_EQ(watch.tone(), GuideTone::faster);  // no turn takes so long
+}
+
 TEST(RecordWatch, SaysHowTheLoopHasKeptTimeInTheLastTwoSeconds) {
   SessionMonitor monitor;
   RecordWatch watch(&monitor);

@@ -29,9 +29,13 @@ class ScriptedSound final : public Sound {
   bool has_card = true;
   std::vector<std::pair<std::int64_t, bool>> masking{};
   std::vector<std::pair<Cue, int>> cues{};
+  std::vector<GuideTone> guides{};  ///< each once, until another is set
 
   void set_masking(bool on) override { masking.emplace_back(now_ns ? now_ns() : 0, on); }
   void play(Cue cue, int number) override { cues.emplace_back(cue, number); }
+  void set_guide(GuideTone tone) override {
+    if (guides.empty() || guides.back() != tone) guides.push_back(tone);
+  }
   bool is_running() const override { return running; }
   bool is_heard() const override { return has_card; }
   std::string description_json() const override { return R"({"kind":"pink"})"; }
@@ -824,6 +828,24 @@ TEST_F(WatchedSession, LetsTheNoiseFadeInWhereThereIsNoPauseBeforeTheTrial) {
   run();
   EXPECT_GE(*attempts().front().presentations[0].onset_ns - sound_.masking.at(0).first,
             200'000'000);
+}
+
+TEST_F(WatchedSession, TellsTheHandByTonesUntilItHasEnoughOfTheSurface) {
+  play_sound();
+  begin(small_protocol("", R"(, "guidance": "tones", "normal_force_N": {"minimum": 0.5})"));
+  rig_->at_pass = [this] {
+    const bool is_told = !sound_.guides.empty() && sound_.guides.back() != GuideTone::none;
+    EXPECT_TRUE(!is_told || monitor_.snapshot().hand.force_N.samples > 0);
+  };
+  person_.at_question = [this](int, const Trial&) -> Reply {
+    EXPECT_EQ(sound_.guides.back(), GuideTone::none);
+    return {{0}, {}};
+  };
+  run();
+  // The force rises on each of six surfaces, and is then enough.
+  const std::vector<GuideTone>& guides = sound_.guides;
+  EXPECT_EQ(std::count(guides.begin(), guides.end(), GuideTone::press_more), 6);
+  EXPECT_EQ(std::count(guides.begin(), guides.end(), GuideTone::none), 7);
 }
 
 TEST_F(WatchedSession, PlaysNoNoiseThatTheProtocolDoesNotWant) {

@@ -1,5 +1,7 @@
 #include "app/gui/participant/participant_layout.h"
 
+#include <cmath>
+
 #include <QtGui/QFontDatabase>
 
 #include "app/gui/participant/participant_page.h"
@@ -11,6 +13,21 @@ QFont participant_font(int size_px, bool bold) {
   font.setPixelSize(std::max(1, size_px));
   font.setBold(bold);
   return font;
+}
+
+GuideRows guide_rows(const Exploration& asked) {
+  using Guidance = Exploration::Guidance;
+  const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
+  GuideRows rows{};
+  if (asked.guidance != Guidance::bars && asked.guidance != Guidance::moving_target) return rows;
+  rows.force = bounded(asked.normal_force_N);
+  rows.speed = asked.guidance == Guidance::bars && bounded(asked.speed_m_per_s);
+  if (asked.guidance == Guidance::moving_target) {
+    const bool goes_away =
+        std::abs(std::sin(asked.direction_rad)) > std::abs(std::cos(asked.direction_rad));
+    rows.track = goes_away ? 4 : 2;
+  }
+  return rows;
 }
 
 std::vector<ParticipantItem> lay_out(const ParticipantScene& scene,

@@ -37,6 +37,7 @@ struct ParticipantItem {
     number,     ///< what was typed
     field,      ///< where text is typed
     workspace,  ///< where the scene of object, tool and probe is
+    guide,      ///< where bars and target are (LiveGuide)
     cue,
   };
   Kind kind = Kind::words;
@@ -81,6 +82,15 @@ struct ParticipantLayoutInputs {
 /// half of a screen of 1093 × 614 px.
 std::vector<ParticipantItem> lay_out(const ParticipantScene& scene,
                                      const ParticipantLayoutInputs& inputs);
+
+/// What a guide shows, from above, in rows of one height.
+struct GuideRows {
+  int track = 0;  ///< rows of the stroke that a target moves along
+  bool force = false;
+  bool speed = false;
+  int count() const noexcept { return track + (force ? 1 : 0) + (speed ? 1 : 0); }
+};
+GuideRows guide_rows(const Exploration& asked);
 
 QFont participant_font(int size_px, bool bold);
 

@@ -161,6 +161,8 @@ class ParticipantPage final {
   void letter_options(QRectF room);
   void standard_beside();
   void feel();
+  double guide_height() const;
+  void guide(const QRectF& place);
   void question();
   bool is_enough_for_question(double height) const;
   void form();

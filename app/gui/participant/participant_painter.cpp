@@ -228,6 +228,8 @@ void Brush::draw(const Item& item) {
     case Item::Kind::workspace:
       box(item.rect, 4.0, colors_.ground.darker(104), colors_.line, 1.0);
       break;
+    case Item::Kind::guide:
+      break;
     case Item::Kind::cue:
       box(item.rect, 8.0 * unit, colors_.cue_ground, colors_.cue_line, 2.0 * unit);
       words(item.rect, item.text, item.size_px, false, colors_.text);

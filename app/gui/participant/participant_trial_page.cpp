@@ -336,19 +336,63 @@ void ParticipantPage::standard_beside() {
   add(std::move(standard));
 }
 
+double ParticipantPage::guide_height() const {
+  if (!scene_.guide) return 0.0;
+  constexpr double kRow = 88.0;
+  const double wanted = guide_rows(*scene_.guide).count() * tall(kRow, kOneLine);
+  return std::min(wanted, std::floor(0.6 * body_.height()));
+}
+
+void ParticipantPage::guide(const QRectF& place) {
+  const GuideRows rows = guide_rows(*scene_.guide);
+  if (rows.count() == 0) return;
+  const double row = place.height() / rows.count();
+  std::vector<QString> names{};
+  if (rows.force) names.push_back(tr("Force"));
+  if (rows.speed) names.push_back(tr("Speed"));
+  double beside = 0.0;
+  for (const QString& name : names) {
+    beside = std::max(beside, width_of(name, letters(kText), true) + px(kGap));
+  }
+  double top = place.top() + rows.track * row;
+  for (const QString& name : names) {
+    add({.rect = QRectF(place.left(), top, beside, row),
+         .text = name,
+         .size_px = letters(kText),
+         .bold = true,
+         .left_aligned = true});
+    top += row;
+  }
+  add({.kind = Item::Kind::guide, .rect = place.adjusted(beside, 0.0, 0.0, 0.0)});
+}
+
 void ParticipantPage::feel() {
   const bool shows_more =
       !scene_.choices.empty() || scene_.standard_picture || scene_.show_workspace;
   const QString text = scene_text();
   const bool has_chips = scene_.surfaces.size() > 1;
+  const double guided = guide_height();
   if (!shows_more) {
     const double chips = has_chips ? tall(kChip) : 0.0;
     const double height = height_of(text, letters(kLarge), true, column().width());
-    body_.setTop(body_.center().y() - (height + px(2 * kGap) + chips) / 2.0);
+    const double below = guided > 0.0 ? guided + px(2 * kGap) : 0.0;
+    const double group = height + px(2 * kGap) + chips + below;
+    body_.setTop(std::max(body_.top(), body_.center().y() - group / 2.0));
   }
   prompt(text, letters(shows_more ? kPrompt : kLarge));
   if (!shows_more) body_.setTop(body_.top() + px(kGap));
   if (has_chips) chips_in_rows();
+  if (guided > 0.0) {
+    const double above = has_chips && !shows_more ? px(kGap) : 0.0;
+    QRectF place = column();
+    place.setTop(place.top() + above);
+    place.setHeight(std::min(guided, body_.height() - above));
+    if (shows_more) {
+      place.moveBottom(body_.bottom());
+      body_.setBottom(place.top() - px(kGap));
+    }
+    guide(place);
+  }
   if (!shows_more) return;
   if (scene_.show_workspace) {
     const bool alone = scene_.choices.empty() && !scene_.standard_picture;

@@ -11,6 +11,7 @@
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QPlainTextEdit>
 
+#include "app/gui/participant/live_guide.h"
 #include "app/gui/participant/participant_painter.h"
 #include "app/gui/participant/type_size.h"
 #include "renderers/servo_thread.h"
@@ -92,6 +93,8 @@ ParticipantView::ParticipantView(const SessionMonitor& monitor, std::filesystem:
     setFocusPolicy(Qt::NoFocus);
     setAttribute(Qt::WA_TransparentForMouseEvents);
   }
+  guide_ = new LiveGuide(monitor_, this);
+  guide_->hide();
   connect(&shelf_, &PictureShelf::arrived, this, [this] { update(); });
   connect(&shelf_, &PictureShelf::unreadable, this, [this](const QString& name) {
     if (role_ == Role::participant) emit remarked("picture_unreadable", name);
@@ -303,9 +306,11 @@ void ParticipantView::arrange() {
   }
   const Item* field = nullptr;
   const Item* workspace = nullptr;
+  const Item* guide = nullptr;
   for (const Item& item : items_) {
     if (item.kind == Item::Kind::field) field = &item;
     if (item.kind == Item::Kind::workspace) workspace = &item;
+    if (item.kind == Item::Kind::guide) guide = &item;
   }
   if (field_ != nullptr) {
     if (field != nullptr) {
@@ -320,16 +325,19 @@ void ParticipantView::arrange() {
       setFocus();
     }
   }
-  if (workspace_ != nullptr) {
-    workspace_->setVisible(workspace != nullptr);
-    if (workspace != nullptr) {
-      const QPointF corner = page_offset() + workspace->rect.topLeft() * page_scale();
-      workspace_->setGeometry(
-          QRectF(corner, workspace->rect.size() * page_scale()).toAlignedRect());
-    }
-  }
+  if (workspace_ != nullptr) place(workspace_, workspace);
+  place(guide_, guide);
   update();
   emit arranged();
+}
+
+/// Where its item is; nowhere without one.
+void ParticipantView::place(QWidget* widget, const ParticipantItem* item) {
+  if (item != nullptr) {
+    const QPointF corner = page_offset() + item->rect.topLeft() * page_scale();
+    widget->setGeometry(QRectF(corner, item->rect.size() * page_scale()).toAlignedRect());
+  }
+  widget->setVisible(item != nullptr);
 }
 
 void ParticipantView::prepare_pictures() {

@@ -25,6 +25,8 @@ class QPlainTextEdit;
 
 namespace asperity {
 
+class LiveGuide;
+
 /// Draws the scene of the monitor, one thing at a time. Everything in it can be done with the mouse
 /// alone and, through `ResponseKeys`, with the keyboard alone.
 ///
@@ -111,6 +113,7 @@ class ParticipantView final : public QWidget {
   void look();
   void keep_page(const ParticipantScene& before, bool same);
   void arrange();
+  void place(QWidget* widget, const ParticipantItem* item);
   ParticipantLayoutInputs layout_inputs() const;
   void prepare_pictures();
   int side_px(double side) const;
@@ -152,6 +155,7 @@ class ParticipantView final : public QWidget {
   std::vector<ParticipantItem> items_{};  ///< in page coordinates
   QPointer<ParticipantView> original_{};  ///< of a mirror
   QWidget* workspace_ = nullptr;
+  LiveGuide* guide_ = nullptr;
   QPlainTextEdit* field_ = nullptr;
   std::optional<Press> press_{};
   QPointF pointer_{};

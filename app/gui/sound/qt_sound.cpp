@@ -52,6 +52,8 @@ void QtSound::set_masking(bool on) { samples_.set_masking(on); }
 
 void QtSound::play(Cue cue, int number) { samples_.play(cue, number); }
 
+void QtSound::set_guide(GuideTone tone) { samples_.set_guide(tone); }
+
 void QtSound::set_gain(double gain) { samples_.set_gain(gain); }
 
 std::string QtSound::description_json() const {

@@ -40,6 +40,7 @@ class QtSound final : public Sound {
 
   void set_masking(bool on) override;
   void play(Cue cue, int number) override;
+  void set_guide(GuideTone tone) override;
   bool is_running() const override { return stream_.is_running(); }
   bool is_heard() const override { return !is_null(); }
   std::string description_json() const override;

@@ -122,6 +122,7 @@ void expect_letters(const Item& item, const Pane& pane, const std::string& name)
     case Item::Kind::standard:
     case Item::Kind::field:
     case Item::Kind::workspace:
+    case Item::Kind::guide:
       break;
   }
   const QFontMetricsF metrics(

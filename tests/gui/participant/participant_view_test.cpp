@@ -6,6 +6,7 @@
 #include <QtWidgets/QPlainTextEdit>
 #include <gtest/gtest.h>
 
+#include "app/gui/participant/live_guide.h"
 #include "app/gui/participant/response_keys.h"
 #include "app/gui/participant/type_size.h"
 #include "renderers/servo_thread.h"
@@ -678,6 +679,90 @@ TEST(ParticipantView, GivesTheWorkspaceItsPlaceWhileASurfaceIsFelt) {
   EXPECT_TRUE(seat.view.rect().contains(workspace->geometry()));
   seat.show(scenes::selection(3));
   EXPECT_FALSE(workspace->isVisible());
+}
+
+// --- what guides the hand ---
+
+/// What the guide shows of a hand that does this.
+QImage guide_with(Seat& seat, double pressing_N, double speed_m_per_s) {
+  LiveBin bin{};
+  bin.touching = true;
+  bin.pressing_N = pressing_N;
+  bin.stroking_m_per_s = speed_m_per_s;
+  seat.monitor.add_bin(bin);
+  auto* guide = seat.view.findChild<LiveGuide*>();
+  EXPECT_TRUE(QTest::qWaitFor([&] {
+    return guide->shown().pressing_N == pressing_N &&
+           guide->shown().stroking_m_per_s == speed_m_per_s;
+  }));
+  return guide->grab().toImage();
+}
+
+int pixels_of(const QImage& image, const QColor& color, const QRect& where) {
+  int count = 0;
+  for (int y = where.top(); y <= where.bottom(); ++y) {
+    for (int x = where.left(); x <= where.right(); ++x) {
+      if (image.pixelColor(x, y) == color) ++count;
+    }
+  }
+  return count;
+}
+
+TEST(ParticipantView, MarksTheHandInsideAndOutsideOfItsBands) {
+  Seat seat{};
+  seat.show(scenes::guided(Exploration::Guidance::bars));
+  const auto* guide = seat.view.findChild<LiveGuide*>();
+  ASSERT_TRUE(guide->isVisible());
+  EXPECT_TRUE(seat.view.rect().contains(guide->geometry()));
+  const QColor outside("#D55E00");
+  QImage seen = guide_with(seat, 0.9, 0.09);  // the force in its band, too fast
+  QRect force = seen.rect();
+  force.setBottom(seen.height() / 2 - 1);
+  QRect speed = seen.rect();
+  speed.setTop(seen.height() / 2);
+  EXPECT_EQ(pixels_of(seen, outside, force), 0);
+  EXPECT_GT(pixels_of(seen, outside, speed), 200);
+  seen = guide_with(seat, 1.5, 0.054);
+  EXPECT_GT(pixels_of(seen, outside, force), 200);
+  EXPECT_EQ(pixels_of(seen, outside, speed), 0);
+  // Too much stands on the right of the band, too little on its left.
+  const QRect left(0, 0, seen.width() / 3, seen.height() / 2);
+  EXPECT_EQ(pixels_of(seen, outside, left), 0);
+  EXPECT_GT(pixels_of(guide_with(seat, 0.3, 0.054), outside, left), 200);
+}
+
+TEST(ParticipantView, LeadsTheHandByATargetUntilItIsToLift) {
+  // 60 mm at 40 mm/s: forth in 1.5 s and back in as many.
+  EXPECT_NEAR(target_along_m(0.0, 0.06, 0.04), -0.03, 1e-12);
+  EXPECT_NEAR(target_along_m(0.75, 0.06, 0.04), 0.0, 1e-12);
+  EXPECT_NEAR(target_along_m(1.5, 0.06, 0.04), 0.03, 1e-12);
+  EXPECT_NEAR(target_along_m(2.0, 0.06, 0.04), 0.01, 1e-12);
+  EXPECT_NEAR(target_along_m(3.75, 0.06, 0.04), 0.0, 1e-12);
+
+  Seat seat{};
+  ParticipantScene scene = scenes::guided(Exploration::Guidance::moving_target);
+  scene.shown_ns = monotonic_now_ns();
+  seat.show(scene);
+  const auto* guide = seat.view.findChild<LiveGuide*>();
+  ASSERT_TRUE(guide->isVisible());
+  const std::optional<double> before = guide->shown().target_along_m;
+  ASSERT_TRUE(before);
+  EXPECT_LE(std::abs(*before), 0.03);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return guide->shown().target_along_m != before; }));
+  scene.text_saying = {.what = Saying::What::lift, .code = "B"};
+  seat.show(scene);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !guide->shown().target_along_m; }));
+}
+
+TEST(ParticipantView, ShowsNothingOfTheHandWhereTheProtocolDoesNotSaySo) {
+  Seat seat{};
+  const auto* guide = seat.view.findChild<LiveGuide*>();
+  seat.show(scenes::feel(3));
+  EXPECT_FALSE(guide->isVisible());
+  seat.show(scenes::guided(Exploration::Guidance::bars));
+  EXPECT_TRUE(guide->isVisible());
+  seat.show(scenes::selection(3));
+  EXPECT_FALSE(guide->isVisible());
 }
 
 }  // namespace

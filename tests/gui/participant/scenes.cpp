@@ -147,6 +147,16 @@ ParticipantScene mask(bool on) {
                   on ? "Please put on the eye mask." : "Please take off the eye mask.");
 }
 
+ParticipantScene guided(Exploration::Guidance guidance) {
+  ParticipantScene scene = feel(3);
+  scene.guide.emplace();
+  scene.guide->normal_force_N = {.minimum = 0.75, .target = 1.0, .maximum = 1.25};
+  scene.guide->speed_m_per_s = {.minimum = 0.045, .target = 0.06, .maximum = 0.075};
+  scene.guide->stroke_length_m.target = 0.06;
+  scene.guide->guidance = guidance;
+  return scene;
+}
+
 std::vector<std::pair<std::string, ParticipantScene>> all() {
   std::vector<std::pair<std::string, ParticipantScene>> scenes{};
   scenes.emplace_back("blank", ParticipantScene{});
@@ -164,6 +174,13 @@ std::vector<std::pair<std::string, ParticipantScene>> all() {
   ParticipantScene with_workspace = feel(3);
   with_workspace.show_workspace = true;
   scenes.emplace_back("feel-workspace", with_workspace);
+  using Guidance = Exploration::Guidance;
+  scenes.emplace_back("feel-bars", guided(Guidance::bars));
+  scenes.emplace_back("feel-target", guided(Guidance::moving_target));
+  ParticipantScene guided_beside = guided(Guidance::bars);
+  guided_beside.show_workspace = true;
+  guided_beside.standard_picture = picture(1);
+  scenes.emplace_back("feel-bars-workspace", guided_beside);
   ParticipantScene recognised = recognition(6);
   recognised.choices[3].chosen = true;
   recognised.can_confirm = true;

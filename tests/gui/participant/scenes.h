@@ -15,6 +15,8 @@ namespace asperity::scenes {
 
 ParticipantScene to_read();
 ParticipantScene feel(int surfaces);
+/// One of three surfaces, with its hand guided: 1 N and 60 mm/s are asked for, within a quarter.
+ParticipantScene guided(Exploration::Guidance guidance);
 /// Recognition: `count` pictures.
 ParticipantScene recognition(int count);
 /// Matching: as many pictures as surfaces.

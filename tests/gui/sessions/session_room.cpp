@@ -30,6 +30,7 @@ class NotedSound final : public Sound {
   explicit NotedSound(std::shared_ptr<SoundLog> log) : log_(std::move(log)) {}
   void set_masking(bool on) override { log_->masking = on; }
   void play(Cue cue, int number) override { log_->add(cue, number); }
+  void set_guide(GuideTone) override {}
   bool is_running() const override { return log_->plugged; }
   bool is_heard() const override { return true; }
   std::string description_json() const override { return R"({"output": "of a test"})"; }

@@ -1,0 +1,196 @@
+#include "app/gui/participant/live_guide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <QtGui/QPainter>
+#include <QtGui/QPolygonF>
+
+#include "analysis/compliance.h"
+#include "app/conductor/layout.h"
+#include "app/gui/participant/participant_layout.h"
+#include "app/gui/participant/participant_painter.h"
+#include "renderers/servo_thread.h"
+
+namespace asperity {
+
+namespace {
+
+// Okabe–Ito blue and vermilion: far apart for every eye, and in their lightness.
+const QColor kInside("#0072B2");
+const QColor kOutside("#D55E00");
+const QColor kBandGround("#BFDDF2");
+
+/// The value at the right end of a bar: the band lies in its middle.
+double end_of_bar(const Band& band) {
+  if (band.maximum && *band.maximum > 0.0) return 1.5 * *band.maximum;
+  return std::max(2.5 * band.minimum.value_or(1.0), 1e-9);
+}
+
+/// `rect` is a row of the guide.
+void draw_bar(QPainter& painter, const QRectF& row, const Band& band, double value, bool touching) {
+  const ParticipantColors colors{};
+  const double unit = row.height() / 88.0;
+  const QRectF bar = row.adjusted(28.0 * unit, 16.0 * unit, -28.0 * unit, -16.0 * unit);
+  const double end = end_of_bar(band);
+  const auto x_of = [&](double at) {
+    return bar.left() + bar.width() * std::clamp(at / end, 0.0, 1.0);
+  };
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors.panel);
+  const QRectF groove(bar.left(), bar.center().y() - 12.0 * unit, bar.width(), 24.0 * unit);
+  painter.drawRect(groove);
+  const QRectF inside(QPointF(x_of(band.minimum.value_or(0.0)), bar.top()),
+                      QPointF(x_of(band.maximum.value_or(end)), bar.bottom()));
+  painter.setBrush(kBandGround);
+  painter.drawRect(inside);
+  painter.setPen(QPen(colors.muted, 2.0 * unit));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(groove);
+  painter.setPen(QPen(kInside, 4.0 * unit, Qt::SolidLine, Qt::FlatCap));
+  if (band.minimum) painter.drawLine(inside.topLeft(), inside.bottomLeft());
+  if (band.maximum) painter.drawLine(inside.topRight(), inside.bottomRight());
+
+  const QPointF at(x_of(value), bar.center().y());
+  const double size = 22.0 * unit;
+  if (!touching) {
+    painter.setPen(QPen(colors.muted, 3.0 * unit));
+    painter.setBrush(colors.panel);
+    painter.drawEllipse(at, 0.6 * size, 0.6 * size);
+    return;
+  }
+  painter.setPen(QPen(colors.panel, 3.0 * unit));
+  if (is_inside({band.minimum, band.maximum}, value)) {
+    painter.setBrush(kInside);
+    painter.drawEllipse(at, size, size);
+    return;
+  }
+  // Points to where the band is.
+  const double way = band.minimum && value < *band.minimum ? 1.0 : -1.0;
+  painter.setBrush(kOutside);
+  painter.drawPolygon(QPolygonF({at + QPointF(way * size, 0.0), at + QPointF(-way * size, -size),
+                                 at + QPointF(-way * size, size)}));
+}
+
+void draw_track(QPainter& painter, const QRectF& room, const Exploration& asked,
+                const SurfacePatch& patch, const LiveGuide::Shown& shown) {
+  const ParticipantColors colors{};
+  const double unit = std::min(room.height() / 176.0, room.width() / 400.0);
+  const QRectF ground = room.adjusted(8.0 * unit, 8.0 * unit, -8.0 * unit, -8.0 * unit);
+  constexpr double kAround_m = 0.010;  // of the surface beside the stroke
+  const QPointF along(std::cos(asked.direction_rad), std::sin(asked.direction_rad));
+  const double half_m = 0.5 * asked.stroke_length_m.target.value_or(0.0);
+  const double scale =
+      std::min(ground.width() / (2.0 * (std::abs(along.x()) * half_m + kAround_m)),
+               ground.height() / (2.0 * (std::abs(along.y()) * half_m + kAround_m)));
+  const QPointF centre(patch.centre_m.x, patch.centre_m.y);
+  const auto point_of = [&](QPointF at_m) {
+    const QPointF from_m = at_m - centre;
+    return ground.center() + QPointF(scale * from_m.x(), -scale * from_m.y());
+  };
+  painter.save();
+  painter.setClipRect(ground);
+  const QPointF corner_m(0.5 * patch.extent_m.x, 0.5 * patch.extent_m.y);
+  painter.setPen(QPen(colors.line, 2.0 * unit));
+  painter.setBrush(colors.panel);
+  painter.drawRect(QRectF(point_of(centre - corner_m), point_of(centre + corner_m)).normalized());
+  painter.setPen(QPen(colors.line, 6.0 * unit, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(point_of(centre - half_m * along), point_of(centre + half_m * along));
+  if (shown.target_along_m) {
+    painter.setPen(QPen(kInside, 5.0 * unit));
+    painter.setBrush(kBandGround);
+    painter.drawEllipse(point_of(centre + *shown.target_along_m * along), 28.0 * unit, 28.0 * unit);
+  }
+  QPointF probe = point_of(shown.probe_m);
+  probe.setX(std::clamp(probe.x(), ground.left(), ground.right()));
+  probe.setY(std::clamp(probe.y(), ground.top(), ground.bottom()));
+  painter.setPen(QPen(shown.touching ? colors.text : colors.muted,
+                      (shown.touching ? 7.0 : 3.0) * unit, Qt::SolidLine, Qt::FlatCap));
+  const double arm = 20.0 * unit;
+  painter.drawLine(probe - QPointF(arm, 0.0), probe + QPointF(arm, 0.0));
+  painter.drawLine(probe - QPointF(0.0, arm), probe + QPointF(0.0, arm));
+  painter.restore();
+}
+
+}  // namespace
+
+double target_along_m(double elapsed_s, double stroke_length_m, double speed_m_per_s) {
+  const double gone_m = std::fmod(std::max(0.0, elapsed_s) * speed_m_per_s, 2.0 * stroke_length_m);
+  const double forth_m = gone_m <= stroke_length_m ? gone_m : 2.0 * stroke_length_m - gone_m;
+  return forth_m - 0.5 * stroke_length_m;
+}
+
+LiveGuide::LiveGuide(const SessionMonitor& monitor, QWidget* parent)
+    : QWidget(parent), monitor_(monitor) {
+  setObjectName("live_guide");
+  setFocusPolicy(Qt::NoFocus);
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  timer_.setTimerType(Qt::PreciseTimer);
+  timer_.setInterval(static_cast<int>(SessionMonitor::kBin_s * 1000.0));
+  connect(&timer_, &QTimer::timeout, this, &LiveGuide::look_again);
+}
+
+void LiveGuide::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  look_again();
+  timer_.start();
+}
+
+void LiveGuide::hideEvent(QHideEvent* event) {
+  timer_.stop();
+  QWidget::hideEvent(event);
+}
+
+void LiveGuide::look_again() {
+  const std::shared_ptr<const ParticipantScene> scene = monitor_.snapshot().scene;
+  if (!scene->guide) return;
+  asked_ = *scene->guide;
+  std::int64_t now_ns = monotonic_now_ns();
+  if (const auto facts = monitor_.facts()) {
+    now_ns += facts->clock_ahead_ns;
+    if (facts->protocol) patch_ = Layout{facts->mirrored}.of(facts->protocol->patch);
+  }
+  next_bin_ = monitor_.bins_from(next_bin_, bins_);
+  if (!bins_.empty()) {
+    const LiveBin& last = bins_.back();
+    shown_.touching = last.touching;
+    shown_.pressing_N = last.pressing_N;
+    shown_.stroking_m_per_s = last.stroking_m_per_s;
+    shown_.probe_m = {static_cast<double>(last.x_m), static_cast<double>(last.y_m)};
+  }
+  // Where the hand is to lift, nothing leads it on.
+  const bool leads = asked_.guidance == Exploration::Guidance::moving_target &&
+                     scene->text_saying.what != Saying::What::lift;
+  shown_.target_along_m.reset();
+  if (leads) {
+    shown_.target_along_m = target_along_m(static_cast<double>(now_ns - scene->shown_ns) * 1e-9,
+                                           asked_.stroke_length_m.target.value_or(0.0),
+                                           asked_.speed_m_per_s.target.value_or(0.0));
+  }
+  update();
+}
+
+void LiveGuide::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), ParticipantColors{}.ground);
+  const GuideRows rows = guide_rows(asked_);
+  if (rows.count() == 0) return;
+  const double row = static_cast<double>(height()) / rows.count();
+  double top = 0.0;
+  const auto take = [&](int many) {
+    const QRectF room(0.0, top, width(), many * row);
+    top = room.bottom();
+    return room;
+  };
+  if (rows.track > 0) draw_track(painter, take(rows.track), asked_, patch_, shown_);
+  if (rows.force) {
+    draw_bar(painter, take(1), asked_.normal_force_N, shown_.pressing_N, shown_.touching);
+  }
+  if (rows.speed) {
+    draw_bar(painter, take(1), asked_.speed_m_per_s, shown_.stroking_m_per_s, shown_.touching);
+  }
+}
+
+}  // namespace asperity
