@@ -196,6 +196,19 @@ TEST(Sweep, RefusesAFigureThatCannotBeWrittenBeforeItBegins) {
   EXPECT_THAT(asperity(order).err, HasSubstr("there is no folder"));
   EXPECT_FALSE(fs::exists(place / "sweep.tsv"));
 }
+
+TEST(Sweep, StandsBesideEstimatesOnlyInAFigureAndOfAStudyThatHasThem) {
+  const TemporaryFolder place{};
+  ASSERT_EQ(asperity({"new", place / "study"}).status, 0);
+  std::vector<std::string> order = sweep_into(place / "sweep.tsv", kSmall);
+  order.insert(order.end(), {"--beside", place / "study"});
+  EXPECT_EQ(asperity(order).status, 2);
+  order.insert(order.end(), {"--plot", place / "sweep.svg"});
+  const Outcome refused = asperity(order);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("has no estimates of roughness"));
+  EXPECT_FALSE(fs::exists(place / "sweep.tsv")) << "nothing was computed in vain";
+}
 #endif
 
 // Each measure has its own peak: of the same strokes the power over the threshold of touch, whose
