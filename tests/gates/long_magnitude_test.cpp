@@ -1,0 +1,126 @@
+// Twenty virtual participants through the diameter protocol, against what the offline sweep predicts.
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/analyses/analyze_study.h"
+#include "app/tasks/new_study.h"
+#include "app/tasks/simulation.h"
+#include "app/tasks/sweep.h"
+#include "renderers/force_model.h"
+#include "tests/gates/simulated_study.h"
+
+namespace asperity {
+namespace {
+
+const std::vector<double> kSpacings_m{0.0005, 0.0007, 0.0010, 0.0014, 0.0020, 0.0028, 0.0040};
+const std::map<std::string, double> kTips_m{
+    {"sphere_1mm", 0.001}, {"sphere_2mm", 0.002}, {"sphere_3mm", 0.003}};
+
+int every_core() { return static_cast<int>(std::thread::hardware_concurrency()); }
+
+AnalysisOutcome answers_of_twenty() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "asperity_XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder " + pattern);
+  const std::filesystem::path study = std::filesystem::path(pattern) / "study";
+  new_demo_study(study, [](double) {});
+  SimulationInputs inputs{};
+  inputs.protocols = {study / "protocols/roughness_diameter.json"};
+  inputs.study = study;
+  inputs.seed = 1;
+  inputs.participants = 20;
+  inputs.jobs = every_core();
+  inputs.recordings = Recordings::none;
+  (void)simulate(inputs, built_in_models(), {}, {}, {});
+  AnalysisOutcome outcome =
+      analyze_study(Study::open(study, Access::read_only), "roughness_diameter").at(0);
+  std::filesystem::remove_all(pattern);
+  return outcome;
+}
+
+/// The stroke of the protocol: its material, its force and its speed.
+Sweep predicted() {
+  static const ModelRegistry kModels = built_in_models();
+  const Protocol protocol = library_protocol("roughness_diameter");
+  const Exploration& hand = protocol.explorations.at("stroking");
+  SweepOrder order{};
+  order.stroke.model = kModels.find("pd_gradient");
+  order.stroke.material = {.stiffness_N_per_m = protocol.material.stiffness_N_per_m,
+                           .friction = 0.0};
+  order.stroke.force_N = hand.normal_force_N.target.value();
+  order.stroke.speed_m_per_s = hand.speed_m_per_s.target.value();
+  order.values = {0.001, 0.002, 0.003};
+  order.spacings_m = kSpacings_m;
+  order.texture = {.kind = "sinusoid", .values = {{"amplitude_m", 1e-4}}};
+  return sweep_of(order, every_core());
+}
+
+const Table& table_of(const AnalysisOutcome& outcome, const std::string& name) {
+  for (const NamedTable& named : outcome.tables) {
+    if (named.name == name) return named.table;
+  }
+  throw std::runtime_error("no table " + name);
+}
+
+TEST(TwentyVirtualParticipants, FeelTheDiametersInTheOrderThatTheSweepPredicts) {
+  const AnalysisOutcome outcome = answers_of_twenty();
+  EXPECT_EQ(outcome.count.sessions, 20U);
+
+  const Table& peaks = table_of(outcome, "peaks");
+  ASSERT_EQ(peaks.rows.size(), 3U);  // by tip, in alphabetical order: from the smallest on
+  double last_m = 0.0;
+  for (const auto& row : peaks.rows) {
+    EXPECT_EQ(row[1], Cell{}) << "there is a peak";
+    const double peak_m = std::get<double>(row[2]);
+    EXPECT_GT(peak_m, last_m);
+    last_m = peak_m;
+    std::cout << std::get<std::string>(row[0]) << ": roughest at " << peak_m << " m\n";
+  }
+
+  const Table& anova = table_of(outcome, "anova");
+  ASSERT_EQ(anova.rows.size(), 3U);
+  for (const auto& row : anova.rows) {
+    std::cout << std::get<std::string>(row[0]) << ": F " << std::get<double>(row[3]) << ", p "
+              << std::get<double>(row[5]) << '\n';
+    EXPECT_LT(std::get<double>(row[5]), 0.001) << std::get<std::string>(row[0]);
+  }
+
+  std::map<std::pair<double, double>, double> felt{};
+  for (const auto& row : table_of(outcome, "roughness").rows) {
+    felt[{kTips_m.at(std::get<std::string>(row[0])), std::get<double>(row[1])}] =
+        std::get<double>(row[3]);
+  }
+  const Sweep sweep = predicted();
+  const auto rms = [&sweep](double tip_m, double spacing_m) {
+    return sweep.find(tip_m, spacing_m)->roughness.value().rms_accel_m_per_s2;
+  };
+  // Where the sweep tells two tips apart by a quarter, people who feel forces do, in the same order.
+  int told_apart = 0;
+  for (const double spacing_m : kSpacings_m) {
+    for (const auto& [small_m, large_m] :
+         {std::pair{0.001, 0.002}, std::pair{0.002, 0.003}, std::pair{0.001, 0.003}}) {
+      const double by_sweep = rms(small_m, spacing_m) / rms(large_m, spacing_m);
+      const double by_people = felt.at({small_m, spacing_m}) / felt.at({large_m, spacing_m});
+      std::cout << spacing_m << " m, " << small_m << " m over " << large_m << " m: sweep "
+                << by_sweep << ", participants " << by_people << '\n';
+      if (std::abs(std::log(by_sweep)) < std::log(1.25)) continue;
+      ++told_apart;
+      EXPECT_EQ(by_sweep > 1.0, by_people > 1.0);
+    }
+  }
+  EXPECT_GE(told_apart, 6);
+}
+
+}  // namespace
+}  // namespace asperity
