@@ -360,14 +360,6 @@
         <translation>Häufiger gewählt: %1.</translation>
     </message>
     <message>
-        <source>The position matters: what was felt first was chosen in %1 of a participant&apos;s choices on average (%2), %3.</source>
-        <translation>Der Platz spielt eine Rolle: was zuerst gefühlt wurde, wurde im Mittel in %1 der Wahlen einer Person gewählt (%2), %3.</translation>
-    </message>
-    <message>
-        <source>Nothing shows that the position matters: what was felt first was chosen in %1 of a participant&apos;s choices on average (%2), %3.</source>
-        <translation>Nichts zeigt, dass der Platz eine Rolle spielt: was zuerst gefühlt wurde, wurde im Mittel in %1 der Wahlen einer Person gewählt (%2), %3.</translation>
-    </message>
-    <message>
         <source>Does it matter what is felt first?</source>
         <translation>Spielt es eine Rolle, was zuerst gefühlt wird?</translation>
     </message>
@@ -428,10 +420,6 @@
         <translation>Unterscheiden sich Frauen und Männer?</translation>
     </message>
     <message>
-        <source>The interval of the mean is Student&apos;s, over the persons.</source>
-        <translation>Das Intervall des Mittelwerts ist das von Student, über die Personen.</translation>
-    </message>
-    <message>
         <source>Measures of all answers together</source>
         <translation>Maße aus allen Antworten zusammen</translation>
     </message>
@@ -470,10 +458,6 @@
     <message>
         <source>Of all pairs %1 has the smallest p (%2).</source>
         <translation>Von allen Paaren hat %1 das kleinste p (%2).</translation>
-    </message>
-    <message>
-        <source>What was felt first was chosen in %1 of a participant&apos;s choices on average (%2), %3.</source>
-        <translation>Das zuerst Gefühlte wurde im Mittel bei %1 der Wahlen einer Versuchsperson gewählt (%2), %3.</translation>
     </message>
     <message>
         <source>That %1 is chosen equally often with every texture has %2.</source>
@@ -602,26 +586,6 @@
     <message>
         <source>%1 items (%2)</source>
         <translation>%1 Zuordnungen (%2)</translation>
-    </message>
-    <message>
-        <source>They do: %1; women less men is %2, %3.</source>
-        <translation>Ja: %1; Frauen minus Männer ist %2, %3.</translation>
-    </message>
-    <message>
-        <source>Nothing shows that they do: %1; women less men is %2, %3. That does not show that they are alike.</source>
-        <translation>Nichts zeigt es: %1; Frauen minus Männer ist %2, %3. Das zeigt nicht, dass sie gleich sind.</translation>
-    </message>
-    <message>
-        <source>Of these participants %1; women less men is %2, %3.</source>
-        <translation>Bei diesen Versuchspersonen: %1; Frauen minus Männer ist %2, %3.</translation>
-    </message>
-    <message>
-        <source>Means of the participants&apos; own results with Student&apos;s intervals; their difference with Welch&apos;s, tested against all ways to split the participants into groups of these sizes.</source>
-        <translation>Mittelwerte der Ergebnisse der einzelnen Versuchspersonen mit Students Intervallen; ihr Unterschied mit dem von Welch, geprüft gegen alle Aufteilungen der Versuchspersonen in Gruppen dieser Größen.</translation>
-    </message>
-    <message>
-        <source>Means of the participants&apos; own results with Student&apos;s intervals; their difference with Welch&apos;s, tested against %1 random ways to split the participants into groups of these sizes: there are too many to count all.</source>
-        <translation>Mittelwerte der Ergebnisse der einzelnen Versuchspersonen mit Students Intervallen; ihr Unterschied mit dem von Welch, geprüft gegen %1 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen: alle zu zählen wären zu viele.</translation>
     </message>
     <message>
         <source>Shares of all answers pool several answers of one person (%1 in all). They are not independent: the intervals of these shares are too narrow and their p too small.</source>
@@ -762,6 +726,58 @@
     <message>
         <source>By the peaks of the curves: %1.</source>
         <translation>Nach den Gipfeln der Kurven: %1.</translation>
+    </message>
+    <message>
+        <source>The position matters: what was felt first was chosen most often, in %1 of a participant&apos;s choices on average (%2), where chance is %3; %4.</source>
+        <translation>Der Platz spielt eine Rolle: Das zuerst Gefühlte wurde am häufigsten gewählt, im Mittel bei %1 der Wahlen einer Versuchsperson (%2), der Zufall ergäbe %3; %4.</translation>
+    </message>
+    <message>
+        <source>Nothing shows that the position matters: what was felt first was chosen most often, in %1 of a participant&apos;s choices on average (%2), where chance is %3; %4.</source>
+        <translation>Nichts zeigt, dass der Platz eine Rolle spielt: Das zuerst Gefühlte wurde am häufigsten gewählt, im Mittel bei %1 der Wahlen einer Versuchsperson (%2), der Zufall ergäbe %3; %4.</translation>
+    </message>
+    <message>
+        <source>What was felt first was chosen most often, in %1 of a participant&apos;s choices on average (%2), where chance is %3; %4.</source>
+        <translation>Das zuerst Gefühlte wurde am häufigsten gewählt, im Mittel bei %1 der Wahlen einer Versuchsperson (%2), der Zufall ergäbe %3; %4.</translation>
+    </message>
+    <message>
+        <source>The position matters: what was felt at position %1 was chosen most often, in %2 of a participant&apos;s choices on average (%3), and what was felt first in %4 (%5), where chance is %6; %7.</source>
+        <translation>Der Platz spielt eine Rolle: Das am Platz %1 Gefühlte wurde am häufigsten gewählt, im Mittel bei %2 der Wahlen einer Versuchsperson (%3), das zuerst Gefühlte bei %4 (%5), der Zufall ergäbe %6; %7.</translation>
+    </message>
+    <message>
+        <source>Nothing shows that the position matters: what was felt at position %1 was chosen most often, in %2 of a participant&apos;s choices on average (%3), and what was felt first in %4 (%5), where chance is %6; %7.</source>
+        <translation>Nichts zeigt, dass der Platz eine Rolle spielt: Das am Platz %1 Gefühlte wurde am häufigsten gewählt, im Mittel bei %2 der Wahlen einer Versuchsperson (%3), das zuerst Gefühlte bei %4 (%5), der Zufall ergäbe %6; %7.</translation>
+    </message>
+    <message>
+        <source>What was felt at position %1 was chosen most often, in %2 of a participant&apos;s choices on average (%3), and what was felt first in %4 (%5), where chance is %6; %7.</source>
+        <translation>Das am Platz %1 Gefühlte wurde am häufigsten gewählt, im Mittel bei %2 der Wahlen einer Versuchsperson (%3), das zuerst Gefühlte bei %4 (%5), der Zufall ergäbe %6; %7.</translation>
+    </message>
+    <message>
+        <source>95 % interval after Welch %1 to %2</source>
+        <translation>95-%-Intervall nach Welch %1 bis %2</translation>
+    </message>
+    <message>
+        <source>They do: %1; women less men is %2. Splitting the participants anew gives %3.</source>
+        <translation>Ja: %1; Frauen minus Männer ist %2. Neue Aufteilungen der Versuchspersonen ergeben %3.</translation>
+    </message>
+    <message>
+        <source>Nothing shows that they do: %1; women less men is %2. Splitting the participants anew gives %3. That does not show that they are alike.</source>
+        <translation>Nichts zeigt es: %1; Frauen minus Männer ist %2. Neue Aufteilungen der Versuchspersonen ergeben %3. Das zeigt nicht, dass sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>Of these participants %1; women less men is %2. Splitting the participants anew gives %3.</source>
+        <translation>Bei diesen Versuchspersonen: %1; Frauen minus Männer ist %2. Neue Aufteilungen der Versuchspersonen ergeben %3.</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; own results with Student&apos;s intervals; their difference with Welch&apos;s. The p is of another method, which assumes less: all ways to split the participants into groups of these sizes. Where one just excludes that there is no difference, the other need not.</source>
+        <translation>Mittelwerte der Ergebnisse der einzelnen Versuchspersonen mit Students Intervallen; ihr Unterschied mit dem von Welch. Das p ist das eines anderen Verfahrens, das weniger voraussetzt: alle Aufteilungen der Versuchspersonen in Gruppen dieser Größen. Wo das eine gerade noch ausschließt, dass es keinen Unterschied gibt, muss das andere es nicht.</translation>
+    </message>
+    <message>
+        <source>Means of the participants&apos; own results with Student&apos;s intervals; their difference with Welch&apos;s. The p is of another method, which assumes less: %1 random ways to split the participants into groups of these sizes, of which there are too many to count all. Where one just excludes that there is no difference, the other need not.</source>
+        <translation>Mittelwerte der Ergebnisse der einzelnen Versuchspersonen mit Students Intervallen; ihr Unterschied mit dem von Welch. Das p ist das eines anderen Verfahrens, das weniger voraussetzt: %1 zufällige Aufteilungen der Versuchspersonen in Gruppen dieser Größen; alle zu zählen wären zu viele. Wo das eine gerade noch ausschließt, dass es keinen Unterschied gibt, muss das andere es nicht.</translation>
+    </message>
+    <message>
+        <source>The interval of the mean is Student&apos;s, over the persons, cut at 0 and 1: a share cannot lie beyond, so that it covers as often.</source>
+        <translation>Das Intervall des Mittelwerts ist das von Student, über die Personen, bei 0 und 1 abgeschnitten: Ein Anteil kann nicht jenseits liegen, daher enthält es ihn ebenso oft.</translation>
     </message>
 </context>
 <context>
@@ -1656,10 +1672,6 @@
         <translation>Der Unterschied zwischen den Gruppen</translation>
     </message>
     <message>
-        <source>Bars are %1 % intervals: of the participants&apos; means by Welch, of all answers pooled by Newcombe, as if they were independent.</source>
-        <translation>Balken sind %1-%-Intervalle: der Mittelwerte der Versuchspersonen nach Welch, aller Antworten zusammen nach Newcombe, als wären sie unabhängig.</translation>
-    </message>
-    <message>
         <source>There are not two groups with answers: there is nothing to compare.</source>
         <translation>Es gibt keine zwei Gruppen mit Antworten: Es ist nichts zu vergleichen.</translation>
     </message>
@@ -1820,10 +1832,6 @@
         <translation>Vorhergesagte Rauheit nach Geschwindigkeit des Strichs</translation>
     </message>
     <message>
-        <source>Full marks: greatest acceleration of the held tool; small outlined ones: rows that a status excludes. Curves: parabolas of the logarithms. Large outlined marks: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
-        <translation>Volle Zeichen: größte Beschleunigung des gehaltenen Werkzeugs; kleine umrandete: Zeilen, die ein Status ausschließt. Kurven: Parabeln der Logarithmen. Große umrandete Zeichen: ihre Gipfel im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
-    </message>
-    <message>
         <source>texture frequency</source>
         <translation>Texturfrequenz</translation>
     </message>
@@ -1836,16 +1844,56 @@
         <translation>Es gibt keine Kurve: Nichts hat das Werkzeug bewegt.</translation>
     </message>
     <message>
-        <source>The bar is Welch&apos;s %1 % interval of the difference of the participants&apos; means.</source>
-        <translation>Der Balken ist das %1-%-Intervall nach Welch für die Differenz der Mittelwerte der Teilnehmenden.</translation>
-    </message>
-    <message>
         <source>%1; predicted: %2</source>
         <translation>%1; vorhergesagt: %2</translation>
     </message>
     <message>
-        <source>%1 Small outlined marks: the greatest accelerations that a sweep predicts, all times one factor.</source>
-        <translation>%1 Kleine umrandete Zeichen: die größten Beschleunigungen, die ein Durchlauf von „sweep“ vorhersagt, alle mal denselben Faktor.</translation>
+        <source>one participant</source>
+        <translation>eine Versuchsperson</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>position %1</source>
+        <translation>Platz %1</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>The bar is Welch&apos;s %1 % interval of the difference of the participants&apos; means; the test beside it splits the participants anew and assumes less.</source>
+        <translation>Der Balken ist das %1-%-Intervall nach Welch für den Unterschied der Mittelwerte der Versuchspersonen; der Test daneben teilt die Versuchspersonen neu auf und setzt weniger voraus.</translation>
+    </message>
+    <message>
+        <source>Bars are %1 % intervals: of the participants&apos; means by Welch, of all answers pooled by Newcombe, as if they were independent. The test of the means splits the participants anew and assumes less than either.</source>
+        <translation>Balken sind %1-%-Intervalle: der Mittelwerte der Versuchspersonen nach Welch, aller Antworten zusammen nach Newcombe, als wären sie unabhängig. Der Test der Mittelwerte teilt die Versuchspersonen neu auf und setzt weniger voraus als beide.</translation>
+    </message>
+    <message>
+        <source>RMS acceleration</source>
+        <translation>Effektivwert der Beschleunigung</translation>
+    </message>
+    <message>
+        <source>power from 5 to 50 Hz</source>
+        <translation>Leistung von 5 bis 50 Hz</translation>
+    </message>
+    <message>
+        <source>power from 50 to 500 Hz</source>
+        <translation>Leistung von 50 bis 500 Hz</translation>
+    </message>
+    <message>
+        <source>power over the threshold</source>
+        <translation>Leistung über der Schwelle</translation>
+    </message>
+    <message>
+        <source>Full marks: strokes of the held tool; small outlined ones: strokes that a status excludes. Curves: parabolas of the logarithms. Large outlined marks: their peaks within the range, with 95 % Fieller intervals of the fit.</source>
+        <translation>Volle Zeichen: Striche des gehaltenen Werkzeugs; kleine umrandete: Striche, die ein Status ausschließt. Kurven: Parabeln der Logarithmen. Große umrandete Zeichen: ihre Gipfel im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
+    </message>
+    <message>
+        <source>%1 Small outlined marks: the %2 that a sweep predicts, all times one factor.</source>
+        <translation>%1 Kleine umrandete Zeichen: %2, wie ein Durchlauf von „sweep“ sie vorhersagt, alle mal denselben Faktor.</translation>
     </message>
 </context>
 <context>
@@ -2093,6 +2141,14 @@
     <message>
         <source>Any number above 0</source>
         <translation>Jede Zahl über 0</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
     </message>
 </context>
 <context>
@@ -3208,6 +3264,10 @@
         <source>For the public: without dates, free text and questionnaires</source>
         <translation>Zur Veröffentlichung: ohne Kalenderdaten, Freitext und Fragebögen</translation>
     </message>
+    <message>
+        <source>How to read this table</source>
+        <translation>Wie diese Tabelle zu lesen ist</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AnswersPanel</name>
@@ -3893,6 +3953,14 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>%1 does not play. Connect it again, or choose another sound output in the settings of the computer.</source>
         <translation>%1 gibt nichts wieder. Schließen Sie es neu an, oder wählen Sie in den Einstellungen des Computers eine andere Tonausgabe.</translation>
+    </message>
+    <message>
+        <source>%1: RMS %2 m/s², greatest %3 m/s², %4 dB over the threshold of touch</source>
+        <translation>%1: effektiv %2 m/s², höchstens %3 m/s², %4 dB über der Tastschwelle</translation>
+    </message>
+    <message>
+        <source>%1: RMS %2 m/s², greatest %3 m/s²</source>
+        <translation>%1: effektiv %2 m/s², höchstens %3 m/s²</translation>
     </message>
 </context>
 <context>
@@ -6579,6 +6647,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>The study has not been read.</source>
         <translation>Die Studie ist nicht gelesen.</translation>
     </message>
+    <message>
+        <source>One session, %1 answers: look at the table.</source>
+        <translation>Eine Sitzung, %1 Antworten: Tabelle ansehen.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::StimuliPage</name>
@@ -7336,6 +7408,22 @@ Eine Studie ist ein Ordner mit ihren Protokollen, ihren Reizen und allem, was ge
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: %2. This relief is finished, it comes from a file of the study. Compare how the force models render it, or open a photograph to make another one.</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Dieses Relief ist fertig, es kommt aus einer Datei der Studie. Vergleichen, wie die Kraftmodelle es wiedergeben, oder ein Foto öffnen, um ein anderes zu machen.</translation>
+    </message>
+    <message>
+        <source>Predicted roughness</source>
+        <translation>Vorhergesagte Rauheit</translation>
+    </message>
+    <message>
+        <source>RMS acceleration, m/s²</source>
+        <translation>Beschleunigung, effektiv, m/s²</translation>
+    </message>
+    <message>
+        <source>After half a second</source>
+        <translation>Nach einer halben Sekunde</translation>
+    </message>
+    <message>
+        <source>How the force of the last second would shake a tool of 50 g in a hand: the prediction of asperity sweep, of this stroke.</source>
+        <translation>Wie die Kraft der letzten Sekunde ein Werkzeug von 50 g in einer Hand schütteln würde: was asperity sweep vorhersagt, für diesen Strich.</translation>
     </message>
 </context>
 </TS>
