@@ -25,6 +25,8 @@ namespace asperity {
 /// a faceted body round, and no loss; neither is what rounding to steps of the atlas adds. An RMS slope of
 /// 0.5 % counts neither as a loss nor, on a whole face, as relief. Of waves that are longer than a face is wide the bend is most, so they are told too long.
 ///
+/// One value for the whole body: a texture that is fine at one end is told to be as fine everywhere.
+///
 /// Infinite where there is no detail.
 double finest_wave_m(const TexturedMesh& mesh, double gain);
 

@@ -12,10 +12,9 @@
 namespace asperity {
 
 /// Remembers whether a point was inside a body's hull, and within how far from there no face is: until
-/// it has moved further, the answer is the same. That distance is not more than the true one: of each
-/// face the larger of those to its plane and to a box around it.
+/// it has moved further, the answer is the same.
 ///
-/// What it answers is what TexturedBody::holds answers, whatever was asked before.
+/// What it answers is what TexturedBody::whereabouts answers, whatever was asked before.
 ///
 /// Real-time: `is_in` does not allocate, lock or throw. One object serves one thread, and one body.
 class HeldPoint final {
@@ -29,8 +28,7 @@ class HeldPoint final {
  private:
   struct Known {
     glm::dvec3 point_m{0.0};
-    double clear_m = 0.0;
-    bool is_in = false;
+    Whereabouts there{};
   };
   std::optional<Known> known_{};
   std::uint64_t visits_ = 0;

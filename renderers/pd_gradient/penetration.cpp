@@ -3,30 +3,19 @@
 #include "renderers/pd_gradient/penetration.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include <glm/geometric.hpp>
 
+#include "device/refusal.h"
+
 namespace asperity {
-namespace {
-
-void require_positive(double value, const char* name) {
-  if (!(value > 0.0) || !std::isfinite(value)) {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                                "; it has to be positive.");
-  }
-}
-
-}  // namespace
 
 void require_sound(const MaximumLaw& law) {
   if (const auto* hard = std::get_if<HardMaximum>(&law)) {
-    require_positive(hard->step_m, "HardMaximum: step_m");
+    require_positive("HardMaximum: step_m", hard->step_m);
     return;
   }
-  require_positive(std::get<SmoothMaximum>(law).tau_m, "SmoothMaximum: tau_m");
+  require_positive("SmoothMaximum: tau_m", std::get<SmoothMaximum>(law).tau_m);
 }
 
 DifferenceSteps difference_steps(const SamplingGrid& grid, double step_m) noexcept {

@@ -25,7 +25,9 @@ struct HardMaximum {
 ///
 ///   δ = ∫_D w·(h_B − h_A) dA / ∫_D w dA      ∇δ = ⟨(1 + (h_B − h_A − δ)/τ)·∇(h_B − h_A)⟩
 ///
-/// A smoother force, and another one: heights within some τ of the highest push together. δ is never
+/// A smoother force, and another one: heights within some τ of the highest push together. A place that is more
+/// than τ less deep than δ has a negative weight in ∇δ: where it gets deeper it counts more, and it is below
+/// the mean. δ is never
 /// above the hard maximum, so that nothing is felt at once where a contact begins. It is equal where a
 /// plate lies flat on another one, whatever their size; a ball on a plate is felt τ later, whatever its
 /// radius. What of D lies some τ lower does not matter, and so does no window's width.
@@ -35,7 +37,7 @@ struct SmoothMaximum {
 
 using MaximumLaw = std::variant<HardMaximum, SmoothMaximum>;
 
-/// Throws std::invalid_argument, naming the field, for a step or τ that is not positive.
+/// Throws std::invalid_argument, naming the field, for a step or τ that is not positive and finite.
 void require_sound(const MaximumLaw& law);
 
 /// How far A is moved either way for the central differences, from the declared step: along the window

@@ -195,6 +195,16 @@ Crossing crossing(const std::array<glm::dvec3, 3>& corners_m, const glm::dvec3& 
   return {.way_m = way_m, .is_out = facing > 0.0};
 }
 
+/// Never more than how far a face is from the origin.
+double clearance_m(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) noexcept {
+  const glm::dvec3 low_m = glm::min(a, glm::min(b, c));
+  const glm::dvec3 high_m = glm::max(a, glm::max(b, c));
+  const double from_box_m = glm::length(glm::max(glm::dvec3(0.0), glm::max(low_m, -high_m)));
+  const glm::dvec3 area = glm::cross(b - a, c - a);
+  const double length = glm::length(area);
+  return length > 0.0 ? std::max(from_box_m, std::abs(glm::dot(area, a)) / length) : from_box_m;
+}
+
 }  // namespace
 
 TexturedBody::TexturedBody(const TexturedMesh& mesh, double gain)
@@ -281,12 +291,14 @@ WayOut TexturedBody::way_out(const glm::dvec3& point_m, const glm::dvec3& along,
 }
 
 // Half the solid angles of all faces, seen from the point [Van Oosterom 1983].
-bool TexturedBody::holds(const glm::dvec3& point_m) const noexcept {
+Whereabouts TexturedBody::whereabouts(const glm::dvec3& point_m) const noexcept {
   double half_angles_rad = 0.0;
+  double nearest_m = std::numeric_limits<double>::infinity();
   for (const auto& [i, j, k] : hull_.triangles) {
     const glm::dvec3 a = hull_.vertices_m[i] - point_m;
     const glm::dvec3 b = hull_.vertices_m[j] - point_m;
     const glm::dvec3 c = hull_.vertices_m[k] - point_m;
+    nearest_m = std::min(nearest_m, clearance_m(a, b, c));
     const double a_m = glm::length(a);
     const double b_m = glm::length(b);
     const double c_m = glm::length(c);
@@ -294,7 +306,7 @@ bool TexturedBody::holds(const glm::dvec3& point_m) const noexcept {
         std::atan2(glm::dot(a, glm::cross(b, c)), a_m * b_m * c_m + glm::dot(a, b) * c_m +
                                                       glm::dot(b, c) * a_m + glm::dot(c, a) * b_m);
   }
-  return half_angles_rad > std::numbers::pi;
+  return {.is_inside = half_angles_rad > std::numbers::pi, .clear_m = nearest_m};
 }
 
 }  // namespace asperity

@@ -29,6 +29,13 @@ struct WayOut {
   bool is_inside = false;  ///< that face is met before any that looks the other way
 };
 
+/// Where a point is, as the hull goes.
+struct Whereabouts {
+  bool is_inside = false;  ///< its winding number is above a half
+  /// No face is nearer: of each the larger distance of those to its plane and to a box around it.
+  double clear_m = 0.0;
+};
+
 /// A mesh with its displacements `gain` times as large, and its hull: the same triangles with every
 /// vertex moved outward along its normal by the largest displacement of all faces, margins of the
 /// atlas left out: they may go further, by up to an eighth of a grating with ten texels a wave. The
@@ -68,8 +75,8 @@ class TexturedBody final {
   /// `most_m`; in the mesh's own axes.
   WayOut way_out(const glm::dvec3& point_m, const glm::dvec3& along, double most_m) const noexcept;
 
-  /// Whether a point is inside the hull: its winding number is above a half.
-  bool holds(const glm::dvec3& point_m) const noexcept;
+  /// Visits all faces.
+  Whereabouts whereabouts(const glm::dvec3& point_m) const noexcept;
 
  private:
   PackedSurface surface_;

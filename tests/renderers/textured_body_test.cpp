@@ -121,10 +121,10 @@ TEST(TexturedBody, FindsTheTrianglesThatTouchTheWindowAndLookTheRightWay) {
 
 TEST(TexturedBody, KnowsWhatIsInside) {
   const TexturedBody torus(bare(bumpy_torus(24, 15)), 1.0);
-  EXPECT_TRUE(torus.holds({0.03, 0.0, 0.0}));
-  EXPECT_TRUE(torus.holds({0.0, -0.028, 0.003}));
-  EXPECT_FALSE(torus.holds({0.0, 0.0, 0.0}));  // in the ring's hole
-  EXPECT_FALSE(torus.holds({0.03, 0.0, 0.02}));
+  EXPECT_TRUE(torus.whereabouts({0.03, 0.0, 0.0}).is_inside);
+  EXPECT_TRUE(torus.whereabouts({0.0, -0.028, 0.003}).is_inside);
+  EXPECT_FALSE(torus.whereabouts({0.0, 0.0, 0.0}).is_inside);  // in the ring's hole
+  EXPECT_FALSE(torus.whereabouts({0.03, 0.0, 0.02}).is_inside);
 }
 
 TEST(TexturedBody, IsAsThickAsItsPlateHoweverThatIsTurned) {
