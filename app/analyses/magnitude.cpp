@@ -223,6 +223,9 @@ void add_peaks(const std::vector<std::string>& conditions, const FoundNumbers& f
         const std::string key = conditions[a] + '|' + conditions[b];
         if (found.find("peakratio", key) == nullptr) continue;
         const auto [low, high] = found.interval("peakratio", key);
+        if (const Finding* p = found.find("peakratio.p", key)) {
+          outcome.tests_in_tables.insert(name_of(*p));
+        }
         shifts.table.rows.push_back({conditions[a], conditions[b], found.cell("peakratio", key),
                                      low, high, found.cell("peakratio.p", key)});
       }
@@ -251,6 +254,11 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
   for (const auto& [name, effect] : kEffects) {
     const Finding* p = p_of(found, effect);
     if (p == nullptr) continue;
+    for (const char* quantity : {"p", "p.GG"}) {
+      if (const Finding* of_it = found.find(quantity, effect)) {
+        outcome.tests_in_tables.insert(name_of(*of_it));
+      }
+    }
     table.table.rows.push_back({name, whole_cell(found, "df1", effect),
                                 whole_cell(found, "df2", effect), found.cell("F", effect),
                                 found.cell("eps.GG", effect), cell_of(p->value),

@@ -381,7 +381,7 @@ TEST(BadOption, OfATableIsToldFromOneThatTheDataHaveNoUseFor) {
                        {"proportion has no option \"nonsense\"", "it has: conf"});
   expect_table_refused("proportion", "id,k,n,p0,conf\na,5,10,0.5,0.95\n", {"conf=0.9"},
                        {"\"conf\" is not used", "has a column of that name"});
-  expect_table_refused("seedpaper", table, {"conf=0.9"}, {"table"});
+  expect_table_refused("seedpaper", table, {"conf=0.9"}, {"seedpaper has no option \"conf\""});
   // Nobody answered: the confidence is of no use, and no word that it is unknown.
   const TemporaryFolder folder;
   write_text(folder / "table.csv", "subject,stimulus,response\ns1,a,\ns2,b,\n");

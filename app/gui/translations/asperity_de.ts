@@ -1861,7 +1861,7 @@
     </message>
     <message>
         <source>%1 over %2</source>
-        <translation>%1 über %2</translation>
+        <translation>%1 vor %2</translation>
     </message>
     <message>
         <source>The bar is Welch&apos;s %1 % interval of the difference of the participants&apos; means; the test beside it splits the participants anew and assumes less.</source>
