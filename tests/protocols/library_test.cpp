@@ -87,35 +87,7 @@ TEST(LibraryProtocols, CoverTheThreeExperimentsTwiceThePhotographsABlindfoldOneT
             (std::vector<std::string>{
                 "chapter_matching", "chapter_recognition", "chapter_selection", "improved_matching",
                 "improved_recognition", "improved_selection", "improved_selection_blindfold",
-                "photo_matching", "photo_recognition", "roughness_diameter", "roughness_force",
-                "roughness_speed", "tools_matching"}));
-}
-
-TEST(LibraryProtocols, HoldForceAndSpeedByBandsThatDoNotMeet) {
-  const std::pair<const char*, std::vector<const char*>> kHeld[] = {
-      {"roughness_force", {"light", "medium", "firm"}}, {"roughness_speed", {"slow", "fast"}}};
-  for (const auto& [name, conditions] : kHeld) {
-    for (const LibraryProtocol& each : library_protocols()) {
-      if (each.name != name) continue;
-      const Protocol read = read_protocol(each.text, "f", test::example_models());
-      double reached = 0.0;
-      for (const char* const condition : conditions) {
-        const Exploration& asked = read.explorations.at(condition);
-        const Band& band =
-            read.name == "roughness_force" ? asked.normal_force_N : asked.speed_m_per_s;
-        EXPECT_GT(*band.minimum, reached) << name << ' ' << condition;
-        reached = *band.maximum;
-        EXPECT_EQ(asked.on_failure, Exploration::OnFailure::requeue_at_end_of_block);
-        EXPECT_NE(asked.guidance, Exploration::Guidance::experimenter);
-        EXPECT_GT(asked.required_fraction_in_band, 0.5);
-      }
-      const Plan plan = make_plan(read, {.seed = 1, .counterbalance_row = 0});
-      for (const Trial& trial : plan.trials) {
-        const std::string& factor = read.estimation->condition;
-        EXPECT_EQ(exploration_of(read, trial).name, text_of(trial.factors.at(factor)));
-      }
-    }
-  }
+                "photo_matching", "photo_recognition", "roughness_diameter", "tools_matching"}));
 }
 
 TEST(LibraryProtocols, ShowDistractorsThatNobodyFeels) {
