@@ -342,9 +342,17 @@ void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& f
 }  // namespace
 
 void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
-  const std::vector<Estimated> estimates = estimates_in(gathered, outcome);
+  std::vector<Estimated> estimates = estimates_in(gathered, outcome);
   if (estimates.empty()) return;
   const std::vector<std::string> conditions = levels_of(estimates, &Estimated::condition);
+  // Findings, tables and figures have the conditions in one order, whoever met which of them first.
+  std::stable_sort(estimates.begin(), estimates.end(),
+                   [&conditions](const Estimated& one, const Estimated& other) {
+                     const auto place = [&conditions](const Estimated& estimate) {
+                       return std::find(conditions.begin(), conditions.end(), estimate.condition);
+                     };
+                     return place(one) < place(other);
+                   });
   const std::vector<std::string> spacings = levels_of(estimates, &Estimated::spacing);
   const std::vector<Finding> roughness =
       analysis_of(kRoughness, "magnitude", curves_table(gathered, estimates));

@@ -100,6 +100,7 @@ SessionEnd Conductor::finish(std::int64_t began_ns) {
   SessionEnd end{};
   if (stopped_) end = *stopped_;
   course_.set_masking(false);
+  course_.set_guiding_tones(false);
   course_.store_respondent_events();
   course_.store_remarks();
   end.attempts = attempts_made_;
@@ -129,6 +130,7 @@ void Conductor::end_after(const std::exception& error) noexcept {
   rig_.loop().withdraw();
   try {
     course_.set_masking(false);
+    course_.set_guiding_tones(false);
     publish_trouble(phrase("Troubles", "%1; the force is zero, and every finished trial is stored")
                         .with(phrase_of(error))
                         .as_sentence(),
@@ -419,7 +421,9 @@ AttemptRow Conductor::make_attempt(const Trial& trial, std::optional<Interruptio
 }
 
 bool Conductor::waits_for_others(const Trial& trial, const AttemptRow& attempt) const {
-  return attempt.outcome == AttemptOutcome::not_compliant && !failed_technically(attempt) &&
+  // What others are judged by comes before them: an anchor is asked again at once.
+  return trial.repetition > 0 && attempt.outcome == AttemptOutcome::not_compliant &&
+         !failed_technically(attempt) &&
          exploration_of(protocol_, trial).on_failure ==
              Exploration::OnFailure::requeue_at_end_of_block;
 }
