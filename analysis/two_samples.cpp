@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -94,11 +95,23 @@ SplitTest permutation_test(const TwoSamples& samples, Random random) {
   std::vector<double> all = pooled(samples);
   const auto n1 = static_cast<double>(samples.first.size());
   const auto n2 = static_cast<double>(samples.second.size());
+  // Less one of them, which changes no difference: what they have in common is not rounded again.
+  double greatest = 0.0;
+  double widest = 0.0;
+  const double origin = all.front();
+  for (double& number : all) {
+    greatest = std::max(greatest, std::abs(number));
+    number -= origin;
+    widest = std::max(widest, std::abs(number));
+  }
   const double total = std::accumulate(all.begin(), all.end(), 0.0);
   const auto difference = [&](double sum) { return std::abs(sum / n1 - (total - sum) / n2); };
-  constexpr double kRounding = 1e-9;
-  const double observed =
-      difference(std::accumulate(samples.first.begin(), samples.first.end(), 0.0)) - kRounding;
+  // Two differences are equal if they would be without rounding: each number may be half a unit off
+  // and each of two means of two splits so much more for every addition.
+  const double rounding = std::numeric_limits<double>::epsilon() *
+                          (2.0 * greatest + 4.0 * static_cast<double>(all.size()) * widest);
+  const auto end_of_first = all.begin() + static_cast<std::ptrdiff_t>(samples.first.size());
+  const double observed = difference(std::accumulate(all.begin(), end_of_first, 0.0)) - rounding;
   if (all.size() > kMostPermuted) {
     std::size_t as_far = 1;
     for (std::size_t i = 0; i < kRandomSplits; ++i) {
@@ -106,8 +119,7 @@ SplitTest permutation_test(const TwoSamples& samples, Random random) {
       for (std::size_t place = 0; place < samples.first.size(); ++place) {
         std::swap(all[place], all[place + random.below(all.size() - place)]);
       }
-      const double sum = std::accumulate(
-          all.begin(), all.begin() + static_cast<std::ptrdiff_t>(samples.first.size()), 0.0);
+      const double sum = std::accumulate(all.begin(), end_of_first, 0.0);
       as_far += difference(sum) >= observed ? 1 : 0;
     }
     return {.p = static_cast<double>(as_far) / static_cast<double>(kRandomSplits + 1),

@@ -39,6 +39,21 @@ TEST(TwoSamples, OfEqualNumbersAreNoDifference) {
   EXPECT_FALSE(welch_t({.first = kSame, .second = kSame}));
 }
 
+// Of the C(6, 3) = 20 splits of 1 to 6 those are as far from half of 21 as 1 + 2 + 5 = 1 + 3 + 4 whose
+// sum is 6, 7 or 8: one, one and two, and as many at the other end. In units that are no whole numbers
+// the two are equal but for rounding.
+TEST(TwoSamples, AreSplitAlikeInWhateverUnit) {
+  for (const double unit : {1e-15 / 3.0, 0.1, 1.0, 1e12 / 3.0}) {
+    for (const double start : {0.0, 1000.0, -1000.0}) {
+      const auto in_units = [&](double number) { return (start + number) * unit; };
+      const std::array first{in_units(1.0), in_units(2.0), in_units(5.0)};
+      const std::array second{in_units(3.0), in_units(4.0), in_units(6.0)};
+      EXPECT_NEAR(permutation_test({.first = first, .second = second}).p, 0.4, 1e-15)
+          << unit << ' ' << start;
+    }
+  }
+}
+
 // 15 zeros and 15 ones of which all but k stand in their own sample: of the C(30, 15) ways to split
 // them, C(15, j)² have j ones among the first 15.
 TEST(TwoSamples, AreSplitAtRandomWhereThereAreTooManyWays) {
