@@ -3,6 +3,7 @@
 #include "analysis/exact_null.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -58,13 +59,11 @@ IntegerDistribution sum_of(const IntegerDistribution& a, const IntegerDistributi
   IntegerDistribution sum{
       .lowest = a.lowest + b.lowest,
       .probability = std::vector<double>(a.probability.size() + b.probability.size() - 1)};
-  // Nearly all the time of an exact test: the innermost loop is over bare numbers.
-  const double* const terms = b.probability.data();
-  const std::size_t count = b.probability.size();
+  // Nearly all the time of an exact test.
+  const auto count = static_cast<Eigen::Index>(b.probability.size());
+  const Eigen::Map<const Eigen::ArrayXd> terms(b.probability.data(), count);
   for (std::size_t i = 0; i < a.probability.size(); ++i) {
-    const double factor = a.probability[i];
-    double* const sums = sum.probability.data() + i;
-    for (std::size_t j = 0; j < count; ++j) sums[j] += factor * terms[j];
+    Eigen::Map<Eigen::ArrayXd>(sum.probability.data() + i, count) += a.probability[i] * terms;
   }
   constexpr double kNever = 1e-300;
   constexpr double kNeverOfMany = 1e-40;
@@ -80,11 +79,12 @@ IntegerDistribution sum_of(const IntegerDistribution& a, const IntegerDistributi
 }
 
 IntegerDistribution repeated_sum(const IntegerDistribution& one, std::uint64_t times) {
+  // From the first binary digit of `times` on: every large sum is of two halves, and what is added
+  // to one for a digit is narrow.
   IntegerDistribution sum{};
-  IntegerDistribution power = one;
-  for (; times > 0; times /= 2) {
-    if (times % 2 == 1) sum = sum_of(sum, power);
-    if (times > 1) power = sum_of(power, power);
+  for (int digit = static_cast<int>(std::bit_width(times)) - 1; digit >= 0; --digit) {
+    sum = sum_of(sum, sum);
+    if ((times >> digit & 1U) == 1) sum = sum_of(one, sum);
   }
   return sum;
 }

@@ -29,21 +29,27 @@ ChoiceProbabilities probabilities_at(const Eigen::VectorXd& mean) {
   constexpr double kReach = 10.0;  // φ(10) is 10⁻²²
   const Eigen::Index count = mean.size();
   ChoiceProbabilities at{Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, count)};
+  Eigen::VectorXd density(count);
+  Eigen::VectorXd below(count);
   for (double z = mean.minCoeff() - kReach; z <= mean.maxCoeff() + kReach; z += kStep) {
     for (Eigen::Index j = 0; j < count; ++j) {
-      const double here = normal_density(z - mean(j)) * kStep;
+      density(j) = normal_density(z - mean(j));
+      below(j) = normal_below(z - mean(j));
+    }
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const double here = density(j) * kStep;
       double all_below = 1.0;
       for (Eigen::Index k = 0; k < count; ++k) {
-        if (k != j) all_below *= normal_below(z - mean(k));
+        if (k != j) all_below *= below(k);
       }
       at.p(j) += here * all_below;
       for (Eigen::Index k = 0; k < count; ++k) {
         if (k == j) continue;
         double others = 1.0;
         for (Eigen::Index l = 0; l < count; ++l) {
-          if (l != j && l != k) others *= normal_below(z - mean(l));
+          if (l != j && l != k) others *= below(l);
         }
-        const double slope = here * normal_density(z - mean(k)) * others;
+        const double slope = here * density(k) * others;
         at.by_mean(j, k) -= slope;
         at.by_mean(j, j) += slope;  // moving all means together changes nothing
       }
