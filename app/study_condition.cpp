@@ -48,17 +48,19 @@ void refuse_if_broken(const Study& study) {
                      study.folder());
 }
 
-void read_unless_broken(const Study& study, const std::function<void()>& read) {
+void read_unless_broken(const Study& study, const std::function<void()>& read,
+                        const std::stop_token& stop) {
   if (is_looked_at(study)) study.begin_condition();
   try {
     read();
   } catch (const std::exception& error) {
+    if (stop.stop_requested()) throw;
     refuse_if_broken(study);
     const std::optional<Phrase> remark = remark_on(study);
     if (!remark) throw;
     throw ResultsError(error.what() + (". " + remark->english()), study.folder());
   }
-  refuse_if_broken(study);
+  if (!stop.stop_requested()) refuse_if_broken(study);
 }
 
 }  // namespace asperity

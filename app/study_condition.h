@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 
 #include "app/phrase.h"
 #include "results_schema/study.h"
@@ -19,9 +20,13 @@ std::optional<Phrase> remark_on(const Study& study);
 /// refuses what was read from a broken one, in which rows can be missing without a trace. A file that
 /// was merely changed is read: that can have been meant, and `remark_on` says so to whoever reads on.
 ///
+/// When `stop` is requested, what was read until then is nobody's: the file is not waited for, and
+/// nothing refused.
+///
 /// Errors: ResultsError when the file is broken, in place of whatever `read` may throw then, and with the
 /// remark when `read` throws on a file that was changed.
-void read_unless_broken(const Study& study, const std::function<void()>& read);
+void read_unless_broken(const Study& study, const std::function<void()>& read,
+                        const std::stop_token& stop);
 
 /// The same for whoever is about to write.
 void refuse_if_broken(const Study& study);

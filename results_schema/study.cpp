@@ -119,6 +119,7 @@ Study::Store::Store(std::filesystem::path study_folder, Access study_access)
 }
 
 Study::Store::~Store() {
+  end_of_condition.request_stop();
   if (seal && database) seal->seal_again(*database);
 }
 

@@ -7,6 +7,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "results_schema/seal.h"
@@ -64,6 +65,7 @@ struct Study::Store {
   int schema_version = 0;  ///< of the file
   bool inside_read = false;
   std::shared_future<StudyCondition> condition{};  ///< invalid until somebody wants to know
+  std::stop_source end_of_condition{};  ///< whoever is done with the study waits for none
 
  private:
   /// Nested reads see the state of the outermost.

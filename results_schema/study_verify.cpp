@@ -168,6 +168,16 @@ class StopOfStatements final {
   std::stop_token stop_;
 };
 
+/// After a colon where a recording is damaged, as far as it says so itself.
+std::string place_of_damage(const std::filesystem::path& recording) {
+  try {
+    read_recording(recording);
+  } catch (const ResultsError& error) {
+    return std::string(": ") + error.what();
+  }
+  return {};
+}
+
 void check_file(const std::filesystem::path& study, const VouchedFile& file, Findings& findings) {
   const std::string start = file.path + " (" + file.who + "): ";
   try {
@@ -176,16 +186,16 @@ void check_file(const std::filesystem::path& study, const VouchedFile& file, Fin
       findings.push_back(start + "the file is not there");
     } else if (sha256_of_file(path) != file.sha256) {
       findings.push_back(start +
-                         "it is not what it was when its row was written (its SHA-256 "
-                         "differs)");
-      if (file.is_recording) read_recording(path);  // says where
+                         "it is not what it was when its row was written (its SHA-256 differs)" +
+                         (file.is_recording ? place_of_damage(path) : ""));
     }
   } catch (const ResultsError& error) {
     findings.push_back(start + error.what());
   }
 }
 
-bool passes_quick_check(Database& database) {
+bool passes_quick_check(Database& database, const std::stop_token& stop) {
+  const StopOfStatements stop_of_statements(database, stop);
   Statement check(database, "PRAGMA quick_check(1)");
   std::string text;
   if (check.step()) check.read(text);
@@ -202,14 +212,15 @@ bool says_broken(const ResultsError& error) {
 void Study::begin_condition() const {
   if (store_->condition.valid()) return;
   // Objects of its own: this one belongs to the caller's thread.
-  const auto find = [folder = store_->folder] {
-    const Seal seal = seal_of(folder);
+  const auto find = [folder = store_->folder, stop = store_->end_of_condition.get_token()] {
+    const Seal seal = seal_of(folder, {.progress = {}, .stop = stop});
     if (seal == Seal::holds) return StudyCondition::whole;
     // Whoever writes has SQLite look at what they touch, and there is no end to what they change.
     if (seal != Seal::broken && is_being_written(folder)) return StudyCondition::whole;
     try {
       const Study study = open(folder, Access::read_only);
-      if (!study.store_->read(passes_quick_check)) return StudyCondition::broken;
+      const auto check = [&stop](Database& database) { return passes_quick_check(database, stop); };
+      if (!study.store_->read(check)) return StudyCondition::broken;
     } catch (const ResultsError& error) {
       if (!says_broken(error)) throw;
       return StudyCondition::broken;

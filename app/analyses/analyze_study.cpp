@@ -142,7 +142,9 @@ std::vector<AnalysisOutcome> analyze_study(const Study& study,
                                            const std::optional<std::string>& protocol,
                                            const std::stop_token& stop) {
   std::vector<AnalysisOutcome> outcomes{};
-  read_unless_broken(study, [&] { outcomes = outcomes_of(study, protocol, stop); });
+  read_unless_broken(
+      study, [&] { outcomes = outcomes_of(study, protocol, stop); }, stop);
+  if (stop.stop_requested()) return {};
   if (const std::optional<Phrase> remark = remark_on(study)) {
     for (AnalysisOutcome& outcome : outcomes) {
       outcome.remarks.insert(outcome.remarks.begin(), *remark);

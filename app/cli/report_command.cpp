@@ -43,11 +43,15 @@ void add_report(CLI::App& program, Job& job) {
       bool written = false;
       {
         Progress progress("writing the report");
-        read_unless_broken(study, [&] {
-          written =
-              write_report(study, options->out, overwrite, options->protocol, interrupt.token(),
-                           [&progress](double fraction) { progress.show(fraction); });
-        });
+        read_unless_broken(
+            study,
+            [&] {
+              written =
+                  write_report(study, options->out, overwrite, options->protocol,
+                               interrupt.token(),
+                               [&progress](double fraction) { progress.show(fraction); });
+            },
+            interrupt.token());
       }
       if (!written) {
         say("asperity: stopped; no report was written");

@@ -532,11 +532,14 @@ std::vector<ExportedFile> export_study(const Study& study, const ModelRegistry& 
                                        const std::function<void(double)>& progress) {
   ExportFolder making(folder, options.overwrite);
   bool stopped = false;
-  read_unless_broken(study, [&] {
-    StudyExport walk(study, models, making, options);
-    stopped = !walk.walk(stop, progress);
-    if (!stopped) walk.finish();
-  });
+  read_unless_broken(
+      study,
+      [&] {
+        StudyExport walk(study, models, making, options);
+        stopped = !walk.walk(stop, progress);
+        if (!stopped) walk.finish();
+      },
+      stop);
   if (stopped) return {};
   making.write("README.txt", readme(options, remark_on(study)));
   making.write("import.R", import_script_for_r());

@@ -5,12 +5,15 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <stop_token>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/analyses/analyze_study.h"
 #include "app/cli/analysis_output.h"
+#include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 
 namespace asperity {
@@ -438,6 +441,24 @@ TEST(AnalyzeStudy, NamesTheProtocolsThereAreWhenAskedForAnother) {
   } catch (const ResultsError& error) {
     EXPECT_THAT(error.what(), HasSubstr("\"matching\"; it has sessions of \"recognition\""));
   }
+}
+
+TEST(AnalyzeStudy, NeitherWaitsForNorRefusesABrokenFileOnceItWasAskedToStop) {
+  MadeUpStudy made;
+  made.add_person("a", "F");
+  made.add_session("a", made.add_protocol("recognition", "recognition"),
+                   {recognition("stone", "stone")});
+  const std::filesystem::path folder = made.beside("broken");
+  made.study().copy_to(folder);
+  constexpr std::size_t kPage = 4096;
+  std::string content = read_file(folder / "study.sqlite");
+  content.replace(content.size() - kPage, kPage, kPage, '\x5a');
+  write_file(folder / "study.sqlite", content, Overwrite::allow);
+  const Study broken = Study::open(folder, Access::read_only);
+  EXPECT_THROW(analyze_study(broken), ResultsError);
+  std::stop_source stop{};
+  stop.request_stop();
+  EXPECT_TRUE(analyze_study(broken, {}, stop.get_token()).empty());
 }
 
 TEST(AnalysisOutput, PutsIntervalsInBracketsForReaders) {

@@ -23,6 +23,7 @@
 namespace asperity {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -281,9 +282,9 @@ TEST(StudyVerify, FindsFilesThatAreMissingOrChanged) {
   std::filesystem::remove(folder / "s" / "stimuli" / "metal.png");
   EXPECT_THAT(
       study.verify({}),
-      ElementsAre(HasSubstr("recordings/P01/a.asprec (the recording of attempt P01/1/1/1): it is "
-                            "not what it was"),
-                  HasSubstr("is damaged in chunk 4"),
+      ElementsAre(AllOf(HasSubstr("recordings/P01/a.asprec (the recording of attempt P01/1/1/1): "
+                                  "it is not what it was"),
+                        HasSubstr("is damaged in chunk 4")),
                   HasSubstr("stimuli/metal.png (a stimulus of session P01/1): the file is not "
                             "there")));
 }
