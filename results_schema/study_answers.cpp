@@ -37,17 +37,22 @@ constexpr const char* kOfSession =
 
 void read_plan(Database& database, std::int64_t session_id, SessionAnswers& answers,
                WordPlaces& words) {
+  // Not those equal to ?: to see where these end SQLite would read every row whole, whose plan is
+  // most of a study.
   Statement statement(database,
-                      "SELECT trial, phase, factors_json, repetition FROM trial WHERE session_id = "
-                      "? ORDER BY trial");
+                      "SELECT session_id, trial, phase, factors_json, repetition FROM trial "
+                      "WHERE session_id >= ? ORDER BY session_id, trial");
   statement.bind(session_id);
+  std::int64_t session = 0;
   std::string phase;
   std::string factors_json;
   while (statement.step()) {
-    SessionAnswers::Trial& trial = answers.trials.emplace_back();
-    statement.read(trial.trial, phase, factors_json, trial.repetition);
+    SessionAnswers::Trial trial{};
+    statement.read(session, trial.trial, phase, factors_json, trial.repetition);
+    if (session != session_id) break;
     trial.phase = words.place(phase);
     trial.factors_json = words.place(factors_json);
+    answers.trials.push_back(trial);
   }
 }
 
