@@ -7,9 +7,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "results_schema/sha256.h"
+#include "results_schema/table.h"
 #include "tests/app/exported_study.h"
+#include "tests/app/sav_reading.h"
 
 namespace asperity {
 namespace {
@@ -256,18 +259,57 @@ void fill_with_health(MadeUpStudy& made) {
   made.study().add_session_answer(session, session_answer("pain", "it hurts a lot"));
 }
 
-/// How many cells of all tables of an export, SPSS's apart, are exactly this.
+int cells_of_text(const std::string& word, std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == ','; }, '\t');
+  const std::string cell = '\t' + word + '\t';
+  int cells = 0;
+  for (std::size_t at = text.find(cell); at != std::string::npos; at = text.find(cell, at + 1)) {
+    ++cells;
+  }
+  return cells;
+}
+
+/// Numbers of which a label is the word count too.
+int cells_of_sav(const std::string& word, const Sav& file) {
+  int cells = 0;
+  for (const auto& row : file.rows) {
+    for (const auto& [name, text] : row) {
+      const auto variable = std::find_if(file.variables.begin(), file.variables.end(),
+                                         [&](const auto& one) { return one.name == name; });
+      const auto labels = file.value_labels.find(variable->labels);
+      const auto number = number_in(text);
+      if (labels != file.value_labels.end() && number && labels->second.contains(*number)) {
+        cells += labels->second.at(*number) == word ? 1 : 0;
+      } else {
+        cells += text == word ? 1 : 0;
+      }
+    }
+  }
+  return cells;
+}
+
+/// Names in an object are no answers: levels of a column stand there.
+int values_of_json(const std::string& word, const nlohmann::json& json) {
+  if (json.is_string()) return json.get<std::string>() == word ? 1 : 0;
+  if (!json.is_structured()) return json.dump() == word ? 1 : 0;
+  int values = 0;
+  for (const nlohmann::json& each : json) values += values_of_json(word, each);
+  return values;
+}
+
+/// How many cells of all tables of an export, and values of what describes them, are exactly this.
 int cells_that_are(const std::string& word, const std::filesystem::path& out) {
   int cells = 0;
   for (const std::string& name : files_in(out)) {
-    if (!name.ends_with(".tsv") && !name.ends_with(".csv")) continue;
     if (name == "codebook.tsv") continue;  // says what could be answered
-    std::string text = read_file(out / name);
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == ','; }, '\t');
-    const std::string cell = '\t' + word + '\t';
-    for (std::size_t at = text.find(cell); at != std::string::npos; at = text.find(cell, at + 1)) {
-      ++cells;
+    const std::filesystem::path file = out / name;
+    if (name.ends_with(".tsv") || name.ends_with(".csv")) {
+      cells += cells_of_text(word, read_file(file));
+    } else if (name.ends_with(".sav")) {
+      cells += cells_of_sav(word, sav(file));
+    } else if (name.ends_with(".json")) {
+      cells += values_of_json(word, nlohmann::json::parse(read_file(file)));
     }
   }
   return cells;
@@ -278,8 +320,8 @@ TEST(Export, TellsThePublicNoAnswerToAQuestionnaireThatIsNotNamed) {
   fill_with_health(made);
   ExportOptions options{};
   export_to(made, made.beside("own"), options);
-  EXPECT_EQ(cells_that_are("it hurts a lot", made.beside("own")), 5);
-  EXPECT_EQ(cells_that_are("777", made.beside("own")), 6);  // as text and as number in responses
+  EXPECT_EQ(cells_that_are("it hurts a lot", made.beside("own")), 9);
+  EXPECT_EQ(cells_that_are("777", made.beside("own")), 8);  // as text and as number in responses
   options.audience = ExportAudience::published;
   export_to(made, made.beside("out"), options);
   EXPECT_EQ(cells_that_are("it hurts a lot", made.beside("out")), 0);
@@ -299,7 +341,7 @@ TEST(Export, TellsThePublicNoAnswerToAQuestionnaireThatIsNotNamed) {
 
   options.questions_for_public = {"pain", "hand"};
   export_to(made, made.beside("named"), options);
-  EXPECT_EQ(cells_that_are("it hurts a lot", made.beside("named")), 5);
+  EXPECT_EQ(cells_that_are("it hurts a lot", made.beside("named")), 9);
   EXPECT_EQ(cells_that_are("777", made.beside("named")), 0);
   EXPECT_THAT(read_file(made.beside("named") / "README.txt"),
               HasSubstr("left out, but for hand, pain (MANIFEST"));
