@@ -1,50 +1,66 @@
-// A study with a million attempts: how long its analysis and the reading of its lists take.
+// A study with a million attempts: how long its analysis, its check and the reading of its lists
+// take.
 //
 // `--make DIR` writes one through the store, as sessions would, and ends; on a disk that syncs every
 // attempt that takes its time, in memory (/dev/shm) some minutes. `--study DIR` measures, by the wall
 // and of the processor.
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
+#include <span>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "analysis/random.h"
 #include "app/analyses/analyze_study.h"
+#include "app/conductor/recording_columns.h"
+#include "app/conductor/session_setup.h"
+#include "app/tasks/new_study.h"
+#include "app/tasks/protocol_files.h"
 #include "app/tasks/study_overview.h"
+#include "app/tasks/verify_study.h"
+#include "bench/machine.h"
+#include "protocols/library_protocols.h"
+#include "protocols/protocol_reader.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/recording.h"
 #include "results_schema/study.h"
 
 namespace asperity {
 namespace {
 
-const std::vector<std::string> kModels{"height_map", "sinusoid", "stochastic"};
-const std::vector<std::string> kTextures{"metal", "stone", "wood", "brick"};
-const std::vector<std::string> kPictures{"metal", "stone", "wood", "brick", "gravel", "grass"};
-constexpr int kTrials = 1000;  // of a session
+constexpr int kRepetitions = 333;  // of the chapter's three trials: 999 trials a session
 constexpr double kShareRight = 0.6;
+constexpr std::int64_t kTrial_ns = 10'000'000'000;
 
-struct MadeTrial {
-  std::vector<PresentationRow> surfaces{};
-  std::vector<ResponseRow> responses{};
-};
+/// The chapter's protocol of this kind, with more trials.
+std::string long_protocol(const std::string& kind) {
+  for (const LibraryProtocol& library : library_protocols()) {
+    if (library.name != "chapter_" + kind) continue;
+    auto json = nlohmann::ordered_json::parse(library.text);
+    json["name"] = "large_" + kind;
+    json["blocks"]["main"]["repetitions"] = kRepetitions;
+    return json.dump(2);
+  }
+  throw std::invalid_argument("--kind: selection, matching or recognition");
+}
 
-PresentationRow surface_of(const std::string& item, const std::string& model,
-                           const std::string& texture, int position) {
+PresentationRow surface_of(const PlannedPresentation& planned) {
   PresentationRow surface{};
-  surface.position = position;
-  surface.role = "alternative";
-  surface.item = item;
-  surface.stimulus = "rendered_" + texture + "_" + model;
-  surface.model = model;
+  surface.position = planned.position;
+  surface.role = planned.role;
+  surface.item = planned.item;
+  surface.stimulus = planned.stimulus.name;
+  surface.model = planned.stimulus.model;
   surface.model_version = "1";
-  surface.texture = texture;
+  surface.texture = planned.stimulus.texture;
   surface.parameters_json =
       R"({"depth_limit_m":0.003,"friction_speed_m_per_s":0.01,"height_scale":1.0,)"
       R"("k1_N_per_m":500.0,"lateral_gradient_gain":0.0,"law":"corrected","offset":"none"})";
@@ -52,77 +68,54 @@ PresentationRow surface_of(const std::string& item, const std::string& model,
   surface.seed = "15803544891900678840";
   surface.contact_s = 2.5;
   surface.matched_texture_force_N = 0.03;
-  surface.achieved_texture_force_N = 0.03 + 0.001 * position;
+  surface.achieved_texture_force_N = 0.03 + 0.001 * planned.position;
   return surface;
 }
 
-ResponseRow response_of(int item, const std::string& answer, std::optional<bool> correct,
-                        const std::string& options_json) {
-  ResponseRow response{};
-  response.question = "which";
-  response.item = item;
-  response.answer = answer;
-  response.correct = correct;
-  response.options_json = options_json;
-  response.from_cue_s = 1.5;
-  response.source = "virtual";
-  return response;
-}
-
-MadeTrial trial_of(const std::string& kind, const std::string& texture, Random& random) {
-  MadeTrial made{};
-  if (kind == "selection") {
-    std::vector<std::string> models = kModels;
-    random.shuffle(std::span(models));
-    int position = 0;
-    for (const std::string& model : models) {
-      made.surfaces.push_back(surface_of(model, model, texture, ++position));
-    }
-    const bool likes = random.uniform() < 0.25;
-    made.responses.push_back(response_of(1, likes ? kModels[0] : models[random.below(3)], {},
-                                         nlohmann::json(models).dump()));
-  } else if (kind == "matching") {
-    std::vector<std::string> felt = kTextures;
-    random.shuffle(std::span(felt));
-    std::vector<std::string> answers = felt;
-    if (random.uniform() > kShareRight) random.shuffle(std::span(answers));
-    const std::string options = nlohmann::json(kTextures).dump();
-    for (std::size_t i = 0; i < felt.size(); ++i) {
-      const int position = static_cast<int>(i) + 1;
-      made.surfaces.push_back(surface_of(felt[i], "height_map", felt[i], position));
-      made.responses.push_back(response_of(position, answers[i], answers[i] == felt[i], options));
-    }
-  } else {
-    made.surfaces.push_back(surface_of(texture, "height_map", texture, 1));
-    std::vector<std::string> options = kPictures;
+/// One for a choice, one for each surface of an assignment.
+std::vector<std::string> answers_to(const TrialQuestion& question, Random& random) {
+  std::vector<std::string> options{};
+  for (const Option& option : question.options) options.push_back(option.value);
+  if (question.form == TrialQuestion::Form::assignment) {
+    if (random.uniform() < kShareRight) return question.correct;
     random.shuffle(std::span(options));
-    const std::string answer =
-        random.uniform() < kShareRight ? texture : options[random.below(options.size())];
-    made.responses.push_back(
-        response_of(1, answer, answer == texture, nlohmann::json(options).dump()));
+    return options;
   }
-  return made;
+  if (!question.correct.empty() && random.uniform() < kShareRight) return question.correct;
+  return {options[random.below(options.size())]};
 }
 
-AttemptRow attempt_of(MadeTrial&& made, int trial, int segment) {
-  constexpr std::int64_t kTrial_ns = 10'000'000'000;
+std::vector<ResponseRow> responses_to(const TrialQuestion& question, Random& random) {
+  nlohmann::json options = nlohmann::json::array();
+  for (const Option& option : question.options) options.push_back(option.value);
+  std::vector<ResponseRow> responses{};
+  for (const std::string& answer : answers_to(question, random)) {
+    ResponseRow& response = responses.emplace_back();
+    response.question = question.name;
+    response.item = static_cast<int>(responses.size());
+    response.answer = answer;
+    if (responses.size() <= question.correct.size()) {
+      response.correct = answer == question.correct[responses.size() - 1];
+    }
+    response.options_json = options.dump();
+    response.from_cue_s = 1.5;
+    response.source = "virtual";
+  }
+  return responses;
+}
+
+AttemptRow attempt_of(const Trial& trial, int segment, Random& random) {
   AttemptRow attempt{};
-  attempt.trial = trial;
+  attempt.trial = trial.ordinal;
   attempt.attempt = 1;
   attempt.segment = segment;
-  attempt.onset_ns = trial * kTrial_ns;
+  attempt.onset_ns = trial.ordinal * kTrial_ns;
   attempt.offset_ns = attempt.onset_ns + kTrial_ns / 2;
-  attempt.presentations = std::move(made.surfaces);
-  attempt.responses = std::move(made.responses);
-  for (ResponseRow& response : attempt.responses) response.time_ns = attempt.offset_ns;
-  attempt.servo.emplace();
-  attempt.servo->rate_Hz = 1000.0;
-  attempt.servo->ticks = 5000;
-  attempt.servo->fault = "none";
-  for (const PresentationRow& surface : attempt.presentations) {
+  for (const PlannedPresentation& planned : trial.presentations) {
+    attempt.presentations.push_back(surface_of(planned));
     for (const char* quantity : {"normal_force_N", "speed_m_per_s", "contact_s"}) {
       ComplianceRow row{};
-      row.position = surface.position;
+      row.position = planned.position;
       row.quantity = quantity;
       row.mean = 1.0;
       row.fraction_in_band = 0.9;
@@ -130,61 +123,70 @@ AttemptRow attempt_of(MadeTrial&& made, int trial, int segment) {
       attempt.compliance.push_back(row);
     }
   }
+  attempt.responses = responses_to(trial.question, random);
+  for (ResponseRow& response : attempt.responses) response.time_ns = attempt.offset_ns;
+  attempt.servo.emplace();
+  attempt.servo->rate_Hz = 1000.0;
+  attempt.servo->ticks = 5000;
   return attempt;
 }
 
-void make_study(const std::filesystem::path& folder, const std::string& kind, int attempts) {
-  Study study = Study::create(folder, "large");
-  ProtocolRow protocol{};
-  protocol.name = "large_" + kind;
-  protocol.version = "1.0.0";
-  protocol.kind = kind;
-  protocol.design = "improved";
-  protocol.source = "{\"name\": \"" + protocol.name + "\"}";
-  const std::int64_t protocol_id = study.add_protocol(protocol);
-  const std::string plan_json = "{\"filler\":\"" + std::string(1200, 'x') + "\"}";
+/// Noise, which does not pack: as many bytes as there can be.
+RecordingRow record(const Study& study, const std::string& path, int ticks, Random& random) {
+  RecordingWriter writer(study.folder(), path, {.rate_Hz = 1000.0, .columns = recording_columns()});
+  std::array<float, kRecordingColumns> values{};
+  for (int tick = 0; tick < ticks; ++tick) {
+    for (float& value : values) value = static_cast<float>(random.uniform());
+    writer.append(tick * 1'000'000, values.data());
+  }
+  return writer.finish();
+}
+
+struct StudyWish {
+  std::string kind = "selection";
+  int attempts = 1'000'000;
+  int recorded_ticks = 0;  ///< of every attempt
+};
+
+void make_study(const std::filesystem::path& folder, const StudyWish& wish) {
+  new_demo_study(folder, [](double) {});
+  const std::string source = long_protocol(wish.kind);
+  const std::string name = "large_" + wish.kind;
+  write_file(folder / "protocols" / (name + ".json"), source, Overwrite::refuse);
+  const Protocol protocol = read_protocol(source, name, declarations_of(built_in_models()));
+  const ProgramIdentity program = this_program();
+  Study study = Study::open(folder, Access::read_write);
   Random random(7);
-  for (int begun = 0; begun < attempts; begun += kTrials) {
+  int number = 10000;  // so that labels sort as they are given
+  for (int begun = 0; begun < wish.attempts; ++number) {
     ParticipantRow person{};
-    person.label = "p" + std::to_string(10000 + begun / kTrials);
-    person.sex = begun / kTrials % 2 == 0 ? "F" : "M";
+    person.label = "p" + std::to_string(number);
+    person.sex = number % 2 == 0 ? "F" : "M";
     study.add_participant(person);
-    SessionRow session{};
-    session.participant = person.label;
-    session.protocol_id = protocol_id;
-    session.seed = "42";
-    session.generator = "none";
-    session.program_version = "1";
-    session.program_commit = "none";
-    session.program_build = "bench";
-    session.instruction_set = "sse2";
-    session.os = "none";
-    session.device = "simulated";
-    session.device_json = "{}";
-    session.pacing = "real_time";
-    session.scheduling = "none";
-    session.rate_Hz = 1000.0;
-    session.started_utc = "2001-02-03T04:05:06Z";
-    std::vector<PlannedTrialRow> plan{};
-    for (int trial = 1; trial <= std::min(kTrials, attempts - begun); ++trial) {
-      PlannedTrialRow& row = plan.emplace_back();
-      row.trial = trial;
-      row.block = "main";
-      row.block_ordinal = 1;
-      row.phase = "main";
-      row.factors_json = "{\"column\":" + std::to_string(trial % 3 + 1) + ",\"texture\":\"" +
-                         kTextures[static_cast<std::size_t>(trial) % kTextures.size()] + "\"}";
-      row.plan_json = plan_json;
-    }
-    const std::int64_t id = study.add_session(session, plan);
+    const OpenSession session = begin_session(study, protocol, person.label,
+                                              {.seed = static_cast<std::uint64_t>(number),
+                                               .pacing = "real_time",
+                                               .scheduling = "none",
+                                               .device = device_overviews().front(),
+                                               .started_utc = "2001-02-03T04:05:06Z"},
+                                              program);
+    const std::int64_t id = session.row.id;
     const int segment = study.begin_segment(id, 0);
-    for (const PlannedTrialRow& row : plan) {
-      const std::string& texture =
-          kTextures[static_cast<std::size_t>(row.trial) % kTextures.size()];
-      study.add_attempt(id, attempt_of(trial_of(kind, texture, random), row.trial, segment));
+    for (const Trial& trial : session.plan.trials) {
+      AttemptRow attempt = attempt_of(trial, segment, random);
+      if (wish.recorded_ticks > 0) {
+        attempt.recording = record(study,
+                                   "recordings/" + person.label + "/session-01/trial-" +
+                                       std::to_string(trial.ordinal) + "-attempt-1.rec",
+                                   wish.recorded_ticks, random);
+      }
+      study.add_attempt(id, attempt);
     }
-    study.end_session(id, SessionState::completed, "2001-02-03T05:05:06Z");
-    std::cerr << "\r" << begun + static_cast<int>(plan.size()) << " attempts" << std::flush;
+    const std::int64_t end_ns = (std::ssize(session.plan.trials) + 1) * kTrial_ns;
+    study.end_segment(id, segment, end_ns, "completed");
+    study.end_session(id, SessionState::completed, "2001-02-03T07:05:06Z");
+    begun += static_cast<int>(session.plan.trials.size());
+    std::cerr << "\r" << begun << " attempts" << std::flush;
   }
   std::cerr << '\n';
 }
@@ -218,13 +220,18 @@ void measure(const std::filesystem::path& folder, bool json) {
       std::cout << name << ": " << taken.wall_s << " s, " << taken.cpu_s << " s of processor\n";
     }
   };
-  const Study study = Study::open(folder, Access::read_only);
+  Study study = Study::open(folder, Access::read_only);
   time("session_overviews", [&] { (void)session_overviews(study, {}); });
   time("participant_overviews", [&] { (void)participant_overviews(study); });
   time("protocol_overviews", [&] { (void)protocol_overviews(study, built_in_models(), {}); });
   time("analyze_study", [&] { (void)analyze_study(study); });
+  time("verify_study", [&] {
+    const VerifyResult result = verify_study(study, built_in_models(), false, {}, [](double) {});
+    if (!result.problems.empty()) throw std::runtime_error(result.problems.front());
+  });
   if (!json) return;
-  const nlohmann::ordered_json document{{"machine", std::thread::hardware_concurrency()},
+  const nlohmann::ordered_json document{{"format", "asperity.bench/1"},
+                                        {"machine", machine()},
                                         {"commit", ASPERITY_COMMIT},
                                         {"isa", "none"},
                                         {"cases", cases}};
@@ -234,8 +241,7 @@ void measure(const std::filesystem::path& folder, bool json) {
 int run(const std::vector<std::string>& arguments) {
   std::filesystem::path make{};
   std::filesystem::path study{};
-  std::string kind = "selection";
-  int attempts = 1'000'000;
+  StudyWish wish{};
   bool json = false;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i] == "--json") {
@@ -246,11 +252,12 @@ int run(const std::vector<std::string>& arguments) {
     const std::string& value = arguments[++i];
     if (arguments[i - 1] == "--make") make = value;
     if (arguments[i - 1] == "--study") study = value;
-    if (arguments[i - 1] == "--kind") kind = value;
-    if (arguments[i - 1] == "--attempts") attempts = std::stoi(value);
+    if (arguments[i - 1] == "--kind") wish.kind = value;
+    if (arguments[i - 1] == "--attempts") wish.attempts = std::stoi(value);
+    if (arguments[i - 1] == "--recorded") wish.recorded_ticks = std::stoi(value);
   }
   if (!make.empty()) {
-    make_study(make, kind, attempts);
+    make_study(make, wish);
     return 0;
   }
   if (!study.empty()) {
@@ -258,7 +265,7 @@ int run(const std::vector<std::string>& arguments) {
     return 0;
   }
   std::cerr << "bench_large_study --make DIR [--kind selection|matching|recognition] "
-               "[--attempts N]\nbench_large_study --study DIR [--json]\n";
+               "[--attempts N] [--recorded TICKS]\nbench_large_study --study DIR [--json]\n";
   return 2;
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <utility>
@@ -15,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gui/workbench/texture_preview.h"
+#include "bench/machine.h"
 #include "stimuli/preview.h"
 #include "stimuli/synthetic_photograph.h"
 #include "stimuli/synthetic_surface.h"
@@ -107,14 +107,6 @@ void measure_drawing(const GreyImage& photograph, std::vector<Costs>& all, doubl
       "relief/moving", [&] { return drawn(*preview.coarse, kView); }, used));
   all.push_back(measure(
       "relief/resting", [&] { return drawn(*preview.fine, 2 * kView); }, used));
-}
-
-std::string machine() {
-  std::ifstream cpus("/proc/cpuinfo");
-  for (std::string line; std::getline(cpus, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
 }
 
 void print_json(const std::vector<Costs>& all) {
