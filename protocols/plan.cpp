@@ -463,6 +463,7 @@ int counterbalance_rows(const Protocol& protocol) {
   return static_cast<int>(rows);
 }
 
+// Part by part, because a list of pairs copies its parts, and a study checks a million plans.
 std::string json_of(const Trial& trial) {
   using json = nlohmann::ordered_json;
   const auto level = [](const Level& value) {
@@ -487,16 +488,17 @@ std::string json_of(const Trial& trial) {
                {"band_low_Hz", planned.equal_force->band_low_Hz},
                {"band_high_Hz", planned.equal_force->band_high_Hz}};
     }
-    json presentation = {{"position", planned.position},
-                         {"role", planned.role},
-                         {"item", planned.item},
-                         {"code", planned.code},
-                         {"stimulus", planned.stimulus.name},
-                         {"model", planned.stimulus.model},
-                         {"texture", planned.stimulus.texture},
-                         {"height_field", optional(planned.stimulus.height_field)},
-                         {"parameters", parameters},
-                         {"equal_force", equal}};
+    json presentation = json::object();
+    presentation["position"] = planned.position;
+    presentation["role"] = planned.role;
+    presentation["item"] = planned.item;
+    presentation["code"] = planned.code;
+    presentation["stimulus"] = planned.stimulus.name;
+    presentation["model"] = planned.stimulus.model;
+    presentation["texture"] = planned.stimulus.texture;
+    presentation["height_field"] = optional(planned.stimulus.height_field);
+    presentation["parameters"] = std::move(parameters);
+    presentation["equal_force"] = std::move(equal);
     // Only where there are bodies: other plans are compared with what older programs stored.
     if (planned.stimulus.surface) presentation["surface"] = body(*planned.stimulus.surface);
     if (planned.stimulus.tool) presentation["tool"] = body(*planned.stimulus.tool);
@@ -504,22 +506,27 @@ std::string json_of(const Trial& trial) {
   }
   json options = json::array();
   for (const Option& option : trial.question.options) {
-    options.push_back(
-        {{"value", option.value}, {"label", option.label}, {"picture", optional(option.picture)}});
+    json one = json::object();
+    one["value"] = option.value;
+    one["label"] = option.label;
+    one["picture"] = optional(option.picture);
+    options.push_back(std::move(one));
   }
-  const json whole = {{"ordinal", trial.ordinal},
-                      {"block", trial.block},
-                      {"block_ordinal", trial.block_ordinal},
-                      {"phase", text_of(trial.phase)},
-                      {"repetition", trial.repetition},
-                      {"factors", factors},
-                      {"presentations", presentations},
-                      {"question",
-                       {{"name", trial.question.name},
-                        {"form", name_of(trial.question.form)},
-                        {"standard_picture", optional(trial.question.standard_picture)},
-                        {"options", options},
-                        {"correct", trial.question.correct}}}};
+  json question = json::object();
+  question["name"] = trial.question.name;
+  question["form"] = name_of(trial.question.form);
+  question["standard_picture"] = optional(trial.question.standard_picture);
+  question["options"] = std::move(options);
+  question["correct"] = trial.question.correct;
+  json whole = json::object();
+  whole["ordinal"] = trial.ordinal;
+  whole["block"] = trial.block;
+  whole["block_ordinal"] = trial.block_ordinal;
+  whole["phase"] = text_of(trial.phase);
+  whole["repetition"] = trial.repetition;
+  whole["factors"] = std::move(factors);
+  whole["presentations"] = std::move(presentations);
+  whole["question"] = std::move(question);
   return whole.dump();
 }
 

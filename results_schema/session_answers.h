@@ -34,6 +34,7 @@ struct SessionAnswers {
     std::uint32_t answer = 0;
     std::uint32_t options_json = 0;
     std::optional<bool> correct{};
+    std::optional<double> number{};  ///< as ResponseRow::answer_number
   };
   struct Attempt {
     int trial = 0;

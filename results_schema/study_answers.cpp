@@ -85,16 +85,17 @@ void read_surfaces(Database& database, std::int64_t session_id, SessionAnswers& 
 
 void read_replies(Database& database, std::int64_t session_id, SessionAnswers& answers,
                   const Places& attempts, WordPlaces& words) {
-  Statement statement(database, std::string("SELECT attempt_id, item, answer, correct, "
-                                            "options_json FROM response") +
-                                    kOfSession + "ORDER BY attempt_id, item, id");
+  Statement statement(database,
+                      std::string("SELECT attempt_id, item, answer, correct, answer_number, "
+                                  "options_json FROM response") +
+                          kOfSession + "ORDER BY attempt_id, item, id");
   statement.bind(session_id);
   std::string answer;
   std::string options_json;
   while (statement.step()) {
     std::int64_t id = 0;
     SessionAnswers::Reply reply{};
-    statement.read(id, reply.item, answer, reply.correct, options_json);
+    statement.read(id, reply.item, answer, reply.correct, reply.number, options_json);
     reply.answer = words.place(answer);
     reply.options_json = words.place(options_json);
     SessionAnswers::Attempt& attempt = *attempts.at(id);

@@ -1,9 +1,13 @@
 #include "app/tasks/verify_study.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <future>
+#include <iterator>
 #include <optional>
 #include <set>
+#include <thread>
 
 #include <nlohmann/json.hpp>
 
@@ -68,30 +72,92 @@ std::set<int> segments_of_this_program(const Study& study, const SessionRow& ses
   return same;
 }
 
+/// What is wrong with one session.
+struct SessionFaults {
+  struct Failure {
+    std::string before{};  ///< what it is about, for the sentence
+    std::string what{};
+  };
+  std::vector<Failure> failures{};  ///< of reading: another check may have told of the same
+  std::vector<std::string> problems{};
+  int recordings_replayed = 0;
+  bool exact_used = false;
+  bool tolerance_used = false;
+};
+
 /// Every answer has to be one of the options of the planned question, and to be marked as it says.
-void check_answers(const SessionRow& session, const Trial& trial, const AttemptRow& attempt,
+void check_answers(const SessionRow& session, const Plan& plan, const SessionAnswers& answers,
                    std::vector<std::string>& problems) {
-  for (const ResponseRow& response : attempt.responses) {
-    const std::string where = "attempt " + natural_key(session, attempt) + ", item " +
-                              std::to_string(response.item) + ": ";
-    if (trial.question.form == TrialQuestion::Form::number) {
-      if (estimate_in(response.answer) != response.answer_number || !response.answer_number) {
-        problems.push_back(where + "the answer is no number above 0, or not the one beside it");
-      }
+  AttemptRow at{};  // for the sentences: those of a trial stand in order, numbered from 1
+  for (const SessionAnswers::Attempt& attempt : answers.attempts) {
+    at.attempt = attempt.trial == at.trial ? at.attempt + 1 : 1;
+    at.trial = attempt.trial;
+    const auto where = [&] { return "attempt " + natural_key(session, at); };
+    const auto number = static_cast<std::size_t>(attempt.trial);
+    if (number < 1 || number > plan.trials.size()) {
+      problems.push_back(where() + ": the plan of its session has no such trial");
       continue;
     }
-    const auto& options = trial.question.options;
-    const bool is_option = std::any_of(options.begin(), options.end(), [&](const Option& option) {
-      return option.value == response.answer;
-    });
-    if (!is_option) problems.push_back(where + "the answer is not among the options of the trial");
-    const auto item = static_cast<std::size_t>(response.item - 1);
-    std::optional<bool> correct{};
-    if (item < trial.question.correct.size()) {
-      correct = response.answer == trial.question.correct[item];
+    const TrialQuestion& question = plan.trials[number - 1].question;
+    for (const SessionAnswers::Reply& reply : answers.replies_of(attempt)) {
+      const std::string& answer = answers.words[reply.answer];
+      const auto item = [&] { return where() + ", item " + std::to_string(reply.item) + ": "; };
+      if (question.form == TrialQuestion::Form::number) {
+        if (!reply.number || estimate_in(answer) != reply.number) {
+          problems.push_back(item() + "the answer is no number above 0, or not the one beside it");
+        }
+        continue;
+      }
+      const bool is_option =
+          std::any_of(question.options.begin(), question.options.end(),
+                      [&answer](const Option& option) { return option.value == answer; });
+      if (!is_option) {
+        problems.push_back(item() + "the answer is not among the options of the trial");
+      }
+      const auto place = static_cast<std::size_t>(reply.item - 1);
+      std::optional<bool> correct{};
+      if (place < question.correct.size()) correct = answer == question.correct[place];
+      if (correct != reply.correct) {
+        problems.push_back(item() + "the answer is not marked as the planned trial says");
+      }
     }
-    if (correct != response.correct) {
-      problems.push_back(where + "the answer is not marked as the planned trial says");
+  }
+}
+
+/// Whether every recorded hand of a session is given its forces again.
+void replay_session(const Study& study, const SessionRow& session, const Plan& plan,
+                    const ProgramIdentity& program, StimulusBuilder& builder,
+                    const std::stop_token& stop, SessionFaults& faults) {
+  const std::set<int> same_program = segments_of_this_program(study, session, program);
+  for (const AttemptRow& attempt : study.attempts(session.id)) {
+    const auto number = static_cast<std::size_t>(attempt.trial);
+    if (number < 1 || number > plan.trials.size() || !attempt.recording) continue;
+    if (stop.stop_requested()) return;
+    const bool exact = same_program.contains(attempt.segment);
+    const std::string name = "attempt " + natural_key(session, attempt);
+    try {
+      const RecordedAttempt recorded =
+          recorded_attempt(study, session, plan.trials[number - 1], attempt, builder);
+      ++faults.recordings_replayed;
+      for (const RecordedSurface& surface : recorded.surfaces) {
+        const double difference_N = replay_difference_N(recorded, surface);
+        const double tolerance_N =
+            exact ? 0.0 : surface.stimulus.model->declaration.replay_tolerance_N + kFloatStep_N;
+        (exact ? faults.exact_used : faults.tolerance_used) = true;
+        if (difference_N <= tolerance_N) continue;
+        std::string sentence = name + ", surface " + std::to_string(surface.row.position) + " (" +
+                               surface.row.model +
+                               "): the recorded hand is not given the recorded force again; "
+                               "largest difference " +
+                               text_of_number(difference_N) + " N";
+        if (attempt.servo && attempt.servo->lost_records > 0) {
+          sentence +=
+              " (" + std::to_string(attempt.servo->lost_records) + " records of it were lost)";
+        }
+        faults.problems.push_back(std::move(sentence));
+      }
+    } catch (const std::exception& error) {
+      faults.failures.push_back({name + ": ", error.what()});
     }
   }
 }
@@ -128,15 +194,22 @@ void check_protocol_files(const Study& study, VerifyResult& result) {
   }
 }
 
-/// Adds what `check` throws to the problems, unless it is there already: what is so broken that one
-/// check cannot read it is as broken for the next.
+/// Unless it is told already: what is so broken that one check cannot read it is as broken for the
+/// next, and what a recording says of its damage stands in what is said of its checksum.
+void add_unless_told(const std::string& what, const std::string& before,
+                     std::vector<std::string>& problems) {
+  const auto tells = [&what](const std::string& told) {
+    return told.find(what) != std::string::npos;
+  };
+  if (std::none_of(problems.begin(), problems.end(), tells)) problems.push_back(before + what);
+}
+
+/// Adds what `check` throws to the problems.
 void add_failure_of(const std::function<void()>& check, std::vector<std::string>& problems) {
   try {
     check();
   } catch (const std::exception& error) {
-    if (std::find(problems.begin(), problems.end(), error.what()) == problems.end()) {
-      problems.emplace_back(error.what());
-    }
+    add_unless_told(error.what(), "", problems);
   }
 }
 
@@ -153,65 +226,56 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   add_failure_of([&] { check_protocol_files(study, result); }, result.problems);
   std::vector<SessionRow> sessions{};
   add_failure_of([&] { sessions = study.sessions(); }, result.problems);
-  StimulusBuilder builder(models, study.folder());
   const ProgramIdentity program = this_program();
+  std::vector<SessionFaults> found(sessions.size());
+  std::atomic<std::size_t> next{0};
+  // Each thread takes the next session with a study of its own.
+  const auto check_sessions = [&](const Study& own, const std::function<void(double)>& tell) {
+    StimulusBuilder builder(models, own.folder());
+    while (!stop.stop_requested()) {
+      const std::size_t s = next++;
+      if (s >= sessions.size()) return;
+      tell(store_share +
+           (1.0 - store_share) * static_cast<double>(s) / static_cast<double>(sessions.size()));
+      try {
+        const Plan plan = plan_of(own, sessions[s], models);
+        check_answers(sessions[s], plan, own.answers(sessions[s].id), found[s].problems);
+        if (replay_too) replay_session(own, sessions[s], plan, program, builder, stop, found[s]);
+      } catch (const std::exception& error) {
+        found[s].failures.push_back({"", error.what()});
+      }
+    }
+  };
+  // A replay has bodies in memory; a writer's process has no readers that the caller does not know
+  // of; an older schema is a copy in memory for every reader.
+  constexpr unsigned kMostThreads = 8;
+  const bool is_shared = !replay_too && study.access() == Access::read_only &&
+                         study.schema_version() == Study::kSchemaVersion;
+  const std::size_t threads =
+      is_shared
+          ? std::min<std::size_t>(std::clamp(std::thread::hardware_concurrency(), 1U, kMostThreads),
+                                  sessions.size())
+          : 1;
+  std::vector<std::future<void>> others{};
+  for (std::size_t i = 1; i < threads; ++i) {
+    others.push_back(std::async(std::launch::async, [&] {
+      check_sessions(Study::open(study.folder(), Access::read_only), [](double) {});
+    }));
+  }
+  check_sessions(study, progress);
+  for (std::future<void>& other : others) {
+    add_failure_of([&other] { other.get(); }, result.problems);
+  }
   bool exact_used = false;
   bool tolerance_used = false;
-  for (std::size_t s = 0; s < sessions.size() && !stop.stop_requested(); ++s) {
-    const SessionRow& session = sessions[s];
-    progress(store_share +
-             (1.0 - store_share) * static_cast<double>(s) / static_cast<double>(sessions.size()));
-    Plan plan{};
-    try {
-      plan = plan_of(study, session, models);
-    } catch (const std::exception& error) {
-      result.problems.emplace_back(error.what());
-      continue;
+  for (SessionFaults& faults : found) {
+    for (const SessionFaults::Failure& failure : faults.failures) {
+      add_unless_told(failure.what, failure.before, result.problems);
     }
-    std::set<int> same_program{};
-    std::vector<AttemptRow> attempts{};
-    add_failure_of(
-        [&] {
-          same_program = segments_of_this_program(study, session, program);
-          attempts = study.attempts(session.id);
-        },
-        result.problems);
-    for (const AttemptRow& attempt : attempts) {
-      const auto number = static_cast<std::size_t>(attempt.trial);
-      if (number < 1 || number > plan.trials.size()) {
-        result.problems.push_back("attempt " + natural_key(session, attempt) +
-                                  ": the plan of its session has no such trial");
-        continue;
-      }
-      const Trial& trial = plan.trials[number - 1];
-      check_answers(session, trial, attempt, result.problems);
-      if (!replay_too || !attempt.recording || stop.stop_requested()) continue;
-      const bool exact = same_program.contains(attempt.segment);
-      const std::string name = natural_key(session, attempt);
-      try {
-        const RecordedAttempt recorded = recorded_attempt(study, session, trial, attempt, builder);
-        ++result.recordings_replayed;
-        for (const RecordedSurface& surface : recorded.surfaces) {
-          const double difference_N = replay_difference_N(recorded, surface);
-          const double tolerance_N =
-              exact ? 0.0 : surface.stimulus.model->declaration.replay_tolerance_N + kFloatStep_N;
-          (exact ? exact_used : tolerance_used) = true;
-          if (difference_N <= tolerance_N) continue;
-          std::string sentence = "attempt " + name + ", surface " +
-                                 std::to_string(surface.row.position) + " (" + surface.row.model +
-                                 "): the recorded hand is not given the recorded force again; "
-                                 "largest difference " +
-                                 text_of_number(difference_N) + " N";
-          if (attempt.servo && attempt.servo->lost_records > 0) {
-            sentence +=
-                " (" + std::to_string(attempt.servo->lost_records) + " records of it were lost)";
-          }
-          result.problems.push_back(std::move(sentence));
-        }
-      } catch (const std::exception& error) {
-        result.problems.push_back("attempt " + name + ": " + error.what());
-      }
-    }
+    std::move(faults.problems.begin(), faults.problems.end(), std::back_inserter(result.problems));
+    result.recordings_replayed += faults.recordings_replayed;
+    exact_used = exact_used || faults.exact_used;
+    tolerance_used = tolerance_used || faults.tolerance_used;
   }
   if (exact_used) result.rules.emplace_back("same program and system: compared bit for bit");
   if (tolerance_used) {

@@ -94,6 +94,11 @@ TEST_F(Verify, FindsEverythingAsItWas) {
 
 TEST_F(Verify, FindsAChangedByteOfARecording) {
   expect_found(first_recording(), "trial-0001_attempt-1.rec");
+  for (const Outcome& outcome : {verify(), verify({"--replay"})}) {
+    EXPECT_NE(outcome.err.find("is damaged in chunk "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.out.find("1 thing does not hold\n"), std::string::npos)
+        << outcome.out << outcome.err;
+  }
 }
 
 TEST_F(Verify, FindsAChangedByteOfAStimulus) {
