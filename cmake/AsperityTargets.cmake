@@ -69,6 +69,8 @@ function(asperity_add_tests folder)
   set(timeout_s 300)
   if("long" IN_LIST ARG_LABELS)
     set(timeout_s 3600)
+  elseif(CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize=")
+    set(timeout_s 1800)  # what lasts seconds otherwise lasts minutes when every access is watched
   endif()
   gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_LIST ${program}
     PROPERTIES TIMEOUT ${timeout_s})
