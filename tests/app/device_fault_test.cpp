@@ -1,5 +1,7 @@
 // A device that fails in real time: what is finished stays, the force is gone, the session goes on.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "app/conductor/recording_columns.h"
@@ -152,9 +154,12 @@ TEST(DeviceStall, IsCountedAndDoesNotEndTheSession) {
   const SessionEnd end = run_session(inputs, models, &person, {}, {});
   const Study study = Study::open(inputs.study, Access::read_only);
   const std::vector<AttemptRow> attempts = study.attempts(study.sessions().at(0).id);
-  ASSERT_GE(attempts.size(), 2U);
-  EXPECT_GE(attempts[1].servo->missed_deadlines, 1);
-  EXPECT_GE(attempts[1].servo->period_maximum_s, 0.15);
+  // On a busy machine the session is later than planned, and the stall falls into an earlier attempt.
+  const auto counts_it = [](const AttemptRow& attempt) {
+    return attempt.servo && attempt.servo->missed_deadlines >= 1 &&
+           attempt.servo->period_maximum_s >= 0.15;
+  };
+  EXPECT_TRUE(std::any_of(attempts.begin(), attempts.end(), counts_it));
   EXPECT_EQ(end.state, SessionState::completed) << end.reason;
 }
 

@@ -329,7 +329,9 @@ TEST(BadStudy, IsAFileAndNotItsFolder) {
                                        small.study().string()};
   expect_study_refused(small, file, words);
   const std::vector<std::vector<std::string>> commands{
+#ifdef ASPERITY_WITH_REPORT
       {"report", file, "--out", small.place() / "report.pdf"},
+#endif
       {"run", small.selection(), "--study", file, "--participant", "p1", "--virtual"},
       simulate_arguments(small, file, 1, 1)};
   for (const std::vector<std::string>& command : commands) {
