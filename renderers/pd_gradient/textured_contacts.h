@@ -132,7 +132,7 @@ struct LeftOut {
 /// depends on time too: it lags, and takes energy from a hand that presses contacts together and lifts
 /// them apart. On every path that was measured where no depth was bounded, energy was taken and none given
 /// by that. A bounded depth is no potential: what falls at once and rises slowly takes energy on the way in
-/// and out, half of the gross work in 0.4 s, and of blocks that lean gives up to a quarter of it back or takes
+/// and out, half of the gross work in 0.4 s, and of blocks that lean gives up to 27 % of it or takes
 /// more where they go slowly (docs/models.md, textured_contacts_test.cpp).
 ///
 /// Where the window ends before the bodies do, as of a pen that leans and is pressed deeper than its
