@@ -261,8 +261,9 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
   add(with_levels(column("phase", "text", "", "only the main phase is analysed",
                          [](const Place& at) { return at.trial->phase; }),
                   {"familiarisation", "practice", "main"}));
-  add(at_least(1, column("repetition", "integer", "", "repetition of the same conditions",
-                         [](const Place& at) { return integer(at.trial->repetition); })));
+  add(at_least(
+      0, column("repetition", "integer", "", "repetition of the same conditions; 0 for an anchor",
+                [](const Place& at) { return integer(at.trial->repetition); })));
   for (const auto& [name, factor] : vocabulary.factors) {
     ExportColumn made = missing(
         "the trial does not have this factor",

@@ -60,8 +60,8 @@ read_asperity_tables <- function(folder = asperity_folder) {
 }
 
 # One row per answer to a question of a trial, with the trial, the attempt and its conditions. Only what counts:
-# main trials, valid, not excluded, and of people in a session that was run for results. `who` is "run", "pilot" or
-# "virtual"; `counted = FALSE` keeps everything else as well.
+# main trials without anchors, valid, not excluded, and of people in a session that was run for results. `who` is "run",
+# "pilot" or "virtual"; `counted = FALSE` keeps everything else as well.
 answered_trials <- function(who = "run", counted = TRUE, read = tables) {
   if (!is.character(who) || length(who) != 1 || !(who %in% c("run", "pilot", "virtual"))) {
     stop("answered_trials: who is \"run\", \"pilot\" or \"virtual\"; tables of another export are answered_trials(read = ...)")
@@ -71,7 +71,8 @@ answered_trials <- function(who = "run", counted = TRUE, read = tables) {
   answers <- merge(answers, read$trials, by = keys)
   group <- ifelse(answers$virtual, "virtual", as.character(answers$mode))
   kept <- group == who
-  if (counted) kept <- kept & answers$phase == "main" & answers$valid & !answers$excluded
+  # Repetition 0 is an anchor: asked to keep the scale in mind, not to be analysed.
+  if (counted) kept <- kept & answers$phase == "main" & answers$repetition > 0 & answers$valid & !answers$excluded
   answers <- answers[kept, ]
   answers[order(answers$participant, answers$session, answers$trial, answers$attempt, answers$item), ]
 }

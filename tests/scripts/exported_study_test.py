@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""An exported study gives R the same numbers as the program, and a study of every library protocol loads in R and in Python's
-standard library. Argument: the program asperity. Needs R (r-base-core) and nothing else of R's."""
+"""An exported study gives R the same numbers as the program, and a study of every library protocol loads in R, in Python's
+standard library and in pandas. Argument: the program asperity. Needs R (r-base-core) and nothing else of R's, and pandas."""
 import csv
 import importlib.util
 import json
@@ -9,6 +9,8 @@ import re
 import subprocess
 import sys
 import tempfile
+
+import pandas
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
@@ -115,6 +117,7 @@ def every_protocol(folder, study):
     assert any(name in ours for name in worths)
     compare({name: value for name, value in theirs.items() if name in ours or name not in worths}, ours)
     standard_library_reads(out)
+    pandas_reads(out)
     r_reads_the_public_form(study, folder / "public")
     return protocols, len(theirs)
 
@@ -125,11 +128,16 @@ def r_reads_the_public_form(study, out):
     assert numbers_in(out.parent / "results_of_public.csv") == numbers_in(out.parent / "results.csv")
 
 
-def standard_library_reads(out):
-    """import.py without pandas: every cell of every table has its type."""
+def script_of(out):
     spec = importlib.util.spec_from_file_location("import_of_export", out / "import.py")
     script = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(script)
+    return script
+
+
+def standard_library_reads(out):
+    """import.py without pandas: every cell of every table has its type and lies in its range."""
+    script = script_of(out)
     types = {"integer": int, "number": float, "boolean": bool}
     told = script.codebook()
     assert len(script.files()) >= 9
@@ -138,6 +146,30 @@ def standard_library_reads(out):
             for column, cell in row.items():
                 kind = told[name][column]
                 assert type(cell) is types.get(kind["type"], str) or (cell is None and kind["missing"] != "never"), (name, column, cell)
+                if isinstance(cell, (int, float)) and not isinstance(cell, bool):
+                    lowest, highest = (kind[end] and float(kind[end]) for end in ("minimum", "maximum"))
+                    assert lowest is None or cell >= lowest, (name, column, cell, lowest)
+                    assert highest is None or cell <= highest, (name, column, cell, highest)
+
+
+def pandas_reads(out):
+    """import.py with pandas: the same cells, in columns of the codebook's types."""
+    script = script_of(out)
+    columns = {"integer": "Int64", "number": "float64", "boolean": "boolean"}
+    told = script.codebook()
+    tables = script.read_tables()
+    for name in script.files():
+        table = tables[name.rsplit(".", 1)[0].replace("/", "_")]
+        rows = script.read_rows(name)
+        assert len(table) == len(rows), name
+        for column in table.columns:
+            kind = told[name][column]
+            expected = columns.get(kind["type"], "string" if kind["levels"] is None else "category")
+            assert str(table[column].dtype) == expected, (name, column, table[column].dtype)
+            for row, cell in zip(rows, table[column]):
+                assert pandas.isna(cell) if row[column] is None else cell == row[column], (name, column, row[column], cell)
+    answers = script.answered_trials(tables, who="virtual")
+    assert len(answers) > 0 and answers["virtual"].all() and answers["valid"].all()
 
 
 with tempfile.TemporaryDirectory() as temporary:
