@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include <QtGui/QIcon>
 #include <QtWidgets/QApplication>
 #include <locale.h>
 
@@ -44,6 +45,8 @@ int run_windows(int& argc, char** argv, const std::optional<std::filesystem::pat
   setlocale(LC_NUMERIC, "C");  // QApplication takes over the person's
   QApplication::setOrganizationName("asperity");
   QApplication::setApplicationName("asperity");
+  QApplication::setDesktopFileName("asperity");
+  QApplication::setWindowIcon(QIcon(":/look/asperity.svg"));
   apply_theme(application, theme_choice());
   apply_language(language_choice());
   Study::read_beside_writers();

@@ -35,6 +35,11 @@ for name in sorted(set(subcommands) & set(sections)):
     for option in sorted((options[name] | GLOBAL) ^ named):
         complaints.append(f"docs/command-line.md and --help do not agree on {name} {option}")
 
+manual = (ROOT / "app" / "desktop" / "asperity.1").read_text(encoding="utf-8")
+for name in sorted(set(subcommands) ^ set(re.findall(r"^\.B ([a-z]+)$", manual, re.MULTILINE))):
+    if name != "asperity":  # the synopsis
+        complaints.append(f"app/desktop/asperity.1 and --help do not agree that there is a subcommand {name}")
+
 # Commands anywhere in the documents: lines of code blocks that begin with them.
 for path in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md")), *sorted(ROOT.glob("*/README.md"))]:
     text = path.read_text(encoding="utf-8").replace("\\\n", " ")

@@ -1,0 +1,34 @@
+# What `cmake --install` puts where, and the Debian package of the same. The program carries its schemas,
+# library protocols, demonstration stimuli and translations within itself; those that people want to read
+# are put beside it as files too.
+include(GNUInstallDirs)
+
+install(TARGETS asperity RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+install(FILES "${CMAKE_SOURCE_DIR}/app/desktop/asperity.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+install(DIRECTORY "${CMAKE_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES "${CMAKE_SOURCE_DIR}/app/desktop/copyright" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY "${CMAKE_SOURCE_DIR}/protocols/library/" DESTINATION "${CMAKE_INSTALL_DATADIR}/asperity/protocols"
+  FILES_MATCHING PATTERN "*.json")
+install(FILES "${CMAKE_SOURCE_DIR}/protocols/schema/protocol-1.schema.json"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/asperity")
+if(ASPERITY_BUILD_GUI)
+  install(FILES "${CMAKE_SOURCE_DIR}/app/desktop/asperity.desktop" DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
+  install(FILES "${CMAKE_SOURCE_DIR}/app/desktop/asperity.svg"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
+endif()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME asperity)
+set(CPACK_PACKAGE_CONTACT "The Asperity developers <asperity@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "psychophysics experiments on haptic texture")
+set(CPACK_PACKAGE_DESCRIPTION "Asperity runs experiments in which people feel textured surfaces at a force-feedback device:
+selection, matching, recognition and magnitude estimation, written as JSON protocols. Force models are
+compared, every trial is kept in SQLite, and answers are analysed, reported and exported.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Legible letters on a machine that has none yet.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core")
+include(CPack)
