@@ -1,0 +1,111 @@
+#include "device/drivers.h"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace asperity {
+namespace {
+
+bool is_driver_id(const std::string& id) {
+  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  return !id.empty() && is_letter(id.front()) && std::all_of(id.begin(), id.end(), [&](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+Driver simulated_driver() {
+  return {.id = "simulated",
+          .summary = "A probe held by a virtual hand, for rehearsal and tests: nobody feels it.",
+          .find =
+              [](const DriverOptions&) {
+                return DriverSurvey{.attached = {{.model = "simulated hand and probe"}}};
+              },
+          .open = [](const std::string&,
+                     const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
+            if (options.hand == nullptr) {
+              throw std::invalid_argument(
+                  "the simulated device is held by a virtual hand, and there is none");
+            }
+            return std::make_unique<SimulatedDevice>(*options.hand, options.simulated);
+          }};
+}
+
+// "serial 042 at usb 1-2"
+std::string tag_of(const AttachedDevice& device) {
+  const std::string serial = device.serial.empty() ? "" : "serial " + device.serial;
+  const std::string place = device.place.empty() ? "" : "at " + device.place;
+  return serial + (serial.empty() || place.empty() ? "" : " ") + place;
+}
+
+std::string tags_of(const std::vector<AttachedDevice>& devices) {
+  std::string tags;
+  for (const AttachedDevice& device : devices) tags += (tags.empty() ? "" : "; ") + tag_of(device);
+  return tags;
+}
+
+}  // namespace
+
+void DriverRegistry::add(Driver driver) {
+  if (!is_driver_id(driver.id)) {
+    throw std::invalid_argument("id of a driver is \"" + driver.id +
+                                "\"; it has to be letters a to z, digits and _, a letter first");
+  }
+  if (find(driver.id) != nullptr) {
+    throw std::invalid_argument("there are two drivers \"" + driver.id + "\"");
+  }
+  drivers_.push_back(std::move(driver));
+}
+
+const Driver* DriverRegistry::find(std::string_view id) const& noexcept {
+  for (const Driver& driver : drivers_) {
+    if (driver.id == id) return &driver;
+  }
+  return nullptr;
+}
+
+std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
+                                                   const DriverOptions& options) const {
+  const std::size_t colon = name.find(':');
+  const std::string id = name.substr(0, colon);
+  const Driver* driver = find(id);
+  if (driver == nullptr) {
+    std::string ids;
+    for (const Driver& one : drivers_) ids += (ids.empty() ? "" : ", ") + one.id;
+    throw std::runtime_error("there is no device \"" + id + "\"; this program has: " + ids);
+  }
+  return driver->open(colon == std::string::npos ? "" : name.substr(colon + 1), options);
+}
+
+DriverRegistry built_in_drivers() {
+  DriverRegistry registry;
+  registry.add(simulated_driver());
+  return registry;
+}
+
+AttachedDevice choose_attached(const std::string& product,
+                               const std::vector<AttachedDevice>& attached,
+                               const std::string& which) {
+  if (attached.empty()) {
+    throw std::runtime_error("no " + product +
+                             " is attached: plug it in, and see that it has power");
+  }
+  std::vector<AttachedDevice> fitting;
+  std::copy_if(attached.begin(), attached.end(), std::back_inserter(fitting),
+               [&which](const AttachedDevice& device) {
+                 return which.empty() || device.serial == which || device.place == which;
+               });
+  if (fitting.empty()) {
+    throw std::runtime_error("no " + product + " is \"" + which +
+                             "\"; attached: " + tags_of(attached));
+  }
+  if (fitting.size() > 1) {
+    throw std::runtime_error("there are " + std::to_string(fitting.size()) + " of " + product +
+                             "; say which by its serial number or place: " + tags_of(fitting));
+  }
+  if (!fitting.front().is_usable()) throw std::runtime_error(fitting.front().hindrance);
+  return fitting.front();
+}
+
+}  // namespace asperity

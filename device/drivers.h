@@ -1,0 +1,96 @@
+// The drivers of this program: what each finds attached, and how one of the found is opened.
+
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "device/haptic_device.h"
+#include "device/simulated_device.h"
+
+namespace asperity {
+
+/// What a lab tells the drivers. Each takes what concerns it and ignores the rest.
+struct DriverOptions {
+  /// File with the firmware of a device that forgets it when it is switched off (falcon).
+  std::filesystem::path firmware{};
+  /// The maker's library, where it is not one that the system finds by itself.
+  std::filesystem::path library{};
+  /// Where the maker's local service listens, "HOST:PORT", where not at its usual place.
+  std::string service{};
+  /// What holds the probe of the simulated device; has to outlive it. Null elsewhere.
+  VirtualHand* hand = nullptr;
+  SimulatedDeviceSettings simulated{};
+};
+
+/// One device that a driver sees.
+struct AttachedDevice {
+  std::string model{};
+  std::string serial{};  ///< empty where the device tells none
+  std::string place{};   ///< where it is attached, "usb 1-2.3"; tells two alike apart
+  std::string remark{};  ///< a sentence about a usable one that people should know, or empty
+  /// Empty for a device that can be opened now; otherwise a sentence: what stands in the way, and what
+  /// would make it usable (a permission, firmware, another program that holds it).
+  std::string hindrance{};
+
+  bool is_usable() const noexcept { return hindrance.empty(); }
+};
+
+/// What a driver found when it looked.
+struct DriverSurvey {
+  std::string found{};      ///< what it needs and has: "libdhd 3.17.5 in /usr/lib/…"; or empty
+  std::string hindrance{};  ///< a sentence for a driver that cannot work at all; or empty
+  std::vector<AttachedDevice> attached{};
+};
+
+/// A driver: a kind of device, found and opened.
+///
+/// Threads: `find` and `open` from any thread, one call at a time; both may take seconds. `find`
+/// leaves a device that a session uses alone.
+struct Driver {
+  std::string id{};       ///< `[a-z][a-z0-9_]*`, the name in `--device` and in DeviceCapability
+  std::string summary{};  ///< one sentence
+  /// Never throws for what the machine lacks: that is a hindrance.
+  std::function<DriverSurvey(const DriverOptions&)> find{};
+  /// Opens the one whose serial or place is `which`; the only one attached when that is empty.
+  /// Errors: std::runtime_error with a sentence: what is wrong, and what would be right.
+  std::function<std::unique_ptr<HapticDevice>(const std::string& which, const DriverOptions&)>
+      open{};
+};
+
+/// The drivers that a program knows.
+///
+/// Errors: `add` throws std::invalid_argument for an id that is taken or not `[a-z][a-z0-9_]*`.
+class DriverRegistry final {
+ public:
+  void add(Driver driver);
+  const std::vector<Driver>& drivers() const& noexcept { return drivers_; }
+  const std::vector<Driver>& drivers() && = delete;  // a loop over a temporary's would dangle
+  /// Null when there is no driver of this name.
+  const Driver* find(std::string_view id) const& noexcept;
+  const Driver* find(std::string_view id) && = delete;
+
+  /// Opens what `--device` names: ID, or ID:SERIAL, or ID:PLACE.
+  /// Errors: std::runtime_error, for an unknown driver with the names of all; as Driver::open does.
+  std::unique_ptr<HapticDevice> open(const std::string& name, const DriverOptions& options) const;
+
+ private:
+  std::vector<Driver> drivers_{};
+};
+
+/// Every driver that this program was built with, the simulated device first.
+DriverRegistry built_in_drivers();
+
+/// For drivers: the attached device whose serial or place is `which`, or the only one.
+///
+/// Errors: std::runtime_error when there is none, when several fit (naming each), and with the
+/// hindrance of one that cannot be used. `product` is what people call it, e.g. "Novint Falcon".
+AttachedDevice choose_attached(const std::string& product,
+                               const std::vector<AttachedDevice>& attached,
+                               const std::string& which);
+
+}  // namespace asperity
