@@ -1,0 +1,51 @@
+// A maker's shared library, found and loaded while the program runs: never linked, never shipped.
+
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// One loaded library and its functions.
+///
+/// Errors are sentences that name the product, the file and what would help: no library of these
+/// names, a file for another architecture, a library that itself lacks one, a function that this
+/// version does not have.
+///
+/// The library is unloaded with the last copy; functions must not be called afterwards.
+class VendorLibrary final {
+ public:
+  /// Loads the first of `names` that the system's loader finds: file names ("libdhd.so"), or paths. `product`
+  /// is what people call it, e.g. "Force Dimension's SDK".
+  ///
+  /// Errors: std::runtime_error. A name that is not there is passed over; a file that is there and
+  /// cannot be loaded is told at once.
+  VendorLibrary(std::string product, const std::vector<std::filesystem::path>& names);
+
+  /// The file that was loaded.
+  const std::filesystem::path& file() const noexcept { return file_; }
+
+  /// Errors: std::runtime_error when this version of the library has no such function.
+  template <typename Function>
+  void find(const char* name, Function*& function) const {
+    function = reinterpret_cast<Function*>(address_of(name));
+  }
+  /// Null where this version has no such function.
+  template <typename Function>
+  void find_if_there(const char* name, Function*& function) const {
+    function = reinterpret_cast<Function*>(address_or_null(name));
+  }
+
+ private:
+  void* address_of(const char* name) const;
+  void* address_or_null(const char* name) const noexcept;
+
+  std::string product_{};
+  std::shared_ptr<void> library_{};  // copies of this object share what dlopen returned
+  std::filesystem::path file_{};
+};
+
+}  // namespace asperity
