@@ -21,12 +21,15 @@ struct DeviceCapability {
   int actuated_degrees_of_freedom = 3;
   glm::dvec3 workspace_minimum_m{-0.1};
   glm::dvec3 workspace_maximum_m{0.1};
-  double peak_force_N = 0.0;  ///< positive for a device with motors
-  double continuous_force_N = 0.0;
-  double position_resolution_m = 0.0;
+  double peak_force_N = 0.0;           ///< positive for a device with motors
+  double continuous_force_N = 0.0;     ///< 0 where nobody tells
+  double position_resolution_m = 0.0;  ///< 0 where nobody tells
   double maximum_rate_Hz = 1000.0;
   int buttons = 0;  ///< that a participant can press; bits of ProbeState::buttons
   Pacing pacing = Pacing::ours;
+  /// Sentences about what shapes what is felt and read: filters of the maker's software, how velocity is
+  /// estimated, which of these numbers are not the maker's own.
+  std::string remarks{};
 };
 
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #include "device/haptic_device.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "device/refusal.h"
@@ -57,6 +58,10 @@ std::optional<LimitedWrench> HapticDevice::push(const Wrench& wanted, double dt_
 void HapticDevice::zero_force() noexcept {
   limiter_.reset();
   do_send(Wrench{});
+}
+
+void HapticDevice::start_calls(const TickCall&) {
+  throw std::logic_error("the device " + capability_.name + " does not call; it is called");
 }
 
 }  // namespace asperity

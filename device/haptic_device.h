@@ -4,12 +4,21 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "device/device_capability.h"
 #include "device/force_limiter.h"
 #include "device/probe_state.h"
 
 namespace asperity {
+
+/// What a device that keeps time itself (Pacing::theirs) calls, once for each reading that it has;
+/// inside the call it is read once and pushed once.
+struct TickCall {
+  void (*function)(void* argument) noexcept = nullptr;
+  void* argument = nullptr;
+  double rate_Hz = 1000.0;  ///< wanted; a device that cannot do it calls as often as it can
+};
 
 /// A force-feedback device, real or simulated.
 ///
@@ -45,6 +54,20 @@ class HapticDevice {
 
   /// Zero force at once, past the slew limit.
   void zero_force() noexcept;
+
+  /// For a device with Pacing::theirs: from now on its own thread calls. While it does, `read`, `push`
+  /// and `zero_force` belong to that thread, inside the call.
+  /// Errors: std::logic_error for a device that we pace; std::runtime_error with a sentence when the
+  /// device refuses.
+  virtual void start_calls(const TickCall& call);
+  /// When it returns, within two seconds, no call is under way and none will come: a thread that is
+  /// stuck in the maker's code is shut out for ever (call_gate.h). The motors are at zero, or nobody
+  /// can reach them. May be called at any time and twice.
+  virtual void stop_calls() noexcept {}
+
+  /// What is wrong with the device, in sentences for the person who must act: why it does not
+  /// answer, what it refuses. Empty while all is well. From any thread but the servo's.
+  virtual std::string trouble() const { return {}; }
 
  protected:
   HapticDevice(DeviceCapability capability, const ForceLimits& limits);

@@ -114,6 +114,7 @@ ServoLoop::ServoLoop(HapticDevice& device, RecordRing& records, const ServoSetti
   refuse_unless_positive("heartbeat_fade_s", settings.heartbeat_fade_s);
   refuse_unless_positive("misses_to_fault", settings.misses_to_fault);
   refuse_unless_positive("workspace_margin_m", settings.workspace_margin_m);
+  refuse_unless_positive("silence_to_fault_s", settings.silence_to_fault_s);
   period_ns_ = period_ns_of(settings.rate_Hz);
   servo_->recent_misses_ns.assign(static_cast<std::size_t>(settings.misses_to_fault) + 1, 0);
 }

@@ -36,6 +36,8 @@ struct ServoSettings {
   double heartbeat_fade_s = 0.5;
   int misses_to_fault = 100;         ///< within one second
   double workspace_margin_m = 0.02;  ///< how far outside the device's workspace is a fault
+  /// Without a call from a device that keeps time itself (Pacing::theirs), after which it is lost.
+  double silence_to_fault_s = 0.050;
 };
 
 /// One consistent look at the loop, from any thread.
@@ -70,8 +72,8 @@ struct ServoStatus {
 ///   ticks of a recording are enough to replay it (`offline/replay.h`).
 ///
 /// Threads: `tick` belongs to one thread (the servo). `present`, `withdraw`, `collect` and
-/// `heartbeat` belong to one other (the conductor). `emergency_stop` and `status` may come from any
-/// thread, `clear_fault` from the conductor's.
+/// `heartbeat` belong to one other (the conductor). `emergency_stop`, `lose_device` and `status` may
+/// come from any thread, `clear_fault` from the conductor's.
 ///
 /// Real-time: `tick` does not allocate, free, lock, log or throw. Presentations are destroyed by
 /// whoever collects them, never by the tick.
@@ -97,6 +99,8 @@ class ServoLoop final {
   void heartbeat() noexcept { heartbeats_.fetch_add(1, std::memory_order_relaxed); }
 
   void emergency_stop() noexcept;
+  /// The device that should call has fallen silent: raises `device_lost` without a tick. From any thread.
+  void lose_device() noexcept { raise(Fault::device_lost); }
   /// Lifts the fault that `status` shows; one that comes at the same moment stays.
   void clear_fault() noexcept;
   ServoStatus status() const noexcept;

@@ -1,12 +1,18 @@
-// The thread behind the servo loop: asks for its privileges and sleeps to absolute deadlines.
+// The thread behind the servo loop: asks for its privileges and sleeps to absolute deadlines, or watches over the
+// calls of a device that keeps time itself.
 
 #include "renderers/servo_thread.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
 #include <cstddef>
 #include <future>
+#include <mutex>
 #include <pthread.h>
 #include <sched.h>
 #include <stdexcept>
@@ -80,7 +86,6 @@ struct ServoThread::Pacer {
   ServoLoop& loop;
   HapticDevice& device;
   std::atomic<bool> stopping{false};
-  bool locked_memory = false;
   std::thread thread{};
 
   Pacer(ServoLoop& the_loop, HapticDevice& the_device) : loop(the_loop), device(the_device) {}
@@ -100,8 +105,102 @@ struct ServoThread::Pacer {
   }
 };
 
-ServoThread::ServoThread(ServoLoop& loop, HapticDevice& device, Scheduling scheduling)
-    : pacer_(std::make_unique<Pacer>(loop, device)) {
+// What the device's own thread calls, and the watch over its calls.
+struct ServoThread::Called {
+  ServoLoop& loop;
+  HapticDevice& device;
+  const std::int64_t period_ns;
+  const std::int64_t longest_silence_ns;
+
+  // The device's thread only; its calls come one after the other.
+  std::int64_t due_ns = 0;
+  bool has_ticked = false;
+
+  std::atomic<std::int64_t> last_call_ns{0};
+  std::mutex mutex{};
+  std::condition_variable wake{};
+  bool stopping = false;
+  std::thread watch{};
+
+  Called(ServoLoop& the_loop, HapticDevice& the_device)
+      : loop(the_loop),
+        device(the_device),
+        period_ns(period_ns_of(the_loop.settings().rate_Hz)),
+        longest_silence_ns(
+            std::llround(1e9 * std::min(the_loop.settings().silence_to_fault_s, 1e9))) {}
+
+  ~Called() {
+    device.stop_calls();
+    {
+      const std::lock_guard lock(mutex);
+      stopping = true;
+    }
+    wake.notify_all();
+    if (watch.joinable()) watch.join();
+    device.zero_force();
+  }
+
+  void start() {
+    last_call_ns.store(monotonic_now_ns());
+    device.start_calls(
+        {.function = [](void* called) noexcept { static_cast<Called*>(called)->tick(); },
+         .argument = this,
+         .rate_Hz = loop.settings().rate_Hz});
+    last_call_ns.store(
+        monotonic_now_ns());  // starting may take a device longer than it may be silent
+    watch = std::thread([this] { watch_calls(); });
+  }
+
+  void tick() noexcept {
+    const std::int64_t started_ns = monotonic_now_ns();
+    last_call_ns.store(started_ns, std::memory_order_relaxed);
+    loop.tick(started_ns, has_ticked ? due_ns : started_ns, &monotonic_now_ns);
+    due_ns = started_ns + period_ns;
+    has_ticked = true;
+  }
+
+  void watch_calls() {
+    const std::chrono::nanoseconds between(
+        std::clamp<std::int64_t>(longest_silence_ns / 5, 1, 100'000'000));
+    std::unique_lock lock(mutex);
+    while (!wake.wait_for(lock, between, [this] { return stopping; })) {
+      const std::int64_t silence_ns =
+          monotonic_now_ns() - last_call_ns.load(std::memory_order_relaxed);
+      if (silence_ns > longest_silence_ns) loop.lose_device();
+    }
+  }
+};
+
+ServoThread::ServoThread(ServoLoop& loop, HapticDevice& device, Scheduling scheduling) {
+  if (device.capability().pacing == Pacing::theirs) {
+    start_being_called(loop, device, scheduling);
+  } else {
+    start_pacing(loop, device, scheduling);
+  }
+}
+
+void ServoThread::start_being_called(ServoLoop& loop, HapticDevice& device, Scheduling scheduling) {
+  const std::string& name = device.capability().name;
+  if (scheduling == Scheduling::fifo) {
+    throw std::runtime_error(
+        "SCHED_FIFO cannot be demanded with the device " + name +
+        ": its own thread runs the loop; allow the servo loop to run without it");
+  }
+  locked_memory_ = memory_locked();
+  scheduling_ = "called by the thread of " + name;
+  scheduling_ += locked_memory_ ? ", memory locked" : ", memory not locked";
+  called_ = std::make_unique<Called>(loop, device);
+  try {
+    called_->start();
+  } catch (...) {
+    called_.reset();
+    if (locked_memory_) munlockall();
+    throw;
+  }
+}
+
+void ServoThread::start_pacing(ServoLoop& loop, HapticDevice& device, Scheduling scheduling) {
+  pacer_ = std::make_unique<Pacer>(loop, device);
   std::promise<int> fifo_answer;
   std::future<int> fifo_error = fifo_answer.get_future();
   std::promise<bool> may_start;
@@ -121,7 +220,7 @@ ServoThread::ServoThread(ServoLoop& loop, HapticDevice& device, Scheduling sched
         "): raise the rtprio limit of this user to at least " + std::to_string(kFifoPriority) +
         " in /etc/security/limits.d, or allow the servo thread to run without it");
   }
-  pacer_->locked_memory = memory_locked();
+  locked_memory_ = memory_locked();
   if (scheduling == Scheduling::normal) {
     scheduling_ = "SCHED_OTHER";
   } else if (error == 0) {
@@ -129,14 +228,17 @@ ServoThread::ServoThread(ServoLoop& loop, HapticDevice& device, Scheduling sched
   } else {
     scheduling_ = "SCHED_OTHER (SCHED_FIFO was refused: " + reason_for(error) + ")";
   }
-  scheduling_ += pacer_->locked_memory ? ", memory locked" : ", memory not locked";
+  scheduling_ += locked_memory_ ? ", memory locked" : ", memory not locked";
   may_start.set_value(true);
 }
 
 ServoThread::~ServoThread() {
-  pacer_->stopping.store(true, std::memory_order_relaxed);
-  pacer_->thread.join();
-  if (pacer_->locked_memory) munlockall();
+  called_.reset();
+  if (pacer_) {
+    pacer_->stopping.store(true, std::memory_order_relaxed);
+    pacer_->thread.join();
+  }
+  if (locked_memory_) munlockall();
 }
 
 }  // namespace asperity

@@ -3,7 +3,12 @@
 
 #include "renderers/servo_thread.h"
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -11,6 +16,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "device/call_gate.h"
 #include "device/haptic_device.h"
 
 namespace asperity {
@@ -161,6 +167,178 @@ TEST(ServoThread, EitherGetsFifoOrSaysWhichLimitToRaise) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("rtprio"));
   }
+}
+
+// Keeps time itself: its own thread calls, unless it is told to fall silent or to hang.
+class CallingDevice final : public HapticDevice {
+ public:
+  CallingDevice() : HapticDevice(capability_of(), {}) {}
+  ~CallingDevice() override {
+    stop_calls();
+    {
+      const std::lock_guard lock(mutex_);
+      hangs_ = false;
+      ends_ = true;
+    }
+    changed_.notify_all();
+    if (thread_.joinable()) thread_.join();
+  }
+
+  std::atomic<bool> is_silent{false};
+  std::atomic<int> turned_away{0};
+  std::atomic<double> last_force_N{-1.0};
+
+  void hang() {
+    std::unique_lock lock(mutex_);
+    hangs_ = true;
+    changed_.wait(lock, [this] { return is_hanging_; });
+  }
+  void let_go() {
+    {
+      const std::lock_guard lock(mutex_);
+      hangs_ = false;
+    }
+    changed_.notify_all();
+  }
+
+  void start_calls(const TickCall& call) override {
+    rate_Hz = call.rate_Hz;
+    gate_.open(call);
+    thread_ = std::thread([this] { call_often(); });
+  }
+  void stop_calls() noexcept override { gate_.close(std::chrono::milliseconds(1000)); }
+  double rate_Hz = 0.0;
+
+ private:
+  static DeviceCapability capability_of() {
+    DeviceCapability capability;
+    capability.name = "calling";
+    capability.peak_force_N = 10.0;
+    capability.pacing = Pacing::theirs;
+    return capability;
+  }
+  void call_often() {
+    std::unique_lock lock(mutex_);
+    while (!ends_) {
+      if (hangs_) {
+        is_hanging_ = true;
+        changed_.notify_all();
+        changed_.wait(lock, [this] { return !hangs_; });
+        is_hanging_ = false;
+      }
+      lock.unlock();
+      if (!is_silent.load() && !gate_.pass()) ++turned_away;
+      std::this_thread::sleep_for(std::chrono::microseconds(500));
+      lock.lock();
+    }
+  }
+  bool do_read(std::int64_t, ProbeState&) noexcept override { return true; }
+  bool do_send(const Wrench& limited) noexcept override {
+    last_force_N.store(limited.force_N.z);
+    return true;
+  }
+
+  CallGate gate_{};
+  std::mutex mutex_{};
+  std::condition_variable changed_{};
+  bool hangs_ = false;
+  bool is_hanging_ = false;
+  bool ends_ = false;
+  std::thread thread_{};
+};
+
+ServoSettings patient_with_silence() {
+  ServoSettings settings = patient();
+  settings.silence_to_fault_s = 1e6;
+  return settings;
+}
+
+TEST(CalledServo, TicksWheneverTheDevicesThreadCalls) {
+  CallingDevice device;
+  RecordRing ring;
+  ServoLoop loop(device, ring, patient_with_silence());
+  loop.present({.id = 1, .renderer = std::make_unique<Push>()});
+  {
+    const ServoThread thread(loop, device, Scheduling::fifo_if_permitted);
+    EXPECT_THAT(thread.scheduling(),
+                testing::StartsWith("called by the thread of calling, memory "));
+    EXPECT_EQ(device.rate_Hz, 1000.0);
+    while (loop.status().ticks < 120) std::this_thread::yield();
+  }
+  TickRecord record;
+  std::int64_t began_ns = 0;
+  int records = 0;
+  double strongest_N = 0.0;
+  while (ring.pop(record)) {
+    if (records++ > 0) {  // due one period after the last one began
+      EXPECT_EQ(record.lateness_ns, record.probe.time_ns - began_ns - kPeriod_ns);
+      EXPECT_EQ(record.has(TickFlag::missed_deadline), record.lateness_ns > kPeriod_ns);
+    }
+    began_ns = record.probe.time_ns;
+    strongest_N = std::max(strongest_N, record.sent.force_N.z);
+  }
+  EXPECT_EQ(strongest_N, 1.0);
+  EXPECT_EQ(device.last_force_N.load(), 0.0);  // the thread leaves it so
+}
+
+TEST(CalledServo, TakesASilentDeviceForLostWithoutATick) {
+  CallingDevice device;
+  device.is_silent = true;
+  RecordRing ring;
+  ServoLoop loop(device, ring, patient());
+  loop.present({.id = 1, .renderer = std::make_unique<Push>()});
+  const ServoThread thread(loop, device, Scheduling::normal);
+  while (loop.status().fault == Fault::none) std::this_thread::yield();
+  EXPECT_EQ(loop.status().fault, Fault::device_lost);
+  EXPECT_EQ(loop.status().ticks, 0U);
+
+  loop.clear_fault();  // too early: it is silent still
+  while (loop.status().fault == Fault::none) std::this_thread::yield();
+  EXPECT_EQ(loop.status().fault, Fault::device_lost);
+
+  device.is_silent = false;  // calls again: at zero force, until somebody clears the fault
+  while (loop.status().ticks < 5) std::this_thread::yield();
+  EXPECT_EQ(loop.status().fault, Fault::device_lost);
+  TickRecord record;
+  ASSERT_TRUE(ring.pop(record));
+  EXPECT_TRUE(record.has(TickFlag::fault_latched));
+  EXPECT_EQ(record.sent.force_N.z, 0.0);
+}
+
+TEST(CalledServo, EndsThoughTheDevicesThreadHangsAndTurnsItAwayAfterwards) {
+  CallingDevice device;
+  RecordRing ring;
+  std::uint64_t ticks = 0;
+  {
+    ServoLoop loop(device, ring, patient_with_silence());
+    {
+      const ServoThread thread(loop, device, Scheduling::normal);
+      while (loop.status().ticks < 3) std::this_thread::yield();
+      device.hang();
+    }
+    ticks = loop.status().ticks;
+    device.let_go();
+    while (device.turned_away.load() == 0) std::this_thread::yield();
+    EXPECT_EQ(loop.status().ticks, ticks);
+  }
+  EXPECT_EQ(device.last_force_N.load(), 0.0);
+}
+
+TEST(CalledServo, RefusesADemandForFifoThatIsNotItsToMeet) {
+  CallingDevice device;
+  RecordRing ring;
+  ServoLoop loop(device, ring, patient_with_silence());
+  try {
+    const ServoThread thread(loop, device, Scheduling::fifo);
+    FAIL() << "took it";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("calling"));
+  }
+}
+
+TEST(CalledServo, IsNothingForADeviceThatIsPaced) {
+  StallingDevice device;
+  EXPECT_THROW(device.start_calls({}), std::logic_error);
 }
 
 }  // namespace
