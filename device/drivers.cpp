@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "device/force_dimension/force_dimension_device.h"
+
 namespace asperity {
 namespace {
 
@@ -81,6 +83,7 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
 DriverRegistry built_in_drivers() {
   DriverRegistry registry;
   registry.add(simulated_driver());
+  registry.add(force_dimension_driver());
   return registry;
 }
 

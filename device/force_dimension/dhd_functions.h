@@ -1,0 +1,74 @@
+// The functions of Force Dimension's SDK that we use, as its documentation gives them.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "device/vendor_library.h"
+
+namespace asperity {
+
+/// Force Dimension's SDK, loaded: libdrd where it is there (it brings libdhd with it and can find a
+/// device's zero), otherwise libdhd alone.
+///
+/// The fields are named as the functions are, so that they can be held against the SDK's own pages. The
+/// last argument is the device's ID. They return 0, or kTimeGuard, or kMotorSaturated, or −1 with
+/// the reason in dhdErrorGetLastStr. Frame: x towards the participant, y to their right, z up; metres,
+/// newtons, newton metres.
+///
+/// Errors: the constructor's are VendorLibrary's.
+class DhdFunctions final {
+ public:
+  /// Without a path, where the system looks for libraries.
+  explicit DhdFunctions(const std::filesystem::path& library = {});
+
+  static constexpr int kTimeGuard = 1;       ///< asked too soon: what was read before, again
+  static constexpr int kMotorSaturated = 2;  ///< done, but with less force than was asked for
+
+  // What dhdGetStatus fills: 16 numbers, 17 in later versions. Room for more, should there be more.
+  static constexpr int kStatusSize = 32;
+  static constexpr int kStatusPower = 0;
+  static constexpr int kStatusReset = 3;  ///< the device knows its zero
+  static constexpr int kStatusForce = 5;
+  static constexpr int kStatusForceOffCause = 14;
+
+  /// "libdrd 3.17.5 in /usr/lib/libdrd.so".
+  std::string description() const;
+  /// Whether the library can move a device to find its zero.
+  bool has_robotics() const noexcept { return drdAutoInit != nullptr; }
+
+  int (*dhdGetDeviceCount)() = nullptr;
+  int (*dhdGetAvailableCount)() = nullptr;  ///< null in old versions
+  int (*dhdOpenID)(char) = nullptr;
+  int (*dhdClose)(char) = nullptr;
+  int (*dhdStop)(char) = nullptr;
+  int (*dhdEnableForce)(unsigned char, char) = nullptr;
+  int (*dhdGetSystemType)(char) = nullptr;
+  int (*dhdGetSerialNumber)(unsigned short*, char) = nullptr;
+  void (*dhdGetSDKVersion)(int*, int*, int*, int*) = nullptr;
+  int (*dhdGetStatus)(int*, char) = nullptr;
+  int (*dhdGetPosition)(double*, double*, double*, char) = nullptr;
+  int (*dhdGetPositionAndOrientationFrame)(double*, double*, double*, double (*)[3],
+                                           char) = nullptr;
+  int (*dhdGetGripperAngleRad)(double*, char) = nullptr;
+  unsigned int (*dhdGetButtonMask)(char) = nullptr;
+  int (*dhdSetForceAndTorqueAndGripperForce)(double, double, double, double, double, double, double,
+                                             char) = nullptr;
+  const char* (*dhdErrorGetLastStr)() = nullptr;
+
+  // Null without libdrd.
+  int (*drdOpenID)(char) = nullptr;
+  bool (*drdIsInitialized)(char) = nullptr;
+  int (*drdAutoInit)(char) = nullptr;
+  int (*drdStop)(bool, char) = nullptr;
+  int (*drdClose)(char) = nullptr;
+
+  /// With the function that belongs to how the device was opened.
+  void close(char id) const noexcept { has_robotics() ? drdClose(id) : dhdClose(id); }
+
+ private:
+  VendorLibrary library_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,344 @@
+// A delta, omega, sigma or lambda of Force Dimension, through its maker's SDK.
+
+#include "device/force_dimension/force_dimension_device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+
+#include "device/small_turn.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::int64_t kLongestStale_ns = 50'000'000;
+constexpr std::int64_t kBetweenLooks_ns =
+    100'000'000;  // at the status; it changes when people press a button
+
+// The SDK's x is towards the participant and its y to their right; ours are their right and away from them.
+glm::dvec3 ours_from(const glm::dvec3& theirs) noexcept { return {theirs.y, -theirs.x, theirs.z}; }
+glm::dvec3 theirs_from(const glm::dvec3& ours) noexcept { return {-ours.y, ours.x, ours.z}; }
+
+// The same turn, told in our axes: C·R·Cᵀ, where the rows of C are our axes in theirs.
+glm::dquat orientation_from(const double (&rows)[3][3]) noexcept {
+  const auto column = [&rows](int j) { return ours_from({rows[0][j], rows[1][j], rows[2][j]}); };
+  return glm::quat_cast(glm::dmat3(column(1), -column(0), column(2)));
+}
+
+std::string place_of(int index) { return "dhd " + std::to_string(index); }
+
+// Of the SDK: what switched the force off.
+std::string cause_of(int cause) {
+  switch (cause) {
+    case 1:
+      return "its force button was pressed; press it again";
+    case 2:
+      return "its velocity guard has tripped: the handle was moved faster than its maker allows. "
+             "Press the force "
+             "button";
+    case 3:
+      return "its watchdog has tripped: no force came for too long. Press the force button";
+    case 4:
+      return "a program has switched it off. Press the force button";
+    case 5:
+      return "its USB connection broke. See that the cable sits";
+    case 6:
+      return "nobody holds its handle. Hold it";
+    default:
+      return "the device does not say why. Press the force button";
+  }
+}
+
+std::string last_error_of(const DhdFunctions& sdk) {
+  const char* words = sdk.dhdErrorGetLastStr();
+  return words == nullptr ? "the SDK gives no reason" : words;
+}
+
+// What the SDK says of the device with this index while it is open; its own number for it.
+struct Identity {
+  char id = 0;
+  int type = -1;
+  std::string serial{};
+};
+
+}  // namespace
+
+struct ForceDimensionDevice::Opened {
+  Identity identity{};
+  DhdModel model{};
+};
+
+namespace {
+
+Identity open_index(const DhdFunctions& sdk, int index) {
+  const int id = sdk.dhdOpenID(static_cast<char>(index));
+  if (id < 0) {
+    throw std::runtime_error(
+        "The device of Force Dimension at " + place_of(index) +
+        " cannot be opened: " + last_error_of(sdk) +
+        ". See that no other program uses it and that this user may open it (udev rule for "
+        "USB vendor 1451).");
+  }
+  Identity identity{.id = static_cast<char>(id),
+                    .type = sdk.dhdGetSystemType(static_cast<char>(id))};
+  unsigned short serial = 0;
+  if (sdk.dhdGetSerialNumber(&serial, identity.id) >= 0) identity.serial = std::to_string(serial);
+  return identity;
+}
+
+std::string unknown_type(int type) {
+  return "This device of Force Dimension is of the system type " + std::to_string(type) +
+         ", which this program does not know: its force limits are not known either.";
+}
+
+// Finds the device's zero where it has lost it.
+void find_zero(const DhdFunctions& sdk, const Identity& identity, const std::string& model) {
+  const std::string who = model + " " + identity.serial;
+  if (sdk.has_robotics()) {
+    if (sdk.drdOpenID(identity.id) < 0) {
+      throw std::runtime_error(
+          who + " cannot be opened for finding its zero: " + last_error_of(sdk) + ".");
+    }
+    const bool found = sdk.drdIsInitialized(identity.id) || sdk.drdAutoInit(identity.id) >= 0;
+    const std::string words = found ? "" : last_error_of(sdk);
+    sdk.drdStop(true, identity.id);  // true: force stays ours to send
+    if (!found) {
+      throw std::runtime_error(who + " did not find its zero: " + words +
+                               ". Clear its workspace, let go of the handle and open it again.");
+    }
+    return;
+  }
+  int status[DhdFunctions::kStatusSize] = {};
+  if (sdk.dhdGetStatus(status, identity.id) < 0 || status[DhdFunctions::kStatusReset] == 0) {
+    throw std::runtime_error(
+        who +
+        " does not know its zero, and libdhd alone cannot find it: install libdrd of the same "
+        "SDK, or calibrate the device with its maker's program.");
+  }
+}
+
+}  // namespace
+
+ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index)
+    : ForceDimensionDevice(sdk, [&sdk, index] {
+        Opened opened{.identity = open_index(*sdk, index)};
+        try {
+          std::optional<DhdModel> model = dhd_model_of(opened.identity.type);
+          if (!model) throw std::runtime_error(unknown_type(opened.identity.type));
+          opened.model = *std::move(model);
+          find_zero(*sdk, opened.identity, opened.model.capability.model);
+        } catch (...) {
+          sdk->close(opened.identity.id);
+          throw;
+        }
+        return opened;
+      }()) {}
+
+ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk,
+                                           const Opened& opened)
+    : HapticDevice(
+          [&opened] {
+            DeviceCapability capability = opened.model.capability;
+            capability.serial = opened.identity.serial;
+            return capability;
+          }(),
+          ForceLimits{}),
+      sdk_(std::move(sdk)),
+      id_(opened.identity.id),
+      has_wrist_(opened.model.has_wrist),
+      has_gripper_(opened.model.has_gripper) {
+  sdk_->dhdEnableForce(1, id_);
+  zero_force();
+}
+
+ForceDimensionDevice::~ForceDimensionDevice() {
+  zero_force();
+  sdk_->dhdStop(id_);
+  sdk_->close(id_);
+}
+
+ForceDimensionDevice::Counts ForceDimensionDevice::counts() const noexcept {
+  return {.not_new = not_new_.load(), .saturated = saturated_.load()};
+}
+
+std::optional<double> ForceDimensionDevice::gripper_angle_rad() const noexcept {
+  if (!has_gripper_) return std::nullopt;
+  return gripper_angle_rad_.load();
+}
+
+// Whether the SDK did what it was asked; keeps its words for the first time that it did not.
+bool ForceDimensionDevice::take(int answer, const char* function) noexcept {
+  if (answer >= 0) return true;
+  if (!has_failed_.load(std::memory_order_relaxed)) {
+    const char* words = sdk_->dhdErrorGetLastStr();
+    std::size_t length = 0;
+    const auto append = [&](const char* text) {
+      while (*text != '\0' && length + 1 < failure_.size()) failure_[length++] = *text++;
+    };
+    append(function);
+    append(": ");
+    append(words == nullptr ? "no reason given" : words);
+    has_failed_.store(true, std::memory_order_release);
+  }
+  answers_.store(false, std::memory_order_relaxed);
+  return false;
+}
+
+void ForceDimensionDevice::look_at_status(std::int64_t now_ns) noexcept {
+  if (now_ns < next_look_ns_) return;
+  next_look_ns_ = now_ns + kBetweenLooks_ns;
+  int status[DhdFunctions::kStatusSize] = {};
+  if (sdk_->dhdGetStatus(status, id_) < 0) return;  // whether it answers, its position tells
+  force_is_on_ = status[DhdFunctions::kStatusForce] != 0;
+  force_off_cause_.store(force_is_on_ ? -1 : status[DhdFunctions::kStatusForceOffCause],
+                         std::memory_order_relaxed);
+}
+
+bool ForceDimensionDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
+  glm::dvec3 theirs_m{0.0};
+  double rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  const int answer = has_wrist_ ? sdk_->dhdGetPositionAndOrientationFrame(&theirs_m.x, &theirs_m.y,
+                                                                          &theirs_m.z, rows, id_)
+                                : sdk_->dhdGetPosition(&theirs_m.x, &theirs_m.y, &theirs_m.z, id_);
+  if (!take(answer, has_wrist_ ? "dhdGetPositionAndOrientationFrame" : "dhdGetPosition"))
+    return false;
+  answers_.store(true, std::memory_order_relaxed);
+
+  if (answer == DhdFunctions::kTimeGuard && has_read_) {
+    not_new_.fetch_add(1, std::memory_order_relaxed);
+    state = last_;
+    state.time_ns = now_ns;
+    const bool is_stale = now_ns - last_new_ns_ > kLongestStale_ns;
+    is_stale_.store(is_stale, std::memory_order_relaxed);
+    return !is_stale;
+  }
+  has_read_ = true;
+  last_new_ns_ = now_ns;
+  is_stale_.store(false, std::memory_order_relaxed);
+
+  state.position_m = ours_from(theirs_m);
+  state.velocity_m_per_s = velocity_.next(now_ns, state.position_m);
+  if (has_wrist_) {
+    state.orientation = orientation_from(rows);
+    turned_rad_ += small_turn_rad(last_.orientation, state.orientation);
+    state.angular_velocity_rad_per_s = angular_velocity_.next(now_ns, turned_rad_);
+  }
+  state.buttons = sdk_->dhdGetButtonMask(id_);
+  if (has_gripper_) {
+    double angle_rad = 0.0;
+    if (sdk_->dhdGetGripperAngleRad(&angle_rad, id_) >= 0) {
+      gripper_angle_rad_.store(angle_rad, std::memory_order_relaxed);
+    }
+  }
+  look_at_status(now_ns);
+  last_ = state;
+  return true;
+}
+
+bool ForceDimensionDevice::do_send(const Wrench& limited) noexcept {
+  const glm::dvec3 force_N = theirs_from(limited.force_N);
+  const glm::dvec3 torque_N_m = theirs_from(limited.torque_N_m);
+  const int answer = sdk_->dhdSetForceAndTorqueAndGripperForce(
+      force_N.x, force_N.y, force_N.z, torque_N_m.x, torque_N_m.y, torque_N_m.z, 0.0, id_);
+  if (answer == DhdFunctions::kMotorSaturated) saturated_.fetch_add(1, std::memory_order_relaxed);
+  return take(answer, "dhdSetForceAndTorqueAndGripperForce") && force_is_on_;
+}
+
+std::string ForceDimensionDevice::trouble() const {
+  const std::string who = capability().model + " " + capability().serial;
+  std::string told;
+  const auto tell = [&told](const std::string& sentence) {
+    told += (told.empty() ? "" : " ") + sentence;
+  };
+  if (!answers_.load()) {
+    const bool has_words = has_failed_.load(std::memory_order_acquire);
+    tell(who + " does not answer" + (has_words ? " (" + std::string(failure_.data()) + ")" : "") +
+         ". See that it has power and that its cable sits.");
+  } else if (is_stale_.load()) {
+    tell(who + " has sent nothing new for 50 ms. See that its cable sits.");
+  }
+  const int cause = force_off_cause_.load();
+  if (cause >= 0) tell("The force of " + who + " is off: " + cause_of(cause) + ".");
+  const std::uint64_t saturated = saturated_.load();
+  if (saturated > 0) {
+    tell("The motors of " + who + " gave less force than was asked for " +
+         std::to_string(saturated) + " times.");
+  }
+  return told;
+}
+
+namespace {
+
+DriverSurvey survey_of(const DhdFunctions& sdk) {
+  DriverSurvey survey{.found = sdk.description()};
+  const int count = std::max(0, sdk.dhdGetDeviceCount());
+  // The SDK opens a device twice without a word, and closing it once would end it under whoever uses it.
+  const bool one_is_used =
+      sdk.dhdGetAvailableCount != nullptr && sdk.dhdGetAvailableCount() < count;
+  for (int index = 0; index < count; ++index) {
+    AttachedDevice device{.model = "Force Dimension", .place = place_of(index)};
+    if (one_is_used) {
+      device.hindrance =
+          "A device of Force Dimension is in use; which one this is can be asked when it is free.";
+      survey.attached.push_back(device);
+      continue;
+    }
+    try {
+      const Identity identity = open_index(sdk, index);
+      device.serial = identity.serial;
+      if (const std::optional<DhdModel> model = dhd_model_of(identity.type)) {
+        device.model = model->capability.model;
+        device.remark =
+            sdk.has_robotics()
+                ? "When it is opened it may move by itself to find its zero: let go of the handle."
+                : "";
+      } else {
+        device.hindrance = unknown_type(identity.type);
+      }
+      sdk.dhdClose(identity.id);
+    } catch (const std::runtime_error& refusal) {
+      device.hindrance = refusal.what();
+    }
+    survey.attached.push_back(device);
+  }
+  return survey;
+}
+
+}  // namespace
+
+Driver force_dimension_driver() {
+  return {.id = "force_dimension",
+          .summary = "delta, omega, sigma and lambda of Force Dimension, through the maker's SDK.",
+          .find =
+              [](const DriverOptions& options) {
+                try {
+                  return survey_of(DhdFunctions(options.library));
+                } catch (const std::runtime_error& refusal) {
+                  return DriverSurvey{.hindrance = refusal.what()};
+                }
+              },
+          .open = [](const std::string& which,
+                     const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
+            auto sdk = std::make_shared<const DhdFunctions>(options.library);
+            const std::vector<AttachedDevice> attached = survey_of(*sdk).attached;
+            const std::string place =
+                choose_attached("device of Force Dimension", attached, which).place;
+            for (std::size_t index = 0; index < attached.size(); ++index) {
+              if (attached[index].place != place) continue;
+              return std::make_unique<ForceDimensionDevice>(std::move(sdk),
+                                                            static_cast<int>(index));
+            }
+            throw std::logic_error("the chosen device is not among those attached");
+          }};
+}
+
+}  // namespace asperity

@@ -1,0 +1,94 @@
+// A delta, omega, sigma or lambda of Force Dimension, through its maker's SDK.
+
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "device/drivers.h"
+#include "device/force_dimension/dhd_functions.h"
+#include "device/force_dimension/dhd_models.h"
+#include "device/haptic_device.h"
+#include "device/velocity_window.h"
+
+namespace asperity {
+
+/// One device that the SDK has opened.
+///
+/// Velocity is our own estimate (velocity_window.h), because the SDK's is a mean over 20 ms: at 0.1 m/s
+/// two millimetres of texture. A reading that the SDK gives twice (its time guard) is counted and not
+/// taken for a new one; when none is new for 50 ms, the device does not answer.
+///
+/// The SDK's watchdog and velocity guard stay as its maker set them. When they, the device's own button
+/// or its power switch the force off, `do_send` refuses: the servo loop's fault tells, and `trouble`
+/// says which it was. With less force than was asked for (motors saturated) it goes on and counts.
+///
+/// Frame: ours, x to the participant's right, y away from them, z up; origin the device's.
+/// The gripper is held open by nobody: it gets no force.
+///
+/// Errors: the constructor throws std::runtime_error with a sentence when the device cannot be opened, is of
+/// a kind that we do not know, or has not found its zero and cannot.
+///
+/// Threads: `gripper_angle_rad`, `counts` and `trouble` from any; the rest as HapticDevice.
+///
+/// Real-time: as far as the SDK's functions are.
+class ForceDimensionDevice final : public HapticDevice {
+ public:
+  /// Opens the one with this index. With libdrd a device that has lost its zero moves by itself to find it,
+  /// for some seconds: nobody may hold it.
+  ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index);
+  ~ForceDimensionDevice() override;
+
+  struct Counts {
+    std::uint64_t not_new = 0;    ///< readings that were the one before again
+    std::uint64_t saturated = 0;  ///< pushes with less force than was asked for
+  };
+  Counts counts() const noexcept;
+  /// Nothing for a device without gripper.
+  std::optional<double> gripper_angle_rad() const noexcept;
+  std::string trouble() const override;
+
+ private:
+  struct Opened;
+  ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, const Opened& opened);
+
+  bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;
+  bool do_send(const Wrench& limited) noexcept override;
+
+  bool take(int answer, const char* function) noexcept;
+  void look_at_status(std::int64_t now_ns) noexcept;
+
+  std::shared_ptr<const DhdFunctions> sdk_;
+  char id_ = 0;
+  bool has_wrist_ = false;
+  bool has_gripper_ = false;
+
+  // The servo's thread.
+  ProbeState last_{};
+  bool has_read_ = false;
+  std::int64_t last_new_ns_ = 0;
+  std::int64_t next_look_ns_ = 0;
+  bool force_is_on_ = true;
+  VelocityWindow velocity_{};
+  VelocityWindow angular_velocity_{};
+  glm::dvec3 turned_rad_{0.0};  ///< the sum of all small turns so far, each about its own axis
+
+  std::atomic<std::uint64_t> not_new_{0};
+  std::atomic<std::uint64_t> saturated_{0};
+  std::atomic<double> gripper_angle_rad_{0.0};
+  std::atomic<bool> answers_{true};
+  std::atomic<bool> is_stale_{false};
+  std::atomic<int> force_off_cause_{-1};  ///< of the SDK; −1 while the force is on
+  // Written once, before has_failed_, for the first failure of this device's life.
+  std::array<char, 160> failure_{};
+  std::atomic<bool> has_failed_{false};
+};
+
+/// "force_dimension": every device that the SDK sees. `which` is a serial number, or a place such as "dhd 0".
+Driver force_dimension_driver();
+
+}  // namespace asperity

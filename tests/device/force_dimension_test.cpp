@@ -1,0 +1,329 @@
+// The driver of Force Dimension's devices, unmodified, against a library with the same functions and answers.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "device/force_dimension/force_dimension_device.h"
+#include "device/small_turn.h"
+#include "device/vendor_library.h"
+#include "tests/device/vendors/test_dhd.h"
+#include "tests/support/allocation_guard.h"
+
+namespace asperity {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr std::int64_t kMillisecond_ns = 1'000'000;
+
+std::string complaint_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+class ForceDimension : public testing::Test {
+ protected:
+  ForceDimension() : library_("the stand-in", {ASPERITY_TEST_DRD}) {
+    TestDhdBench bench_of = nullptr;
+    library_.find("test_dhd_bench", bench_of);
+    bench = bench_of();
+    *bench = test_dhd::Bench{};
+  }
+
+  test_dhd::Unit& attach(int type, unsigned short serial) {
+    bench->units.push_back({.type = type, .serial = serial});
+    return bench->units.back();
+  }
+  std::unique_ptr<ForceDimensionDevice> open() {
+    return std::make_unique<ForceDimensionDevice>(
+        std::make_shared<const DhdFunctions>(ASPERITY_TEST_DRD), 0);
+  }
+
+  const Driver driver = force_dimension_driver();
+  const DriverOptions options{.library = ASPERITY_TEST_DRD};
+  test_dhd::Bench* bench = nullptr;
+
+ private:
+  VendorLibrary library_;
+};
+
+TEST_F(ForceDimension, TellsWhatItNeedsWhenThereIsNoLibrary) {
+  const DriverSurvey survey = driver.find({.library = "/no/such/libdhd.so"});
+  EXPECT_THAT(survey.hindrance,
+              AllOf(HasSubstr("Force Dimension's SDK is not installed"), HasSubstr("/no/such")));
+  EXPECT_THAT(complaint_of([&] { driver.open("", {.library = "/no/such/libdhd.so"}); }),
+              HasSubstr("not installed"));
+}
+
+TEST_F(ForceDimension, TellsWhichFunctionAnotherVersionLacks) {
+  EXPECT_THAT(
+      driver.find({.library = ASPERITY_TEST_OLD_DHD}).hindrance,
+      AllOf(HasSubstr("dhdSetForceAndTorqueAndGripperForce"), HasSubstr("another version")));
+}
+
+TEST_F(ForceDimension, FindsTwoAlikeByTheirSerialNumbers) {
+  attach(33, 101);
+  attach(33, 202);
+  const DriverSurvey survey = driver.find(options);
+  EXPECT_THAT(survey.found, AllOf(HasSubstr("libdrd 3.17.5"), HasSubstr("drd")));
+  ASSERT_EQ(survey.attached.size(), 2U);
+  EXPECT_EQ(survey.attached[1].model, "omega.3");
+  EXPECT_EQ(survey.attached[1].serial, "202");
+  EXPECT_EQ(survey.attached[1].place, "dhd 1");
+  EXPECT_THAT(survey.attached[1].remark, HasSubstr("let go of the handle"));
+  EXPECT_FALSE(bench->units[0].is_open);
+  EXPECT_FALSE(bench->units[1].is_open);
+
+  EXPECT_THAT(complaint_of([&] { driver.open("", options); }),
+              AllOf(HasSubstr("serial 101"), HasSubstr("serial 202")));
+  const auto device = driver.open("202", options);
+  EXPECT_EQ(device->capability().serial, "202");
+  EXPECT_EQ(device->capability().model, "omega.3");
+  EXPECT_FALSE(bench->units[0].is_open);
+  EXPECT_TRUE(bench->units[1].is_open);
+}
+
+TEST_F(ForceDimension, LeavesADeviceThatIsInUseAlone) {
+  attach(33, 101);
+  const auto device = driver.open("", options);
+  bench->calls.clear();
+  const DriverSurvey survey = driver.find(options);
+  ASSERT_EQ(survey.attached.size(), 1U);
+  EXPECT_THAT(survey.attached[0].hindrance, HasSubstr("in use"));
+  EXPECT_THAT(bench->calls, IsEmpty());
+}
+
+TEST_F(ForceDimension, RefusesAKindThatItDoesNotKnow) {
+  attach(77, 5);
+  EXPECT_THAT(driver.find(options).attached.at(0).hindrance, HasSubstr("system type 77"));
+  EXPECT_THAT(complaint_of([&] { open(); }), HasSubstr("system type 77"));
+  EXPECT_FALSE(bench->units[0].is_open);
+}
+
+TEST_F(ForceDimension, KnowsWhatEachModelCanDo) {
+  const auto capability = [](int type) { return dhd_model_of(type).value().capability; };
+  EXPECT_EQ(capability(63).model, "delta.3");
+  EXPECT_EQ(capability(63).peak_force_N, 20.0);
+  EXPECT_EQ(capability(63).sensed_degrees_of_freedom, 3);
+  EXPECT_EQ(capability(34).model, "omega.6");
+  EXPECT_EQ(capability(34).sensed_degrees_of_freedom, 6);
+  EXPECT_EQ(capability(34).actuated_degrees_of_freedom, 3);
+  EXPECT_TRUE(dhd_model_of(37).value().has_gripper);
+  EXPECT_EQ(capability(104).model, "sigma.7");
+  EXPECT_EQ(capability(104).actuated_degrees_of_freedom, 6);
+  EXPECT_EQ(capability(108).model, "lambda.7");
+  EXPECT_THAT(capability(108).remarks, HasSubstr("lambda.7"));  // its figures are borrowed
+  EXPECT_FALSE(dhd_model_of(-1).has_value());
+}
+
+TEST_F(ForceDimension, MovesToFindItsZeroOnlyWhenItHasLostIt) {
+  attach(33, 101);
+  open();
+  EXPECT_THAT(bench->calls, Not(Contains("drdAutoInit 0")));
+  bench->units[0].knows_its_zero = false;
+  bench->calls.clear();
+  open();
+  EXPECT_THAT(bench->calls,
+              ElementsAre("dhdOpenID 0", "drdOpenID 0", "drdAutoInit 0", "drdStop with force 0",
+                          "dhdStop 0", "drdClose 0", "dhdClose 0"));
+}
+
+TEST_F(ForceDimension, RefusesADeviceThatDoesNotFindItsZero) {
+  test_dhd::Unit& unit = attach(33, 101);
+  unit.knows_its_zero = false;
+  unit.finds_its_zero = false;
+  EXPECT_THAT(complaint_of([&] { open(); }),
+              AllOf(HasSubstr("omega.3 101"), HasSubstr("the handle was held"),
+                    HasSubstr("open it again")));
+  EXPECT_FALSE(bench->units[0].is_open);
+}
+
+TEST_F(ForceDimension, AsksForLibdrdWhereOnlyThatCanFindTheZero) {
+  const VendorLibrary library("the stand-in", {ASPERITY_TEST_DHD});
+  TestDhdBench bench_of = nullptr;
+  library.find("test_dhd_bench", bench_of);
+  *bench_of() = test_dhd::Bench{};
+  bench_of()->units.push_back({.type = 33, .serial = 7, .knows_its_zero = false});
+  EXPECT_THAT(complaint_of([&] { driver.open("", {.library = ASPERITY_TEST_DHD}); }),
+              HasSubstr("install libdrd"));
+  bench_of()->units[0].knows_its_zero = true;
+  EXPECT_EQ(driver.open("", {.library = ASPERITY_TEST_DHD})->capability().serial, "7");
+}
+
+TEST_F(ForceDimension, TellsThePoseInOurFrame) {
+  test_dhd::Unit& unit = attach(34, 1);
+  // 10 mm towards the participant, 20 mm to their right, 30 mm up; turned by +90° about the axis that
+  // points towards them: what pointed right points up.
+  const double position_m[3] = {0.010, 0.020, 0.030};
+  const double frame[3][3] = {{1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}};
+  std::copy_n(position_m, 3, unit.position_m);
+  for (int i = 0; i < 3; ++i) std::copy_n(frame[i], 3, unit.frame[i]);
+  unit.buttons = 1;
+  const auto device = open();
+  const ProbeState state = device->read(0).value();
+  EXPECT_EQ(state.position_m, glm::dvec3(0.020, -0.010, 0.030));
+  EXPECT_EQ(state.buttons, 1U);
+  // Towards the participant is −y of ours: the turn is by −90° about y.
+  const glm::dvec3 turn_rad = small_turn_rad(glm::dquat(1.0, 0.0, 0.0, 0.0), state.orientation);
+  EXPECT_NEAR(glm::distance(turn_rad, glm::dvec3(0.0, -std::acos(0.0), 0.0)), 0.0, 1e-12);
+  EXPECT_NEAR(
+      glm::distance(state.orientation * glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, 1.0)), 0.0,
+      1e-12);
+}
+
+TEST_F(ForceDimension, EstimatesVelocitiesItself) {
+  attach(34, 1);
+  const auto device = open();
+  ProbeState state;
+  for (int i = 0; i < 20; ++i) {  // 0.1 m/s to the right, 2 rad/s about the upward axis
+    test_dhd::Unit& unit = bench->units[0];
+    unit.position_m[1] = 0.0001 * i;
+    const double angle_rad = 0.002 * i;
+    unit.frame[0][0] = unit.frame[1][1] = std::cos(angle_rad);
+    unit.frame[1][0] = std::sin(angle_rad);
+    unit.frame[0][1] = -unit.frame[1][0];
+    state = device->read(i * kMillisecond_ns).value();
+  }
+  EXPECT_NEAR(glm::distance(state.velocity_m_per_s, glm::dvec3(0.1, 0.0, 0.0)), 0.0, 1e-12);
+  EXPECT_NEAR(glm::distance(state.angular_velocity_rad_per_s, glm::dvec3(0.0, 0.0, 2.0)), 0.0,
+              1e-9);
+}
+
+TEST_F(ForceDimension, DoesNotTakeAGuardedReadingForANewOne) {
+  attach(33, 1);
+  const auto device = open();
+  ProbeState state;
+  for (int i = 0; i < 20; ++i) {
+    const bool guarded = i % 2 == 1;
+    if (!guarded) bench->units[0].position_m[1] = 0.0001 * i;
+    bench->read_answer = guarded ? 1 : 0;
+    state = device->read(i * kMillisecond_ns).value();
+    EXPECT_EQ(state.time_ns, i * kMillisecond_ns);
+  }
+  EXPECT_EQ(device->counts().not_new, 10U);
+  EXPECT_NEAR(state.velocity_m_per_s.x, 0.1, 1e-12);  // as if the guarded ones had not been
+}
+
+TEST_F(ForceDimension, IsLostWhenNothingNewCameForFiftyMilliseconds) {
+  attach(33, 1);
+  const auto device = open();
+  EXPECT_TRUE(device->read(0).has_value());
+  bench->read_answer = 1;
+  EXPECT_TRUE(device->read(50 * kMillisecond_ns).has_value());
+  EXPECT_EQ(device->trouble(), "");
+  EXPECT_FALSE(device->read(51 * kMillisecond_ns).has_value());
+  EXPECT_THAT(device->trouble(), HasSubstr("nothing new for 50 ms"));
+  bench->read_answer = 0;
+  EXPECT_TRUE(device->read(52 * kMillisecond_ns).has_value());
+  EXPECT_EQ(device->trouble(), "");
+}
+
+TEST_F(ForceDimension, SendsForceAndTorqueInTheDevicesFrame) {
+  attach(104, 1);
+  const auto device = open();
+  device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+  ASSERT_TRUE(device->push({.force_N = {1.0, 2.0, 3.0}, .torque_N_m = {0.01, 0.02, 0.03}}, 1e-3));
+  EXPECT_THAT(bench->units[0].sent, ElementsAre(-2.0, 1.0, 3.0, -0.02, 0.01, 0.03, 0.0));
+}
+
+TEST_F(ForceDimension, NeverSendsMoreThanTheModelGives) {
+  attach(33, 1);
+  const auto device = open();
+  device->set_limits({.force_N = 100.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device->push({.force_N = {0.0, 0.0, 80.0}}, 1e-3);
+  EXPECT_NEAR(bench->units[0].sent[2], 12.0, 1e-12);
+}
+
+TEST_F(ForceDimension, CountsSaturatedMotorsAndGoesOn) {
+  attach(33, 1);
+  const auto device = open();
+  bench->send_answer = 2;
+  EXPECT_TRUE(device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
+  EXPECT_TRUE(device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
+  EXPECT_EQ(device->counts().saturated, 2U);
+  EXPECT_THAT(device->trouble(), HasSubstr("less force than was asked for 2 times"));
+}
+
+TEST_F(ForceDimension, SaysWhyADeviceThatVanishedDoesNotAnswer) {
+  attach(33, 101);
+  const auto device = open();
+  EXPECT_TRUE(device->read(0).has_value());
+  bench->is_there = false;
+  EXPECT_FALSE(device->read(kMillisecond_ns).has_value());
+  EXPECT_FALSE(device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
+  EXPECT_THAT(device->trouble(),
+              AllOf(HasSubstr("omega.3 101 does not answer"), HasSubstr("dhdGetPosition"),
+                    HasSubstr("device disconnected")));
+  bench->is_there = true;
+  EXPECT_TRUE(device->read(2 * kMillisecond_ns).has_value());
+  EXPECT_EQ(device->trouble(), "");
+}
+
+TEST_F(ForceDimension, RefusesToPushWhileTheForceIsOffAndSaysWhatSwitchedItOff) {
+  attach(33, 101);
+  const auto device = open();
+  device->read(0);
+  EXPECT_TRUE(device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
+  bench->units[0].force_is_on = false;
+  bench->units[0].force_off_cause = 2;
+  device->read(200 * kMillisecond_ns);
+  EXPECT_FALSE(device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
+  EXPECT_THAT(device->trouble(),
+              AllOf(HasSubstr("force of omega.3 101 is off"), HasSubstr("velocity guard")));
+  bench->units[0].force_is_on = true;
+  device->read(400 * kMillisecond_ns);
+  EXPECT_TRUE(device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
+  EXPECT_EQ(device->trouble(), "");
+}
+
+TEST_F(ForceDimension, TellsHowFarTheGripperIsOpen) {
+  attach(37, 1).gripper_angle_rad = 0.25;
+  const auto device = open();
+  device->read(0);
+  EXPECT_EQ(device->gripper_angle_rad(), 0.25);
+  bench->units[0].type = 33;
+  EXPECT_FALSE(open()->gripper_angle_rad().has_value());
+}
+
+TEST_F(ForceDimension, BeginsAndEndsAtZeroForceAndLetsGo) {
+  attach(33, 1);
+  {
+    const auto device = open();
+    EXPECT_THAT(bench->units[0].sent, ElementsAre(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
+    device->push({.force_N = {1.0, 0.0, 0.0}}, 1e-3);
+    EXPECT_NE(bench->units[0].sent[1], 0.0);
+  }
+  EXPECT_THAT(bench->units[0].sent, ElementsAre(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
+  EXPECT_TRUE(bench->units[0].is_stopped);
+  EXPECT_FALSE(bench->units[0].is_open);
+}
+
+TEST_F(ForceDimension, DoesNotTouchTheHeapInATick) {
+  attach(104, 1);
+  const auto device = open();
+  AllocationGuard guard;
+  for (int i = 0; i < 300; ++i) {
+    bench->read_answer = i % 3 == 2 ? 1 : 0;
+    bench->is_there = i != 250;
+    device->read(i * kMillisecond_ns);
+    device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3);
+  }
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace asperity

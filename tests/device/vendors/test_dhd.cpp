@@ -1,0 +1,164 @@
+// A stand-in for Force Dimension's SDK: the same functions and the same answers, without a device.
+
+#include "tests/device/vendors/test_dhd.h"
+
+#include <cstddef>
+
+using asperity::test_dhd::Bench;
+using asperity::test_dhd::Unit;
+
+namespace {
+
+Bench the_bench;
+
+int failed(const char* reason) {
+  the_bench.last_error = reason;
+  return -1;
+}
+
+Unit* unit_of(char id) {
+  const auto index = static_cast<std::size_t>(id);
+  if (!the_bench.is_there) {
+    failed("device disconnected");
+    return nullptr;
+  }
+  if (id < 0 || index >= the_bench.units.size()) {
+    failed("no such device");
+    return nullptr;
+  }
+  return &the_bench.units[index];
+}
+
+void note(const char* function, char id) {
+  the_bench.calls.push_back(std::string(function) + " " + std::to_string(static_cast<int>(id)));
+}
+
+}  // namespace
+
+extern "C" {
+
+Bench* test_dhd_bench() { return &the_bench; }
+
+int dhdGetDeviceCount() {
+  return the_bench.is_there ? static_cast<int>(the_bench.units.size()) : 0;
+}
+int dhdGetAvailableCount() {
+  int free = -the_bench.in_use_elsewhere;
+  for (const Unit& unit : the_bench.units) free += unit.is_open ? 0 : 1;
+  return free;
+}
+int dhdOpenID(char index) {
+  note("dhdOpenID", index);
+  Unit* unit = unit_of(index);
+  if (unit == nullptr) return -1;
+  unit->is_open = true;
+  unit->is_stopped = false;
+  return index;
+}
+int dhdClose(char id) {
+  note("dhdClose", id);
+  Unit* unit = unit_of(id);
+  if (unit == nullptr) return -1;
+  unit->is_open = false;
+  return 0;
+}
+int dhdStop(char id) {
+  note("dhdStop", id);
+  Unit* unit = unit_of(id);
+  if (unit == nullptr) return -1;
+  unit->is_stopped = true;
+  return 0;
+}
+int dhdEnableForce(unsigned char, char id) { return unit_of(id) == nullptr ? -1 : 0; }
+int dhdGetSystemType(char id) {
+  const Unit* unit = unit_of(id);
+  return unit == nullptr ? -1 : unit->type;
+}
+int dhdGetSerialNumber(unsigned short* serial, char id) {
+  const Unit* unit = unit_of(id);
+  if (unit == nullptr) return -1;
+  *serial = unit->serial;
+  return 0;
+}
+void dhdGetSDKVersion(int* major, int* minor, int* release, int* revision) {
+  *major = 3;
+  *minor = 17;
+  *release = 5;
+  *revision = 0;
+}
+int dhdGetStatus(int* status, char id) {
+  const Unit* unit = unit_of(id);
+  if (unit == nullptr) return -1;
+  for (int i = 0; i < 17; ++i) status[i] = 0;
+  status[0] = 1;
+  status[3] = unit->knows_its_zero ? 1 : 0;
+  status[5] = unit->force_is_on ? 1 : 0;
+  status[14] = unit->force_off_cause;
+  return 0;
+}
+int dhdGetPosition(double* x, double* y, double* z, char id) {
+  const Unit* unit = unit_of(id);
+  if (unit == nullptr || the_bench.read_answer < 0) return -1;
+  *x = unit->position_m[0];
+  *y = unit->position_m[1];
+  *z = unit->position_m[2];
+  return the_bench.read_answer;
+}
+int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double frame[3][3],
+                                      char id) {
+  const int answer = dhdGetPosition(x, y, z, id);
+  if (answer < 0) return answer;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) frame[i][j] = unit_of(id)->frame[i][j];
+  }
+  return answer;
+}
+int dhdGetGripperAngleRad(double* angle_rad, char id) {
+  const Unit* unit = unit_of(id);
+  if (unit == nullptr) return -1;
+  *angle_rad = unit->gripper_angle_rad;
+  return 0;
+}
+unsigned int dhdGetButtonMask(char id) {
+  const Unit* unit = unit_of(id);
+  return unit == nullptr ? 0 : unit->buttons;
+}
+#ifndef ASPERITY_TEST_DHD_IS_OLD
+int dhdSetForceAndTorqueAndGripperForce(double fx, double fy, double fz, double tx, double ty,
+                                        double tz, double gripper, char id) {
+  Unit* unit = unit_of(id);
+  if (unit == nullptr || the_bench.send_answer < 0) return -1;
+  const double sent[7] = {fx, fy, fz, tx, ty, tz, gripper};
+  for (int i = 0; i < 7; ++i) unit->sent[i] = sent[i];
+  return the_bench.send_answer;
+}
+#endif
+const char* dhdErrorGetLastStr() { return the_bench.last_error; }
+
+#ifndef ASPERITY_TEST_DHD_WITHOUT_DRD
+int drdOpenID(char id) {
+  note("drdOpenID", id);
+  return unit_of(id) == nullptr ? -1 : id;
+}
+bool drdIsInitialized(char id) {
+  const Unit* unit = unit_of(id);
+  return unit != nullptr && unit->knows_its_zero;
+}
+int drdAutoInit(char id) {
+  note("drdAutoInit", id);
+  Unit* unit = unit_of(id);
+  if (unit == nullptr) return -1;
+  if (!unit->finds_its_zero) return failed("the handle was held");
+  unit->knows_its_zero = true;
+  return 0;
+}
+int drdStop(bool leaves_force_on, char id) {
+  note(leaves_force_on ? "drdStop with force" : "drdStop", id);
+  return 0;
+}
+int drdClose(char id) {
+  note("drdClose", id);
+  return dhdClose(id);
+}
+#endif
+}

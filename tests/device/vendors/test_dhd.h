@@ -1,0 +1,39 @@
+// What tests arrange and see of the stand-in for Force Dimension's SDK.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace asperity::test_dhd {
+
+struct Unit {
+  int type = 33;
+  unsigned short serial = 0;
+  bool knows_its_zero = true;
+  bool finds_its_zero = true;
+  bool is_open = false;
+  bool is_stopped = false;
+  double position_m[3] = {0.0, 0.0, 0.0};
+  double frame[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  double gripper_angle_rad = 0.0;
+  unsigned int buttons = 0;
+  double sent[7] = {9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0};  ///< force, torque, gripper
+  bool force_is_on = true;
+  int force_off_cause = 0;
+};
+
+struct Bench {
+  std::vector<Unit> units{};
+  int in_use_elsewhere = 0;
+  bool is_there = true;  ///< false: every call for a device fails, as after its cable was pulled
+  int read_answer = 0;
+  int send_answer = 0;
+  const char* last_error = "no error";
+  std::vector<std::string> calls{};  ///< those that open, move, close
+};
+
+}  // namespace asperity::test_dhd
+
+// Exported by the stand-in.
+using TestDhdBench = asperity::test_dhd::Bench* (*)();
