@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "device/force_dimension/force_dimension_device.h"
+#include "device/openhaptics/openhaptics_device.h"
 
 namespace asperity {
 namespace {
@@ -84,6 +85,7 @@ DriverRegistry built_in_drivers() {
   DriverRegistry registry;
   registry.add(simulated_driver());
   registry.add(force_dimension_driver());
+  registry.add(openhaptics_driver());
   return registry;
 }
 

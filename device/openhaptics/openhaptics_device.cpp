@@ -1,0 +1,332 @@
+// A Touch or Phantom of 3D Systems, through OpenHaptics.
+
+#include "device/openhaptics/openhaptics_device.h"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+
+#include "device/call_gate.h"
+#include "device/small_turn.h"
+#include "device/velocity_window.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kMillimetre_m = 1e-3;
+constexpr double kTorqueUnits_per_N_m = 1e3;  // newton millimetres
+constexpr double kUsualRate_Hz = 1000.0;      // of its scheduler, unless told otherwise
+constexpr std::chrono::milliseconds kPatience(500);
+// How many frames without an error it takes before the last one is no news any more: two seconds' worth.
+constexpr int kFramesToForget = 2000;
+
+// libHD's y is up and its z towards the participant; ours are away from them and up.
+glm::dvec3 hd_to_ours(const glm::dvec3& theirs) noexcept { return {theirs.x, -theirs.z, theirs.y}; }
+glm::dvec3 ours_to_hd(const glm::dvec3& ours) noexcept { return {ours.x, ours.z, -ours.y}; }
+
+// The same turn, told in our axes: C·R·Cᵀ, where the rows of C are our axes in theirs.
+glm::dquat hd_orientation(const double (&transform)[16]) noexcept {
+  const auto column = [&transform](int j) {
+    return hd_to_ours({transform[4 * j], transform[4 * j + 1], transform[4 * j + 2]});
+  };
+  return glm::quat_cast(glm::dmat3(column(0), -column(2), column(1)));
+}
+
+bool is_force_error(unsigned int code) noexcept { return (code & 0xFF00U) == 0x0200U; }
+
+std::string text_of(const HdFunctions& hd, unsigned int what) {
+  const char* text = hd.hdGetString(what);
+  return text == nullptr ? "" : text;
+}
+
+}  // namespace
+
+struct OpenHapticsDevice::Opened {
+  unsigned int handle = HdFunctions::kNoDevice;
+  DeviceCapability capability{};
+  glm::dvec3 centre_m{0.0};  // of the usable workspace, in our axes
+};
+
+// Outlives the device where libHD's thread does not come to an end.
+struct OpenHapticsDevice::Servo {
+  std::shared_ptr<const HdFunctions> hd;
+  unsigned int handle = 0;
+  bool has_torque = false;
+  glm::dvec3 centre_m{0.0};
+  CallGate gate{};
+
+  // libHD's thread.
+  double transform[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  int buttons = 0;
+  bool was_read = false;
+  bool may_push = true;
+  Wrench wanted{};
+  VelocityWindow velocity{};
+  VelocityWindow angular_velocity{};
+  glm::dvec3 turned_rad{0.0};
+  glm::dquat last_orientation{1.0, 0.0, 0.0, 0.0};
+
+  std::atomic<bool> is_done{false};  ///< its last call was answered with "no more"
+  std::atomic<unsigned int> last_error{0};
+  std::atomic<int> frames_since_error{0};
+
+  static unsigned int frame(void* servo) { return static_cast<Servo*>(servo)->run_frame(); }
+
+  unsigned int run_frame() noexcept {
+    hd->hdMakeCurrentDevice(handle);
+    hd->hdBeginFrame(handle);
+    hd->hdGetDoublev(HdFunctions::kTransform, transform);
+    hd->hdGetIntegerv(HdFunctions::kButtons, &buttons);
+    const unsigned int before = note(hd->take_errors());
+    was_read = before == 0 || is_force_error(before);
+
+    wanted = Wrench{};
+    const bool was_wanted = gate.pass();
+    send(wanted);
+    hd->hdEndFrame(handle);
+    const unsigned int after = note(hd->take_errors());
+    may_push = !is_force_error(before) && !is_force_error(after);
+    if (before == 0 && after == 0 &&
+        frames_since_error.load(std::memory_order_relaxed) < kFramesToForget) {
+      frames_since_error.fetch_add(1, std::memory_order_relaxed);
+    }
+    if (was_wanted) return HdFunctions::kContinue;
+    is_done.store(true, std::memory_order_release);
+    return HdFunctions::kDone;
+  }
+
+  unsigned int note(const HdFunctions::Error& error) noexcept {
+    if (error.code != 0) {
+      last_error.store(error.code, std::memory_order_relaxed);
+      frames_since_error.store(0, std::memory_order_relaxed);
+    }
+    return error.code;
+  }
+
+  void send(const Wrench& wrench) const noexcept {
+    const glm::dvec3 force_N = ours_to_hd(wrench.force_N);
+    hd->hdSetDoublev(HdFunctions::kForce, &force_N.x);
+    if (!has_torque) return;
+    const glm::dvec3 torque = kTorqueUnits_per_N_m * ours_to_hd(wrench.torque_N_m);
+    hd->hdSetDoublev(HdFunctions::kTorque, &torque.x);
+  }
+};
+
+OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const std::string& name) {
+  const std::string who = name.empty() ? "the default device of OpenHaptics"
+                                       : "the device \"" + name + "\" of OpenHaptics";
+  hd.take_errors();  // what is on the stack is not ours
+  Opened opened{.handle = hd.hdInitDevice(name.empty() ? nullptr : name.c_str())};
+  const HdFunctions::Error error = hd.take_errors();
+  if (opened.handle == HdFunctions::kNoDevice || error.code != 0) {
+    throw std::runtime_error(
+        "Cannot open " + who + ": " + hd.name_of(error) +
+        ". See that it is configured under this name with its maker's setup program.");
+  }
+  hd.hdMakeCurrentDevice(opened.handle);
+  DeviceCapability& capability = opened.capability;
+  capability.name = "openhaptics";
+  capability.model = text_of(hd, HdFunctions::kModel);
+  capability.serial = text_of(hd, HdFunctions::kSerial);
+  capability.pacing = Pacing::theirs;
+  capability.buttons = 2;
+  capability.maximum_rate_Hz = kUsualRate_Hz;
+  hd.hdGetIntegerv(HdFunctions::kSensedDegrees, &capability.sensed_degrees_of_freedom);
+  hd.hdGetIntegerv(HdFunctions::kActuatedDegrees, &capability.actuated_degrees_of_freedom);
+  hd.hdGetDoublev(HdFunctions::kPeakForce, &capability.peak_force_N);
+  hd.hdGetDoublev(HdFunctions::kContinuousForce, &capability.continuous_force_N);
+  double box_mm[6] = {};
+  hd.hdGetDoublev(HdFunctions::kUsableWorkspace, box_mm);
+  const glm::dvec3 one = kMillimetre_m * hd_to_ours({box_mm[0], box_mm[1], box_mm[2]});
+  const glm::dvec3 other = kMillimetre_m * hd_to_ours({box_mm[3], box_mm[4], box_mm[5]});
+  opened.centre_m = 0.5 * (one + other);
+  capability.workspace_minimum_m = glm::min(one, other) - opened.centre_m;
+  capability.workspace_maximum_m = glm::max(one, other) - opened.centre_m;
+  capability.remarks =
+      "Forces and workspace are what the device says of itself; resolution is not told. The "
+      "position is that of the "
+      "gimbal's centre. Velocity is the slope of the last five positions. The maker's scheduler "
+      "keeps the time, and its "
+      "clamping of forces is on.";
+
+  const unsigned int calibration = hd.hdCheckCalibration();
+  int styles = 0;
+  hd.hdGetIntegerv(HdFunctions::kCalibrationStyle, &styles);
+  const unsigned int style =
+      static_cast<unsigned int>(styles) & (HdFunctions::kByItself | HdFunctions::kInInkwell);
+  if (calibration == HdFunctions::kNeedsUpdate && style != 0) {
+    hd.hdUpdateCalibration((style & HdFunctions::kByItself) != 0 ? HdFunctions::kByItself : style);
+  }
+  std::string refusal;
+  if (const HdFunctions::Error asked = hd.take_errors(); asked.code != 0) {
+    refusal = "it does not describe itself: " + hd.name_of(asked);
+  } else if (calibration == HdFunctions::kNeedsHand) {
+    refusal =
+        "it is not calibrated. Put the stylus into its inkwell, or calibrate it with its maker's "
+        "program";
+  } else if (!(std::isfinite(capability.peak_force_N) && capability.peak_force_N > 0.0)) {
+    refusal = "it does not tell its peak force, and nobody may be pushed without a limit";
+  }
+  if (!refusal.empty()) {
+    hd.hdDisableDevice(opened.handle);
+    throw std::runtime_error("Cannot use " + who + ": " + refusal + ".");
+  }
+  return opened;
+}
+
+OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<const HdFunctions> hd, const std::string& name)
+    : OpenHapticsDevice(hd, open(*hd, name)) {}
+
+OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<const HdFunctions> hd, const Opened& opened)
+    : HapticDevice(opened.capability, ForceLimits{}),
+      hd_(std::move(hd)),
+      servo_(std::make_unique<Servo>()) {
+  servo_->hd = hd_;
+  servo_->handle = opened.handle;
+  servo_->centre_m = opened.centre_m;
+  servo_->has_torque = opened.capability.actuated_degrees_of_freedom >= 6;
+}
+
+OpenHapticsDevice::~OpenHapticsDevice() {
+  stop_calls();
+  if (!servo_) return;  // libHD hangs: another word to it would hang as well
+  hd_->hdMakeCurrentDevice(servo_->handle);
+  hd_->hdDisable(HdFunctions::kForceOutput);
+  hd_->hdDisableDevice(servo_->handle);
+}
+
+void OpenHapticsDevice::start_calls(const TickCall& call) {
+  if (!servo_) {
+    throw std::runtime_error("OpenHaptics' thread hangs: end this program and start it again.");
+  }
+  if (is_called_) throw std::logic_error("the device openhaptics calls already");
+  const auto refuse_after = [this](const std::string& what) {
+    if (const HdFunctions::Error error = hd_->take_errors(); error.code != 0) {
+      throw std::runtime_error("OpenHaptics cannot " + what + ": " + hd_->name_of(error) + ".");
+    }
+  };
+  hd_->take_errors();
+  hd_->hdMakeCurrentDevice(servo_->handle);
+  if (call.rate_Hz != kUsualRate_Hz) {
+    hd_->hdSetSchedulerRate(static_cast<unsigned long>(std::lround(call.rate_Hz)));
+    refuse_after("call " + std::to_string(std::lround(call.rate_Hz)) + " times a second");
+  }
+  hd_->hdEnable(HdFunctions::kForceOutput);
+  hd_->hdEnable(HdFunctions::kForceClamping);
+  refuse_after("switch its force on");
+  servo_->is_done.store(false);
+  servo_->velocity.reset();
+  servo_->angular_velocity.reset();
+  servo_->gate.open(call);
+  schedule_ = hd_->hdScheduleAsynchronous(&Servo::frame, servo_.get(), HdFunctions::kUsualPriority);
+  hd_->hdStartScheduler();
+  is_called_ = true;
+  try {
+    refuse_after("start its scheduler");
+  } catch (...) {
+    stop_calls();
+    throw;
+  }
+}
+
+void OpenHapticsDevice::stop_calls() noexcept {
+  if (!is_called_) return;
+  is_called_ = false;
+  // The next frame finds the gate closed, sends zero and says that it needs no other.
+  bool is_done = servo_->gate.close(kPatience);
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  while (is_done && !servo_->is_done.load(std::memory_order_acquire)) {
+    if (std::chrono::steady_clock::now() >= until) is_done = false;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  if (!is_done) {
+    [[maybe_unused]] Servo* left_behind = servo_.release();
+    return;
+  }
+  hd_->hdStopScheduler();
+  hd_->hdUnschedule(schedule_);
+}
+
+bool OpenHapticsDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
+  if (!servo_ || !servo_->was_read) return false;
+  Servo& servo = *servo_;
+  const double(&transform)[16] = servo.transform;
+  state.position_m =
+      kMillimetre_m * hd_to_ours({transform[12], transform[13], transform[14]}) - servo.centre_m;
+  state.orientation = hd_orientation(transform);
+  state.velocity_m_per_s = servo.velocity.next(now_ns, state.position_m);
+  servo.turned_rad += small_turn_rad(servo.last_orientation, state.orientation);
+  servo.last_orientation = state.orientation;
+  state.angular_velocity_rad_per_s = servo.angular_velocity.next(now_ns, servo.turned_rad);
+  state.buttons = static_cast<std::uint32_t>(servo.buttons);
+  return true;
+}
+
+bool OpenHapticsDevice::do_send(const Wrench& limited) noexcept {
+  if (!servo_) return false;
+  servo_->wanted = limited;  // set in the frame that is under way; none is outside a call
+  return servo_->may_push;
+}
+
+std::string OpenHapticsDevice::trouble() const {
+  const std::string who = capability().model + " " + capability().serial;
+  if (!servo_)
+    return "OpenHaptics' thread hangs, and " + who +
+           " with it: end this program and start it again.";
+  const unsigned int code = servo_->last_error.load();
+  if (code == 0 || servo_->frames_since_error.load() >= kFramesToForget) return "";
+  return who + " reported " + hd_->name_of({.code = code}) + ".";
+}
+
+Driver openhaptics_driver() {
+  return {.id = "openhaptics",
+          .summary = "Touch and Phantom of 3D Systems, through OpenHaptics.",
+          .find =
+              [](const DriverOptions& options) {
+                DriverSurvey survey;
+                try {
+                  auto hd = std::make_shared<const HdFunctions>(options.library);
+                  survey.found = "libHD in " + hd->file().string();
+                  AttachedDevice device{.model = "OpenHaptics", .place = "default"};
+                  try {
+                    const OpenHapticsDevice opened(std::move(hd), "");
+                    device.model = opened.capability().model;
+                    device.serial = opened.capability().serial;
+                  } catch (const std::runtime_error& refusal) {
+                    device.hindrance = refusal.what();
+                  }
+                  survey.attached.push_back(device);
+                } catch (const std::runtime_error& refusal) {
+                  survey.hindrance = refusal.what();
+                }
+                return survey;
+              },
+          .open = [](const std::string& which,
+                     const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
+            const auto hd = std::make_shared<const HdFunctions>(options.library);
+            if (which.empty() || which == "default")
+              return std::make_unique<OpenHapticsDevice>(hd, "");
+            try {
+              return std::make_unique<OpenHapticsDevice>(hd, which);
+            } catch (const std::runtime_error&) {
+              // No device has this name; it may be a serial number.
+              auto by_serial = [&hd]() -> std::unique_ptr<OpenHapticsDevice> {
+                try {
+                  return std::make_unique<OpenHapticsDevice>(hd, "");
+                } catch (const std::runtime_error&) {
+                  return nullptr;
+                }
+              }();
+              if (by_serial != nullptr && by_serial->capability().serial == which) return by_serial;
+              throw;
+            }
+          }};
+}
+
+}  // namespace asperity

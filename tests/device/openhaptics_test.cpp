@@ -1,0 +1,333 @@
+// The driver of OpenHaptics' devices, unmodified, against a library with the same functions and a scheduler's thread.
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "device/openhaptics/openhaptics_device.h"
+#include "device/vendor_library.h"
+#include "tests/device/vendors/test_hd.h"
+
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
+namespace asperity {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string openhaptics_complaint(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+// What a servo loop does in a tick: reads once, pushes once.
+struct ReadAndPush {
+  HapticDevice* device = nullptr;
+  Wrench wanted{};
+  std::mutex mutex{};
+  std::optional<ProbeState> last{};
+  std::atomic<int> ticks{0};
+  std::atomic<int> unread{0};
+  std::atomic<int> refused{0};
+  std::int64_t now_ns = 0;
+
+  ~ReadAndPush() {
+    if (device != nullptr) device->stop_calls();
+  }
+  static void tick(void* self) noexcept { static_cast<ReadAndPush*>(self)->run(); }
+  void run() noexcept {
+    now_ns += 1'000'000;
+    const std::optional<ProbeState> probe = device->read(now_ns);
+    if (!probe) ++unread;
+    if (!device->push(wanted, 1e-3)) ++refused;
+    {
+      const std::lock_guard lock(mutex);
+      last = probe;
+    }
+    ++ticks;
+  }
+  void wait_for(int more) const {
+    const int until = ticks + more;
+    while (ticks < until) std::this_thread::yield();
+  }
+  ProbeState probe() {
+    const std::lock_guard lock(mutex);
+    return last.value();
+  }
+};
+
+class OpenHaptics : public testing::Test {
+ protected:
+  OpenHaptics() : library_("the stand-in", {ASPERITY_TEST_HD}) {
+    library_.find("test_hd_reset", reset_);
+    reset_();
+    TestHdBench bench_of = nullptr;
+    library_.find("test_hd_bench", bench_of);
+    bench = bench_of();
+  }
+  ~OpenHaptics() override { reset_(); }
+
+  std::unique_ptr<OpenHapticsDevice> open() {
+    return std::make_unique<OpenHapticsDevice>(
+        std::make_shared<const HdFunctions>(ASPERITY_TEST_HD), "");
+  }
+  std::vector<std::string> calls() {
+    const std::lock_guard lock(bench->mutex);
+    return bench->calls;
+  }
+
+  const Driver driver = openhaptics_driver();
+  const DriverOptions options{.library = ASPERITY_TEST_HD};
+  test_hd::Bench* bench = nullptr;
+
+ private:
+  VendorLibrary library_;
+  TestHdReset reset_ = nullptr;
+};
+
+TEST_F(OpenHaptics, TellsWhatItNeeds) {
+  EXPECT_THAT(driver.find({.library = "/no/such/libHD.so"}).hindrance,
+              AllOf(HasSubstr("OpenHaptics is not installed"), HasSubstr("/no/such/libHD.so")));
+  EXPECT_THAT(driver.find({.library = ASPERITY_TEST_OLD_HD}).hindrance,
+              AllOf(HasSubstr("hdUnschedule"), HasSubstr("another version")));
+  bench->is_attached = false;
+  const DriverSurvey survey = driver.find(options);
+  EXPECT_EQ(survey.hindrance, "");
+  EXPECT_THAT(survey.attached.at(0).hindrance,
+              AllOf(HasSubstr("HD_COMM_ERROR"), HasSubstr("cable")));
+}
+
+TEST_F(OpenHaptics, DescribesTheDeviceAsItDescribesItself) {
+  const DeviceCapability capability = driver.open("", options)->capability();
+  EXPECT_EQ(capability.model, "Touch");
+  EXPECT_EQ(capability.serial, "T-17");
+  EXPECT_EQ(capability.pacing, Pacing::theirs);
+  EXPECT_EQ(capability.sensed_degrees_of_freedom, 6);
+  EXPECT_EQ(capability.actuated_degrees_of_freedom, 3);
+  EXPECT_EQ(capability.peak_force_N, 3.3);
+  EXPECT_EQ(capability.continuous_force_N, 0.88);
+  // 320 × 180 × 120 mm to the right, up and towards the participant, about their middle.
+  EXPECT_NEAR(glm::distance(capability.workspace_maximum_m, glm::dvec3(0.160, 0.060, 0.090)), 0.0,
+              1e-12);
+  EXPECT_NEAR(glm::distance(capability.workspace_minimum_m, glm::dvec3(-0.160, -0.060, -0.090)),
+              0.0, 1e-12);
+}
+
+TEST_F(OpenHaptics, OpensByConfiguredNameOrBySerialNumber) {
+  driver.open("Left Device", options);
+  EXPECT_THAT(calls(), Contains("hdInitDevice Left Device"));
+  EXPECT_EQ(driver.open("T-17", options)->capability().serial, "T-17");
+  EXPECT_THAT(openhaptics_complaint([&] { driver.open("Right Device", options); }),
+              HasSubstr("\"Right Device\""));
+}
+
+TEST_F(OpenHaptics, RefusesADeviceWithoutLimitOrCalibrationAndClosesIt) {
+  bench->peak_force_N = 0.0;
+  EXPECT_THAT(openhaptics_complaint([&] { open(); }), HasSubstr("peak force"));
+  bench->peak_force_N = 3.3;
+  bench->calibration = 0x5002;
+  EXPECT_THAT(openhaptics_complaint([&] { open(); }), HasSubstr("inkwell"));
+  EXPECT_THAT(calls(), ElementsAre("hdInitDevice default", "hdDisableDevice",
+                                   "hdInitDevice default", "hdDisableDevice"));
+  bench->calibration = 0x5001;
+  open();
+  EXPECT_THAT(calls(), Contains("hdUpdateCalibration 4"));
+}
+
+TEST_F(OpenHaptics, TicksOnceInEachFrame) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.wait_for(20);
+  device->stop_calls();
+  EXPECT_EQ(bench->disorders, 0);
+  EXPECT_EQ(bench->frames, servo.ticks + 1);  // and one to say zero
+  EXPECT_THAT(calls(), Contains("hdEnable " + std::to_string(0x4000)));
+  EXPECT_THAT(calls(), Contains("hdEnable " + std::to_string(0x4001)));
+  const int ticks = servo.ticks;
+  device->stop_calls();
+  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.wait_for(3);
+  EXPECT_GT(servo.ticks, ticks);
+}
+
+TEST_F(OpenHaptics, TellsThePoseInMetresAndInOurFrame) {
+  // 10 mm right, 20 mm up and 30 mm towards the participant of the workspace's middle (0, 30, −10); turned by +90°
+  // about the axis that points up: what pointed right points away.
+  const double transform[16] = {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 10, 50, 20, 1};
+  std::copy_n(transform, 16, bench->transform);
+  bench->buttons = 2;
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.wait_for(8);
+  const ProbeState probe = servo.probe();
+  EXPECT_NEAR(glm::distance(probe.position_m, glm::dvec3(0.010, -0.030, 0.020)), 0.0, 1e-12);
+  EXPECT_NEAR(
+      glm::distance(probe.orientation * glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0)), 0.0,
+      1e-12);
+  EXPECT_NEAR(
+      glm::distance(probe.orientation * glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 0.0, 1.0)), 0.0,
+      1e-12);
+  EXPECT_EQ(probe.velocity_m_per_s, glm::dvec3(0.0));
+  EXPECT_EQ(probe.buttons, 2U);
+}
+
+TEST_F(OpenHaptics, SendsForcesInItsFrameAndNeverAboveItsPeak) {
+  const auto device = open();
+  device->set_limits({.force_N = 50.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  ReadAndPush servo{device.get(), {.force_N = {0.3, 0.2, 0.1}, .torque_N_m = {0.01, 0.0, 0.0}}};
+  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.wait_for(2);
+  {
+    const std::lock_guard lock(bench->mutex);
+    EXPECT_THAT(bench->force_N, ElementsAre(0.3, 0.1, -0.2));
+    EXPECT_THAT(bench->torque, ElementsAre(9.0, 9.0, 9.0));  // it cannot turn: never touched
+  }
+  device->stop_calls();
+  servo.wanted.force_N = {0.0, 0.0, 40.0};
+  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.wait_for(2);
+  device->stop_calls();
+  EXPECT_NEAR(bench->strongest_N, 3.3, 1e-12);
+  EXPECT_LE(bench->strongest_N, 3.3);
+  EXPECT_THAT(bench->force_N, ElementsAre(0.0, 0.0, 0.0));
+}
+
+TEST_F(OpenHaptics, SendsTorqueInNewtonMillimetresToModelsThatCanTurn) {
+  bench->actuated_degrees = 6;
+  const auto device = open();
+  device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  ReadAndPush servo{device.get(), {.torque_N_m = {0.01, 0.02, 0.03}}};
+  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.wait_for(2);
+  const std::lock_guard lock(bench->mutex);
+  EXPECT_NEAR(bench->torque[0], 10.0, 1e-12);
+  EXPECT_NEAR(bench->torque[1], 30.0, 1e-12);
+  EXPECT_NEAR(bench->torque[2], -20.0, 1e-12);
+}
+
+TEST_F(OpenHaptics, RefusesAPushAfterAForceErrorAndNamesIt) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.wait_for(2);
+  EXPECT_EQ(servo.refused, 0);
+  {
+    const std::lock_guard lock(bench->mutex);
+    bench->error_of_each_frame = 0x0200;
+  }
+  while (servo.refused == 0) std::this_thread::yield();
+  EXPECT_EQ(servo.unread, 0);  // it can be read, and is
+  EXPECT_THAT(device->trouble(),
+              AllOf(HasSubstr("Touch T-17"), HasSubstr("HD_WARM_MOTORS"), HasSubstr("rest")));
+  {
+    const std::lock_guard lock(bench->mutex);
+    bench->error_of_each_frame = 0x0201;
+  }
+  servo.wait_for(3);
+  EXPECT_THAT(device->trouble(), HasSubstr("HD_EXCEEDED_MAX_FORCE"));
+}
+
+TEST_F(OpenHaptics, DoesNotAnswerWhenTheDeviceIsGoneAndDoesAgainAfterwards) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.wait_for(2);
+  EXPECT_EQ(servo.unread, 0);
+  {
+    const std::lock_guard lock(bench->mutex);
+    bench->is_attached = false;
+  }
+  while (servo.unread == 0) std::this_thread::yield();
+  EXPECT_THAT(device->trouble(), HasSubstr("HD_COMM_ERROR"));
+  {
+    const std::lock_guard lock(bench->mutex);
+    bench->is_attached = true;
+  }
+  servo.wait_for(3);
+  const int unread = servo.unread;
+  servo.wait_for(3);
+  EXPECT_EQ(servo.unread, unread);
+}
+
+TEST_F(OpenHaptics, AsksForTheRateOrSaysThatItCannotBeHad) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  EXPECT_THAT(openhaptics_complaint([&] {
+                device->start_calls(
+                    {.function = &ReadAndPush::tick, .argument = &servo, .rate_Hz = 2000.0});
+              }),
+              HasSubstr("2000 times a second"));
+  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo, .rate_Hz = 500.0});
+  const std::lock_guard lock(bench->mutex);
+  EXPECT_EQ(bench->rate_Hz, 500U);
+}
+
+TEST_F(OpenHaptics, EndsAtZeroForceAndLetsGo) {
+  {
+    const auto device = open();
+    device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+    ReadAndPush servo{device.get(), {.force_N = {0.0, 0.0, 1.0}}};
+    device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+    servo.wait_for(2);
+    device->stop_calls();
+    EXPECT_EQ(bench->strongest_N, 1.0);
+  }
+  EXPECT_THAT(bench->force_N, ElementsAre(0.0, 0.0, 0.0));
+  const std::vector<std::string> all = calls();
+  EXPECT_EQ(all.back(), "hdDisableDevice");
+  EXPECT_THAT(all, Contains("hdStopScheduler"));
+}
+
+TEST_F(OpenHaptics, LeavesAThreadThatHangsBehind) {
+#ifdef __SANITIZE_ADDRESS__
+  const __lsan::ScopedDisabler what_is_left_behind_on_purpose;
+#endif
+  auto device = open();
+  ReadAndPush servo{device.get()};
+  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.wait_for(2);
+  bench->hangs = true;
+  while (!bench->is_hanging) std::this_thread::yield();
+  const int ticks = servo.ticks;
+  device->stop_calls();  // comes back
+  EXPECT_THAT(device->trouble(), HasSubstr("hangs"));
+  EXPECT_FALSE(device->read(0).has_value());
+  EXPECT_THAT(openhaptics_complaint([&] {
+                device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+              }),
+              HasSubstr("hangs"));
+  servo.device = nullptr;
+  device.reset();
+  EXPECT_THAT(calls(),
+              Not(Contains("hdStopScheduler")));  // it would wait for the thread that hangs
+
+  const int frames = bench->frames;
+  bench->hangs = false;  // the thread comes back to a device that is gone
+  while (bench->frames == frames) std::this_thread::yield();
+  EXPECT_EQ(servo.ticks, ticks);
+  const std::lock_guard lock(bench->mutex);
+  EXPECT_THAT(bench->force_N, ElementsAre(0.0, 0.0, 0.0));
+}
+
+}  // namespace
+}  // namespace asperity
