@@ -226,11 +226,11 @@ bool ForceDimensionDevice::do_read(std::int64_t now_ns, ProbeState& state) noexc
   is_stale_.store(false, std::memory_order_relaxed);
 
   state.position_m = ours_from(theirs_m);
-  state.velocity_m_per_s = velocity_.next(now_ns, state.position_m);
+  state.velocity_m_per_s = velocity_.add(now_ns, state.position_m);
   if (has_wrist_) {
     state.orientation = orientation_from(rows);
     turned_rad_ += small_turn_rad(last_.orientation, state.orientation);
-    state.angular_velocity_rad_per_s = angular_velocity_.next(now_ns, turned_rad_);
+    state.angular_velocity_rad_per_s = angular_velocity_.add(now_ns, turned_rad_);
   }
   state.buttons = sdk_->dhdGetButtonMask(id_);
   if (has_gripper_) {

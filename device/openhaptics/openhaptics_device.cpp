@@ -14,7 +14,7 @@
 
 #include "device/call_gate.h"
 #include "device/small_turn.h"
-#include "device/velocity_window.h"
+#include "device/velocity_estimator.h"
 
 namespace asperity {
 namespace {
@@ -22,6 +22,8 @@ namespace {
 constexpr double kMillimetre_m = 1e-3;
 constexpr double kTorqueUnits_per_N_m = 1e3;  // newton millimetres
 constexpr double kUsualRate_Hz = 1000.0;      // of its scheduler, unless told otherwise
+constexpr VelocityWindow kVelocityWindow{.samples =
+                                             5};  // 2 ms late, as for every maker's device here
 constexpr std::chrono::milliseconds kPatience(500);
 // How many frames without an error it takes before the last one is no news any more: two seconds' worth.
 constexpr int kFramesToForget = 2000;
@@ -67,8 +69,8 @@ struct OpenHapticsDevice::Servo {
   bool was_read = false;
   bool may_push = true;
   Wrench wanted{};
-  VelocityWindow velocity{};
-  VelocityWindow angular_velocity{};
+  VelocityEstimator velocity{kVelocityWindow};
+  VelocityEstimator angular_velocity{kVelocityWindow};
   glm::dvec3 turned_rad{0.0};
   glm::dquat last_orientation{1.0, 0.0, 0.0, 0.0};
 
@@ -260,10 +262,10 @@ bool OpenHapticsDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept
   state.position_m =
       kMillimetre_m * hd_to_ours({transform[12], transform[13], transform[14]}) - servo.centre_m;
   state.orientation = hd_orientation(transform);
-  state.velocity_m_per_s = servo.velocity.next(now_ns, state.position_m);
+  state.velocity_m_per_s = servo.velocity.add(now_ns, state.position_m);
   servo.turned_rad += small_turn_rad(servo.last_orientation, state.orientation);
   servo.last_orientation = state.orientation;
-  state.angular_velocity_rad_per_s = servo.angular_velocity.next(now_ns, servo.turned_rad);
+  state.angular_velocity_rad_per_s = servo.angular_velocity.add(now_ns, servo.turned_rad);
   state.buttons = static_cast<std::uint32_t>(servo.buttons);
   return true;
 }

@@ -16,7 +16,7 @@ namespace asperity {
 ///
 /// The peak force is what the device says of itself (HD_NOMINAL_MAX_FORCE); libHD's own clamping is on as a second
 /// net. Torque goes to models with six actuated degrees of freedom only. Velocity is our own estimate
-/// (velocity_window.h). After a force error of libHD (warm motors, too strong, too fast) the next push is
+/// (velocity_estimator.h). After a force error of libHD (warm motors, too strong, too fast) the next push is
 /// refused: the servo loop's fault tells, and `trouble` says which error it was.
 ///
 /// Frame: ours, x to the participant's right, y away from them, z up; origin in the middle of the usable
