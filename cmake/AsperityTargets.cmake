@@ -52,11 +52,11 @@ function(asperity_optimise_lightly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O1>)
 endfunction()
 
-# asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…])
+# asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <program>])
 # Tests are discovered when ctest runs, so that building never runs a test program. The label "long" keeps
 # them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo, realtime or window.
 function(asperity_add_tests folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "LAUNCHER" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   set(program asperity_${folder}_tests)
   add_executable(${program} ${ARG_SOURCES})
   asperity_configure(${program})
@@ -66,6 +66,10 @@ function(asperity_add_tests folder)
   # A test's own code runs for moments: optimising it would take longer than it saves.
   target_compile_options(${program} PRIVATE $<$<CONFIG:Debug>:-O0>)
   target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  if(ARG_LAUNCHER)
+    # What starts a program, in the words of CMake.
+    set_target_properties(${program} PROPERTIES CROSSCOMPILING_EMULATOR "${ARG_LAUNCHER}")
+  endif()
   set(timeout_s 300)
   if("long" IN_LIST ARG_LABELS)
     set(timeout_s 3600)

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "device/falcon/falcon_device.h"
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/openhaptics/openhaptics_device.h"
 
@@ -84,6 +85,7 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
 DriverRegistry built_in_drivers() {
   DriverRegistry registry;
   registry.add(simulated_driver());
+  registry.add(falcon_driver());
   registry.add(force_dimension_driver());
   registry.add(openhaptics_driver());
   return registry;

@@ -22,6 +22,10 @@ struct DriverOptions {
   std::filesystem::path library{};
   /// Where the maker's local service listens, "HOST:PORT", where not at its usual place.
   std::string service{};
+  /// Told, while a device is opened, what a person has to do for it ("pull the grip out…").
+  std::function<void(const std::string& sentence)> tell{};
+  /// Drivers with a thread of their own ask for SCHED_FIFO; refused, they go on without.
+  bool wants_fifo = true;
   /// What holds the probe of the simulated device; has to outlive it. Null elsewhere.
   VirtualHand* hand = nullptr;
   SimulatedDeviceSettings simulated{};

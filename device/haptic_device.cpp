@@ -46,11 +46,16 @@ std::optional<ProbeState> HapticDevice::read(std::int64_t now_ns) noexcept {
 }
 
 std::optional<LimitedWrench> HapticDevice::push(const Wrench& wanted, double dt_s) noexcept {
-  const LimitedWrench limited = limiter_.limit(as_actuated(capability_, wanted), dt_s);
+  LimitedWrench limited = limiter_.limit(as_actuated(capability_, wanted), dt_s);
+  given_.reset();
   if (!do_send(limited.wrench)) {
     // Its motors are at zero, or unknown; whatever comes next rises from zero.
     limiter_.reset();
     return std::nullopt;
+  }
+  if (given_) {
+    limited.wrench = *given_;
+    limited.reasons |= static_cast<std::uint8_t>(LimitReason::force);
   }
   return limited;
 }

@@ -72,6 +72,9 @@ class HapticDevice {
  protected:
   HapticDevice(DeviceCapability capability, const ForceLimits& limits);
 
+  /// For `do_send`: the motors could give no more than this. `push` returns it as limited in force.
+  void gave_only(const Wrench& given) noexcept { given_ = given; }
+
  private:
   /// Fills `state`, whose time is already `now_ns`; false when the device does not answer.
   virtual bool do_read(std::int64_t now_ns, ProbeState& state) noexcept = 0;
@@ -80,6 +83,7 @@ class HapticDevice {
 
   DeviceCapability capability_{};
   ForceLimiter limiter_;
+  std::optional<Wrench> given_{};
 };
 
 }  // namespace asperity

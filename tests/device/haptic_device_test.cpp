@@ -3,6 +3,7 @@
 #include "device/haptic_device.h"
 
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -29,6 +30,7 @@ class Sketch final : public HapticDevice {
   }
 
   bool answers = true;
+  std::optional<double> strongest_N{};  ///< what its motors have, along the force that is asked for
   const std::vector<Wrench>& sent() const { return sent_; }
 
  private:
@@ -39,6 +41,10 @@ class Sketch final : public HapticDevice {
   bool do_send(const Wrench& limited) noexcept override {
     if (answers) {
       sent_.push_back(limited);
+      const double wanted_N = glm::length(limited.force_N);
+      if (strongest_N && wanted_N > *strongest_N) {
+        gave_only({.force_N = *strongest_N / wanted_N * limited.force_N});
+      }
     }
     return answers;
   }
@@ -90,6 +96,17 @@ TEST(HapticDevice, LowersAForceLimitAboveItsPeakForce) {
   EXPECT_LE(glm::length(device.sent()[0].force_N), 3.3);
   device.set_limits({.force_N = 1.0});
   EXPECT_EQ(device.limits().force_N, 1.0);
+}
+
+TEST(HapticDevice, TellsWhatMotorsAtTheirLimitGave) {
+  Sketch device(capability(10.0), {.force_N = 8.0, .slew_N_per_s = 1e6});
+  device.strongest_N = 3.0;
+  const auto limited = device.push({.force_N = {0.0, 6.0, 0.0}}, kDt_s);
+  EXPECT_EQ(limited->wrench.force_N, glm::dvec3(0.0, 3.0, 0.0));
+  EXPECT_TRUE(limited->has(LimitReason::force));
+  const auto next = device.push({.force_N = {0.0, 2.0, 0.0}}, kDt_s);
+  EXPECT_EQ(next->wrench.force_N, glm::dvec3(0.0, 2.0, 0.0));
+  EXPECT_EQ(next->reasons, 0);
 }
 
 TEST(HapticDevice, RefusesMotorsWithoutAPeakForce) {

@@ -1,0 +1,204 @@
+#include "device/falcon/falcon_line.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <pthread.h>
+#include <sched.h>
+#include <stdexcept>
+#include <utility>
+
+namespace asperity::falcon {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kPatience{20};  // for one frame; far more than it ever takes
+constexpr milliseconds kPauseAfterError{1};
+constexpr milliseconds kPauseBetweenSearches{200};
+constexpr std::int64_t kSilence_ns = 1'000'000'000;  // after which the device is opened anew
+constexpr int kPartingFrames = 3;
+constexpr int kMeasuredFrames = 40;
+constexpr std::int64_t kMeasuring_ns = 500'000'000;
+// Above the servo's priority: it sleeps on the bus nearly always, and its answer should be there when
+// a tick begins.
+constexpr int kFifoPriority = 81;
+
+std::int64_t monotonic_ns() noexcept {
+  // On Linux the clock that the servo's ticks come from.
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+void pause(const std::stop_token& stop, milliseconds duration) {
+  std::mutex mutex;
+  std::unique_lock lock(mutex);
+  std::condition_variable_any stopped;
+  stopped.wait_for(lock, stop, duration, [] { return false; });
+}
+
+std::uint64_t packed(const std::array<std::int16_t, 3>& words) noexcept {
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    bits |= std::uint64_t{static_cast<std::uint16_t>(words[i])} << (16 * i);
+  }
+  return bits;
+}
+
+std::array<std::int16_t, 3> unpacked(std::uint64_t bits) noexcept {
+  std::array<std::int16_t, 3> words{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    words[i] = static_cast<std::int16_t>(static_cast<std::uint16_t>(bits >> (16 * i)));
+  }
+  return words;
+}
+
+}  // namespace
+
+FalconLine::FalconLine(LineSettings settings)
+    : settings_(std::move(settings)), answers_(settings_.velocity) {
+  open();
+  thread_ = std::jthread([this](const std::stop_token& stop) { converse(stop); });
+  if (settings_.wants_fifo) {
+    const sched_param priority{kFifoPriority};
+    // Refused to most users; the servo says in the session's record what the machine permits.
+    (void)pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &priority);
+  }
+}
+
+FalconLine::~FalconLine() = default;  // the thread is the last member: stopped and joined first
+
+void FalconLine::command(const std::array<std::int16_t, 3>& motor_words) noexcept {
+  words_.store(packed(motor_words), std::memory_order_relaxed);
+  commanded_ns_.store(monotonic_ns(), std::memory_order_release);
+}
+
+void FalconLine::open() {
+  auto port = std::make_unique<FalconPort>(usb_, settings_.place);
+  make_ready(*port, {});
+  port_ = std::move(port);
+  heard_ns_ = monotonic_ns();
+  connected_.store(true, std::memory_order_release);
+  rate_Hz_ = measured_rate_Hz();
+}
+
+void FalconLine::make_ready(FalconPort& port, const std::stop_token& stop) const {
+  if (port.begin_frames() == Transfer::done && speaks_frames(port)) return;
+  if (settings_.firmware.empty()) {
+    throw std::runtime_error(no_firmware_sentence(settings_.place));
+  }
+  load_firmware(port, settings_.firmware, stop);
+}
+
+// The median, so that a moment's delay does not slow the device down on paper.
+double FalconLine::measured_rate_Hz() {
+  std::array<std::int64_t, kMeasuredFrames> durations_ns{};
+  std::size_t count = 0;
+  const std::int64_t began_ns = monotonic_ns();
+  std::int64_t last_ns = began_ns;
+  while (count < durations_ns.size() && last_ns - began_ns < kMeasuring_ns) {
+    (void)exchange();
+    const std::int64_t now_ns = monotonic_ns();
+    durations_ns[count++] = now_ns - last_ns;
+    last_ns = now_ns;
+  }
+  const auto middle = durations_ns.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(durations_ns.begin(), middle,
+                   durations_ns.begin() + static_cast<std::ptrdiff_t>(count));
+  return 1e9 / static_cast<double>(std::max<std::int64_t>(*middle, 1));
+}
+
+void FalconLine::converse(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    if (!port_) {
+      if (!reopen(stop)) pause(stop, kPauseBetweenSearches);
+      continue;
+    }
+    const Transfer ended = exchange();
+    if (ended == Transfer::gone || monotonic_ns() - heard_ns_ > kSilence_ns) {
+      lose();
+    } else if (ended != Transfer::done) {
+      pause(stop, kPauseAfterError);
+    }
+  }
+  const Frame zero = frame_of({});
+  for (int i = 0; port_ && i < kPartingFrames; ++i) {
+    if (port_->write(zero, kPatience) == Transfer::done) break;
+  }
+}
+
+bool FalconLine::reopen(const std::stop_token& stop) {
+  // The same unit, or else what is plugged in where it was, or else the only one.
+  const std::vector<AttachedDevice> attached = usb_.falcons();
+  const AttachedDevice* same = nullptr;
+  for (const AttachedDevice& one : attached) {
+    const bool fits = settings_.serial.empty()
+                          ? one.place == settings_.place || attached.size() == 1
+                          : one.serial == settings_.serial;
+    if (fits && one.is_usable()) same = &one;
+  }
+  if (same == nullptr) return false;
+  try {
+    auto port = std::make_unique<FalconPort>(usb_, same->place);
+    make_ready(*port, stop);
+    port_ = std::move(port);
+  } catch (const std::exception&) {
+    return false;  // it may have been plugged in for a moment only; the next search tells
+  }
+  heard_ns_ = monotonic_ns();
+  connected_.store(true, std::memory_order_release);
+  return true;
+}
+
+void FalconLine::lose() noexcept {
+  connected_.store(false, std::memory_order_release);
+  commanded_ns_.store(0, std::memory_order_release);
+  port_.reset();
+  reader_.reset();
+  answers_.reset();
+}
+
+Command FalconLine::command_now(std::int64_t now_ns) const noexcept {
+  if (!answers_.is_homed()) return {.lamp = Lamp::red, .is_homing = true};
+  Command command{.lamp = Lamp::green};
+  const std::int64_t commanded_ns = commanded_ns_.load(std::memory_order_acquire);
+  if (now_ns - commanded_ns < kForceLasts_ns) {
+    command.motor_words = unpacked(words_.load(std::memory_order_relaxed));
+  }
+  return command;
+}
+
+Transfer FalconLine::exchange() {
+  const std::int64_t began_ns = monotonic_ns();
+  if (const Transfer ended = port_->write(frame_of(command_now(began_ns)), kPatience);
+      ended != Transfer::done) {
+    return ended;
+  }
+  for (;;) {
+    FalconPort::Packet packet{};
+    std::size_t count = 0;
+    const Transfer ended = port_->read(packet, count, kPatience);
+    const std::int64_t now_ns = monotonic_ns();
+    if (ended != Transfer::done) {
+      if (ended != Transfer::timed_out) reader_.reset();  // half a frame will never be whole
+      return ended;
+    }
+    // A late answer may be followed by the one to the next frame: the last one counts.
+    bool heard = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::optional<Answer> answer = reader_.take(packet[i]);
+      if (!answer) continue;
+      heard = true;
+      if (const std::optional<Reading> reading = answers_.take(*answer, now_ns)) {
+        heard_ns_ = now_ns;
+        readings_.put(*reading);
+      }
+    }
+    if (heard) return Transfer::done;
+    if (now_ns - began_ns > std::chrono::nanoseconds(kPatience).count()) return Transfer::timed_out;
+  }
+}
+
+}  // namespace asperity::falcon

@@ -1,0 +1,246 @@
+#include "device/falcon/falcon_port.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <libusb.h>
+
+namespace asperity::falcon {
+
+// What the serial chip understands.
+enum class FalconPort::Request : std::uint8_t {
+  reset = 0,
+  modem_lines = 1,
+  flow_control = 2,
+  baud_divisor = 3,
+  data_format = 4,
+  latency_ms = 9,
+};
+
+namespace {
+
+constexpr std::uint16_t kVendor = 0x0403;
+constexpr std::uint16_t kProduct = 0xcb48;
+constexpr int kInterface = 0;
+constexpr unsigned char kOut = 0x02;
+constexpr unsigned char kIn = 0x81;
+constexpr std::size_t kModem_bytes = 2;
+constexpr std::uint8_t kToChip = 0x40;
+constexpr unsigned kControl_ms = 200;
+
+constexpr std::uint16_t kForgetReceived = 1;
+constexpr std::uint16_t kForgetToSend = 2;
+constexpr std::uint16_t kDtrLow = 0x0100;
+constexpr std::uint16_t kDtrHigh = 0x0101;
+constexpr std::uint16_t kRtsLow = 0x0200;
+constexpr std::uint16_t k9600Baud = 0x4138;
+constexpr std::uint16_t k140kBaud = 0x0015;
+constexpr std::uint16_t k1500kBaud = 0x0002;
+constexpr std::uint16_t kEightBitsNoParityOneStop = 8;
+
+// Every device that is a Falcon, unopened; lets go of them.
+class FoundFalcons final {
+ public:
+  explicit FoundFalcons(libusb_context* context) {
+    const ssize_t count = libusb_get_device_list(context, &list_);
+    for (ssize_t i = 0; i < count; ++i) {
+      libusb_device_descriptor descriptor{};
+      if (libusb_get_device_descriptor(list_[i], &descriptor) == LIBUSB_SUCCESS &&
+          descriptor.idVendor == kVendor && descriptor.idProduct == kProduct) {
+        devices_.emplace_back(list_[i], descriptor.iSerialNumber);
+      }
+    }
+  }
+  ~FoundFalcons() {
+    if (list_ != nullptr) libusb_free_device_list(list_, 1);
+  }
+  FoundFalcons(const FoundFalcons&) = delete;
+  FoundFalcons& operator=(const FoundFalcons&) = delete;
+
+  /// With the number of the text that is its serial number.
+  const std::vector<std::pair<libusb_device*, std::uint8_t>>& devices() const { return devices_; }
+
+ private:
+  libusb_device** list_ = nullptr;
+  std::vector<std::pair<libusb_device*, std::uint8_t>> devices_{};
+};
+
+// "usb 1-2.3": bus and ports, as the kernel names them.
+std::string place_of(libusb_device* device) {
+  std::array<std::uint8_t, 7> ports{};
+  const int count = libusb_get_port_numbers(device, ports.data(), static_cast<int>(ports.size()));
+  std::string place = "usb " + std::to_string(libusb_get_bus_number(device));
+  for (int i = 0; i < count; ++i) {
+    place += (i == 0 ? '-' : '.') + std::to_string(ports[static_cast<std::size_t>(i)]);
+  }
+  return place;
+}
+
+std::string hindrance_of(int error, const std::string& place) {
+  const std::string it = "the Novint Falcon at " + place;
+  switch (error) {
+    case LIBUSB_ERROR_ACCESS:
+      return it +
+             " may not be opened by this user: put Asperity's rule file 70-asperity.rules into "
+             "/etc/udev/rules.d, then unplug the Falcon and plug it in again";
+    case LIBUSB_ERROR_BUSY:
+      return it + " is used by another program or session; end that one first";
+    case LIBUSB_ERROR_NO_DEVICE:
+      return it + " was unplugged while it was opened; plug it in again";
+    default:
+      return it + " cannot be opened (" + libusb_strerror(error) +
+             "); unplug it and plug it in again";
+  }
+}
+
+Transfer outcome_of(int error) noexcept {
+  switch (error) {
+    case LIBUSB_SUCCESS:
+      return Transfer::done;
+    case LIBUSB_ERROR_TIMEOUT:
+      return Transfer::timed_out;
+    case LIBUSB_ERROR_NO_DEVICE:
+      return Transfer::gone;
+    default:
+      return Transfer::failed;
+  }
+}
+
+std::string serial_of(libusb_device_handle* handle, std::uint8_t text) {
+  if (text == 0) return {};
+  std::array<unsigned char, 64> serial{};
+  const int length = libusb_get_string_descriptor_ascii(handle, text, serial.data(),
+                                                        static_cast<int>(serial.size()));
+  return length > 0 ? std::string(serial.begin(), serial.begin() + length) : std::string{};
+}
+
+}  // namespace
+
+UsbSession::UsbSession() {
+  if (const int error = libusb_init(&context_); error != LIBUSB_SUCCESS) {
+    throw std::runtime_error(std::string("USB devices cannot be looked for: ") +
+                             libusb_strerror(error));
+  }
+}
+
+UsbSession::~UsbSession() { libusb_exit(context_); }
+
+std::vector<AttachedDevice> UsbSession::falcons() const {
+  std::vector<AttachedDevice> attached;
+  const FoundFalcons found(context_);
+  for (const auto& [device, serial_text] : found.devices()) {
+    AttachedDevice one{.model = "Novint Falcon", .place = place_of(device)};
+    libusb_device_handle* handle = nullptr;
+    int error = libusb_open(device, &handle);
+    if (error == LIBUSB_SUCCESS) {
+      one.serial = serial_of(handle, serial_text);
+      error = libusb_claim_interface(handle, kInterface);
+      if (error == LIBUSB_SUCCESS) libusb_release_interface(handle, kInterface);
+      libusb_close(handle);
+    }
+    if (error != LIBUSB_SUCCESS) one.hindrance = hindrance_of(error, one.place);
+    attached.push_back(std::move(one));
+  }
+  std::sort(attached.begin(), attached.end(),
+            [](const auto& one, const auto& other) { return one.place < other.place; });
+  return attached;
+}
+
+FalconPort::FalconPort(const UsbSession& usb, const std::string& place) {
+  const FoundFalcons found(usb.context());
+  int error = LIBUSB_ERROR_NO_DEVICE;
+  for (const auto& [device, serial_text] : found.devices()) {
+    if (place_of(device) != place) continue;
+    error = libusb_open(device, &handle_);
+    if (error != LIBUSB_SUCCESS) break;
+    error = libusb_claim_interface(handle_, kInterface);
+    if (error != LIBUSB_SUCCESS) libusb_close(handle_);
+    break;
+  }
+  if (error != LIBUSB_SUCCESS) throw std::runtime_error(hindrance_of(error, place));
+}
+
+FalconPort::~FalconPort() {
+  libusb_release_interface(handle_, kInterface);
+  libusb_close(handle_);
+}
+
+Transfer FalconPort::write(std::span<const std::uint8_t> bytes,
+                           std::chrono::milliseconds patience) noexcept {
+  int written = 0;
+  // libusb's parameter is not const; it does not write to what goes out.
+  const int error = libusb_bulk_transfer(handle_, kOut, const_cast<unsigned char*>(bytes.data()),
+                                         static_cast<int>(bytes.size()), &written,
+                                         static_cast<unsigned>(patience.count()));
+  if (error == LIBUSB_ERROR_PIPE) libusb_clear_halt(handle_, kOut);
+  if (error == LIBUSB_SUCCESS && written != static_cast<int>(bytes.size())) return Transfer::failed;
+  return outcome_of(error);
+}
+
+Transfer FalconPort::read(Packet& packet, std::size_t& count,
+                          std::chrono::milliseconds patience) noexcept {
+  count = 0;
+  Packet received{};
+  int length = 0;
+  const int error =
+      libusb_bulk_transfer(handle_, kIn, received.data(), static_cast<int>(received.size()),
+                           &length, static_cast<unsigned>(patience.count()));
+  if (error == LIBUSB_ERROR_PIPE) libusb_clear_halt(handle_, kIn);
+  const auto bytes = static_cast<std::size_t>(std::max(0, length));
+  if (bytes > kModem_bytes) {
+    count = bytes - kModem_bytes;
+    std::copy_n(received.begin() + kModem_bytes, count, packet.begin());
+    if (error == LIBUSB_ERROR_TIMEOUT) return Transfer::done;  // it came at the last moment
+  }
+  return outcome_of(error);
+}
+
+Transfer FalconPort::control(Request request, std::uint16_t value) noexcept {
+  const int result = libusb_control_transfer(handle_, kToChip, static_cast<std::uint8_t>(request),
+                                             value, 0, nullptr, 0, kControl_ms);
+  return outcome_of(std::min(result, 0));
+}
+
+Transfer FalconPort::control_all(
+    std::span<const std::pair<Request, std::uint16_t>> steps) noexcept {
+  for (const auto& [request, value] : steps) {
+    if (const Transfer ended = control(request, value); ended != Transfer::done) return ended;
+  }
+  return Transfer::done;
+}
+
+Transfer FalconPort::begin_frames() noexcept {
+  constexpr std::array<std::pair<Request, std::uint16_t>, 4> kSteps{{
+      {Request::latency_ms, std::uint16_t{1}},
+      {Request::baud_divisor, k1500kBaud},
+      {Request::reset, kForgetReceived},
+      {Request::reset, kForgetToSend},
+  }};
+  return control_all(kSteps);
+}
+
+Transfer FalconPort::begin_boot_loader() noexcept {
+  constexpr std::array<std::pair<Request, std::uint16_t>, 9> kSteps{{
+      {Request::reset, kForgetReceived},
+      {Request::reset, kForgetToSend},
+      {Request::latency_ms, std::uint16_t{16}},
+      {Request::baud_divisor, k9600Baud},
+      {Request::data_format, kEightBitsNoParityOneStop},
+      {Request::flow_control, std::uint16_t{0}},
+      {Request::modem_lines, kRtsLow},
+      {Request::modem_lines, kDtrLow},
+      {Request::modem_lines, kDtrHigh},
+  }};
+  return control_all(kSteps);
+}
+
+Transfer FalconPort::begin_firmware() noexcept {
+  constexpr std::array<std::pair<Request, std::uint16_t>, 2> kSteps{{
+      {Request::modem_lines, kDtrLow},
+      {Request::baud_divisor, k140kBaud},
+  }};
+  return control_all(kSteps);
+}
+
+}  // namespace asperity::falcon

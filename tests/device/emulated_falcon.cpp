@@ -1,0 +1,507 @@
+#include "tests/device/emulated_falcon.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <sys/ioctl.h>
+#include <thread>
+
+#include <linux/usbdevice_fs.h>
+#include <umockdev.h>
+
+#include "tests/device/falcon_arm_angles.h"
+
+namespace asperity {
+namespace {
+
+using std::chrono::steady_clock;
+
+// Bus error of a transfer, as the kernel numbers it.
+constexpr int kBusError = -EPROTO;
+constexpr int kUnplugged = -ESHUTDOWN;
+constexpr int kTaken = -ENOENT;
+constexpr auto kLatency = std::chrono::milliseconds(4);
+constexpr std::size_t kPacket_bytes = 64;
+constexpr std::array<std::uint8_t, 3> kCall{0x0a, 0x43, 0x0d};
+
+std::string hex_of(const std::vector<int>& bytes) {
+  std::string text;
+  for (const int byte : bytes) {
+    char two[3]{};
+    std::snprintf(two, sizeof two, "%02x", static_cast<unsigned>(byte) & 0xffU);
+    text += two;
+  }
+  return text;
+}
+
+std::string number_of(int number) {
+  char three[8]{};
+  std::snprintf(three, sizeof three, "%03d", number);
+  return three;
+}
+
+// One device of the bus, as sysfs and the kernel tell of it.
+std::string entry_of(const std::string& name, const std::string& node, int number,
+                     const std::string& descriptors) {
+  return "P: /devices/" + name + "\nN: " + node.substr(5) +
+         "\nE: SUBSYSTEM=usb\nE: DRIVER=usb\nE: DEVTYPE=usb_device\nE: BUSNUM=001\nE: DEVNUM=" +
+         number_of(number) + "\nE: DEVNAME=" + node +
+         "\nA: bConfigurationValue=1\\n\nA: busnum=1\\n\nA: devnum=" + std::to_string(number) +
+         "\\n\nA: speed=12\\n\nH: descriptors=" + descriptors + "\n\n";
+}
+
+std::string node_of(int number) { return "/dev/bus/usb/001/" + number_of(number); }
+
+void add(UMockdevTestbed* testbed, const std::string& entry) {
+  GError* error = nullptr;
+  if (umockdev_testbed_add_from_string(testbed, entry.c_str(), &error) == FALSE) {
+    const std::string message = error->message;
+    g_error_free(error);
+    throw std::runtime_error(message);
+  }
+}
+
+}  // namespace
+
+EmulatedBus::EmulatedBus() : testbed_(umockdev_testbed_new()) {
+  const std::string hub =
+      hex_of({0x12, 1, 0,    2, 9, 0, 0, 64,   0x6b, 0x1d, 2, 0, 0, 6, 0, 0, 0, 1,  //
+              9,    2, 25,   0, 1, 1, 0, 0xe0, 0,                                   //
+              9,    4, 0,    0, 1, 9, 0, 0,    0,                                   //
+              7,    5, 0x81, 3, 4, 0, 12});
+  add(testbed_, entry_of("usb1", node_of(1), 1, hub));
+}
+
+EmulatedBus::~EmulatedBus() { g_object_unref(testbed_); }
+
+bool EmulatedBus::is_possible() {
+  const char* preloaded = std::getenv("LD_PRELOAD");
+  return preloaded != nullptr && std::strstr(preloaded, "umockdev") != nullptr;
+}
+
+std::filesystem::path EmulatedBus::folder() const {
+  gchar* root = umockdev_testbed_get_root_dir(testbed_);
+  const std::filesystem::path folder = root;
+  g_free(root);
+  return folder;
+}
+
+usbdevfs_urb& EmulatedFalcon::Urb::urb() const {
+  return *reinterpret_cast<usbdevfs_urb*>(data->data);
+}
+
+EmulatedFalcon::EmulatedFalcon(EmulatedBus& bus, EmulatedFalconSettings settings)
+    : bus_(bus), settings_(std::move(settings)) {
+  runs_ = settings_.runs_firmware;
+  homed_ = settings_.is_homed;
+  number_ = 10 * settings_.port;
+  ioctls_ = umockdev_ioctl_base_new();
+  g_signal_connect(ioctls_, "handle-ioctl", G_CALLBACK(&EmulatedFalcon::on_ioctl), this);
+  put_grip(centre_m_);
+  plug_in();
+}
+
+EmulatedFalcon::~EmulatedFalcon() {
+  if (plugged_) unplug();
+  umockdev_testbed_detach_ioctl(bus_.testbed(), node_.c_str(), nullptr);
+  g_object_unref(ioctls_);
+}
+
+void EmulatedFalcon::plug_in() {
+  {
+    const std::lock_guard lock(mutex_);
+    plugged_ = true;
+    held_ = false;
+    received_.clear();
+    to_say_.clear();
+    strongest_ = 0;
+    if (!node_.empty()) umockdev_testbed_detach_ioctl(bus_.testbed(), node_.c_str(), nullptr);
+    node_ = node_of(++number_);
+  }
+  umockdev_testbed_attach_ioctl(bus_.testbed(), node_.c_str(), ioctls_, nullptr);
+  const int serial = settings_.serial.empty() ? 0 : 3;
+  const std::string descriptors = hex_of({0x12, 1,    0x10, 1, 0,  0,    0,    8,      0x03,
+                                          0x04, 0x48, 0xcb, 0, 4,  0,    0,    serial, 1,   //
+                                          9,    2,    32,   0, 1,  1,    0,    0x80,   45,  //
+                                          9,    4,    0,    0, 2,  0xff, 0xff, 0xff,   0,   //
+                                          7,    5,    0x81, 2, 64, 0,    0,                 //
+                                          7,    5,    0x02, 2, 64, 0,    0});
+  const std::string name = "usb1/1-" + std::to_string(settings_.port);
+  system_path_ = "/sys/devices/" + name;
+  add(bus_.testbed(), entry_of(name, node_, number_, descriptors));
+  umockdev_testbed_uevent(bus_.testbed(), system_path_.c_str(), "add");
+}
+
+void EmulatedFalcon::unplug() {
+  {
+    const std::lock_guard lock(mutex_);
+    plugged_ = false;
+    held_ = false;
+  }
+  umockdev_testbed_uevent(bus_.testbed(), system_path_.c_str(), "remove");
+  umockdev_testbed_remove_device(bus_.testbed(), system_path_.c_str());
+}
+
+void EmulatedFalcon::forbid() {
+  umockdev_testbed_detach_ioctl(bus_.testbed(), node_.c_str(), nullptr);
+  const std::filesystem::path folder = bus_.folder();
+  using std::filesystem::perms;
+  std::filesystem::permissions(folder, perms::all);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_directory()) std::filesystem::permissions(entry, perms::all);
+  }
+  // umockdev connects to some other end of a node before it looks whether the node was opened at all.
+  std::filesystem::permissions(folder / "ioctl/_default", perms::all);
+  std::filesystem::permissions(folder / node_.substr(1), perms::none);
+}
+
+void EmulatedFalcon::lose_power() {
+  const std::lock_guard lock(mutex_);
+  runs_ = false;
+  homed_ = false;
+  loading_ = false;
+}
+
+void EmulatedFalcon::put_grip(const glm::dvec3& position_m) {
+  const std::lock_guard lock(mutex_);
+  centre_m_ = position_m;
+  counts_ = falcon::counts_at(position_m);
+}
+
+void EmulatedFalcon::circle(double radius_m) {
+  const std::lock_guard lock(mutex_);
+  circle_m_ = radius_m;
+}
+
+void EmulatedFalcon::press(std::uint8_t buttons) {
+  const std::lock_guard lock(mutex_);
+  buttons_ = buttons;
+}
+
+void EmulatedFalcon::home() {
+  const std::lock_guard lock(mutex_);
+  homed_ = true;
+}
+
+void EmulatedFalcon::fail_transfers(int count) {
+  const std::lock_guard lock(mutex_);
+  failing_transfers_ = count;
+}
+
+void EmulatedFalcon::fall_silent(bool silent) {
+  const std::lock_guard lock(mutex_);
+  silent_ = silent;
+}
+
+void EmulatedFalcon::spoil_loads(int count) {
+  const std::lock_guard lock(mutex_);
+  spoilt_loads_ = count;
+}
+
+void EmulatedFalcon::babble(std::vector<std::uint8_t> noise) {
+  const std::lock_guard lock(mutex_);
+  noise_ = std::move(noise);
+}
+
+bool EmulatedFalcon::runs_firmware() const {
+  const std::lock_guard lock(mutex_);
+  return runs_;
+}
+
+bool EmulatedFalcon::is_held() const {
+  const std::lock_guard lock(mutex_);
+  return held_;
+}
+
+std::int64_t EmulatedFalcon::frames() const {
+  const std::lock_guard lock(mutex_);
+  return frames_;
+}
+
+int EmulatedFalcon::loads() const {
+  const std::lock_guard lock(mutex_);
+  return loads_;
+}
+
+falcon::Frame EmulatedFalcon::last_frame() const {
+  const std::lock_guard lock(mutex_);
+  return last_frame_;
+}
+
+std::array<std::int16_t, 3> EmulatedFalcon::motor_words() const {
+  // The way out has the shape of the way in.
+  return falcon::answer_in(last_frame())->counts;
+}
+
+int EmulatedFalcon::take_strongest_word() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(strongest_, 0);
+}
+
+std::vector<std::pair<int, int>> EmulatedFalcon::settings_sent() const {
+  const std::lock_guard lock(mutex_);
+  return settings_sent_;
+}
+
+int EmulatedFalcon::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self) {
+  static_cast<EmulatedFalcon*>(self)->answer_ioctl(client);
+  return TRUE;
+}
+
+void EmulatedFalcon::answer_ioctl(UMockdevIoctlClient* client) {
+  UMockdevIoctlData* argument = umockdev_ioctl_client_get_arg(client);
+  int error = 0;
+  switch (umockdev_ioctl_client_get_request(client)) {
+    case USBDEVFS_GET_CAPABILITIES: {
+      UMockdevIoctlData* answer =
+          umockdev_ioctl_data_resolve(argument, 0, sizeof(std::uint32_t), nullptr);
+      const std::uint32_t capabilities =
+          USBDEVFS_CAP_BULK_CONTINUATION | USBDEVFS_CAP_NO_PACKET_SIZE_LIM |
+          USBDEVFS_CAP_BULK_SCATTER_GATHER | USBDEVFS_CAP_REAP_AFTER_DISCONNECT;
+      std::memcpy(answer->data, &capabilities, sizeof capabilities);
+      umockdev_ioctl_data_unref(answer);
+      break;
+    }
+    case USBDEVFS_CLAIMINTERFACE: {
+      const std::lock_guard lock(mutex_);
+      error = !plugged_ ? ENODEV : held_ ? EBUSY : 0;
+      if (error == 0) held_ = true;
+      break;
+    }
+    case USBDEVFS_RELEASEINTERFACE: {
+      const std::lock_guard lock(mutex_);
+      held_ = false;
+      break;
+    }
+    case USBDEVFS_SUBMITURB: {
+      const std::lock_guard lock(mutex_);
+      error = submit(argument);
+      break;
+    }
+    case USBDEVFS_REAPURB:
+    case USBDEVFS_REAPURBNDELAY: {
+      const bool done = [&] {
+        const std::lock_guard lock(mutex_);
+        return reap(argument, error);
+      }();
+      // The node is no device, so that the driver's poll never sleeps: let it sleep here.
+      if (!done && error == EAGAIN) std::this_thread::sleep_for(std::chrono::microseconds(100));
+      break;
+    }
+    case USBDEVFS_DISCARDURB: {
+      const std::lock_guard lock(mutex_);
+      error = discard(argument);
+      break;
+    }
+    case USBDEVFS_CLEAR_HALT:
+    case USBDEVFS_RESETEP:
+      break;
+    default:
+      error = ENOTTY;
+  }
+  umockdev_ioctl_client_complete(client, error == 0 ? 0 : -1, error);
+}
+
+int EmulatedFalcon::submit(UMockdevIoctlData* argument) {
+  if (!plugged_) return ENODEV;
+  const auto shared = [](UMockdevIoctlData* data) {
+    return std::shared_ptr<UMockdevIoctlData>(data, umockdev_ioctl_data_unref);
+  };
+  Urb one{.submitted = steady_clock::now()};
+  one.data = shared(umockdev_ioctl_data_resolve(argument, 0, sizeof(usbdevfs_urb), nullptr));
+  usbdevfs_urb& urb = one.urb();
+  one.buffer = shared(umockdev_ioctl_data_resolve(one.data.get(), offsetof(usbdevfs_urb, buffer),
+                                                  static_cast<gsize>(urb.buffer_length), nullptr));
+  urb.status = 0;
+  if (urb.type == USBDEVFS_URB_TYPE_CONTROL) {
+    urb.actual_length = control(one.buffer->data, urb.buffer_length);
+    finished_.push_back(std::move(one));
+    return 0;
+  }
+  if (failing_transfers_ > 0) {
+    --failing_transfers_;
+    urb.status = kBusError;
+    urb.actual_length = 0;
+    finished_.push_back(std::move(one));
+    return 0;
+  }
+  if ((urb.endpoint & 0x80U) == 0) {
+    for (int i = 0; i < urb.buffer_length; ++i) take_byte(one.buffer->data[i]);
+    urb.actual_length = urb.buffer_length;
+    finished_.push_back(std::move(one));
+    return 0;
+  }
+  waiting_.push_back(std::move(one));
+  return 0;
+}
+
+bool EmulatedFalcon::reap(UMockdevIoctlData* argument, int& error) {
+  if (!plugged_) {
+    for (Urb& one : waiting_) {
+      one.urb().status = kUnplugged;
+      one.urb().actual_length = 0;
+      finished_.push_back(std::move(one));
+    }
+    waiting_.clear();
+  }
+  if (finished_.empty() && !waiting_.empty() && fill(waiting_.front())) {
+    finished_.push_back(std::move(waiting_.front()));
+    waiting_.pop_front();
+  }
+  if (finished_.empty()) {
+    error = plugged_ ? EAGAIN : ENODEV;
+    return false;
+  }
+  const Urb one = std::move(finished_.front());
+  finished_.pop_front();
+  UMockdevIoctlData* pointer = umockdev_ioctl_data_resolve(argument, 0, sizeof(void*), nullptr);
+  umockdev_ioctl_data_set_ptr(pointer, 0, one.data.get());
+  umockdev_ioctl_data_unref(pointer);
+  return true;
+}
+
+int EmulatedFalcon::discard(UMockdevIoctlData* argument) {
+  const unsigned long address = *reinterpret_cast<unsigned long*>(argument->data);
+  const auto found = std::find_if(waiting_.begin(), waiting_.end(),
+                                  [&](const Urb& one) { return one.data->client_addr == address; });
+  if (found == waiting_.end()) return EINVAL;
+  found->urb().status = kTaken;
+  found->urb().actual_length = 0;
+  finished_.push_back(std::move(*found));
+  waiting_.erase(found);
+  return 0;
+}
+
+// What the device has to say by now, after its two bytes.
+bool EmulatedFalcon::fill(Urb& one) {
+  usbdevfs_urb& urb = one.urb();
+  const auto now = steady_clock::now();
+  const bool speaks = !to_say_.empty() && now >= next_answer_;
+  if (!speaks && now - one.submitted < kLatency) return false;
+  const std::size_t room = std::min(static_cast<std::size_t>(urb.buffer_length), kPacket_bytes);
+  std::size_t count = 0;
+  one.buffer->data[count++] = 0x01;
+  one.buffer->data[count++] = 0x60;
+  while (speaks && count < room && !to_say_.empty()) {
+    one.buffer->data[count++] = to_say_.front();
+    to_say_.pop_front();
+  }
+  urb.actual_length = static_cast<int>(count);
+  return true;
+}
+
+int EmulatedFalcon::control(std::uint8_t* setup_and_data, int length) {
+  const int kind = setup_and_data[0];
+  const int request = setup_and_data[1];
+  const int value = setup_and_data[2] | setup_and_data[3] << 8;
+  if (kind == 0x80 && request == 6 &&
+      value >> 8 == 3) {  // a text: languages, or UTF-16 with a head
+    std::vector<std::uint8_t> text{0, 3};
+    if ((value & 0xff) == 0) {
+      text.insert(text.end(), {0x09, 0x04});
+    } else {
+      for (const char letter : settings_.serial) {
+        text.insert(text.end(), {static_cast<std::uint8_t>(letter), 0});
+      }
+    }
+    text[0] = static_cast<std::uint8_t>(text.size());
+    const auto fits = std::min(text.size(), static_cast<std::size_t>(length - 8));
+    std::copy_n(text.begin(), fits, setup_and_data + 8);
+    return static_cast<int>(fits);
+  }
+  if (kind != 0x40) return 0;
+  settings_sent_.emplace_back(request, value);
+  switch (request) {
+    case 0:
+      if (value == 1) to_say_.clear();
+      if (value == 2) received_.clear();
+      break;
+    case 1:
+      if (value == 0x0101) {
+        line_ready_ = true;
+        loading_ = false;  // it starts again
+      }
+      if (value == 0x0100) line_ready_ = false;
+      break;
+    case 3:
+      divisor_ = value;
+      // The end of a load: what came runs, or nothing does.
+      if (value == 0x0002 && loading_) {
+        loading_ = false;
+        runs_ = taken_ == settings_.firmware;
+      }
+      break;
+    default:
+      break;
+  }
+  return 0;
+}
+
+void EmulatedFalcon::take_byte(std::uint8_t byte) {
+  if (silent_) return;
+  const auto answer = [this](std::initializer_list<std::uint8_t> bytes) {
+    to_say_.insert(to_say_.end(), bytes);
+    next_answer_ = {};
+  };
+  if (!runs_ && divisor_ == 0x4138 && line_ready_) {
+    received_.push_back(byte);
+    if (received_.size() >= kCall.size() &&
+        std::equal(kCall.begin(), kCall.end(), received_.end() - 3)) {
+      received_.clear();
+      answer({0x0a, 0x44, 0x2c, 0x0d});
+    }
+  } else if (!runs_ && divisor_ == 0x0015) {
+    if (!loading_) {
+      if (byte != 0x41) return;
+      loading_ = true;
+      ++loads_;
+      taken_.clear();
+      answer({0x41});
+      return;
+    }
+    taken_.push_back(byte);
+    const bool spoils = spoilt_loads_ > 0 && taken_.size() == 100;
+    if (spoils) --spoilt_loads_;
+    answer({static_cast<std::uint8_t>(spoils ? byte ^ 0x10U : byte)});
+  } else if (runs_ && divisor_ == 0x0002) {
+    if (byte == '<') received_.clear();
+    received_.push_back(byte);
+    if (received_.size() == falcon::kFrame_bytes && byte == '>') {
+      falcon::Frame frame{};
+      std::copy(received_.begin(), received_.end(), frame.begin());
+      received_.clear();
+      take_frame(frame);
+    }
+  }
+}
+
+void EmulatedFalcon::take_frame(const falcon::Frame& frame) {
+  last_frame_ = frame;
+  ++frames_;
+  for (const std::int16_t word : falcon::answer_in(frame)->counts) {
+    strongest_ = std::max(strongest_, std::abs(int{word}));
+  }
+  falcon::Command answer{.motor_words = counts_now()};
+  falcon::Frame bytes = frame_of(answer);
+  bytes[13] = static_cast<std::uint8_t>('A' + buttons_ + (homed_ ? 0x70 : 0));
+  to_say_.insert(to_say_.end(), noise_.begin(), noise_.end());
+  to_say_.insert(to_say_.end(), bytes.begin(), bytes.end());
+  const auto now = steady_clock::now();
+  const auto period = std::chrono::duration_cast<steady_clock::duration>(
+      std::chrono::duration<double>(1.0 / settings_.rate_Hz));
+  next_answer_ = std::max(now, next_answer_ + period);
+}
+
+std::array<std::int16_t, 3> EmulatedFalcon::counts_now() const {
+  if (circle_m_ == 0.0) return counts_;
+  const double turn = 2.0 * std::numbers::pi *
+                      std::chrono::duration<double>(steady_clock::now().time_since_epoch()).count();
+  return falcon::counts_at(centre_m_ + circle_m_ * glm::dvec3(std::cos(turn), std::sin(turn), 0.0));
+}
+
+}  // namespace asperity

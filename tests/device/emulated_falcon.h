@@ -1,0 +1,170 @@
+// Falcons without hardware: the wire's other end, for the driver as it is.
+
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "device/falcon/falcon_frame.h"
+
+typedef struct _UMockdevTestbed UMockdevTestbed;
+typedef struct _UMockdevIoctlBase UMockdevIoctlBase;
+typedef struct _UMockdevIoctlClient UMockdevIoctlClient;
+typedef struct _UMockdevIoctlData UMockdevIoctlData;
+
+struct usbdevfs_urb;
+
+namespace asperity {
+
+/// A machine whose only USB devices are emulated: what the process opens of /sys and /dev/bus/usb lies in
+/// a folder of its own. The program has to run under umockdev-wrapper.
+class EmulatedBus final {
+ public:
+  EmulatedBus();
+  ~EmulatedBus();
+  EmulatedBus(const EmulatedBus&) = delete;
+  EmulatedBus& operator=(const EmulatedBus&) = delete;
+
+  /// The program was started so that this can work.
+  static bool is_possible();
+
+  UMockdevTestbed* testbed() const noexcept { return testbed_; }
+  std::filesystem::path folder() const;
+
+ private:
+  UMockdevTestbed* testbed_ = nullptr;
+};
+
+struct EmulatedFalconSettings {
+  int port = 2;  ///< its place is "usb 1-PORT"
+  std::string serial{};
+  bool runs_firmware = true;
+  bool is_homed = true;
+  /// What its boot loader takes; anything else is loaded and does not run.
+  std::vector<std::uint8_t> firmware{};
+  double rate_Hz = 1000.0;  ///< of its answers at most
+};
+
+/// Boot loader, firmware and mechanics of one Falcon behind its serial chip: two bytes of modem lines
+/// before all that it says, those two alone every few milliseconds while it has nothing to say.
+///
+/// Threads: any.
+class EmulatedFalcon final {
+ public:
+  EmulatedFalcon(EmulatedBus& bus, EmulatedFalconSettings settings);
+  ~EmulatedFalcon();
+  EmulatedFalcon(const EmulatedFalcon&) = delete;
+  EmulatedFalcon& operator=(const EmulatedFalcon&) = delete;
+
+  /// In the machine's own frame, where encoder counts put it.
+  void put_grip(const glm::dvec3& position_m);
+  /// Goes to and fro by itself: a circle in x and y of this radius, once a second; 0 stands still.
+  void circle(double radius_m);
+  void press(std::uint8_t buttons);
+  void home();
+
+  void unplug();
+  void plug_in();
+  /// Nobody may open it any more; a thread has to be without root's rights to find out.
+  void forbid();
+  /// Without power it forgets firmware and homing.
+  void lose_power();
+
+  /// The next transfers of frames fail on the bus.
+  void fail_transfers(int count);
+  /// It takes everything and says nothing any more.
+  void fall_silent(bool silent);
+  /// Bits flip in what the boot loader sends back, in the next loads.
+  void spoil_loads(int count);
+  /// Every answer is preceded by these bytes.
+  void babble(std::vector<std::uint8_t> noise);
+
+  bool runs_firmware() const;
+  bool is_held() const;  ///< somebody has claimed it
+  std::int64_t frames() const;
+  int loads() const;
+  falcon::Frame last_frame() const;
+  /// The words of the last frame, and the strongest since this was last asked.
+  std::array<std::int16_t, 3> motor_words() const;
+  int take_strongest_word();
+  /// Requests and values of the serial chip's settings, in order.
+  std::vector<std::pair<int, int>> settings_sent() const;
+
+ private:
+  /// A transfer on its way.
+  struct Urb {
+    std::shared_ptr<UMockdevIoctlData> data{};    // the kernel's struct, which the driver has too
+    std::shared_ptr<UMockdevIoctlData> buffer{};  // what it points to
+    std::chrono::steady_clock::time_point submitted{};
+    usbdevfs_urb& urb() const;
+  };
+  static int on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self);
+  void answer_ioctl(UMockdevIoctlClient* client);
+  int submit(UMockdevIoctlData* argument);
+  bool reap(UMockdevIoctlData* argument, int& error);
+  int discard(UMockdevIoctlData* argument);
+  int control(std::uint8_t* setup_and_data, int length);
+  void take_byte(std::uint8_t byte);
+  void take_frame(const falcon::Frame& frame);
+  bool fill(Urb& urb);
+  std::array<std::int16_t, 3> counts_now() const;
+
+  EmulatedBus& bus_;
+  EmulatedFalconSettings settings_{};
+  UMockdevIoctlBase* ioctls_ = nullptr;
+  std::string node_{};
+  std::string system_path_{};
+  int number_ = 1;
+
+  mutable std::mutex mutex_{};
+  bool plugged_ = false;
+  bool silent_ = false;
+  bool held_ = false;
+  int failing_transfers_ = 0;
+  int spoilt_loads_ = 0;
+  std::vector<std::uint8_t> noise_{};
+  int divisor_ = 0;
+  bool line_ready_ = false;
+  bool runs_ = false;
+  bool homed_ = false;
+  bool loading_ = false;
+  int loads_ = 0;
+  std::uint8_t buttons_ = 0;
+  std::array<std::int16_t, 3> counts_{};
+  double circle_m_ = 0.0;
+  glm::dvec3 centre_m_{0.0, 0.0, 0.115};
+  std::vector<std::uint8_t> received_{};
+  std::vector<std::uint8_t> taken_{};  // into the boot loader
+  std::deque<std::uint8_t> to_say_{};
+  std::chrono::steady_clock::time_point next_answer_{};
+  falcon::Frame last_frame_{};
+  std::int64_t frames_ = 0;
+  int strongest_ = 0;
+  std::vector<std::pair<int, int>> settings_sent_{};
+  std::deque<Urb> waiting_{};
+  std::deque<Urb> finished_{};
+};
+
+/// Waits for something to become true, up to a minute.
+template <typename Condition>
+bool eventually(const Condition& condition) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > until) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+}  // namespace asperity

@@ -1,0 +1,437 @@
+// The Falcon's driver as it is, on an emulated Falcon: opening, frames, faults, coming back.
+
+#include "device/falcon/falcon_device.h"
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/device/emulated_falcon.h"
+#include "tests/device/falcon_arm_angles.h"
+#include "tests/support/allocation_guard.h"
+
+namespace asperity {
+namespace {
+
+using falcon::Frame;
+using testing::HasSubstr;
+
+constexpr double kDt_s = 1e-3;
+constexpr std::array<std::int16_t, 3> kNoWords{};
+
+class Falcon : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!EmulatedBus::is_possible()) GTEST_SKIP() << "not started under umockdev-wrapper";
+    bus_.emplace();
+  }
+
+  EmulatedBus& bus() { return *bus_; }
+
+  static std::vector<std::uint8_t> firmware() {
+    std::vector<std::uint8_t> bytes;
+    for (int i = 0; i < 1000; ++i) bytes.push_back(static_cast<std::uint8_t>(i * 7 + i / 256));
+    return bytes;
+  }
+
+  // As a test machine runs it: no privileges, patience with its load.
+  static FalconSettings settings(const std::string& place = "usb 1-2") {
+    FalconSettings settings{};
+    settings.line.place = place;
+    settings.line.wants_fifo = false;
+    return settings;
+  }
+
+  static std::unique_ptr<FalconDevice> open() { return FalconDevice::open(settings()); }
+
+ private:
+  std::optional<EmulatedBus> bus_{};
+};
+
+std::string complaint_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool answers(FalconDevice& device) { return device.read(0).has_value(); }
+
+// Pushes until it is taken; a busy machine may lose the device for a moment.
+void push_until(FalconDevice& device, const glm::dvec3& force_N,
+                const std::function<bool()>& done) {
+  EXPECT_TRUE(eventually([&] {
+    device.read(0);
+    device.push({.force_N = force_N}, kDt_s);
+    return done();
+  }));
+}
+
+std::string text_of(const Frame& frame) { return {frame.begin(), frame.end()}; }
+
+TEST_F(Falcon, IsFoundWithPlaceAndSerialNumber) {
+  const falcon::UsbSession before;
+  EXPECT_TRUE(before.falcons().empty());
+  EmulatedFalcon first(bus(), {.port = 3, .serial = "NF042"});
+  EmulatedFalcon second(bus(), {.port = 1});
+  const std::vector<AttachedDevice> found = falcon::UsbSession().falcons();
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].place, "usb 1-1");
+  EXPECT_EQ(found[0].serial, "");
+  EXPECT_EQ(found[1].place, "usb 1-3");
+  EXPECT_EQ(found[1].serial, "NF042");
+  EXPECT_TRUE(found[0].is_usable() && found[1].is_usable());
+}
+
+TEST_F(Falcon, IsOpenedBySerialNumberOrPlaceWhereTwoAreAlike) {
+  EmulatedFalcon one(bus(), {.port = 1});
+  EmulatedFalcon other(bus(), {.port = 2, .serial = "NF042"});
+  const DriverRegistry drivers = built_in_drivers();
+  const DriverOptions options{.wants_fifo = false};
+  EXPECT_THAT(complaint_of([&] { drivers.open("falcon", options); }),
+              HasSubstr("say which by its serial number or place"));
+  {
+    const auto device = drivers.open("falcon:NF042", options);
+    EXPECT_EQ(device->capability().serial, "NF042");
+    EXPECT_TRUE(other.is_held());
+    EXPECT_FALSE(one.is_held());
+  }
+  const auto device = drivers.open("falcon:usb 1-1", options);
+  EXPECT_TRUE(one.is_held());
+}
+
+TEST_F(Falcon, IsAskedForItsPowerWhereThereIsNone) {
+  EXPECT_THAT(complaint_of([] { built_in_drivers().open("falcon", {}); }),
+              HasSubstr("no Novint Falcon is attached: plug it in"));
+}
+
+TEST_F(Falcon, SaysWhichRuleIsMissingWithoutPermission) {
+  EmulatedFalcon emulated(bus(), {});
+  emulated.forbid();
+  std::string complaint;
+  std::string hindrance;
+  // Root may open everything; a thread without its rights may not. glibc's call would take them from
+  // the whole process.
+  std::thread([&] {
+    if (geteuid() == 0) {
+      ASSERT_EQ(syscall(SYS_setresuid, -1, 65534, -1), 0);
+    }
+    complaint = complaint_of([] { open(); });
+    const std::vector<AttachedDevice> found = falcon::UsbSession().falcons();
+    if (!found.empty()) hindrance = found.front().hindrance;
+  }).join();
+  EXPECT_THAT(complaint, HasSubstr("may not be opened by this user"));
+  EXPECT_THAT(complaint, HasSubstr("70-asperity.rules"));
+  EXPECT_EQ(hindrance, complaint);
+}
+
+TEST_F(Falcon, SaysThatItIsInUse) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  EXPECT_THAT(complaint_of([] { open(); }), HasSubstr("is used by another program or session"));
+  const DriverRegistry drivers = built_in_drivers();
+  EXPECT_THAT(drivers.find("falcon")->find({}).attached.at(0).hindrance, HasSubstr("is used by"));
+  EXPECT_TRUE(eventually([&] { return answers(*device); }));
+}
+
+TEST_F(Falcon, SaysThatItNeedsFirmware) {
+  EmulatedFalcon emulated(bus(), {.runs_firmware = false});
+  EXPECT_THAT(complaint_of([] { open(); }), HasSubstr("has no firmware loaded"));
+  const DriverRegistry drivers = built_in_drivers();
+  const Driver& driver = *drivers.find("falcon");
+  EXPECT_THAT(driver.find({}).attached.at(0).hindrance, HasSubstr("--firmware FILE"));
+  const DriverSurvey survey = driver.find({.firmware = "falcon.bin"});
+  EXPECT_TRUE(survey.attached.at(0).is_usable());
+  EXPECT_THAT(survey.attached.at(0).remark, HasSubstr("loaded when it is opened"));
+  EXPECT_THAT(complaint_of([&] { driver.open("", {.firmware = "/no/such/file"}); }),
+              HasSubstr("/no/such/file cannot be read"));
+}
+
+TEST_F(Falcon, IsSetUpByteForByte) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  // Latency 1 ms, 1.5 Mbaud, nothing left in the buffers.
+  const std::vector<std::pair<int, int>> expected{{9, 1}, {3, 0x0002}, {0, 1}, {0, 2}};
+  EXPECT_EQ(emulated.settings_sent(), expected);
+}
+
+TEST_F(Falcon, GetsItsFirmwareThroughTheBootLoaderByteForByte) {
+  EmulatedFalcon emulated(bus(), {.runs_firmware = false, .firmware = firmware()});
+  FalconSettings wanted = settings();
+  wanted.line.firmware = firmware();
+  const auto device = FalconDevice::open(wanted);
+  EXPECT_TRUE(emulated.runs_firmware());  // only after every byte was the right one
+  EXPECT_EQ(emulated.loads(), 1);
+  const std::vector<std::pair<int, int>> expected{
+      {9, 1},      {3, 0x0002}, {0, 1},      {0, 2},                       // is one running?
+      {0, 1},      {0, 2},      {9, 16},     {3, 0x4138}, {4, 8}, {2, 0},  // 9600 baud 8N1
+      {1, 0x0200}, {1, 0x0100}, {1, 0x0101},                               // restart
+      {1, 0x0100}, {3, 0x0015},                                            // load
+      {9, 1},      {3, 0x0002}, {0, 1},      {0, 2}};
+  EXPECT_EQ(emulated.settings_sent(), expected);
+  EXPECT_TRUE(eventually([&] { return answers(*device); }));
+}
+
+TEST_F(Falcon, IsLoadedAgainWhenALoadFails) {
+  EmulatedFalcon emulated(bus(), {.runs_firmware = false, .firmware = firmware()});
+  emulated.spoil_loads(2);
+  FalconSettings wanted = settings();
+  wanted.line.firmware = firmware();
+  const auto device = FalconDevice::open(wanted);
+  EXPECT_EQ(emulated.loads(), 3);
+}
+
+TEST_F(Falcon, SaysWhatItDidWhenThreeLoadsFail) {
+  EmulatedFalcon emulated(bus(), {.runs_firmware = false, .firmware = firmware()});
+  emulated.spoil_loads(3);
+  FalconSettings wanted = settings();
+  wanted.line.firmware = firmware();
+  const std::string complaint = complaint_of([&] { FalconDevice::open(wanted); });
+  EXPECT_THAT(complaint, HasSubstr("could not be loaded in three tries"));
+  EXPECT_THAT(complaint, HasSubstr("byte 99 of the firmware came back as another one"));
+  EXPECT_EQ(emulated.loads(), 3);
+}
+
+TEST_F(Falcon, SaysThatFirmwareOfSomethingElseDoesNotRun) {
+  EmulatedFalcon emulated(bus(), {.runs_firmware = false, .firmware = firmware()});
+  FalconSettings wanted = settings();
+  wanted.line.firmware = firmware();
+  wanted.line.firmware.pop_back();
+  EXPECT_THAT(complaint_of([&] { FalconDevice::open(wanted); }), HasSubstr("does not answer"));
+}
+
+TEST_F(Falcon, IsHomedByAPersonWhoIsTold) {
+  EmulatedFalcon emulated(bus(), {.is_homed = false});
+  FalconSettings wanted = settings();
+  std::string told;
+  wanted.tell = [&](const std::string& sentence) {
+    told = sentence;
+    // Red, and it looks for its zero: 8 + 1 above 'A'.
+    EXPECT_TRUE(eventually([&] { return text_of(emulated.last_frame()) == "<AAAAAAAAAAAAJA>"; }));
+    emulated.home();
+  };
+  const auto device = FalconDevice::open(wanted);
+  EXPECT_THAT(told, HasSubstr("pull the grip out all the way"));
+  EXPECT_TRUE(eventually([&] { return text_of(emulated.last_frame()) == "<AAAAAAAAAAAACA>"; }));
+}
+
+TEST_F(Falcon, GivesUpWhenNobodyHomesIt) {
+  EmulatedFalcon emulated(bus(), {.is_homed = false});
+  FalconSettings wanted = settings();
+  wanted.homing_patience = std::chrono::milliseconds(500);
+  EXPECT_THAT(complaint_of([&] { FalconDevice::open(wanted); }),
+              HasSubstr("was not homed in time"));
+}
+
+TEST_F(Falcon, TellsWhereTheGripIsInTheHandsFrame) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  // 20 mm right, 10 mm up, 5 mm towards the hand.
+  emulated.put_grip({0.020, 0.010, 0.120});
+  emulated.press(0b0101);
+  ProbeState state{};
+  EXPECT_TRUE(eventually([&] {
+    const auto read = device->read(42);
+    if (read) state = *read;
+    return glm::distance(state.position_m, glm::dvec3(0.020, -0.005, 0.010)) < 100e-6;
+  })) << state.position_m.x
+      << ' ' << state.position_m.y << ' ' << state.position_m.z;
+  EXPECT_EQ(state.time_ns, 42);
+  EXPECT_EQ(state.buttons, 0b0101U);
+}
+
+TEST_F(Falcon, PutsAForceIntoTheWordsOfThreeMotors) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  // 2 N upwards are 2 N along the machine's y; the arms are where their counts say.
+  const glm::dvec3 grip_m(0.010, -0.020, 0.110);
+  emulated.put_grip(grip_m);
+  const auto angles = falcon::angles_at(falcon::counts_at(grip_m));
+  const auto words =
+      falcon::words_for(
+          falcon::torques_N_m(angles, falcon::position_m(angles).value(), {0.0, 2.0, 0.0}).value())
+          .words;
+  push_until(*device, {0.0, 0.0, 2.0}, [&] { return emulated.motor_words() == words; });
+  EXPECT_EQ(text_of(emulated.last_frame()),
+            text_of(falcon::frame_of({.motor_words = words, .lamp = falcon::Lamp::green})));
+}
+
+TEST_F(Falcon, SaysWhatTheMotorsCouldGive) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  device->set_limits({.force_N = 8.9, .slew_N_per_s = 1e6});
+  std::optional<LimitedWrench> sent;
+  EXPECT_TRUE(eventually([&] {
+    device->read(0);
+    sent = device->push({.force_N = {8.9, 0.0, 0.0}}, kDt_s);
+    return sent.has_value();
+  }));
+  EXPECT_TRUE(sent->has(LimitReason::force));
+  EXPECT_LT(sent->wrench.force_N.x, 8.0);
+  EXPECT_GT(sent->wrench.force_N.x, 6.0);
+  EXPECT_EQ(sent->wrench.force_N.y, 0.0);
+  push_until(*device, {8.9, 0.0, 0.0},
+             [&] { return emulated.take_strongest_word() == falcon::kLargestWord; });
+}
+
+TEST_F(Falcon, HasItsMotorsAtZeroWhenNobodyPushesAnyMoreAndAtTheEnd) {
+  EmulatedFalcon emulated(bus(), {});
+  auto device = open();
+  const auto pushed = [&] { return emulated.motor_words() != kNoWords; };
+  push_until(*device, {0.0, 0.0, 1.0}, pushed);
+  // The program hangs: the thread of the wire does not.
+  EXPECT_TRUE(eventually([&] { return emulated.motor_words() == kNoWords; }));
+  push_until(*device, {0.0, 0.0, 1.0}, pushed);
+  device.reset();
+  EXPECT_EQ(emulated.motor_words(), kNoWords);
+  EXPECT_FALSE(emulated.is_held());
+}
+
+TEST_F(Falcon, IsLostAfterFiftyMillisecondsOfSilenceAndFoundAgain) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
+  emulated.fall_silent(true);
+  EXPECT_TRUE(eventually([&] { return !answers(*device); }));
+  EXPECT_FALSE(device->push({.force_N = {0.0, 0.0, 1.0}}, kDt_s).has_value());
+  emulated.take_strongest_word();
+  emulated.fall_silent(false);
+  EXPECT_TRUE(eventually([&] { return answers(*device); }));
+  EXPECT_EQ(emulated.take_strongest_word(), 0);
+}
+
+TEST_F(Falcon, ComesBackAfterItWasUnpluggedWithoutForce) {
+  EmulatedFalcon emulated(bus(), {.serial = "NF042"});
+  const auto device = open();
+  push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
+  emulated.unplug();
+  EXPECT_TRUE(eventually([&] { return !answers(*device); }));
+  EXPECT_FALSE(device->push({.force_N = {0.0, 0.0, 1.0}}, kDt_s).has_value());
+  emulated.plug_in();
+  EXPECT_TRUE(eventually([&] { return answers(*device); }));
+  EXPECT_EQ(emulated.take_strongest_word(), 0);
+  push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
+}
+
+TEST_F(Falcon, IsLoadedAndHomedAgainWhenItWasWithoutPower) {
+  EmulatedFalcon emulated(bus(), {.firmware = firmware()});
+  FalconSettings wanted = settings();
+  wanted.line.firmware = firmware();
+  const auto device = FalconDevice::open(wanted);
+  emulated.unplug();
+  emulated.lose_power();
+  emulated.plug_in();
+  EXPECT_TRUE(eventually([&] { return text_of(emulated.last_frame()) == "<AAAAAAAAAAAAJA>"; }));
+  EXPECT_FALSE(answers(*device));
+  emulated.home();
+  EXPECT_TRUE(eventually([&] { return answers(*device); }));
+}
+
+TEST_F(Falcon, OutlivesErrorsOfTheBusInBursts) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  for (const int burst : {1, 2, 7, 60}) {
+    emulated.fail_transfers(burst);
+    const std::int64_t before = emulated.frames();
+    EXPECT_TRUE(eventually([&] { return emulated.frames() > before + 3 && answers(*device); }));
+  }
+  EXPECT_TRUE(emulated.is_held());  // it was never opened anew
+}
+
+TEST_F(Falcon, FindsItsAnswersInNoise) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  emulated.babble({'<', 'A', 'A', 0x00, 0xff, '>'});
+  emulated.put_grip({0.0, 0.010, 0.115});
+  EXPECT_TRUE(eventually([&] {
+    const auto read = device->read(0);
+    return read && std::abs(read->position_m.z - 0.010) < 100e-6;
+  }));
+}
+
+TEST_F(Falcon, IsNotLostWhileAHandHoldsItStill) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  // 1.9 N for longer than a motor may push in vain.
+  const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(1300);
+  int lost_in_a_row = 0;
+  while (std::chrono::steady_clock::now() < until) {
+    lost_in_a_row = answers(*device) ? 0 : lost_in_a_row + 1;
+    device->push({.force_N = {0.0, 0.0, 1.9}}, kDt_s);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(lost_in_a_row == 0 || eventually([&] { return answers(*device); }));
+}
+
+TEST_F(Falcon, IsLostWhenASecondOfForceMovesNothingUntilItMoves) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  const auto began = std::chrono::steady_clock::now();
+  EXPECT_TRUE(eventually([&] {
+    const bool lost = !answers(*device);
+    device->push({.force_N = {0.0, 0.0, 3.0}}, kDt_s);
+    // A machine that stops for a moment loses it sooner; that is another fault.
+    return lost && std::chrono::steady_clock::now() - began > std::chrono::seconds(1);
+  }));
+  // Nothing pushes any more, frames come, and still it is lost: its encoders are not believed.
+  const std::int64_t before = emulated.frames();
+  EXPECT_TRUE(eventually([&] {
+    EXPECT_FALSE(answers(*device));
+    device->zero_force();
+    return emulated.frames() > before + 100;
+  }));
+  emulated.put_grip({0.0, 0.001, 0.115});
+  EXPECT_TRUE(eventually([&] { return answers(*device); }));
+}
+
+TEST_F(Falcon, DeclaresTheRateThatItReallyAnswersAt) {
+  EmulatedFalcon emulated(bus(), {.rate_Hz = 100.0});
+  const auto device = open();
+  EXPECT_LE(device->capability().maximum_rate_Hz, 110.0);
+  EXPECT_GT(device->capability().maximum_rate_Hz, 1.0);
+}
+
+TEST_F(Falcon, EndsAtOnceWhateverItsDeviceDoes) {
+  EmulatedFalcon emulated(bus(), {.firmware = firmware()});
+  const auto ends_soon = [](std::unique_ptr<FalconDevice> device) {
+    const auto began = std::chrono::steady_clock::now();
+    device.reset();
+    return std::chrono::steady_clock::now() - began < std::chrono::seconds(20);
+  };
+  auto device = open();
+  emulated.fall_silent(true);
+  EXPECT_TRUE(ends_soon(std::move(device)));
+  emulated.fall_silent(false);
+  device = open();
+  emulated.unplug();
+  EXPECT_TRUE(ends_soon(std::move(device)));
+  emulated.plug_in();
+  device = open();
+  emulated.fail_transfers(1'000'000);
+  EXPECT_TRUE(ends_soon(std::move(device)));
+}
+
+TEST_F(Falcon, ReadsAndPushesWithoutTouchingTheHeap) {
+  EmulatedFalcon emulated(bus(), {});
+  emulated.circle(0.01);
+  const auto device = open();
+  EXPECT_TRUE(eventually([&] { return answers(*device); }));
+  AllocationGuard guard;
+  for (int i = 0; i < 200; ++i) {
+    device->read(i);
+    device->push({.force_N = {9.0, 9.0, 9.0}}, kDt_s);
+  }
+  device->zero_force();
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace asperity

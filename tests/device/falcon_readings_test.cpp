@@ -1,0 +1,97 @@
+// Which of a Falcon's answers are believed, and what they say.
+
+#include "device/falcon/falcon_readings.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "analysis/random.h"
+#include "tests/device/falcon_arm_angles.h"
+
+namespace asperity::falcon {
+namespace {
+
+constexpr std::int64_t kTick_ns = 1'000'000;
+
+Answer at(const glm::dvec3& grip_m) { return {.counts = counts_at(grip_m), .homed_motors = 0b111}; }
+
+TEST(FalconReadings, TellPlaceVelocityAndButtons) {
+  Readings readings({.samples = 8});
+  std::optional<Reading> reading;
+  // 0.2 m/s along z, for long enough that counts of 40 µm average out.
+  for (int i = 0; i <= 100; ++i) {
+    Answer answer = at({0.010, -0.005, 0.100 + 0.0002 * i});
+    answer.buttons = 0b1000;
+    reading = readings.take(answer, i * kTick_ns);
+    ASSERT_TRUE(reading.has_value()) << i;
+  }
+  EXPECT_EQ(reading->time_ns, 100 * kTick_ns);
+  EXPECT_LT(glm::distance(reading->position_m, glm::dvec3(0.010, -0.005, 0.120)), 50e-6);
+  EXPECT_NEAR(reading->velocity_m_per_s.z, 0.2, 0.01);
+  EXPECT_EQ(reading->buttons, 0b1000U);
+  EXPECT_TRUE(reading->is_homed);
+}
+
+TEST(FalconReadings, DropOneWildAnswerAmongGoodOnes) {
+  Readings readings({});
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(readings.take(at({0.0, 0.0, 0.115}), i * kTick_ns));
+  EXPECT_FALSE(readings.take(at({0.020, 0.0, 0.115}), 10 * kTick_ns));
+  const auto next = readings.take(at({0.0, 0.0, 0.115}), 11 * kTick_ns);
+  ASSERT_TRUE(next.has_value());
+  EXPECT_EQ(glm::length(next->velocity_m_per_s), 0.0);
+}
+
+TEST(FalconReadings, BelieveAPlaceThatStaysAsSoonAsAHandCouldBeThere) {
+  Readings readings({});
+  ASSERT_TRUE(readings.take(at({0.0, 0.0, 0.115}), 0));
+  int believed_after = 0;
+  for (int i = 1; i < 50 && believed_after == 0; ++i) {
+    if (readings.take(at({0.020, 0.0, 0.115}), i * kTick_ns)) believed_after = i;
+  }
+  EXPECT_EQ(believed_after, 4);  // 1 mm + 4 ms at 5 m/s
+}
+
+TEST(FalconReadings, NeverTellOfAPlaceThatIsNoNumber) {
+  Random random(3);
+  int none = 0;
+  Readings readings({});
+  for (int i = 0; i < 2000; ++i) {
+    Answer answer{.homed_motors = 0b111};
+    for (std::int16_t& count : answer.counts) {
+      count = static_cast<std::int16_t>(65536.0 * random.uniform() - 32768.0);
+    }
+    const auto reading = readings.take(answer, i * 1'000 * kTick_ns);
+    if (!reading) {
+      ++none;
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_TRUE(std::isfinite(reading->position_m[axis]));
+      ASSERT_TRUE(std::isfinite(reading->velocity_m_per_s[axis]));
+    }
+  }
+  EXPECT_GT(none, 100);
+}
+
+TEST(FalconReadings, TellWhenTheCountsLastWereOthers) {
+  Readings readings({});
+  readings.take(at({0.0, 0.0, 0.115}), 0);
+  readings.take(at({0.0, 0.0, 0.1152}), 5 * kTick_ns);
+  EXPECT_EQ(readings.take(at({0.0, 0.0, 0.1152}), 900 * kTick_ns)->moved_ns, 5 * kTick_ns);
+}
+
+TEST(FalconReadings, BeginAgainWhenHomingMovesTheZero) {
+  Readings readings({});
+  Answer answer{.counts = {-900, -900, -900}};
+  ASSERT_TRUE(readings.take(answer, 0).has_value());
+  EXPECT_FALSE(readings.is_homed());
+  const auto homed = readings.take(at({0.0, 0.0, 0.115}), kTick_ns);
+  ASSERT_TRUE(homed.has_value());
+  EXPECT_TRUE(readings.is_homed());
+  EXPECT_EQ(glm::length(homed->velocity_m_per_s), 0.0);
+}
+
+}  // namespace
+}  // namespace asperity::falcon
