@@ -52,11 +52,11 @@ function(asperity_optimise_lightly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O1>)
 endfunction()
 
-# asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <program>])
+# asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <word>…])
 # Tests are discovered when ctest runs, so that building never runs a test program. The label "long" keeps
 # them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo, realtime or window.
 function(asperity_add_tests folder)
-  cmake_parse_arguments(ARG "" "LAUNCHER" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;LABELS;LAUNCHER" ${ARGN})
   set(program asperity_${folder}_tests)
   add_executable(${program} ${ARG_SOURCES})
   asperity_configure(${program})
@@ -67,7 +67,7 @@ function(asperity_add_tests folder)
   target_compile_options(${program} PRIVATE $<$<CONFIG:Debug>:-O0>)
   target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   if(ARG_LAUNCHER)
-    # What starts a program, in the words of CMake.
+    # What starts it, in the words of CMake.
     set_target_properties(${program} PROPERTIES CROSSCOMPILING_EMULATOR "${ARG_LAUNCHER}")
   endif()
   set(timeout_s 300)

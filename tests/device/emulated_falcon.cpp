@@ -234,7 +234,6 @@ falcon::Frame EmulatedFalcon::last_frame() const {
 }
 
 std::array<std::int16_t, 3> EmulatedFalcon::motor_words() const {
-  // The way out has the shape of the way in.
   return falcon::answer_in(last_frame())->counts;
 }
 
@@ -483,11 +482,12 @@ void EmulatedFalcon::take_byte(std::uint8_t byte) {
 void EmulatedFalcon::take_frame(const falcon::Frame& frame) {
   last_frame_ = frame;
   ++frames_;
-  for (const std::int16_t word : falcon::answer_in(frame)->counts) {
+  // The way out has the shape of the way in.
+  const falcon::Answer words = falcon::answer_in(frame).value();
+  for (const std::int16_t word : words.counts) {
     strongest_ = std::max(strongest_, std::abs(int{word}));
   }
-  falcon::Command answer{.motor_words = counts_now()};
-  falcon::Frame bytes = frame_of(answer);
+  falcon::Frame bytes = falcon::frame_of({.motor_words = counts_now()});
   bytes[13] = static_cast<std::uint8_t>('A' + buttons_ + (homed_ ? 0x70 : 0));
   to_say_.insert(to_say_.end(), noise_.begin(), noise_.end());
   to_say_.insert(to_say_.end(), bytes.begin(), bytes.end());

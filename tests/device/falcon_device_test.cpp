@@ -14,6 +14,7 @@
 
 #include "tests/device/emulated_falcon.h"
 #include "tests/device/falcon_arm_angles.h"
+#include "tests/device/falcon_run.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
@@ -417,6 +418,10 @@ TEST_F(Falcon, EndsAtOnceWhateverItsDeviceDoes) {
   device = open();
   emulated.fail_transfers(1'000'000);
   EXPECT_TRUE(ends_soon(std::move(device)));
+}
+
+TEST_F(Falcon, LosesNothingOfAServoThreadThatGoesOnThroughThreeUnplugs) {
+  run_with_unplugs(bus(), std::chrono::seconds(5), 3);
 }
 
 TEST_F(Falcon, ReadsAndPushesWithoutTouchingTheHeap) {
