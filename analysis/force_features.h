@@ -49,6 +49,9 @@ struct ForceFeatures {
   std::array<double, kFeatureBands> spectrum{};  ///< ln(band RMS / mean normal force)
   double size = 0.0;                             ///< likewise, in all bands together
   double roughness = 0.0;  ///< ln(RMS of the lateral force in all bands / mean normal force)
+  /// RMS acceleration of a held tool that the force shakes. Of a recorded hand
+  /// (recorded_force_features) and not of a FeltForce; 0 where there was nothing to judge.
+  double shaking_m_per_s2 = 0.0;
 };
 
 /// Wavelengths in metres at the borders of the bands, longest first: kFeatureBands + 1 of them.
@@ -62,7 +65,8 @@ std::span<const double> feature_band_borders_m() noexcept;
 /// length, when a number is not finite, and when time or travel goes back.
 ForceFeatures force_features(const FeltForce& felt);
 
-/// Squared Euclidean distance, each spectral band weighted 1/kFeatureBands, size and roughness 1.
+/// Squared Euclidean distance, each spectral band weighted 1/kFeatureBands, size and roughness 1. The
+/// shaking has no part in it: it grows with the hand's force and speed.
 double squared_distance(const ForceFeatures& a, const ForceFeatures& b) noexcept;
 
 }  // namespace asperity

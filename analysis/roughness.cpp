@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -15,12 +14,6 @@ namespace asperity {
 namespace {
 
 constexpr double kPacinianFrom_Hz = 40.0;
-
-// a₀.
-constexpr double acceleration_of(const VibrationThreshold& threshold) {
-  const double omega_rad_per_s = 2.0 * std::numbers::pi * threshold.best_Hz;
-  return omega_rad_per_s * omega_rad_per_s * threshold.displacement_m;
-}
 
 void refuse_unusable(std::span<const double> record, double rate_Hz) {
   if (record.empty()) {
@@ -75,7 +68,7 @@ void add_bands(double frequency_Hz, double power, double& fa1, double& fa2) {
 double pacinian_part(double frequency_Hz, double power, const VibrationThreshold& threshold) {
   if (frequency_Hz < kPacinianFrom_Hz) return 0.0;
   const double over = std::max(1.0, frequency_Hz / threshold.best_Hz);
-  const double at_m_per_s2 = acceleration_of(threshold) * over * over * over * over;
+  const double at_m_per_s2 = threshold.acceleration_m_per_s2() * over * over * over * over;
   return 2.0 * power / (at_m_per_s2 * at_m_per_s2);
 }
 
@@ -109,7 +102,7 @@ std::optional<double> acceleration_roughness_dB(std::span<const double> accelera
   if (!(rms > 0.0)) {
     return std::nullopt;
   }
-  return 20.0 * std::log10(rms / acceleration_of(kLargeContactor));
+  return 20.0 * std::log10(rms / kLargeContactor.acceleration_m_per_s2());
 }
 
 double pacinian_power(std::span<const double> acceleration_m_per_s2, double rate_Hz,

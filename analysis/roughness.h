@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -51,6 +52,12 @@ std::optional<double> acceleration_roughness_dB(std::span<const double> accelera
 struct VibrationThreshold {
   double best_Hz = 250.0;
   double displacement_m = 0.1e-6;
+
+  /// a₀, an amplitude.
+  constexpr double acceleration_m_per_s2() const noexcept {
+    const double omega_rad_per_s = 2.0 * std::numbers::pi * best_Hz;
+    return omega_rad_per_s * omega_rad_per_s * displacement_m;
+  }
 };
 /// Under a large contactor: a₀ = 0.2467 m/s².
 inline constexpr VibrationThreshold kLargeContactor{};

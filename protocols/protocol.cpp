@@ -66,6 +66,18 @@ const char* text_of(Phase phase) noexcept {
   return "";
 }
 
+const char* text_of(ObserverDeclaration::MagnitudeOf what) noexcept {
+  switch (what) {
+    case ObserverDeclaration::MagnitudeOf::lateral_force:
+      return "lateral_force";
+    case ObserverDeclaration::MagnitudeOf::normal_force:
+      return "normal_force";
+    case ObserverDeclaration::MagnitudeOf::held_tool:
+      return "held_tool";
+  }
+  return "";
+}
+
 std::vector<std::string> speech_cues() {
   std::vector<std::string> cues{"next", "question", "accepted", "refused",  "right",   "wrong",
                                 "rest", "paused",   "mask_on",  "mask_off", "finished"};

@@ -173,11 +173,18 @@ struct ObserverDeclaration {
   double feature_noise = 0.1;  ///< standard deviation added to every feature
   double position_bias = 0.0;  ///< added to the evidence of the first position
   double lapse = 0.02;         ///< probability of a guess
-  /// Of a magnitude: the felt force that a number is made from, as a share of the mean normal force,
-  /// and the power of that share that numbers grow with.
-  enum class MagnitudeOf { lateral_force, normal_force } magnitude_of = MagnitudeOf::lateral_force;
+  /// Of a magnitude: what a number is made from, and the power of it that numbers grow with.
+  enum class MagnitudeOf {
+    lateral_force,  ///< as a share of the mean normal force
+    normal_force,   ///< likewise
+    held_tool,      ///< how the force shakes a held tool (ForceFeatures::shaking_m_per_s2)
+  };
+  MagnitudeOf magnitude_of = MagnitudeOf::lateral_force;
   double exponent = 1.0;
 };
+
+/// As it stands in a protocol file and in the store.
+const char* text_of(ObserverDeclaration::MagnitudeOf what) noexcept;
 
 /// Everything a protocol file says. Always valid: only `read_protocol` makes one.
 struct Protocol {

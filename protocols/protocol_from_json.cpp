@@ -411,7 +411,8 @@ void read_observer(const json& root, Protocol& protocol) {
     using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
     read_choice(*found, "magnitude_of", observer.magnitude_of,
                 {{"lateral_force", MagnitudeOf::lateral_force},
-                 {"normal_force", MagnitudeOf::normal_force}});
+                 {"normal_force", MagnitudeOf::normal_force},
+                 {"held_tool", MagnitudeOf::held_tool}});
     read(*found, "exponent", observer.exponent);
   }
   if (const auto found = root.find("recording"); found != root.end()) {

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
+
+#include "analysis/roughness.h"
 
 namespace asperity {
 
@@ -119,13 +122,26 @@ std::vector<std::size_t> VirtualObserver::match(std::span<const ForceFeatures> f
   return best;
 }
 
+double VirtualObserver::log_magnitude(const ForceFeatures& felt) {
+  using MagnitudeOf = ObserverDeclaration::MagnitudeOf;
+  switch (declaration_.magnitude_of) {
+    case MagnitudeOf::lateral_force:
+      return perceived(felt).roughness;
+    case MagnitudeOf::normal_force:
+      return perceived(felt).size;
+    case MagnitudeOf::held_tool: {
+      const double threshold_m_per_s2 = kHeldTool.acceleration_m_per_s2() / std::numbers::sqrt2;
+      return std::log(std::hypot(felt.shaking_m_per_s2, threshold_m_per_s2)) +
+             declaration_.feature_noise * random_.normal();
+    }
+  }
+  throw std::logic_error("a magnitude is made from nothing");
+}
+
 double VirtualObserver::estimate(const ForceFeatures& felt, const NumberHabit& habit) {
-  const ForceFeatures noisy = perceived(felt);
-  const bool of_lateral =
-      declaration_.magnitude_of == ObserverDeclaration::MagnitudeOf::lateral_force;
+  const double judged = log_magnitude(felt);
   const double guessed = random_.normal();
-  const double logarithm =
-      lapses() ? guessed : declaration_.exponent * (of_lateral ? noisy.roughness : noisy.size);
+  const double logarithm = lapses() ? guessed : declaration_.exponent * judged;
   const double exact = habit.modulus * std::exp(logarithm);
   // Whole numbers only on both sides: 0.3 and not 0.30000000000000004.
   const int shift = habit.digits - 1 - static_cast<int>(std::floor(std::log10(exact)));

@@ -15,7 +15,7 @@ namespace asperity {
 
 /// How a person uses numbers.
 struct NumberHabit {
-  double modulus = 10.0;  ///< what a force as large as the mean normal force would be called
+  double modulus = 10.0;  ///< what a force as large as the mean normal force, or 1 m/s², is called
   int digits = 2;         ///< significant ones
 };
 /// From somebody who counts to ten to somebody who counts to a thousand.
@@ -33,10 +33,13 @@ NumberHabit number_habit_of(Random person);
 ///
 /// Errors: std::invalid_argument for numbers of surfaces or options that make no question.
 ///
-/// A number for how rough a surface feels is m·exp(n·(r + ε)), with r the natural logarithm of the felt
-/// force over the mean normal force (ForceFeatures::roughness of the lateral force, ::size of the
-/// normal one), n the declared exponent and m the person's own modulus; rounded to the digits that the
-/// person says. A lapse, and whoever is deaf, says m times the exponential of a normal number.
+/// A number for how rough a surface feels is m·exp(n·(r + ε)), with n the declared exponent and m the
+/// person's own modulus; rounded to the digits that the person says. r is the natural logarithm of the
+/// felt force over the mean normal force (ForceFeatures::roughness of the lateral force, ::size of the
+/// normal one), or of √(a² + a₀²/2) over 1 m/s², a being the acceleration of a held tool
+/// (ForceFeatures::shaking_m_per_s2) and a₀ the amplitude from which on it is felt (kHeldTool). A
+/// share of the normal force cannot show what pressing harder does; an acceleration does. A lapse, and
+/// whoever is deaf, says m times the exponential of a normal number.
 ///
 /// What is expected may be limited to the band that a photograph keeps, by declaration
 /// (ObserverDeclaration::gaussian_wavelength_m); nothing else of how a texture came about is known
@@ -66,6 +69,8 @@ class VirtualObserver final {
  private:
   bool lapses();
   ForceFeatures perceived(const ForceFeatures& felt);
+  /// r + ε
+  double log_magnitude(const ForceFeatures& felt);
   std::size_t best_of(std::span<const double> evidences);
 
   ObserverDeclaration declaration_{};

@@ -32,9 +32,7 @@ std::string observer_json(const Protocol& protocol) {
   json["position_bias"] = observer.position_bias;
   json["lapse"] = observer.lapse;
   if (protocol.kind == ProtocolKind::magnitude) {
-    const bool of_lateral =
-        observer.magnitude_of == ObserverDeclaration::MagnitudeOf::lateral_force;
-    json["magnitude_of"] = of_lateral ? "lateral_force" : "normal_force";
+    json["magnitude_of"] = text_of(observer.magnitude_of);
     json["exponent"] = observer.exponent;
   }
   return json.dump();

@@ -38,6 +38,8 @@ class FeltRoughness final {
   /// The force on the hand, in newtons, of the next sample.
   void add(const glm::dvec3& force_N);
   std::optional<HeldToolRoughness> roughness() const;
+  /// How many samples it is of.
+  std::size_t judged() const noexcept { return accelerations_m_per_s2_.size(); }
 
  private:
   Judging judging_{};

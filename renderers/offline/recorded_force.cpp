@@ -5,10 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "analysis/compliance.h"
 #include "analysis/spectrum.h"
+#include "renderers/offline/felt_roughness.h"
 #include "renderers/offline/replay.h"
 
 namespace asperity {
@@ -18,12 +24,78 @@ namespace {
 constexpr double kShortestStretch_s = 0.25;
 // Two records further apart than this many periods do not belong to one stretch.
 constexpr double kGap = 2.5;
+// Of a contact's end: lifting is the hand's and not the surface's.
+constexpr double kLifting_s = 0.1;
 
 bool belongs(const TickRecord& record, std::uint64_t presentation) {
   return record.presentation == presentation && record.has(TickFlag::presenting);
 }
 
+/// The held tool's accelerations in one contact after another, pooled.
+class Shaking final {
+ public:
+  explicit Shaking(double rate_Hz) : rate_Hz_(rate_Hz) {}
+
+  /// Forces from the first touch to the last one.
+  void add_contact(std::span<const glm::dvec3> forces_N) {
+    const auto lifting = static_cast<std::size_t>(kLifting_s * rate_Hz_);
+    if (forces_N.size() <= lifting) return;
+    FeltRoughness felt({.rate_Hz = rate_Hz_,
+                        .window_s = static_cast<double>(forces_N.size()) / rate_Hz_,
+                        .shortest_s = kShortestStretch_s});
+    for (const glm::dvec3& force_N : forces_N.first(forces_N.size() - lifting)) felt.add(force_N);
+    const std::optional<HeldToolRoughness> roughness = felt.roughness();
+    if (!roughness) return;
+    const double rms_m_per_s2 = roughness->rms_accel_m_per_s2;
+    sum_m2_per_s4_ += rms_m_per_s2 * rms_m_per_s2 * static_cast<double>(felt.judged());
+    samples_ += felt.judged();
+  }
+
+  std::optional<double> rms_m_per_s2() const {
+    if (samples_ == 0) return {};
+    return std::sqrt(sum_m2_per_s4_ / static_cast<double>(samples_));
+  }
+
+ private:
+  double rate_Hz_ = 0.0;
+  double sum_m2_per_s4_ = 0.0;
+  std::size_t samples_ = 0;
+};
+
 }  // namespace
+
+std::optional<double> recorded_shaking_m_per_s2(const RecordedSurfaceSpan& surface) {
+  Shaking shaking(surface.rate_Hz);
+  std::vector<glm::dvec3> forces_N{};
+  std::size_t touched = 0;  // forces until the last tick of contact
+  glm::dvec2 along{1.0, 0.0};
+  std::int64_t last_touch_ns = 0;
+  constexpr auto kLift_ns = static_cast<std::int64_t>(kLift_s * 1e9);
+  const auto end_of_contact = [&] {
+    shaking.add_contact(std::span(forces_N).first(touched));
+    forces_N.clear();
+    touched = 0;
+  };
+  for (const TickRecord& record : surface.records) {
+    const bool touches = belongs(record, surface.presentation) && record.penetration_m > 0.0;
+    if (touched > 0 && (!belongs(record, surface.presentation) ||
+                        record.probe.time_ns - last_touch_ns > kLift_ns)) {
+      end_of_contact();
+    }
+    if (!touches && touched == 0) continue;
+    const glm::dvec2 velocity_m_per_s(record.probe.velocity_m_per_s);
+    const double speed_m_per_s = glm::length(velocity_m_per_s);
+    if (speed_m_per_s > 0.0) along = velocity_m_per_s / speed_m_per_s;
+    const glm::dvec3& force_N = record.sent.force_N;
+    forces_N.emplace_back(force_N.x * along.x + force_N.y * along.y,
+                          force_N.y * along.x - force_N.x * along.y, force_N.z);
+    if (!touches) continue;
+    touched = forces_N.size();
+    last_touch_ns = record.probe.time_ns;
+  }
+  end_of_contact();
+  return shaking.rms_m_per_s2();
+}
 
 ForceFeatures recorded_force_features(const RecordedSurfaceSpan& surface) {
   std::vector<double> time_s{};
@@ -54,7 +126,9 @@ ForceFeatures recorded_force_features(const RecordedSurfaceSpan& surface) {
     normal_N.push_back(force.z);
     lateral_N.push_back(along_N);
   }
-  return force_features({time_s, travel_m, normal_N, lateral_N});
+  ForceFeatures features = force_features({time_s, travel_m, normal_N, lateral_N});
+  features.shaking_m_per_s2 = recorded_shaking_m_per_s2(surface).value_or(0.0);
+  return features;
 }
 
 std::optional<double> recorded_texture_force_rms_N(const ForceModel& model,

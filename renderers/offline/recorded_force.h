@@ -20,8 +20,20 @@ struct RecordedSurfaceSpan {
 };
 
 /// Features of the force that the device was sent (ramp and limits included) while the probe
-/// touched the surface. Normal: +z. Lateral: along the motion, positive against it.
+/// touched the surface. Normal: +z. Lateral: along the motion, positive against it. With
+/// recorded_shaking_m_per_s2, where there is one.
 ForceFeatures recorded_force_features(const RecordedSurfaceSpan& surface);
+
+/// RMS acceleration of a held tool (FeltRoughness, its usual hand) that is given the force which the
+/// device was sent while the probe touched the surface; nothing where no contact is long enough. It is
+/// no share of anything: whoever presses harder, or draws faster over the same waves, feels another one.
+///
+/// The tool's x goes with the hand: along the motion, its y to the left of it. So Coulomb friction is one
+/// force on the way there and back, and a turn of the hand does not count as texture. Of each contact
+/// the beginning is left out (beginning_s), and the last 0.1 s, in which the hand lifts; a tool that
+/// leaves the surface for less than kLift_s has not been lifted. Mean squares of several contacts are
+/// pooled.
+std::optional<double> recorded_shaking_m_per_s2(const RecordedSurfaceSpan& surface);
 
 /// A band of frequencies, both borders included.
 struct TextureForceBand {

@@ -1,5 +1,15 @@
 // The gates in small: some two hundred trials of each kind, judged by exact intervals.
 
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+
+#include "analysis/number_text.h"
+#include "app/analyses/families.h"
+#include "protocols/virtual_observer.h"
 #include "tests/gates/gate_checks.h"
 
 namespace asperity {
@@ -36,6 +46,68 @@ TEST(DeafObserver, AnswersByChanceInEveryKind) {
   EXPECT_EQ(tools.trials, 6U);
   expect_items_by_chance(tools, 3, kNoMargin);
   expect_all_marked_as_guesses(tools);
+}
+
+/// p of the analysis of variance, by effect, of eight people who give numbers for two conditions and
+/// four spacings, three times each. The coarser a surface is, the more it shakes the tool.
+std::map<std::string, double> effects_in_a_study(const ObserverDeclaration& declared,
+                                                 const Random& study) {
+  constexpr std::array kSpacings{"0.001", "0.002", "0.003", "0.004"};
+  constexpr std::array kConditions{"large", "small"};
+  GatheredAnswers gathered{};
+  gathered.kind = "magnitude";
+  gathered.estimation = {.spacing = "texture", .condition = "tip"};
+  for (std::uint32_t person = 0; person < 8; ++person) {
+    gathered.people.push_back({.label = "P" + std::to_string(person)});
+    const Random of_person = study.split(person);
+    const NumberHabit habit = number_habit_of(of_person.split("numbers"));
+    for (std::uint64_t trial = 0; trial < 24; ++trial) {
+      const std::uint64_t spacing = trial % 4;
+      const std::uint64_t condition = trial / 4 % 2;
+      ForceFeatures felt{};
+      felt.shaking_m_per_s2 = 1.0 + static_cast<double>(spacing) + static_cast<double>(condition);
+      VirtualObserver observer(declared, of_person.split("trial").split(trial));
+      GatheredAnswer answer{.person = person, .reply_count = 1};
+      answer.column = gathered.words.place(kConditions.at(condition));
+      answer.spacing = gathered.words.place(kSpacings.at(spacing));
+      answer.first_reply = gathered.replies.size();
+      gathered.replies.push_back(
+          {gathered.words.place(number_text(observer.estimate(felt, habit))), {}});
+      gathered.answers.push_back(answer);
+    }
+  }
+  AnalysisOutcome outcome{};
+  analyze_magnitude(gathered, outcome);
+  std::map<std::string, double> effects{};
+  for (const NamedTable& named : outcome.tables) {
+    if (named.name != "anova") continue;
+    for (const auto& row : named.table.rows) {
+      effects[std::get<std::string>(row.at(0))] = std::get<double>(row.at(5));
+    }
+  }
+  return effects;
+}
+
+// Whoever is deaf says numbers that have nothing to do with the surface: each effect is found in one
+// study of twenty. Epsilon makes the test of the interaction careful, and what is careful finds less.
+TEST(DeafObserver, GivesNumbersInWhichAnEffectIsFoundByChanceOnly) {
+  ObserverDeclaration declared{.deaf = true};
+  declared.magnitude_of = ObserverDeclaration::MagnitudeOf::held_tool;
+  constexpr std::uint64_t kStudies = 400;
+  std::map<std::string, std::size_t> found{{"condition", 0}, {"spacing", 0}, {"interaction", 0}};
+  for (std::uint64_t i = 0; i < kStudies; ++i) {
+    const std::map<std::string, double> effects = effects_in_a_study(declared, Random(i));
+    ASSERT_EQ(effects.size(), found.size());
+    for (const auto& [effect, p] : effects) found.at(effect) += p < 0.05 ? 1 : 0;
+  }
+  for (const auto& [effect, times] : found) {
+    expect_by_chance("deaf numbers: " + effect, {times, kStudies}, 0.05, kGateMargin);
+  }
+
+  declared.deaf = false;
+  for (const auto& [effect, p] : effects_in_a_study(declared, Random(1))) {
+    EXPECT_LT(p, 0.05) << "who is not deaf shows the effect of " << effect;
+  }
 }
 
 TEST(NoiselessObserver, GetsMostItemsRightOnTexturesWithKnownHeights) {

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +19,7 @@
 #include "app/tasks/simulation.h"
 #include "protocols/plan.h"
 #include "renderers/force_model.h"
+#include "renderers/offline/roughness_stroke.h"
 #include "stimuli/synthetic_surface.h"
 #include "tests/gates/simulated_study.h"
 
@@ -167,11 +170,11 @@ void make_short(json& protocol) {
   protocol["observer"]["lapse"] = 0.0;
 }
 
-// Between waves 0.7 mm apart a ball of 3 mm sinks by a third of what one of 1 mm does; 2.8 mm apart
-// both go down to the troughs.
-TEST(VirtualParticipant, FindsFineWavesRougherWithASmallTipThanWithALargeOne) {
+/// What one participant without noise says of the short protocol, by stimulus and exploration.
+using Numbers = std::map<std::pair<std::string, std::string>, double>;
+Numbers numbers_of_one(const std::function<void(json&)>& change) {
   std::string pattern = (std::filesystem::temp_directory_path() / "asperity_XXXXXX").string();
-  ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder " + pattern);
   const std::filesystem::path folder = pattern;
   new_study(folder / "study");
   for (const auto& [name, spacing_m] :
@@ -191,24 +194,127 @@ TEST(VirtualParticipant, FindsFineWavesRougherWithASmallTipThanWithALargeOne) {
   inputs.participants = 1;
   inputs.recordings = Recordings::none;
   std::ofstream(inputs.protocols[0], std::ios::binary)
-      << library_protocol("roughness_diameter", make_short).source;
+      << library_protocol("roughness_diameter", [&change](json& protocol) {
+           make_short(protocol);
+           change(protocol);
+         }).source;
   (void)simulate(inputs, built_in_models(), {}, {}, {});
-  std::map<std::string, double> numbers{};
+  Numbers numbers{};
   {
     const Study study = Study::open(inputs.study, Access::read_only);
+    std::map<int, std::string> hands{};
+    for (const PlannedTrialRow& trial : study.plan(study.sessions().front().id)) {
+      hands[trial.trial] = json::parse(trial.factors_json).value("hand", std::string());
+    }
     for (const AttemptRow& attempt : study.attempts(study.sessions().front().id)) {
-      ASSERT_EQ(attempt.responses.size(), 1U);
-      EXPECT_EQ(attempt.responses[0].source, "virtual");
-      numbers[attempt.presentations[0].stimulus] = attempt.responses[0].answer_number.value();
+      EXPECT_EQ(attempt.responses.at(0).source, "virtual");
+      numbers[{attempt.presentations.at(0).stimulus, hands.at(attempt.trial)}] =
+          attempt.responses[0].answer_number.value();
     }
   }
   std::filesystem::remove_all(folder);
+  return numbers;
+}
+
+// Between waves 0.7 mm apart a ball of 3 mm sinks by a third of what one of 1 mm does; 2.8 mm apart
+// both go down to the troughs.
+TEST(VirtualParticipant, FindsFineWavesRougherWithASmallTipThanWithALargeOne) {
+  const Numbers numbers = numbers_of_one([](json&) {});
   ASSERT_EQ(numbers.size(), 6U);
   const auto of_fine = [&numbers](const std::string& tip) {
-    return numbers.at("wave_spacing_07_pd_gradient_" + tip) /
-           numbers.at("wave_spacing_28_pd_gradient_" + tip);
+    return numbers.at({"wave_spacing_07_pd_gradient_" + tip, ""}) /
+           numbers.at({"wave_spacing_28_pd_gradient_" + tip, ""});
   };
   EXPECT_GT(of_fine("sphere_1mm"), 1.5 * of_fine("sphere_3mm"));
+}
+
+/// One way of drawing a tip of 2 mm, as an exploration that nothing can fail.
+struct Hand {
+  std::string name{};
+  double force_N = 0.8;
+  double speed_m_per_s = 0.06;
+};
+
+/// The condition is how the hand draws, one hand after the other.
+void draw_with(json& protocol, const std::vector<Hand>& hands) {
+  json levels = json::array();
+  json explorations{};
+  for (const Hand& hand : hands) {
+    levels.push_back(hand.name);
+    explorations[hand.name] = {{"direction_rad", 0},
+                               {"stroke_length_m", {{"target", 0.02}}},
+                               {"speed_m_per_s", {{"target", hand.speed_m_per_s}}},
+                               {"normal_force_N", {{"target", hand.force_N}}},
+                               {"minimum_contact_s", 3},
+                               {"maximum_contact_s", 8}};
+  }
+  protocol["explorations"] = explorations;
+  protocol["factors"].erase("tip");
+  protocol["factors"]["hand"] = {{"levels", levels}, {"meaning", "How the hand draws."}};
+  protocol["estimation"]["condition"] = "hand";
+  protocol["stimuli"]["wave"]["tool"] = "sphere_2mm";
+  protocol["blocks"]["main"]["exploration"] = {{"factor", "hand"}};
+  protocol["flow"] = json::array({json{{"run", "main"}, {"for_each", "hand"}}});
+  protocol["observer"]["magnitude_of"] = "held_tool";
+}
+
+/// RMS acceleration that a sweep of that tip predicts for such a stroke.
+double predicted_m_per_s2(const Hand& hand, double spacing_m) {
+  static const ModelRegistry kModels = built_in_models();
+  RoughnessStroke stroke{};
+  stroke.model = kModels.find("pd_gradient");
+  stroke.material = {.stiffness_N_per_m = 3000.0, .friction = 0.0};
+  stroke.tip.diameter_m = 0.002;
+  stroke.force_N = hand.force_N;
+  stroke.speed_m_per_s = hand.speed_m_per_s;
+  const TextureAtSpacing texture =
+      texture_at_spacing({.kind = "sinusoid", .values = {{"amplitude_m", 1e-4}}}, spacing_m);
+  return dragged(stroke, texture)->roughness.value().rms_accel_m_per_s2;
+}
+
+const std::vector<std::pair<std::string, double>> kThreeWaves{
+    {"spacing_07", 0.0007}, {"spacing_14", 0.0014}, {"spacing_28", 0.0028}};
+
+/// Over each wave, wherever the sweep tells two hands apart by a quarter. How often it does.
+int expect_order_of_the_sweep(const Numbers& numbers, const std::vector<Hand>& hands) {
+  int told_apart = 0;
+  for (const auto& [wave, spacing_m] : kThreeWaves) {
+    const std::string stimulus = "wave_" + wave + "_pd_gradient";
+    for (std::size_t i = 0; i < hands.size(); ++i) {
+      for (std::size_t j = i + 1; j < hands.size(); ++j) {
+        const double by_sweep =
+            predicted_m_per_s2(hands[j], spacing_m) / predicted_m_per_s2(hands[i], spacing_m);
+        const double by_person =
+            numbers.at({stimulus, hands[j].name}) / numbers.at({stimulus, hands[i].name});
+        std::cout << wave << ", " << hands[j].name << " over " << hands[i].name << ": sweep "
+                  << by_sweep << ", participant " << by_person << '\n';
+        if (std::abs(std::log(by_sweep)) < std::log(1.25)) continue;
+        ++told_apart;
+        EXPECT_EQ(by_sweep > 1.0, by_person > 1.0)
+            << wave << ": " << hands[j].name << " over " << hands[i].name;
+      }
+    }
+  }
+  return told_apart;
+}
+
+TEST(VirtualParticipant, WhoFeelsAHeldToolFindsASurfaceRougherTheHarderItIsPressed) {
+  const std::vector<Hand> hands{{.name = "light", .force_N = 0.25},
+                                {.name = "medium", .force_N = 0.7},
+                                {.name = "firm", .force_N = 2.0}};
+  const Numbers numbers = numbers_of_one([&hands](json& protocol) { draw_with(protocol, hands); });
+  ASSERT_EQ(numbers.size(), 9U);
+  EXPECT_EQ(expect_order_of_the_sweep(numbers, hands), 9);
+}
+
+// Coarse waves come by so slowly under a slow hand that its hold follows them; fine ones shake the
+// tool's mass with either speed.
+TEST(VirtualParticipant, WhoFeelsAHeldToolFindsCoarseWavesRougherTheFasterTheyComeBy) {
+  const std::vector<Hand> hands{{.name = "slow", .speed_m_per_s = 0.02},
+                                {.name = "fast", .speed_m_per_s = 0.1}};
+  const Numbers numbers = numbers_of_one([&hands](json& protocol) { draw_with(protocol, hands); });
+  ASSERT_EQ(numbers.size(), 6U);
+  EXPECT_GE(expect_order_of_the_sweep(numbers, hands), 1);
 }
 
 // "I cannot tell" stands last among the options of these protocols; guesses are of the others, all

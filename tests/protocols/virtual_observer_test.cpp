@@ -58,6 +58,24 @@ TEST(VirtualObserver, SaysNumbersThatGrowWithThePowerOfTheFeltForce) {
   EXPECT_EQ(VirtualObserver(exact, Random(1)).estimate(felt_with(0.0), habit), 14.0);  // 100/e²
 }
 
+// 100·a² for accelerations that are far above the threshold; below it, less roughness is not felt.
+TEST(VirtualObserver, SaysNumbersThatGrowWithHowAHeldToolIsShaken) {
+  ObserverDeclaration exact{.feature_noise = 0.0, .lapse = 0.0};
+  exact.magnitude_of = ObserverDeclaration::MagnitudeOf::held_tool;
+  exact.exponent = 2.0;
+  const NumberHabit habit{.modulus = 100.0, .digits = 2};
+  const auto number_of = [&](double shaking_m_per_s2) {
+    ForceFeatures felt = felt_with(-3.0);  // shares of the normal force are nothing to it
+    felt.shaking_m_per_s2 = shaking_m_per_s2;
+    return VirtualObserver(exact, Random(1)).estimate(felt, habit);
+  };
+  EXPECT_EQ(number_of(1.0), 100.0);
+  EXPECT_EQ(number_of(3.0), 900.0);
+  EXPECT_EQ(number_of(0.5), 25.0);
+  EXPECT_EQ(number_of(0.0), 0.066);  // 100·½·((2π·175 Hz)²·0.03 µm)²
+  EXPECT_EQ(number_of(0.001), 0.066);
+}
+
 TEST(VirtualObserver, HasNumberHabitsOfThePerson) {
   std::set<double> moduli{};
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -46,6 +46,56 @@ RendererInputs sinusoid(double amplitude_m) {
   return inputs;
 }
 
+// Friction turns round with the hand, and landing and lifting are the hand's: nothing shakes the tool.
+TEST(RecordedShaking, IsNothingOnAFlatPlateHoweverOftenTheHandTurns) {
+  const ModelRegistry models = built_in_models();
+  RendererInputs inputs = sinusoid(0.0);
+  inputs.material.friction = 0.5;
+  auto records = to_and_fro(*models.find("sinusoid"), inputs);
+  EXPECT_LT(recorded_shaking_m_per_s2({records, 1, kRate_Hz}).value(), 1e-3);
+  for (std::size_t i = 3900; i < records.size(); ++i) {  // let go of within 0.1 s
+    records[i].sent.force_N *= 0.01 * static_cast<double>(records.size() - i);
+  }
+  EXPECT_LT(recorded_shaking_m_per_s2({records, 1, kRate_Hz}).value(), 1e-3);
+}
+
+// k·A = 50 mN at ω = 2π·30 Hz across the surface, where the tool has its damper only, and friction's
+// share of it along the motion, where it has the hand's spring as well.
+TEST(RecordedShaking, IsWhatASinusoidDoesToAHeldTool) {
+  const ModelRegistry models = built_in_models();
+  RendererInputs inputs = sinusoid(1e-4);
+  inputs.material = {.stiffness_N_per_m = 500.0, .friction = 0.5};
+  const auto records = to_and_fro(*models.find("sinusoid"), inputs);
+  constexpr double kOmega_rad_per_s = 2.0 * std::numbers::pi * 30.0;
+  constexpr double kForce_N = 0.05;
+  const double across = kOmega_rad_per_s * kForce_N / std::hypot(0.05 * kOmega_rad_per_s, 3.0);
+  const double along =
+      0.5 * kForce_N * kOmega_rad_per_s * kOmega_rad_per_s /
+      std::hypot(200.0 - 0.05 * kOmega_rad_per_s * kOmega_rad_per_s, 3.0 * kOmega_rad_per_s);
+  const double rms_m_per_s2 = std::hypot(across, along) / std::numbers::sqrt2;
+  EXPECT_NEAR(recorded_shaking_m_per_s2({records, 1, kRate_Hz}).value() / rms_m_per_s2, 1.0, 0.03);
+  EXPECT_EQ(recorded_force_features({records, 1, kRate_Hz}).shaking_m_per_s2,
+            recorded_shaking_m_per_s2({records, 1, kRate_Hz}).value());
+}
+
+TEST(RecordedShaking, NeedsAContactThatIsLongEnough) {
+  const ModelRegistry models = built_in_models();
+  auto records = to_and_fro(*models.find("sinusoid"), sinusoid(1e-4));
+  // 0.267 s of beginning, a quarter of a second, 0.1 s of lifting.
+  const std::span<const TickRecord> all(records);
+  EXPECT_FALSE(recorded_shaking_m_per_s2({all.first(600), 1, kRate_Hz}));
+  EXPECT_TRUE(recorded_shaking_m_per_s2({all.first(640), 1, kRate_Hz}));
+  EXPECT_EQ(recorded_force_features({all.first(600), 1, kRate_Hz}).shaking_m_per_s2, 0.0);
+  // A tool that jumps for 10 ms is still in contact, one that is away for 30 ms is not.
+  const auto lift = [&records](std::size_t from, std::size_t ticks) {
+    for (std::size_t i = from; i < from + ticks; ++i) records[i].penetration_m = 0.0;
+  };
+  lift(300, 10);
+  EXPECT_TRUE(recorded_shaking_m_per_s2({all.first(640), 1, kRate_Hz}));
+  lift(300, 30);
+  EXPECT_FALSE(recorded_shaking_m_per_s2({all.first(640), 1, kRate_Hz}));
+}
+
 TEST(RecordedTextureForce, IsZeroOnAFlatPlateHoweverOftenTheHandTurns) {
   const ModelRegistry models = built_in_models();
   const ForceModel& model = *models.find("sinusoid");
