@@ -7,6 +7,7 @@
 
 #include "device/falcon/falcon_device.h"
 #include "device/force_dimension/force_dimension_device.h"
+#include "device/inverse3/inverse3_device.h"
 #include "device/openhaptics/openhaptics_device.h"
 
 namespace asperity {
@@ -88,6 +89,7 @@ DriverRegistry built_in_drivers() {
   registry.add(falcon_driver());
   registry.add(force_dimension_driver());
   registry.add(openhaptics_driver());
+  registry.add(inverse3_driver());
   return registry;
 }
 

@@ -12,11 +12,9 @@ namespace asperity {
 /// type that we do not know.
 ///
 /// The maker publishes figures for its devices on its own pages; these here are those that CHAI3D 3.2
-/// drives the devices with [CHAI3D], which are not above the maker's: the force, and the radius of a
+/// drives the devices with (src/devices/CDeltaDevices.cpp), which are not above the maker's: the force, and the radius of a
 /// sphere that lies inside the workspace. Position resolution and continuous force are not told (0). For
 /// lambda.7, which CHAI3D does not know, the sphere and the force are those of sigma.7.
-///
-/// [CHAI3D] src/devices/CDeltaDevices.cpp.
 struct DhdModel {
   DeviceCapability capability{};
   bool has_wrist = false;    ///< senses orientation

@@ -14,6 +14,7 @@
 
 #include "device/openhaptics/openhaptics_device.h"
 #include "device/vendor_library.h"
+#include "tests/device/servo_stand_in.h"
 #include "tests/device/vendors/test_hd.h"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -37,42 +38,6 @@ std::string openhaptics_complaint(const std::function<void()>& act) {
   }
   return "none";
 }
-
-// What a servo loop does in a tick: reads once, pushes once.
-struct ReadAndPush {
-  HapticDevice* device = nullptr;
-  Wrench wanted{};
-  std::mutex mutex{};
-  std::optional<ProbeState> last{};
-  std::atomic<int> ticks{0};
-  std::atomic<int> unread{0};
-  std::atomic<int> refused{0};
-  std::int64_t now_ns = 0;
-
-  ~ReadAndPush() {
-    if (device != nullptr) device->stop_calls();
-  }
-  static void tick(void* self) noexcept { static_cast<ReadAndPush*>(self)->run(); }
-  void run() noexcept {
-    now_ns += 1'000'000;
-    const std::optional<ProbeState> probe = device->read(now_ns);
-    if (!probe) ++unread;
-    if (!device->push(wanted, 1e-3)) ++refused;
-    {
-      const std::lock_guard lock(mutex);
-      last = probe;
-    }
-    ++ticks;
-  }
-  void wait_for(int more) const {
-    const int until = ticks + more;
-    while (ticks < until) std::this_thread::yield();
-  }
-  ProbeState probe() {
-    const std::lock_guard lock(mutex);
-    return last.value();
-  }
-};
 
 class OpenHaptics : public testing::Test {
  protected:
@@ -155,7 +120,7 @@ TEST_F(OpenHaptics, RefusesADeviceWithoutLimitOrCalibrationAndClosesIt) {
 TEST_F(OpenHaptics, TicksOnceInEachFrame) {
   const auto device = open();
   ReadAndPush servo{device.get()};
-  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.start();
   servo.wait_for(20);
   device->stop_calls();
   EXPECT_EQ(bench->disorders, 0);
@@ -164,7 +129,7 @@ TEST_F(OpenHaptics, TicksOnceInEachFrame) {
   EXPECT_THAT(calls(), Contains("hdEnable " + std::to_string(0x4001)));
   const int ticks = servo.ticks;
   device->stop_calls();
-  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.start();
   servo.wait_for(3);
   EXPECT_GT(servo.ticks, ticks);
 }
@@ -177,7 +142,7 @@ TEST_F(OpenHaptics, TellsThePoseInMetresAndInOurFrame) {
   bench->buttons = 2;
   const auto device = open();
   ReadAndPush servo{device.get()};
-  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.start();
   servo.wait_for(8);
   const ProbeState probe = servo.probe();
   EXPECT_NEAR(glm::distance(probe.position_m, glm::dvec3(0.010, -0.030, 0.020)), 0.0, 1e-12);
@@ -195,7 +160,7 @@ TEST_F(OpenHaptics, SendsForcesInItsFrameAndNeverAboveItsPeak) {
   const auto device = open();
   device->set_limits({.force_N = 50.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
   ReadAndPush servo{device.get(), {.force_N = {0.3, 0.2, 0.1}, .torque_N_m = {0.01, 0.0, 0.0}}};
-  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.start();
   servo.wait_for(2);
   {
     const std::lock_guard lock(bench->mutex);
@@ -204,7 +169,7 @@ TEST_F(OpenHaptics, SendsForcesInItsFrameAndNeverAboveItsPeak) {
   }
   device->stop_calls();
   servo.wanted.force_N = {0.0, 0.0, 40.0};
-  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.start();
   servo.wait_for(2);
   device->stop_calls();
   EXPECT_NEAR(bench->strongest_N, 3.3, 1e-12);
@@ -217,7 +182,7 @@ TEST_F(OpenHaptics, SendsTorqueInNewtonMillimetresToModelsThatCanTurn) {
   const auto device = open();
   device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
   ReadAndPush servo{device.get(), {.torque_N_m = {0.01, 0.02, 0.03}}};
-  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.start();
   servo.wait_for(2);
   const std::lock_guard lock(bench->mutex);
   EXPECT_NEAR(bench->torque[0], 10.0, 1e-12);
@@ -228,7 +193,7 @@ TEST_F(OpenHaptics, SendsTorqueInNewtonMillimetresToModelsThatCanTurn) {
 TEST_F(OpenHaptics, RefusesAPushAfterAForceErrorAndNamesIt) {
   const auto device = open();
   ReadAndPush servo{device.get()};
-  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.start();
   servo.wait_for(2);
   EXPECT_EQ(servo.refused, 0);
   {
@@ -250,7 +215,7 @@ TEST_F(OpenHaptics, RefusesAPushAfterAForceErrorAndNamesIt) {
 TEST_F(OpenHaptics, DoesNotAnswerWhenTheDeviceIsGoneAndDoesAgainAfterwards) {
   const auto device = open();
   ReadAndPush servo{device.get()};
-  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.start();
   servo.wait_for(2);
   EXPECT_EQ(servo.unread, 0);
   {
@@ -287,7 +252,7 @@ TEST_F(OpenHaptics, EndsAtZeroForceAndLetsGo) {
     const auto device = open();
     device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
     ReadAndPush servo{device.get(), {.force_N = {0.0, 0.0, 1.0}}};
-    device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+    servo.start();
     servo.wait_for(2);
     device->stop_calls();
     EXPECT_EQ(bench->strongest_N, 1.0);
@@ -304,7 +269,7 @@ TEST_F(OpenHaptics, LeavesAThreadThatHangsBehind) {
 #endif
   auto device = open();
   ReadAndPush servo{device.get()};
-  device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
+  servo.start();
   servo.wait_for(2);
   bench->hangs = true;
   while (!bench->is_hanging) std::this_thread::yield();
@@ -312,10 +277,7 @@ TEST_F(OpenHaptics, LeavesAThreadThatHangsBehind) {
   device->stop_calls();  // comes back
   EXPECT_THAT(device->trouble(), HasSubstr("hangs"));
   EXPECT_FALSE(device->read(0).has_value());
-  EXPECT_THAT(openhaptics_complaint([&] {
-                device->start_calls({.function = &ReadAndPush::tick, .argument = &servo});
-              }),
-              HasSubstr("hangs"));
+  EXPECT_THAT(openhaptics_complaint([&] { servo.start(); }), HasSubstr("hangs"));
   servo.device = nullptr;
   device.reset();
   EXPECT_THAT(calls(),

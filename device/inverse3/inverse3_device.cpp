@@ -1,0 +1,352 @@
+// An Inverse3 of Haply, through the service that its maker installs on the same machine.
+
+#include "device/inverse3/inverse3_device.h"
+
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <sys/prctl.h>
+#include <thread>
+#include <utility>
+
+#include "device/inverse3/web_socket.h"
+#include "device/small_turn.h"
+#include "device/velocity_estimator.h"
+
+namespace asperity {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr VelocityWindow kInverse3Window{.samples = 5};  // 2 ms late at 1 kHz
+constexpr milliseconds kForUpdate(100);
+constexpr milliseconds kForInventory(1000);
+constexpr milliseconds kBetweenConnections(500);
+constexpr double kTrialForce_N = 0.02;
+constexpr int kTrialMessages = 3;  // the force that a service tells may be the one before
+// What is asked of it at most, and where: the service tells neither.
+constexpr double kMostForce_N = 5.0;
+constexpr double kHalfBox_m = 0.12;
+constexpr glm::dvec3 kDefaultsRest_m(0.0, -0.12, 0.15);
+
+Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& place) {
+  const std::optional<std::string> message = socket.receive(kForInventory);
+  std::optional<Inverse3Inventory> inventory = message ? inventory_from(*message) : std::nullopt;
+  if (!inventory) {
+    throw std::runtime_error("What answers at " + place.text() +
+                             " is not Haply's Inverse Service: it does not list devices.");
+  }
+  return *std::move(inventory);
+}
+
+// The upward force that the service tells after it was asked for one, in this spelling.
+double told_force_N(WebSocket& socket, const std::string& id, ForceSpelling spelling,
+                    double force_N, const std::string& profile) {
+  double told_N = 0.0;
+  for (int i = 0; i < kTrialMessages; ++i) {
+    if (!socket.send(force_command(id, spelling, {0.0, 0.0, force_N}, i == 0 ? profile : "")))
+      break;
+    const std::optional<std::string> message = socket.receive(kForInventory);
+    const std::optional<Inverse3State> state = message ? state_from(*message, id) : std::nullopt;
+    if (!state) {
+      throw std::runtime_error("The Inverse Service does not tell where the Inverse3 " + id +
+                               " is. See that it has power and that no other program holds it.");
+    }
+    told_N = state->force_N.z;
+  }
+  return told_N;
+}
+
+// A service that does not know a spelling takes the message and applies no force.
+ForceSpelling spelling_of(WebSocket& socket, const std::string& id,
+                          const Inverse3Inventory& inventory) {
+  const double without_N = told_force_N(socket, id, ForceSpelling::vector, 0.0, "asperity");
+  for (const ForceSpelling spelling : {ForceSpelling::vector, ForceSpelling::values}) {
+    const double with_N = told_force_N(socket, id, spelling, kTrialForce_N, "");
+    told_force_N(socket, id, spelling, 0.0, "");
+    if (with_N - without_N > 0.5 * kTrialForce_N) return spelling;
+  }
+  // It does not tell what it applies: what the documents of its version say.
+  return inventory.has_session ? ForceSpelling::vector : ForceSpelling::values;
+}
+
+}  // namespace
+
+InverseServicePlace InverseServicePlace::of(const std::string& text) {
+  InverseServicePlace place;
+  const std::size_t colon = text.rfind(':');
+  if (!text.substr(0, colon).empty()) place.host = text.substr(0, colon);
+  if (colon == std::string::npos) return place;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data() + colon + 1, end, place.port);
+  if (error != std::errc() || stopped != end || place.port < 1 || place.port > 65535) {
+    throw std::runtime_error("The Inverse Service's place is \"" + text +
+                             "\"; it has to be HOST:PORT, with a port from 1 to 65535.");
+  }
+  return place;
+}
+
+struct Inverse3Device::Opened {
+  InverseServicePlace place{};
+  std::unique_ptr<WebSocket> socket{};
+  DeviceCapability capability{};
+  ForceSpelling spelling = ForceSpelling::vector;
+  glm::dvec3 origin_m{0.0};
+};
+
+// The driver's thread and what it holds.
+struct Inverse3Device::Line {
+  InverseServicePlace place;
+  std::string id;
+  ForceSpelling spelling = ForceSpelling::vector;
+  glm::dvec3 origin_m{0.0};
+
+  std::mutex mutex{};  // for `socket` being another one, and for `changed`
+  std::condition_variable changed{};
+  std::unique_ptr<WebSocket> socket{};
+  bool stopping = false;
+  std::thread thread{};
+
+  // The driver's thread.
+  TickCall call{};
+  bool is_ready = true;  ///< the device was on this connection's list
+  std::optional<Inverse3State> state{};
+  Wrench wanted{};
+  VelocityEstimator velocity{kInverse3Window};
+  VelocityEstimator angular_velocity{kInverse3Window};
+  glm::dvec3 turned_rad{0.0};
+  glm::dquat last_grip{1.0, 0.0, 0.0, 0.0};
+
+  std::atomic<bool> is_connected{true};
+  std::atomic<bool> knows_device{true};
+  std::atomic<bool> answers{true};
+
+  bool must_stop() {
+    const std::lock_guard lock(mutex);
+    return stopping;
+  }
+
+  std::string command(const glm::dvec3& force_N) const {
+    return force_command(id, spelling, force_N);
+  }
+
+  void run() {
+    prctl(PR_SET_TIMERSLACK, 1UL);
+    const auto period = std::chrono::duration_cast<steady_clock::duration>(
+        std::chrono::duration<double>(1.0 / call.rate_Hz));
+    std::string message = command({});
+    while (!must_stop()) {
+      if (!is_ready || !socket->is_open()) {
+        reconnect();
+        message = command({});
+        continue;
+      }
+      const steady_clock::time_point sent = steady_clock::now();
+      if (!socket->send(message)) continue;
+      const std::optional<std::string> update = socket->receive(kForUpdate);
+      if (must_stop()) break;
+      answers.store(update.has_value());
+      if (!update) {
+        message = command({});
+        continue;
+      }
+      state = state_from(*update, id);
+      knows_device.store(state.has_value());
+      wanted = Wrench{};
+      call.function(call.argument);
+      message = command(wanted.force_N);
+      std::this_thread::sleep_until(sent + period);
+      // An update that came after all, for a message that was thought lost, must not be taken for the next one.
+      while (socket->receive(milliseconds(0))) {
+      }
+    }
+    // Zero is the last word, and is waited for: a connection that ends at once may take it along.
+    if (socket->send(command({})) && !socket->receive(kForUpdate)) socket->receive(kForUpdate);
+  }
+
+  // One trial to have the connection and the device back; waits a while after one that failed.
+  void reconnect() {
+    is_connected.store(false);
+    state.reset();
+    velocity.reset();
+    angular_velocity.reset();
+    bool is_there = false;
+    try {
+      auto fresh = std::make_unique<WebSocket>(place.host, place.port);
+      {
+        const std::lock_guard lock(mutex);
+        socket = std::move(fresh);
+        if (stopping) return;
+      }
+      for (const Inverse3Entry& entry : inventory_at(*socket, place).devices) {
+        is_there = is_there || entry.id == id;
+      }
+      knows_device.store(is_there);
+    } catch (const std::runtime_error&) {
+      is_there = false;  // `trouble` tells that there is no connection
+    }
+    is_ready = is_there;
+    is_connected.store(is_there);
+    if (is_there) return;
+    std::unique_lock lock(mutex);
+    changed.wait_for(lock, kBetweenConnections, [this] { return stopping; });
+  }
+};
+
+std::unique_ptr<Inverse3Device::Opened> Inverse3Device::open(const InverseServicePlace& place,
+                                                             const std::string& device_id) {
+  auto opened = std::make_unique<Opened>();
+  opened->place = place;
+  opened->socket = std::make_unique<WebSocket>(place.host, place.port);
+  const Inverse3Inventory inventory = inventory_at(*opened->socket, place);
+  const Inverse3Entry* entry = nullptr;
+  for (const Inverse3Entry& candidate : inventory.devices) {
+    if (candidate.id == device_id) entry = &candidate;
+  }
+  if (entry == nullptr) {
+    throw std::runtime_error("The Inverse Service at " + place.text() + " knows no Inverse3 \"" +
+                             device_id + "\": see that it has power and that its cable sits.");
+  }
+  opened->spelling = spelling_of(*opened->socket, device_id, inventory);
+  const bool has_default_preset = entry->preset.empty() || entry->preset == "defaults";
+  if (has_default_preset) opened->origin_m = kDefaultsRest_m;
+  DeviceCapability& capability = opened->capability;
+  capability.name = "inverse3";
+  capability.model = "Inverse3";
+  capability.serial = device_id;
+  capability.sensed_degrees_of_freedom = inventory.has_grip ? 6 : 3;
+  capability.actuated_degrees_of_freedom = 3;
+  capability.workspace_minimum_m = glm::dvec3(-kHalfBox_m);
+  capability.workspace_maximum_m = glm::dvec3(kHalfBox_m);
+  capability.peak_force_N = kMostForce_N;
+  capability.maximum_rate_Hz = 1000.0;
+  capability.buttons = inventory.has_grip ? 3 : 0;
+  capability.pacing = Pacing::theirs;
+  capability.remarks =
+      filters_of(*entry) + " Its axes are " + (entry->axes.empty() ? "not told" : entry->axes) +
+      ", its workspace preset is " + (entry->preset.empty() ? "not told" : entry->preset) +
+      ". The service tells neither its peak force nor its workspace: 5 N and a box of 24 cm are "
+      "this program's "
+      "own bounds. Forces are spelt \"" +
+      (opened->spelling == ForceSpelling::vector ? "vector" : "values") +
+      "\". Velocity is the slope of the last five positions.";
+  return opened;
+}
+
+Inverse3Device::Inverse3Device(const InverseServicePlace& place, const std::string& device_id)
+    : Inverse3Device(open(place, device_id)) {}
+
+Inverse3Device::Inverse3Device(std::unique_ptr<Opened> opened)
+    : HapticDevice(opened->capability, ForceLimits{}), line_(std::make_unique<Line>()) {
+  line_->place = opened->place;
+  line_->id = opened->capability.serial;
+  line_->spelling = opened->spelling;
+  line_->origin_m = opened->origin_m;
+  line_->socket = std::move(opened->socket);
+}
+
+Inverse3Device::~Inverse3Device() { stop_calls(); }
+
+void Inverse3Device::start_calls(const TickCall& call) {
+  if (line_->thread.joinable()) throw std::logic_error("the device inverse3 calls already");
+  line_->call = call;
+  line_->stopping = false;
+  line_->thread = std::thread([line = line_.get()] { line->run(); });
+}
+
+void Inverse3Device::stop_calls() noexcept {
+  if (!line_->thread.joinable()) return;
+  {
+    const std::lock_guard lock(line_->mutex);
+    line_->stopping = true;
+    line_->socket->wake();
+  }
+  line_->changed.notify_all();
+  line_->thread.join();
+}
+
+bool Inverse3Device::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
+  Line& line = *line_;
+  if (!line.state) return false;
+  state.position_m = line.state->position_m - line.origin_m;
+  state.velocity_m_per_s = line.velocity.add(now_ns, state.position_m);
+  state.orientation = line.state->grip;
+  line.turned_rad += small_turn_rad(line.last_grip, state.orientation);
+  line.last_grip = state.orientation;
+  state.angular_velocity_rad_per_s = line.angular_velocity.add(now_ns, line.turned_rad);
+  state.buttons = line.state->buttons;
+  return true;
+}
+
+bool Inverse3Device::do_send(const Wrench& limited) noexcept {
+  line_->wanted = limited;  // goes out with the next message
+  return line_->state.has_value();
+}
+
+std::string Inverse3Device::trouble() const {
+  const std::string who = "the Inverse3 " + capability().serial;
+  if (!line_->knows_device.load()) {
+    return "The Inverse Service does not see " + who +
+           " any more: see that it has power and that its cable sits.";
+  }
+  if (!line_->is_connected.load()) {
+    return "The connection to the Inverse Service at " + line_->place.text() +
+           " is gone: see that the service runs. This program tries to have it back.";
+  }
+  if (!line_->answers.load()) {
+    return "The Inverse Service has not answered for 100 ms: see that the service and " + who +
+           " are well.";
+  }
+  return "";
+}
+
+namespace {
+
+DriverSurvey inverse3_survey(const DriverOptions& options) {
+  DriverSurvey survey;
+  std::optional<InverseServicePlace> place;
+  try {
+    place = InverseServicePlace::of(options.service);
+    WebSocket socket(place->host, place->port);
+    const Inverse3Inventory inventory = inventory_at(socket, *place);
+    survey.found = "Haply's Inverse Service at " + place->text();
+    for (const Inverse3Entry& entry : inventory.devices) {
+      survey.attached.push_back({.model = "Inverse3",
+                                 .serial = entry.id,
+                                 .place = place->text(),
+                                 .remark = filters_of(entry)});
+    }
+  } catch (const std::runtime_error& refusal) {
+    survey.hindrance = refusal.what();
+    if (place) {
+      survey.hindrance +=
+          " Install Haply's Inverse Service and start it (systemctl start haply-inverse-service), "
+          "or say where it "
+          "listens.";
+    }
+  }
+  return survey;
+}
+
+}  // namespace
+
+Driver inverse3_driver() {
+  return {.id = "inverse3",
+          .summary = "Inverse3 of Haply, through the maker's local service.",
+          .find = inverse3_survey,
+          .open = [](const std::string& which,
+                     const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
+            const DriverSurvey survey = inverse3_survey(options);
+            if (!survey.hindrance.empty()) throw std::runtime_error(survey.hindrance);
+            const AttachedDevice device = choose_attached("Inverse3", survey.attached, which);
+            return std::make_unique<Inverse3Device>(InverseServicePlace::of(options.service),
+                                                    device.serial);
+          }};
+}
+
+}  // namespace asperity

@@ -1,0 +1,134 @@
+// What Haply's Inverse Service says, and what is said to it.
+
+#include "device/inverse3/inverse3_messages.h"
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/number_text.h"
+
+namespace asperity {
+namespace {
+
+using nlohmann::json;
+
+// Null for whatever is not there: services leave out what they hold for obvious.
+const json& at(const json& object, const char* key) {
+  static const json kNothing;
+  if (!object.is_object()) return kNothing;
+  const auto found = object.find(key);
+  return found == object.end() ? kNothing : *found;
+}
+
+double number_or(const json& value, double otherwise) {
+  return value.is_number() ? value.get<double>() : otherwise;
+}
+
+std::string text_or_none(const json& value) {
+  return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+std::optional<double> number_if_there(const json& value) {
+  if (!value.is_number()) return std::nullopt;
+  return value.get<double>();
+}
+
+std::optional<bool> flag_if_there(const json& value) {
+  if (!value.is_boolean()) return std::nullopt;
+  return value.get<bool>();
+}
+
+glm::dvec3 vector_of(const json& value) {
+  return {number_or(at(value, "x"), 0.0), number_or(at(value, "y"), 0.0),
+          number_or(at(value, "z"), 0.0)};
+}
+
+glm::dquat turn_of(const json& value) {
+  if (!value.is_object() || value.empty()) return {1.0, 0.0, 0.0, 0.0};
+  const glm::dvec3 axis = vector_of(value);
+  return {number_or(at(value, "w"), 0.0), axis.x, axis.y, axis.z};
+}
+
+Inverse3Entry entry_of(const json& device) {
+  const json& config = at(device, "config");
+  const json& gravity = at(config, "gravity_compensation");
+  const json& filters = at(config, "filters");
+  return {.id = text_or_none(at(device, "device_id")),
+          .handedness = text_or_none(at(config, "handedness")),
+          .preset = text_or_none(at(config, "preset")),
+          .axes = text_or_none(at(at(config, "basis"), "permutation")),
+          .force_gate_gain = number_if_there(at(at(filters, "force_gate"), "gain")),
+          .damping = number_if_there(at(at(filters, "damping"), "scalar")),
+          .compensates_gravity = flag_if_there(at(gravity, "enabled")),
+          .gravity_scale = number_if_there(at(gravity, "scaling_factor")),
+          .scales_torque = flag_if_there(at(at(config, "torque_scaling"), "enabled"))};
+}
+
+std::string told(const std::optional<double>& number) {
+  return number ? number_text(*number) : "not told";
+}
+
+std::string told(const std::optional<bool>& flag) {
+  if (!flag) return "not told";
+  return *flag ? "on" : "off";
+}
+
+}  // namespace
+
+std::optional<Inverse3Inventory> inventory_from(std::string_view message) {
+  const json root = json::parse(message, nullptr, /*allow_exceptions=*/false);
+  if (!root.is_object()) return std::nullopt;
+  Inverse3Inventory inventory{.has_session = root.contains("session_id")};
+  for (const json& device : at(root, "inverse3")) {
+    Inverse3Entry entry = entry_of(device);
+    if (!entry.id.empty()) inventory.devices.push_back(std::move(entry));
+  }
+  const json& grips = at(root, "wireless_verse_grip");
+  inventory.has_grip = grips.is_array() && !grips.empty();
+  return inventory;
+}
+
+std::optional<Inverse3State> state_from(std::string_view message, const std::string& device_id) {
+  const json root = json::parse(message, nullptr, /*allow_exceptions=*/false);
+  for (const json& device : at(root, "inverse3")) {
+    if (text_or_none(at(device, "device_id")) != device_id) continue;
+    const json& state = at(device, "state");
+    Inverse3State found{.position_m = vector_of(at(state, "cursor_position")),
+                        .force_N = vector_of(at(state, "current_cursor_force"))};
+    const json& grips = at(root, "wireless_verse_grip");
+    if (grips.is_array() && !grips.empty()) {
+      const json& grip = at(grips.front(), "state");
+      found.grip = turn_of(at(grip, "orientation"));
+      const char* const names[] = {"a", "b", "c"};
+      for (unsigned int i = 0; i < 3; ++i) {
+        if (flag_if_there(at(at(grip, "buttons"), names[i])).value_or(false))
+          found.buttons |= 1U << i;
+      }
+    }
+    return found;
+  }
+  return std::nullopt;
+}
+
+std::string force_command(const std::string& device_id, ForceSpelling spelling,
+                          const glm::dvec3& force_N, const std::string& profile) {
+  std::string text = "{";
+  if (!profile.empty()) {
+    text += R"("session":{"configure":{"profile":{"name":)" + json(profile).dump() + "}}},";
+  }
+  text += R"("inverse3":[{"device_id":)" + json(device_id).dump() +
+          R"(,"commands":{"set_cursor_force":{)";
+  text += spelling == ForceSpelling::vector ? R"("vector")" : R"("values")";
+  text += R"(:{"x":)" + number_text(force_N.x) + R"(,"y":)" + number_text(force_N.y) + R"(,"z":)" +
+          number_text(force_N.z) + "}}}}]}";
+  return text;
+}
+
+std::string filters_of(const Inverse3Entry& entry) {
+  const bool is_compensating = entry.compensates_gravity.value_or(false);
+  return "The service shapes the force: force gate " + told(entry.force_gate_gain) + ", damping " +
+         told(entry.damping) + ", gravity compensation " +
+         (is_compensating ? told(entry.gravity_scale) : told(entry.compensates_gravity)) +
+         ", torque scaling " + told(entry.scales_torque) + ".";
+}
+
+}  // namespace asperity

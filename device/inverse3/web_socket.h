@@ -1,0 +1,39 @@
+// One connection to a service on this machine that speaks WebSocket.
+
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace asperity {
+
+/// Text messages over ws://host:port/, one after the other, as a client.
+///
+/// Errors: the constructor throws std::runtime_error with a sentence when nobody listens there, or does not speak
+/// WebSocket, within a second.
+///
+/// Threads: all of it belongs to one thread at a time, but for `wake`, which may come from any.
+class WebSocket final {
+ public:
+  WebSocket(const std::string& host, int port);
+  ~WebSocket();
+  WebSocket(const WebSocket&) = delete;
+  WebSocket& operator=(const WebSocket&) = delete;
+
+  bool is_open() const noexcept;
+  /// False when the connection is gone, or does not take it within a second.
+  bool send(std::string_view text);
+  /// The next message; nothing when none comes within `patience`, the connection is gone or `wake` was called.
+  std::optional<std::string> receive(std::chrono::milliseconds patience);
+  /// Ends the `receive` that waits, or else the next one that would have to wait.
+  void wake() noexcept;
+
+ private:
+  struct Connection;
+  std::unique_ptr<Connection> connection_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,292 @@
+// The driver of the Inverse3, unmodified, against a service on the loopback that speaks the documented messages.
+
+#include <array>
+#include <functional>
+#include <stdexcept>
+#include <thread>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "device/inverse3/inverse3_device.h"
+#include "tests/device/servo_stand_in.h"
+#include "tests/device/vendors/test_inverse_service.h"
+
+namespace asperity {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string inverse3_complaint(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Inverse3Messages, AreReadAsDocumented) {
+  const auto inventory =
+      inventory_from(R"({"session_id":7,"inverse3":[{"device_id":"049D","config":{
+      "gravity_compensation":{"enabled":true,"scaling_factor":1.0},"handedness":"right","preset":"defaults",
+      "torque_scaling":{"enabled":false},"basis":{"permutation":"XZY"},
+      "filters":{"force_gate":{"gain":0.3},"damping":{"scalar":0.0}}}},{"device_id":"1234"}]})");
+  ASSERT_TRUE(inventory.has_value());
+  EXPECT_TRUE(inventory->has_session);
+  EXPECT_FALSE(inventory->has_grip);
+  ASSERT_EQ(inventory->devices.size(), 2U);
+  EXPECT_EQ(inventory->devices[0].axes, "XZY");
+  EXPECT_EQ(filters_of(inventory->devices[0]),
+            "The service shapes the force: force gate 0.3, damping 0, gravity compensation 1, "
+            "torque scaling off.");
+  EXPECT_EQ(filters_of(inventory->devices[1]),
+            "The service shapes the force: force gate not told, damping not told, gravity "
+            "compensation not told, "
+            "torque scaling not told.");
+}
+
+TEST(Inverse3Messages, MeanNoTurnAndNoWayByWhatTheyLeaveOut) {
+  const auto full =
+      state_from(R"({"inverse3":[{"device_id":"A","state":{"cursor_position":{"x":1,"y":2,"z":3}}},
+      {"device_id":"B","state":{"cursor_position":{"z":-0.5},"current_cursor_force":{"y":0.25}}}],
+      "wireless_verse_grip":[{"state":{"buttons":{"a":true,"c":true}}}]})",
+                 "B");
+  ASSERT_TRUE(full.has_value());
+  EXPECT_EQ(full->position_m, glm::dvec3(0.0, 0.0, -0.5));
+  EXPECT_EQ(full->force_N, glm::dvec3(0.0, 0.25, 0.0));
+  EXPECT_EQ(full->grip, glm::dquat(1.0, 0.0, 0.0, 0.0));
+  EXPECT_EQ(full->buttons, 5U);
+  EXPECT_EQ(state_from(R"({"inverse3":[{"device_id":"A"}]})", "A")->position_m, glm::dvec3(0.0));
+}
+
+TEST(Inverse3Messages, OfAnyOtherKindAreNone) {
+  for (const char* text : {"", "{", "7", "[]", "null", R"({"inverse3":7})",
+                           R"({"inverse3":[3,"x",null]})", R"({"inverse3":{"a":{}}})"}) {
+    EXPECT_FALSE(state_from(text, "A").has_value()) << text;
+  }
+  EXPECT_FALSE(inventory_from("{").has_value());
+  EXPECT_FALSE(inventory_from("[1]").has_value());
+  EXPECT_TRUE(inventory_from("{}")->devices.empty());
+}
+
+TEST(Inverse3Messages, SpellAForceInBothWays) {
+  EXPECT_EQ(
+      force_command("049D", ForceSpelling::vector, {0.0, -0.5, 1.5}),
+      R"({"inverse3":[{"device_id":"049D","commands":{"set_cursor_force":{"vector":{"x":0,"y":-0.5,"z":1.5}}}}]})");
+  EXPECT_EQ(
+      force_command("0\"4", ForceSpelling::values, {}, "us"),
+      R"({"session":{"configure":{"profile":{"name":"us"}}},"inverse3":[{"device_id":"0\"4","commands":{"set_cursor_force":{"values":{"x":0,"y":0,"z":0}}}}]})");
+}
+
+TEST(InverseServicePlace, IsTheUsualOneUnlessSaid) {
+  EXPECT_EQ(InverseServicePlace::of("").text(), "127.0.0.1:10001");
+  EXPECT_EQ(InverseServicePlace::of("rig").text(), "rig:10001");
+  EXPECT_EQ(InverseServicePlace::of("rig:10020").text(), "rig:10020");
+  EXPECT_EQ(InverseServicePlace::of(":7").text(), "127.0.0.1:7");
+  for (const char* text : {"rig:", "rig:0", "rig:70000", "rig:12x"}) {
+    EXPECT_THROW(InverseServicePlace::of(text), std::runtime_error) << text;
+  }
+}
+
+class Inverse3 : public testing::Test {
+ protected:
+  TestInverseService service{};
+  const Driver driver = inverse3_driver();
+  const DriverOptions options{.service = service.place()};
+
+  std::unique_ptr<HapticDevice> open() { return driver.open("", options); }
+  // A change of the bench, or a look at it.
+  template <typename Change>
+  auto bench(Change change) {
+    const std::lock_guard lock(service.bench().mutex);
+    return change(service.bench());
+  }
+};
+
+TEST_F(Inverse3, SaysWhatToStartWhenNobodyListens) {
+  std::string place;
+  {
+    const TestInverseService gone;
+    place = gone.place();
+  }
+  EXPECT_THAT(driver.find({.service = place}).hindrance,
+              AllOf(HasSubstr(place), HasSubstr("Inverse Service"), HasSubstr("start")));
+  EXPECT_THAT(inverse3_complaint([&] { driver.open("", {.service = place}); }), HasSubstr(place));
+  bench([](auto& it) { it.talks_nonsense = true; });
+  EXPECT_THAT(driver.find(options).hindrance, HasSubstr("does not list devices"));
+}
+
+TEST_F(Inverse3, ListsWhatTheServiceKnowsAndItsFilters) {
+  bench([](auto& it) { it.ids = {"049D", "0C1A"}; });
+  const DriverSurvey survey = driver.find(options);
+  EXPECT_THAT(survey.found, HasSubstr(service.place()));
+  ASSERT_EQ(survey.attached.size(), 2U);
+  EXPECT_EQ(survey.attached[1].serial, "0C1A");
+  EXPECT_THAT(survey.attached[1].remark,
+              HasSubstr("force gate 0.3, damping 0.5, gravity compensation 0.75"));
+  EXPECT_THAT(inverse3_complaint([&] { open(); }), AllOf(HasSubstr("049D"), HasSubstr("0C1A")));
+  const auto device = driver.open("0C1A", options);
+  EXPECT_EQ(device->capability().serial, "0C1A");
+  EXPECT_EQ(device->capability().pacing, Pacing::theirs);
+  EXPECT_THAT(device->capability().remarks, HasSubstr("force gate 0.3"));
+  // In the first message, and in no other.
+  EXPECT_THAT(bench([](auto& it) { return it.profiles; }), ElementsAre("asperity"));
+}
+
+TEST_F(Inverse3, FindsOutHowTheServiceSpellsForces) {
+  for (const char* field : {"vector", "values"}) {
+    bench([&](auto& it) { it.force_field = field; });
+    const auto device = open();
+    EXPECT_THAT(device->capability().remarks, HasSubstr("\"" + std::string(field) + "\""));
+    EXPECT_LE(bench([](auto& it) { return it.strongest_N; }), 0.02);
+    EXPECT_THAT(bench([](auto& it) { return it.force_N; }), ElementsAre(0.0, 0.0, 0.0));
+  }
+  // One that does not tell: by its version.
+  bench([](auto& it) { it.tells_forces = false; });
+  EXPECT_THAT(open()->capability().remarks, HasSubstr("\"vector\""));
+  bench([](auto& it) { it.numbers_sessions = false; });
+  EXPECT_THAT(open()->capability().remarks, HasSubstr("\"values\""));
+}
+
+TEST_F(Inverse3, TicksOnceForEachUpdateAndSendsOneMessageForEach) {
+  const auto device = open();
+  const int before = bench([](auto& it) { return it.messages; });
+  ReadAndPush servo{device.get()};
+  servo.start();
+  servo.wait_for(30);
+  device->stop_calls();
+  const int messages = bench([](auto& it) { return it.messages; }) - before;
+  EXPECT_EQ(bench([](auto& it) { return it.answers; }) - before, messages);
+  // The last message says zero and its update is no tick; nor is an update that a busy machine was too slow for.
+  EXPECT_GT(messages, servo.ticks);
+  EXPECT_LT(messages, 2 * servo.ticks);
+  EXPECT_EQ(servo.unread, 0);
+}
+
+TEST_F(Inverse3, TellsThePoseAboutWhereTheHandleRests) {
+  bench([](auto& it) {
+    it.position_m = {0.01, -0.10, 0.18};
+    it.has_grip = true;
+  });
+  const auto device = open();
+  EXPECT_EQ(device->capability().sensed_degrees_of_freedom, 6);
+  EXPECT_EQ(device->capability().buttons, 3);
+  ReadAndPush servo{device.get()};
+  servo.start();
+  servo.wait_for(8);
+  const ProbeState probe = servo.probe();
+  EXPECT_NEAR(glm::distance(probe.position_m, glm::dvec3(0.01, 0.02, 0.03)), 0.0, 1e-12);
+  EXPECT_NEAR(
+      glm::distance(probe.orientation * glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0)), 0.0,
+      1e-12);
+  EXPECT_EQ(probe.buttons, 2U);
+  EXPECT_NEAR(glm::length(probe.velocity_m_per_s), 0.0, 1e-12);
+}
+
+TEST_F(Inverse3, TakesWhatIsLeftOutForTheOrigin) {
+  bench([](auto& it) {
+    it.omits_identity = true;
+    it.position_m = {0.0, 0.0, 0.0};
+  });
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  servo.start();
+  servo.wait_for(2);
+  EXPECT_NEAR(glm::distance(servo.probe().position_m, glm::dvec3(0.0, 0.12, -0.15)), 0.0, 1e-12);
+}
+
+TEST_F(Inverse3, SendsTheForceOfATickWithTheNextMessageAndEndsAtZero) {
+  const auto device = open();
+  device->set_limits({.force_N = 50.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  ReadAndPush servo{device.get(), {.force_N = {0.25, -0.5, 1.0}}};
+  servo.start();
+  const std::array<double, 3> asked_N{0.25, -0.5, 1.0};
+  while (bench([](auto& it) { return it.force_N; }) != asked_N) std::this_thread::yield();
+  device->stop_calls();
+  servo.wanted.force_N = {0.0, 0.0, 40.0};
+  servo.start();
+  servo.wait_for(3);
+  device->stop_calls();
+  EXPECT_NEAR(bench([](auto& it) { return it.strongest_N; }), 5.0, 1e-12);
+  EXPECT_THAT(bench([](auto& it) { return it.force_N; }), ElementsAre(0.0, 0.0, 0.0));
+}
+
+TEST_F(Inverse3, AsksAgainWithoutForceForAnUpdateThatDoesNotCome) {
+  const auto device = open();
+  ReadAndPush servo{device.get(), {.force_N = {0.0, 0.0, 0.3}}};
+  servo.start();
+  servo.wait_for(3);
+  bench([](auto& it) { it.answers_to_drop = 1; });
+  servo.wait_for(5);
+  device->stop_calls();
+  EXPECT_EQ(bench([](auto& it) { return it.answers_to_drop; }), 0);
+  // The one that was dropped; no update was taken for two.
+  EXPECT_EQ(bench([](auto& it) { return it.messages - it.answers; }), 1);
+}
+
+TEST_F(Inverse3, SaysThatTheServiceIsLateWhileItIs) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  servo.start();
+  servo.wait_for(3);
+  while (!device->trouble().empty())
+    std::this_thread::yield();  // a busy machine may be late at first
+  bench([](auto& it) { it.delay_ms = 150; });
+  while (device->trouble().empty()) std::this_thread::yield();
+  EXPECT_THAT(device->trouble(), HasSubstr("not answered for 100 ms"));
+  bench([](auto& it) { it.delay_ms = 0; });
+  while (!device->trouble().empty()) std::this_thread::yield();
+  servo.wait_for(3);
+}
+
+TEST_F(Inverse3, DoesNotAnswerWhileTheServiceDoesNotSeeIt) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  servo.start();
+  servo.wait_for(2);
+  bench([](auto& it) { it.ids = {"0C1A"}; });
+  while (servo.unread == 0) std::this_thread::yield();
+  EXPECT_THAT(device->trouble(), AllOf(HasSubstr("049D"), HasSubstr("cable")));
+  bench([](auto& it) { it.ids = {"049D"}; });
+  while (!device->trouble().empty()) std::this_thread::yield();
+  const int refused = servo.refused;
+  servo.wait_for(3);
+  EXPECT_EQ(servo.refused, refused);
+}
+
+TEST_F(Inverse3, ConnectsAgainAfterTheConnectionEnded) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  servo.start();
+  servo.wait_for(3);
+  bench([](auto& it) { it.refuses_connections = true; });
+  service.disconnect();
+  while (device->trouble().empty()) std::this_thread::yield();
+  EXPECT_THAT(device->trouble(), AllOf(HasSubstr(service.place()), HasSubstr("is gone")));
+  const int ticks = servo.ticks;
+  const int connections = bench([](auto& it) { return it.connections; });
+  bench([](auto& it) { it.refuses_connections = false; });
+  while (!device->trouble().empty()) std::this_thread::yield();
+  servo.wait_for(3);
+  EXPECT_GT(servo.ticks, ticks);
+  EXPECT_GT(bench([](auto& it) { return it.connections; }), connections);
+}
+
+TEST_F(Inverse3, StopsThoughTheServiceFellSilent) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  servo.start();
+  servo.wait_for(3);
+  bench([](auto& it) { it.answers_to_drop = 1'000'000; });
+  while (device->trouble().empty()) std::this_thread::yield();
+  const int ticks = servo.ticks;
+  device->stop_calls();
+  EXPECT_EQ(servo.ticks, ticks);
+}
+
+}  // namespace
+}  // namespace asperity
