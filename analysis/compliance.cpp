@@ -39,56 +39,104 @@ double PressingForce::take(double force_N, double duration_s) noexcept {
   return weighted_N_s_ / weight_s_;
 }
 
+double StrokePassage::speed_m_per_s() const noexcept {
+  return duration_s > 0.0 ? std::abs(length_m) / duration_s : 0.0;
+}
+
+StrokePassage StrokeCutter::between(const Extreme& begin, const Extreme& end) noexcept {
+  return {begin.sample, end.sample, end.at_m - begin.at_m,
+          static_cast<double>(end.time_ns - begin.time_ns) * 1e-9};
+}
+
+std::optional<StrokePassage> StrokeCutter::take(double position_m, std::int64_t time_ns) noexcept {
+  const Extreme here{samples_, position_m, time_ns};
+  if (samples_++ == 0) {
+    lowest_ = highest_ = here;
+    began_ns_ = time_ns;
+  }
+  std::optional<StrokePassage> ended{};
+  const bool came_back = highest_.at_m - position_m >= least_length_m_;
+  const bool came_forth = position_m - lowest_.at_m >= least_length_m_;
+  if (going_ != Going::back && came_back) {
+    if (going_ == Going::forth) ended = between(lowest_, highest_);
+    going_ = Going::back;
+    lowest_ = here;
+  } else if (going_ != Going::forth && came_forth) {
+    if (going_ == Going::back) ended = between(highest_, lowest_);
+    going_ = Going::forth;
+    highest_ = here;
+  }
+  if (going_ != Going::back && position_m > highest_.at_m) highest_ = here;
+  if (going_ != Going::forth && position_m < lowest_.at_m) lowest_ = here;
+  return ended;
+}
+
+std::optional<StrokePassage> StrokeCutter::under_way() const noexcept {
+  if (going_ == Going::forth) return between(lowest_, highest_);
+  if (going_ == Going::back) return between(highest_, lowest_);
+  return std::nullopt;
+}
+
+std::int64_t StrokeCutter::reached_ns() const noexcept {
+  if (going_ == Going::forth) return highest_.time_ns;
+  if (going_ == Going::back) return lowest_.time_ns;
+  return began_ns_;
+}
+
 std::vector<StrokePassage> strokes_along(std::span<const double> position_m,
                                          double least_length_m) {
   if (!(least_length_m > 0.0)) {
     throw std::invalid_argument("least_length_m must be positive");
   }
   std::vector<StrokePassage> strokes;
-  // Until the hand has gone the least length, both extremes may become the first turning point;
-  // from then on `lowest` or `highest` is where the stroke under way began, the other its far end.
-  enum class Going { undecided, forth, back };
-  Going going = Going::undecided;
-  std::size_t lowest = 0;
-  std::size_t highest = 0;
-  const auto add = [&](std::size_t begin, std::size_t end) {
-    strokes.push_back({begin, end, position_m[end] - position_m[begin]});
-  };
+  StrokeCutter cutter(least_length_m);
   for (std::size_t i = 0; i < position_m.size(); ++i) {
-    const double at_m = position_m[i];
-    if (!std::isfinite(at_m)) {
+    if (!std::isfinite(position_m[i])) {
       throw std::invalid_argument("position_m: sample " + std::to_string(i) + " is not finite");
     }
-    const bool came_back = position_m[highest] - at_m >= least_length_m;
-    const bool came_forth = at_m - position_m[lowest] >= least_length_m;
-    if (going == Going::forth && came_back) {
-      add(lowest, highest);
-      going = Going::back;
-      lowest = i;
-    } else if (going == Going::back && came_forth) {
-      add(highest, lowest);
-      going = Going::forth;
-      highest = i;
-    } else if (going == Going::undecided && came_forth) {
-      going = Going::forth;
-      highest = i;
-    } else if (going == Going::undecided && came_back) {
-      going = Going::back;
-      lowest = i;
-    }
-    if (going != Going::back && at_m > position_m[highest]) {
-      highest = i;
-    }
-    if (going != Going::forth && at_m < position_m[lowest]) {
-      lowest = i;
-    }
+    if (const auto ended = cutter.take(position_m[i], 0)) strokes.push_back(*ended);
   }
-  if (going == Going::forth) {
-    add(lowest, highest);
-  } else if (going == Going::back) {
-    add(highest, lowest);
-  }
+  if (const auto last = cutter.under_way()) strokes.push_back(*last);
   return strokes;
+}
+
+void HandStrokes::take(double along_m, std::int64_t time_ns) {
+  now_ns_ = time_ns;
+  if (const auto ended = cutter_.take(along_m, time_ns)) {
+    lengths_m_.push_back(std::abs(ended->length_m));
+    speeds_m_per_s_.push_back(ended->speed_m_per_s());
+    last_ = ended;
+  }
+}
+
+void HandStrokes::lift() {
+  lengths_m_ = lengths_m();
+  speeds_m_per_s_ = speeds_m_per_s();
+  cutter_ = StrokeCutter();
+  last_.reset();
+}
+
+std::vector<double> HandStrokes::lengths_m() const {
+  std::vector<double> lengths = lengths_m_;
+  if (const auto cut_off = cutter_.under_way()) lengths.push_back(std::abs(cut_off->length_m));
+  return lengths;
+}
+
+std::vector<double> HandStrokes::speeds_m_per_s() const {
+  std::vector<double> speeds = speeds_m_per_s_;
+  const auto cut_off = cutter_.under_way();
+  if (cut_off && !last_) speeds.push_back(cut_off->speed_m_per_s());
+  return speeds;
+}
+
+std::optional<double> HandStrokes::speed_to_tell_m_per_s() const noexcept {
+  if (static_cast<double>(now_ns_ - cutter_.reached_ns()) * 1e-9 > kTurn_s) return 0.0;
+  const double half_m = 0.5 * (last_ ? std::abs(last_->length_m) : usual_length_m_);
+  if (const auto stroke = cutter_.under_way(); stroke && std::abs(stroke->length_m) >= half_m) {
+    return stroke->speed_m_per_s();
+  }
+  if (last_) return last_->speed_m_per_s();
+  return std::nullopt;
 }
 
 double tangential_speed_m_per_s(const std::array<double, 3>& velocity_m_per_s,

@@ -14,7 +14,7 @@ namespace asperity {
 namespace {
 
 constexpr double kPressing_s = 0.15;       // from touching to the full force, and back
-constexpr double kGathering = 0.15;        // part of a move in which it gathers speed
+constexpr double kMostGathering = 0.5;     // of a move, half of which slows down
 constexpr double kFarthest = 2.5;          // standard deviations; see HandHabits
 constexpr double kDriftTime_s = 5.0;       // how long the centre of the strokes remembers
 constexpr double kShortestMove_s = 0.050;  // nobody turns round sooner
@@ -33,28 +33,28 @@ struct Progress {
   double speed = 0.0;
 };
 
-// The speed rises as a smooth step over kGathering, stays, and falls likewise: the way gathered
+// The speed rises as a smooth step over `gathering`, stays, and falls likewise: the way gathered
 // at part u of the rise is ∫(3u² − 2u³)du = u³ − u⁴/2.
-Progress progress(double time) noexcept {
-  constexpr double kSteadySpeed = 1.0 / (1.0 - kGathering);
-  const auto rise = [](double since) {
-    const double u = since / kGathering;
-    return Progress{.way = kSteadySpeed * kGathering * (u * u * u - 0.5 * u * u * u * u),
-                    .speed = kSteadySpeed * smooth_step(u)};
+Progress progress(double time, double gathering) noexcept {
+  const double steady_speed = 1.0 / (1.0 - gathering);
+  const auto rise = [gathering, steady_speed](double since) {
+    const double u = since / gathering;
+    return Progress{.way = steady_speed * gathering * (u * u * u - 0.5 * u * u * u * u),
+                    .speed = steady_speed * smooth_step(u)};
   };
-  if (time < kGathering) {
+  if (time < gathering) {
     return rise(time);
   }
-  if (time <= 1.0 - kGathering) {
-    return {.way = kSteadySpeed * (time - 0.5 * kGathering), .speed = kSteadySpeed};
+  if (time <= 1.0 - gathering) {
+    return {.way = steady_speed * (time - 0.5 * gathering), .speed = steady_speed};
   }
   const Progress left = rise(1.0 - time);
   return {.way = 1.0 - left.way, .speed = left.speed};
 }
 
 // How long a move takes whose steady speed is `speed_m_per_s`.
-double duration_s(double way_m, double speed_m_per_s) noexcept {
-  return way_m / (speed_m_per_s * (1.0 - kGathering));
+double duration_s(double way_m, double speed_m_per_s, double gathering) noexcept {
+  return way_m / (speed_m_per_s * (1.0 - gathering));
 }
 
 void check_variation(const char* field, double value) {
@@ -82,6 +82,10 @@ void check(const HandHabits& habits) {
   }
   require_positive("stroke_length_m of the hand's habits", habits.stroke_length_m);
   require_positive("speed_m_per_s of the hand's habits", habits.speed_m_per_s);
+  require_positive("gathering of the hand's habits", habits.gathering);
+  if (habits.gathering > kMostGathering) {
+    refuse("gathering of the hand's habits", habits.gathering, "at most 0.5");
+  }
   check_variation("speed_variation of the hand's habits", habits.speed_variation);
   require_positive("normal_force_N of the hand's habits", habits.normal_force_N);
   check_variation("force_variation of the hand's habits", habits.force_variation);
@@ -211,8 +215,9 @@ void VirtualHand::begin_lowering() noexcept {
   stroke_force_N_ = 0.0;
   grip_ = 0.0;
   begin(Phase::lowering, from_m, to_m,
-        std::max(duration_s(std::abs(to_m.z - from_m.z), habits_.approach_speed_m_per_s),
-                 duration_s(glm::length(aside_m), habits_.speed_m_per_s)),
+        std::max(duration_s(std::abs(to_m.z - from_m.z), habits_.approach_speed_m_per_s,
+                            habits_.gathering),
+                 duration_s(glm::length(aside_m), habits_.speed_m_per_s, habits_.gathering)),
         clock_ns_);
 }
 
@@ -228,15 +233,16 @@ void VirtualHand::begin_stroke(std::int64_t began_ns) noexcept {
   stroke_force_N_ = force_N;
   const glm::dvec3 from_m = move_.to_m;
   const glm::dvec3 to_m = stroke_end_m(direction_);
-  begin(Phase::stroking, from_m, to_m, duration_s(glm::length(to_m - from_m), speed_m_per_s),
-        began_ns);
+  begin(Phase::stroking, from_m, to_m,
+        duration_s(glm::length(to_m - from_m), speed_m_per_s, habits_.gathering), began_ns);
 }
 
 void VirtualHand::begin_raising() noexcept {
   const glm::dvec3 from_m = moving().position_m;
   const glm::dvec3 to_m(from_m.x, from_m.y, habits_.centre_m.z + habits_.lift_height_m);
   begin(Phase::raising, from_m, to_m,
-        duration_s(std::abs(to_m.z - from_m.z), habits_.approach_speed_m_per_s), clock_ns_);
+        duration_s(std::abs(to_m.z - from_m.z), habits_.approach_speed_m_per_s, habits_.gathering),
+        clock_ns_);
 }
 
 // The Ornstein–Uhlenbeck process seen at the strokes' beginnings: memory m and fresh noise
@@ -268,12 +274,12 @@ HandIntent VirtualHand::moving() const noexcept {
   const double time = std::clamp(
       static_cast<double>(clock_ns_ - move_.began_ns) / static_cast<double>(move_.duration_ns), 0.0,
       1.0);
-  const Progress now = progress(time);
+  const Progress now = progress(time, habits_.gathering);
   const glm::dvec3 way_m = move_.to_m - move_.from_m;
   HandIntent intent{.position_m = move_.from_m + now.way * way_m,
                     .velocity_m_per_s = now.speed / seconds(move_.duration_ns) * way_m};
   if (phase_ == Phase::stroking) {
-    const double changed = smooth_step(std::min(1.0, time / kGathering));
+    const double changed = smooth_step(std::min(1.0, time / habits_.gathering));
     intent.lifted = false;
     intent.press_N =
         smooth_step(grip_) * (last_force_N_ + changed * (stroke_force_N_ - last_force_N_));

@@ -17,7 +17,11 @@ struct HandHabits {
   glm::dvec3 centre_m{0.0};    ///< middle of the strokes, on the surface
   double direction_rad = 0.0;  ///< of the stroke, from +x towards +y
   double stroke_length_m = 0.060;
-  double speed_m_per_s = 0.080;   ///< of the steady middle of a stroke
+  double speed_m_per_s = 0.080;  ///< of the steady middle of a stroke
+  /// Part of a stroke's time in which the hand gathers speed, and in which it slows down: above 0, and
+  /// at most 0.5, where nothing of the stroke is steady. The mean of a stroke is 1 − gathering of its
+  /// steady speed.
+  double gathering = 0.15;
   double speed_variation = 0.15;  ///< standard deviation of a stroke's speed, as a fraction
   double normal_force_N = 1.0;
   double force_variation = 0.10;  ///< likewise, of its force
@@ -42,8 +46,8 @@ inline constexpr std::int64_t kLongestGap_ns = 100'000'000;
 /// Waits above the start of its first stroke, comes down, strokes to and fro along a line, and
 /// lifts again.
 ///
-/// A stroke starts and ends at rest and keeps its speed in between, for 70 % of its time; its
-/// acceleration has no jumps. Each stroke draws its speed and force; the force changes over from
+/// A stroke starts and ends at rest and keeps its speed in between (`gathering`), as a rule for 70 % of
+/// its time; its acceleration has no jumps. Each stroke draws its speed and force; the force changes over from
 /// the last stroke's while the hand gathers speed. Coming down, the hand moves to the start of the
 /// next stroke, touches at rest and then presses, within 0.15 s; told to lift, it lets go within
 /// 0.15 s and rises. Told to stroke while it rises, it rises to the end first.

@@ -85,7 +85,8 @@ struct Exploration {
   Band strokes{};  ///< a count
   double minimum_contact_s = 1.0;
   double maximum_contact_s = 30.0;
-  /// Fraction of the contact time that has to lie inside each band of force and speed.
+  /// Fraction that has to lie inside each band: of the contact time for the force, of the strokes for
+  /// the speed.
   double required_fraction_in_band = 0.0;
   OnFailure on_failure = OnFailure::flag;
   int maximum_repeats = 0;

@@ -45,7 +45,7 @@ ComplianceRow row_of(const std::string& quantity, std::span<const double> sample
 
 bool is_declared(const Band& band) { return band.minimum || band.maximum; }
 
-/// A quantity that varies during contact: enough of it has to lie inside.
+/// A quantity that varies during contact: enough of its samples have to lie inside.
 ComplianceRow judged_by_fraction(const std::string& quantity, std::span<const double> samples,
                                  const Band& band, double required_fraction) {
   ComplianceRow row = row_of(quantity, samples, band);
@@ -125,39 +125,28 @@ void fill_times(std::span<const TickRecord> records, std::uint64_t presentation,
 std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
                                          std::uint64_t presentation, double rate_Hz,
                                          const Exploration& exploration) {
-  ContactReader reader{};
+  ContactReader reader(exploration.direction_rad);
+  HandStrokes hand_strokes{};
   std::vector<double> force_N{};
-  std::vector<double> speed_m_per_s{};
-  std::vector<double> stroke_lengths_m{};
-  std::vector<double> contact_position_m{};
   std::int64_t contact_ticks = 0;
   std::int64_t visit_ticks = 0;  // of contact since the surface was last presented
   std::int64_t longest_visit_ticks = 0;
-  const double cosine = std::cos(exploration.direction_rad);
-  const double sine = std::sin(exploration.direction_rad);
-  const auto end_of_contact = [&] {
-    for (const StrokePassage& stroke : strokes_along(contact_position_m)) {
-      stroke_lengths_m.push_back(std::abs(stroke.length_m));
-    }
-    contact_position_m.clear();
-  };
   for (const TickRecord& record : records) {
     if (belongs(record, presentation) && record.has(TickFlag::first_of_presentation)) {
       visit_ticks = 0;
     }
-    const std::optional<HandSample> hand = reader.take(record);
-    if (!hand || hand->presentation != presentation) {
-      end_of_contact();
-      continue;
+    if (touches(record, presentation)) {
+      ++contact_ticks;
+      longest_visit_ticks = std::max(longest_visit_ticks, ++visit_ticks);
     }
-    ++contact_ticks;
-    longest_visit_ticks = std::max(longest_visit_ticks, ++visit_ticks);
+    const std::optional<HandSample> hand = reader.take(record);
+    if (!hand || hand->presentation != presentation) continue;
     force_N.push_back(hand->pressing_N);
-    if (hand->is_stroking) speed_m_per_s.push_back(hand->speed_m_per_s);
-    contact_position_m.push_back(cosine * record.probe.position_m.x +
-                                 sine * record.probe.position_m.y);
+    if (hand->begins_contact) hand_strokes.lift();
+    hand_strokes.take(hand->along_m, record.probe.time_ns);
   }
-  end_of_contact();
+  const std::vector<double> stroke_lengths_m = hand_strokes.lengths_m();
+  const std::vector<double> speed_m_per_s = hand_strokes.speeds_m_per_s();
   const double fraction = exploration.required_fraction_in_band;
   const std::array<double, 1> contact_s{static_cast<double>(contact_ticks) / rate_Hz};
   const std::array<double, 1> strokes{static_cast<double>(stroke_lengths_m.size())};
@@ -186,7 +175,12 @@ HandHabits habits_for(const Exploration& exploration, const SurfacePatch& patch)
   habits.centre_m = patch.centre_m;
   habits.direction_rad = exploration.direction_rad;
   habits.stroke_length_m = aim(exploration.stroke_length_m, habits.stroke_length_m);
-  habits.speed_m_per_s = aim(exploration.speed_m_per_s, habits.speed_m_per_s);
+  if (is_declared(exploration.speed_m_per_s) || exploration.speed_m_per_s.target) {
+    // Asked for is the mean of a stroke; a hand's habit is its steady middle.
+    const double mean_of_steady = 1.0 - habits.gathering;
+    habits.speed_m_per_s =
+        aim(exploration.speed_m_per_s, mean_of_steady * habits.speed_m_per_s) / mean_of_steady;
+  }
   habits.normal_force_N = aim(exploration.normal_force_N, habits.normal_force_N);
   return habits;
 }

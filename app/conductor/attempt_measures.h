@@ -23,8 +23,8 @@ void fill_times(std::span<const TickRecord> records, std::uint64_t presentation,
                 PresentationRow& row);
 
 /// Force, speed, contact time and strokes of one surface against what the protocol asks for. All
-/// are computed, whether or not the protocol declares a band. Force is the pressing force, speed that
-/// of strokes (ContactReader).
+/// are computed, whether or not the protocol declares a band. Force is the pressing force in every tick
+/// (ContactReader), speed that of every stroke (HandStrokes).
 std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
                                          std::uint64_t presentation, double rate_Hz,
                                          const Exploration& exploration);

@@ -3,36 +3,113 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 
 #include "analysis/compliance.h"
+#include "app/conductor/session_monitor.h"
+#include "app/conductor/sound.h"
 #include "renderers/tick_record.h"
 
 namespace asperity {
 
-/// The hand in one tick in which it touches a surface.
+/// The hand in one tick in which it touches a surface that is wholly there.
 struct HandSample {
   std::uint64_t presentation = 0;
-  double pressing_N = 0.0;     ///< the normal force that was sent, as PressingForce has it
-  double speed_m_per_s = 0.0;  ///< along the surface
-  bool is_stroking = false;    ///< fast enough for a stroke: a turn of the hand is none
+  bool begins_contact = false;  ///< the hand had lifted before
+  /// The mean of the normal force sent in this contact so far, of which the last 0.2 s count most
+  /// (PressingForce): how hard the hand presses, with little left of a texture's ripple.
+  double pressing_N = 0.0;
+  double along_m = 0.0;  ///< the probe's place along the direction of the strokes
 };
 
 /// Reads records one after another. Whoever reads the same records has the same samples to the bit,
 /// so that what is shown of a hand and what is computed of its recording later agree: give it records
 /// as they are recorded (`as_recorded`).
+///
+/// A surface that fades in or out is not wholly there: what is sent of its force tells nothing of the
+/// hand. A tool that skips over a texture touches again within `kSkip_s` and has not lifted: the
+/// contact goes on, with no force meanwhile.
 class ContactReader final {
  public:
-  /// Slower than this a hand turns or rests; bands of speed are asked for along a stroke.
-  static constexpr double kStroking_m_per_s = 0.010;
+  static constexpr double kSkip_s = 0.1;
 
-  /// Nothing while no surface is touched.
+  /// `direction_rad` of the strokes, from +x towards +y.
+  explicit ContactReader(double direction_rad = 0.0) noexcept;
+
+  /// Nothing in a tick without contact.
   std::optional<HandSample> take(const TickRecord& record) noexcept;
+  /// Touches, or did within `kSkip_s` before the last record.
+  bool is_in_contact() const noexcept { return in_contact_; }
 
  private:
+  double along_x_ = 1.0;
+  double along_y_ = 0.0;
   PressingForce pressing_{};
   std::uint64_t presentation_ = 0;
+  bool in_contact_ = false;
   std::int64_t last_ns_ = 0;
+  std::int64_t touched_ns_ = 0;
+};
+
+/// What is asked of the hand.
+struct HandBands {
+  AskedBand normal_force_N{};
+  AskedBand speed_m_per_s{};
+  double direction_rad = 0.0;
+  double usual_stroke_m = 0.0;  ///< see HandStrokes
+};
+
+/// Follows the hand through an attempt: counts how it meets its bands, with the samples that the attempt
+/// will be judged by, and says what it is to be told.
+///
+/// Threads: the conductor's.
+class HandWatch final {
+ public:
+  HandWatch() = default;
+  /// An attempt begins.
+  explicit HandWatch(const HandBands& bands);
+
+  void take(const TickRecord& record);
+  /// Of the surface that was presented last in the attempt, all its visits together.
+  HandSoFar so_far() const;
+
+  /// Now: nothing while no surface is felt.
+  struct Now {
+    double pressing_N = 0.0;
+    std::optional<double> stroking_m_per_s{};  ///< HandStrokes::speed_to_tell_m_per_s
+  };
+  const std::optional<Now>& now() const noexcept { return now_; }
+  /// Of the force before the speed. A tone begins where a band is left, and ends `kBackInside` of the
+  /// band's width (of the bound, where the other end is open) within it, so that a hand at the edge is
+  /// told one thing at a time.
+  GuideTone tone() const noexcept;
+  static constexpr double kBackInside = 0.1;
+
+ private:
+  /// Mean and spread as they grow, and how many samples lay in the band.
+  struct Tally {
+    std::int64_t samples = 0;
+    std::int64_t inside = 0;
+    double mean = 0.0;
+    double squares = 0.0;  ///< Σ(x − mean)²
+    void add(double sample, const AskedBand& band) noexcept;
+    QuantitySoFar so_far(const AskedBand& band) const;
+  };
+  struct Surface {
+    Tally force_N{};
+    HandStrokes strokes{};
+  };
+  enum class Side { below, inside, above };
+  static Side side_of(const AskedBand& band, double value, Side before) noexcept;
+
+  HandBands bands_{};
+  ContactReader reader_{};
+  std::uint64_t presented_ = 0;  ///< in this attempt; 0: none yet
+  std::map<std::uint64_t, Surface> surfaces_{};
+  std::optional<Now> now_{};
+  Side force_ = Side::inside;
+  Side speed_ = Side::inside;
 };
 
 }  // namespace asperity

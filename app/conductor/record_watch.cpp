@@ -33,6 +33,7 @@ void RecordWatch::take(const TickRecord& record) {
     }
     buttons_ = record.probe.buttons;
   }
+  hand_.take(record);
   if (monitor_ == nullptr) return;
   if (record.has(TickFlag::missed_deadline)) ++missed_deadlines_;
   if (record.has(TickFlag::limited_force) || record.has(TickFlag::limited_torque)) {
@@ -48,66 +49,8 @@ void RecordWatch::take(const TickRecord& record) {
   take_into_bin(record);
 }
 
-void RecordWatch::Tally::add(double sample, const AskedBand& band) noexcept {
-  ++samples;
-  if (is_inside(band, sample)) ++inside;
-  const double from_mean = sample - mean;
-  mean += from_mean / static_cast<double>(samples);
-  squares += from_mean * (sample - mean);
-}
-
-QuantitySoFar RecordWatch::Tally::so_far(const AskedBand& band) const {
-  QuantitySoFar quantity{.samples = samples, .mean = mean};
-  if (samples > 1) quantity.sd = std::sqrt(squares / static_cast<double>(samples - 1));
-  if (samples > 0 && (band.minimum || band.maximum)) {
-    quantity.fraction_in_band = static_cast<double>(inside) / static_cast<double>(samples);
-  }
-  return quantity;
-}
-
-void RecordWatch::begin_attempt(const HandBands& bands) {
-  bands_ = bands;
-  presented_ = 0;
-  tallies_.clear();
-}
-
-HandSoFar RecordWatch::hand() const {
-  HandSoFar hand{.surface = static_cast<int>(presented_)};
-  if (const auto found = tallies_.find(presented_); found != tallies_.end()) {
-    hand.force_N = found->second.force_N.so_far(bands_.normal_force_N);
-    hand.speed_m_per_s = found->second.speed_m_per_s.so_far(bands_.speed_m_per_s);
-  }
-  return hand;
-}
-
-GuideTone RecordWatch::tone() const {
-  if (!now_) return GuideTone::none;
-  const AskedBand& force_N = bands_.normal_force_N;
-  if (force_N.minimum && now_->pressing_N < *force_N.minimum) return GuideTone::press_more;
-  if (force_N.maximum && now_->pressing_N > *force_N.maximum) return GuideTone::press_less;
-  const AskedBand& speed = bands_.speed_m_per_s;
-  const bool rests = static_cast<double>(last_ns_ - stroked_ns_) * 1e-9 > kTurn_s;
-  if (speed.minimum && now_->speed_m_per_s < *speed.minimum && (now_->is_stroking || rests)) {
-    return GuideTone::faster;
-  }
-  if (speed.maximum && now_->is_stroking && now_->speed_m_per_s > *speed.maximum) {
-    return GuideTone::slower;
-  }
-  return GuideTone::none;
-}
-
 void RecordWatch::take_into_bin(const TickRecord& record) {
   const std::int64_t time_ns = record.probe.time_ns;
-  const std::optional<HandSample> hand = reader_.take(record);
-  if (record.has(TickFlag::presenting)) presented_ = record.presentation;
-  if (!now_ || !hand || hand->is_stroking) stroked_ns_ = time_ns;
-  now_ = hand;
-  last_ns_ = time_ns;
-  if (hand) {
-    HandTally& tally = tallies_[hand->presentation];
-    tally.force_N.add(hand->pressing_N, bands_.normal_force_N);
-    if (hand->is_stroking) tally.speed_m_per_s.add(hand->speed_m_per_s, bands_.speed_m_per_s);
-  }
   if (bin_is_open_ && time_ns - bin_began_ns_ >= kBin_ns) {
     monitor_->add_bin(bin_);
     bin_is_open_ = false;
@@ -130,8 +73,10 @@ void RecordWatch::take_into_bin(const TickRecord& record) {
   bin_.force_maximum_N = std::max(bin_.force_maximum_N, force_N);
   bin_.speed_minimum_m_per_s = std::min(bin_.speed_minimum_m_per_s, speed);
   bin_.speed_maximum_m_per_s = std::max(bin_.speed_maximum_m_per_s, speed);
+  const std::optional<HandWatch::Now>& hand = hand_.now();
+  bin_.is_felt = hand.has_value();
   bin_.pressing_N = hand ? hand->pressing_N : 0.0;
-  bin_.stroking_m_per_s = hand && hand->is_stroking ? hand->speed_m_per_s : 0.0;
+  bin_.stroking_m_per_s = hand ? hand->stroking_m_per_s : std::nullopt;
   bin_.x_m = static_cast<float>(record.probe.position_m.x);
   bin_.y_m = static_cast<float>(record.probe.position_m.y);
   bin_.z_m = static_cast<float>(record.probe.position_m.z);

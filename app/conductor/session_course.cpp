@@ -52,6 +52,7 @@ void SessionCourse::begin(const SessionRow& row) {
   phase_ = SessionPhase::idle;
   in_attempt_ = false;
   masking_ = false;
+  guiding_ = false;
   has_masked_ = false;
   mask_on_ = false;
   attempt_events_.clear();
@@ -98,7 +99,7 @@ void SessionCourse::pass(double duration_s) {
   for (const ButtonChange& change : watch_.take_button_changes()) {
     respondent_.button_changed(change);
   }
-  if (guiding_) links_.sound->set_guide(watch_.tone());
+  if (guiding_) links_.sound->set_guide(watch_.hand().tone());
   publish_now();
 }
 
@@ -137,7 +138,7 @@ void SessionCourse::publish_now() {
     health->lost_records = rig_.records().lost();
   }
   const MaskingState masking = masking_state();
-  const HandSoFar hand = watch_.hand();
+  const HandSoFar hand = watch_.hand().so_far();
   links_.monitor->update([&](SessionSnapshot& snapshot) {
     snapshot.now_ns = now;
     snapshot.hand = hand;

@@ -98,7 +98,7 @@ struct LoopHealth {
   std::uint64_t saturated_ticks = 0;
 };
 
-/// One quantity of a contact so far, against its band.
+/// One quantity of a contact so far, against its band: the force in every tick, the speed of every stroke.
 struct QuantitySoFar {
   std::int64_t samples = 0;
   double mean = 0.0;
@@ -150,10 +150,11 @@ struct LiveBin {
   float force_maximum_N = 0.0F;
   float speed_minimum_m_per_s = 0.0F;
   float speed_maximum_m_per_s = 0.0F;
-  /// At its end, as the attempt is judged by: the pressing force, which tells no texture, and the speed
-  /// of a stroke. 0 without contact; a hand that turns or rests has no speed.
+  /// At its end, as the attempt is judged by (HandWatch): a surface that is wholly there is felt; how
+  /// hard the hand presses, 0 where none is felt; and what is to be told of the speed of its strokes.
+  bool is_felt = false;
   double pressing_N = 0.0;
-  double stroking_m_per_s = 0.0;
+  std::optional<double> stroking_m_per_s{};
   float x_m = 0.0F;  ///< at its end
   float y_m = 0.0F;
   float z_m = 0.0F;

@@ -77,9 +77,9 @@ AttemptRow TrialAttempt::make() {
     interruption_ = Interruption{AttemptOutcome::aborted, gone.what()};
   }
   row_.offset_ns = course_.now_ns();
+  course_.set_guiding_tones(false);  // a surface that is taken away asks nothing of the hand
   if (interruption_) take_surface_away();
   course_.set_masking(false);
-  course_.set_guiding_tones(false);
   course_.update([](SessionSnapshot& snapshot) {
     snapshot.surface = 0;
     snapshot.contact_s = 0.0;
@@ -145,7 +145,10 @@ void TrialAttempt::prepare() {
   }
   course_.recorder().begin(std::move(writer), protocol.rate_Hz, course_.rig().records());
   const auto asked = [](const Band& band) { return AskedBand{band.minimum, band.maximum}; };
-  course_.watch_hand({asked(exploration_.normal_force_N), asked(exploration_.speed_m_per_s)});
+  course_.watch_hand({.normal_force_N = asked(exploration_.normal_force_N),
+                      .speed_m_per_s = asked(exploration_.speed_m_per_s),
+                      .direction_rad = exploration_.direction_rad,
+                      .usual_stroke_m = habits_for(exploration_, patch_).stroke_length_m});
 }
 
 void TrialAttempt::carry_out() {
@@ -299,7 +302,8 @@ void TrialAttempt::explore(Surface& surface) {
 double TrialAttempt::wanted_contact_s() const {
   const HandHabits habits = habits_for(exploration_, patch_);
   const double strokes_s = exploration_.strokes.target.value_or(0.0) * kBeyondMinimum *
-                           habits.stroke_length_m / habits.speed_m_per_s;
+                           habits.stroke_length_m /
+                           (habits.speed_m_per_s * (1.0 - habits.gathering));
   const double longest_s =
       std::max(exploration_.minimum_contact_s, exploration_.maximum_contact_s - kLifting_s);
   return std::min(std::max(kBeyondMinimum * exploration_.minimum_contact_s, strokes_s), longest_s);

@@ -173,8 +173,15 @@ std::string exploration_text(const Exploration& exploration) {
   if (!bands.empty()) text += ", with " + listed(bands);
   text += '.';
   if (exploration.required_fraction_in_band > 0.0) {
-    text += " Force and speed had to lie in their bands for " +
-            reading_percent(exploration.required_fraction_in_band) + " of the contact time.";
+    const std::string share = reading_percent(exploration.required_fraction_in_band);
+    const auto bounded = [](const Band& band) { return band.minimum || band.maximum; };
+    if (bounded(exploration.normal_force_N)) {
+      text += " The force had to lie in its band for " + share + " of the contact time.";
+    }
+    if (bounded(exploration.speed_m_per_s)) {
+      text += " The speed of " + share +
+              " of the strokes (length divided by time, from turn to turn) had to lie in its band.";
+    }
   }
   switch (exploration.guidance) {
     case Exploration::Guidance::experimenter:

@@ -225,8 +225,8 @@ ReportSection exploration_section(const ReportFacts& facts) {
           : ReportText{"Surfaces were explored as the protocol asks: " + listed(guided) + '.'});
   table.note =
       "Over the surfaces that were felt, in every attempt: the mean of their means, the range of "
-      "the middle 90 % of these means, the mean fraction of the contact time inside the band, and "
-      "how many were explored as asked.";
+      "the middle 90 % of these means, the mean fraction inside the band (of the contact time for "
+      "the force, of the strokes for their speed and length), and how many were explored as asked.";
   section.parts.emplace_back(std::move(table));
   return section;
 }

@@ -106,6 +106,108 @@ TEST(Strokes, RefuseWhatIsNoPosition) {
   EXPECT_THROW(strokes_along(through({0.0, 0.1}), 0.0), std::invalid_argument);
 }
 
+/// Where a hand is that goes to and fro by 50 mm, `stroke_s` there and as long back.
+enum class Motion { steady, sinusoid, minimum_jerk };
+double place_m(Motion motion, double time_s, double stroke_s) {
+  const double strokes = time_s / stroke_s;
+  const double u = strokes - std::floor(strokes);
+  double way = u;
+  if (motion == Motion::sinusoid) way = 0.5 - 0.5 * std::cos(std::numbers::pi * u);
+  if (motion == Motion::minimum_jerk) way = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
+  return 0.05 * (std::fmod(std::floor(strokes), 2.0) == 0.0 ? way : 1.0 - way);
+}
+
+// 50 mm in 1 s, three and a half times: the last one is cut off and says nothing of its speed.
+TEST(HandStrokes, AreAsFastAsTheyAreLongWhateverTheHandDoesBetweenItsTurns) {
+  for (const Motion motion : {Motion::steady, Motion::sinusoid, Motion::minimum_jerk}) {
+    HandStrokes strokes;
+    int ticks_in_band = 0;
+    for (int tick = 0; tick <= 3500; ++tick) {
+      const double time_s = 1e-3 * tick;
+      // A texture moves the probe by 0.03 mm, 40 times a second: up to 7.5 mm/s to and fro.
+      const double ripple_m = 3e-5 * std::sin(2.0 * std::numbers::pi * 40.0 * time_s);
+      strokes.take(place_m(motion, time_s, 1.0) + ripple_m, 1'000'000LL * tick);
+      const double speed =
+          (place_m(motion, time_s + 5e-4, 1.0) - place_m(motion, time_s - 5e-4, 1.0)) / 1e-3;
+      if (tick > 0 && std::abs(speed) >= 0.035 && std::abs(speed) <= 0.065) ++ticks_in_band;
+    }
+    const std::vector<double> speeds = strokes.speeds_m_per_s();
+    ASSERT_EQ(speeds.size(), 3U);
+    for (const double speed : speeds) EXPECT_NEAR(speed, 0.05, 0.003);
+    ASSERT_EQ(strokes.lengths_m().size(), 4U);
+    EXPECT_NEAR(strokes.lengths_m()[3], 0.025, 1e-3);
+    // What ticks would have said of the same hands.
+    if (motion != Motion::steady) {
+      EXPECT_LT(ticks_in_band, 0.4 * 3500);
+    }
+  }
+}
+
+TEST(HandStrokes, CountOneThatWasCutOffOnlyWhereItsContactHasNoOther) {
+  HandStrokes strokes;
+  std::int64_t time_ns = 0;
+  const auto stroke_to = [&](double from_m, double to_m) {  // in 1 s
+    for (int i = 0; i <= 1000; ++i) {
+      strokes.take(from_m + (to_m - from_m) * i / 1000.0, time_ns += 1'000'000);
+    }
+  };
+  stroke_to(0.0, 0.03);
+  ASSERT_EQ(strokes.speeds_m_per_s().size(), 1U);
+  EXPECT_NEAR(strokes.speeds_m_per_s()[0], 0.03, 1e-9);
+  strokes.lift();
+  stroke_to(0.0, 0.05);
+  stroke_to(0.05, 0.03);
+  EXPECT_EQ(strokes.lengths_m().size(), 3U);
+  ASSERT_EQ(strokes.speeds_m_per_s().size(), 2U);
+  EXPECT_NEAR(strokes.speeds_m_per_s()[1], 0.05, 1e-4);
+  strokes.lift();
+  EXPECT_EQ(strokes.lengths_m().size(), 3U);
+  EXPECT_EQ(strokes.speeds_m_per_s().size(), 2U);
+}
+
+// A rest where the hand turns belongs to the stroke that follows.
+TEST(HandStrokes, CountARestAtATurnAsSlow) {
+  HandStrokes strokes;
+  std::int64_t time_ns = 0;
+  const auto at = [&](double place) { strokes.take(place, time_ns += 1'000'000); };
+  for (int i = 0; i <= 500; ++i) at(1e-4 * i);
+  for (int i = 0; i < 500; ++i) at(0.05);
+  for (int i = 0; i <= 500; ++i) at(0.05 - 1e-4 * i);
+  for (int i = 0; i <= 100; ++i) at(1e-4 * i);
+  ASSERT_EQ(strokes.speeds_m_per_s().size(), 2U);
+  EXPECT_NEAR(strokes.speeds_m_per_s()[0], 0.1, 1e-3);
+  EXPECT_NEAR(strokes.speeds_m_per_s()[1], 0.05, 1e-3);
+}
+
+TEST(HandStrokes, TellAHandThatSlowsDownAtItsTurnsNothingElseThanTheirMean) {
+  for (const Motion motion : {Motion::sinusoid, Motion::minimum_jerk}) {
+    HandStrokes strokes(0.05);
+    double least = 1.0;
+    double most = 0.0;
+    for (int tick = 0; tick <= 5000; ++tick) {
+      strokes.take(place_m(motion, 1e-3 * tick, 1.0), 1'000'000LL * tick);
+      const auto told = strokes.speed_to_tell_m_per_s();
+      if (std::abs(tick - 500) > 1) {
+        EXPECT_EQ(told.has_value(), tick > 500) << tick;
+      }
+      least = std::min(least, told.value_or(least));
+      most = std::max(most, told.value_or(most));
+    }
+    EXPECT_GT(least, 0.05 * 0.995);
+    EXPECT_LT(most, 0.05 * (motion == Motion::sinusoid ? 8.0 / 7.0 : 1.2));
+  }
+}
+
+TEST(HandStrokes, TellAHandThatRestsThatItDoes) {
+  HandStrokes strokes(0.05);
+  for (int tick = 0; tick <= 750; ++tick) {
+    strokes.take(0.001, 1'000'000LL * tick);
+    EXPECT_FALSE(strokes.speed_to_tell_m_per_s());
+  }
+  strokes.take(0.001, 751'000'000);
+  EXPECT_EQ(strokes.speed_to_tell_m_per_s(), 0.0);
+}
+
 TEST(TangentialSpeed, LeavesOutTheMotionAlongTheNormal) {
   EXPECT_DOUBLE_EQ(tangential_speed_m_per_s({0.03, 0.04, -7.0}, {0.0, 0.0, 1.0}), 0.05);
   const double slope = std::numbers::sqrt2 / 2.0;

@@ -22,6 +22,8 @@ class WatchedRig final : public Rig {
   WatchedRig(const RigSettings& settings, std::int64_t session_index)
       : rig_(settings, session_index) {}
   std::function<void()> at_pass{};
+  /// Another hand than the one that does what the protocol asks for.
+  std::function<void(HandHabits&)> at_prepare{};
 
   const Clock& clock() const noexcept override { return rig_.clock(); }
   ServoLoop& loop() noexcept override { return rig_.loop(); }
@@ -31,7 +33,9 @@ class WatchedRig final : public Rig {
   std::string pacing() const override { return rig_.pacing(); }
   std::string scheduling() const override { return rig_.scheduling(); }
   void prepare_attempt(const HandHabits& habits, const Random& random) override {
-    rig_.prepare_attempt(habits, random);
+    HandHabits own = habits;
+    if (at_prepare) at_prepare(own);
+    rig_.prepare_attempt(own, random);
   }
   void pass(double duration_s, Recorder& recorder) override {
     rig_.pass(duration_s, recorder);

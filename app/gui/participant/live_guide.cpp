@@ -28,8 +28,9 @@ double end_of_bar(const Band& band) {
   return std::max(2.5 * band.minimum.value_or(1.0), 1e-9);
 }
 
-/// `rect` is a row of the guide.
-void draw_bar(QPainter& painter, const QRectF& row, const Band& band, double value, bool touching) {
+/// Without a value the mark waits at the left end.
+void draw_bar(QPainter& painter, const QRectF& row, const Band& band,
+              const std::optional<double>& value) {
   const ParticipantColors colors{};
   const double unit = row.height() / 88.0;
   const QRectF bar = row.adjusted(28.0 * unit, 16.0 * unit, -28.0 * unit, -16.0 * unit);
@@ -52,22 +53,22 @@ void draw_bar(QPainter& painter, const QRectF& row, const Band& band, double val
   if (band.minimum) painter.drawLine(inside.topLeft(), inside.bottomLeft());
   if (band.maximum) painter.drawLine(inside.topRight(), inside.bottomRight());
 
-  const QPointF at(x_of(value), bar.center().y());
+  const QPointF at(x_of(value.value_or(0.0)), bar.center().y());
   const double size = 22.0 * unit;
-  if (!touching) {
+  if (!value) {
     painter.setPen(QPen(colors.muted, 3.0 * unit));
     painter.setBrush(colors.panel);
     painter.drawEllipse(at, 0.6 * size, 0.6 * size);
     return;
   }
   painter.setPen(QPen(colors.panel, 3.0 * unit));
-  if (is_inside({band.minimum, band.maximum}, value)) {
+  if (is_inside({band.minimum, band.maximum}, *value)) {
     painter.setBrush(kInside);
     painter.drawEllipse(at, size, size);
     return;
   }
   // Points to where the band is.
-  const double way = band.minimum && value < *band.minimum ? 1.0 : -1.0;
+  const double way = band.minimum && *value < *band.minimum ? 1.0 : -1.0;
   painter.setBrush(kOutside);
   painter.drawPolygon(QPolygonF({at + QPointF(way * size, 0.0), at + QPointF(-way * size, -size),
                                  at + QPointF(-way * size, size)}));
@@ -153,15 +154,19 @@ void LiveGuide::look_again() {
   }
   next_bin_ = monitor_.bins_from(next_bin_, bins_);
   if (!bins_.empty()) {
-    const LiveBin& last = bins_.back();
-    shown_.touching = last.touching;
-    shown_.pressing_N = last.pressing_N;
-    shown_.stroking_m_per_s = last.stroking_m_per_s;
-    shown_.probe_m = {static_cast<double>(last.x_m), static_cast<double>(last.y_m)};
+    last_ = bins_.back();
+    shown_.touching = last_.touching;
+    shown_.probe_m = {static_cast<double>(last_.x_m), static_cast<double>(last_.y_m)};
   }
-  // Where the hand is to lift, nothing leads it on.
-  const bool leads = asked_.guidance == Exploration::Guidance::moving_target &&
-                     scene->text_saying.what != Saying::What::lift;
+  // Where the hand is to lift, nothing leads it on and nothing asks for more.
+  const bool is_to_lift = scene->text_saying.what == Saying::What::lift;
+  shown_.pressing_N.reset();
+  shown_.stroking_m_per_s.reset();
+  if (last_.is_felt && !is_to_lift) {
+    shown_.pressing_N = last_.pressing_N;
+    shown_.stroking_m_per_s = last_.stroking_m_per_s;
+  }
+  const bool leads = asked_.guidance == Exploration::Guidance::moving_target && !is_to_lift;
   shown_.target_along_m.reset();
   if (leads) {
     shown_.target_along_m = target_along_m(static_cast<double>(now_ns - scene->shown_ns) * 1e-9,
@@ -186,10 +191,10 @@ void LiveGuide::paintEvent(QPaintEvent*) {
   };
   if (rows.track > 0) draw_track(painter, take(rows.track), asked_, patch_, shown_);
   if (rows.force) {
-    draw_bar(painter, take(1), asked_.normal_force_N, shown_.pressing_N, shown_.touching);
+    draw_bar(painter, take(1), asked_.normal_force_N, shown_.pressing_N);
   }
   if (rows.speed) {
-    draw_bar(painter, take(1), asked_.speed_m_per_s, shown_.stroking_m_per_s, shown_.touching);
+    draw_bar(painter, take(1), asked_.speed_m_per_s, shown_.stroking_m_per_s);
   }
 }
 

@@ -24,20 +24,23 @@ double target_along_m(double elapsed_s, double stroke_length_m, double speed_m_p
 /// does, 60 times a second while it is visible.
 ///
 /// A bar for each of force and speed that has a band: the band is shaded, between two edges; the mark is
-/// a disc inside it and an arrow towards it outside. Over them, where a target moves, the stroke from
-/// above: the target a disc with a ring, the probe a cross. Rows are those of `guide_rows`.
+/// a disc inside it and an arrow towards it outside. The mark is a ring that asks for nothing while no
+/// surface is felt, while the hand is to lift, and for the speed until it has stroked far enough. Over
+/// them, where a target moves, the stroke from above: the target a disc with a ring, the probe a cross.
+/// Rows are those of `guide_rows`.
 ///
-/// Values are those of the monitor's last bin, which are those that the attempt is judged by. Nothing
-/// here knows the stimulus or the answer.
+/// Values are those of the monitor's last bin, which are those that the attempt is judged by: the speed
+/// is that of a stroke, and does not fall where the hand turns. Nothing here knows the stimulus or the
+/// answer.
 class LiveGuide final : public QWidget {
   Q_OBJECT
  public:
   struct Shown {
     bool touching = false;
-    double pressing_N = 0.0;
-    double stroking_m_per_s = 0.0;
-    QPointF probe_m{};                       ///< from above, x to the right and y up
-    std::optional<double> target_along_m{};  ///< absent where no target moves
+    std::optional<double> pressing_N{};        ///< absent where the bar asks for nothing
+    std::optional<double> stroking_m_per_s{};  ///< likewise
+    QPointF probe_m{};                         ///< from above, x to the right and y up
+    std::optional<double> target_along_m{};    ///< absent where no target moves
   };
 
   /// `monitor` must outlive the widget.
@@ -57,6 +60,7 @@ class LiveGuide final : public QWidget {
   QTimer timer_{};
   std::uint64_t next_bin_ = 0;
   std::vector<LiveBin> bins_{};
+  LiveBin last_{};
   Exploration asked_{};
   SurfacePatch patch_{};
   Shown shown_{};

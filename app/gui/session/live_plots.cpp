@@ -90,7 +90,7 @@ struct Strip {
   Heading heading{};
   QCPGraph* lower = nullptr;
   QCPGraph* upper = nullptr;   ///< filled down to `lower`
-  QCPGraph* middle = nullptr;  ///< may be null
+  QCPGraph* middle = nullptr;  ///< what is judged: the pressing force, the speed of a stroke
   QCPItemRect* band = nullptr;
   Band asked{};  ///< in the units of the axis
   double top = 0.0;
@@ -181,6 +181,7 @@ LivePlots::LivePlots(QWidget* parent) : QWidget(parent), drawing_(std::make_uniq
     plot.axisRect()->setMargins(QMargins(48, 4, 8, strip == &d.force ? 8 : 40));
   }
   d.force.middle = d.force.plot->addGraph();
+  d.speed.middle = d.speed.plot->addGraph();
   d.force.plot->xAxis->setTickLabels(false);
   d.speed.plot->xAxis->setLabel(tr("time, s"));
 
@@ -323,6 +324,8 @@ void LivePlots::draw_bins() {
     const double fastest = kLiveMillimetres * static_cast<double>(bin.speed_maximum_m_per_s);
     add(d.speed.lower_points, kLiveMillimetres * static_cast<double>(bin.speed_minimum_m_per_s));
     add(d.speed.upper_points, fastest);
+    add(d.speed.middle_points,
+        bin.stroking_m_per_s ? kLiveMillimetres * *bin.stroking_m_per_s : gap);
     most_speed = std::max(most_speed, fastest);
 
     const QCPCurveData place(at_s, kLiveMillimetres * static_cast<double>(bin.x_m),
@@ -338,7 +341,7 @@ void LivePlots::draw_bins() {
   for (Strip* strip : {&d.force, &d.speed}) {
     strip->lower->data()->set(strip->lower_points, true);
     strip->upper->data()->set(strip->upper_points, true);
-    if (strip->middle != nullptr) strip->middle->data()->set(strip->middle_points, true);
+    strip->middle->data()->set(strip->middle_points, true);
   }
   draw(d.force, std::isfinite(most_force) ? most_force : 0.0);
   draw(d.speed, std::isfinite(most_speed) ? most_speed : 0.0);
@@ -381,8 +384,9 @@ void LivePlots::write_compliance() {
     along_m.push_back(along);
   }
   end_of_contact();
-  const auto write = [this, &asked](FittedLabel& label, const QuantitySoFar& met) {
-    if (met.samples == 0) return label.show_state(State::unknown, tr("no contact"));
+  const auto write = [this, &asked](FittedLabel& label, const QuantitySoFar& met,
+                                    const QString& none) {
+    if (met.samples == 0) return label.show_state(State::unknown, none);
     if (!met.fraction_in_band) return label.show_state(State::unknown, tr("nothing asked"));
     const QString words =
         tr("in band %1 %").arg(static_cast<int>(std::lround(100.0 * *met.fraction_in_band)));
@@ -390,8 +394,9 @@ void LivePlots::write_compliance() {
         *met.fraction_in_band >= asked.required_fraction_in_band ? State::fine : State::look,
         words);
   };
-  write(*d.force.heading.compliance, d.hand.force_N);
-  write(*d.speed.heading.compliance, d.hand.speed_m_per_s);
+  write(*d.force.heading.compliance, d.hand.force_N, tr("no contact"));
+  write(*d.speed.heading.compliance, d.hand.speed_m_per_s,
+        d.hand.force_N.samples == 0 ? tr("no contact") : tr("no stroke yet"));
   if (strokes_m.empty()) {
     d.path_heading.compliance->show_state(State::unknown, tr("no stroke yet"));
     return;
@@ -438,6 +443,7 @@ void LivePlots::restyle() {
   d.speed.lower->setPen(QPen(line, 0));
   d.speed.upper->setPen(QPen(line, 0));
   d.speed.upper->setBrush(speed_fill);
+  d.speed.middle->setPen(QPen(theme().text, 0));
 
   style_plot(*d.path);
   d.path->xAxis->ticker()->setTickCount(3);

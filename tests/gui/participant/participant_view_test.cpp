@@ -684,9 +684,10 @@ TEST(ParticipantView, GivesTheWorkspaceItsPlaceWhileASurfaceIsFelt) {
 // --- what guides the hand ---
 
 /// What the guide shows of a hand that does this.
-QImage guide_with(Seat& seat, double pressing_N, double speed_m_per_s) {
+QImage guide_with(Seat& seat, double pressing_N, std::optional<double> speed_m_per_s) {
   LiveBin bin{};
   bin.touching = true;
+  bin.is_felt = true;
   bin.pressing_N = pressing_N;
   bin.stroking_m_per_s = speed_m_per_s;
   seat.monitor.add_bin(bin);
@@ -729,6 +730,24 @@ TEST(ParticipantView, MarksTheHandInsideAndOutsideOfItsBands) {
   const QRect left(0, 0, seen.width() / 3, seen.height() / 2);
   EXPECT_EQ(pixels_of(seen, outside, left), 0);
   EXPECT_GT(pixels_of(guide_with(seat, 0.3, 0.054), outside, left), 200);
+  // A hand that has not stroked far enough yet is not asked for speed; one that rests is.
+  EXPECT_EQ(pixels_of(guide_with(seat, 0.9, {}), outside, seen.rect()), 0);
+  EXPECT_GT(pixels_of(guide_with(seat, 0.9, 0.0), outside, speed), 200);
+}
+
+TEST(ParticipantView, AsksAHandThatIsToLiftForNothing) {
+  Seat seat{};
+  ParticipantScene scene = scenes::guided(Exploration::Guidance::bars);
+  seat.show(scene);
+  const QColor outside("#D55E00");
+  const QImage pressed_little = guide_with(seat, 0.3, 0.01);
+  EXPECT_GT(pixels_of(pressed_little, outside, pressed_little.rect()), 200);
+  scene.text_saying = {.what = Saying::What::lift, .code = "B"};
+  seat.show(scene);
+  auto* guide = seat.view.findChild<LiveGuide*>();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !guide->shown().pressing_N; }));
+  EXPECT_FALSE(guide->shown().stroking_m_per_s);
+  EXPECT_EQ(pixels_of(guide->grab().toImage(), outside, pressed_little.rect()), 0);
 }
 
 TEST(ParticipantView, LeadsTheHandByATargetUntilItIsToLift) {

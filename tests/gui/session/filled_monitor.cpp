@@ -126,7 +126,9 @@ void FilledMonitor::stroke(double duration_s) {
     const double pressing =
         bin.touching ? 1.1 + 0.35 * std::sin(0.9 * t) + 0.1 * std::sin(3.1 * t) : 0.0;
     const double ripple = bin.touching ? 0.18 + 0.1 * std::abs(std::sin(turn)) : 0.0;
+    bin.is_felt = bin.touching;
     bin.pressing_N = pressing;
+    if (bin.touching) bin.stroking_m_per_s = 0.054;  // 30 mm to either side, 0.45 times a second
     bin.force_minimum_N = static_cast<float>(pressing - ripple);
     bin.force_maximum_N = static_cast<float>(pressing + ripple);
     const double speed = 0.030 * 2.0 * std::numbers::pi * 0.45 * std::abs(std::cos(turn));
