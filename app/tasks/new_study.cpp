@@ -36,7 +36,7 @@ std::vector<DemoTexture> demo_textures() {
       {"pebbles", "sandpaper", false, 16, {{"grain_spacing_m", 0.004}, {"grain_height_m", 6e-4}}}};
 }
 
-/// A relief of `tools_matching` or `roughness_diameter`: felt as it is, on a tool or the plate, and seen
+/// A relief of `tools_matching` or of the protocols of roughness: felt as it is, on a tool or the plate, and seen
 /// where it has a picture.
 struct BodyRelief {
   std::string_view name{};
@@ -68,7 +68,7 @@ std::vector<BodyRelief> body_reliefs() {
             {"base_diameter_m", 0.0018}}}};
 }
 
-/// Of `roughness_diameter`: 28 mm hold whole waves of each, every wave eight pixels long. More would only
+/// Of the protocols of roughness: 28 mm hold whole waves of each, every wave eight pixels long. More would only
 /// cost: a body has four texels a pixel.
 std::vector<BodyRelief> waves() {
   const auto wave = [](std::string_view name, double spacing_m, std::size_t pixels) {
@@ -141,9 +141,9 @@ void new_demo_study(const std::filesystem::path& folder,
   new_study(folder);
   for (const LibraryProtocol& protocol : library_protocols()) {
     // What the demo data come from, a session that shows what goes without sight, one with tools in six
-    // degrees of freedom, and one of numbers.
+    // degrees of freedom, and those of numbers.
     if (!protocol.name.starts_with("chapter_") && protocol.name != "improved_selection_blindfold" &&
-        protocol.name != "tools_matching" && protocol.name != "roughness_diameter") {
+        protocol.name != "tools_matching" && !protocol.name.starts_with("roughness_")) {
       continue;
     }
     write_file(folder / "protocols" / (std::string(protocol.name) + ".json"), protocol.text,

@@ -1,7 +1,9 @@
 // The protocols that come with the program: valid, and as careful as they claim to be.
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <stdexcept>
 
 #include "protocols/library_protocols.h"
 #include "protocols/plan.h"
@@ -87,19 +89,80 @@ TEST(LibraryProtocols, CoverTheThreeExperimentsTwiceThePhotographsABlindfoldOneT
             (std::vector<std::string>{
                 "chapter_matching", "chapter_recognition", "chapter_selection", "improved_matching",
                 "improved_recognition", "improved_selection", "improved_selection_blindfold",
-                "photo_matching", "photo_recognition", "roughness_diameter", "tools_matching"}));
+                "photo_matching", "photo_recognition", "roughness_diameter", "roughness_force",
+                "roughness_speed", "tools_matching"}));
+}
+
+Protocol library_protocol(const std::string& name) {
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (each.name == name) return read_protocol(each.text, name, test::example_models());
+  }
+  throw std::invalid_argument("no library protocol " + name);
+}
+
+TEST(LibraryProtocols, HoldForceAndSpeedByBandsThatDoNotMeet) {
+  const std::pair<const char*, std::vector<const char*>> kHeld[] = {
+      {"roughness_force", {"light", "medium", "firm"}}, {"roughness_speed", {"slow", "fast"}}};
+  for (const auto& [name, conditions] : kHeld) {
+    const Protocol read = library_protocol(name);
+    double reached = 0.0;
+    for (const char* const condition : conditions) {
+      const Exploration& asked = read.explorations.at(condition);
+      const Band& band =
+          read.name == "roughness_force" ? asked.normal_force_N : asked.speed_m_per_s;
+      EXPECT_GT(*band.minimum, reached) << name << ' ' << condition;
+      reached = *band.maximum;
+      EXPECT_EQ(asked.on_failure, Exploration::OnFailure::requeue_at_end_of_block);
+      EXPECT_NE(asked.guidance, Exploration::Guidance::experimenter);
+      EXPECT_GT(asked.required_fraction_in_band, 0.5);
+    }
+  }
+}
+
+TEST(LibraryProtocols, PractiseTheExtremesOfWaveAndHandAndHoldTheHandWithinABlock) {
+  for (const char* const name : {"roughness_force", "roughness_speed"}) {
+    const Protocol read = library_protocol(name);
+    const std::string& factor = read.estimation->condition;
+    const std::vector<Level>& levels = read.factors.at(factor).levels;
+    std::set<std::pair<std::string, std::string>> practised{};
+    std::map<int, std::set<std::string>> in_block{};
+    std::map<int, int> first_repetition{};
+    std::set<std::string> first_conditions{};
+    for (int row = 0; row < static_cast<int>(levels.size()); ++row) {
+      in_block.clear();
+      first_repetition.clear();
+      const Plan plan = make_plan(read, {.seed = 1, .counterbalance_row = row});
+      for (const Trial& trial : plan.trials) {
+        const std::string condition = text_of(trial.factors.at(factor));
+        EXPECT_EQ(exploration_of(read, trial).name, condition);
+        if (trial.phase != Phase::main) {
+          practised.emplace(text_of(trial.factors.at("texture")), condition);
+          continue;
+        }
+        if (in_block.empty()) first_conditions.insert(condition);
+        in_block[trial.block_ordinal].insert(condition);
+        first_repetition.emplace(trial.block_ordinal, trial.repetition);
+      }
+      EXPECT_EQ(in_block.size(), levels.size());
+      for (const auto& [block, conditions] : in_block) EXPECT_EQ(conditions.size(), 1U);
+      for (const auto& [block, repetition] : first_repetition) EXPECT_EQ(repetition, 0);  // anchor
+    }
+    EXPECT_EQ(first_conditions.size(), levels.size()) << "each comes first in a row of the square";
+    for (const char* const wave : {"spacing_05", "spacing_40"}) {
+      for (const Level& level : {levels.front(), levels.back()}) {
+        EXPECT_TRUE(practised.contains({wave, text_of(level)})) << name << ' ' << wave;
+      }
+    }
+  }
 }
 
 TEST(LibraryProtocols, ShowDistractorsThatNobodyFeels) {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (each.name != "chapter_recognition") continue;
-    const Protocol read = read_protocol(each.text, "f", test::example_models());
-    for (const char* const name : {"sandpaper", "pebbles"}) {
-      const Texture& texture = read.textures.at(name);
-      EXPECT_FALSE(texture.height_field);
-      EXPECT_TRUE(texture.picture && texture.true_height_field);
-      EXPECT_NE(texture.note.find("no rendered counterpart"), std::string::npos);
-    }
+  const Protocol read = library_protocol("chapter_recognition");
+  for (const char* const name : {"sandpaper", "pebbles"}) {
+    const Texture& texture = read.textures.at(name);
+    EXPECT_FALSE(texture.height_field);
+    EXPECT_TRUE(texture.picture && texture.true_height_field);
+    EXPECT_NE(texture.note.find("no rendered counterpart"), std::string::npos);
   }
 }
 
@@ -150,9 +213,8 @@ const std::vector<std::vector<ForceFeatures>>& strokes_over_the_photographs() {
 // all three are right once in 3! = 6 strokes, and in five or more of six with a probability of
 // (6·5 + 1)/6⁶ = 0.0007.
 TEST(LibraryProtocols, StatePriorsByWhichThePhotographsCanBeMatched) {
-  for (const LibraryProtocol& each : library_protocols()) {
-    if (!each.name.starts_with("photo_")) continue;
-    const Protocol read = read_protocol(each.text, "f", test::example_models());
+  for (const char* const protocol : {"photo_matching", "photo_recognition"}) {
+    const Protocol read = library_protocol(protocol);
     std::vector<ForceFeatures> expected{};
     for (const char* const name : {"brick", "gravel", "grass"}) {
       expected.push_back(read.textures.at(name).prior.value());
@@ -166,7 +228,7 @@ TEST(LibraryProtocols, StatePriorsByWhichThePhotographsCanBeMatched) {
       VirtualObserver observer(ideal, Random(1));
       if (observer.match(felt, expected) == std::vector<std::size_t>{0, 1, 2}) ++all_right;
     }
-    EXPECT_GE(all_right, 5) << each.name;
+    EXPECT_GE(all_right, 5) << protocol;
   }
 }
 
