@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -13,21 +15,28 @@
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
 #include "app/tasks/protocol_files.h"
+#include "protocols/doubts.h"
 
 namespace asperity {
 
 namespace {
 
-nlohmann::ordered_json json_of(const ProtocolCheck& check) {
-  nlohmann::ordered_json diagnostics = nlohmann::ordered_json::array();
-  for (const Diagnostic& diagnostic : check.diagnostics) {
-    diagnostics.push_back({{"line", diagnostic.line},
-                           {"column", diagnostic.column},
-                           {"pointer", diagnostic.pointer},
-                           {"message", diagnostic.message}});
+nlohmann::ordered_json json_of(const std::vector<Diagnostic>& diagnostics) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const Diagnostic& diagnostic : diagnostics) {
+    json.push_back({{"line", diagnostic.line},
+                    {"column", diagnostic.column},
+                    {"pointer", diagnostic.pointer},
+                    {"message", diagnostic.message}});
   }
-  nlohmann::ordered_json json{
-      {"file", check.file}, {"valid", check.diagnostics.empty()}, {"diagnostics", diagnostics}};
+  return json;
+}
+
+nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<Diagnostic>& doubts) {
+  nlohmann::ordered_json json{{"file", check.file},
+                              {"valid", check.diagnostics.empty()},
+                              {"diagnostics", json_of(check.diagnostics)},
+                              {"warnings", json_of(doubts)}};
   if (check.protocol) {
     json["name"] = check.protocol->name;
     json["version"] = check.protocol->version;
@@ -38,6 +47,11 @@ nlohmann::ordered_json json_of(const ProtocolCheck& check) {
     json["longest_without_break_s"] = check.cost.longest_without_break_s;
   }
   return json;
+}
+
+std::string warning_of(const Diagnostic& doubt) {
+  return doubt.file + ':' + std::to_string(doubt.line) + ':' + std::to_string(doubt.column) +
+         ": warning: " + doubt.message + " (" + doubt.pointer + ')';
 }
 
 }  // namespace
@@ -75,8 +89,11 @@ void add_check(CLI::App& program, Job& job) {
         }
         acceptable = acceptable && check.diagnostics.empty();
         for (const Diagnostic& diagnostic : check.diagnostics) say(text_of(diagnostic));
+        std::vector<Diagnostic> doubts{};
+        if (check.protocol) doubts = doubts_about(*check.protocol, check.file);
+        for (const Diagnostic& doubt : doubts) say(warning_of(doubt));
         if (options->json) {
-          json["protocols"].push_back(json_of(check));
+          json["protocols"].push_back(json_of(check, doubts));
         } else if (check.diagnostics.empty()) {
           std::cout << check.file << ": " << check.protocol->name << ' ' << check.protocol->version
                     << ": " << counted(check.cost.trials, "trial") << ", "

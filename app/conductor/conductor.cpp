@@ -92,7 +92,23 @@ void Conductor::begin() {
   if (settings_.links.sound != nullptr) {
     course_.event("masking_noise", "", settings_.links.sound->description_json());
   }
+  note_guidance();
   course_.enter(SessionPhase::ready);
+}
+
+/// Whether whoever takes part sees and hears what the protocol guides the hand by: a virtual
+/// participant and a person at a terminal have neither.
+void Conductor::note_guidance() {
+  if (!guides_participants(protocol_)) return;
+  const bool sees = respondent_.wears_mask();  // has eyes, and a window before them
+  const bool hears = settings_.links.sound != nullptr && settings_.links.sound->is_heard();
+  const bool is_told = std::all_of(
+      protocol_.explorations.begin(), protocol_.explorations.end(), [&](const auto& each) {
+        using Guidance = Exploration::Guidance;
+        const Guidance guidance = each.second.guidance;
+        return guidance == Guidance::experimenter || (guidance == Guidance::tones ? hears : sees);
+      });
+  course_.event("guidance", is_told ? "given" : "not_given");
 }
 
 SessionEnd Conductor::finish(std::int64_t began_ns) {
@@ -188,7 +204,9 @@ void Conductor::run_steps() {
         if (block_ != 0) finish_block(block_);
         block_ = trial.block_ordinal;
       }
-      if (stopped_ || tally_->is_done(trial) || tally_->is_over(trial)) continue;
+      if (stopped_ || tally_->is_done(trial) || tally_->is_over(trial) || is_put_off(trial)) {
+        continue;
+      }
       run_trial(trial);
       continue;
     }
@@ -426,6 +444,15 @@ bool Conductor::waits_for_others(const Trial& trial, const AttemptRow& attempt) 
          !failed_technically(attempt) &&
          exploration_of(protocol_, trial).on_failure ==
              Exploration::OnFailure::requeue_at_end_of_block;
+}
+
+/// To the end of its block, before the session was interrupted.
+bool Conductor::is_put_off(const Trial& trial) const {
+  const std::vector<AttemptRow>& made = tally_->attempts();
+  const auto last = std::find_if(made.rbegin(), made.rend(), [&trial](const AttemptRow& attempt) {
+    return attempt.trial == trial.ordinal;
+  });
+  return last != made.rend() && !last->valid && waits_for_others(trial, *last);
 }
 
 void Conductor::show_progress() {

@@ -78,6 +78,7 @@ class Conductor final {
   enum class Next { trial, other };
 
   void begin();
+  void note_guidance();
   SessionEnd finish(std::int64_t began_ns);
   void end_after(const std::exception& error) noexcept;
   void stop(const std::string& reason);
@@ -94,6 +95,7 @@ class Conductor final {
   AttemptRow make_attempt(const Trial& trial, std::optional<Interruption>& interruption);
   void tell(const Trial& trial, const AttemptRow& attempt);
   /// Is asked again after all others of its block.
+  bool is_put_off(const Trial& trial) const;
   bool waits_for_others(const Trial& trial, const AttemptRow& attempt) const;
   void show_progress();
 

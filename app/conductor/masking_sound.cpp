@@ -313,8 +313,9 @@ double MaskingSound::cue_sample() noexcept {
 }
 
 double MaskingSound::guide_sample() noexcept {
+  const bool has_cue = playing_.clip != nullptr || pause_ > 0;
   const GuideTone wanted =
-      playing_.clip != nullptr ? GuideTone::none : wanted_guide_.load(std::memory_order_relaxed);
+      has_cue ? GuideTone::none : wanted_guide_.load(std::memory_order_relaxed);
   // A tone that gives way fades out first, so that nothing clicks; the next begins softly by itself.
   const double step = 1.0 / (kRelease_s * rate_Hz_);
   guide_fade_ = std::min(1.0, guide_fade_ + (guide_ == wanted ? step : -step));

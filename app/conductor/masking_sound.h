@@ -53,7 +53,8 @@ struct MaskingSoundSettings {
 ///   paused      three equal low tones  mask_on    a long fall            mask_off   a long rise
 ///   finished    four tones, up and on
 ///
-/// Guiding tones go on until they are changed, at the same RMS, and stand back while a cue sounds. Below a
+/// Guiding tones go on until they are changed, at the same RMS, and stand back while a cue sounds and in the
+/// pause after it. Below a
 /// band they are at 220 Hz, above it at 1760 Hz, three octaves apart and away from the cues; of force a
 /// beep of 0.15 s every 0.3 s, of speed two ticks of 0.05 s. In the ear's band around it (48 and 215 Hz
 /// wide [Glasberg 1990]) a tone is 18 dB or more above the noise, white or pink.

@@ -76,6 +76,12 @@ std::vector<PlannedTrialRow> rows_of(const Plan& plan) {
 
 }  // namespace
 
+bool guides_participants(const Protocol& protocol) {
+  return std::any_of(
+      protocol.explorations.begin(), protocol.explorations.end(),
+      [](const auto& each) { return each.second.guidance != Exploration::Guidance::experimenter; });
+}
+
 std::vector<StimulusFileRow> hash_files(const Protocol& protocol,
                                         const std::filesystem::path& study_folder) {
   std::set<std::string> paths{};

@@ -39,6 +39,9 @@ struct OpenSession {
   bool resumed = false;
 };
 
+/// Somebody beside the experimenter is to be told how force and speed meet their bands.
+bool guides_participants(const Protocol& protocol);
+
 /// The files that a protocol names, with their hashes.
 ///
 /// Errors: std::runtime_error with one sentence per file that is missing.

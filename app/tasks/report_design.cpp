@@ -161,7 +161,42 @@ void add_band(const std::string& name, const Band& band, const std::string& unit
   bands.push_back(text);
 }
 
-std::string exploration_text(const Exploration& exploration) {
+std::string guidance_text(const Exploration& exploration, const ReportFacts& facts) {
+  if (exploration.guidance == Exploration::Guidance::experimenter) return {};
+  const auto unguided = static_cast<std::uint64_t>(
+      std::count_if(facts.sessions.begin(), facts.sessions.end(),
+                    [](const ReportedSession& session) { return session.is_unguided; }));
+  const std::string nobody =
+      " (a virtual participant, a person at a terminal, or no sound output).";
+  if (unguided > 0 && unguided == facts.sessions.size()) {
+    return " The protocol guides the hand by what participants see or hear of force and speed, but "
+           "nobody saw or heard it" +
+           nobody;
+  }
+  std::string text{};
+  switch (exploration.guidance) {
+    case Exploration::Guidance::experimenter:
+      break;
+    case Exploration::Guidance::bars:
+      text = " Participants saw force and speed as bars with their bands.";
+      break;
+    case Exploration::Guidance::moving_target:
+      text = " Participants followed a mark that moved to and fro at the speed aimed at" +
+             std::string(exploration.normal_force_N.minimum || exploration.normal_force_N.maximum
+                             ? ", and saw the force as a bar with its band."
+                             : ".");
+      break;
+    case Exploration::Guidance::tones:
+      text = " Tones told participants when force or speed left their bands.";
+      break;
+  }
+  if (unguided == 0) return text;
+  return text + " Not so in " + reading_count(unguided) + " of " +
+         reading_count(facts.sessions.size()) + " sessions, in which nobody saw or heard it" +
+         nobody;
+}
+
+std::string exploration_text(const Exploration& exploration, const ReportFacts& facts) {
   std::vector<std::string> bands{};
   add_band("normal force", exploration.normal_force_N, "N", bands);
   add_band("speed", exploration.speed_m_per_s, "m/s", bands);
@@ -183,22 +218,7 @@ std::string exploration_text(const Exploration& exploration) {
               " of the strokes (length divided by time, from turn to turn) had to lie in its band.";
     }
   }
-  switch (exploration.guidance) {
-    case Exploration::Guidance::experimenter:
-      break;
-    case Exploration::Guidance::bars:
-      text += " Participants saw force and speed as bars with their bands.";
-      break;
-    case Exploration::Guidance::moving_target:
-      text += " Participants followed a mark that moved to and fro at the speed aimed at" +
-              std::string(exploration.normal_force_N.minimum || exploration.normal_force_N.maximum
-                              ? ", and saw the force as a bar with its band."
-                              : ".");
-      break;
-    case Exploration::Guidance::tones:
-      text += " Tones told participants when force or speed left their bands.";
-      break;
-  }
+  text += guidance_text(exploration, facts);
   switch (exploration.on_failure) {
     case Exploration::OnFailure::flag:
       return text + " Attempts that were not explored so are flagged and count.";
@@ -322,7 +342,7 @@ ReportSection design_section(const ReportFacts& facts) {
   for (const auto& [name, exploration] : protocol.explorations) {
     const std::string which =
         protocol.explorations.size() == 1 ? "" : "Exploration " + quoted(name) + ": ";
-    section.parts.emplace_back(ReportText{which + exploration_text(exploration)});
+    section.parts.emplace_back(ReportText{which + exploration_text(exploration, facts)});
   }
   return section;
 }

@@ -84,6 +84,9 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   session.planned_trials = overview.planned_trials;
   session.done_trials = overview.done_trials;
   session.decisions = study.decisions(row.id);
+  for (const EventRow& event : study.events(row.id)) {
+    if (event.kind == "guidance") session.is_unguided = event.text == "not_given";
+  }
   std::set<int> main_trials{};
   for (const PlannedTrialRow& trial : study.plan(row.id)) {
     const bool is_anchor = facts.has_anchors() && trial.repetition == 0;

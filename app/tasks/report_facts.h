@@ -23,6 +23,7 @@ struct ReportedSession {
   int done_trials = 0;  ///< as SessionOverview has them
   int main_trials = 0;  ///< of the planned ones
   bool is_running = false;
+  bool is_unguided = false;  ///< nobody saw or heard what the protocol guides the hand by
   std::vector<DecisionRow> decisions{};
 };
 
@@ -55,7 +56,7 @@ struct ReportedServo {
 /// One quantity with one band, over all presentations that were held against it.
 struct ReportedBand {
   std::vector<double> means{};
-  std::vector<double> fractions{};  ///< of the contact time inside the band
+  std::vector<double> fractions{};  ///< inside the band: of the contact time, or of the strokes
   std::size_t passed = 0;
   std::size_t judged = 0;
 };

@@ -333,6 +333,19 @@ SessionCheck screens_check(const CheckInputs& inputs) {
 }
 
 SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
+  // Silence says that all is right: who hears no tones is told so whatever the hand does.
+  const bool guides_by_tones = std::any_of(
+      protocol.explorations.begin(), protocol.explorations.end(),
+      [](const auto& each) { return each.second.guidance == Exploration::Guidance::tones; });
+  if (guides_by_tones && !inputs.sound_card && inputs.mode != SessionMode::simulate) {
+    SessionCheck unheard{};
+    unheard.state = inputs.mode == SessionMode::run ? State::stop : State::look;
+    unheard.text = phrase("SessionChecks",
+                          "There is no sound output: nobody hears the tones by which the protocol "
+                          "guides the hand, and silence means that all is right.");
+    unheard.remedy = phrase("SessionChecks", "Connect headphones, then check again.");
+    return unheard;
+  }
   const MaskingNoise declared = declared_noise(protocol);
   if (declared.kind == MaskingNoise::Kind::none) {
     const bool led_by_cues =
@@ -342,9 +355,9 @@ SessionCheck noise_check(const CheckInputs& inputs, const Protocol& protocol) {
     }
     SessionCheck check{};
     check.state = State::look;
-    check.text = phrase(
-        "SessionChecks",
-        "There is no sound output: a participant who wears an eye mask hears no cues.");
+    check.text =
+        phrase("SessionChecks",
+               "There is no sound output: a participant who wears an eye mask hears no cues.");
     check.remedy = phrase("SessionChecks",
                           "Connect headphones, then check again; or lead them by your voice.");
     return check;

@@ -610,6 +610,53 @@ TEST_F(ConductorTest, BeginsEveryRunOfABlockWithItsAnchor) {
   }
 }
 
+// Others are judged by it: it cannot wait until they are over.
+TEST_F(ConductorTest, AsksAnAnchorThatWasNotExploredAsAskedAgainAtOnceAndOthersAtTheEndOfTheBlock) {
+  begin(estimated_protocol());
+  Exploration& asked = protocol_.explorations.at("short");
+  asked.normal_force_N = {.minimum = 0.999, .target = {}, .maximum = 1.001};
+  asked.required_fraction_in_band = 0.99;
+  asked.on_failure = Exploration::OnFailure::requeue_at_end_of_block;
+  asked.maximum_repeats = 1;
+  person_.at_question = [](int, const Trial&) { return Reply{.estimate = 5.0}; };
+  run();
+  std::vector<int> trials{};
+  for (const AttemptDone& done : done_) trials.push_back(done.trial);
+  EXPECT_EQ(trials, (std::vector<int>{1, 1, 2, 3,  4,  5,  6,  7,  2, 3,  4,  5,  6,  7,
+                                      8, 8, 9, 10, 11, 12, 13, 14, 9, 10, 11, 12, 13, 14}));
+}
+
+// The program ends while trials wait to be asked again: first amid the block, then amid the repeats.
+TEST_F(ConductorTest, GoesOnAfterACrashWithTheTrialsThatWaitToBeAskedAgain) {
+  begin(small_protocol("", R"(, "normal_force_N": {"minimum": 0.999, "maximum": 1.001},
+       "required_fraction_in_band": 0.99, "on_failure": "requeue_at_end_of_block",
+       "maximum_repeats": 1)"));
+  const auto crash_at = [this](int at) {
+    person_.questions = 0;
+    person_.at_question = [at](int question, const Trial&) -> Reply {
+      if (question == at) throw std::runtime_error("power failure");
+      return {{0}, {}};
+    };
+    EXPECT_THROW(run(), std::runtime_error);
+    const SessionRow row = find_unfinished(*study_, protocol_, "p1", {});
+    make_rig({});
+    rig_->move_clock_to(1'000'000'000'000LL * (at + 1));
+    session_ = reopen(*study_, protocol_, row);
+  };
+  crash_at(3);  // trials 1 and 2 wait
+  crash_at(2);  // 3 waits as well, and 1 is asked again
+  person_.at_question = {};
+  EXPECT_EQ(run().state, SessionState::completed);
+  std::vector<std::pair<int, int>> made{};
+  for (const AttemptDone& done : done_) made.emplace_back(done.trial, done.attempt);
+  EXPECT_EQ(made,
+            (std::vector<std::pair<int, int>>{{1, 1}, {2, 1}, {3, 1}, {1, 2}, {2, 2}, {3, 2}}));
+  for (const AttemptRow& row : attempts()) {
+    EXPECT_EQ(row.valid, row.attempt == 2) << row.trial;  // the last repeat counts, once
+    EXPECT_EQ(row.flagged, row.attempt == 2);
+  }
+}
+
 TEST_F(ConductorTest, KeepsTheNumberThatNobodyConfirmedBeforeTheDeadline) {
   std::string text = estimated_protocol();
   const std::string from = "\"repetitions\": 2,";

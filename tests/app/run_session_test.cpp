@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/tasks/study_report.h"
 #include "app/tasks/verify_study.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/scripted_session.h"
@@ -110,6 +111,27 @@ TEST_F(RunSession, StoresThatItWasMirroredAndReplaysSo) {
   const VerifyResult verified = verify_study(stored, models_, true, {}, [](double) {});
   EXPECT_THAT(verified.problems, testing::IsEmpty());
   EXPECT_EQ(verified.recordings_replayed, 1);
+}
+
+// Neither bars nor a window: what the protocol asks for is not what happened.
+TEST_F(RunSession, HasAReportThatClaimsNoGuidanceWhichNobodySaw) {
+  std::string text =
+      small_protocol("", R"(, "guidance": "bars", "normal_force_N": {"minimum": 0.5})");
+  text.replace(text.find("[1, 2, 3]"), 9, "[1]");
+  write_file(inputs_.protocol, text, Overwrite::allow);
+  EXPECT_EQ(run().state, SessionState::completed);
+  std::string words{};
+  const Report report = study_report(study(), {});
+  for (const ReportChapter& chapter : report.chapters) {
+    for (const ReportSection& section : chapter.sections) {
+      for (const ReportPart& part : section.parts) {
+        if (const auto* told = std::get_if<ReportText>(&part)) words += told->text + '\n';
+      }
+    }
+  }
+  EXPECT_THAT(words, testing::HasSubstr("but nobody saw or heard it (a virtual participant, a "
+                                        "person at a terminal, or no sound output)."));
+  EXPECT_THAT(words, testing::Not(testing::HasSubstr("Participants saw force")));
 }
 
 TEST_F(RunSession, IsNotGoneOnWithWhereTheProtocolEndedIt) {

@@ -305,6 +305,21 @@ TEST_F(SessionChecks, SayThatNobodyHearsTheCuesOfABlindfoldSession) {
   EXPECT_EQ(check("masking_noise").state, State::fine);
 }
 
+TEST_F(SessionChecks, RefuseARunWhoseGuidingTonesNobodyHears) {
+  write_protocol(
+      small_protocol("", R"(, "guidance": "tones", "normal_force_N": {"minimum": 0.5})"));
+  EXPECT_EQ(check("masking_noise").state, State::stop) << check("protocol").text.english();
+  EXPECT_NE(check("masking_noise").text.english().find("silence means that all is right"),
+            std::string::npos);
+  inputs.mode = SessionMode::pilot;
+  EXPECT_EQ(check("masking_noise").state, State::look);
+  inputs.mode = SessionMode::simulate;
+  EXPECT_EQ(check("masking_noise").state, State::fine);
+  inputs.mode = SessionMode::run;
+  inputs.sound_card = true;
+  EXPECT_EQ(check("masking_noise").state, State::fine);
+}
+
 TEST_F(SessionChecks, ReadTheNoiseThatAProtocolDeclares) {
   ask_for_noise();
   const MaskingNoise noise =

@@ -848,6 +848,72 @@ TEST_F(WatchedSession, TellsTheHandByTonesUntilItHasEnoughOfTheSurface) {
   EXPECT_EQ(std::count(guides.begin(), guides.end(), GuideTone::none), 7);
 }
 
+/// A hand that is told to press more from its first touch on, until whatever `act` does.
+class TonedSession : public WatchedSession {
+ protected:
+  void begin_told_to_press_more() {
+    play_sound();
+    begin(small_protocol("", R"(, "guidance": "tones", "normal_force_N": {"minimum": 3})"));
+  }
+  bool tone_sounds() const {
+    return !sound_.guides.empty() && sound_.guides.back() != GuideTone::none;
+  }
+};
+
+TEST_F(TonedSession, IsSilentOnceItHasEnded) {
+  begin_told_to_press_more();
+  run();
+  EXPECT_THAT(sound_.guides, Contains(GuideTone::press_more));
+  EXPECT_EQ(sound_.guides.back(), GuideTone::none);
+}
+
+TEST_F(TonedSession, IsSilentAfterAFailureInTheMiddleOfATone) {
+  begin_told_to_press_more();
+  rig_->at_pass = [this] {
+    if (tone_sounds()) throw std::runtime_error("the disk is full");
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+  EXPECT_THAT(sound_.guides, Contains(GuideTone::press_more));
+  EXPECT_EQ(sound_.guides.back(), GuideTone::none);
+}
+
+TEST_F(TonedSession, AsksNothingOfAHandWhileItsSurfaceIsTakenAway) {
+  begin_told_to_press_more();
+  bool aborted = false;
+  int passes_after = 0;
+  rig_->at_pass = [&] {
+    if (aborted) {
+      ++passes_after;
+      EXPECT_EQ(sound_.guides.back(), GuideTone::none);
+    }
+    if (!tone_sounds() || aborted) return;
+    requests_.abort("enough");
+    aborted = true;
+  };
+  EXPECT_EQ(run().state, SessionState::stopped);
+  EXPECT_TRUE(aborted);
+  EXPECT_GT(passes_after, 1);
+  EXPECT_EQ(sound_.guides.back(), GuideTone::none);
+}
+
+TEST_F(TonedSession, StoresWhetherAnybodyIsGuided) {
+  begin_told_to_press_more();
+  run();
+  ASSERT_EQ(events_of("guidance").size(), 1U);
+  EXPECT_EQ(events_of("guidance")[0].text, "given");
+  sound_.has_card = false;
+  SessionConditions conditions{};
+  conditions.seed = 8;
+  conditions.pacing = rig_->pacing();
+  conditions.started_utc = rig_->clock().utc();
+  conditions.device = rig_->capability();
+  study_->add_participant({.label = "p2", .created_utc = "2026-01-01T00:00:00.000Z"});
+  session_ = begin_session(*study_, protocol_, "p2", conditions, this_program());
+  run();
+  ASSERT_EQ(events_of("guidance").size(), 1U);
+  EXPECT_EQ(events_of("guidance")[0].text, "not_given");
+}
+
 TEST_F(WatchedSession, PlaysNoNoiseThatTheProtocolDoesNotWant) {
   play_sound();
   begin(one_trial());

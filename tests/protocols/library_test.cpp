@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "protocols/doubts.h"
 #include "protocols/library_protocols.h"
 #include "protocols/plan.h"
 #include "protocols/protocol_reader.h"
@@ -27,6 +28,12 @@ TEST_P(Library, IsValidAndNamedLikeItsFile) {
     EXPECT_EQ(protocol().name, GetParam().name);
   } catch (const ProtocolError& error) {
     FAIL() << error.what();
+  }
+}
+
+TEST_P(Library, LeavesNothingToDoubt) {
+  for (const Diagnostic& doubt : doubts_about(protocol(), std::string(GetParam().name))) {
+    ADD_FAILURE() << text_of(doubt);
   }
 }
 

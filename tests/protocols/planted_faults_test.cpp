@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/doubts.h"
 #include "protocols/library_protocols.h"
 #include "protocols/protocol_reader.h"
 #include "tests/protocols/example.h"
@@ -569,6 +570,51 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"AnExpectation", R"("magnitude_of": "lateral_force",)", R"("expectation": "prior",)",
               R"("prior")", "/observer/expectation", "expects \"none\""}),
     [](const auto& given) { return given.param.name; });
+
+/// What is doubted of the library's protocol of three forces with one text in place of another.
+std::vector<Diagnostic> doubts_with(const std::string& from, const std::string& to) {
+  std::string text = library("roughness_force");
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::invalid_argument("not in the protocol: " + from);
+  text.replace(at, from.size(), to);
+  return doubts_about(read_protocol(text, "p.json", test::example_models()), "p.json");
+}
+
+TEST(Doubts, AreAboutWhatIsValidAndMayNotBeMeant) {
+  struct {
+    const char* from;
+    const char* to;
+    const char* pointer;
+    const char* words;
+  } const kCases[] = {
+      {R"("required_fraction_in_band": 0.6,)", "", "/explorations/light/on_failure",
+       "while required_fraction_in_band is 0"},
+      {R"("maximum_contact_s": 8)", R"("maximum_contact_s": 2)",
+       "/explorations/light/strokes/target", "do not fit into the 2 s"},
+      {R"("strokes": {"minimum": 2, "target": 3})", R"("strokes": {"minimum": 30, "target": 40})",
+       "/explorations/light/strokes/minimum", "30 strokes of 0.03 m at 0.09 m/s"},
+      {R"({"minimum": 0.04, "target": 0.06, "maximum": 0.09})",
+       R"({"minimum": 40, "target": 60, "maximum": 90})",
+       "/explorations/light/speed_m_per_s/minimum", "40 mm/s are 0.04"},
+      {R"("target": 2, "maximum": 2.6)", R"("target": 4.5, "maximum": 4.8)",
+       "/explorations/firm/normal_force_N/target", "ask for 4 N or less"},
+      {R"(to and fro, from left to right. Two bars)", R"(to and fro. Two low tones)",
+       "/instructions", "speaks of \"tones\""},
+  };
+  for (const auto& each : kCases) {
+    const std::vector<Diagnostic> doubts = doubts_with(each.from, each.to);
+    ASSERT_EQ(doubts.size(), 1U) << each.to;
+    EXPECT_EQ(doubts[0].pointer, each.pointer);
+    EXPECT_NE(doubts[0].message.find(each.words), std::string::npos) << doubts[0].message;
+    EXPECT_GT(doubts[0].line, 1);
+  }
+}
+
+TEST(Doubts, AreAboutAnExplorationThatNoBlockAsksFor) {
+  const auto doubts = doubts_with(R"("explorations": {)", R"("explorations": {"spare": {},)");
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].pointer, "/explorations/spare");
+}
 
 TEST(PlantedFaults, ColumnsCountCharactersNotBytes) {
   const auto problems = problems_of("{\"ä\": 1, \"ö\": x}");
