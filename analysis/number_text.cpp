@@ -4,6 +4,8 @@
 
 #include <array>
 #include <charconv>
+#include <cstddef>
+#include <string_view>
 
 namespace asperity {
 
@@ -17,7 +19,10 @@ std::string fixed(double number, int decimals) {
   std::array<char, 64> text{};
   const auto result = std::to_chars(text.data(), text.data() + text.size(), number,
                                     std::chars_format::fixed, decimals);
-  return {text.data(), result.ptr};
+  const std::string_view whole(text.data(), static_cast<std::size_t>(result.ptr - text.data()));
+  const bool is_less_than_nothing =
+      whole.starts_with('-') && whole.find_first_not_of("-0.") == std::string_view::npos;
+  return std::string(is_less_than_nothing ? whole.substr(1) : whole);
 }
 
 }  // namespace asperity

@@ -24,6 +24,13 @@ TEST(NumberText, IsTheShortestThatReadsBack) {
   }
 }
 
+TEST(Fixed, HasNoSignWhereNothingIsLeft) {
+  EXPECT_EQ(fixed(-0.0004, 3), "0.000");
+  EXPECT_EQ(fixed(-0.0, 1), "0.0");
+  EXPECT_EQ(fixed(-0.0006, 3), "-0.001");
+  EXPECT_EQ(fixed(-10.0, 0), "-10");
+}
+
 TEST(NumberText, NamesWhatIsNoNumber) {
   EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN()), "nan");
   EXPECT_EQ(number_text(-std::numeric_limits<double>::infinity()), "-inf");
