@@ -11,10 +11,9 @@ namespace asperity {
 /// A model as the SDK's system type tells it; its serial number is left empty. Nothing for a system
 /// type that we do not know.
 ///
-/// The maker publishes figures for its devices on its own pages; these here are those that CHAI3D 3.2
-/// drives the devices with (src/devices/CDeltaDevices.cpp), which are not above the maker's: the force, and the radius of a
-/// sphere that lies inside the workspace. Position resolution and continuous force are not told (0). For
-/// lambda.7, which CHAI3D does not know, the sphere and the force are those of sigma.7.
+/// The force, and the radius of the workspace about its centre, are those that CHAI3D 3.2 drives the models with
+/// (src/devices/CDeltaDevices.cpp); they have not been compared with the maker's own pages. Position resolution and
+/// continuous force are not told (0). For lambda.7, which CHAI3D does not know, they are those of sigma.7.
 struct DhdModel {
   DeviceCapability capability{};
   bool has_wrist = false;    ///< senses orientation

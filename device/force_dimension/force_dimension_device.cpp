@@ -3,11 +3,8 @@
 #include "device/force_dimension/force_dimension_device.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <limits>
+#include <chrono>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -21,6 +18,8 @@ namespace asperity {
 namespace {
 
 constexpr std::int64_t kLongestStale_ns = 50'000'000;
+constexpr std::int64_t kLongestFailure_ns = 200'000'000;
+constexpr std::chrono::milliseconds kBetweenTrials(250);
 constexpr std::int64_t kBetweenLooks_ns =
     100'000'000;  // at the status; it changes when people press a button
 
@@ -100,29 +99,28 @@ std::string unknown_type(int type) {
          ", which this program does not know: its force limits are not known either.";
 }
 
+bool knows_its_zero(const DhdFunctions& sdk, char id) {
+  if (sdk.has_robotics()) return sdk.drdOpenID(id) >= 0 && sdk.drdIsInitialized(id);
+  int status[DhdFunctions::kStatusSize] = {};
+  return sdk.dhdGetStatus(status, id) >= 0 && status[DhdFunctions::kStatusReset] != 0;
+}
+
 // Finds the device's zero where it has lost it.
 void find_zero(const DhdFunctions& sdk, const Identity& identity, const std::string& model) {
+  if (knows_its_zero(sdk, identity.id)) return;
   const std::string who = model + " " + identity.serial;
-  if (sdk.has_robotics()) {
-    if (sdk.drdOpenID(identity.id) < 0) {
-      throw std::runtime_error(
-          who + " cannot be opened for finding its zero: " + last_error_of(sdk) + ".");
-    }
-    const bool found = sdk.drdIsInitialized(identity.id) || sdk.drdAutoInit(identity.id) >= 0;
-    const std::string words = found ? "" : last_error_of(sdk);
-    sdk.drdStop(true, identity.id);  // true: force stays ours to send
-    if (!found) {
-      throw std::runtime_error(who + " did not find its zero: " + words +
-                               ". Clear its workspace, let go of the handle and open it again.");
-    }
-    return;
-  }
-  int status[DhdFunctions::kStatusSize] = {};
-  if (sdk.dhdGetStatus(status, identity.id) < 0 || status[DhdFunctions::kStatusReset] == 0) {
+  if (!sdk.has_robotics()) {
     throw std::runtime_error(
         who +
         " does not know its zero, and libdhd alone cannot find it: install libdrd of the same "
         "SDK, or calibrate the device with its maker's program.");
+  }
+  const bool found = sdk.drdAutoInit(identity.id) >= 0;
+  const std::string words = found ? "" : last_error_of(sdk);
+  sdk.drdStop(true, identity.id);  // true: force stays ours to send
+  if (!found) {
+    throw std::runtime_error(who + " did not find its zero: " + words +
+                             ". Clear its workspace, let go of the handle and open it again.");
   }
 }
 
@@ -158,12 +156,59 @@ ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> s
       has_gripper_(opened.model.has_gripper) {
   sdk_->dhdEnableForce(1, id_);
   zero_force();
+  keeper_ = std::thread([this] { keep(); });
 }
 
 ForceDimensionDevice::~ForceDimensionDevice() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  wake_.notify_all();
+  keeper_.join();
+  if (is_closed_) return;
+  is_given_up_.store(false);
   zero_force();
   sdk_->dhdStop(id_);
   sdk_->close(id_);
+}
+
+void ForceDimensionDevice::keep() {
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, kBetweenTrials, [this] { return ends_; })) {
+    if (!is_given_up_.load(std::memory_order_acquire)) continue;
+    if (!is_closed_) sdk_->close(id_);
+    is_closed_ = true;
+    if (!reopen()) continue;
+    is_closed_ = false;
+    is_given_up_.store(false, std::memory_order_release);
+  }
+}
+
+// The device with our serial number, at whatever place it is now.
+bool ForceDimensionDevice::reopen() {
+  const int count = sdk_->dhdGetDeviceCount();
+  for (int index = 0; index < count; ++index) {
+    try {
+      const Identity identity = open_index(*sdk_, index);
+      const bool is_ours = identity.serial == capability().serial;
+      if (is_ours && knows_its_zero(*sdk_, identity.id)) {
+        sdk_->dhdEnableForce(1, identity.id);
+        id_ = identity.id;
+        has_lost_zero_.store(false);
+        return true;
+      }
+      has_lost_zero_.store(is_ours || has_lost_zero_.load());
+      if (is_ours) {
+        sdk_->close(identity.id);
+      } else {
+        sdk_->dhdClose(identity.id);
+      }
+    } catch (const std::runtime_error&) {
+      // Another one that somebody else uses, or ours, not yet ready: there is a next time.
+    }
+  }
+  return false;
 }
 
 ForceDimensionDevice::Counts ForceDimensionDevice::counts() const noexcept {
@@ -203,14 +248,30 @@ void ForceDimensionDevice::look_at_status(std::int64_t now_ns) noexcept {
                          std::memory_order_relaxed);
 }
 
+// Gives the device up when this has gone on for too long.
+void ForceDimensionDevice::fail_at(std::int64_t now_ns) noexcept {
+  if (!failing_since_ns_) failing_since_ns_ = now_ns;
+  if (now_ns - *failing_since_ns_ <= kLongestFailure_ns) return;
+  failing_since_ns_.reset();
+  has_read_ = false;
+  velocity_.reset();
+  angular_velocity_.reset();
+  force_is_on_ = true;  // it is not known, and looked at again
+  is_given_up_.store(true, std::memory_order_release);
+}
+
 bool ForceDimensionDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
+  if (is_given_up_.load(std::memory_order_acquire)) return false;
   glm::dvec3 theirs_m{0.0};
   double rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   const int answer = has_wrist_ ? sdk_->dhdGetPositionAndOrientationFrame(&theirs_m.x, &theirs_m.y,
                                                                           &theirs_m.z, rows, id_)
                                 : sdk_->dhdGetPosition(&theirs_m.x, &theirs_m.y, &theirs_m.z, id_);
-  if (!take(answer, has_wrist_ ? "dhdGetPositionAndOrientationFrame" : "dhdGetPosition"))
+  if (!take(answer, has_wrist_ ? "dhdGetPositionAndOrientationFrame" : "dhdGetPosition")) {
+    fail_at(now_ns);
     return false;
+  }
+  failing_since_ns_.reset();
   answers_.store(true, std::memory_order_relaxed);
 
   if (answer == DhdFunctions::kTimeGuard && has_read_) {
@@ -245,6 +306,7 @@ bool ForceDimensionDevice::do_read(std::int64_t now_ns, ProbeState& state) noexc
 }
 
 bool ForceDimensionDevice::do_send(const Wrench& limited) noexcept {
+  if (is_given_up_.load(std::memory_order_acquire)) return false;
   const glm::dvec3 force_N = theirs_from(limited.force_N);
   const glm::dvec3 torque_N_m = theirs_from(limited.torque_N_m);
   const int answer = sdk_->dhdSetForceAndTorqueAndGripperForce(
@@ -259,7 +321,11 @@ std::string ForceDimensionDevice::trouble() const {
   const auto tell = [&told](const std::string& sentence) {
     told += (told.empty() ? "" : " ") + sentence;
   };
-  if (!answers_.load()) {
+  if (has_lost_zero_.load()) {
+    tell(who +
+         " is back and has lost its zero: end the session and open it again. It then moves by "
+         "itself.");
+  } else if (!answers_.load()) {
     const bool has_words = has_failed_.load(std::memory_order_acquire);
     tell(who + " does not answer" + (has_words ? " (" + std::string(failure_.data()) + ")" : "") +
          ". See that it has power and that its cable sits.");

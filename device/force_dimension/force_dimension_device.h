@@ -4,10 +4,13 @@
 
 #include <array>
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "device/drivers.h"
 #include "device/force_dimension/dhd_functions.h"
@@ -26,6 +29,9 @@ namespace asperity {
 /// The SDK's watchdog and velocity guard stay as its maker set them. When they, the device's own button
 /// or its power switch the force off, `do_send` refuses: the servo loop's fault tells, and `trouble`
 /// says which it was. With less force than was asked for (motors saturated) it goes on and counts.
+///
+/// A device that fails for 200 ms is given up; a thread of the driver's looks for its serial number four times a second and
+/// goes on with it when it is back and still knows its zero. It is never moved by itself in a session.
 ///
 /// Frame: ours, x to the participant's right, y away from them, z up; origin the device's.
 /// The gripper is held open by nobody: it gets no force.
@@ -63,6 +69,9 @@ class ForceDimensionDevice final : public HapticDevice {
   bool do_send(const Wrench& limited) noexcept override;
 
   bool take(int answer, const char* function) noexcept;
+  void fail_at(std::int64_t now_ns) noexcept;
+  void keep();
+  bool reopen();
   void look_at_status(std::int64_t now_ns) noexcept;
 
   std::shared_ptr<const DhdFunctions> sdk_;
@@ -70,9 +79,19 @@ class ForceDimensionDevice final : public HapticDevice {
   bool has_wrist_ = false;
   bool has_gripper_ = false;
 
+  // The servo's thread, and while the device is given up the keeper's: `is_given_up_` hands `id_` over.
+  std::atomic<bool> is_given_up_{false};
+  std::atomic<bool> has_lost_zero_{false};
+  std::thread keeper_{};
+  std::mutex mutex_{};
+  std::condition_variable wake_{};
+  bool ends_ = false;
+  bool is_closed_ = false;  ///< given up, and the SDK told so
+
   // The servo's thread.
   ProbeState last_{};
   bool has_read_ = false;
+  std::optional<std::int64_t> failing_since_ns_{};
   std::int64_t last_new_ns_ = 0;
   std::int64_t next_look_ns_ = 0;
   bool force_is_on_ = true;

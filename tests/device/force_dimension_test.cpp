@@ -1,8 +1,10 @@
 // The driver of Force Dimension's devices, unmodified, against a library with the same functions and answers.
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -271,6 +273,43 @@ TEST_F(ForceDimension, SaysWhyADeviceThatVanishedDoesNotAnswer) {
   bench->is_there = true;
   EXPECT_TRUE(device->read(2 * kMillisecond_ns).has_value());
   EXPECT_EQ(device->trouble(), "");
+}
+
+TEST_F(ForceDimension, GoesOnWithADeviceThatIsBack) {
+  attach(33, 100);
+  attach(33, 101);
+  const auto device = std::make_unique<ForceDimensionDevice>(
+      std::make_shared<const DhdFunctions>(ASPERITY_TEST_DRD), 1);
+  device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e6});
+  std::int64_t now_ns = 0;
+  const auto answers = [&] { return device->read(now_ns += kMillisecond_ns).has_value(); };
+  EXPECT_TRUE(answers());
+  const std::atomic_ref is_there(bench->is_there);
+  is_there = false;
+  for (int i = 0; i < 250; ++i) EXPECT_FALSE(answers());
+  EXPECT_FALSE(device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
+  is_there = true;
+  while (!answers()) std::this_thread::yield();
+  EXPECT_EQ(device->trouble(), "");
+  EXPECT_TRUE(device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
+  EXPECT_EQ(bench->units[1].sent[2], 1.0);  // the same one, not its neighbour
+  EXPECT_FALSE(bench->units[0].is_open);
+}
+
+TEST_F(ForceDimension, DoesNotMoveADeviceThatIsBackWithoutItsZero) {
+  attach(33, 101);
+  auto device = open();
+  std::int64_t now_ns = 0;
+  EXPECT_TRUE(device->read(now_ns).has_value());
+  const std::atomic_ref is_there(bench->is_there);
+  is_there = false;
+  for (int i = 0; i < 250; ++i) device->read(now_ns += kMillisecond_ns);
+  bench->units[0].knows_its_zero = false;  // it was without power
+  is_there = true;
+  while (device->trouble().find("lost its zero") == std::string::npos) std::this_thread::yield();
+  EXPECT_FALSE(device->read(now_ns += kMillisecond_ns).has_value());
+  device.reset();
+  EXPECT_THAT(bench->calls, Not(Contains("drdAutoInit 0")));
 }
 
 TEST_F(ForceDimension, RefusesToPushWhileTheForceIsOffAndSaysWhatSwitchedItOff) {

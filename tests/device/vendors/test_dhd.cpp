@@ -2,7 +2,9 @@
 
 #include "tests/device/vendors/test_dhd.h"
 
+#include <atomic>
 #include <cstddef>
+#include <mutex>
 
 using asperity::test_dhd::Bench;
 using asperity::test_dhd::Unit;
@@ -10,6 +12,10 @@ using asperity::test_dhd::Unit;
 namespace {
 
 Bench the_bench;
+std::mutex the_notes;
+
+// The driver looks for a lost device in a thread of its own.
+bool is_there() { return std::atomic_ref(the_bench.is_there).load(); }
 
 int failed(const char* reason) {
   the_bench.last_error = reason;
@@ -18,7 +24,7 @@ int failed(const char* reason) {
 
 Unit* unit_of(char id) {
   const auto index = static_cast<std::size_t>(id);
-  if (!the_bench.is_there) {
+  if (!is_there()) {
     failed("device disconnected");
     return nullptr;
   }
@@ -30,6 +36,7 @@ Unit* unit_of(char id) {
 }
 
 void note(const char* function, char id) {
+  const std::lock_guard lock(the_notes);
   the_bench.calls.push_back(std::string(function) + " " + std::to_string(static_cast<int>(id)));
 }
 
@@ -39,9 +46,7 @@ extern "C" {
 
 Bench* test_dhd_bench() { return &the_bench; }
 
-int dhdGetDeviceCount() {
-  return the_bench.is_there ? static_cast<int>(the_bench.units.size()) : 0;
-}
+int dhdGetDeviceCount() { return is_there() ? static_cast<int>(the_bench.units.size()) : 0; }
 int dhdGetAvailableCount() {
   int free = -the_bench.in_use_elsewhere;
   for (const Unit& unit : the_bench.units) free += unit.is_open ? 0 : 1;
@@ -51,6 +56,7 @@ int dhdOpenID(char index) {
   note("dhdOpenID", index);
   Unit* unit = unit_of(index);
   if (unit == nullptr) return -1;
+  unit->force_is_on = true;
   unit->is_open = true;
   unit->is_stopped = false;
   return index;
