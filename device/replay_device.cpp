@@ -1,0 +1,65 @@
+// A recording as a hand.
+
+#include "device/replay_device.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <glm/common.hpp>
+
+namespace asperity {
+namespace {
+
+// Both an input device without limits of its own and the box that its recording fills.
+DeviceCapability recorded_capability(const std::vector<ProbeState>& states) {
+  if (states.empty())
+    throw std::invalid_argument("states of a replayed hand are none; it needs at least one");
+  DeviceCapability capability{
+      .name = "replay", .model = "recording", .actuated_degrees_of_freedom = 0};
+  capability.sensed_degrees_of_freedom = 6;
+  capability.workspace_minimum_m = states.front().position_m;
+  capability.workspace_maximum_m = states.front().position_m;
+  std::uint32_t buttons = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (i > 0 && states[i].time_ns <= states[i - 1].time_ns) {
+      throw std::invalid_argument("time_ns of state " + std::to_string(i) +
+                                  " of a replayed hand is " + std::to_string(states[i].time_ns) +
+                                  "; it has to be later than the one before");
+    }
+    capability.workspace_minimum_m = glm::min(capability.workspace_minimum_m, states[i].position_m);
+    capability.workspace_maximum_m = glm::max(capability.workspace_maximum_m, states[i].position_m);
+    buttons |= states[i].buttons;
+  }
+  while (buttons != 0) {
+    ++capability.buttons;
+    buttons >>= 1U;
+  }
+  return capability;
+}
+
+}  // namespace
+
+ReplayDevice::ReplayDevice(std::vector<ProbeState> states)
+    : HapticDevice(recorded_capability(states), ForceLimits{}), states_(std::move(states)) {}
+
+bool ReplayDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
+  if (!has_begun_) {
+    has_begun_ = true;
+    began_ns_ = now_ns;
+  }
+  const std::int64_t due_ns = states_.front().time_ns + (now_ns - began_ns_);
+  const bool rests = at_ + 1 == states_.size() && due_ns > states_.back().time_ns;
+  while (at_ + 1 < states_.size() && states_[at_ + 1].time_ns <= due_ns) ++at_;
+  is_over_ = at_ + 1 == states_.size();
+  state = states_[at_];
+  state.time_ns = now_ns;
+  if (rests) {
+    state.velocity_m_per_s = glm::dvec3(0.0);
+    state.angular_velocity_rad_per_s = glm::dvec3(0.0);
+    state.buttons = 0;
+  }
+  return true;
+}
+
+}  // namespace asperity

@@ -1,0 +1,81 @@
+// A recording given again: the same states at the same distances of time.
+
+#include "device/replay_device.h"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/allocation_guard.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::int64_t kMillisecond_ns = 1'000'000;
+
+std::vector<ProbeState> three_states() {
+  std::vector<ProbeState> states(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto step = static_cast<double>(i);
+    states[i].time_ns = (100 + 2 * static_cast<std::int64_t>(i)) * kMillisecond_ns;
+    states[i].position_m = {0.001 * step, -0.002 * step, 0.1};
+    states[i].velocity_m_per_s = {0.5, -1.0, 0.0};
+    states[i].buttons = i == 1 ? 4 : 0;
+  }
+  return states;
+}
+
+TEST(ReplayDevice, GivesEachStateWhenItIsDue) {
+  const std::vector<ProbeState> states = three_states();
+  ReplayDevice device(states);
+  const std::int64_t began_ns = 77 * kMillisecond_ns;
+  for (const auto& [after_ms, index] : {std::pair{0, 0U}, {1, 0U}, {2, 1U}, {3, 1U}, {4, 2U}}) {
+    const ProbeState state = device.read(began_ns + after_ms * kMillisecond_ns).value();
+    EXPECT_EQ(state.time_ns, began_ns + after_ms * kMillisecond_ns);
+    EXPECT_EQ(state.position_m, states[index].position_m) << after_ms;
+    EXPECT_EQ(state.velocity_m_per_s, states[index].velocity_m_per_s);
+    EXPECT_EQ(state.buttons, states[index].buttons);
+    EXPECT_EQ(device.is_over(), index == 2U);
+  }
+}
+
+TEST(ReplayDevice, SkipsWhatASlowReaderMisses) {
+  ReplayDevice device(three_states());
+  device.read(0);
+  EXPECT_EQ(device.read(4 * kMillisecond_ns)->position_m, three_states()[2].position_m);
+}
+
+TEST(ReplayDevice, RestsAfterTheEnd) {
+  ReplayDevice device(three_states());
+  device.read(0);
+  device.read(4 * kMillisecond_ns);
+  const ProbeState state = device.read(5 * kMillisecond_ns).value();
+  EXPECT_EQ(state.position_m, three_states()[2].position_m);
+  EXPECT_EQ(state.velocity_m_per_s, glm::dvec3(0.0));
+}
+
+TEST(ReplayDevice, DescribesWhatWasRecordedAndHasNoMotors) {
+  ReplayDevice device(three_states());
+  EXPECT_EQ(device.capability().actuated_degrees_of_freedom, 0);
+  EXPECT_EQ(device.capability().workspace_minimum_m, glm::dvec3(0.0, -0.004, 0.1));
+  EXPECT_EQ(device.capability().workspace_maximum_m, glm::dvec3(0.002, 0.0, 0.1));
+  EXPECT_EQ(device.capability().buttons, 3);
+  EXPECT_TRUE(device.push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
+}
+
+TEST(ReplayDevice, RefusesWhatIsNoRecording) {
+  EXPECT_THROW(ReplayDevice({}), std::invalid_argument);
+  std::vector<ProbeState> states = three_states();
+  states[2].time_ns = states[1].time_ns;
+  EXPECT_THROW(ReplayDevice{states}, std::invalid_argument);
+}
+
+TEST(ReplayDevice, DoesNotTouchTheHeap) {
+  ReplayDevice device(three_states());
+  AllocationGuard guard;
+  for (int i = 0; i < 10; ++i) device.read(i * kMillisecond_ns);
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace
+}  // namespace asperity
