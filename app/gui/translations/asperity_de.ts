@@ -2801,6 +2801,14 @@
         <source>There is no sound output here; the noise comes from elsewhere, %1 dBA at the ear, verified by %2.</source>
         <translation>Hier gibt es keine Tonausgabe; das Rauschen kommt von anderswo, %1 dBA am Ohr, geprüft von %2.</translation>
     </message>
+    <message>
+        <source>There is no sound output: nobody hears the tones by which the protocol guides the hand, and silence means that all is right.</source>
+        <translation>Es gibt keine Tonausgabe: Niemand hört die Töne, mit denen das Protokoll die Hand führt, und Stille heißt, dass alles stimmt.</translation>
+    </message>
+    <message>
+        <source>Connect headphones, then check again.</source>
+        <translation>Kopfhörer anschließen, dann erneut prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>SessionSetup</name>
