@@ -228,6 +228,26 @@ TEST_F(Inverse3, AsksAgainWithoutForceForAnUpdateThatDoesNotCome) {
   EXPECT_EQ(bench([](auto& it) { return it.messages - it.answers; }), 1);
 }
 
+// Four updates come after they were asked for again: had they been taken for those of later messages, every tick from
+// then on would see the hand four messages ago.
+TEST_F(Inverse3, DoesNotLagAfterLateUpdates) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  bench([](auto& it) { it.counts_in_position = true; });
+  servo.start();
+  servo.wait_for(3);
+  bench([](auto& it) {
+    it.delay_ms = 150;
+    it.answers_to_delay = 4;
+  });
+  while (bench([](auto& it) { return it.delay_ms; }) > 0) std::this_thread::yield();
+  servo.wait_for(20);
+  device->stop_calls();
+  const double seen = servo.probe().position_m.x;
+  // The last answer is to the zero at the end; some more may have been on their way when we stopped.
+  EXPECT_GE(seen, bench([](auto& it) { return it.answers; }) - 4);
+}
+
 TEST_F(Inverse3, SaysThatTheServiceIsLateWhileItIs) {
   const auto device = open();
   ReadAndPush servo{device.get()};

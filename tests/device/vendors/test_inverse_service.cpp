@@ -147,10 +147,12 @@ struct TestInverseService::Server {
         return;
       }
       delay_ms = bench.delay_ms;
+      if (bench.answers_to_delay > 0 && --bench.answers_to_delay == 0) bench.delay_ms = 0;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
     const std::lock_guard lock(bench.mutex);
     ++bench.answers;
+    if (bench.counts_in_position) bench.position_m[0] = bench.answers;
     json update{{"inverse3", state_of_devices()}};
     if (bench.has_grip) update["wireless_verse_grip"] = grips();
     say(line, update);

@@ -26,6 +26,8 @@ class TestInverseService final {
     std::array<double, 3> position_m{0.0, -0.12, 0.15};
     int answers_to_drop = 0;
     int delay_ms = 0;
+    int answers_to_delay = 0;         ///< as long as delay_ms says; 0: all
+    bool counts_in_position = false;  ///< x is the number of the answer
     bool talks_nonsense = false;
     bool refuses_connections = false;
 
