@@ -134,6 +134,15 @@ TEST_F(Falcon, SaysWhichRuleIsMissingWithoutPermission) {
   EXPECT_EQ(hindrance, complaint);
 }
 
+TEST(DeviceRules, LetPeopleOpenWhatThereAreDriversFor) {
+  // The file that the sentence names.
+  std::ifstream stream(ASPERITY_SOURCE_DIR "/device/udev/70-asperity.rules");
+  const std::string rules{std::istreambuf_iterator<char>(stream), {}};
+  for (const char* id : {"0403", "cb48", "1451", "2988", "256f", "046d"}) {
+    EXPECT_THAT(rules, HasSubstr("\"" + std::string(id) + "\"")) << id;
+  }
+}
+
 TEST_F(Falcon, SaysThatItIsInUse) {
   EmulatedFalcon emulated(bus(), {});
   const auto device = open();

@@ -197,7 +197,7 @@ double weakest_N(const glm::dvec3& p) {
 }
 
 TEST(FalconKinematics, IsStrongestInTheMiddle) {
-  // What docs/devices.md says about it.
+  // What docs/falcon.md says about it.
   EXPECT_NEAR(weakest_N({0.0, 0.0, kMiddle_m}), 6.6, 0.05);
   double anywhere_N = std::numeric_limits<double>::infinity();
   for_each_place([&](const glm::dvec3& p) { anywhere_N = std::min(anywhere_N, weakest_N(p)); });
