@@ -87,6 +87,7 @@ int main(int argc, char** argv) {
   add_report(program, job);
 #endif
   add_export(program, job);
+  add_devices(program, job);
   add_models(program, job);
   add_render(program, job);
   add_texture(program, job);

@@ -33,7 +33,6 @@ std::uint64_t seed_of_this_machine() {
 void add_run(CLI::App& program, Job& job) {
   struct Options {
     RunInputs inputs{};
-    std::string device = "simulated";
     std::optional<std::uint64_t> seed{};
     bool fast = false;
     bool realtime = false;
@@ -46,7 +45,13 @@ void add_run(CLI::App& program, Job& job) {
       ->add_option("--participant", options->inputs.participant,
                    "Label: 1 to 32 letters and digits")
       ->required();
-  command->add_option("--device", options->device, "Device to run on")->capture_default_str();
+  command
+      ->add_option("--device", options->inputs.device,
+                   "Device to run on: a name of asperity devices, and where there are several "
+                   "NAME:SERIAL")
+      ->capture_default_str();
+  command->add_option("--firmware", options->inputs.driver_options.firmware,
+                      "File with the firmware of a Falcon");
   command->add_option("--seed", options->seed, "Seed of the session; drawn anew by default");
   const std::map<std::string, SessionMode> modes{{"run", SessionMode::run},
                                                  {"pilot", SessionMode::pilot}};
@@ -65,10 +70,7 @@ void add_run(CLI::App& program, Job& job) {
   command->callback([options, &job] {
     job = [options]() -> int {
       RunInputs& inputs = options->inputs;
-      if (options->device != "simulated") {
-        throw std::runtime_error("there is no device \"" + options->device +
-                                 "\"; this program has: simulated");
-      }
+      inputs.driver_options.tell = say;
       if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
         throw PhrasedError(*complaint);
       }

@@ -96,12 +96,20 @@ SimulatedDeviceSettings in_real_time(SimulatedDeviceSettings settings) {
 
 RealTimeRig::RealTimeRig(const RigSettings& settings, const HandHabits& habits,
                          const Random& random, Scheduling scheduling, std::int64_t not_before_ns)
+    : RealTimeRig(settings, habits, random, scheduling, not_before_ns,
+                  [&settings](VirtualHand& hand) {
+                    return std::make_unique<SimulatedDevice>(hand, in_real_time(settings.device));
+                  }) {}
+
+RealTimeRig::RealTimeRig(const RigSettings& settings, const HandHabits& habits,
+                         const Random& random, Scheduling scheduling, std::int64_t not_before_ns,
+                         const DeviceOpening& open)
     : clock_(not_before_ns),
       hand_(habits, random),
-      device_(hand_, in_real_time(settings.device)),
+      device_(open(hand_)),
       records_(static_cast<std::size_t>(kRing_s * settings.servo.rate_Hz)),
-      loop_((device_.set_limits(settings.limits), device_), records_, settings.servo),
-      thread_(loop_, device_, scheduling) {}
+      loop_((device_->set_limits(settings.limits), *device_), records_, settings.servo),
+      thread_(loop_, *device_, scheduling) {}
 
 RealTimeRig::~RealTimeRig() = default;
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -95,20 +96,26 @@ class SteppedRig final : public Rig {
   std::unique_ptr<Assembly> assembly_;
 };
 
-/// A simulated device in real time, on a servo thread.
+/// Opens the device of a rig. The simulated one is held by the hand; to others it means nothing.
+using DeviceOpening = std::function<std::unique_ptr<HapticDevice>(VirtualHand& hand)>;
+
+/// A device in real time, on a servo thread.
 class RealTimeRig final : public Rig {
  public:
   /// `not_before_ns`: the session's clock goes on from there when the machine's is behind it (it
   /// starts anew with the machine).
   RealTimeRig(const RigSettings& settings, const HandHabits& habits, const Random& random,
               Scheduling scheduling, std::int64_t not_before_ns);
+  /// On the device that is opened, instead of the simulated one of the settings.
+  RealTimeRig(const RigSettings& settings, const HandHabits& habits, const Random& random,
+              Scheduling scheduling, std::int64_t not_before_ns, const DeviceOpening& open);
   ~RealTimeRig() override;
 
   const Clock& clock() const noexcept override { return clock_; }
   ServoLoop& loop() noexcept override { return loop_; }
   RecordRing& records() noexcept override { return records_; }
   VirtualHand& hand() noexcept override { return hand_; }
-  const DeviceCapability& capability() const noexcept override { return device_.capability(); }
+  const DeviceCapability& capability() const noexcept override { return device_->capability(); }
   std::string pacing() const override { return "real_time"; }
   std::string scheduling() const override { return thread_.scheduling(); }
   void prepare_attempt(const HandHabits& habits, const Random& random) override;
@@ -118,7 +125,7 @@ class RealTimeRig final : public Rig {
  private:
   SystemClock clock_;
   VirtualHand hand_;
-  SimulatedDevice device_;
+  std::unique_ptr<HapticDevice> device_;
   RecordRing records_;
   ServoLoop loop_;
   ServoThread thread_;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -85,6 +86,8 @@ ParticipantRow new_person(const RunInputs& inputs, const Protocol& protocol, Res
   return person;
 }
 
+constexpr const char* kSimulated = "simulated";
+
 /// The first hour of the simulated calendar that no session lies in.
 std::int64_t free_hour(const Study& study) {
   std::int64_t hour = 0;
@@ -95,13 +98,20 @@ std::int64_t free_hour(const Study& study) {
 }
 
 std::unique_ptr<Rig> make_rig(const RunInputs& inputs, const Protocol& protocol, const Study& study,
-                              const std::optional<SessionRow>& unfinished) {
+                              const std::optional<SessionRow>& unfinished,
+                              const DriverRegistry& drivers) {
   const RigSettings settings = rig_settings_for(protocol, inputs.faults);
   const std::int64_t not_before_ns = unfinished ? last_time_ns(study, *unfinished) : 0;
   if (inputs.pacing == RunPacing::real_time) {
     const std::uint64_t seed = unfinished ? std::stoull(unfinished->seed) : inputs.seed;
-    return std::make_unique<RealTimeRig>(settings, HandHabits{}, Random(seed).split("hand"),
-                                         Scheduling::fifo_if_permitted, not_before_ns);
+    const Random hand = Random(seed).split("hand");
+    if (inputs.device == kSimulated) {
+      return std::make_unique<RealTimeRig>(settings, HandHabits{}, hand,
+                                           Scheduling::fifo_if_permitted, not_before_ns);
+    }
+    return std::make_unique<RealTimeRig>(
+        settings, HandHabits{}, hand, Scheduling::fifo_if_permitted, not_before_ns,
+        [&](VirtualHand&) { return drivers.open(inputs.device, inputs.driver_options); });
   }
   auto rig = std::make_unique<SteppedRig>(
       settings, unfinished ? unfinished->clock_zero_ns / kHour_ns : free_hour(study));
@@ -159,9 +169,13 @@ void check_may_begin(const Study& study, const RunInputs& inputs, const Protocol
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
                        const std::stop_token& stop,
                        const std::function<void(const AttemptDone&)>& done,
-                       const SessionLinks& links) {
+                       const SessionLinks& links, const DriverRegistry& drivers) {
   if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
     throw PhrasedError(*complaint);
+  }
+  if (inputs.is_virtual && inputs.device != kSimulated) {
+    throw std::runtime_error("a virtual participant has no hand for the device \"" + inputs.device +
+                             "\"; leave --device out");
   }
   StimulusBuilder builder(models, inputs.study);
   const Protocol protocol = load_protocol_to_run(inputs.protocol, inputs.study, builder);
@@ -182,7 +196,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   sitting.seed = inputs.seed;
   if (!inputs.resume && !inputs.is_virtual) check_may_begin(study, inputs, protocol);
   if (inputs.resume) sitting.unfinished = unfinished_session(study, inputs, protocol);
-  const std::unique_ptr<Rig> rig = make_rig(inputs, protocol, study, sitting.unfinished);
+  const std::unique_ptr<Rig> rig = make_rig(inputs, protocol, study, sitting.unfinished, drivers);
 
   const Wait wait = sleep_until_stopped(stop, links);
   if (!inputs.is_virtual && !inputs.resume && !protocol.consent_statement.empty()) {

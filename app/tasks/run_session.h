@@ -12,6 +12,7 @@
 
 #include "app/conductor/conductor.h"
 #include "app/conductor/session_links.h"
+#include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "renderers/force_model.h"
 
@@ -30,6 +31,9 @@ struct RunInputs {
   std::optional<std::int64_t> resumed_session{};
   bool is_virtual = false;
   RunPacing pacing = RunPacing::real_time;
+  /// What to run on, as DriverRegistry::open names it; a virtual participant has the simulated one.
+  std::string device = "simulated";
+  DriverOptions driver_options{};       ///< what that device's driver is told
   std::vector<ScriptedFault> faults{};  ///< of the simulated device
   /// The workspace and the strokes are mirrored left to right, for a left hand.
   bool mirrored = false;
@@ -47,10 +51,11 @@ struct RunInputs {
 /// under way.
 ///
 /// Errors: ProtocolError; ResultsError; std::runtime_error for a label that is not acceptable, no
-/// consent, a session that cannot be gone on with.
+/// consent, a session that cannot be gone on with, a device that cannot be opened.
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
                        const std::stop_token& stop,
                        const std::function<void(const AttemptDone&)>& done,
-                       const SessionLinks& links = {});
+                       const SessionLinks& links = {},
+                       const DriverRegistry& drivers = built_in_drivers());
 
 }  // namespace asperity

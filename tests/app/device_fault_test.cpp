@@ -1,6 +1,12 @@
 // A device that fails in real time: what is finished stays, the force is gone, the session goes on.
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -161,6 +167,65 @@ TEST(DeviceStall, IsCountedAndDoesNotEndTheSession) {
   };
   EXPECT_TRUE(std::any_of(attempts.begin(), attempts.end(), counts_it));
   EXPECT_EQ(end.state, SessionState::completed) << end.reason;
+}
+
+/// Swings through the surface by itself, as a device in a person's hand does.
+class SwingingDevice final : public HapticDevice {
+ public:
+  SwingingDevice() : HapticDevice({.name = "swinging", .serial = "42", .peak_force_N = 6.0}, {}) {}
+  ~SwingingDevice() override { zero_force(); }
+
+ private:
+  bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override {
+    const double turn = 2.0 * std::numbers::pi * 1e-9 * static_cast<double>(now_ns);
+    state.position_m = {0.010 * std::sin(turn), 0.0, 0.002 * std::sin(1.3 * turn)};
+    state.velocity_m_per_s = {0.010 * 2.0 * std::numbers::pi * std::cos(turn), 0.0, 0.0};
+    return true;
+  }
+  bool do_send(const Wrench&) noexcept override { return true; }
+};
+
+TEST(NamedDevice, RunsTheSessionAndIsStoredWithIt) {
+  const TemporaryFolder folder{};
+  RunInputs inputs{};
+  inputs.study = folder.path() / "study";
+  make_small_study(inputs.study);
+  inputs.protocol = folder.path() / "small.json";
+  write_file(inputs.protocol, quick_protocol(), Overwrite::refuse);
+  inputs.participant = "standin1";
+  inputs.seed = 5;
+  inputs.pacing = RunPacing::real_time;
+  inputs.device = "swinging:42";
+  inputs.driver_options.firmware = "some.bin";
+  std::string which;
+  std::filesystem::path firmware;
+  DriverRegistry drivers;
+  drivers.add(
+      {.id = "swinging", .open = [&](const std::string& asked, const DriverOptions& options) {
+         which = asked;
+         firmware = options.firmware;
+         return std::make_unique<SwingingDevice>();
+       }});
+  const ModelRegistry models = built_in_models();
+  QuickPerson person{};
+  const SessionEnd end = run_session(inputs, models, &person, {}, {}, {}, drivers);
+  EXPECT_EQ(end.state, SessionState::completed) << end.reason;
+  EXPECT_EQ(which, "42");
+  EXPECT_EQ(firmware, "some.bin");
+  const Study study = Study::open(inputs.study, Access::read_only);
+  const SessionRow session = study.sessions().at(0);
+  EXPECT_NE(session.device.find("swinging"), std::string::npos) << session.device;
+}
+
+TEST(NamedDevice, IsNotForVirtualParticipants) {
+  const TemporaryFolder folder{};
+  RunInputs inputs{};
+  inputs.study = folder.path() / "study";
+  make_small_study(inputs.study);
+  inputs.participant = "virtual1";
+  inputs.is_virtual = true;
+  inputs.device = "falcon";
+  EXPECT_THROW(run_session(inputs, built_in_models(), nullptr, {}, {}), std::runtime_error);
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+#include "app/tasks/device_survey.h"
+
+namespace asperity {
+
+std::vector<SurveyedDriver> survey_devices(const DriverRegistry& drivers,
+                                           const DriverOptions& options) {
+  std::vector<SurveyedDriver> surveyed{};
+  for (const Driver& driver : drivers.drivers()) {
+    surveyed.push_back(
+        {.id = driver.id, .summary = driver.summary, .survey = driver.find(options)});
+  }
+  return surveyed;
+}
+
+}  // namespace asperity
