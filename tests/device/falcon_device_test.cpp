@@ -309,8 +309,10 @@ TEST_F(Falcon, IsLostAfterFiftyMillisecondsOfSilenceAndFoundAgain) {
   EmulatedFalcon emulated(bus(), {});
   const auto device = open();
   push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
+  const std::size_t before = emulated.settings_sent().size();
   emulated.fall_silent(true);
   EXPECT_TRUE(eventually([&] { return !answers(*device); }));
+  EXPECT_EQ(emulated.settings_sent().size(), before);  // long before it is opened anew
   EXPECT_FALSE(device->push({.force_N = {0.0, 0.0, 1.0}}, kDt_s).has_value());
   emulated.take_strongest_word();
   emulated.fall_silent(false);
