@@ -52,12 +52,13 @@ std::string reading_number(double value) {
 std::string reading_p_cell(double p) {
   if (p < 0.001) return "< .001";
   const std::string digits = fixed(p, 3);
+  if (digits == "1.000") return "> .999";
   return digits.starts_with("0.") ? digits.substr(1) : digits;
 }
 
 std::string reading_p(double p) {
   const std::string cell = reading_p_cell(p);
-  return (cell.starts_with('<') ? "p " : "p = ") + cell;
+  return (cell.starts_with('.') ? "p = " : "p ") + cell;
 }
 
 std::string reading_percent(double share) {

@@ -585,7 +585,8 @@ TEST(ReadingNumber, HasTheDigitsThatMeanSomething) {
   EXPECT_EQ(reading_number(2.51e-23), "2.5e-23");
   EXPECT_EQ(reading_p(0.0112), "p = .011");
   EXPECT_EQ(reading_p(0.0004), "p < .001");
-  EXPECT_EQ(reading_p(1.0), "p = 1.000");
+  EXPECT_EQ(reading_p(1.0), "p > .999");
+  EXPECT_EQ(reading_p(0.9994), "p = .999");
   EXPECT_EQ(reading_percent(0.7833), "78 %");
   EXPECT_EQ(reading_percent(0.975), "97 %") << "as a table rounds it to two decimals";
   EXPECT_EQ(reading_p_cell(0.0004), "< .001");
