@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 
 #include "results_schema/table.h"
 
@@ -15,7 +16,18 @@ std::optional<std::size_t> whole_number(const std::string& text) {
   return number;
 }
 
+bool is_unclear_estimate(const std::string& text) {
+  const std::string typed = trimmed(text);
+  const auto is_digit = [](char sign) { return sign >= '0' && sign <= '9'; };
+  const std::size_t mark = typed.find_first_of(".,");
+  if (mark == std::string::npos || mark < 1 || mark > 3 || typed.size() != mark + 4) return false;
+  if (typed.front() == '0') return false;
+  return std::all_of(typed.begin(), typed.begin() + static_cast<std::ptrdiff_t>(mark), is_digit) &&
+         std::all_of(typed.begin() + static_cast<std::ptrdiff_t>(mark) + 1, typed.end(), is_digit);
+}
+
 std::optional<double> estimate_in(const std::string& text) {
+  if (is_unclear_estimate(text)) return {};
   std::string with_point = trimmed(text);
   // More than one of these is a separator of thousands, which might be read either way.
   if (std::count_if(with_point.begin(), with_point.end(),

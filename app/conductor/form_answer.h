@@ -15,8 +15,12 @@ namespace asperity {
 /// `answer` may be the number of an option; it is then replaced by the option.
 std::optional<Saying> refusal_of(const Question& question, std::string& answer);
 
-/// The number above 0 that was typed, its decimals after a point or a comma; nothing when it is none.
+/// The number above 0 that was typed, its decimals after a point or a comma; nothing when it is none,
+/// and when it might be thousands (is_unclear_estimate).
 std::optional<double> estimate_in(const std::string& text);
+/// "1,000", "12.500": one to three digits of which the first is no 0, a point or a comma, and three
+/// more. Some people mean thousands by it, others decimals.
+bool is_unclear_estimate(const std::string& text);
 
 /// What was typed, without the blanks and line ends around it.
 std::string trimmed(const std::string& text);

@@ -118,6 +118,12 @@ Phrase phrase_of(const Saying& saying) {
       return phrase("ParticipantWords", "Please choose one of the answers.");
     case Saying::What::estimate_needed:
       return phrase("ParticipantWords", "A number above 0 is needed, such as 7 or 0.5.");
+    case Saying::What::estimate_unclear:
+      return phrase(
+                 "ParticipantWords",
+                 "%1 can be read in two ways. Please write thousands without a point or a comma, "
+                 "and decimals with one or two digits after it.")
+          .with(saying.code);
     case Saying::What::check_estimate:
       return phrase("ParticipantWords",
                     "Please check the number %1: give it once more, or the one that you meant.")

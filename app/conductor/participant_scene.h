@@ -18,26 +18,27 @@ namespace asperity {
 struct Saying {
   enum class What {
     nothing,
-    feel_surface,     ///< surface `code` can be felt now
-    lift,             ///< surface `code` was felt long enough
-    put_mask_on,      ///< and confirm
-    take_mask_off,    ///< and confirm
-    cannot_tell,      ///< as an option
-    feel_first,       ///< refused: surface `code` has to be felt before the answer
-    feel_longer,      ///< refused: surface `code` is to be felt a little longer
-    not_asked_yet,    ///< refused: all was felt, and the question is about to be put
-    wait,             ///< refused: not before `number` seconds have gone by
-    choose_first,     ///< refused: nothing is chosen yet
-    assign_first,     ///< refused: surface `code` has no picture yet
-    feel_again,       ///< a confirmation now asks for surface `code` again
-    no_going_back,    ///< refused: surfaces cannot be felt again in this trial
-    was_right,        ///< feedback
-    was_wrong,        ///< feedback; the right answer was `code`, where it is told
-    answer_needed,    ///< refused: this question cannot be left out
-    number_needed,    ///< refused: a number, not below `minimum`, not above `maximum`
-    option_needed,    ///< refused: one of the options
-    estimate_needed,  ///< refused: a number above 0
-    check_estimate,   ///< the number `code` is far from an earlier one
+    feel_surface,      ///< surface `code` can be felt now
+    lift,              ///< surface `code` was felt long enough
+    put_mask_on,       ///< and confirm
+    take_mask_off,     ///< and confirm
+    cannot_tell,       ///< as an option
+    feel_first,        ///< refused: surface `code` has to be felt before the answer
+    feel_longer,       ///< refused: surface `code` is to be felt a little longer
+    not_asked_yet,     ///< refused: all was felt, and the question is about to be put
+    wait,              ///< refused: not before `number` seconds have gone by
+    choose_first,      ///< refused: nothing is chosen yet
+    assign_first,      ///< refused: surface `code` has no picture yet
+    feel_again,        ///< a confirmation now asks for surface `code` again
+    no_going_back,     ///< refused: surfaces cannot be felt again in this trial
+    was_right,         ///< feedback
+    was_wrong,         ///< feedback; the right answer was `code`, where it is told
+    answer_needed,     ///< refused: this question cannot be left out
+    number_needed,     ///< refused: a number, not below `minimum`, not above `maximum`
+    option_needed,     ///< refused: one of the options
+    estimate_needed,   ///< refused: a number above 0
+    estimate_unclear,  ///< refused: `code` can be read with thousands or with decimals
+    check_estimate,    ///< the number `code` is far from an earlier one
   };
   What what = What::nothing;
   std::string code{};

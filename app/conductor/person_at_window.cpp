@@ -357,6 +357,10 @@ std::optional<Reply> PersonAtWindow::Desk::hear_number(const Trial& trial,
         source = input.source;
         return Reply{.answered_ns = input.time_ns, .estimate = estimate};
       }
+      if (is_unclear_estimate(input.text)) {
+        refuse(input, {.what = Saying::What::estimate_unclear, .code = trimmed(input.text)});
+        return {};
+      }
       break;
     case Kind::confirm:
     case Kind::device_button:  // it cannot say a number

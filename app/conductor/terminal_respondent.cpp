@@ -146,7 +146,10 @@ Reply TerminalRespondent::ask_for_number(const Trial& trial, const Wait& wait,
     if (const std::optional<int> again = wish_in(*typed, trial, is_wish)) return {{}, again};
     if (is_wish) continue;
     if (const std::optional<double> estimate = estimate_in(*typed)) return {.estimate = estimate};
-    output_ << text_of(Saying{.what = Saying::What::estimate_needed}) << '\n';
+    output_ << text_of(is_unclear_estimate(*typed)
+                           ? Saying{.what = Saying::What::estimate_unclear, .code = trimmed(*typed)}
+                           : Saying{.what = Saying::What::estimate_needed})
+            << '\n';
   }
 }
 

@@ -11,7 +11,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/conductor/form_answer.h"
 #include "app/program.h"
 #include "app/tasks/recorded_attempt.h"
 #include "renderers/offline/replay.h"
@@ -103,7 +102,8 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
       const std::string& answer = answers.words[reply.answer];
       const auto item = [&] { return where() + ", item " + std::to_string(reply.item) + ": "; };
       if (question.form == TrialQuestion::Form::number) {
-        if (!reply.number || estimate_in(answer) != reply.number) {
+        const std::optional<double> stored = number_in(answer);
+        if (!stored || !(*stored > 0.0) || stored != reply.number) {
           problems.push_back(item() + "the answer is no number above 0, or not the one beside it");
         }
         continue;

@@ -684,13 +684,27 @@ TEST(EstimateIn, UnderstandsPointAndCommaAndNothingElse) {
   for (const char* text :
        {"", "0", "-3", "0,0", "1,000.5", "1.000.000", "ten", "3x", "inf", "nan"}) {
     EXPECT_EQ(estimate_in(text), std::nullopt) << text;
+    EXPECT_FALSE(is_unclear_estimate(text)) << text;
   }
+}
+
+TEST(EstimateIn, RefusesWhatMayBeThousandsOrDecimals) {
+  for (const char* text : {"1,000", " 1.000 ", "12.500", "999,999"}) {
+    EXPECT_TRUE(is_unclear_estimate(text)) << text;
+    EXPECT_EQ(estimate_in(text), std::nullopt) << text;
+  }
+  EXPECT_EQ(estimate_in("0,125"), 0.125);  // nobody writes a 0 before thousands
+  EXPECT_EQ(estimate_in("1,5"), 1.5);
+  EXPECT_EQ(estimate_in("1.25"), 1.25);
+  EXPECT_EQ(estimate_in("1000"), 1000.0);
+  EXPECT_EQ(estimate_in("1234,567"), 1234.567);  // a fourth digit without its own mark
+  EXPECT_EQ(estimate_in("3,1416"), 3.1416);
 }
 
 TEST(TerminalRespondent, AsksForANumberUntilItIsOneAboveZero) {
   std::array<int, 2> ends{};
   ASSERT_EQ(::pipe(ends.data()), 0);
-  const std::string typed = "rough\n0\n7,5\n";
+  const std::string typed = "rough\n0\n1,000\n7,5\n";
   ASSERT_EQ(::write(ends[1], typed.data(), typed.size()), static_cast<ssize_t>(typed.size()));
   std::ostringstream shown;
   TerminalRespondent person(ends[0], shown, {}, {});
@@ -703,6 +717,7 @@ TEST(TerminalRespondent, AsksForANumberUntilItIsOneAboveZero) {
   EXPECT_NE(shown.str().find("How rough was it?\nYour number: A number above 0 is needed"),
             std::string::npos)
       << shown.str();
+  EXPECT_NE(shown.str().find("1,000 can be read in two ways."), std::string::npos) << shown.str();
   ::close(ends[0]);
   ::close(ends[1]);
 }
