@@ -490,6 +490,12 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
              "how the answer was given: keyboard; virtual, by a simulated observer; "
              "virtual_guess, by one that is deaf or expects nothing",
              [](const Place& at) { return at.response->source; }));
+  add(missing("the number was not asked for once more",
+              column("doubted_estimate", "number", "",
+                     "the number that was given first, of a magnitude that was asked for once more "
+                     "because it was ten times an earlier one for the same stimulus, or a tenth; "
+                     "the answer is the second one",
+                     [](const Place& at) { return optional_cell(at.doubted_estimate); })));
   return columns;
 }
 

@@ -28,6 +28,8 @@ struct ExportPlace {
   const PresentationRow* presentation = nullptr;
   const ResponseRow* response = nullptr;
   bool response_is_withheld = false;  ///< from the public: an answer to a questionnaire
+  /// The number that the answer of the attempt took the place of, when it was asked for once more.
+  std::optional<double> doubted_estimate{};
   /// The JSON of those rows, read once.
   const nlohmann::json* answers = nullptr;     ///< of the participant
   const nlohmann::json* factors = nullptr;     ///< of the trial

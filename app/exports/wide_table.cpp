@@ -87,6 +87,7 @@ void WideTable::add_answer(const ExportPlace& at) {
   }
   ++person.answers;
   if (at.attempt->flagged) ++person.flagged;
+  if (at.doubted_estimate) ++person.doubted;
   Condition condition{};
   for (const auto& [name, level] : at.factors->items()) {
     const bool is_number = level.is_number();
@@ -141,6 +142,19 @@ WideTable::Made WideTable::make() const {
         "answers of main trials that are not counted, because the attempt is not valid or was "
         "excluded",
         &Person::left_out);
+
+  const bool gives_numbers = std::any_of(people_.begin(), people_.end(), [](const Person& person) {
+    return std::any_of(person.tallies.begin(), person.tallies.end(), [](const auto& asked) {
+      return std::any_of(asked.second.begin(), asked.second.end(),
+                         [](const auto& condition) { return condition.second.numbers > 0; });
+    });
+  });
+  if (gives_numbers) {
+    count("answers_doubted",
+          "of the counted answers: numbers that were asked for once more, because they were ten "
+          "times an earlier one for the same stimulus, or a tenth",
+          &Person::doubted);
+  }
 
   // Every condition that anybody met, and what its answers are.
   std::map<Asked, std::map<Condition, Tally>> met{};

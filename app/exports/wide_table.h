@@ -71,6 +71,7 @@ class WideTable final {
     std::int64_t answers = 0;
     std::int64_t flagged = 0;
     std::int64_t left_out = 0;
+    std::int64_t doubted = 0;
   };
 
   ExportAudience audience_;

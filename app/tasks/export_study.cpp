@@ -20,6 +20,7 @@
 #include "app/exports/vocabulary.h"
 #include "app/exports/wide_table.h"
 #include "app/study_condition.h"
+#include "protocols/protocol.h"
 
 namespace asperity {
 
@@ -400,6 +401,12 @@ class StudyExport final {
       add("responses", here);
       files.add_session_answer(here);
     }
+    doubts_.clear();
+    if (at.protocol->kind == text_of(ProtocolKind::magnitude)) {
+      for (const EventRow& event : study_.events(at.session->id)) {
+        if (event.kind == "estimate_doubted") doubts_.push_back(event);
+      }
+    }
     std::map<int, std::vector<AttemptRow>> attempts_by_trial{};
     for (AttemptRow& attempt : study_.attempts(at.session->id)) {
       attempts_by_trial[attempt.trial].push_back(std::move(attempt));
@@ -413,8 +420,18 @@ class StudyExport final {
     files.end_session();
   }
 
+  /// The first number of an attempt that was asked for a second one.
+  std::optional<double> doubted_in(const AttemptRow& attempt) const {
+    for (const EventRow& event : doubts_) {
+      if (event.time_ns < attempt.onset_ns || event.time_ns > attempt.offset_ns) continue;
+      return nlohmann::json::parse(event.data_json).at("estimate").get<double>();
+    }
+    return {};
+  }
+
   void add_attempt(ExportPlace at, AttemptRow& attempt, GroupFiles& files) {
     at.attempt = &attempt;
+    at.doubted_estimate = doubted_in(attempt);
     add("attempts", at);
     for (const PresentationRow& presentation : attempt.presentations) {
       ExportPlace here = at;
@@ -448,6 +465,7 @@ class StudyExport final {
   }
 
   const Study& study_;
+  std::vector<EventRow> doubts_{};  ///< of the session
   ExportFolder& folder_;
   ExportOptions options_;
   StudyVocabulary vocabulary_;

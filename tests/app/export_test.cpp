@@ -242,6 +242,38 @@ TEST(Export, TellsThePublicNeitherDatesNorFreeTextInAnyFile) {
   EXPECT_EQ(cell_of(responses, 2, "answer"), Cell{"stone"});
 }
 
+// A number that was asked for once more is the answer; the first one stands beside it, in every table
+// of answers, and is counted per person.
+TEST(Export, TellsTheNumberThatAnEstimateTookThePlaceOf) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  const std::int64_t protocol = made.add_protocol("rough", "magnitude", R"({
+      "estimation": {"spacing": "spacing"}, "factors": {"spacing": {"levels": [0.001]}}})");
+  MadeUpTrial trial{};
+  trial.surfaces = {surface_of("s", "sinusoid", "s")};
+  trial.factors_json = R"({"spacing": 0.001})";
+  trial.answers = {"7"};
+  trial.number = 7.0;
+  const std::int64_t session = made.add_session("anna", protocol, {trial, trial});
+  const std::vector<AttemptRow> attempts = made.study().attempts(session);
+  made.study().add_event(session, {.time_ns = attempts.at(1).onset_ns,
+                                   .kind = "estimate_doubted",
+                                   .text = "70",
+                                   .data_json = R"({"estimate": 70, "earlier_estimate": 7})"});
+  ExportOptions options{};
+  options.formats = {ExportFormat::wide};
+  const std::filesystem::path out = made.beside("out");
+  export_to(made, out, options);
+  const Table responses = table_in(out, "responses.tsv");
+  EXPECT_EQ(cell_of(responses, 0, "doubted_estimate"), Cell{});
+  EXPECT_EQ(cell_of(responses, 1, "doubted_estimate"), Cell{"70"});
+  EXPECT_EQ(cell_of(responses, 1, "answer"), Cell{"7"});
+  EXPECT_THAT(read_file(out / "wide.csv"),
+              HasSubstr("answers,answers_flagged,answers_left_out,answers_doubted,"));
+  EXPECT_THAT(read_file(out / "wide.csv"), HasSubstr(",2,0,0,1,7,2"));
+  EXPECT_THAT(read_file(out / "codebook.tsv"), HasSubstr("\tdoubted_estimate\t"));
+}
+
 /// `fill`, with questions of the library's kind: about somebody's health, as a choice and a number.
 void fill_with_health(MadeUpStudy& made) {
   fill(made);

@@ -47,6 +47,7 @@ AttemptRow attempt_of(const MadeUpTrial& made, int trial, int segment) {
     response.question = "which";
     response.item = static_cast<int>(i) + 1;
     response.answer = made.answers[i];
+    response.answer_number = made.number;
     if (i < made.right.size()) response.correct = made.answers[i] == made.right[i];
     response.options_json = nlohmann::json(made.options).dump();
     response.time_ns = attempt.offset_ns;

@@ -18,6 +18,7 @@ struct MadeUpTrial {
   std::string factors_json = "{}";
   std::vector<PresentationRow> surfaces{};
   std::vector<std::string> answers{};
+  std::optional<double> number{};    ///< that the answer is, of a magnitude
   std::vector<std::string> right{};  ///< as many as answers, or none
   std::vector<std::string> options{};
   std::string phase = "main";
