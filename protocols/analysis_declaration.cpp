@@ -60,16 +60,25 @@ std::optional<EstimationDeclaration> estimation_declared_in(const nlohmann::json
     return member == found->end() || !member->is_string() ? std::string{}
                                                           : member->get<std::string>();
   };
-  EstimationDeclaration declared{text_at("spacing"), text_at("condition"), {}};
+  EstimationDeclaration declared{.spacing = text_at("spacing"), .condition = text_at("condition")};
   const nlohmann::json none = nlohmann::json::object();
   const auto member_of = [&none](const nlohmann::json& object,
                                  const std::string& key) -> const nlohmann::json& {
     const auto member = object.is_object() ? object.find(key) : object.end();
     return member == object.end() ? none : *member;
   };
+  const auto levels_of = [&](const std::string& factor) -> const nlohmann::json& {
+    return member_of(member_of(member_of(protocol, "factors"), factor), "levels");
+  };
+  for (const nlohmann::json& level : levels_of(declared.condition)) {
+    if (level.is_number()) {
+      declared.conditions.push_back(number_text(level.get<double>()));
+    } else if (level.is_string()) {
+      declared.conditions.push_back(level.get<std::string>());
+    }
+  }
   const nlohmann::json& textures = member_of(protocol, "textures");
-  for (const nlohmann::json& level :
-       member_of(member_of(member_of(protocol, "factors"), declared.spacing), "levels")) {
+  for (const nlohmann::json& level : levels_of(declared.spacing)) {
     if (level.is_number()) {
       declared.spacing_m.emplace(number_text(level.get<double>()), level.get<double>());
     } else if (level.is_string()) {

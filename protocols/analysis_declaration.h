@@ -36,6 +36,9 @@ struct AnalysisDeclaration {
 struct EstimationDeclaration {
   std::string spacing{};    ///< the factor whose levels are spacings
   std::string condition{};  ///< the factor that is held within a block; empty: there is none
+  /// Levels of the second, as text, in the order in which the protocol lists them: tables and figures
+  /// have them in this order.
+  std::vector<std::string> conditions{};
   /// Metres by level of the first, as text. A texture without a spacing is not in it.
   std::map<std::string, double, std::less<>> spacing_m{};
 };

@@ -86,6 +86,12 @@ class Gathering {
       gathered.estimation.spacing = estimation->spacing;
       gathered.estimation.condition = estimation->condition;
       gathered.estimation.spacing_m.merge(estimation->spacing_m);
+      std::vector<std::string>& conditions = gathered.estimation.conditions;
+      for (const std::string& condition : estimation->conditions) {
+        if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end()) {
+          conditions.push_back(condition);
+        }
+      }
     }
     if (sources_.size() == 1) {
       gathered.declared = std::move(declared);

@@ -81,6 +81,18 @@ std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
   return levels;
 }
 
+/// As the protocol lists them; those that it does not know come last.
+std::vector<std::string> conditions_of(const std::vector<Estimated>& estimates,
+                                       const std::vector<std::string>& declared) {
+  std::vector<std::string> conditions = levels_of(estimates, &Estimated::condition);
+  std::stable_sort(conditions.begin(), conditions.end(),
+                   [&declared](const std::string& one, const std::string& other) {
+                     return std::find(declared.begin(), declared.end(), one) <
+                            std::find(declared.begin(), declared.end(), other);
+                   });
+  return conditions;
+}
+
 std::string csv_cell(const std::string& text) {
   std::string cell = "\"";
   for (const char sign : text) cell += sign == '"' ? "\"\"" : std::string(1, sign);
@@ -141,13 +153,14 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
   NamedTable curves{
       kRoughness,
       phrase("Analysis", "Roughness by spacing and condition"),
-      {{"condition", "spacing_m", "persons", "normalised", "normalised_low", "normalised_high",
-        "raw"},
+      {{"condition", "spacing_m", "persons", "left_out", "normalised", "normalised_low",
+        "normalised_high", "raw"},
        {}},
       phrase("Analysis",
              "Geometric means. normalised: each participant's own scale taken out, by the mean of "
              "the logarithms of all cells; its interval is Student's, of the logarithms. raw: "
-             "participants as they count.")};
+             "participants as they count. left out: those of the persons who are in raw alone, "
+             "because somewhere they have no estimate and so no scale that could be taken out.")};
   NamedTable persons{
       "estimates",
       phrase("Analysis", "Estimates of each participant"),
@@ -169,11 +182,14 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
              found.cell("norm.estimate", label + '|' + cell_key(condition, spacing))});
       }
       if (raw.empty()) continue;
-      const auto [low, high] = found.interval("geomean", cell_key(condition, spacing));
-      curves.table.rows.push_back({condition, *number_in(spacing),
-                                   static_cast<std::int64_t>(raw.size()),
-                                   found.cell("geomean", cell_key(condition, spacing)), low, high,
-                                   std::pow(10.0, mean_of(raw))});
+      const std::string cell = cell_key(condition, spacing);
+      const auto [low, high] = found.interval("geomean", cell);
+      const Finding* mean = found.find("geomean", cell);
+      const std::size_t counted = mean == nullptr || !mean->value ? 0 : mean->n;
+      curves.table.rows.push_back(
+          {condition, *number_in(spacing), static_cast<std::int64_t>(raw.size()),
+           static_cast<std::int64_t>(raw.size() - std::min(counted, raw.size())),
+           found.cell("geomean", cell), low, high, std::pow(10.0, mean_of(raw))});
     }
   }
   outcome.tables.push_back(std::move(curves));
@@ -186,8 +202,23 @@ Cell whole_cell(const FoundNumbers& found, const char* quantity, const std::stri
   return value ? Cell{static_cast<std::int64_t>(std::llround(*value))} : Cell{};
 }
 
-void add_peaks(const std::vector<std::string>& conditions, const FoundNumbers& found,
-               AnalysisOutcome& outcome) {
+/// An interval that holds every tested spacing says nothing of where the peak is.
+constexpr const char* kTooFew = "too_few_to_say";
+
+/// Of the peak of a condition: "ok", or why none is told.
+std::string peak_status(const FoundNumbers& found, const std::string& condition,
+                        const std::vector<std::string>& spacings) {
+  const Finding* status = found.find("peak.status", condition);
+  if (status == nullptr) return {};
+  const Finding* peak = found.find("peak", condition);
+  const bool says_nothing = peak != nullptr && peak->low && peak->high &&
+                            *peak->low < *number_in(spacings.front()) &&
+                            *peak->high > *number_in(spacings.back());
+  return says_nothing ? kTooFew : status->word;
+}
+
+void add_peaks(const std::vector<std::string>& conditions, const std::vector<std::string>& spacings,
+               const FoundNumbers& found, AnalysisOutcome& outcome) {
   NamedTable peaks{
       "peaks",
       phrase("Analysis", "Where it is roughest: a parabola per condition"),
@@ -199,14 +230,17 @@ void add_peaks(const std::vector<std::string>& conditions, const FoundNumbers& f
              "the peak is that of their mean, its interval by the delta method, and Fieller's "
              "beside it. The last three columns count the participants' own curves.")};
   for (const std::string& condition : conditions) {
-    const Finding* status = found.find("peak.status", condition);
-    if (status == nullptr) continue;
+    const std::string status = peak_status(found, condition, spacings);
+    if (status.empty()) continue;
+    const bool is_told = status != kTooFew;
     const auto [low, high] = found.interval("peak", condition);
+    const auto told = [&](const char* quantity) {
+      return is_told ? found.cell(quantity, condition) : Cell{};
+    };
     peaks.table.rows.push_back(
-        {condition, status->word == "ok" ? Cell{} : Cell{status->word},
-         found.cell("peak", condition), low, high, found.cell("peak.fieller.lower", condition),
-         found.cell("peak.fieller.upper", condition), found.cell("peak.height", condition),
-         whole_cell(found, "curve.descending", condition),
+        {condition, status == "ok" ? Cell{} : Cell{status}, told("peak"), is_told ? low : Cell{},
+         is_told ? high : Cell{}, told("peak.fieller.lower"), told("peak.fieller.upper"),
+         told("peak.height"), whole_cell(found, "curve.descending", condition),
          whole_cell(found, "curve.inverted_u", condition),
          whole_cell(found, "curve.other", condition)});
   }
@@ -254,7 +288,7 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
   for (const auto& [name, effect] : kEffects) {
     const Finding* p = p_of(found, effect);
     if (p == nullptr) continue;
-    for (const char* quantity : {"p", "p.GG"}) {
+    for (const char* quantity : {"p", "p.GG", "p.HF"}) {
       if (const Finding* of_it = found.find(quantity, effect)) {
         outcome.tests_in_tables.insert(name_of(*of_it));
       }
@@ -286,8 +320,8 @@ void ask_effect(const char* name, const Phrase& question, const char* table,
                table, found.find("F", effect));
 }
 
-void ask_peaks(const std::vector<std::string>& conditions, const FoundNumbers& found,
-               AnalysisOutcome& outcome) {
+void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std::string>& spacings,
+               const FoundNumbers& found, AnalysisOutcome& outcome) {
   Phrase answer{};
   const Finding* first = nullptr;
   for (const std::string& condition : conditions) {
@@ -296,7 +330,12 @@ void ask_peaks(const std::vector<std::string>& conditions, const FoundNumbers& f
     if (status == nullptr) continue;
     if (first == nullptr) first = peak != nullptr ? peak : status;
     Phrase one{};
-    if (peak != nullptr && peak->value && peak->low && peak->high) {
+    if (peak_status(found, condition, spacings) == kTooFew) {
+      one = phrase("Analysis",
+                   "%1 cannot be told, because with %2 participants its interval is wider than the "
+                   "tested spacings")
+                .with(condition, std::to_string(peak->n));
+    } else if (peak != nullptr && peak->value && peak->low && peak->high) {
       one = phrase("Analysis", "%1 at %2 (95 % interval %3 to %4)")
                 .with(condition, reading_quantity(*peak->value, "m"),
                       reading_quantity(*peak->low, "m"), reading_quantity(*peak->high, "m"));
@@ -344,7 +383,8 @@ void ask_types(const std::vector<std::string>& conditions, const FoundNumbers& f
 void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome) {
   std::vector<Estimated> estimates = estimates_in(gathered, outcome);
   if (estimates.empty()) return;
-  const std::vector<std::string> conditions = levels_of(estimates, &Estimated::condition);
+  const std::vector<std::string> conditions =
+      conditions_of(estimates, gathered.estimation.conditions);
   // Findings, tables and figures have the conditions in one order, whoever met which of them first.
   std::stable_sort(estimates.begin(), estimates.end(),
                    [&conditions](const Estimated& one, const Estimated& other) {
@@ -361,7 +401,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   const FoundNumbers found(roughness);
   const FoundNumbers found_anova(anova);
   add_estimates(gathered, estimates, conditions, spacings, found, outcome);
-  add_peaks(conditions, found, outcome);
+  add_peaks(conditions, spacings, found, outcome);
   add_anova(found_anova, outcome);
   if (const Finding* incomplete = found.find("subjects.incomplete");
       incomplete != nullptr && incomplete->word != "none") {
@@ -389,7 +429,7 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   ask_effect("interaction",
              phrase("Analysis", "Does the curve over spacings depend on the condition?"), kAnova,
              found_anova, tests, outcome);
-  ask_peaks(conditions, found, outcome);
+  ask_peaks(conditions, spacings, found, outcome);
   ask_types(conditions, found, outcome);
   keep_findings(roughness, outcome);
   keep_findings(anova, outcome);

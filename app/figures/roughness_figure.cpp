@@ -95,6 +95,8 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
     }
     FigurePoint mark{
         .x = scale * *peak->value, .y = *height, .x_interval = interval_of(*peak), .size = 1.4};
+    // Wider than all that was tested, it says nothing of where the peak is.
+    if (mark.x_interval && mark.x_interval->low < x.low && mark.x_interval->high > x.high) continue;
     if (mark.x_interval) {
       mark.x_interval =
           FigureSpan{.low = scale * mark.x_interval->low, .high = scale * mark.x_interval->high};

@@ -947,7 +947,7 @@ TEST(AnalyzeStudy, RefusesInSentencesWhatCannotBeTested) {
 constexpr std::array<double, 5> kSpacings_m{0.0005, 0.001, 0.002, 0.004, 0.008};
 constexpr const char* kEstimation = R"({
   "estimation": {"spacing": "texture", "condition": "tip"},
-  "factors": {"texture": {"levels": ["s1", "s2", "s3", "s4", "s5"]}},
+  "factors": {"texture": {"levels": ["s1", "s2", "s3", "s4", "s5"]}, "tip": {"levels": ["small", "large"]}},
   "textures": {"s1": {"spacing_m": 0.0005}, "s2": {"spacing_m": 0.001}, "s3": {"spacing_m": 0.002},
                "s4": {"spacing_m": 0.004}, "s5": {"spacing_m": 0.008}},
   "analysis": {"family": ["spacing", "interaction", "peaks"]}
@@ -955,16 +955,16 @@ constexpr const char* kEstimation = R"({
 
 /// Numbers on parabolas of the logarithms, roughest at 1 mm with the small tip and at 2 mm with the
 /// large one, a little more or less for each of six people, who all have a scale of their own.
-AnalysisOutcome analyze_numbers() {
+AnalysisOutcome analyze_numbers(int people = 6, double disagreement = 1.0) {
   MadeUpStudy made;
   const std::int64_t protocol = made.add_protocol("rough", "magnitude", kEstimation);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < people; ++i) {
     made.add_person(person(i), "F");
     std::vector<MadeUpTrial> trials{};
     for (const auto& [tip, peak_m] : {std::pair{"small", 0.001}, std::pair{"large", 0.002}}) {
       // The other way with the other tip, and half as far: people differ in how the tips differ and in
       // the curve over both.
-      const double own = (peak_m < 0.0015 ? 0.02 : -0.01) * (i - 2.5);
+      const double own = disagreement * (peak_m < 0.0015 ? 0.02 : -0.01) * (i - 2.5);
       for (int level = -1; level < 5; ++level) {  // −1: the anchor
         const std::size_t at = level < 0 ? 2U : static_cast<std::size_t>(level);
         const double away = std::log10(kSpacings_m[at] / peak_m) - own;
@@ -999,7 +999,7 @@ TEST(Magnitudes, PeakWhereTheyWereMadeToPeak) {
   const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
                                   [](const AnsweredQuestion& one) { return one.name == "peaks"; });
   ASSERT_NE(asked, outcome.questions.end());
-  EXPECT_THAT(asked->answer, says("By the peaks of the curves: large at 2 mm (95 % interval "));
+  EXPECT_THAT(asked->answer, says("By the peaks of the curves: small at 1 mm (95 % interval "));
 }
 
 TEST(Magnitudes, LoseEachParticipantsScaleAndKeepTheRawNumbersBeside) {
@@ -1012,6 +1012,39 @@ TEST(Magnitudes, LoseEachParticipantsScaleAndKeepTheRawNumbersBeside) {
   EXPECT_NEAR(std::get<double>(second[4]) / std::get<double>(first[4]), std::pow(10.0, 0.3), 0.15);
   EXPECT_NEAR(std::get<double>(second[5]) / std::get<double>(first[5]), 1.0, 0.08);
   EXPECT_EQ(table_of(outcome, "roughness").table.rows.size(), 10U);
+}
+
+// Their peaks are 0.15 decades apart, which t of one degree of freedom makes an interval of nearly two:
+// wider than the spacings.
+TEST(Magnitudes, OfTwoPeopleAreTooFewToSayWhereItPeaks) {
+  const AnalysisOutcome outcome = analyze_numbers(2, 15.0);
+  const std::vector<Cell>& peak = row_of(table_of(outcome, "peaks").table, {"large"});
+  EXPECT_EQ(peak[1], Cell{"too_few_to_say"});
+  EXPECT_EQ(peak[2], Cell{});
+  EXPECT_EQ(peak[3], Cell{});
+  const auto asked = std::find_if(outcome.questions.begin(), outcome.questions.end(),
+                                  [](const AnsweredQuestion& one) { return one.name == "peaks"; });
+  ASSERT_NE(asked, outcome.questions.end());
+  EXPECT_THAT(asked->answer, says("large cannot be told, because with 2 participants"));
+}
+
+// Neither by name nor as anybody met them.
+TEST(Magnitudes, StandInTheOrderOfConditionsThatTheProtocolLists) {
+  const AnalysisOutcome outcome = analyze_numbers();
+  const Table& roughness = table_of(outcome, "roughness").table;
+  ASSERT_EQ(roughness.rows.size(), 10U);
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_EQ(roughness.rows[i][0], Cell{i < 5 ? "small" : "large"});
+  }
+  EXPECT_EQ(table_of(outcome, "peaks").table.rows.at(0)[0], Cell{"small"});
+  const std::vector<Cell>& ratio = table_of(outcome, "peak_ratios").table.rows.at(0);
+  EXPECT_EQ(ratio[0], Cell{"small"});
+  EXPECT_EQ(ratio[1], Cell{"large"});
+  const auto curve =
+      std::find_if(outcome.findings.begin(), outcome.findings.end(),
+                   [](const Finding& finding) { return finding.quantity == "geomean"; });
+  ASSERT_NE(curve, outcome.findings.end());
+  EXPECT_THAT(curve->key, testing::StartsWith("small|"));
 }
 
 TEST(Magnitudes, AreTestedInTheDeclaredFamily) {

@@ -48,6 +48,7 @@ constexpr std::array kHeadings{
     Word{"goes", QT_TRANSLATE_NOOP("AnalysisWords", "goes")},
     Word{"height", QT_TRANSLATE_NOOP("AnalysisWords", "height")},
     Word{"inverted_u", QT_TRANSLATE_NOOP("AnalysisWords", "inverted U")},
+    Word{"left_out", QT_TRANSLATE_NOOP("AnalysisWords", "left out")},
     Word{"item", QT_TRANSLATE_NOOP("AnalysisWords", "item")},
     Word{"join", QT_TRANSLATE_NOOP("AnalysisWords", "join")},
     Word{"log_worth", QT_TRANSLATE_NOOP("AnalysisWords", "log worth")},
