@@ -9,6 +9,7 @@
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/inverse3/inverse3_device.h"
 #include "device/openhaptics/openhaptics_device.h"
+#include "device/simulated_models.h"
 
 namespace asperity {
 namespace {
@@ -25,15 +26,23 @@ Driver simulated_driver() {
           .summary = "A probe held by a virtual hand, for rehearsal and tests: nobody feels it.",
           .find =
               [](const DriverOptions&) {
-                return DriverSurvey{.attached = {{.model = "simulated hand and probe"}}};
+                std::string names;
+                for (const std::string& model : simulated_models()) {
+                  names += (names.empty() ? "simulated:" : ", simulated:") + model;
+                }
+                return DriverSurvey{
+                    .attached = {{.model = "simulated hand and probe",
+                                  .remark = "It can stand for a real device: " + names + "."}}};
               },
-          .open = [](const std::string&,
+          .open = [](const std::string& model,
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             if (options.hand == nullptr) {
               throw std::invalid_argument(
                   "the simulated device is held by a virtual hand, and there is none");
             }
-            return std::make_unique<SimulatedDevice>(*options.hand, options.simulated);
+            return std::make_unique<SimulatedDevice>(
+                *options.hand,
+                model.empty() ? options.simulated : as_model(model, options.simulated));
           }};
 }
 

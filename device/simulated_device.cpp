@@ -8,6 +8,7 @@
 #include <string>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "device/refusal.h"
 
@@ -17,12 +18,19 @@ namespace {
 constexpr std::int64_t kLongestStep_ns = 1'000'000;
 
 DeviceCapability capability_of(const SimulatedDeviceSettings& settings) {
-  return {.name = "simulated",
-          .model = "mass, spring and damper",
-          .peak_force_N = settings.peak_force_N,
-          .continuous_force_N = settings.peak_force_N,
-          .maximum_rate_Hz = 10'000.0,
-          .buttons = VirtualHand::kButtons};
+  DeviceCapability capability =
+      settings.stands_for.value_or(DeviceCapability{.model = "mass, spring and damper",
+                                                    .continuous_force_N = settings.peak_force_N,
+                                                    .maximum_rate_Hz = 10'000.0});
+  capability.name = "simulated";
+  capability.serial.clear();
+  capability.sensed_degrees_of_freedom = 3;
+  capability.actuated_degrees_of_freedom = 3;
+  capability.peak_force_N = settings.peak_force_N;
+  capability.position_resolution_m = settings.sensor.position_step_m;
+  capability.buttons = VirtualHand::kButtons;
+  capability.pacing = Pacing::ours;
+  return capability;
 }
 
 void check(const SimulatedDeviceSettings& settings) {
@@ -35,6 +43,8 @@ void check(const SimulatedDeviceSettings& settings) {
   if (settings.substeps < 1 || settings.substeps > 1000) {
     refuse("substeps of the simulated device", settings.substeps, "from 1 to 1000");
   }
+  require_not_negative("saturation_force_N of the simulated device", settings.saturation_force_N);
+  require_not_negative("friction_N of the simulated device", settings.friction_N);
   for (const ScriptedFault& fault : settings.faults) {
     require_not_negative("at_s of a scripted fault", fault.at_s);
     require_not_negative("duration_s of a scripted fault", fault.duration_s);
@@ -49,10 +59,37 @@ bool is_active(const ScriptedFault& fault, std::int64_t since_start_ns) noexcept
          (fault.duration_s == 0.0 || since_fault_ns < nanoseconds(fault.duration_s));
 }
 
+// What friction of at most `friction_N` leaves of `momentum`, what the mass would go on with: the
+// velocity v of
+//
+//   drag v + friction · v/|v| = momentum,   or 0 where |momentum| ≤ friction.
+//
+// With s = |v|, v = momentum s/(drag s + friction), so s is where w = momentum/(drag s + friction) has
+// length 1. Newton's method on 1/|w|, which is a straight line where the drag is the same in all
+// directions, comes from below: it starts where the largest drag in every direction would put s.
+glm::dvec3 velocity_against(double friction_N, const glm::dvec3& drag_N_s_per_m,
+                            const glm::dvec3& momentum_N) noexcept {
+  const double strength_N = glm::length(momentum_N);
+  if (strength_N <= friction_N) return glm::dvec3(0.0);
+  constexpr int kSteps = 5;
+  const glm::dvec3& a = drag_N_s_per_m;
+  double s = (strength_N - friction_N) / std::max({a.x, a.y, a.z});
+  for (int step = 0; step < kSteps; ++step) {
+    const glm::dvec3 w = momentum_N / (a * s + friction_N);
+    const double p = glm::dot(w, w);
+    const double slope = glm::dot(w * w, a / (a * s + friction_N));
+    s += p * (std::sqrt(p) - 1.0) / slope;
+  }
+  return momentum_N * s / (a * s + friction_N);
+}
+
 }  // namespace
 
 SimulatedDevice::SimulatedDevice(VirtualHand& hand, const SimulatedDeviceSettings& settings)
-    : HapticDevice(capability_of(settings), ForceLimits{}), hand_(hand), settings_(settings) {
+    : HapticDevice(capability_of(settings), ForceLimits{}),
+      hand_(hand),
+      settings_(settings),
+      sensor_(settings.sensor) {
   check(settings_);
 }
 
@@ -95,7 +132,7 @@ bool SimulatedDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
   move_until(now_ns);
 
   probe_.buttons = hand_.take_buttons();
-  state = probe_;
+  state = sensor_.read(probe_);
   if (not_a_number) {
     state.position_m = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
   }
@@ -107,6 +144,11 @@ bool SimulatedDevice::do_send(const Wrench& limited) noexcept {
     return false;
   }
   pushed_ = limited;
+  const double strength_N = glm::length(limited.force_N);
+  if (settings_.saturation_force_N > 0.0 && strength_N > settings_.saturation_force_N) {
+    pushed_.force_N *= settings_.saturation_force_N / strength_N;
+    gave_only(pushed_);
+  }
   return true;
 }
 
@@ -140,6 +182,10 @@ void SimulatedDevice::move_until(std::int64_t now_ns) noexcept {
     const glm::dvec3 force = pushing_N + stiffness * (hold - x) + damping * hold_velocity;
     v = (v + step_s / hand.mass_kg * force) /
         (1.0 + step_s / hand.mass_kg * (damping + step_s * stiffness));
+    if (settings_.friction_N > 0.0 && step_s > 0.0) {
+      const glm::dvec3 drag = hand.mass_kg / step_s + damping + step_s * stiffness;
+      v = velocity_against(settings_.friction_N, drag, drag * v);
+    }
     x += step_s * v;
   }
 }

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "device/haptic_device.h"
+#include "device/imperfect_sensor.h"
 #include "device/virtual_hand.h"
 
 namespace asperity {
@@ -38,6 +40,14 @@ struct SimulatedDeviceSettings {
   std::vector<ScriptedFault> faults{};
   int substeps = 4;            ///< integration steps per read
   double peak_force_N = 10.0;  ///< of its motors
+  /// What the motors really give at most, where that is less than their peak (warm, a weak supply);
+  /// 0: their peak. A stronger force keeps its direction and is told as limited.
+  double saturation_force_N = 0.0;
+  double friction_N = 0.0;  ///< of the device's joints, as a force on the probe
+  SensorSettings sensor{};
+  /// Tells model, workspace, continuous force, rate and remarks of a device that this one stands for
+  /// (simulated_models.h). Its name stays "simulated", and what it senses and gives its own.
+  std::optional<DeviceCapability> stands_for{};
   /// How a scripted stall lets time pass, in real time: sleeps. Left empty when stepped. Must not
   /// throw.
   std::function<void(double duration_s)> sleep{};
@@ -45,7 +55,7 @@ struct SimulatedDeviceSettings {
 
 /// The probe as a mass on the spring and damper of a VirtualHand, pushed by the rendered force:
 ///
-///   m a = k (x_hand − x) + b (v_hand − v) − press·ẑ + F
+///   m a = k (x_hand − x) + b (v_hand − v) − press·ẑ + F − friction
 ///
 /// in x and y always; in z the spring holds while the hand is lifted and gives way to `press` in
 /// contact, so that the hand presses with a force rather than to a depth, with the damping b_z. A
@@ -53,11 +63,19 @@ struct SimulatedDeviceSettings {
 /// holds again. Without a push and with the hand at rest, the energy m v²/2 + k (x_hand − x)²/2
 /// only falls.
 ///
+/// The friction of the device's joints is f against the velocity, and up to f whatever keeps a resting
+/// probe at rest: a force below f moves no resting hand, and a moving one has its probe f/k behind. It
+/// is one force, the same in all directions, so that a probe that slides along the surface gives way
+/// across it to the smallest force.
+///
 /// Integrated between reads with the force of the last `push`, in `substeps` steps or more so that
 /// none is longer than 1 ms: the spring's and the damper's force are taken at the end of the step
 /// (linearly implicit Euler), so no step can make the hand unstable. The surface is explicit, as on
 /// any device: k_surface < 2 b_z / T is passive [Colgate 1997], with the defaults up to 10 kN/m at
 /// 500 Hz. In a gap beyond kLongestGap_ns the motion stands still.
+///
+/// What is read is what the `sensor` makes of it (imperfect_sensor.h). The defaults have neither
+/// friction nor saturation nor an imperfect sensor: recordings made without them replay bit for bit.
 ///
 /// Works at any rate up to 10 kHz, in real time or stepped: it knows only the times it is read at.
 ///
@@ -84,6 +102,7 @@ class SimulatedDevice final : public HapticDevice {
   SimulatedDeviceSettings settings_{};
   HandIntent intent_{};
   ProbeState probe_{};
+  ImperfectSensor sensor_;
   Wrench pushed_{};
   std::int64_t first_ns_ = 0;
   bool started_ = false;

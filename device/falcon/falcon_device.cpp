@@ -28,19 +28,10 @@ std::int64_t monotonic_ns() noexcept {
 }
 
 DeviceCapability capability_of(const FalconLine& line) {
-  constexpr double kHalf_m = 0.0508;  // 4 inches each way, as published
-  return {.name = "falcon",
-          .model = "Novint Falcon",
-          .serial = line.settings().serial,
-          .sensed_degrees_of_freedom = 3,
-          .actuated_degrees_of_freedom = 3,
-          .workspace_minimum_m = glm::dvec3(-kHalf_m),
-          .workspace_maximum_m = glm::dvec3(kHalf_m),
-          .peak_force_N = 8.9,  // 2 lbf, as published; less where the motors are at their limit
-          .position_resolution_m = 38e-6,
-          .maximum_rate_Hz =
-              line.rate_Hz() > kNearlyFullRate_Hz ? kFullRate_Hz : std::floor(line.rate_Hz()),
-          .buttons = 4};
+  DeviceCapability capability = falcon_capability();
+  capability.serial = line.settings().serial;
+  if (line.rate_Hz() <= kNearlyFullRate_Hz) capability.maximum_rate_Hz = std::floor(line.rate_Hz());
+  return capability;
 }
 
 // The machine's z points to the hand, and its y up.
@@ -49,6 +40,18 @@ glm::dvec3 to_machine(const glm::dvec3& v) noexcept { return {v.x, v.z, -v.y}; }
 constexpr glm::dvec3 kOrigin_m{0.0, 0.0, kMiddle_m};
 
 }  // namespace
+
+DeviceCapability falcon_capability() {
+  constexpr double kHalf_m = 0.0508;  // 4 inches each way, as published
+  return {.name = "falcon",
+          .model = "Novint Falcon",
+          .workspace_minimum_m = glm::dvec3(-kHalf_m),
+          .workspace_maximum_m = glm::dvec3(kHalf_m),
+          .peak_force_N = 8.9,  // 2 lbf, as published; less where the motors are at their limit
+          .position_resolution_m = 38e-6,
+          .maximum_rate_Hz = kFullRate_Hz,
+          .buttons = 4};
+}
 
 std::unique_ptr<FalconDevice> FalconDevice::open(const FalconSettings& settings) {
   std::unique_ptr<FalconDevice> device(

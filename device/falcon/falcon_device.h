@@ -21,6 +21,9 @@ struct FalconSettings {
   std::function<void(const std::string& sentence)> tell{};
 };
 
+/// What every Falcon declares; one that is attached tells its serial number and its rate besides.
+DeviceCapability falcon_capability();
+
 /// A Falcon: its place from three encoders, three motors, four buttons, no torque.
 ///
 /// What the caller may rely on:

@@ -2,12 +2,15 @@
 
 #include "device/drivers.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "analysis/random.h"
+#include "device/falcon/falcon_device.h"
+#include "device/simulated_models.h"
 
 namespace asperity {
 namespace {
@@ -29,6 +32,50 @@ TEST(Drivers, OpenTheSimulatedDeviceInTheHandThatIsGiven) {
   const auto device = drivers.open("simulated", {.hand = &hand});
   EXPECT_EQ(device->capability().name, "simulated");
   EXPECT_TRUE(device->read(0).has_value());
+}
+
+TEST(Drivers, OpenTheSimulatedDeviceInPlaceOfARealOne) {
+  VirtualHand hand(HandHabits{}, Random(1));
+  const DriverRegistry drivers = built_in_drivers();
+  const auto falcon = drivers.open("simulated:falcon", {.hand = &hand});
+  EXPECT_EQ(falcon->capability().name, "simulated");
+  EXPECT_EQ(falcon->capability().model, "Novint Falcon, simulated");
+  EXPECT_EQ(falcon->capability().peak_force_N, falcon_capability().peak_force_N);
+  EXPECT_EQ(falcon->capability().position_resolution_m, falcon_capability().position_resolution_m);
+  EXPECT_EQ(falcon->capability().maximum_rate_Hz, 1000.0);
+  EXPECT_THAT(falcon->capability().remarks, HasSubstr("not known"));
+  const auto delta = drivers.open("simulated:delta.3", {.hand = &hand});
+  EXPECT_EQ(delta->capability().peak_force_N, 20.0);
+  EXPECT_EQ(delta->capability().workspace_maximum_m, glm::dvec3(0.15));
+  EXPECT_EQ(delta->limits().force_N, ForceLimits{}.force_N);
+  EXPECT_THAT(complaint_of([&] { drivers.open("simulated:gamma.3", {.hand = &hand}); }),
+              HasSubstr("cannot stand for \"gamma.3\"; it can for: falcon, delta.3"));
+}
+
+TEST(SimulatedModels, HaveAHandThatStaysInTheirWorkspace) {
+  for (const std::string& model : simulated_models()) {
+    const SimulatedDeviceSettings settings = simulated_settings("simulated:" + model).value();
+    VirtualHand hand(HandHabits{}, Random(2));
+    SimulatedDevice device(hand, settings);
+    hand.stroke();
+    const DeviceCapability& can = device.capability();
+    for (int tick = 0; tick < 3000; ++tick) {
+      const ProbeState probe = device.read(1'000'000LL * tick).value();
+      for (int axis = 0; axis < 3; ++axis) {
+        ASSERT_GE(probe.position_m[axis], can.workspace_minimum_m[axis]) << model;
+        ASSERT_LE(probe.position_m[axis], can.workspace_maximum_m[axis]) << model;
+      }
+      device.push({.force_N = {0.0, 0.0, 500.0 * std::max(0.0, -probe.position_m.z)}}, 1e-3);
+    }
+  }
+}
+
+TEST(SimulatedModels, AreNamedAfterTheSimulatedDeviceOnly) {
+  EXPECT_TRUE(simulated_settings("simulated").has_value());
+  EXPECT_FALSE(simulated_settings("simulated").value().stands_for.has_value());
+  EXPECT_FALSE(simulated_settings("simulated2").has_value());
+  EXPECT_FALSE(simulated_settings("falcon").has_value());
+  EXPECT_THROW(simulated_settings("simulated:"), std::runtime_error);
 }
 
 TEST(Drivers, FindTheSimulatedDeviceEverywhere) {

@@ -3,6 +3,7 @@
 #include "device/simulated_device.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -514,6 +515,159 @@ TEST(SimulatedDevice, SaysWhatItCanDoAndLowersLimitsToIt) {
   EXPECT_TRUE(sent->has(LimitReason::force));
 }
 
+// A golden trace: recordings that were made with a device without imperfections replay for ever.
+TEST(SimulatedDevice, WithoutImperfectionsMovesAsItAlwaysDid) {
+  VirtualHand hand(HandHabits{}, Random(22));
+  SimulatedDevice device(hand, {});
+  hand.stroke();
+  std::uint64_t trace = 0xcbf29ce484222325U;  // FNV-1a, a word at a time
+  for (int tick = 0; tick < 5000; ++tick) {
+    const ProbeState probe = device.read(kTick_ns * tick).value();
+    for (int axis = 0; axis < 3; ++axis) {
+      trace = (trace ^ std::bit_cast<std::uint64_t>(probe.position_m[axis])) * 0x100000001b3U;
+      trace = (trace ^ std::bit_cast<std::uint64_t>(probe.velocity_m_per_s[axis])) * 0x100000001b3U;
+    }
+    // No function of libm in it, so that the bits are the same everywhere.
+    const double normal_N = 500.0 * std::max(0.0, -probe.position_m.z);
+    device.push({.force_N = {-0.5 * probe.velocity_m_per_s.x * normal_N, 0.0, normal_N}}, 1e-3);
+  }
+  EXPECT_EQ(trace, 0xd0cea499f3eec838U);
+}
+
+// Strokes on a plate without friction of its own, and the hand that holds the probe.
+struct Stroke {
+  std::vector<Sample> samples{};
+  std::vector<HandIntent> intents{};
+};
+Stroke stroked(const SimulatedDeviceSettings& settings, const HandHabits& habits, double to_s) {
+  VirtualHand hand(habits, Random(23));
+  VirtualHand same_hand(habits, Random(23));
+  SimulatedDevice device(hand, settings);
+  hand.stroke();
+  same_hand.stroke();
+  Stroke stroke;
+  stroke.samples = run(device, 1000.0, 0.0, to_s, [](const ProbeState& probe, double) {
+    return glm::dvec3(0.0, 0.0, 500.0 * std::max(0.0, -probe.position_m.z));
+  });
+  for (const Sample& sample : stroke.samples) {
+    stroke.intents.push_back(same_hand.intent(nanoseconds(sample.time_s)));
+  }
+  return stroke;
+}
+
+bool is_steady(const Sample& sample, const HandIntent& intent) {
+  return sample.time_s > 1.0 && !intent.lifted && glm::length(intent.position_m) < 0.010;
+}
+
+TEST(SimulatedDevice, DoesNotMoveForAForceBelowItsFriction) {
+  VirtualHand hand(kSteady, Random(24));
+  SimulatedDevice device(hand, {.friction_N = 0.3});
+  const glm::dvec3 start_m = device.read(0).value().position_m;
+  const glm::dvec3 push_N = 0.299 * glm::normalize(glm::dvec3(1.0, -2.0, 0.5));
+  const auto samples =
+      run(device, 1000.0, 0.001, 1.0, [&](const ProbeState&, double) { return push_N; });
+  EXPECT_EQ(samples.back().probe.position_m, start_m);
+  EXPECT_EQ(samples.back().probe.velocity_m_per_s, glm::dvec3(0.0));
+  const auto stronger =
+      run(device, 1000.0, 1.0, 2.0, [&](const ProbeState&, double) { return 1.01 * push_N; });
+  EXPECT_NE(stronger.back().probe.position_m, start_m);
+}
+
+TEST(SimulatedDevice, StopsWhereFrictionBearsWhatIsLeftOfTheForce) {
+  // At rest |F − k x| ≤ f.
+  VirtualHand hand(kSteady, Random(24));
+  SimulatedDevice device(hand, {.friction_N = 0.3});
+  const glm::dvec3 start_m = device.read(0).value().position_m;
+  const glm::dvec3 push_N(2.0, 1.0, -1.0);
+  const auto samples =
+      run(device, 1000.0, 0.001, 2.0, [&](const ProbeState&, double) { return push_N; });
+  EXPECT_EQ(samples.back().probe.velocity_m_per_s, glm::dvec3(0.0));
+  const glm::dvec3 way_m = samples.back().probe.position_m - start_m;
+  EXPECT_LE(glm::length(push_N - 300.0 * way_m), 0.3);
+  EXPECT_GT(glm::length(way_m), 2.0 / 300.0);
+}
+
+TEST(SimulatedDevice, TrailsAStrokingHandByItsFrictionInAnyDirection) {
+  // The hold's spring bears the friction: k (x_hand − x) = f.
+  for (const double direction_rad : {0.0, 0.7, 2.0}) {
+    HandHabits habits = kSteady;
+    habits.direction_rad = direction_rad;
+    const Stroke stroke = stroked({.friction_N = 0.3}, habits, 4.0);
+    int steady = 0;
+    for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
+      if (!is_steady(stroke.samples[i], stroke.intents[i])) continue;
+      const glm::dvec3 way_m = stroke.intents[i].position_m - stroke.samples[i].probe.position_m;
+      ASSERT_NEAR(std::hypot(way_m.x, way_m.y), 0.3 / 300.0, 2e-6);
+      ++steady;
+    }
+    EXPECT_GT(steady, 500);
+  }
+}
+
+TEST(SimulatedDevice, WithFrictionStaysSteadyAtEveryRate) {
+  for (const double rate_Hz : {500.0, 1000.0, 10'000.0}) {
+    VirtualHand hand(kSteady, Random(25));
+    SimulatedDevice device(hand, {.friction_N = 0.3});
+    hand.stroke();
+    for (const Sample& sample : run(device, rate_Hz, 0.0, 3.0, plate(1000.0))) {
+      if (sample.time_s > 1.5) {
+        ASSERT_NEAR(sample.force_N.z, 1.0, 0.31) << sample.time_s;
+      }
+    }
+  }
+}
+
+TEST(SimulatedDevice, GivesNoMoreThanItsMotorsWhenTheySaturate) {
+  VirtualHand hand(kSteady, Random(26));
+  SimulatedDevice device(hand, {.saturation_force_N = 2.0});
+  device.set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  device.read(0);
+  const LimitedWrench within = device.push({.force_N = {0.0, 1.9, 0.0}}, 1e-3).value();
+  EXPECT_EQ(within.wrench.force_N, glm::dvec3(0.0, 1.9, 0.0));
+  EXPECT_EQ(within.reasons, 0);
+  const LimitedWrench beyond = device.push({.force_N = {0.0, 3.0, 4.0}}, 1e-3).value();
+  EXPECT_NEAR(glm::length(beyond.wrench.force_N), 2.0, 1e-12);
+  EXPECT_NEAR(beyond.wrench.force_N.y / beyond.wrench.force_N.z, 0.75, 1e-12);
+  EXPECT_TRUE(beyond.has(LimitReason::force));
+  // And so much is what the hand feels: it yields by F/k.
+  const auto samples = run(device, 1000.0, 0.001, 1.0,
+                           [](const ProbeState&, double) { return glm::dvec3(0.0, 4.0, 0.0); });
+  EXPECT_NEAR(samples.back().probe.position_m.y, 2.0 / 300.0, 1e-6);
+}
+
+TEST(SimulatedDevice, ReadsAMovingHandLateBySpeedTimesLatency) {
+  // 3.4 ms is between two readings, 60 ms would be too much.
+  const Stroke stroke = stroked({.sensor = {.latency_s = 0.0034}}, kSteady, 4.0);
+  int steady = 0;
+  for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
+    if (!is_steady(stroke.samples[i], stroke.intents[i])) continue;
+    const HandIntent& intent = stroke.intents[i];
+    const glm::dvec3 late_m = intent.position_m - stroke.samples[i].probe.position_m;
+    ASSERT_NEAR(late_m.x, 0.0034 * intent.velocity_m_per_s.x, 2e-6);
+    ASSERT_NEAR(stroke.samples[i].probe.velocity_m_per_s.x, intent.velocity_m_per_s.x, 1e-4);
+    ++steady;
+  }
+  EXPECT_GT(steady, 500);
+}
+
+TEST(SimulatedDevice, WithImperfectionsMovesTheSameFromTheSameSeeds) {
+  const auto moved = [](std::uint64_t noise_seed) {
+    const SimulatedDeviceSettings settings{.friction_N = 0.1,
+                                           .sensor = {.latency_s = 0.001,
+                                                      .position_noise_m = 5e-6,
+                                                      .position_step_m = 38e-6,
+                                                      .velocity = VelocityWindow{},
+                                                      .noise_seed = noise_seed}};
+    std::vector<glm::dvec3> positions_m;
+    for (const Sample& sample : stroked(settings, HandHabits{}, 2.0).samples) {
+      positions_m.push_back(sample.probe.position_m);
+    }
+    return positions_m;
+  };
+  EXPECT_EQ(moved(1), moved(1));
+  EXPECT_NE(moved(1), moved(2));
+}
+
 TEST(SimulatedDevice, RefusesASettingThatIsOutOfRangeByName) {
   VirtualHand hand(HandHabits{}, Random(16));
   const auto refusal_of = [&hand](const SimulatedDeviceSettings& settings) -> std::string {
@@ -534,13 +688,26 @@ TEST(SimulatedDevice, RefusesASettingThatIsOutOfRangeByName) {
   EXPECT_EQ(refusal_of({.faults = {{.duration_s = -1.0}}}), "duration_s");
   EXPECT_EQ(refusal_of({.substeps = 0}), "substeps");
   EXPECT_EQ(refusal_of({.peak_force_N = 0.0}), "peak_force_N");
+  EXPECT_EQ(refusal_of({.saturation_force_N = -1.0}), "saturation_force_N");
+  EXPECT_EQ(refusal_of({.friction_N = -1.0}), "friction_N");
+  EXPECT_EQ(refusal_of({.sensor = {.latency_s = -1.0}}), "latency_s");
+  EXPECT_EQ(refusal_of({.sensor = {.latency_s = 0.051}}), "latency_s");
+  EXPECT_EQ(refusal_of({.sensor = {.position_noise_m = -1.0}}), "position_noise_m");
+  EXPECT_EQ(refusal_of({.sensor = {.position_step_m = -1.0}}), "position_step_m");
+  EXPECT_EQ(refusal_of({.sensor = {.velocity = VelocityWindow{.samples = 1}}}), "samples");
 }
 
 TEST(SimulatedDevice, DoesNotTouchTheHeap) {
   VirtualHand hand(HandHabits{}, Random(17));
   SimulatedDevice device(
       hand, {.faults = {{.kind = ScriptedFault::Kind::lost, .at_s = 1.0, .duration_s = 0.1},
-                        {.kind = ScriptedFault::Kind::nan, .at_s = 1.5, .duration_s = 0.1}}});
+                        {.kind = ScriptedFault::Kind::nan, .at_s = 1.5, .duration_s = 0.1}},
+             .saturation_force_N = 0.9,
+             .friction_N = 0.1,
+             .sensor = {.latency_s = 0.01,
+                        .position_noise_m = 1e-6,
+                        .position_step_m = 1e-6,
+                        .velocity = VelocityWindow{}}});
   hand.stroke();
   AllocationGuard guard;
   for (int tick = 0; tick < 3000; ++tick) {

@@ -1,0 +1,30 @@
+// Real devices that the simulated one can stand for.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "device/simulated_device.h"
+
+namespace asperity {
+
+/// What `simulated:MODEL` may name: "falcon", and Force Dimension's models as its driver calls them,
+/// "delta.3", "omega.3".
+std::vector<std::string> simulated_models();
+
+/// `settings` with workspace, force, rate, resolution, latency and velocity estimate of a real device:
+/// the figures of its driver, none of which was measured here. What nobody tells (a moving mass, and
+/// for each model what the capability's remarks name) stays as it is in `settings`, by default ideal.
+/// The probe has three degrees of freedom whatever the model has.
+///
+/// Errors: std::runtime_error naming the models, for one that is not there.
+SimulatedDeviceSettings as_model(std::string_view model, SimulatedDeviceSettings settings);
+
+/// The settings for what `--device` names, "simulated" or "simulated:MODEL"; nothing for other devices.
+/// Errors: as `as_model`.
+std::optional<SimulatedDeviceSettings> simulated_settings(std::string_view device);
+
+}  // namespace asperity
