@@ -9,6 +9,7 @@
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/inverse3/inverse3_device.h"
 #include "device/openhaptics/openhaptics_device.h"
+#include "device/pointer_device.h"
 #include "device/simulated_models.h"
 
 namespace asperity {
@@ -99,6 +100,7 @@ DriverRegistry built_in_drivers() {
   registry.add(force_dimension_driver());
   registry.add(openhaptics_driver());
   registry.add(inverse3_driver());
+  registry.add(pointer_driver());
   return registry;
 }
 

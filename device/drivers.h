@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "device/haptic_device.h"
+#include "device/latest_value.h"
+#include "device/pointer_sample.h"
 #include "device/simulated_device.h"
 
 namespace asperity {
@@ -29,6 +31,8 @@ struct DriverOptions {
   /// What holds the probe of the simulated device; has to outlive it. Null elsewhere.
   VirtualHand* hand = nullptr;
   SimulatedDeviceSettings simulated{};
+  /// What a window feeds the device "mouse" through; has to outlive it. Null where there is no window.
+  LatestValue<PointerSample>* pointer = nullptr;
 };
 
 /// One device that a driver sees.
