@@ -620,10 +620,6 @@
         <translation>Rauheit nach Abstand und Bedingung</translation>
     </message>
     <message>
-        <source>Geometric means. normalised: each participant&apos;s own scale taken out, by the mean of the logarithms of all cells; its interval is Student&apos;s, of the logarithms. raw: participants as they count.</source>
-        <translation>Geometrische Mittel. normiert: ohne den eigenen Maßstab der Versuchsperson (Mittel der Logarithmen aller Zellen); Intervall nach Student, der Logarithmen. roh: Versuchspersonen, wie sie zählen.</translation>
-    </message>
-    <message>
         <source>Estimates of each participant</source>
         <translation>Schätzungen der einzelnen Versuchspersonen</translation>
     </message>
@@ -778,6 +774,14 @@
     <message>
         <source>The interval of the mean is Student&apos;s, over the persons, cut at 0 and 1: a share cannot lie beyond, so that it covers as often.</source>
         <translation>Das Intervall des Mittelwerts ist das von Student, über die Personen, bei 0 und 1 abgeschnitten: Ein Anteil kann nicht jenseits liegen, daher enthält es ihn ebenso oft.</translation>
+    </message>
+    <message>
+        <source>Geometric means. normalised: each participant&apos;s own scale taken out, by the mean of the logarithms of all cells; its interval is Student&apos;s, of the logarithms. raw: participants as they count. left out: those of the persons who are in raw alone, because somewhere they have no estimate and so no scale that could be taken out.</source>
+        <translation>Geometrische Mittel. normiert: ohne den eigenen Maßstab der Versuchsperson (Mittel der Logarithmen aller Zellen); Intervall nach Student, der Logarithmen. roh: Versuchspersonen, wie sie zählen. ausgelassen: wer nur unter roh zählt, weil irgendwo eine Schätzung fehlt und damit der Maßstab, der herauszunehmen wäre.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told, because with %2 participants its interval is wider than the tested spacings</source>
+        <translation>%1 ist nicht zu sagen: Bei %2 Versuchspersonen ist das Intervall weiter als die geprüften Abstände</translation>
     </message>
 </context>
 <context>
@@ -1114,6 +1118,10 @@
         <source>spacing, m</source>
         <translation>Abstand, m</translation>
     </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
 </context>
 <context>
     <name>AttemptWords</name>
@@ -1371,6 +1379,10 @@
     <message>
         <source>not within the tested spacings</source>
         <translation>nicht innerhalb der geprüften Abstände</translation>
+    </message>
+    <message>
+        <source>too few participants to say</source>
+        <translation>zu wenige Versuchspersonen für eine Aussage</translation>
     </message>
 </context>
 <context>
@@ -2252,6 +2264,10 @@
     <message>
         <source>Please check the number %1: give it once more, or the one that you meant.</source>
         <translation>Bitte prüfen Sie die Zahl %1: Geben Sie sie noch einmal ein oder die, die Sie meinten.</translation>
+    </message>
+    <message>
+        <source>%1 can be read in two ways. Please write thousands without a point or a comma, and decimals with one or two digits after it.</source>
+        <translation>%1 lässt sich auf zwei Arten lesen. Bitte Tausender ohne Punkt oder Komma schreiben und nach dem Komma eine oder zwei Ziffern.</translation>
     </message>
 </context>
 <context>
