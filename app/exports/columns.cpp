@@ -568,11 +568,12 @@ Columns compliance_columns() {
   value("p05", "5th percentile", &Row::p05);
   value("p50", "median", &Row::p50);
   value("p95", "95th percentile", &Row::p95);
-  add(missing("the protocol declares no band",
-              fraction(column("fraction_in_band", "number", "1",
-                              "fraction of the contact time inside the band", [](const Place& at) {
-                                return optional_cell(at.compliance->fraction_in_band);
-                              }))));
+  add(missing(
+      "the protocol declares no band",
+      fraction(
+          column("fraction_in_band", "number", "1",
+                 "fraction inside the band: of the contact time, of the strokes for the speed",
+                 [](const Place& at) { return optional_cell(at.compliance->fraction_in_band); }))));
   add(missing("the protocol declares nothing",
               column("passed", "boolean", "", "1: explored as the protocol asks",
                      [](const Place& at) { return optional_boolean(at.compliance->passed); })));
