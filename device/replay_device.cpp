@@ -40,8 +40,10 @@ DeviceCapability recorded_capability(const std::vector<ProbeState>& states) {
 
 }  // namespace
 
-ReplayDevice::ReplayDevice(std::vector<ProbeState> states)
-    : HapticDevice(recorded_capability(states), ForceLimits{}), states_(std::move(states)) {}
+ReplayDevice::ReplayDevice(std::vector<ProbeState> states, ReplayEnd end)
+    : HapticDevice(recorded_capability(states), ForceLimits{}),
+      states_(std::move(states)),
+      end_(end) {}
 
 bool ReplayDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
   if (!has_begun_) {
@@ -59,7 +61,8 @@ bool ReplayDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
     state.angular_velocity_rad_per_s = glm::dvec3(0.0);
     state.buttons = 0;
   }
-  return true;
+  is_lost_ = rests && end_ == ReplayEnd::lost;
+  return !is_lost_;
 }
 
 }  // namespace asperity

@@ -10,9 +10,15 @@
 
 namespace asperity {
 
+/// What comes after the last state of a recording.
+enum class ReplayEnd {
+  rest,  ///< the hand stays where it was, at velocity 0, with no button down
+  lost,  ///< the device does not answer any more
+};
+
 /// Gives the states of a recording again, at the distances of time at which they were taken, from the first reading
-/// on: at each reading the latest state that is due, exactly as it was but for its time. After the last one the
-/// hand rests where it was, at velocity 0, with no button down.
+/// on: at each reading the latest state that is due, exactly as it was but for its time. What
+/// comes after the last one is `ReplayEnd`.
 ///
 /// It has no motors: pushes are taken and have no effect, so that a recording can be led over another surface.
 ///
@@ -21,20 +27,22 @@ namespace asperity {
 /// Real-time: reading does not allocate, lock or throw.
 class ReplayDevice final : public HapticDevice {
  public:
-  explicit ReplayDevice(std::vector<ProbeState> states);
+  explicit ReplayDevice(std::vector<ProbeState> states, ReplayEnd end = ReplayEnd::rest);
 
   /// Whether the last state has been given. From the thread that reads.
   bool is_over() const noexcept { return is_over_; }
 
  private:
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;
-  bool do_send(const Wrench&) noexcept override { return true; }
+  bool do_send(const Wrench&) noexcept override { return !is_lost_; }
 
   std::vector<ProbeState> states_{};
+  ReplayEnd end_ = ReplayEnd::rest;
   std::size_t at_ = 0;  ///< the state given last
   std::int64_t began_ns_ = 0;
   bool has_begun_ = false;
   bool is_over_ = false;
+  bool is_lost_ = false;
 };
 
 }  // namespace asperity

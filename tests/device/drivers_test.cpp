@@ -39,7 +39,7 @@ TEST(Drivers, OpenTheSimulatedDeviceInPlaceOfARealOne) {
   const DriverRegistry drivers = built_in_drivers();
   const auto falcon = drivers.open("simulated:falcon", {.hand = &hand});
   EXPECT_EQ(falcon->capability().name, "simulated");
-  EXPECT_EQ(falcon->capability().model, "Novint Falcon, simulated");
+  EXPECT_EQ(falcon->capability().model, "in place of Novint Falcon");
   EXPECT_EQ(falcon->capability().peak_force_N, falcon_capability().peak_force_N);
   EXPECT_EQ(falcon->capability().position_resolution_m, falcon_capability().position_resolution_m);
   EXPECT_EQ(falcon->capability().maximum_rate_Hz, 1000.0);

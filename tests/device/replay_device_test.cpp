@@ -54,6 +54,15 @@ TEST(ReplayDevice, RestsAfterTheEnd) {
   EXPECT_EQ(state.velocity_m_per_s, glm::dvec3(0.0));
 }
 
+TEST(ReplayDevice, IsLostAfterTheEndWhereThatWasAskedFor) {
+  ReplayDevice device(three_states(), ReplayEnd::lost);
+  device.read(0);
+  EXPECT_TRUE(device.read(4 * kMillisecond_ns).has_value());
+  EXPECT_TRUE(device.push({}, 1e-3).has_value());
+  EXPECT_FALSE(device.read(4 * kMillisecond_ns + 1).has_value());
+  EXPECT_FALSE(device.push({}, 1e-3).has_value());
+}
+
 TEST(ReplayDevice, DescribesWhatWasRecordedAndHasNoMotors) {
   ReplayDevice device(three_states());
   EXPECT_EQ(device.capability().actuated_degrees_of_freedom, 0);
