@@ -16,11 +16,19 @@ constexpr double kRealTimeSlice_s = 0.005;
 constexpr double kRing_s = 8.0;
 constexpr std::int64_t kTicksBetweenDrains = 256;
 
+/// The noise of the device's sensors is another one in every attempt, and the same in its repetition.
+SimulatedDeviceSettings with_noise(SimulatedDeviceSettings settings, const Random& random) {
+  settings.sensor.noise_seed = random.split("sensor").bits();
+  return settings;
+}
+
 }  // namespace
 
 struct SteppedRig::Assembly {
   Assembly(const RigSettings& settings, const HandHabits& habits, const Random& random)
-      : hand(habits, random), device(hand, settings.device), loop(device, records, settings.servo) {
+      : hand(habits, random),
+        device(hand, with_noise(settings.device, random)),
+        loop(device, records, settings.servo) {
     device.set_limits(settings.limits);
   }
   VirtualHand hand;
@@ -97,8 +105,9 @@ SimulatedDeviceSettings in_real_time(SimulatedDeviceSettings settings) {
 RealTimeRig::RealTimeRig(const RigSettings& settings, const HandHabits& habits,
                          const Random& random, Scheduling scheduling, std::int64_t not_before_ns)
     : RealTimeRig(settings, habits, random, scheduling, not_before_ns,
-                  [&settings](VirtualHand& hand) {
-                    return std::make_unique<SimulatedDevice>(hand, in_real_time(settings.device));
+                  [&settings, &random](VirtualHand& hand) {
+                    return std::make_unique<SimulatedDevice>(
+                        hand, with_noise(in_real_time(settings.device), random));
                   }) {}
 
 RealTimeRig::RealTimeRig(const RigSettings& settings, const HandHabits& habits,

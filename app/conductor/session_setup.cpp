@@ -30,19 +30,19 @@ std::string capability_json(const DeviceCapability& device) {
   const auto corner = [](const glm::dvec3& p) {
     return nlohmann::ordered_json::array({p.x, p.y, p.z});
   };
-  const nlohmann::ordered_json json{
-      {"name", device.name},
-      {"model", device.model},
-      {"serial", device.serial},
-      {"sensed_degrees_of_freedom", device.sensed_degrees_of_freedom},
-      {"actuated_degrees_of_freedom", device.actuated_degrees_of_freedom},
-      {"workspace_minimum_m", corner(device.workspace_minimum_m)},
-      {"workspace_maximum_m", corner(device.workspace_maximum_m)},
-      {"peak_force_N", device.peak_force_N},
-      {"continuous_force_N", device.continuous_force_N},
-      {"position_resolution_m", device.position_resolution_m},
-      {"maximum_rate_Hz", device.maximum_rate_Hz},
-      {"buttons", device.buttons}};
+  nlohmann::ordered_json json{{"name", device.name},
+                              {"model", device.model},
+                              {"serial", device.serial},
+                              {"sensed_degrees_of_freedom", device.sensed_degrees_of_freedom},
+                              {"actuated_degrees_of_freedom", device.actuated_degrees_of_freedom},
+                              {"workspace_minimum_m", corner(device.workspace_minimum_m)},
+                              {"workspace_maximum_m", corner(device.workspace_maximum_m)},
+                              {"peak_force_N", device.peak_force_N},
+                              {"continuous_force_N", device.continuous_force_N},
+                              {"position_resolution_m", device.position_resolution_m},
+                              {"maximum_rate_Hz", device.maximum_rate_Hz},
+                              {"buttons", device.buttons}};
+  if (!device.remarks.empty()) json["remarks"] = device.remarks;
   return json.dump();
 }
 

@@ -21,6 +21,7 @@
 #include "app/conductor/trial_attempt.h"
 #include "app/parameter_json.h"
 #include "device/simulated_device.h"
+#include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
@@ -307,14 +308,21 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
     StimulusBuilder builder(models, *study);
     check.diagnostics = problems_of_files(*check.protocol, check.file, *study, builder);
   }
-  if (device && *device != "simulated") {
-    whole_file("there is no device \"" + *device + "\"; this program has: simulated");
-  } else if (device) {
-    VirtualHand hand(HandHabits{}, Random(0));
-    const SimulatedDevice simulated(hand, SimulatedDeviceSettings{});
-    for (const Phrase& complaint :
-         complaints_about_device(*check.protocol, simulated.capability())) {
-      whole_file(complaint.english());
+  if (device) {
+    try {
+      const std::optional<SimulatedDeviceSettings> settings = simulated_settings(*device);
+      if (!settings) {
+        throw std::runtime_error("there is no device \"" + *device +
+                                 "\"; this program has: simulated");
+      }
+      VirtualHand hand(HandHabits{}, Random(0));
+      const SimulatedDevice simulated(hand, *settings);
+      for (const Phrase& complaint :
+           complaints_about_device(*check.protocol, simulated.capability())) {
+        whole_file(complaint.english());
+      }
+    } catch (const std::exception& error) {
+      whole_file(error.what());
     }
   }
   check.cost = cost_of(*check.protocol, make_plan(*check.protocol, {1, 0}));

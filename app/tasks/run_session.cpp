@@ -15,6 +15,7 @@
 #include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
+#include "device/simulated_models.h"
 
 namespace asperity {
 
@@ -86,8 +87,6 @@ ParticipantRow new_person(const RunInputs& inputs, const Protocol& protocol, Res
   return person;
 }
 
-constexpr const char* kSimulated = "simulated";
-
 /// The first hour of the simulated calendar that no session lies in.
 std::int64_t free_hour(const Study& study) {
   std::int64_t hour = 0;
@@ -100,12 +99,12 @@ std::int64_t free_hour(const Study& study) {
 std::unique_ptr<Rig> make_rig(const RunInputs& inputs, const Protocol& protocol, const Study& study,
                               const std::optional<SessionRow>& unfinished,
                               const DriverRegistry& drivers) {
-  const RigSettings settings = rig_settings_for(protocol, inputs.faults);
+  const RigSettings settings = rig_settings_for(protocol, inputs.faults, inputs.device);
   const std::int64_t not_before_ns = unfinished ? last_time_ns(study, *unfinished) : 0;
   if (inputs.pacing == RunPacing::real_time) {
     const std::uint64_t seed = unfinished ? std::stoull(unfinished->seed) : inputs.seed;
     const Random hand = Random(seed).split("hand");
-    if (inputs.device == kSimulated) {
+    if (simulated_settings(inputs.device)) {
       return std::make_unique<RealTimeRig>(settings, HandHabits{}, hand,
                                            Scheduling::fifo_if_permitted, not_before_ns);
     }
@@ -173,9 +172,10 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
     throw PhrasedError(*complaint);
   }
-  if (inputs.is_virtual && inputs.device != kSimulated) {
+  if (inputs.is_virtual && !simulated_settings(inputs.device)) {
     throw std::runtime_error("a virtual participant has no hand for the device \"" + inputs.device +
-                             "\"; leave --device out");
+                             "\"; leave --device out, or take simulated or what it stands for, "
+                             "such as simulated:falcon");
   }
   StimulusBuilder builder(models, inputs.study);
   const Protocol protocol = load_protocol_to_run(inputs.protocol, inputs.study, builder);

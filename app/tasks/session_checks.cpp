@@ -220,7 +220,7 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
 
 SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   SessionCheck check{};
-  const SteppedRig rig(rig_settings_for(protocol, {}), 0);
+  const SteppedRig rig(rig_settings_for(protocol, {}, inputs.device), 0);
   const DeviceCapability& device = rig.capability();
   const std::vector<Phrase> complaints = complaints_about_device(protocol, device);
   if (!complaints.empty()) {
@@ -252,8 +252,8 @@ struct LoopTrial {
   double strongest_N = 0.0;
   Fault fault = Fault::none;
 };
-LoopTrial try_loop(const Protocol& protocol) {
-  RealTimeRig rig(rig_settings_for(protocol, {}), HandHabits{}, Random(0),
+LoopTrial try_loop(const CheckInputs& inputs, const Protocol& protocol) {
+  RealTimeRig rig(rig_settings_for(protocol, {}, inputs.device), HandHabits{}, Random(0),
                   Scheduling::fifo_if_permitted, 0);
   Recorder recorder{};
   rig.pass(kWarmUp_s, recorder);
@@ -278,7 +278,7 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol) {
     return {fine(phrase("SessionChecks", "Not needed: nothing is held in a fast simulation.")),
             fine(phrase("SessionChecks", "Not needed: a fast simulation has a clock of its own."))};
   }
-  const LoopTrial trial = try_loop(protocol);
+  const LoopTrial trial = try_loop(inputs, protocol);
   const ServoQualityRow& quality = trial.quality;
   SessionCheck zero{};
   if (trial.fault != Fault::none) {

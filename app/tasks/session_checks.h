@@ -41,6 +41,7 @@ struct CheckInputs {
   bool resume = false;
   std::optional<std::int64_t> resumed_session{};  ///< see RunInputs
   RunPacing pacing = RunPacing::real_time;
+  std::string device = "simulated";  ///< see RunInputs
   MaskingNoise noise{};     ///< what will be played, and the level that a person has measured
   bool sound_card = false;  ///< there is a sound output
   int screens = 1;

@@ -10,6 +10,7 @@
 
 #include "app/conductor/virtual_participant.h"
 #include "app/tasks/protocol_files.h"
+#include "device/simulated_models.h"
 
 namespace asperity {
 
@@ -51,8 +52,10 @@ std::string conditions_json(const ProgramIdentity& program, const Rig& rig) {
 
 }  // namespace
 
-RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults) {
+RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults,
+                             const std::string& device) {
   RigSettings settings{};
+  settings.device = simulated_settings(device).value_or(SimulatedDeviceSettings{});
   settings.servo.rate_Hz = protocol.rate_Hz;
   settings.limits.force_N = protocol.force_limit_N;
   settings.device.faults = faults;

@@ -2,6 +2,8 @@
 
 #include "app/tasks/run_session.h"
 
+#include <stdexcept>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,6 +67,17 @@ class RunSession : public testing::Test {
   SessionRequests requests_{};
   SessionLinks links_{.requests = &requests_};
 };
+
+TEST_F(RunSession, StoresWhatTheSimulatedDeviceStoodFor) {
+  inputs_.device = "simulated:falcon";
+  EXPECT_EQ(run().state, SessionState::completed);
+  const SessionRow session = study().sessions().at(0);
+  EXPECT_EQ(session.device, "simulated in place of Novint Falcon");
+  EXPECT_THAT(session.device_json, testing::HasSubstr("\"position_resolution_m\":3.8e-05"));
+  EXPECT_THAT(session.device_json, testing::HasSubstr("Friction, noise and moving mass"));
+  inputs_.device = "simulated:gamma.3";
+  EXPECT_THROW(run(), std::runtime_error);
+}
 
 TEST_F(RunSession, AsksForConsentUnlessThePersonHasGivenIt) {
   run();

@@ -231,6 +231,22 @@ TEST_F(SessionChecks, RefuseWhatTheDeviceCannotDo) {
   EXPECT_NE(weak.text.english().find("force_limit_N"), std::string::npos) << weak.text.english();
 }
 
+TEST_F(SessionChecks, CompareWithWhatTheSimulatedDeviceStandsFor) {
+  inputs.device = "simulated:delta.3";
+  EXPECT_NE(check("device").text.english().find("gives 20.0 N at up to 4000 Hz"), std::string::npos)
+      << check("device").text.english();
+  inputs.device = "simulated:falcon";
+  EXPECT_EQ(check("device").state, State::look);
+  std::string text = small_protocol();
+  text.replace(text.find("\"textures\""), 0, R"("device": {"force_limit_N": 9}, )");
+  write_protocol(text);
+  EXPECT_EQ(check("device").state, State::stop);
+  inputs.device = "simulated";
+  EXPECT_EQ(check("device").state, State::look);
+  inputs.device = "simulated:gamma.3";
+  EXPECT_NE(check("device").text.english().find("falcon, delta.3"), std::string::npos);
+}
+
 TEST_F(SessionChecks, WarnThatASimulatedDeviceGivesNoStudyData) {
   EXPECT_EQ(check("device").state, State::look);
   inputs.mode = SessionMode::pilot;

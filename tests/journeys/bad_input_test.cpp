@@ -431,6 +431,8 @@ TEST(BadDevice, IsRefusedWithThoseThatThereAre) {
                  {"phantom", "simulated"});
   expect_refused(small.place(), {"check", small.selection(), "--device", "phantom"},
                  {"phantom", "simulated"});
+  expect_refused(small.place(), {"check", small.selection(), "--device", "simulated:phantom"},
+                 {"phantom", "falcon, delta.3"});
 }
 
 TEST(WrongUsage, EndsWithTwo) {
