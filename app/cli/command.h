@@ -19,6 +19,7 @@ void add_bake(CLI::App& program, Job& job);
 void add_check(CLI::App& program, Job& job);
 void add_copy(CLI::App& program, Job& job);
 void add_devices(CLI::App& program, Job& job);
+void add_device_test(CLI::App& program, Job& job);
 void add_export(CLI::App& program, Job& job);
 void add_models(CLI::App& program, Job& job);
 void add_new(CLI::App& program, Job& job);

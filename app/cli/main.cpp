@@ -88,6 +88,7 @@ int main(int argc, char** argv) {
 #endif
   add_export(program, job);
   add_devices(program, job);
+  add_device_test(program, job);
   add_models(program, job);
   add_render(program, job);
   add_texture(program, job);

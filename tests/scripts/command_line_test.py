@@ -8,7 +8,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]+")
-COMMAND = re.compile(r"(?:\basperity|scripts/run|\$ASPERITY) ([a-z]+)\b(.*)")
+COMMAND = re.compile(r"(?:\basperity|scripts/run|\$ASPERITY) ([a-z][a-z-]*)(.*)")
 GLOBAL = {"--help", "--version"}
 
 
@@ -23,7 +23,7 @@ def options_of(subcommand):
 
 
 complaints = []
-subcommands = re.findall(r"^  ([a-z]+) ", help_of().split("Subcommands:")[1], re.MULTILINE)
+subcommands = re.findall(r"^  ([a-z][a-z-]*) ", help_of().split("Subcommands:")[1], re.MULTILINE)
 options = {name: options_of(name) for name in subcommands}
 reference = (ROOT / "docs" / "command-line.md").read_text(encoding="utf-8")
 sections = {part.split("\n", 1)[0]: part for part in re.split(r"^## ", reference, flags=re.MULTILINE)[1:]}
@@ -36,7 +36,7 @@ for name in sorted(set(subcommands) & set(sections)):
         complaints.append(f"docs/command-line.md and --help do not agree on {name} {option}")
 
 manual = (ROOT / "app" / "desktop" / "asperity.1").read_text(encoding="utf-8")
-for name in sorted(set(subcommands) ^ set(re.findall(r"^\.B ([a-z]+)$", manual, re.MULTILINE))):
+for name in sorted(set(subcommands) ^ set(re.findall(r"^\.B ([a-z][a-z-]*)$", manual, re.MULTILINE))):
     if name != "asperity":  # the synopsis
         complaints.append(f"app/desktop/asperity.1 and --help do not agree that there is a subcommand {name}")
 

@@ -1,0 +1,159 @@
+// asperity device-test: what a device does, measured and held to limits.
+
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "analysis/number_text.h"
+#include "app/cli/command.h"
+#include "app/cli/signals.h"
+#include "app/cli/terminal.h"
+#include "app/tasks/device_test.h"
+#include "device/drivers.h"
+#include "device/virtual_hand.h"
+#include "results_schema/atomic_file.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kBorders_s = 20.0;  // for a person to move the handle once around
+
+/// "friction_N=0.2" → friction_N, 0.2
+std::pair<std::string, double> item_limit(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals != std::string::npos) {
+    if (const auto limit = number_in(std::string_view(text).substr(equals + 1))) {
+      return {text.substr(0, equals), *limit};
+    }
+  }
+  throw WrongUsage("--limit is \"" + text + "\"; it has to be NAME=NUMBER, like friction_N=0.2");
+}
+
+/// Four digits are more than any of these is good for.
+std::string in_four_digits(double value) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
+  return {text.data(), end.ptr};
+}
+
+/// What a person has to know, and a yes, before a real device moves by itself.
+void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& options,
+                         bool is_agreed) {
+  const DeviceCapability& capability = device.capability();
+  say("asperity: the handle of " + capability.model + ' ' + capability.serial +
+      " will move by itself for a minute and a half, by at most 3 cm, with at most " +
+      fixed(options.force_N, 1) +
+      " N.\n  Let it hang free in the middle of its workspace, keep hands and hair away, and let "
+      "nobody hold it.\n  Ctrl-C takes the force away at once.");
+  if (is_agreed) return;
+  if (isatty(STDIN_FILENO) == 0) {
+    throw WrongUsage(
+        "device-test asks on a terminal before it moves a device, and there is none; use --yes "
+        "where somebody is beside it");
+  }
+  say("Type yes and press Enter to begin:");
+  std::string answer{};
+  if (!std::getline(std::cin, answer) || answer != "yes") {
+    throw std::runtime_error("nothing was measured: the answer was not yes");
+  }
+}
+
+Table table_of(const DeviceProfile& profile) {
+  Table table{{"item", "result", "value", "limit", "remark"}, {}};
+  for (const DeviceItem& item : profile.items) {
+    std::string limit = "n/a";
+    if (item.limit) {
+      limit =
+          (item.bound == DeviceItem::Bound::at_most ? "<= " : ">= ") + in_four_digits(*item.limit);
+    }
+    std::string result = text_of(item.status);
+    if (item.status == DeviceItem::Status::not_measured) result = "not measured";
+    table.rows.push_back(
+        {item.name, result, item.value ? in_four_digits(*item.value) : "n/a", limit, item.text});
+  }
+  return table;
+}
+
+}  // namespace
+
+void add_device_test(CLI::App& program, Job& job) {
+  struct Options {
+    std::string device{};
+    DeviceTestOptions test{};
+    DriverOptions drivers{};
+    std::vector<std::string> limits{};
+    std::optional<std::filesystem::path> study{};
+    bool json = false;
+    bool agreed = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "device-test", "Measure a device: timing, mechanics, safety. It moves by itself.");
+  command
+      ->add_option("NAME", options->device,
+                   "Device: simulated, falcon, …; where there are several NAME:SERIAL")
+      ->required();
+  command->add_option("--study", options->study,
+                      "Keep the profile with this study, for its sessions");
+  command->add_option("--rate-hz", options->test.rate_Hz, "Rate of the servo loop")
+      ->check(CLI::Range(100.0, 10000.0))
+      ->capture_default_str();
+  command->add_option("--force-n", options->test.force_N, "No force is stronger")
+      ->check(CLI::Range(0.1, 20.0))
+      ->capture_default_str();
+  command->add_option("--limit", options->limits, "NAME=NUMBER: what an item is held to");
+  command->add_option("--firmware", options->drivers.firmware,
+                      "File with the firmware of a Falcon");
+  command->add_flag("--yes", options->agreed, "Do not ask before the device moves");
+  command->add_flag("--json", options->json, "Print the profile as JSON");
+  command->callback([options, &job] {
+    job = [options]() -> int {
+      for (const std::string& limit : options->limits)
+        options->test.limits.insert(item_limit(limit));
+      // Before a minute of measuring is lost for a folder that is no study.
+      if (options->study) (void)Study::open(*options->study, Access::read_only);
+      VirtualHand hand(HandHabits{}, Random(0));
+      options->drivers.tell = [](const std::string& sentence) { say(sentence); };
+      options->drivers.hand = &hand;
+      const std::unique_ptr<HapticDevice> device =
+          built_in_drivers().open(options->device, options->drivers);
+      DeviceTestOptions& test = options->test;
+      test.is_simulated = device->capability().name == "simulated";
+      const InterruptWatch interrupt("asperity: stopping, the force goes to zero");
+      if (test.is_simulated) {
+        // Nobody feels it, and its mechanics know only the times that it is read at.
+        test.mechanics = StagePacing::stepped;
+      } else {
+        ask_before_it_moves(*device, test, options->agreed);
+        if (isatty(STDIN_FILENO) != 0) test.workspace_s = kBorders_s;
+      }
+      test.tell = [](const std::string& what, double done) {
+        say(fixed(100.0 * done, 0) + " %: " + what);
+      };
+      const DeviceProfile profile = test_device(*device, test, interrupt.token());
+      if (options->study) {
+        const std::filesystem::path path = profile_path(*options->study, profile);
+        std::filesystem::create_directories(path.parent_path());
+        write_file(path, json_text_of(profile), Overwrite::refuse);
+        say("kept as " + path.string());
+      }
+      std::cout << (options->json ? json_text_of(profile) : aligned(table_of(profile)));
+      return profile.has_failed() ? 1 : 0;
+    };
+  });
+}
+
+}  // namespace asperity

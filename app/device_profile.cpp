@@ -1,0 +1,211 @@
+#include "app/device_profile.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "results_schema/atomic_file.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char* kProfileFormat = "asperity.device_profile/1";
+
+nlohmann::ordered_json or_null(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json or_null(const std::optional<glm::dvec3>& p) {
+  if (!p) return {};
+  return nlohmann::ordered_json::array({p->x, p->y, p->z});
+}
+
+nlohmann::ordered_json json_of(const DeviceItem& item) {
+  nlohmann::ordered_json json{{"name", item.name},
+                              {"status", text_of(item.status)},
+                              {"value", or_null(item.value)},
+                              {"limit", or_null(item.limit)}};
+  if (item.limit) {
+    json["bound"] = item.bound == DeviceItem::Bound::at_most ? "at_most" : "at_least";
+  }
+  if (!item.by_axis.empty()) json["by_axis"] = item.by_axis;
+  json["text"] = item.text;
+  return json;
+}
+
+std::optional<double> number_or_nothing(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || found->is_null()) return {};
+  return found->get<double>();
+}
+
+std::optional<glm::dvec3> corner_or_nothing(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || found->is_null()) return {};
+  return glm::dvec3(found->at(0).get<double>(), found->at(1).get<double>(),
+                    found->at(2).get<double>());
+}
+
+DeviceItem::Status status_from(const std::string& text) {
+  for (const auto status :
+       {DeviceItem::Status::pass, DeviceItem::Status::fail, DeviceItem::Status::not_measured}) {
+    if (text == text_of(status)) return status;
+  }
+  throw std::runtime_error("status is \"" + text + "\"; it has to be pass, fail or not_measured");
+}
+
+DeviceItem item_from(const nlohmann::json& json) {
+  DeviceItem item{};
+  item.name = json.at("name").get<std::string>();
+  item.status = status_from(json.at("status").get<std::string>());
+  item.value = number_or_nothing(json, "value");
+  item.limit = number_or_nothing(json, "limit");
+  if (json.value("bound", "at_most") == "at_least") item.bound = DeviceItem::Bound::at_least;
+  item.by_axis = json.value("by_axis", std::vector<double>{});
+  item.text = json.value("text", "");
+  return item;
+}
+
+/// Days since 1970 and the part of the day of "2026-01-01T00:00:00.000Z".
+double day_of(const std::string& utc) {
+  int year = 0;
+  int month = 0;
+  int day = 0;
+  int hour = 0;
+  int minute = 0;
+  int second = 0;
+  if (std::sscanf(utc.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d", &year, &month, &day, &hour, &minute,
+                  &second) != 6) {
+    throw std::invalid_argument("\"" + utc + "\" is no date; it has to be like " +
+                                "2026-01-01T00:00:00Z");
+  }
+  // The calendar counts from March on, so that leap days come last in a year.
+  const int shifted_year = month <= 2 ? year - 1 : year;
+  const int shifted_month = month <= 2 ? month + 9 : month - 3;
+  const int days = 365 * shifted_year + shifted_year / 4 - shifted_year / 100 + shifted_year / 400 +
+                   (153 * shifted_month + 2) / 5 + day - 1;
+  constexpr int kDaysTo1970 = 719468;
+  return days - kDaysTo1970 + (hour + (minute + second / 60.0) / 60.0) / 24.0;
+}
+
+/// What may stand in a file name.
+std::string for_file_name(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(),
+      [](char c) {
+        return !((c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'));
+      },
+      '_');
+  return text;
+}
+
+}  // namespace
+
+const char* text_of(DeviceItem::Status status) noexcept {
+  switch (status) {
+    case DeviceItem::Status::pass:
+      return "pass";
+    case DeviceItem::Status::fail:
+      return "fail";
+    case DeviceItem::Status::not_measured:
+      return "not_measured";
+  }
+  return "unknown";
+}
+
+const DeviceItem* DeviceProfile::item(std::string_view wanted) const noexcept {
+  const auto found = std::find_if(items.begin(), items.end(),
+                                  [&](const DeviceItem& one) { return one.name == wanted; });
+  return found == items.end() ? nullptr : &*found;
+}
+
+std::optional<double> DeviceProfile::value(std::string_view wanted) const noexcept {
+  const DeviceItem* const found = item(wanted);
+  return found == nullptr ? std::nullopt : found->value;
+}
+
+bool DeviceProfile::has_failed() const noexcept {
+  return std::any_of(items.begin(), items.end(),
+                     [](const DeviceItem& one) { return one.status == DeviceItem::Status::fail; });
+}
+
+std::string json_text_of(const DeviceProfile& profile) {
+  nlohmann::ordered_json items = nlohmann::ordered_json::array();
+  for (const DeviceItem& item : profile.items) items.push_back(json_of(item));
+  const nlohmann::ordered_json json{
+      {"format", kProfileFormat},
+      {"device", {{"name", profile.name}, {"model", profile.model}, {"serial", profile.serial}}},
+      {"simulated", profile.is_simulated},
+      {"measured_utc", profile.measured_utc},
+      {"program_version", profile.program_version},
+      {"program_commit", profile.program_commit},
+      {"rate_Hz", profile.rate_Hz},
+      {"scheduling", profile.scheduling},
+      {"force_N", profile.force_N},
+      {"reached_minimum_m", or_null(profile.reached_minimum_m)},
+      {"reached_maximum_m", or_null(profile.reached_maximum_m)},
+      {"items", std::move(items)}};
+  return json.dump(2) + '\n';
+}
+
+DeviceProfile profile_from_json(const std::string& text, const std::string& origin) {
+  try {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    if (json.at("format") != kProfileFormat) {
+      throw std::runtime_error("format is " + json.at("format").dump() + "; this program reads \"" +
+                               kProfileFormat + "\"");
+    }
+    DeviceProfile profile{};
+    const nlohmann::json& device = json.at("device");
+    profile.name = device.at("name").get<std::string>();
+    profile.model = device.at("model").get<std::string>();
+    profile.serial = device.at("serial").get<std::string>();
+    profile.is_simulated = json.at("simulated").get<bool>();
+    profile.measured_utc = json.at("measured_utc").get<std::string>();
+    (void)day_of(profile.measured_utc);
+    profile.program_version = json.at("program_version").get<std::string>();
+    profile.program_commit = json.at("program_commit").get<std::string>();
+    profile.rate_Hz = json.at("rate_Hz").get<double>();
+    profile.scheduling = json.at("scheduling").get<std::string>();
+    profile.force_N = json.at("force_N").get<double>();
+    profile.reached_minimum_m = corner_or_nothing(json, "reached_minimum_m");
+    profile.reached_maximum_m = corner_or_nothing(json, "reached_maximum_m");
+    for (const nlohmann::json& item : json.at("items")) profile.items.push_back(item_from(item));
+    return profile;
+  } catch (const std::exception& error) {
+    throw std::runtime_error("the device profile " + origin + " cannot be read: " + error.what());
+  }
+}
+
+std::filesystem::path profile_path(const std::filesystem::path& study,
+                                   const DeviceProfile& profile) {
+  std::string when = profile.measured_utc.substr(0, 19) + 'Z';
+  std::erase_if(when, [](char c) { return c == '-' || c == ':'; });
+  const std::string serial = profile.serial.empty() ? "" : '-' + for_file_name(profile.serial);
+  return study / "profiles" / (for_file_name(profile.name) + serial + '-' + when + ".json");
+}
+
+std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
+                                            const std::string& name, const std::string& serial) {
+  const std::filesystem::path folder = study / "profiles";
+  if (!std::filesystem::is_directory(folder)) return {};
+  std::optional<DeviceProfile> latest{};
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json") continue;
+    DeviceProfile profile = profile_from_json(read_file(entry.path()), entry.path().string());
+    if (profile.name != name) continue;
+    if (!serial.empty() && !profile.serial.empty() && profile.serial != serial) continue;
+    // Dates of this form sort as text.
+    if (!latest || latest->measured_utc < profile.measured_utc) latest = std::move(profile);
+  }
+  return latest;
+}
+
+double age_days(const DeviceProfile& profile, const std::string& now_utc) {
+  return day_of(now_utc) - day_of(profile.measured_utc);
+}
+
+}  // namespace asperity

@@ -1,0 +1,76 @@
+// What a device was measured to be, on a date: its certificate.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace asperity {
+
+/// One quantity of a device, or one thing that it has to do.
+struct DeviceItem {
+  enum class Status { pass, fail, not_measured };
+  enum class Bound { at_most, at_least };
+
+  std::string name{};  ///< its unit in it: "friction_N", "lateness_p99_s", "zero_after_stop"
+  Status status = Status::not_measured;
+  std::optional<double> value{};  ///< the worst of the axes; nothing for what is done or not
+  std::vector<double> by_axis{};  ///< x, y, z, where they were measured apart
+  /// What it was held to. Without one the number is told and not judged.
+  std::optional<double> limit{};
+  Bound bound = Bound::at_most;
+  std::string text{};  ///< a sentence: what was done, or why nothing could be
+};
+
+/// As it stands in a profile.
+const char* text_of(DeviceItem::Status status) noexcept;
+
+/// A device as `device-test` found it. Format: docs/formats/device_profile.md.
+struct DeviceProfile {
+  std::string name{};  ///< the driver's
+  std::string model{};
+  std::string serial{};  ///< empty where the device tells none
+  bool is_simulated = false;
+  std::string measured_utc{};  ///< when the measurement ended, "2026-01-01T00:00:00.000Z"
+  std::string program_version{};
+  std::string program_commit{};
+  double rate_Hz = 0.0;  ///< of the servo loop
+  std::string scheduling{};
+  double force_N = 0.0;  ///< no force was stronger
+  /// What the handle reached when a person moved it along its borders.
+  std::optional<glm::dvec3> reached_minimum_m{};
+  std::optional<glm::dvec3> reached_maximum_m{};
+  std::vector<DeviceItem> items{};
+
+  /// Null where there is no such item.
+  const DeviceItem* item(std::string_view name) const noexcept;
+  /// Nothing where it was not measured.
+  std::optional<double> value(std::string_view name) const noexcept;
+  bool has_failed() const noexcept;
+};
+
+/// The document, indented, with a line's end.
+std::string json_text_of(const DeviceProfile& profile);
+/// Errors: std::runtime_error with a sentence that names `origin` and what is wrong with it.
+DeviceProfile profile_from_json(const std::string& text, const std::string& origin);
+
+/// The study's profiles lie in its folder `profiles`, one file each:
+/// "falcon-042-20260101T101500Z.json".
+std::filesystem::path profile_path(const std::filesystem::path& study,
+                                   const DeviceProfile& profile);
+
+/// The latest profile of this device in the study; nothing where there is none. A profile without
+/// serial is that of every device of its driver and model.
+/// Errors: as profile_from_json for a file that is none.
+std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
+                                            const std::string& name, const std::string& serial);
+
+/// How long before `now_utc` the device was measured. Errors: std::invalid_argument for what is no date.
+double age_days(const DeviceProfile& profile, const std::string& now_utc);
+
+}  // namespace asperity

@@ -1,0 +1,81 @@
+// Runs a device through short stages on the real servo loop, and hands back every tick.
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "device/haptic_device.h"
+#include "renderers/servo_loop.h"
+
+namespace asperity {
+
+/// Somebody asked the work to stop; the force is zero.
+class DeviceStageStopped final : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// One stretch of ticks on a device.
+struct DeviceStage {
+  double duration_s = 1.0;
+  /// The force in the device's frame, `since_s` after the stage began; it fades in and out as every
+  /// surface does, and passes the limiter. Empty: nothing is presented. Must not allocate or throw.
+  std::function<glm::dvec3(double since_s, const ProbeState& probe)> force_N{};
+  /// Farther than this from where the stage began the force is let go of, for good.
+  double reach_m = 0.030;
+  ServoSettings servo{};
+  /// Called again and again by whoever conducts the loop, every 5 ms or so; empty: nothing to do.
+  std::function<void(ServoLoop& loop, double since_s)> conduct{};
+  /// From then on the loop hears no heartbeat.
+  std::optional<double> falls_silent_at_s{};
+};
+
+/// What happened. Times of the records are counted from the stage's beginning.
+struct StageRecord {
+  std::vector<TickRecord> ticks{};
+  std::vector<double> time_s{};  ///< of each tick, since the presentation began (0 before it)
+  Fault fault = Fault::none;
+  bool ran_away = false;  ///< beyond DeviceStage::reach_m
+  std::string scheduling{};
+};
+
+/// How a stage's time goes by.
+enum class StagePacing {
+  real_time,  ///< on a ServoThread
+  stepped,    ///< on a simulated clock, as fast as possible: for the simulated device
+};
+
+/// Each stage has a servo loop of its own, which leaves the device at zero force.
+///
+/// Errors: DeviceStageStopped when the token asks to stop: the loop's emergency stop comes first.
+/// std::runtime_error with the device's trouble when it is lost.
+///
+/// Threads: belongs to one.
+class DeviceBench final {
+ public:
+  /// The device outlives the bench, and is read by nobody else.
+  DeviceBench(HapticDevice& device, double rate_Hz, std::stop_token stop);
+
+  StageRecord run(const DeviceStage& stage, StagePacing pacing);
+
+  HapticDevice& device() noexcept { return device_; }
+  double rate_Hz() const noexcept { return rate_Hz_; }
+
+ private:
+  void run_in_real_time(const DeviceStage& stage, ServoLoop& loop, RecordRing& ring,
+                        StageRecord& record);
+  void run_stepped(const DeviceStage& stage, ServoLoop& loop, RecordRing& ring,
+                   StageRecord& record);
+
+  HapticDevice& device_;
+  double rate_Hz_ = 1000.0;
+  std::stop_token stop_{};
+  std::int64_t now_ns_ = 0;  // of stepped stages; never before the machine's clock
+};
+
+}  // namespace asperity
