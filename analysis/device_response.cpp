@@ -24,33 +24,76 @@ void require_equal(const SweepLeg& leg) {
   require_equal(leg.time_s.size(), leg.force_N.size());
 }
 
-constexpr int kPowers = 5;  // τ² to τ⁶
+/// One push with what of it does not depend on the delay: integrals over the motion that was read, and
+/// the force's, at each tick.
+struct IntegratedPush {
+  const Push* push = nullptr;
+  double steady_N = 0.0;  // what stands against it all the time
+  std::vector<double> moved_m_s{};
+  std::vector<double> moved_m_s2{};
+  std::vector<double> impulse_N_s{};
+  std::vector<double> impulse_N_s2{};
 
-/// The fit of one delay: how much it leaves, and its a₂ in units of the longest time.
-struct DelayFit {
-  double left = 0.0;
-  double square = 0.0;
-};
-DelayFit fit_with_delay(double delay_s, double longest_s, std::span<const double> time_s,
-                        std::span<const double> moved_m) {
-  using Normal = Eigen::Matrix<double, kPowers, kPowers>;
-  using Powers = Eigen::Matrix<double, kPowers, 1>;
-  Normal normal = Normal::Zero();
-  Powers right = Powers::Zero();
-  double squares = 0.0;
-  for (std::size_t i = 0; i < time_s.size(); ++i) {
-    if (time_s[i] < 0.0) continue;
-    squares += moved_m[i] * moved_m[i];
-    const double tau = (time_s[i] - delay_s) / longest_s;
-    if (tau <= 0.0) continue;
-    Powers powers;
-    powers(0) = tau * tau;
-    for (int power = 1; power < kPowers; ++power) powers(power) = powers(power - 1) * tau;
-    normal += powers * powers.transpose();
-    right += powers * moved_m[i];
+  /// The force's double integral up to `s_s`.
+  double force_integral_N_s2(double s_s) const noexcept {
+    const std::vector<double>& t = push->time_s;
+    const auto after = std::upper_bound(t.begin(), t.end(), s_s);
+    const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - t.begin(), 1)) - 1;
+    const double rest_s = s_s - t[i];
+    return impulse_N_s2[i] + impulse_N_s[i] * rest_s + 0.5 * push->force_N[i] * rest_s * rest_s;
   }
-  const Powers found = normal.ldlt().solve(right);
-  return {squares - right.dot(found), found(0)};
+};
+
+IntegratedPush integrated(const Push& push, const Resistance& resistance) {
+  require_equal(push.time_s.size(), push.position_m.size());
+  require_equal(push.time_s.size(), push.force_N.size());
+  const std::size_t count = push.time_s.size();
+  IntegratedPush one{.push = &push,
+                     .steady_N = resistance.stiffness_N_per_m * push.rested_at_m +
+                                 resistance.offset_N + push.direction * resistance.friction_N,
+                     .moved_m_s = std::vector<double>(count),
+                     .moved_m_s2 = std::vector<double>(count),
+                     .impulse_N_s = std::vector<double>(count),
+                     .impulse_N_s2 = std::vector<double>(count)};
+  for (std::size_t i = 1; i < count; ++i) {
+    const double dt_s = push.time_s[i] - push.time_s[i - 1];
+    const double before_m = push.position_m[i - 1] - push.rested_at_m;
+    const double now_m = push.position_m[i] - push.rested_at_m;
+    one.moved_m_s[i] = one.moved_m_s[i - 1] + 0.5 * dt_s * (before_m + now_m);
+    one.moved_m_s2[i] =
+        one.moved_m_s2[i - 1] + 0.5 * dt_s * (one.moved_m_s[i - 1] + one.moved_m_s[i]);
+    one.impulse_N_s[i] = one.impulse_N_s[i - 1] + dt_s * push.force_N[i - 1];
+    one.impulse_N_s2[i] = one.impulse_N_s2[i - 1] + dt_s * one.impulse_N_s[i - 1] +
+                          0.5 * dt_s * dt_s * push.force_N[i - 1];
+  }
+  return one;
+}
+
+struct MassFit {
+  double mass_kg = 0.0;
+  double left_m2 = 0.0;
+};
+/// The inverse of the mass by least squares of x = r/m.
+std::optional<MassFit> fit_mass(const std::vector<IntegratedPush>& pushes,
+                                const Resistance& resistance, double delay_s) {
+  double rr = 0.0;
+  double rx = 0.0;
+  double xx = 0.0;
+  for (const IntegratedPush& one : pushes) {
+    for (std::size_t i = 0; i < one.push->time_s.size(); ++i) {
+      const double s_s = one.push->time_s[i] - delay_s;
+      const double x_m = one.push->position_m[i] - one.push->rested_at_m;
+      xx += x_m * x_m;
+      if (s_s <= 0.0) continue;
+      const double r = one.force_integral_N_s2(s_s) - 0.5 * one.steady_N * s_s * s_s -
+                       resistance.damping_N_s_per_m(delay_s) * one.moved_m_s[i] -
+                       resistance.stiffness_N_per_m * one.moved_m_s2[i];
+      rr += r * r;
+      rx += r * x_m;
+    }
+  }
+  if (!(rx > 0.0)) return {};
+  return MassFit{rr / rx, xx - rx * rx / rr};
 }
 
 /// Slope of the straight line that fits best.
@@ -69,24 +112,29 @@ double slope(std::span<const double> x, std::span<const double> y) {
 
 }  // namespace
 
-std::optional<PushResponse> push_response(std::span<const double> since_push_s,
-                                          std::span<const double> moved_m) {
-  require_equal(since_push_s.size(), moved_m.size());
+std::optional<PushResponse> push_response(const std::vector<Push>& pushes,
+                                          const Resistance& resistance) {
   constexpr double kStep_s = 0.05e-3;
   constexpr std::size_t kFewest = 10;
-  if (since_push_s.size() < kFewest) return {};
-  const double longest_s = *std::max_element(since_push_s.begin(), since_push_s.end());
-  if (!(longest_s > 0.0)) return {};
-  PushResponse best{};
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<IntegratedPush> all{};
+  std::size_t readings = 0;
+  double longest_s = 0.0;
+  for (const Push& push : pushes) {
+    if (push.time_s.empty()) continue;
+    all.push_back(integrated(push, resistance));
+    readings += push.time_s.size();
+    longest_s = std::max(longest_s, push.time_s.back());
+  }
+  if (readings < kFewest) return {};
+  std::optional<PushResponse> best{};
+  double least_m2 = std::numeric_limits<double>::infinity();
   for (int step = 0; step * kStep_s <= 0.5 * longest_s; ++step) {
     const double delay_s = step * kStep_s;
-    const DelayFit fit = fit_with_delay(delay_s, longest_s, since_push_s, moved_m);
-    if (!(fit.left < least)) continue;
-    least = fit.left;
-    best = {delay_s, 2.0 * fit.square / (longest_s * longest_s)};
+    const auto fit = fit_mass(all, resistance, delay_s);
+    if (!fit || !(fit->left_m2 < least_m2)) continue;
+    least_m2 = fit->left_m2;
+    best = PushResponse{delay_s, fit->mass_kg};
   }
-  if (!(best.acceleration_m_per_s2 > 0.0)) return {};
   return best;
 }
 
@@ -113,17 +161,18 @@ std::optional<SweepResponse> sweep_response(const std::vector<SweepLeg>& legs) {
   const Eigen::Vector3d found = normal.ldlt().solve(right);
   return SweepResponse{.speed_m_per_s = speeds / (up + down),
                        .resistance_N = found(2),
-                       .stiffness_N_per_m = found(0)};
+                       .stiffness_N_per_m = found(0),
+                       .offset_N = found(1)};
 }
 
-std::optional<Resistance> resistance_of(const SweepResponse& slow, const SweepResponse& fast,
-                                        double delay_s) {
+std::optional<Resistance> resistance_of(const SweepResponse& slow, const SweepResponse& fast) {
   const double between_m_per_s = fast.speed_m_per_s - slow.speed_m_per_s;
   if (!(std::abs(between_m_per_s) > 0.0)) return {};
   const double growth = (fast.resistance_N - slow.resistance_N) / between_m_per_s;
-  const double stiffness_N_per_m = 0.5 * (slow.stiffness_N_per_m + fast.stiffness_N_per_m);
   return Resistance{.friction_N = std::max(0.0, slow.resistance_N - growth * slow.speed_m_per_s),
-                    .damping_N_s_per_m = growth - std::max(0.0, stiffness_N_per_m) * delay_s};
+                    .growth_N_s_per_m = growth,
+                    .stiffness_N_per_m = 0.5 * (slow.stiffness_N_per_m + fast.stiffness_N_per_m),
+                    .offset_N = 0.5 * (slow.offset_N + fast.offset_N)};
 }
 
 std::optional<double> position_error_m(const std::vector<SweepLeg>& legs) {

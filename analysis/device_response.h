@@ -10,22 +10,6 @@
 
 namespace asperity {
 
-/// How a device at rest answers to a force that is suddenly there.
-struct PushResponse {
-  double delay_s = 0.0;  ///< from the force's beginning to the motion's, as positions tell it
-  double acceleration_m_per_s2 = 0.0;  ///< at that moment
-};
-
-/// Fits x(t) = 0 before the delay L and a₂τ² + a₃τ³ + … + a₆τ⁶ with τ = t − L after it, which is how the
-/// motion of any smooth mechanism begins that is pushed at rest; the acceleration is 2a₂. Least squares over
-/// all samples of all pushes together, L by steps of 0.05 ms from 0 to half of the longest time.
-///
-/// `since_push_s` and `moved_m` belong together, in any order; times below 0 are left out. Nothing for fewer
-/// than ten samples, or where nothing moves forward.
-/// Errors: std::invalid_argument when the spans differ in length.
-std::optional<PushResponse> push_response(std::span<const double> since_push_s,
-                                          std::span<const double> moved_m);
-
 /// One leg of a slow sweep to and fro: the device moves at a steady speed, and the force that it takes.
 struct SweepLeg {
   std::vector<double> time_s{};
@@ -42,20 +26,51 @@ struct SweepResponse {
   double speed_m_per_s = 0.0;      ///< mean of the legs' own, of positions over time
   double resistance_N = 0.0;       ///< H
   double stiffness_N_per_m = 0.0;  ///< K, of whatever holds the device
+  double offset_N = 0.0;           ///< c
 };
 /// Least squares over all samples. Nothing where one direction is missing or nothing moves.
 /// Errors: std::invalid_argument for columns of one leg that differ in length.
 std::optional<SweepResponse> sweep_response(const std::vector<SweepLeg>& legs);
 
-/// Resistance at two speeds, H = F_c + b·v.
+/// What stands against a device's motion, from sweeps at two speeds: H = F_c + b′·v, where positions
+/// that are L behind the force make b′ = b + K·L of the damping b.
 struct Resistance {
   double friction_N = 0.0;         ///< F_c, not below 0
-  double damping_N_s_per_m = 0.0;  ///< b
+  double growth_N_s_per_m = 0.0;   ///< b′
+  double stiffness_N_per_m = 0.0;  ///< K, the mean of both sweeps
+  double offset_N = 0.0;           ///< c, likewise
+  double damping_N_s_per_m(double delay_s) const noexcept {
+    return growth_N_s_per_m - stiffness_N_per_m * delay_s;
+  }
 };
-/// `delay_s` is that of positions behind the force: on a stiffness K it looks like a damping of K·delay,
-/// which is taken out again. Nothing for equal speeds.
-std::optional<Resistance> resistance_of(const SweepResponse& slow, const SweepResponse& fast,
-                                        double delay_s);
+/// Nothing for equal speeds.
+std::optional<Resistance> resistance_of(const SweepResponse& slow, const SweepResponse& fast);
+
+/// One sudden push of a device at rest, from the tick that first had the force on.
+struct Push {
+  double direction = 1.0;        ///< 1 or −1, along the axis
+  double rested_at_m = 0.0;      ///< where it was read before
+  std::vector<double> time_s{};  ///< from 0
+  std::vector<double> position_m{};
+  std::vector<double> force_N{};  ///< of each tick, held until the next
+};
+
+struct PushResponse {
+  double delay_s = 0.0;  ///< L, from the force's beginning to the motion's, as positions tell it
+  double mass_kg = 0.0;
+};
+/// What moves, and how late it is read. With x the motion since the rest x₀, in the time t of the force,
+///
+///   m·x = ∬(F − K·x₀ − c ∓ F_c) − b·∫x − K·∬x,      read L later
+///
+/// where all but m and L is known from the sweeps. For each L, from 0 to half of the longest push by steps
+/// of 0.05 ms, m is that of least squares; the L that leaves least holds. Integrals smooth what noise and
+/// steps the positions have; the beginning of a motion alone would not tell 2 ms from 3.
+///
+/// Nothing for fewer than ten readings, or where nothing moves forward.
+/// Errors: std::invalid_argument for columns of one push that differ in length.
+std::optional<PushResponse> push_response(const std::vector<Push>& pushes,
+                                          const Resistance& resistance);
 
 /// The standard deviation of positions about a smooth motion: residuals of cubics fitted by least squares to
 /// windows of kSmoothWindow samples, pooled. Nothing for fewer samples than a window.

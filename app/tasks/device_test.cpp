@@ -413,17 +413,20 @@ class DeviceTest final {
           0.1 + 0.08 * axis);
       std::string hindrance{};
       const std::vector<SweepLeg> slow = sweep(axis, kSlow_m_per_s, 1, hindrance);
-      if (hindrance.empty()) {
-        const std::vector<SweepLeg> fast = sweep(axis, kFast_m_per_s, 3, hindrance);
-        slow_[static_cast<std::size_t>(axis)] = sweep_response(slow);
-        fast_[static_cast<std::size_t>(axis)] = sweep_response(fast);
-      }
-      const auto& one = slow_[static_cast<std::size_t>(axis)];
-      if (hindrance.empty() && (!one || one->speed_m_per_s < kMoved_m_per_s)) {
+      const auto slowly = sweep_response(slow);
+      if (hindrance.empty() && (!slowly || slowly->speed_m_per_s < kMoved_m_per_s)) {
         hindrance = "the handle did not move";
       }
+      if (hindrance.empty()) {
+        const auto faster = sweep_response(sweep(axis, kFast_m_per_s, 3, hindrance));
+        if (hindrance.empty() && faster) {
+          resistances_[static_cast<std::size_t>(axis)] = resistance_of(*slowly, *faster);
+        }
+      }
+      if (hindrance.empty() && !resistance(axis)) hindrance = "the sweeps say nothing";
       sweep_hindrances_[static_cast<std::size_t>(axis)] = hindrance;
       if (!hindrance.empty()) {
+        resistances_[static_cast<std::size_t>(axis)].reset();
         resolution_.miss(axis, hindrance);
         continue;
       }
@@ -433,20 +436,23 @@ class DeviceTest final {
     }
   }
 
-  /// Friction as far as it is known without the latency, which damping needs.
+  /// Nothing where the sweeps were no use.
+  const std::optional<Resistance>& resistance(int axis) const {
+    return resistances_[static_cast<std::size_t>(axis)];
+  }
   double friction_N(int axis) const {
-    const auto& slow = slow_[static_cast<std::size_t>(axis)];
-    const auto& fast = fast_[static_cast<std::size_t>(axis)];
-    if (!slow || !fast) return 0.0;
-    const auto resistance = resistance_of(*slow, *fast, 0.0);
-    return resistance ? resistance->friction_N : 0.0;
+    return resistance(axis) ? resistance(axis)->friction_N : 0.0;
   }
   double held_by_N_per_m(int axis) const {
-    const auto& slow = slow_[static_cast<std::size_t>(axis)];
-    return slow ? std::max(0.0, slow->stiffness_N_per_m) : 0.0;
+    return resistance(axis) ? std::max(0.0, resistance(axis)->stiffness_N_per_m) : 0.0;
   }
 
   void push(int axis, ByAxis& latency, ByAxis& mass) {
+    if (!resistance(axis)) {
+      latency.miss(axis, sweep_hindrances_[static_cast<std::size_t>(axis)]);
+      mass.miss(axis, sweep_hindrances_[static_cast<std::size_t>(axis)]);
+      return;
+    }
     constexpr int kPushes = 12;
     constexpr double kRest_s = 0.25;
     constexpr double kPush_s = 0.030;
@@ -474,31 +480,31 @@ class DeviceTest final {
       mass.miss(axis, hindrance);
       return;
     }
-    std::vector<double> since_push_s{};
-    std::vector<double> moved_m{};
+    std::vector<Push> pushes{};
     for (std::size_t i = kBefore; i < record.ticks.size(); ++i) {
       const double force_N = pushed_N(record.time_s[i]);
       if (force_N == 0.0 || pushed_N(record.time_s[i - 1]) != 0.0) continue;
-      double before_m = 0.0;
+      Push one{.direction = std::copysign(1.0, force_N)};
       // The tick of the push itself was read before its force.
       for (std::size_t j = i - kBefore + 1; j <= i; ++j) {
-        before_m += record.ticks[j].probe.position_m[axis] / kBefore;
+        one.rested_at_m += record.ticks[j].probe.position_m[axis] / kBefore;
       }
       for (std::size_t j = i; j < record.ticks.size() && pushed_N(record.time_s[j]) == force_N;
            ++j) {
-        since_push_s.push_back(record.time_s[j] - record.time_s[i]);
-        moved_m.push_back(std::copysign(1.0, force_N) *
-                          (record.ticks[j].probe.position_m[axis] - before_m));
+        one.time_s.push_back(record.time_s[j] - record.time_s[i]);
+        one.position_m.push_back(record.ticks[j].probe.position_m[axis]);
+        one.force_N.push_back(record.ticks[j].sent.force_N[axis]);
       }
+      pushes.push_back(std::move(one));
     }
-    const auto response = push_response(since_push_s, moved_m);
+    const auto response = push_response(pushes, *resistance(axis));
     if (!response) {
       latency.miss(axis, "a push of " + fixed(push_N, 1) + " N did not move the handle");
       mass.miss(axis, latency.reasons[static_cast<std::size_t>(axis)]);
       return;
     }
     latency.set(axis, response->delay_s);
-    mass.set(axis, (push_N - friction_N(axis)) / response->acceleration_m_per_s2);
+    mass.set(axis, response->mass_kg);
   }
 
   void measure_push() {
@@ -517,18 +523,13 @@ class DeviceTest final {
       tell(std::string("sudden pushes along ") + kAxisNames[static_cast<std::size_t>(axis)],
            0.36 + 0.04 * axis);
       push(axis, latency, mass_);
-      const auto& slow = slow_[static_cast<std::size_t>(axis)];
-      const auto& fast = fast_[static_cast<std::size_t>(axis)];
-      const std::string& hindrance = sweep_hindrances_[static_cast<std::size_t>(axis)];
-      const auto resistance = slow && fast ? resistance_of(*slow, *fast, latency.of(axis, 0.0))
-                                           : std::optional<Resistance>{};
-      if (!hindrance.empty() || !resistance) {
-        friction.miss(axis, hindrance.empty() ? "the sweep says nothing" : hindrance);
-        damping.miss(axis, friction.reasons[static_cast<std::size_t>(axis)]);
+      if (!resistance(axis)) {
+        friction.miss(axis, sweep_hindrances_[static_cast<std::size_t>(axis)]);
+        damping.miss(axis, sweep_hindrances_[static_cast<std::size_t>(axis)]);
         continue;
       }
-      friction.set(axis, resistance->friction_N);
-      damping.set(axis, std::max(0.0, resistance->damping_N_s_per_m));
+      friction.set(axis, resistance(axis)->friction_N);
+      damping.set(axis, std::max(0.0, resistance(axis)->damping_N_s_per_m(latency.of(axis, 0.0))));
     }
     judge("friction_N", friction);
     judge("damping_N_s_per_m", damping);
@@ -789,8 +790,7 @@ class DeviceTest final {
   DeviceBench bench_;
   bool has_motors_ = true;
   double force_N_ = 0.0;
-  std::array<std::optional<SweepResponse>, kAxes> slow_{};
-  std::array<std::optional<SweepResponse>, kAxes> fast_{};
+  std::array<std::optional<Resistance>, kAxes> resistances_{};
   std::array<std::string, kAxes> sweep_hindrances_{};
   ByAxis resolution_{};
   ByAxis mass_{};

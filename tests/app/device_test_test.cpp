@@ -110,6 +110,57 @@ TEST(DeviceTest, FindsAResonance) {
   EXPECT_NEAR(*resonance.value, 31.8, 3.0);
 }
 
+/// What a measurement has to find again of a device that is late, coarse, noisy and stiff to move at once.
+SimulatedDeviceSettings imperfect() {
+  SimulatedDeviceSettings settings{};
+  settings.friction_N = 0.3;
+  settings.sensor = {.latency_s = 0.003,
+                     .position_noise_m = 10e-6,
+                     .position_step_m = 60e-6,
+                     .velocity = VelocityWindow{8},
+                     .noise_seed = 3};
+  return settings;
+}
+
+TEST(DeviceTest, RecoversFrictionLatencyAndResolutionOfAnImperfectDevice) {
+  const DeviceProfile profile = measured(imperfect());
+  const auto near = [&](const char* name, double wanted, double tolerance) {
+    const DeviceItem& found = item(profile, name);
+    ASSERT_EQ(found.by_axis.size(), 3U) << found.text;
+    for (const double value : found.by_axis) EXPECT_NEAR(value, wanted, tolerance) << name;
+  };
+  near("friction_N", 0.3, 0.15 * 0.3);
+  near("latency_s", 0.003, 0.4e-3);
+  // A step of 60 µm and a noise of 10 µm have the deviation of a step of √(60² + 12 · 10²) = 69 µm.
+  near("position_resolution_m", 69e-6, 0.25 * 69e-6);
+  near("moving_mass_kg", 0.050, 0.15 * 0.050);
+  const DeviceItem& damping = item(profile, "damping_N_s_per_m");
+  ASSERT_EQ(damping.by_axis.size(), 3U);
+  EXPECT_NEAR(damping.by_axis[0], 5.0, 1.5);
+  EXPECT_NEAR(damping.by_axis[2], 10.0, 2.5);
+  // At rest nothing below the friction moves it.
+  const double weakest_N = profile.value("force_resolution_N").value();
+  EXPECT_GE(weakest_N, 0.3);
+  EXPECT_LE(weakest_N, 0.6);
+}
+
+// A delay makes a stiff spring swing: without one the same hand holds 8000 N/m.
+TEST(DeviceTest, FindsThatALateDeviceHoldsLessStiffness) {
+  SimulatedDeviceSettings late{};
+  late.sensor.latency_s = 0.003;
+  EXPECT_LT(measured(late).value("stiffness_N_per_m").value(),
+            0.5 * measured({}).value("stiffness_N_per_m").value());
+}
+
+TEST(DeviceTest, SaysWhenMotorsAreTooWeakForTheFriction) {
+  SimulatedDeviceSettings weak{};
+  weak.friction_N = 1.0;
+  weak.saturation_force_N = 0.8;
+  const DeviceProfile profile = measured(weak);
+  EXPECT_EQ(item(profile, "friction_N").status, DeviceItem::Status::not_measured);
+  EXPECT_EQ(item(profile, "force_resolution_N").status, DeviceItem::Status::not_measured);
+}
+
 TEST(DeviceTest, FailsAnItemThatDoesNotKeepItsLimit) {
   DeviceTestOptions options = stepped();
   options.limits = {{"moving_mass_kg", 0.010}, {"stiffness_N_per_m", 300.0}};
