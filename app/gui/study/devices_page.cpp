@@ -1,6 +1,10 @@
 #include "app/gui/study/devices_page.h"
 
+#include <utility>
+
 #include <QtWidgets/QGridLayout>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
 
 #include "app/tasks/study_overview.h"
 
@@ -45,22 +49,92 @@ std::vector<std::pair<QString, QString>> facts_of(const DeviceCapability& device
   return facts;
 }
 
+struct FoundState {
+  State state = State::unknown;
+  QString words{};
+};
+
+FoundState state_of(const DriverSurvey& survey) {
+  int usable = 0;
+  for (const AttachedDevice& device : survey.attached) usable += device.is_usable() ? 1 : 0;
+  if (usable > 0) return {State::fine, DevicesPage::tr("%1 ready").arg(usable)};
+  if (!survey.attached.empty()) return {State::look, DevicesPage::tr("not usable yet")};
+  if (!survey.hindrance.empty()) return {State::unknown, DevicesPage::tr("not set up")};
+  return {State::unknown, DevicesPage::tr("none attached")};
+}
+
+QString name_of(const AttachedDevice& device) {
+  const QString model = QString::fromStdString(device.model);
+  const QString serial = QString::fromStdString(device.serial);
+  const QString place = QString::fromStdString(device.place);
+  if (!serial.isEmpty() && !place.isEmpty()) {
+    return DevicesPage::tr("%1, serial number %2, at %3").arg(model, serial, place);
+  }
+  if (!serial.isEmpty()) return DevicesPage::tr("%1, serial number %2").arg(model, serial);
+  if (!place.isEmpty()) return DevicesPage::tr("%1, at %2").arg(model, place);
+  return model;
+}
+
+/// A card with a name and a state at its head.
+QFrame* make_device_card(const QString& name, State state, const QString& words, QWidget* parent,
+                         QVBoxLayout*& layout) {
+  QFrame* card = make_card(parent, layout);
+  auto* top = new QHBoxLayout();
+  top->addWidget(make_heading(name, card), 1);
+  auto* label = new StateLabel(card);
+  label->set_state(state, words);
+  top->addWidget(label);
+  layout->addLayout(top);
+  return card;
+}
+
 }  // namespace
 
 DevicesPage::DevicesPage(OpenStudy& study, QWidget* parent)
-    : StudyPage(study, tr("Devices"), parent) {
+    : DevicesPage(
+          study, [] { return survey_devices(built_in_drivers(), {}); }, parent) {}
+
+DevicesPage::DevicesPage(OpenStudy& study, Survey survey, QWidget* parent)
+    : StudyPage(study, tr("Devices"), parent), survey_(std::move(survey)) {
   setObjectName("devices_page");
+  look_button_ = make_button(tr("Look again"), ButtonRole::plain, this);
+  look_button_->setObjectName("devices_look");
+  head().addWidget(look_button_);
+  connect(look_button_, &QPushButton::clicked, this, &DevicesPage::look);
+  auto* area = new QScrollArea(this);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->viewport()->setAutoFillBackground(false);
+  auto* inside = new QWidget(area);
+  // Here and not on what is in it: a layout asks how high words are at the width that it has itself.
+  inside->setMaximumWidth(kCardWidth + kGrid);
+  cards_ = new QVBoxLayout(inside);
+  cards_->setContentsMargins(0, 0, kGrid, 0);
+  cards_->setSpacing(kMargin);
+  area->setWidget(inside);
+  inside->setAutoFillBackground(false);  // which setWidget turns on
+  body().addWidget(area, 1);
+  add_simulated();
+  QLabel* note = make_text(
+      tr("The simulated device is always there: a virtual hand holds its probe. What a protocol "
+         "asks for is compared with the device before a session starts."),
+      inside, true);
+  cards_->addWidget(note);
+  found_ = new QWidget(inside);
+  auto* found = new QVBoxLayout(found_);
+  found->setContentsMargins(0, 0, 0, 0);
+  found->setSpacing(kMargin);
+  cards_->addWidget(found_);
+  cards_->addStretch(1);
+}
+
+void DevicesPage::add_simulated() {
   for (const DeviceCapability& device : device_overviews()) {
-    ++ready_;
+    ++simulated_;
     QVBoxLayout* layout = nullptr;
-    QFrame* card = make_card(this, layout);
-    card->setMaximumWidth(kCardWidth);
-    auto* top = new QHBoxLayout();
-    top->addWidget(make_heading(QString::fromStdString(device.name), card), 1);
-    auto* state = new StateLabel(card);
-    state->set_state(State::fine, tr("ready"));
-    top->addWidget(state);
-    layout->addLayout(top);
+    QFrame* card = make_device_card(QString::fromStdString(device.name), State::fine, tr("ready"),
+                                    this, layout);
     layout->addWidget(make_text(QString::fromStdString(device.model), card, true));
     layout->addSpacing(kGrid);
     auto* grid = new QGridLayout();
@@ -76,17 +150,73 @@ DevicesPage::DevicesPage(OpenStudy& study, QWidget* parent)
       grid->addWidget(text, row, 1);
     }
     layout->addLayout(grid);
-    body().addWidget(card);
+    cards_->addWidget(card);
   }
-  QLabel* note = make_text(
-      tr("The simulated device is always there: a virtual hand holds its probe. What a protocol "
-         "asks for is compared with the device before a session starts."),
-      this, true);
-  note->setMaximumWidth(kCardWidth);
-  body().addWidget(note);
-  body().addStretch(1);
 }
 
-QString DevicesPage::count() const { return tr("%1 ready").arg(ready_); }
+void DevicesPage::showEvent(QShowEvent* event) {
+  StudyPage::showEvent(event);
+  if (!looked_) look();
+}
+
+void DevicesPage::look() {
+  looked_ = true;
+  look_button_->setEnabled(false);
+  look_button_->setText(tr("Looking…"));
+  const auto done = [this] {
+    look_button_->setText(tr("Look again"));
+    look_button_->setEnabled(true);
+  };
+  task_.run<std::vector<SurveyedDriver>>(
+      [survey = survey_](const std::stop_token&, const BackgroundTask::Progress&) {
+        return survey();
+      },
+      [this, done](const std::vector<SurveyedDriver>& drivers) {
+        done();
+        show_found(drivers);
+      },
+      [this, done](const QString& what) {
+        done();
+        banner().show_news(State::look, tr("Devices could not be looked for: %1").arg(what));
+      });
+}
+
+void DevicesPage::show_found(const std::vector<SurveyedDriver>& drivers) {
+  while (QLayoutItem* item = found_->layout()->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  attached_ = 0;
+  for (const SurveyedDriver& driver : drivers) {
+    if (driver.id != "simulated") add_driver(driver);
+  }
+  emit counted(count());
+}
+
+void DevicesPage::add_driver(const SurveyedDriver& driver) {
+  const FoundState state = state_of(driver.survey);
+  QVBoxLayout* layout = nullptr;
+  QFrame* card =
+      make_device_card(QString::fromStdString(driver.id), state.state, state.words, found_, layout);
+  card->setObjectName("device_" + QString::fromStdString(driver.id));
+  layout->addWidget(make_text(QString::fromStdString(driver.summary), card, true));
+  const auto say = [&](const std::string& sentence) {
+    if (sentence.empty()) return;
+    QLabel* text = make_text(QString::fromStdString(sentence), card);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    layout->addWidget(text);
+  };
+  say(driver.survey.found);
+  for (const AttachedDevice& device : driver.survey.attached) {
+    attached_ += device.is_usable() ? 1 : 0;
+    layout->addWidget(make_text(name_of(device), card));
+    say(device.remark);
+    say(device.hindrance);
+  }
+  say(driver.survey.hindrance);
+  found_->layout()->addWidget(card);
+}
+
+QString DevicesPage::count() const { return tr("%1 ready").arg(simulated_ + attached_); }
 
 }  // namespace asperity

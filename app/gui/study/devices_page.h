@@ -1,21 +1,49 @@
-// The devices that a session can run on, and what each can do.
+// The devices that a session can run on, what each can do, and what would make the others usable.
 
 #pragma once
 
+#include <functional>
+#include <vector>
+
+#include "app/gui/look/background_task.h"
 #include "app/gui/study/study_page.h"
+#include "app/tasks/device_survey.h"
+
+class QPushButton;
 
 namespace asperity {
 
+/// Looks for devices when it is first shown, and again when asked; that takes seconds, in the
+/// background.
 class DevicesPage final : public StudyPage {
   Q_OBJECT
  public:
+  /// What every driver finds; runs on a thread of its own.
+  using Survey = std::function<std::vector<SurveyedDriver>()>;
+
   explicit DevicesPage(OpenStudy& study, QWidget* parent = nullptr);
+  DevicesPage(OpenStudy& study, Survey survey, QWidget* parent);
 
   /// "1 ready"
   QString count() const;
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
-  int ready_ = 0;
+  void add_simulated();
+  void look();
+  void show_found(const std::vector<SurveyedDriver>& drivers);
+  void add_driver(const SurveyedDriver& driver);
+
+  Survey survey_{};
+  int simulated_ = 0;
+  int attached_ = 0;
+  bool looked_ = false;
+  QPushButton* look_button_ = nullptr;
+  QVBoxLayout* cards_ = nullptr;
+  QWidget* found_ = nullptr;  ///< the cards of the drivers, made anew with every look
+  BackgroundTask task_{};
 };
 
 }  // namespace asperity

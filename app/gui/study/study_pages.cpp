@@ -35,7 +35,8 @@ void StudyWindow::add_pages() {
   add_page("analysis", tr("Analysis"), new AnalysisPage(*study_));
   add_page("devices", tr("Devices"), devices);
 
-  for (StudyPage* page : std::initializer_list<StudyPage*>{participants, sessions, stimuli}) {
+  for (StudyPage* page :
+       std::initializer_list<StudyPage*>{participants, sessions, stimuli, devices}) {
     connect(page, &StudyPage::counted, this, [this, page](const QString& count) {
       set_count(page->property("page").toString(), count);
     });

@@ -3752,6 +3752,42 @@
         <source>%1 ready</source>
         <translation>%1 bereit</translation>
     </message>
+    <message>
+        <source>not usable yet</source>
+        <translation>noch nicht benutzbar</translation>
+    </message>
+    <message>
+        <source>not set up</source>
+        <translation>nicht eingerichtet</translation>
+    </message>
+    <message>
+        <source>none attached</source>
+        <translation>keines angeschlossen</translation>
+    </message>
+    <message>
+        <source>%1, serial number %2, at %3</source>
+        <translation>%1, Seriennummer %2, an %3</translation>
+    </message>
+    <message>
+        <source>%1, serial number %2</source>
+        <translation>%1, Seriennummer %2</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1, an %2</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Erneut suchen</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Suche läuft …</translation>
+    </message>
+    <message>
+        <source>Devices could not be looked for: %1</source>
+        <translation>Geräte konnten nicht gesucht werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>asperity::EndSummary</name>

@@ -20,6 +20,7 @@
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/editor/protocol_text_edit.h"
 #include "app/gui/look/controls.h"
+#include "app/gui/study/devices_page.h"
 #include "app/gui/study/open_study.h"
 #include "app/gui/study/participants_page.h"
 #include "app/gui/study/protocols_page.h"
@@ -557,6 +558,46 @@ TEST_F(StudyPages, StayWithTheStudyWhenTheThemeChanges) {
   apply_theme(*qobject_cast<QApplication*>(QCoreApplication::instance()), ThemeChoice::light);
 }
 
+/// A survey of two drivers: one of a device that is not set up yet, one without its maker's library.
+std::vector<SurveyedDriver> found_devices(bool has_firmware) {
+  AttachedDevice falcon{.model = "Novint Falcon", .serial = "A7", .place = "usb 1-2"};
+  if (!has_firmware) falcon.hindrance = "Name the file of its firmware.";
+  return {{.id = "simulated", .summary = "nobody feels it"},
+          {.id = "falcon", .summary = "over USB", .survey = {.attached = {falcon}}},
+          {.id = "openhaptics", .survey = {.hindrance = "OpenHaptics is not installed."}}};
+}
+
+TEST_F(StudyPages, SayOfEveryDeviceWhatWouldMakeItUsableAndLookAgain) {
+  open_lively();
+  bool has_firmware = false;
+  DevicesPage page(
+      *window_.study(), [&has_firmware] { return found_devices(has_firmware); }, nullptr);
+  QSignalSpy counted(&page, &StudyPage::counted);
+  EXPECT_EQ(counted.size(), 0) << "nobody has looked at it yet";
+  page.show();
+  const auto texts_of = [&page](const char* card) {
+    QString texts{};
+    const auto* found = page.findChild<QFrame*>(card);
+    if (found == nullptr) return texts;
+    for (const QLabel* label : found->findChildren<QLabel*>()) texts += label->text() + "|";
+    return texts;
+  };
+  ASSERT_TRUE(eventually([&] { return counted.size() == 1; }));
+  EXPECT_EQ(page.count(), "1 ready");
+  EXPECT_TRUE(texts_of("device_falcon").contains("Novint Falcon, serial number A7, at usb 1-2"));
+  EXPECT_TRUE(texts_of("device_falcon").contains("Name the file of its firmware."));
+  EXPECT_TRUE(texts_of("device_falcon").contains("not usable yet"));
+  EXPECT_TRUE(texts_of("device_openhaptics").contains("OpenHaptics is not installed."));
+  EXPECT_EQ(page.findChild<QFrame*>("device_simulated"), nullptr) << "it has its card already";
+
+  has_firmware = true;
+  page.findChild<QPushButton*>("devices_look")->click();
+  ASSERT_TRUE(eventually([&] { return counted.size() == 2; }));
+  EXPECT_EQ(page.count(), "2 ready");
+  EXPECT_FALSE(texts_of("device_falcon").contains("firmware"));
+  EXPECT_TRUE(texts_of("device_falcon").contains("1 ready"));
+}
+
 TEST_F(StudyPages, Pictures) {
   open_lively();
   StudyTable& protocols = table_of("protocols", "protocols_table", 4);
@@ -571,6 +612,8 @@ TEST_F(StudyPages, Pictures) {
   table_of("stimuli", "stimuli_table", 16);
   take_screenshot(window_, "study-stimuli");
   window_.show_page("devices");
+  const auto* look = window_.page("devices")->findChild<QPushButton*>("devices_look");
+  ASSERT_TRUE(eventually([look] { return look->isEnabled(); }));
   take_screenshot(window_, "study-devices");
   Study::create(home() / "empty", "empty");
   window_.open_study(home() / "empty");
