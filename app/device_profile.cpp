@@ -18,9 +18,12 @@ nlohmann::ordered_json or_null(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
+nlohmann::ordered_json corner(const glm::dvec3& p) {
+  return nlohmann::ordered_json::array({p.x, p.y, p.z});
+}
+
 nlohmann::ordered_json or_null(const std::optional<glm::dvec3>& p) {
-  if (!p) return {};
-  return nlohmann::ordered_json::array({p->x, p->y, p->z});
+  return p ? corner(*p) : nlohmann::ordered_json();
 }
 
 nlohmann::ordered_json json_of(const DeviceItem& item) {
@@ -42,11 +45,14 @@ std::optional<double> number_or_nothing(const nlohmann::json& object, const char
   return found->get<double>();
 }
 
+glm::dvec3 corner_in(const nlohmann::json& corner) {
+  return {corner.at(0).get<double>(), corner.at(1).get<double>(), corner.at(2).get<double>()};
+}
+
 std::optional<glm::dvec3> corner_or_nothing(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || found->is_null()) return {};
-  return glm::dvec3(found->at(0).get<double>(), found->at(1).get<double>(),
-                    found->at(2).get<double>());
+  return corner_in(*found);
 }
 
 DeviceItem::Status status_from(const std::string& text) {
@@ -145,6 +151,8 @@ std::string json_text_of(const DeviceProfile& profile) {
       {"rate_Hz", profile.rate_Hz},
       {"scheduling", profile.scheduling},
       {"force_N", profile.force_N},
+      {"workspace_minimum_m", corner(profile.workspace_minimum_m)},
+      {"workspace_maximum_m", corner(profile.workspace_maximum_m)},
       {"reached_minimum_m", or_null(profile.reached_minimum_m)},
       {"reached_maximum_m", or_null(profile.reached_maximum_m)},
       {"items", std::move(items)}};
@@ -171,6 +179,8 @@ DeviceProfile profile_from_json(const std::string& text, const std::string& orig
     profile.rate_Hz = json.at("rate_Hz").get<double>();
     profile.scheduling = json.at("scheduling").get<std::string>();
     profile.force_N = json.at("force_N").get<double>();
+    profile.workspace_minimum_m = corner_in(json.at("workspace_minimum_m"));
+    profile.workspace_maximum_m = corner_in(json.at("workspace_maximum_m"));
     profile.reached_minimum_m = corner_or_nothing(json, "reached_minimum_m");
     profile.reached_maximum_m = corner_or_nothing(json, "reached_maximum_m");
     for (const nlohmann::json& item : json.at("items")) profile.items.push_back(item_from(item));

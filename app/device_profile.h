@@ -41,7 +41,9 @@ struct DeviceProfile {
   std::string program_commit{};
   double rate_Hz = 0.0;  ///< of the servo loop
   std::string scheduling{};
-  double force_N = 0.0;  ///< no force was stronger
+  double force_N = 0.0;                 ///< no force was stronger
+  glm::dvec3 workspace_minimum_m{0.0};  ///< as the driver tells it
+  glm::dvec3 workspace_maximum_m{0.0};
   /// What the handle reached when a person moved it along its borders.
   std::optional<glm::dvec3> reached_minimum_m{};
   std::optional<glm::dvec3> reached_maximum_m{};

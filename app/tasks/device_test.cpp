@@ -825,6 +825,8 @@ DeviceProfile test_device(HapticDevice& device, const DeviceTestOptions& options
   profile.name = capability.name;
   profile.model = capability.model;
   profile.serial = capability.serial;
+  profile.workspace_minimum_m = capability.workspace_minimum_m;
+  profile.workspace_maximum_m = capability.workspace_maximum_m;
   profile.is_simulated = options.is_simulated;
   profile.measured_utc = SystemClock(0).utc();
   profile.program_version = program.version;

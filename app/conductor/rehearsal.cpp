@@ -1,0 +1,354 @@
+#include "app/conductor/rehearsal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "analysis/number_text.h"
+#include "app/conductor/attempt_measures.h"
+#include "app/parameter_json.h"
+#include "protocols/plan.h"
+#include "renderers/offline/force_matching.h"
+
+namespace asperity {
+namespace {
+
+/// The stiffest spring that `device-test` tries: no limit of a device that held it.
+constexpr double kStiffestTried_N_per_m = 8000.0;
+
+/// "0.30", "8000": as many decimals as three digits take.
+std::string in_three_digits(double value) {
+  const double size = std::abs(value);
+  if (size >= 100.0 || size == 0.0) return fixed(value, 0);
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(size)));
+  return fixed(value, std::clamp(decimals, 0, 6));
+}
+std::string in_um(double value_m) { return in_three_digits(1e6 * value_m); }
+
+std::optional<double> number_among(const ParameterValues& values, const char* name) {
+  const auto found = values.find(name);
+  if (found == values.end()) return {};
+  const double* const number = std::get_if<double>(&found->second);
+  return number == nullptr ? std::nullopt : std::optional(*number);
+}
+
+/// How high and how long a texture's waves are on the device.
+struct TextureWaves {
+  std::optional<double> amplitude_m{};
+  std::optional<double> wavelength_m{};
+};
+
+TextureWaves waves_of(const PreparedStimulus& stimulus, const ModelRegistry& models) {
+  ParameterValues suggested{};
+  const ParameterValues& own = stimulus.inputs.parameters;
+  if (number_among(own, "amplitude_m") && number_among(own, "wavelength_m")) {
+    suggested = own;
+  } else if (stimulus.inputs.height_field) {
+    const ForceModel* const sinusoid = models.find("sinusoid");
+    if (sinusoid == nullptr || !sinusoid->suggested_by) return {};
+    suggested = sinusoid->suggested_by(*stimulus.inputs.height_field, stimulus.inputs.material);
+  }
+  TextureWaves waves{number_among(suggested, "amplitude_m"),
+                     number_among(suggested, "wavelength_m")};
+  if (waves.amplitude_m && stimulus.inputs.height_field) {
+    *waves.amplitude_m *= number_among(own, "height_scale").value_or(1.0);
+  }
+  if (waves.wavelength_m) *waves.wavelength_m /= stimulus.inputs.patch.motion_scale;
+  return waves;
+}
+
+/// Of a symmetric matrix, by Jacobi's rotations.
+double largest_eigenvalue(std::array<std::array<double, 3>, 3> m) {
+  for (int round = 0; round < 8; ++round) {
+    for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
+      if (m[p][q] == 0.0) continue;
+      const double theta = 0.5 * std::atan2(2.0 * m[p][q], m[q][q] - m[p][p]);
+      const double c = std::cos(theta);
+      const double s = std::sin(theta);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double ip = m[i][p];
+        const double iq = m[i][q];
+        m[i][p] = c * ip - s * iq;
+        m[i][q] = s * ip + c * iq;
+      }
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double pi = m[p][i];
+        const double qi = m[q][i];
+        m[p][i] = c * pi - s * qi;
+        m[q][i] = s * pi + c * qi;
+      }
+    }
+  }
+  return std::max({m[0][0], m[1][1], m[2][2]});
+}
+
+struct LocalShape {
+  double slope_x = 0.0;
+  double slope_y = 0.0;
+  double bend_xx_per_m = 0.0;
+  double bend_xy_per_m = 0.0;
+  double bend_yy_per_m = 0.0;
+};
+
+/// k(∇δ∇δᵀ + δ∇∇δ) where δ = h(x, y) − z: with p = ∇h and S = ∇∇h it is k[[ppᵀ + δS, −p], [−pᵀ, 1]].
+double stiffness_at(const LocalShape& at, double stiffness_N_per_m, double depth_m) {
+  const double sx = at.slope_x;
+  const double sy = at.slope_y;
+  return stiffness_N_per_m *
+         largest_eigenvalue(
+             {{{sx * sx + depth_m * at.bend_xx_per_m, sx * sy + depth_m * at.bend_xy_per_m, -sx},
+               {sx * sy + depth_m * at.bend_xy_per_m, sy * sy + depth_m * at.bend_yy_per_m, -sy},
+               {-sx, -sy, 1.0}}});
+}
+
+double stiffest_of_field(const HeightField& field, double scale, double motion,
+                         double stiffness_N_per_m, double depth_m) {
+  constexpr std::size_t kSamplesAcross = 256;  // enough to meet the steepest of a texture
+  const auto [rows, columns, pitch_m] = field.grid();
+  const std::vector<float>& heights_m = field.heights_m();
+  const auto at = [&, columns = columns](std::size_t row, std::size_t column) {
+    return scale * static_cast<double>(heights_m[row * columns + column]);
+  };
+  const double step_m = pitch_m / motion;
+  const std::size_t row_step = std::max<std::size_t>(1, rows / kSamplesAcross);
+  const std::size_t column_step = std::max<std::size_t>(1, columns / kSamplesAcross);
+  double stiffest = stiffness_N_per_m;
+  for (std::size_t r = 1; r + 1 < rows; r += row_step) {
+    for (std::size_t c = 1; c + 1 < columns; c += column_step) {
+      const double here_m = at(r, c);
+      const LocalShape shape{
+          .slope_x = (at(r, c + 1) - at(r, c - 1)) / (2.0 * step_m),
+          .slope_y = (at(r + 1, c) - at(r - 1, c)) / (2.0 * step_m),
+          .bend_xx_per_m = (at(r, c + 1) - 2.0 * here_m + at(r, c - 1)) / (step_m * step_m),
+          .bend_xy_per_m =
+              (at(r + 1, c + 1) - at(r + 1, c - 1) - at(r - 1, c + 1) + at(r - 1, c - 1)) /
+              (4.0 * step_m * step_m),
+          .bend_yy_per_m = (at(r + 1, c) - 2.0 * here_m + at(r - 1, c)) / (step_m * step_m)};
+      stiffest = std::max(stiffest, stiffness_at(shape, stiffness_N_per_m, depth_m));
+    }
+  }
+  return stiffest;
+}
+
+double stiffest_of_wave(const TextureWaves& waves, double stiffness_N_per_m, double depth_m) {
+  constexpr int kSamples = 256;
+  const double per_m = 2.0 * std::numbers::pi / *waves.wavelength_m;
+  double stiffest = stiffness_N_per_m;
+  for (int i = 0; i < kSamples; ++i) {
+    const double phase = 2.0 * std::numbers::pi * i / kSamples;
+    const LocalShape shape{.slope_x = *waves.amplitude_m * per_m * std::cos(phase),
+                           .bend_xx_per_m = -*waves.amplitude_m * per_m * per_m * std::sin(phase)};
+    stiffest = std::max(stiffest, stiffness_at(shape, stiffness_N_per_m, depth_m));
+  }
+  return stiffest;
+}
+
+class DeviceRehearsal final {
+ public:
+  DeviceRehearsal(const Protocol& protocol, const DeviceProfile& profile, StimulusBuilder& builder)
+      : protocol_(protocol), profile_(profile), builder_(builder) {}
+
+  std::vector<RehearsalWarning> run() {
+    std::set<std::string> seen{};
+    for (const Trial& trial : possible_trials(protocol_)) {
+      const Exploration& exploration = exploration_of(protocol_, trial);
+      for (const PlannedPresentation& planned : trial.presentations) {
+        const StimulusDescription& stimulus = planned.stimulus;
+        const std::string key = stimulus.name + '\n' + stimulus.model + '\n' +
+                                stimulus.height_field.value_or("") + '\n' +
+                                json_text_of(stimulus.parameters) + '\n' + exploration.name;
+        if (!seen.insert(key).second) continue;
+        check_workspace(stimulus.patch);
+        if (stimulus.surface || stimulus.tool) continue;
+        try {
+          check(planned, exploration);
+        } catch (const std::exception& error) {
+          warn({.id = "not_rehearsed",
+                .stimulus = stimulus.name,
+                .text = phrase("Rehearsal", "\"%1\" cannot be compared with the device: %2")
+                            .with(stimulus.name, phrase_of(error))
+                            .as_sentence()});
+        }
+      }
+    }
+    return std::move(warnings_);
+  }
+
+ private:
+  void warn(const RehearsalWarning& warning) {
+    const bool is_told =
+        std::any_of(warnings_.begin(), warnings_.end(), [&](const RehearsalWarning& one) {
+          return one.id == warning.id && one.text == warning.text;
+        });
+    if (!is_told) warnings_.push_back(warning);
+  }
+
+  void check(const PlannedPresentation& planned, const Exploration& exploration) {
+    const PreparedStimulus stimulus = builder_.unmatched(planned.stimulus);
+    const HandHabits habits = habits_for(exploration, planned.stimulus.patch);
+    check_force(planned, stimulus, habits);
+    const TextureWaves waves = waves_of(stimulus, builder_.models());
+    check_waves(planned.stimulus.name, waves,
+                exploration.speed_m_per_s.maximum.value_or(habits.speed_m_per_s));
+    check_stiffness(planned.stimulus.name, stimulus, waves);
+  }
+
+  double texture_force_N(const PlannedPresentation& planned, const PreparedStimulus& stimulus,
+                         const HandHabits& habits) {
+    if (planned.equal_force && planned.equal_force->rms_N) return *planned.equal_force->rms_N;
+    const TextureForcePath path{.speed_m_per_s = habits.speed_m_per_s,
+                                .rate_Hz = protocol_.rate_Hz,
+                                .mean_normal_force_N = habits.normal_force_N};
+    if (!planned.equal_force) return texture_force_rms_N(*stimulus.model, stimulus.inputs, path);
+    StimulusDescription reference = planned.stimulus;
+    reference.model = planned.equal_force->to_model;
+    reference.parameters.clear();
+    const PreparedStimulus other = builder_.unmatched(reference);
+    return texture_force_rms_N(*other.model, other.inputs, path);
+  }
+
+  void check_force(const PlannedPresentation& planned, const PreparedStimulus& stimulus,
+                   const HandHabits& habits) {
+    const std::optional<double> friction_N = profile_.value("friction_N");
+    const std::optional<double> resolution_N = profile_.value("force_resolution_N");
+    if (!friction_N && !resolution_N) return;
+    const std::string& name = planned.stimulus.name;
+    const double force_N = texture_force_N(planned, stimulus, habits);
+    if (friction_N && force_N < *friction_N) {
+      warn({.id = "friction",
+            .stimulus = name,
+            .asked = force_N,
+            .device = *friction_N,
+            .text = phrase("Rehearsal",
+                           "The texture of \"%1\" is a force of %2 N RMS, and the device's own "
+                           "friction is %3 N: it hides the texture from a hand.")
+                        .with(name, in_three_digits(force_N), in_three_digits(*friction_N))});
+    } else if (resolution_N && force_N < *resolution_N) {
+      warn({.id = "force_resolution",
+            .stimulus = name,
+            .asked = force_N,
+            .device = *resolution_N,
+            .text = phrase("Rehearsal",
+                           "The texture of \"%1\" is a force of %2 N RMS, and the weakest force "
+                           "that moves the device is %3 N.")
+                        .with(name, in_three_digits(force_N), in_three_digits(*resolution_N))});
+    }
+  }
+
+  void check_waves(const std::string& name, const TextureWaves& waves, double speed_m_per_s) {
+    const std::optional<double> resolution_m = profile_.value("position_resolution_m");
+    if (resolution_m && waves.amplitude_m && *waves.amplitude_m > 0.0 &&
+        *waves.amplitude_m < *resolution_m) {
+      warn({.id = "position_resolution",
+            .stimulus = name,
+            .asked = *waves.amplitude_m,
+            .device = *resolution_m,
+            .text = phrase("Rehearsal",
+                           "The texture of \"%1\" is %2 µm high, and the device reads positions in "
+                           "steps of %3 µm.")
+                        .with(name, in_um(*waves.amplitude_m), in_um(*resolution_m))});
+    }
+    if (!waves.wavelength_m) return;
+    if (resolution_m && *waves.wavelength_m < 2.0 * *resolution_m) {
+      warn(
+          {.id = "wavelength",
+           .stimulus = name,
+           .asked = *waves.wavelength_m,
+           .device = *resolution_m,
+           .text = phrase("Rehearsal",
+                          "A wave of \"%1\" is %2 µm long, and the device reads positions in steps "
+                          "of %3 µm: a wave needs two.")
+                       .with(name, in_um(*waves.wavelength_m), in_um(*resolution_m))});
+    }
+    double bandwidth_Hz = 0.5 * profile_.rate_Hz;
+    if (const auto resonance_Hz = profile_.value("resonance_Hz")) {
+      bandwidth_Hz = std::min(bandwidth_Hz, *resonance_Hz);
+    }
+    const double frequency_Hz = speed_m_per_s / *waves.wavelength_m;
+    if (frequency_Hz > bandwidth_Hz) {
+      warn({.id = "bandwidth",
+            .stimulus = name,
+            .asked = frequency_Hz,
+            .device = bandwidth_Hz,
+            .text = phrase("Rehearsal",
+                           "A hand that strokes \"%1\" at %2 mm/s meets %3 waves a second, and the "
+                           "device follows up to %4 Hz.")
+                        .with(name, in_three_digits(1e3 * speed_m_per_s),
+                              in_three_digits(frequency_Hz), in_three_digits(bandwidth_Hz))});
+    }
+  }
+
+  void check_stiffness(const std::string& name, const PreparedStimulus& stimulus,
+                       const TextureWaves& waves) {
+    std::optional<double> holds_N_per_m{};
+    if (const auto damping = profile_.value("damping_N_s_per_m")) {
+      holds_N_per_m = 2.0 * *damping * protocol_.rate_Hz;
+    }
+    const auto held_N_per_m = profile_.value("stiffness_N_per_m");
+    if (held_N_per_m && *held_N_per_m < 0.99 * kStiffestTried_N_per_m) {
+      holds_N_per_m = std::min(holds_N_per_m.value_or(*held_N_per_m), *held_N_per_m);
+    }
+    if (!holds_N_per_m) return;
+    const double stiffness_N_per_m = stimulus.inputs.material.stiffness_N_per_m;
+    const double depth_m = protocol_.force_limit_N / stiffness_N_per_m;
+    double stiffest_N_per_m = stiffness_N_per_m;
+    if (stimulus.model->declaration.needs_height_field && stimulus.inputs.height_field) {
+      const double scale = number_among(stimulus.inputs.parameters, "height_scale").value_or(1.0);
+      stiffest_N_per_m =
+          stiffest_of_field(*stimulus.inputs.height_field, scale,
+                            stimulus.inputs.patch.motion_scale, stiffness_N_per_m, depth_m);
+    } else if (waves.amplitude_m && waves.wavelength_m && *waves.wavelength_m > 0.0) {
+      stiffest_N_per_m = stiffest_of_wave(waves, stiffness_N_per_m, depth_m);
+    }
+    if (stiffest_N_per_m <= *holds_N_per_m) return;
+    warn(
+        {.id = "stiffness",
+         .stimulus = name,
+         .asked = stiffest_N_per_m,
+         .device = *holds_N_per_m,
+         .text = phrase("Rehearsal",
+                        "At the force limit of %2 N \"%1\" is as stiff as %3 N/m where its texture "
+                        "is steepest, and the device holds %4 N/m without swinging.")
+                     .with(name, in_three_digits(protocol_.force_limit_N),
+                           in_three_digits(stiffest_N_per_m), in_three_digits(*holds_N_per_m))});
+  }
+
+  void check_workspace(const SurfacePatch& patch) {
+    const glm::dvec3 low_m = profile_.reached_minimum_m.value_or(profile_.workspace_minimum_m);
+    const glm::dvec3 high_m = profile_.reached_maximum_m.value_or(profile_.workspace_maximum_m);
+    for (int axis = 0; axis < 2; ++axis) {
+      const double from_m = patch.centre_m[axis] - 0.5 * patch.extent_m[axis];
+      const double to_m = patch.centre_m[axis] + 0.5 * patch.extent_m[axis];
+      if (from_m >= low_m[axis] && to_m <= high_m[axis]) continue;
+      warn(
+          {.id = "workspace",
+           .asked = std::max(low_m[axis] - from_m, to_m - high_m[axis]),
+           .device = 0.0,
+           .text = phrase("Rehearsal",
+                          "The surface lies from %1 to %2 mm along %3, and the handle reaches from "
+                          "%4 to %5 mm.")
+                       .with(fixed(1e3 * from_m, 1), fixed(1e3 * to_m, 1), axis == 0 ? "x" : "y",
+                             fixed(1e3 * low_m[axis], 1), fixed(1e3 * high_m[axis], 1))});
+    }
+  }
+
+  const Protocol& protocol_;
+  const DeviceProfile& profile_;
+  StimulusBuilder& builder_;
+  std::vector<RehearsalWarning> warnings_{};
+};
+
+}  // namespace
+
+std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
+                                                 const DeviceProfile& profile,
+                                                 StimulusBuilder& builder) {
+  return DeviceRehearsal(protocol, profile, builder).run();
+}
+
+}  // namespace asperity

@@ -1,0 +1,53 @@
+// Can this device render what a plan can reach? Every stimulus against a measured profile.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/conductor/stimulus_builder.h"
+#include "app/device_profile.h"
+#include "app/phrase.h"
+#include "protocols/protocol.h"
+
+namespace asperity {
+
+/// One thing that a device cannot do as a stimulus asks for it.
+struct RehearsalWarning {
+  /// "friction", "force_resolution", "position_resolution", "wavelength", "bandwidth", "stiffness",
+  /// "workspace"; "not_rehearsed" for a stimulus that nothing can be said of.
+  std::string id{};
+  std::string stimulus{};  ///< as the protocol calls it; empty for what concerns all
+  double asked = 0.0;      ///< both in SI units: N, m, Hz, N/m
+  double device = 0.0;
+  Phrase text{};  ///< a sentence with both numbers
+};
+
+/// Compares every stimulus that the plan can reach with what the device was measured to do:
+///
+///   friction             RMS of the texture force ≥ friction_N
+///   force_resolution     likewise ≥ force_resolution_N, where friction is not the reason
+///   position_resolution  amplitude ≥ position_resolution_m
+///   wavelength           λ ≥ 2 · position_resolution_m
+///   bandwidth            v/λ ≤ half the rate, and the resonance where one was found
+///   stiffness            largest eigenvalue of k(∇δ∇δᵀ + δ∇∇δ) at the force limit, kδ = F_max,
+///                        ≤ 2b/T [Colgate 1997], and the stiffest spring that it was seen to hold
+///   workspace            the patch inside what a person reached, or else what the driver tells
+///
+/// The texture force is that of `texture_force_rms_N` at the force and the speed that a hand aims at which
+/// explores as asked; of a stimulus whose force is made equal to another's it is the other's. A
+/// texture's amplitude and λ are those of the sinusoid that it suggests, on the device: λ over the
+/// motion scale. δ is the depth below the surface along z, ∇δ and ∇∇δ are taken at every sample of the texture,
+/// as if the force were the gradient of its energy; a model whose force points along z only is softer.
+/// Where something was not measured, nothing is said of it.
+///
+/// Stimuli of two bodies are compared in workspace alone.
+///
+/// Errors: none of a stimulus: what cannot be rendered is a warning. std::bad_alloc.
+///
+/// [Colgate 1997] Colgate, Schenkel: Passivity of a class of sampled-data systems.
+std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
+                                                 const DeviceProfile& profile,
+                                                 StimulusBuilder& builder);
+
+}  // namespace asperity

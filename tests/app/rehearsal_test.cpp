@@ -1,0 +1,156 @@
+// A plan against a device: what is beyond it is said with both numbers, and nothing else is said.
+
+#include "app/conductor/rehearsal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+DeviceItem numbered(const std::string& name, double value) {
+  return {.name = name, .status = DeviceItem::Status::pass, .value = value};
+}
+
+/// Better than any texture asks for.
+DeviceProfile ideal() {
+  return {.name = "ideal",
+          .rate_Hz = 1e5,
+          .workspace_minimum_m = glm::dvec3(-1.0),
+          .workspace_maximum_m = glm::dvec3(1.0),
+          .items = {numbered("friction_N", 0.0), numbered("force_resolution_N", 0.0),
+                    numbered("position_resolution_m", 1e-9), numbered("damping_N_s_per_m", 1e6)}};
+}
+
+DeviceProfile with(DeviceProfile profile, const std::string& name, double value) {
+  std::erase_if(profile.items, [&](const DeviceItem& item) { return item.name == name; });
+  profile.items.push_back(numbered(name, value));
+  return profile;
+}
+
+/// One grating of 0.5 mm amplitude and 2 mm wavelength, 500 N/m, force limit 5 N.
+std::string grating_protocol() {
+  std::string text = small_protocol("", R"(, "speed_m_per_s": {"target": 0.1, "maximum": 0.2})");
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+      text.replace(at, from.size(), to);
+      at += to.size();
+    }
+  };
+  replace(R"("rendered": {"model": {"factor": "model"}, "texture": "grain"})",
+          R"("rendered": {"model": {"factor": "model"}, "texture": "grain", "parameters": )"
+          R"({"amplitude_m": 0.0005, "wavelength_m": 0.002}})");
+  replace(R"({"levels": ["height_map", "stochastic"]})", R"({"levels": ["sinusoid"]})");
+  replace(R"("with": {"model": "height_map"})", R"("item": "one", "with": {"model": "sinusoid"})");
+  replace(R"("with": {"model": "stochastic"})", R"("item": "two", "with": {"model": "sinusoid"})");
+  return text;
+}
+
+class DeviceRehearsalTest : public testing::Test {
+ protected:
+  DeviceRehearsalTest() { make_small_study(folder_.path() / "study"); }
+
+  std::vector<RehearsalWarning> warnings(const std::string& protocol,
+                                         const DeviceProfile& profile) {
+    StimulusBuilder builder(models_, folder_.path() / "study");
+    return rehearse_on_device(read_small_protocol(models_, protocol), profile, builder);
+  }
+  /// The only one of its kind, first seen.
+  std::optional<RehearsalWarning> one(const std::string& protocol, const DeviceProfile& profile,
+                                      const std::string& id) {
+    const auto all = warnings(protocol, profile);
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const auto& w) { return w.id == id; });
+    if (found == all.end()) return {};
+    return *found;
+  }
+
+  TemporaryFolder folder_{};
+  ModelRegistry models_ = built_in_models();
+};
+
+TEST_F(DeviceRehearsalTest, SaysNothingOfADeviceThatCanDoAll) {
+  for (const std::string& text : {small_protocol(), grating_protocol()}) {
+    for (const RehearsalWarning& warning : warnings(text, ideal())) {
+      ADD_FAILURE() << warning.id << ": " << warning.text.english();
+    }
+  }
+}
+
+// The limitation that the chapter names itself: the friction of a DELTA against the forces of its textures.
+TEST_F(DeviceRehearsalTest, WarnsOfFrictionAboveTheForceOfATextureWithBothNumbers) {
+  const auto found = one(small_protocol(), with(ideal(), "friction_N", 0.8), "friction");
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->asked, 0.8);
+  EXPECT_GT(found->asked, 0.0);
+  EXPECT_EQ(found->device, 0.8);
+  EXPECT_NE(found->text.english().find("0.800 N"), std::string::npos) << found->text.english();
+  EXPECT_NE(found->text.english().find("N RMS"), std::string::npos);
+  // At just less friction than the texture's force it is felt.
+  for (const RehearsalWarning& warning :
+       warnings(grating_protocol(), with(ideal(), "friction_N", 0.01))) {
+    ADD_FAILURE() << warning.text.english();
+  }
+}
+
+TEST_F(DeviceRehearsalTest, WarnsOfPositionsInStepsAboveATexture) {
+  const auto high = one(grating_protocol(), with(ideal(), "position_resolution_m", 0.6e-3),
+                        "position_resolution");
+  ASSERT_TRUE(high);
+  EXPECT_NEAR(high->asked, 0.5e-3, 1e-12);
+  EXPECT_TRUE(
+      one(grating_protocol(), with(ideal(), "position_resolution_m", 1.1e-3), "wavelength"));
+  EXPECT_FALSE(
+      one(grating_protocol(), with(ideal(), "position_resolution_m", 0.9e-3), "wavelength"));
+}
+
+// 0.2 m/s over waves of 2 mm: 100 of them a second.
+TEST_F(DeviceRehearsalTest, WarnsOfWavesFasterThanHalfTheRateOrTheResonance) {
+  DeviceProfile slow = ideal();
+  slow.rate_Hz = 190.0;
+  const auto found = one(grating_protocol(), slow, "bandwidth");
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->asked, 100.0, 1e-9);
+  EXPECT_NEAR(found->device, 95.0, 1e-9);
+  EXPECT_TRUE(one(grating_protocol(), with(ideal(), "resonance_Hz", 80.0), "bandwidth"));
+  EXPECT_FALSE(one(grating_protocol(), with(ideal(), "resonance_Hz", 120.0), "bandwidth"));
+}
+
+// In a trough, where the slope is 0, δ∇∇δ·k = F_max·A·(2π/λ)² = 5 N · 0.5 mm · (3142 / m)² = 24.7 kN/m; a plain
+// plate of 500 N/m has 0.5 kN/m. Slopes of up to π/2 beside it add nothing there.
+TEST_F(DeviceRehearsalTest, WarnsOfATextureThatIsStifferThanTheDeviceHolds) {
+  const double trough_N_per_m = 5.0 * 0.5e-3 * std::pow(2.0 * std::numbers::pi / 2e-3, 2);
+  const auto found = one(grating_protocol(), with(ideal(), "damping_N_s_per_m", 5.0), "stiffness");
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->asked, trough_N_per_m, 0.01 * trough_N_per_m);
+  EXPECT_NEAR(found->device, 2.0 * 5.0 * 1000.0, 1e-6);
+  EXPECT_TRUE(one(grating_protocol(), with(ideal(), "stiffness_N_per_m", 2000.0), "stiffness"));
+  EXPECT_FALSE(one(grating_protocol(), with(ideal(), "damping_N_s_per_m", 13.0), "stiffness"));
+}
+
+TEST_F(DeviceRehearsalTest, WarnsOfASurfaceBeyondTheWorkspaceAndBelievesWhatWasReached) {
+  DeviceProfile small = ideal();
+  small.workspace_minimum_m = glm::dvec3(-0.04);
+  small.workspace_maximum_m = glm::dvec3(0.04);
+  const auto found = one(small_protocol(), small, "workspace");
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->asked, 0.01, 1e-9) << found->text.english();
+  small.reached_minimum_m = glm::dvec3(-0.06);
+  small.reached_maximum_m = glm::dvec3(0.06);
+  EXPECT_FALSE(one(small_protocol(), small, "workspace"));
+}
+
+TEST_F(DeviceRehearsalTest, SaysNothingOfWhatWasNotMeasured) {
+  DeviceProfile unknown = ideal();
+  unknown.items.clear();
+  EXPECT_TRUE(warnings(small_protocol(), unknown).empty());
+}
+
+}  // namespace
+}  // namespace asperity
