@@ -2453,6 +2453,41 @@
     </message>
 </context>
 <context>
+    <name>Rehearsal</name>
+    <message>
+        <source>&quot;%1&quot; cannot be compared with the device: %2</source>
+        <translation>„%1“ lässt sich nicht mit dem Gerät vergleichen: %2</translation>
+    </message>
+    <message>
+        <source>The texture of &quot;%1&quot; is a force of %2 N RMS, and the device&apos;s own friction is %3 N: it hides the texture from a hand.</source>
+        <translation>Die Textur von „%1“ ist eine Kraft von %2 N (RMS), und die Reibung des Geräts selbst beträgt %3 N: Sie verdeckt die Textur vor der Hand.</translation>
+    </message>
+    <message>
+        <source>The texture of &quot;%1&quot; is a force of %2 N RMS, and the weakest force that moves the device is %3 N.</source>
+        <translation>Die Textur von „%1“ ist eine Kraft von %2 N (RMS), und die schwächste Kraft, die das Gerät bewegt, beträgt %3 N.</translation>
+    </message>
+    <message>
+        <source>The texture of &quot;%1&quot; is %2 µm high, and the device reads positions in steps of %3 µm.</source>
+        <translation>Die Textur von „%1“ ist %2 µm hoch, und das Gerät liest Positionen in Schritten von %3 µm.</translation>
+    </message>
+    <message>
+        <source>A wave of &quot;%1&quot; is %2 µm long, and the device reads positions in steps of %3 µm: a wave needs two.</source>
+        <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät liest Positionen in Schritten von %3 µm: Eine Welle braucht zwei.</translation>
+    </message>
+    <message>
+        <source>A hand that strokes &quot;%1&quot; at %2 mm/s meets %3 waves a second, and the device follows up to %4 Hz.</source>
+        <translation>Eine Hand, die „%1“ mit %2 mm/s streicht, trifft auf %3 Wellen in der Sekunde, und das Gerät folgt bis %4 Hz.</translation>
+    </message>
+    <message>
+        <source>At the force limit of %2 N &quot;%1&quot; is as stiff as %3 N/m where its texture is steepest, and the device holds %4 N/m without swinging.</source>
+        <translation>An der Kraftgrenze von %2 N ist „%1“, wo die Textur am steilsten ist, so steif wie %3 N/m, und das Gerät hält %4 N/m, ohne zu schwingen.</translation>
+    </message>
+    <message>
+        <source>The surface lies from %1 to %2 mm along %3, and the handle reaches from %4 to %5 mm.</source>
+        <translation>Die Oberfläche liegt entlang %3 von %1 bis %2 mm, und der Griff reicht von %4 bis %5 mm.</translation>
+    </message>
+</context>
+<context>
     <name>RunSession</name>
     <message>
         <source>the participant did not agree to take part; nothing was stored</source>
