@@ -76,6 +76,7 @@ void FalconLine::command(const std::array<std::int16_t, 3>& motor_words) noexcep
 }
 
 void FalconLine::open() {
+  was_alone_ = usb_.falcons().size() == 1;
   auto port = std::make_unique<FalconPort>(usb_, settings_.place);
   make_ready(*port, {});
   port_ = std::move(port);
@@ -130,14 +131,15 @@ void FalconLine::converse(const std::stop_token& stop) {
 }
 
 bool FalconLine::reopen(const std::stop_token& stop) {
-  // The same unit, or else what is plugged in where it was, or else the only one.
+  // The same unit, or else what is plugged in where it was. Another place only where nobody can have
+  // a second one in hand: where one alone was attached when this one was opened, and is now.
   const std::vector<AttachedDevice> attached = usb_.falcons();
   const AttachedDevice* same = nullptr;
   for (const AttachedDevice& one : attached) {
-    const bool fits = settings_.serial.empty()
-                          ? one.place == settings_.place || attached.size() == 1
-                          : one.serial == settings_.serial;
-    if (fits && one.is_usable()) same = &one;
+    const bool is_there = one.place == settings_.place;
+    const bool fits = settings_.serial.empty() ? is_there || (was_alone_ && attached.size() == 1)
+                                               : one.serial == settings_.serial;
+    if (fits && one.is_usable() && (same == nullptr || is_there)) same = &one;
   }
   if (same == nullptr) return false;
   try {

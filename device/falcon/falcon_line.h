@@ -71,6 +71,7 @@ class FalconLine final {
 
   LineSettings settings_{};
   double rate_Hz_ = 0.0;
+  bool was_alone_ = false;  ///< when it was opened
 
   LatestValue<Reading> readings_{};
   std::atomic<std::uint64_t> words_{0};  // three times sixteen bits

@@ -333,6 +333,25 @@ TEST_F(Falcon, ComesBackAfterItWasUnpluggedWithoutForce) {
   push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
 }
 
+TEST_F(Falcon, LeavesItsNeighbourAloneWhenItWasUnplugged) {
+  EmulatedFalcon ours(bus(), {.port = 2});
+  EmulatedFalcon neighbour(bus(), {.port = 1});
+  const auto device = open();
+  ASSERT_TRUE(ours.is_held());
+  ours.unplug();
+  ASSERT_TRUE(eventually([&] { return !answers(*device); }));
+  // Three searches for it; nobody knows that the neighbour, in another hand, would not be pushed.
+  const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(700);
+  while (std::chrono::steady_clock::now() < until) {
+    EXPECT_FALSE(neighbour.is_held());
+    EXPECT_FALSE(answers(*device));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ours.plug_in();
+  EXPECT_TRUE(eventually([&] { return answers(*device); }));
+  EXPECT_FALSE(neighbour.is_held());
+}
+
 TEST_F(Falcon, IsLoadedAndHomedAgainWhenItWasWithoutPower) {
   EmulatedFalcon emulated(bus(), {.firmware = firmware()});
   FalconSettings wanted = settings();
