@@ -199,15 +199,20 @@ std::filesystem::path profile_path(const std::filesystem::path& study,
 }
 
 std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
-                                            const std::string& name, const std::string& serial) {
+                                            const WhichDevice& device) {
   const std::filesystem::path folder = study / "profiles";
   if (!std::filesystem::is_directory(folder)) return {};
   std::optional<DeviceProfile> latest{};
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
     DeviceProfile profile = profile_from_json(read_file(entry.path()), entry.path().string());
-    if (profile.name != name) continue;
-    if (!serial.empty() && !profile.serial.empty() && profile.serial != serial) continue;
+    const auto differs = [](const std::string& wanted, const std::string& found) {
+      return !wanted.empty() && !found.empty() && wanted != found;
+    };
+    if (differs(device.name, profile.name) || differs(device.model, profile.model) ||
+        differs(device.serial, profile.serial)) {
+      continue;
+    }
     // Dates of this form sort as text.
     if (!latest || latest->measured_utc < profile.measured_utc) latest = std::move(profile);
   }

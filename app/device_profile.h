@@ -66,11 +66,17 @@ DeviceProfile profile_from_json(const std::string& text, const std::string& orig
 std::filesystem::path profile_path(const std::filesystem::path& study,
                                    const DeviceProfile& profile);
 
+/// What is empty may be anything.
+struct WhichDevice {
+  std::string name{};  ///< the driver's
+  std::string model{};
+  std::string serial{};
+};
 /// The latest profile of this device in the study; nothing where there is none. A profile without
 /// serial is that of every device of its driver and model.
 /// Errors: as profile_from_json for a file that is none.
 std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
-                                            const std::string& name, const std::string& serial);
+                                            const WhichDevice& device);
 
 /// How long before `now_utc` the device was measured. Errors: std::invalid_argument for what is no date.
 double age_days(const DeviceProfile& profile, const std::string& now_utc);

@@ -223,6 +223,9 @@ struct Protocol {
   double force_limit_N = 5.0;
   int maximum_missed_deadlines = 50;  ///< per attempt; more make the attempt invalid
   int maximum_lost_records = 0;
+  /// A session with a person needs a profile of its device that is not older; absent: none is needed.
+  std::optional<double> profile_maximum_age_days{};
+  bool refuses_rehearsal_warnings = false;  ///< of what the device cannot render
 
   SurfacePatch patch{};
   Material material{};

@@ -373,6 +373,8 @@ void read_setting(const json& root, Protocol& protocol) {
     read(*found, "force_limit_N", protocol.force_limit_N);
     read(*found, "maximum_missed_deadlines", protocol.maximum_missed_deadlines);
     read(*found, "maximum_lost_records", protocol.maximum_lost_records);
+    read(*found, "profile_maximum_age_days", protocol.profile_maximum_age_days);
+    read(*found, "refuse_rehearsal_warnings", protocol.refuses_rehearsal_warnings);
   }
   if (const auto found = root.find("surface"); found != root.end()) {
     SurfacePatch& patch = protocol.patch;

@@ -351,4 +351,47 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
   return DeviceRehearsal(protocol, profile, builder).run();
 }
 
+RehearsedDevice rehearsed_device(const Protocol& protocol, const WhichDevice& device,
+                                 const std::filesystem::path& study, const std::string& now_utc,
+                                 StimulusBuilder& builder) {
+  RehearsedDevice rehearsed{};
+  rehearsed.profile = latest_profile(study, device);
+  if (protocol.profile_maximum_age_days) {
+    const std::string days = in_three_digits(*protocol.profile_maximum_age_days);
+    if (!rehearsed.profile) {
+      throw PhrasedError(
+          phrase("Rehearsal",
+                 "the protocol asks for a device that was measured within %1 days, and of \"%2\" "
+                 "there "
+                 "is no profile in the study; measure it by asperity device-test %2 --study %3")
+              .with(days, device.name, study.string()));
+    }
+    const double age = age_days(*rehearsed.profile, now_utc);
+    if (age > *protocol.profile_maximum_age_days) {
+      throw PhrasedError(phrase("Rehearsal",
+                                "the profile of \"%1\" is %2 days old, and the protocol allows %3; "
+                                "measure it again by "
+                                "asperity device-test %1 --study %4")
+                             .with(device.name, in_three_digits(age), days, study.string()));
+    }
+    for (const DeviceItem& item : rehearsed.profile->items) {
+      if (item.status != DeviceItem::Status::fail) continue;
+      throw PhrasedError(
+          phrase("Rehearsal",
+                 "\"%1\" failed %2 when it was measured on %3, and the protocol asks for "
+                 "a device that did not")
+              .with(device.name, item.name, rehearsed.profile->measured_utc));
+    }
+  }
+  if (!rehearsed.profile) return rehearsed;
+  rehearsed.warnings = rehearse_on_device(protocol, *rehearsed.profile, builder);
+  if (protocol.refuses_rehearsal_warnings && !rehearsed.warnings.empty()) {
+    throw PhrasedError(
+        phrase("Rehearsal",
+               "the protocol is not for this device, which cannot render it in %1 ways. %2")
+            .with(std::to_string(rehearsed.warnings.size()), rehearsed.warnings.front().text));
+  }
+  return rehearsed;
+}
+
 }  // namespace asperity

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,5 +51,19 @@ struct RehearsalWarning {
 std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const DeviceProfile& profile,
                                                  StimulusBuilder& builder);
+
+/// A device before a session: what it was last measured to be, and what of the plan is beyond that.
+struct RehearsedDevice {
+  std::optional<DeviceProfile> profile{};
+  std::vector<RehearsalWarning> warnings{};
+};
+/// With the latest profile that the study has of the device; without one there is nothing to compare.
+///
+/// Errors: PhrasedError with a sentence where the protocol asks for a profile and there is none, it is too old
+/// at `now_utc`, or an item of it failed; and where it refuses warnings, with the first and how many there
+/// are. As `latest_profile`.
+RehearsedDevice rehearsed_device(const Protocol& protocol, const WhichDevice& device,
+                                 const std::filesystem::path& study, const std::string& now_utc,
+                                 StimulusBuilder& builder);
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/conductor/rehearsal.h"
 #include "app/conductor/virtual_participant.h"
 #include "app/tasks/protocol_files.h"
 #include "device/simulated_models.h"
@@ -50,6 +51,27 @@ std::string conditions_json(const ProgramIdentity& program, const Rig& rig) {
       .dump();
 }
 
+/// What the session's device was measured to be, and what of the plan is beyond it.
+void store(const RehearsedDevice& device, Study& study, std::int64_t session_id,
+           std::int64_t now_ns) {
+  if (!device.profile) return;
+  study.add_event(session_id, {.time_ns = now_ns,
+                               .kind = "device_profile",
+                               .text = device.profile->name + ' ' + device.profile->model +
+                                       ", measured " + device.profile->measured_utc,
+                               .data_json = json_text_of(*device.profile)});
+  for (const RehearsalWarning& warning : device.warnings) {
+    const nlohmann::ordered_json data{{"check", warning.id},
+                                      {"stimulus", warning.stimulus},
+                                      {"asked", warning.asked},
+                                      {"device", warning.device}};
+    study.add_event(session_id, {.time_ns = now_ns,
+                                 .kind = "rehearsal",
+                                 .text = warning.text.english(),
+                                 .data_json = data.dump()});
+  }
+}
+
 }  // namespace
 
 RigSettings rig_settings_for(const Protocol& protocol, const std::vector<ScriptedFault>& faults,
@@ -79,6 +101,12 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                const SessionLinks& links) {
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig.capability());
   if (!complaints.empty()) throw PhrasedError(complaints.front());
+  RehearsedDevice device{};
+  if (person != nullptr) {
+    const DeviceCapability& capability = rig.capability();
+    device = rehearsed_device(protocol, {capability.name, capability.model, capability.serial},
+                              study.folder(), rig.clock().utc(), builder);
+  }
   OpenSession session{};
   if (sitting.unfinished) {
     session = reopen(study, protocol, *sitting.unfinished);
@@ -97,6 +125,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
     if (person == nullptr) conditions.observer_json = observer_json(protocol);
     session = begin_session(study, protocol, sitting.participant.label, conditions, program);
   }
+  store(device, study, session.row.id, rig.clock().now_ns());
   std::unique_ptr<VirtualParticipant> stand_in{};
   if (person == nullptr) {
     const Random random = Random(std::stoull(session.row.seed)).split("participant");

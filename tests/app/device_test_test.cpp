@@ -254,11 +254,11 @@ TEST(DeviceProfile, IsFoundAgainInItsStudyTheLatestOfTheSameDevice) {
   keep("1", "2026-03-01T10:00:00.000Z", 1.0);
   keep("1", "2026-03-02T09:00:00.000Z", 2.0);
   keep("2", "2026-03-05T10:00:00.000Z", 3.0);
-  const auto found = latest_profile(folder.path(), "falcon", "1");
+  const auto found = latest_profile(folder.path(), {.name = "falcon", .serial = "1"});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->rate_Hz, 2.0);
   EXPECT_NEAR(age_days(*found, "2026-04-01T09:00:00.000Z"), 30.0, 1e-9);
-  EXPECT_FALSE(latest_profile(folder.path(), "delta", "").has_value());
+  EXPECT_FALSE(latest_profile(folder.path(), {.name = "delta"}).has_value());
 }
 
 }  // namespace

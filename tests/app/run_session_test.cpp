@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/device_profile.h"
 #include "app/tasks/study_report.h"
 #include "app/tasks/verify_study.h"
 #include "results_schema/atomic_file.h"
@@ -77,6 +78,52 @@ TEST_F(RunSession, StoresWhatTheSimulatedDeviceStoodFor) {
   EXPECT_THAT(session.device_json, testing::HasSubstr("Friction, noise and moving mass"));
   inputs_.device = "simulated:gamma.3";
   EXPECT_THROW(run(), std::runtime_error);
+}
+
+TEST_F(RunSession, NeedsADeviceThatWasMeasuredLatelyWhereTheProtocolSaysSoAndStoresWhatItIs) {
+  const auto ask_for = [&](const std::string& device) {
+    std::string text = small_protocol();
+    text.insert(text.find("\"textures\""), "\"device\": {" + device + "}, ");
+    text.replace(text.find("[1, 2, 3]"), 9, "[1]");
+    write_file(inputs_.protocol, text, Overwrite::allow);
+  };
+  const auto refusal = [&]() -> std::string {
+    try {
+      run();
+    } catch (const PhrasedError& error) {
+      return error.what();
+    }
+    return "it ran";
+  };
+  std::filesystem::create_directories(inputs_.study / "profiles");
+  const auto measure = [&](const std::string& utc) {
+    const DeviceProfile profile{
+        .name = "simulated",
+        .measured_utc = utc,
+        .rate_Hz = 1000.0,
+        .workspace_minimum_m = glm::dvec3(-1.0),
+        .workspace_maximum_m = glm::dvec3(1.0),
+        .items = {{.name = "friction_N", .status = DeviceItem::Status::pass, .value = 0.9}}};
+    write_file(profile_path(inputs_.study, profile), json_text_of(profile), Overwrite::refuse);
+  };
+  ask_for(R"("profile_maximum_age_days": 30)");
+  EXPECT_THAT(refusal(), testing::HasSubstr("asperity device-test simulated"));
+  measure("2025-11-01T10:00:00.000Z");  // sessions on a simulated clock begin on 2026-01-01
+  EXPECT_THAT(refusal(), testing::HasSubstr("days old, and the protocol allows 30"));
+  measure("2025-12-20T10:00:00.000Z");
+  EXPECT_EQ(run().state, SessionState::completed);
+  std::string kinds{};
+  for (const EventRow& event : study().events(study().sessions().at(0).id)) {
+    if (event.kind == "rehearsal") {
+      EXPECT_THAT(event.text, testing::HasSubstr("0.900 N"));
+    }
+    kinds += event.kind + ' ';
+  }
+  EXPECT_THAT(kinds, testing::HasSubstr("device_profile rehearsal"));
+  inputs_.participant = "p2";
+  ask_for(R"("refuse_rehearsal_warnings": true)");
+  EXPECT_THAT(refusal(), testing::HasSubstr("not for this device"));
+  EXPECT_EQ(study().sessions().size(), 1U);
 }
 
 TEST_F(RunSession, AsksForConsentUnlessThePersonHasGivenIt) {
