@@ -14,7 +14,10 @@
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/terminal.h"
+#include "app/conductor/rehearsal.h"
+#include "app/device_profile.h"
 #include "app/tasks/protocol_files.h"
+#include "device/simulated_models.h"
 #include "protocols/doubts.h"
 
 namespace asperity {
@@ -54,6 +57,28 @@ std::string warning_of(const Diagnostic& doubt) {
          ": warning: " + doubt.message + " (" + doubt.pointer + ')';
 }
 
+/// What the device cannot render, as the study's profile of it says; nothing without a profile.
+std::vector<Diagnostic> device_warnings(const ProtocolCheck& check,
+                                        const std::filesystem::path& study,
+                                        const std::string& device, const ModelRegistry& models) {
+  const std::size_t colon = device.find(':');
+  WhichDevice which{.name = device.substr(0, colon)};
+  const std::string rest = colon == std::string::npos ? "" : device.substr(colon + 1);
+  if (const auto simulated = simulated_settings(device)) {
+    if (simulated->stands_for) which.model = simulated->stands_for->model;
+  } else {
+    which.serial = rest;
+  }
+  std::vector<Diagnostic> warnings{};
+  const std::optional<DeviceProfile> profile = latest_profile(study, which);
+  if (!profile) return warnings;
+  StimulusBuilder builder(models, study);
+  for (const RehearsalWarning& warning : rehearse_on_device(*check.protocol, *profile, builder)) {
+    warnings.push_back({check.file, 1, 1, "", warning.text.english()});
+  }
+  return warnings;
+}
+
 }  // namespace
 
 void add_check(CLI::App& program, Job& job) {
@@ -91,6 +116,12 @@ void add_check(CLI::App& program, Job& job) {
         for (const Diagnostic& diagnostic : check.diagnostics) say(text_of(diagnostic));
         std::vector<Diagnostic> doubts{};
         if (check.protocol) doubts = doubts_about(*check.protocol, check.file);
+        if (options->study && options->device && check.protocol && check.diagnostics.empty()) {
+          for (const Diagnostic& warning :
+               device_warnings(check, *options->study, *options->device, models)) {
+            doubts.push_back(warning);
+          }
+        }
         for (const Diagnostic& doubt : doubts) say(warning_of(doubt));
         if (options->json) {
           json["protocols"].push_back(json_of(check, doubts));

@@ -20,6 +20,7 @@
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/trial_attempt.h"
 #include "app/parameter_json.h"
+#include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
@@ -270,6 +271,18 @@ std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& fi
   return problems;
 }
 
+namespace {
+
+void require_driver(const std::string& device) {
+  const DriverRegistry drivers = built_in_drivers();
+  if (drivers.find(device.substr(0, device.find(':'))) != nullptr) return;
+  std::string names{};
+  for (const Driver& driver : drivers.drivers()) names += (names.empty() ? "" : ", ") + driver.id;
+  throw std::runtime_error("there is no device \"" + device + "\"; this program has: " + names);
+}
+
+}  // namespace
+
 ProtocolCheck check_protocol(const std::filesystem::path& file, const ModelRegistry& models,
                              const std::optional<std::filesystem::path>& study,
                              const std::optional<std::string>& device) {
@@ -311,15 +324,15 @@ ProtocolCheck check_protocol_text(const std::string& text, const std::string& fi
   if (device) {
     try {
       const std::optional<SimulatedDeviceSettings> settings = simulated_settings(*device);
-      if (!settings) {
-        throw std::runtime_error("there is no device \"" + *device +
-                                 "\"; this program has: simulated");
-      }
-      VirtualHand hand(HandHabits{}, Random(0));
-      const SimulatedDevice simulated(hand, *settings);
-      for (const Phrase& complaint :
-           complaints_about_device(*check.protocol, simulated.capability())) {
-        whole_file(complaint.english());
+      if (settings) {
+        VirtualHand hand(HandHabits{}, Random(0));
+        const SimulatedDevice simulated(hand, *settings);
+        for (const Phrase& complaint :
+             complaints_about_device(*check.protocol, simulated.capability())) {
+          whole_file(complaint.english());
+        }
+      } else {
+        require_driver(*device);  // the device itself is not opened: it may be somewhere else
       }
     } catch (const std::exception& error) {
       whole_file(error.what());
