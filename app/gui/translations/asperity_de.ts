@@ -2486,6 +2486,22 @@
         <source>The surface lies from %1 to %2 mm along %3, and the handle reaches from %4 to %5 mm.</source>
         <translation>Die Oberfläche liegt entlang %3 von %1 bis %2 mm, und der Griff reicht von %4 bis %5 mm.</translation>
     </message>
+    <message>
+        <source>the protocol asks for a device that was measured within %1 days, and of &quot;%2&quot; there is no profile in the study; measure it by asperity device-test %2 --study %3</source>
+        <translation>das Protokoll verlangt ein Gerät, das in den letzten %1 Tagen gemessen wurde, und von „%2“ gibt es kein Profil in der Studie; messen Sie es mit asperity device-test %2 --study %3</translation>
+    </message>
+    <message>
+        <source>the profile of &quot;%1&quot; is %2 days old, and the protocol allows %3; measure it again by asperity device-test %1 --study %4</source>
+        <translation>das Profil von „%1“ ist %2 Tage alt, und das Protokoll erlaubt %3; messen Sie es erneut mit asperity device-test %1 --study %4</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; failed %2 when it was measured on %3, and the protocol asks for a device that did not</source>
+        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das besteht</translation>
+    </message>
+    <message>
+        <source>the protocol is not for this device, which cannot render it in %1 ways. %2</source>
+        <translation>das Protokoll ist nicht für dieses Gerät, das es in %1 Punkten nicht wiedergeben kann. %2</translation>
+    </message>
 </context>
 <context>
     <name>RunSession</name>
