@@ -38,7 +38,8 @@ class FigureCanvas final : public QWidget {
     setObjectName("canvas");
     setAccessibleName(words_of(figure.title));
     setAccessibleDescription(words_of(figure.note));
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    // Not fixed: the height would end at that of the usual width.
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
   }

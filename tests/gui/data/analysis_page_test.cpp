@@ -110,6 +110,28 @@ TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
   EXPECT_FALSE(canvas->accessibleName().isEmpty());
 }
 
+// Rows are as high whatever their width; curves are not.
+TEST(FigureOfCurves, IsAsHighAsItNeedsAtEveryWidth) {
+  Figure figure{};
+  figure.x = {.name = phrase("Figures", "spacing"), .unit = "mm", .low = 0.0, .high = 1.0};
+  figure.y = figure.x;
+  figure.series = {{.points = {{.x = 0.5, .y = 0.5}}}};
+  FigureView view(figure);
+  view.show();
+  const auto* canvas = view.findChild<QWidget*>("canvas");
+  ASSERT_NE(canvas, nullptr);
+  for (const int width : {500, 700, 900}) {
+    view.resize(width, view.heightForWidth(width));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+          return canvas->width() > width - 60 &&
+                 canvas->height() == canvas->heightForWidth(canvas->width());
+        },
+        10000))
+        << canvas->height() << " of " << canvas->heightForWidth(canvas->width()) << " at " << width;
+  }
+}
+
 TEST(AnalysisPage, ShowsEachQuestionWithItsAnswerAndFoldsTheMethodAway) {
   AnalysisOutcome outcome{};
   outcome.protocol = "which_is_real";
