@@ -7,6 +7,12 @@
 
 namespace asperity {
 
+namespace {
+
+bool is_of_main_part(const AttemptDetail& detail) { return detail.planned.phase == "main"; }
+
+}  // namespace
+
 QString AttemptWords::of_verdict(Verdict verdict) {
   switch (verdict) {
     case Verdict::set_aside:
@@ -79,7 +85,12 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
   } else if (attempt.excluded) {
     said << tr("Excluded: %1").arg(text(*attempt.excluded));
   }
-  if (said.isEmpty() && !attempt.flagged) said << tr("Counts in the analyses");
+  if (said.isEmpty() && !is_of_main_part(detail)) {
+    said << tr("Practice: takes no part in analyses");
+  } else if (said.isEmpty() && !attempt.flagged) {
+    said << (detail.session.mode == SessionMode::pilot ? tr("Counts among the pilots")
+                                                       : tr("Counts in the analyses"));
+  }
   if (attempt.flagged) {
     said << (said.isEmpty() ? tr("Counts, but is flagged: %1") : tr("flagged: %1"))
                 .arg(OutcomeWords::of_reason(attempt.flag_reason.value_or("–")));
@@ -89,6 +100,7 @@ QString AttemptWords::standing(const AttemptDetail& detail) {
 
 State AttemptWords::state(const AttemptDetail& detail) {
   if (!detail.attempt.valid || detail.attempt.excluded) return State::stop;
+  if (!is_of_main_part(detail)) return State::unknown;
   return detail.attempt.flagged ? State::look : State::fine;
 }
 

@@ -1221,6 +1221,14 @@
         <source>answered %1 after the first contact</source>
         <translation>beantwortet %1 nach dem Erstkontakt</translation>
     </message>
+    <message>
+        <source>Practice: takes no part in analyses</source>
+        <translation>Übung: nimmt an Auswertungen nicht teil</translation>
+    </message>
+    <message>
+        <source>Counts among the pilots</source>
+        <translation>Zählt unter den Pilotsitzungen</translation>
+    </message>
 </context>
 <context>
     <name>CellWords</name>

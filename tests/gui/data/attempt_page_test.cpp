@@ -16,6 +16,7 @@
 #include <qcustomplot.h>
 
 #include "app/gui/data/analysis_page.h"
+#include "app/gui/data/attempt_words.h"
 #include "app/gui/data/time_plots.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
@@ -153,6 +154,21 @@ TEST_F(DataView, ZoomsAllPlotsWithTheAxisOfOne) {
   const QCPRange range = child<QCustomPlot>(page, "force_over_time").xAxis->range();
   EXPECT_NEAR(range.lower, begin_s + 0.1, 1e-9);
   EXPECT_NEAR(range.upper, begin_s + 0.3, 1e-9);
+}
+
+TEST(AttemptWords, SayThatPracticeIsNotAnalysedAndPilotsAreApart) {
+  AttemptDetail detail{};
+  detail.attempt.valid = true;
+  detail.planned.phase = "main";
+  EXPECT_EQ(AttemptWords::standing(detail), "Counts in the analyses");
+  detail.session.mode = SessionMode::pilot;
+  EXPECT_EQ(AttemptWords::standing(detail), "Counts among the pilots");
+  detail.planned.phase = "practice";
+  EXPECT_EQ(AttemptWords::standing(detail), "Practice: takes no part in analyses");
+  EXPECT_EQ(AttemptWords::state(detail), State::unknown);
+  detail.attempt.flagged = true;
+  detail.attempt.flag_reason = "late";
+  EXPECT_TRUE(AttemptWords::standing(detail).startsWith("Practice: takes no part in analyses; "));
 }
 
 TEST_F(DataView, ExcludesWithAReasonAndIncludesAgain) {
