@@ -343,13 +343,13 @@ TEST_F(Falcon, LeavesItsNeighbourAloneWhenItWasUnplugged) {
   // Three searches for it; nobody knows that the neighbour, in another hand, would not be pushed.
   const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(700);
   while (std::chrono::steady_clock::now() < until) {
-    EXPECT_FALSE(neighbour.is_held());
     EXPECT_FALSE(answers(*device));
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   ours.plug_in();
   EXPECT_TRUE(eventually([&] { return answers(*device); }));
-  EXPECT_FALSE(neighbour.is_held());
+  // Not a word: a search may hold it for a moment, to see whether somebody does.
+  EXPECT_EQ(neighbour.frames(), 0);
 }
 
 TEST_F(Falcon, IsLoadedAndHomedAgainWhenItWasWithoutPower) {
