@@ -15,7 +15,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kLongest_ms = 10000;
+constexpr int kTaskPatience_ms = 10000;
 
 class TaskLineTest : public testing::Test {
  protected:
@@ -36,7 +36,7 @@ class TaskLineTest : public testing::Test {
         [this](bool done) { (done ? done_ : stopped_) = true; }, [](const QString&) { FAIL(); });
   }
   void wait_for(const std::function<bool()>& condition) {
-    ASSERT_TRUE(QTest::qWaitFor(condition, kLongest_ms));
+    ASSERT_TRUE(QTest::qWaitFor(condition, kTaskPatience_ms));
   }
 
   std::atomic<bool> may_end_{false};

@@ -17,7 +17,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kPatience_ms = 20000;
+constexpr int kRunnerPatience_ms = 20000;
 
 class RunningSession : public testing::Test {
  protected:
@@ -68,7 +68,8 @@ struct Listener {
         ended(&runner, &SessionRunner::ended),
         failed(&runner, &SessionRunner::failed) {}
   bool wait() {
-    return QTest::qWaitFor([this] { return !ended.isEmpty() || !failed.isEmpty(); }, kPatience_ms);
+    return QTest::qWaitFor([this] { return !ended.isEmpty() || !failed.isEmpty(); },
+                           kRunnerPatience_ms);
   }
   SessionEnd end() const { return ended.first().first().value<SessionEnd>(); }
   AfterFailure way_on() const { return failed.first().at(1).value<AfterFailure>(); }
@@ -158,7 +159,7 @@ TEST_F(RunningSession, SaysWhatIsSafeWhenTheDiskIsFullAndLosesNothing) {
     SessionRunner runner;
     Listener listener(runner);
     runner.start(order);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kRunnerPatience_ms));
     const FullDisk full(4096);
     ASSERT_TRUE(listener.wait());
     ASSERT_EQ(listener.failed.size(), 1);
@@ -191,10 +192,11 @@ TEST_F(RunningSession, StopsTheForceInAnEmergencyAndWaitsForTheExperimenter) {
   SessionRunner runner;
   Listener listener(runner);
   runner.start(order);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kRunnerPatience_ms));
   runner.requests().emergency_stop();
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return runner.monitor().snapshot().phase == SessionPhase::fault; }, kPatience_ms));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return runner.monitor().snapshot().phase == SessionPhase::fault; },
+                      kRunnerPatience_ms));
   EXPECT_TRUE(runner.is_running());
   EXPECT_EQ(runner.monitor().snapshot().fault, Fault::emergency_stop);
   runner.requests().clear_fault();
@@ -209,7 +211,7 @@ TEST_F(RunningSession, IsAbortedAndStoredWhenItsOwnerGoesAway) {
     SessionRunner runner;
     Listener listener(runner);
     runner.start(order);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !listener.done.isEmpty(); }, kRunnerPatience_ms));
   }
   const Study stored = Study::open(study, Access::read_only);
   ASSERT_EQ(stored.sessions().size(), 1U);
@@ -233,7 +235,7 @@ TEST_F(RunningSession, LetsGoOfAPersonWhoIsInTheMiddleOfATrial) {
     // The first screen waits for a confirmation that never comes.
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return runner.monitor().snapshot().scene->kind == ParticipantScene::Kind::text; },
-        kPatience_ms));
+        kRunnerPatience_ms));
   }
   const Study stored = Study::open(study, Access::read_only);
   ASSERT_EQ(stored.sessions().size(), 1U);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr QSize kSize{400, 300};
 
-HeightField ridges() {
+HeightField steep_ridges() {
   // 0.1 mm from trough to crest over 2 mm: ten times that is a twelfth of the width, and more.
   return make_surface("sinusoid", {{"amplitude_m", 5e-5}, {"spacing_m", 0.002}},
                       {.width_m = 0.02, .pixels = 256, .seed = 1});
@@ -51,7 +51,7 @@ TEST(ReliefProjection, FindsNothingBesideTheRelief) {
 }
 
 TEST(ReliefProjection, KeepsTheReliefInThePictureHoweverItIsTurned) {
-  const HeightField field = ridges();
+  const HeightField field = steep_ridges();
   const ReliefMesh mesh = relief_mesh(field, 64);
   for (double turn_rad = 0.0; turn_rad < 6.3; turn_rad += 0.3) {
     const QImage picture = draw_relief(mesh, {.turn_rad = turn_rad, .tilt_rad = 0.6}, kSize);
@@ -63,7 +63,7 @@ TEST(ReliefProjection, KeepsTheReliefInThePictureHoweverItIsTurned) {
 }
 
 TEST(ReliefMesh, SaysHowManyTimesTooHighItIs) {
-  const HeightField field = ridges();
+  const HeightField field = steep_ridges();
   const ReliefMesh mesh = relief_mesh(field, 256);
   EXPECT_GT(mesh.exaggeration, 1.0);
   EXPECT_NEAR(mesh.highest_m - mesh.lowest_m,
@@ -72,7 +72,7 @@ TEST(ReliefMesh, SaysHowManyTimesTooHighItIs) {
 }
 
 TEST(DrawRelief, LeavesNoHolesInTheSurface) {
-  const ReliefMesh mesh = relief_mesh(ridges(), 192);
+  const ReliefMesh mesh = relief_mesh(steep_ridges(), 192);
   const ReliefLook look{.turn_rad = 0.7, .tilt_rad = 1.1};
   const QImage picture = draw_relief(mesh, look, kSize);
   const ReliefProjection projection(look, mesh.width_m, mesh.length_m, kSize);
@@ -85,7 +85,7 @@ TEST(DrawRelief, LeavesNoHolesInTheSurface) {
 }
 
 TEST(DrawRelief, GetsDarkerWhenTheLightSinks) {
-  const ReliefMesh mesh = relief_mesh(ridges(), 128);
+  const ReliefMesh mesh = relief_mesh(steep_ridges(), 128);
   const double high = mean_brightness(draw_relief(mesh, {.light_elevation_rad = 1.4}, kSize));
   const double low = mean_brightness(draw_relief(mesh, {.light_elevation_rad = 0.2}, kSize));
   EXPECT_GT(high, 1.3 * low);
