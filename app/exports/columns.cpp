@@ -248,6 +248,26 @@ Columns session_columns() {
   return columns;
 }
 
+/// Factors name textures; what roughness is drawn over is the distance of their elements.
+ExportColumn texture_spacing(const StudyVocabulary& vocabulary) {
+  ExportColumn made = missing(
+      "the protocol asks for no magnitudes, or says no spacing of the trial's texture",
+      column("texture_spacing_m", "number", "m", "distance of the elements of the texture",
+             [estimations = vocabulary.estimations](const Place& at) -> Cell {
+               const auto estimation = estimations.find(at.protocol->source_sha256);
+               if (estimation == estimations.end()) return {};
+               const auto level = at.factors->find(estimation->second.spacing);
+               if (level == at.factors->end()) return {};
+               if (level->is_number()) return level->get<double>();
+               const auto& spacing_m = estimation->second.spacing_m;
+               const auto spacing =
+                   level->is_string() ? spacing_m.find(level->get<std::string>()) : spacing_m.end();
+               return spacing == spacing_m.end() ? Cell{} : Cell{spacing->second};
+             }));
+  made.source = "protocol";
+  return made;
+}
+
 Columns trial_columns(const StudyVocabulary& vocabulary) {
   Columns columns = keys_to(Key::trial);
   const auto add = [&columns](ExportColumn made) { columns.push_back(std::move(made)); };
@@ -280,6 +300,7 @@ Columns trial_columns(const StudyVocabulary& vocabulary) {
     }
     columns.push_back(std::move(made));
   }
+  if (!vocabulary.estimations.empty()) add(texture_spacing(vocabulary));
   return columns;
 }
 

@@ -12,6 +12,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "protocols/analysis_declaration.h"
 #include "results_schema/rows.h"
 #include "results_schema/table.h"
 
@@ -100,6 +101,8 @@ struct StudyVocabulary {
   std::map<std::string, FactorMeaning> factors{};
   std::map<std::string, ParameterMeaning> parameters{};
   std::map<std::string, std::set<std::string>> limits{};  ///< kind → models that watch it
+  /// What the protocol files that ask for magnitudes say of their textures' spacings, by SHA-256.
+  std::map<std::string, EstimationDeclaration> estimations{};
   std::set<std::string> participant_answers{};
   std::map<std::string, AnswerMeaning> questions{};  ///< by name, whichever protocol asks it
   /// Those of questionnaires as each protocol file asks them, by its SHA-256 and their name.

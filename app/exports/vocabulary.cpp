@@ -76,6 +76,9 @@ void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabular
     factor->second.source = place(protocol, "/factors/" + name);
   }
   learn_questions(protocol, source, vocabulary);
+  if (std::optional<EstimationDeclaration> estimation = declared_estimation(protocol.source)) {
+    vocabulary.estimations.insert({protocol.source_sha256, *std::move(estimation)});
+  }
 }
 
 void learn_factors(const nlohmann::json& factors, StudyVocabulary& vocabulary) {

@@ -274,6 +274,34 @@ TEST(Export, TellsTheNumberThatAnEstimateTookThePlaceOf) {
   EXPECT_THAT(read_file(out / "codebook.tsv"), HasSubstr("\tdoubted_estimate\t"));
 }
 
+// Textures have names; what roughness is drawn over is how far apart their elements are.
+TEST(Export, SaysTheSpacingOfTheTextureOfATrialInMetres) {
+  MadeUpStudy made;
+  made.add_person("anna", "F");
+  const std::int64_t protocol = made.add_protocol("rough", "magnitude", R"({
+      "estimation": {"spacing": "texture"},
+      "factors": {"texture": {"levels": ["fine", "plain"]}},
+      "textures": {"fine": {"spacing_m": 0.0012}}})");
+  MadeUpTrial fine{};
+  fine.surfaces = {surface_of("s", "sinusoid", "s")};
+  fine.factors_json = R"({"texture": "fine"})";
+  MadeUpTrial plain = fine;
+  plain.factors_json = R"({"texture": "plain"})";
+  made.add_session("anna", protocol, {fine, plain});
+  const std::filesystem::path out = made.beside("out");
+  export_to(made, out, tables_only());
+  const Table trials = table_in(out, "trials.tsv");
+  EXPECT_EQ(cell_of(trials, 0, "texture_spacing_m"), Cell{"0.0012"});
+  EXPECT_EQ(cell_of(trials, 1, "texture_spacing_m"), Cell{});
+  EXPECT_THAT(read_file(out / "codebook.tsv"), HasSubstr("\ttexture_spacing_m\t"));
+
+  MadeUpStudy other;
+  fill(other);
+  export_to(other, other.beside("out"), tables_only());
+  EXPECT_THAT(read_file(other.beside("out") / "trials.tsv"), Not(HasSubstr("texture_spacing_m")))
+      << "no protocol asks for magnitudes";
+}
+
 /// `fill`, with questions of the library's kind: about somebody's health, as a choice and a number.
 void fill_with_health(MadeUpStudy& made) {
   fill(made);
