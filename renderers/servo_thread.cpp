@@ -76,12 +76,6 @@ int ask_for_fifo() noexcept {
 
 }  // namespace
 
-std::int64_t monotonic_now_ns() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
-}
-
 struct ServoThread::Pacer {
   ServoLoop& loop;
   HapticDevice& device;
@@ -153,6 +147,11 @@ struct ServoThread::Called {
 
   void tick() noexcept {
     const std::int64_t started_ns = monotonic_now_ns();
+    // The call that ends a silence may come before the watch has seen it.
+    if (has_ticked &&
+        started_ns - last_call_ns.load(std::memory_order_relaxed) > longest_silence_ns) {
+      loop.lose_device();
+    }
     last_call_ns.store(started_ns, std::memory_order_relaxed);
     loop.tick(started_ns, has_ticked ? due_ns : started_ns, &monotonic_now_ns);
     due_ns = started_ns + period_ns;

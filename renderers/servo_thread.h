@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "device/monotonic_clock.h"
 #include "renderers/servo_loop.h"
 
 namespace asperity {
@@ -12,7 +13,7 @@ namespace asperity {
 /// How the thread asked to be scheduled, and what it got.
 enum class Scheduling { normal, fifo, fifo_if_permitted };
 
-/// Calls ServoLoop::tick at absolute deadlines of a monotonic clock until it is destroyed.
+/// Calls ServoLoop::tick at absolute deadlines of the monotonic clock (monotonic_clock.h) until it is destroyed.
 ///
 /// After an overrun it goes on at the next period on the original grid; it never bursts. Memory is
 /// locked and the stack touched where permitted.
@@ -50,8 +51,5 @@ class ServoThread final {
   bool locked_memory_ = false;
   std::string scheduling_{};
 };
-
-/// Nanoseconds of the monotonic clock that ServoThread paces by.
-std::int64_t monotonic_now_ns() noexcept;
 
 }  // namespace asperity

@@ -1,3 +1,5 @@
+// The Novint Falcon.
+
 #include "device/falcon/falcon_device.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Firmware for a Falcon: asked for, and loaded through its boot loader.
+
 #include "device/falcon/falcon_firmware.h"
 
 #include <algorithm>
@@ -33,10 +35,11 @@ constexpr std::array<std::uint8_t, 1> kStart{0x41};
 
 // Reads until `is_enough` of what came, or the device says nothing for long.
 template <typename Enough>
-Transfer read_until(FalconPort& port, std::vector<std::uint8_t>& bytes, const Enough& is_enough) {
+Transfer read_until(FalconPort& port, std::vector<std::uint8_t>& bytes, const std::stop_token& stop,
+                    const Enough& is_enough) {
   bytes.clear();
   FalconPort::Packet packet{};
-  for (int packets = 0; packets < kPackets; ++packets) {
+  for (int packets = 0; packets < kPackets && !stop.stop_requested(); ++packets) {
     std::size_t count = 0;
     if (const Transfer ended = port.read(packet, count, kPatience); ended != Transfer::done) {
       return ended;
@@ -69,14 +72,16 @@ std::optional<std::string> complaint_of_load(FalconPort& port,
   std::vector<std::uint8_t> echo;
   if (port.write(kStart, kPatience) != Transfer::done ||
       // Before it may come what the loader still had to say to earlier calls.
-      read_until(port, echo, [&] { return !echo.empty() && echo.back() == kStart.front(); }) !=
-          Transfer::done) {
+      read_until(port, echo, stop, [&] {
+        return !echo.empty() && echo.back() == kStart.front();
+      }) != Transfer::done) {
     return "its boot loader does not begin to load";
   }
   for (std::size_t at = 0; at < firmware.size() && !stop.stop_requested(); at += kPiece_bytes) {
     const auto piece = firmware.subspan(at, std::min(kPiece_bytes, firmware.size() - at));
-    if (port.write(piece, kPatience) != Transfer::done ||
-        read_until(port, echo, [&] { return echo.size() >= piece.size(); }) != Transfer::done) {
+    if (port.write(piece, kPatience) != Transfer::done || read_until(port, echo, stop, [&] {
+                                                            return echo.size() >= piece.size();
+                                                          }) != Transfer::done) {
       return "it stopped taking the firmware at byte " + std::to_string(at);
     }
     const auto [sent, came] = std::mismatch(piece.begin(), piece.end(), echo.begin(), echo.end());
@@ -86,7 +91,7 @@ std::optional<std::string> complaint_of_load(FalconPort& port,
     }
   }
   if (port.begin_frames() != Transfer::done) return "its serial chip takes no settings";
-  if (!speaks_frames(port)) {
+  if (!speaks_frames(port, stop)) {
     return "the firmware was loaded and does not answer, so it may be for something else";
   }
   return {};
@@ -108,10 +113,10 @@ Firmware read_firmware(const std::filesystem::path& file) {
   return firmware;
 }
 
-bool speaks_frames(FalconPort& port) noexcept {
+bool speaks_frames(FalconPort& port, const std::stop_token& stop) noexcept {
   const Frame nothing = frame_of({});
   FrameReader reader;
-  for (int frame = 0; frame < kFrames; ++frame) {
+  for (int frame = 0; frame < kFrames && !stop.stop_requested(); ++frame) {
     if (port.write(nothing, kFramePatience) == Transfer::gone) return false;
     const auto until = std::chrono::steady_clock::now() + kFramePatience;
     do {
@@ -129,7 +134,7 @@ bool speaks_frames(FalconPort& port) noexcept {
 bool runs_firmware(const UsbSession& usb, const std::string& place) {
   try {
     FalconPort port(usb, place);
-    return port.begin_frames() == Transfer::done && speaks_frames(port);
+    return port.begin_frames() == Transfer::done && speaks_frames(port, {});
   } catch (const std::exception&) {
     return false;
   }

@@ -21,8 +21,8 @@ using Firmware = std::vector<std::uint8_t>;
 /// firmware of a Falcon.
 Firmware read_firmware(const std::filesystem::path& file);
 
-/// Whether firmware runs: the device answers a frame that asks for nothing.
-bool speaks_frames(FalconPort& port) noexcept;
+/// Whether firmware runs: the device answers a frame that asks for nothing. False, too, when `stop` asks for it.
+bool speaks_frames(FalconPort& port, const std::stop_token& stop) noexcept;
 
 /// Likewise for a Falcon that nobody has open; false for one that cannot be opened now.
 bool runs_firmware(const UsbSession& usb, const std::string& place);
@@ -34,7 +34,7 @@ std::string no_firmware_sentence(const std::string& place);
 /// then. The device sends every byte back, and each is compared.
 ///
 /// Errors: std::runtime_error saying what the device did in the last try; nothing is thrown, and false
-/// returned, when `stop` asks for it.
+/// returned, when `stop` asks for it: after the transfer under way, which takes 0.5 s at the worst.
 bool load_firmware(FalconPort& port, std::span<const std::uint8_t> firmware,
                    const std::stop_token& stop);
 

@@ -1,3 +1,5 @@
+// The frames that a Falcon's firmware speaks: sixteen bytes out, sixteen bytes in.
+
 #include "device/falcon/falcon_frame.h"
 
 namespace asperity::falcon {

@@ -1,3 +1,5 @@
+// Where a Falcon's grip is, from the angles of its arms, and what its motors do to push it.
+
 #include "device/falcon/falcon_kinematics.h"
 
 #include <algorithm>

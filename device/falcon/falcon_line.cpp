@@ -1,3 +1,5 @@
+// The conversation with one Falcon, on a thread of its own.
+
 #include "device/falcon/falcon_line.h"
 
 #include <algorithm>
@@ -8,6 +10,8 @@
 #include <sched.h>
 #include <stdexcept>
 #include <utility>
+
+#include "device/monotonic_clock.h"
 
 namespace asperity::falcon {
 namespace {
@@ -25,11 +29,16 @@ constexpr std::int64_t kMeasuring_ns = 500'000'000;
 // a tick begins.
 constexpr int kFifoPriority = 81;
 
-std::int64_t monotonic_ns() noexcept {
-  // On Linux the clock that the servo's ticks come from.
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
+// After a longer pause the program stood still, and frames of the watchdog were answered meanwhile.
+constexpr std::int64_t kLongestGap_ns = 45'000'000;
+// Exchanges that begin with what may still come to frames before, until so many have found nothing.
+constexpr int kDoubtfulExchanges = 3;
+constexpr int kMostLeftOver = 16;  // packets; the chip holds fewer
+
+// Of the calling thread. Refused to most users, which the session's record says of the servo.
+void take_priority(int policy) noexcept {
+  const sched_param priority{policy == SCHED_FIFO ? kFifoPriority : 0};
+  (void)pthread_setschedparam(pthread_self(), policy, &priority);
 }
 
 void pause(const std::stop_token& stop, milliseconds duration) {
@@ -61,18 +70,13 @@ FalconLine::FalconLine(LineSettings settings)
     : settings_(std::move(settings)), answers_(settings_.velocity) {
   open();
   thread_ = std::jthread([this](const std::stop_token& stop) { converse(stop); });
-  if (settings_.wants_fifo) {
-    const sched_param priority{kFifoPriority};
-    // Refused to most users; the servo says in the session's record what the machine permits.
-    (void)pthread_setschedparam(thread_.native_handle(), SCHED_FIFO, &priority);
-  }
 }
 
 FalconLine::~FalconLine() = default;  // the thread is the last member: stopped and joined first
 
 void FalconLine::command(const std::array<std::int16_t, 3>& motor_words) noexcept {
   words_.store(packed(motor_words), std::memory_order_relaxed);
-  commanded_ns_.store(monotonic_ns(), std::memory_order_release);
+  commanded_ns_.store(monotonic_now_ns(), std::memory_order_release);
 }
 
 void FalconLine::open() {
@@ -80,13 +84,19 @@ void FalconLine::open() {
   auto port = std::make_unique<FalconPort>(usb_, settings_.place);
   make_ready(*port, {});
   port_ = std::move(port);
-  heard_ns_ = monotonic_ns();
+  begin_watch();
+  heard_ns_ = exchanged_ns_ = monotonic_now_ns();
   connected_.store(true, std::memory_order_release);
   rate_Hz_ = measured_rate_Hz();
 }
 
+void FalconLine::begin_watch() {
+  last_words_ = port_->last_words();
+  watchdog_ = std::make_unique<WatchdogProcess>(&say_last_words, &last_words_, last_words_.file);
+}
+
 void FalconLine::make_ready(FalconPort& port, const std::stop_token& stop) const {
-  if (port.begin_frames() == Transfer::done && speaks_frames(port)) return;
+  if (port.begin_frames() == Transfer::done && speaks_frames(port, stop)) return;
   if (settings_.firmware.empty()) {
     throw std::runtime_error(no_firmware_sentence(settings_.place));
   }
@@ -97,11 +107,11 @@ void FalconLine::make_ready(FalconPort& port, const std::stop_token& stop) const
 double FalconLine::measured_rate_Hz() {
   std::array<std::int64_t, kMeasuredFrames> durations_ns{};
   std::size_t count = 0;
-  const std::int64_t began_ns = monotonic_ns();
+  const std::int64_t began_ns = monotonic_now_ns();
   std::int64_t last_ns = began_ns;
   while (count < durations_ns.size() && last_ns - began_ns < kMeasuring_ns) {
     (void)exchange();
-    const std::int64_t now_ns = monotonic_ns();
+    const std::int64_t now_ns = monotonic_now_ns();
     durations_ns[count++] = now_ns - last_ns;
     last_ns = now_ns;
   }
@@ -112,13 +122,18 @@ double FalconLine::measured_rate_Hz() {
 }
 
 void FalconLine::converse(const std::stop_token& stop) {
+  if (settings_.wants_fifo) take_priority(SCHED_FIFO);
   while (!stop.stop_requested()) {
     if (!port_) {
-      if (!reopen(stop)) pause(stop, kPauseBetweenSearches);
+      if (!reopen(stop)) {
+        pause(stop, kPauseBetweenSearches);
+      } else if (settings_.wants_fifo) {
+        take_priority(SCHED_FIFO);
+      }
       continue;
     }
     const Transfer ended = exchange();
-    if (ended == Transfer::gone || monotonic_ns() - heard_ns_ > kSilence_ns) {
+    if (ended == Transfer::gone || monotonic_now_ns() - heard_ns_ > kSilence_ns) {
       lose();
     } else if (ended != Transfer::done) {
       pause(stop, kPauseAfterError);
@@ -131,6 +146,17 @@ void FalconLine::converse(const std::stop_token& stop) {
 }
 
 bool FalconLine::reopen(const std::stop_token& stop) {
+  try {
+    return is_reopened(stop);
+  } catch (const std::exception&) {
+    // It may have been plugged in for a moment only, or there was no memory: the next search tells.
+    watchdog_.reset();
+    port_.reset();
+    return false;
+  }
+}
+
+bool FalconLine::is_reopened(const std::stop_token& stop) {
   // The same unit, or else what is plugged in where it was. Another place only where nobody can have
   // a second one in hand: where one alone was attached when this one was opened, and is now.
   const std::vector<AttachedDevice> attached = usb_.falcons();
@@ -142,14 +168,12 @@ bool FalconLine::reopen(const std::stop_token& stop) {
     if (fits && one.is_usable() && (same == nullptr || is_there)) same = &one;
   }
   if (same == nullptr) return false;
-  try {
-    auto port = std::make_unique<FalconPort>(usb_, same->place);
-    make_ready(*port, stop);
-    port_ = std::move(port);
-  } catch (const std::exception&) {
-    return false;  // it may have been plugged in for a moment only; the next search tells
-  }
-  heard_ns_ = monotonic_ns();
+  auto port = std::make_unique<FalconPort>(usb_, same->place);
+  make_ready(*port, stop);
+  if (stop.stop_requested()) return false;
+  port_ = std::move(port);
+  begin_watch();
+  heard_ns_ = exchanged_ns_ = monotonic_now_ns();
   connected_.store(true, std::memory_order_release);
   return true;
 }
@@ -157,6 +181,9 @@ bool FalconLine::reopen(const std::stop_token& stop) {
 void FalconLine::lose() noexcept {
   connected_.store(false, std::memory_order_release);
   commanded_ns_.store(0, std::memory_order_release);
+  // Searching takes its time, and is no business of the servo's neighbours.
+  if (settings_.wants_fifo) take_priority(SCHED_OTHER);
+  watchdog_.reset();
   port_.reset();
   reader_.reset();
   answers_.reset();
@@ -173,7 +200,36 @@ Command FalconLine::command_now(std::int64_t now_ns) const noexcept {
 }
 
 Transfer FalconLine::exchange() {
-  const std::int64_t began_ns = monotonic_ns();
+  if (monotonic_now_ns() - exchanged_ns_ > kLongestGap_ns) in_doubt_ = kDoubtfulExchanges;
+  if (in_doubt_ > 0) {
+    // Otherwise each answer from now on might be the one to a frame before.
+    if (is_left_over()) {
+      in_doubt_ = kDoubtfulExchanges;
+    } else {
+      --in_doubt_;
+    }
+    reader_.reset();
+  }
+  const std::int64_t began_ns = monotonic_now_ns();
+  exchanged_ns_ = began_ns;
+  const Transfer ended = exchange_one(began_ns);
+  if (ended != Transfer::done) in_doubt_ = kDoubtfulExchanges;
+  return ended;
+}
+
+// Takes what comes until the device has nothing to say; whether that was anything.
+bool FalconLine::is_left_over() {
+  bool is_any = false;
+  for (int packets = 0; packets < kMostLeftOver; ++packets) {
+    FalconPort::Packet packet{};
+    std::size_t count = 0;
+    if (port_->read(packet, count, kPatience) != Transfer::done || count == 0) break;
+    is_any = true;
+  }
+  return is_any;
+}
+
+Transfer FalconLine::exchange_one(std::int64_t began_ns) {
   if (const Transfer ended = port_->write(frame_of(command_now(began_ns)), kPatience);
       ended != Transfer::done) {
     return ended;
@@ -182,7 +238,7 @@ Transfer FalconLine::exchange() {
     FalconPort::Packet packet{};
     std::size_t count = 0;
     const Transfer ended = port_->read(packet, count, kPatience);
-    const std::int64_t now_ns = monotonic_ns();
+    const std::int64_t now_ns = monotonic_now_ns();
     if (ended != Transfer::done) {
       if (ended != Transfer::timed_out) reader_.reset();  // half a frame will never be whole
       return ended;

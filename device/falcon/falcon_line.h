@@ -11,9 +11,11 @@
 
 #include "device/falcon/falcon_firmware.h"
 #include "device/falcon/falcon_frame.h"
+#include "device/falcon/falcon_last_words.h"
 #include "device/falcon/falcon_port.h"
 #include "device/falcon/falcon_readings.h"
 #include "device/latest_value.h"
+#include "device/watchdog_process.h"
 
 namespace asperity::falcon {
 
@@ -31,14 +33,19 @@ struct LineSettings {
 ///
 /// What the caller may rely on:
 /// - The motors get zero while the device is not homed, for `kForceLasts_ns` after the last `command` at
-///   the latest, after every loss until the next `command`, and at destruction.
-/// - Errors of the bus are outlived; a device that says nothing for a second is opened anew.
+///   the latest, after every loss until the next `command`, and at destruction. When the program dies
+///   or stands still another process sends it (WatchdogProcess).
+/// - Errors of the bus are outlived; a device that says nothing for a second is opened anew. After a frame
+///   that was not answered in time what comes late is thrown away, so that an answer is always the
+///   one to the frame before it.
 ///
 /// Errors: the constructor opens the device, loads its firmware where none runs, and throws
 /// std::runtime_error with a sentence where that fails.
 ///
-/// Threads: owns one. `take` and `command` belong to one other. The destructor waits for it, for 1.5 s at
-/// the worst (loading firmware).
+/// Threads: owns one, at SCHED_FIFO only while it exchanges frames, not while it looks for a device.
+/// `take` and `command` belong to one other. The destructor waits for the transfer under way and does
+/// not begin another but the parting zero: 0.5 s at the worst, while firmware is loaded; for a search
+/// 0.6 s more for each Falcon on the bus that answers nothing.
 ///
 /// Real-time: `take`, `command` and `is_connected` are wait-free.
 class FalconLine final {
@@ -62,10 +69,14 @@ class FalconLine final {
  private:
   void open();
   bool reopen(const std::stop_token& stop);
+  bool is_reopened(const std::stop_token& stop);
   void make_ready(FalconPort& port, const std::stop_token& stop) const;
+  void begin_watch();
   double measured_rate_Hz();
   void converse(const std::stop_token& stop);
   Transfer exchange();
+  Transfer exchange_one(std::int64_t began_ns);
+  bool is_left_over();
   void lose() noexcept;
   Command command_now(std::int64_t now_ns) const noexcept;
 
@@ -81,9 +92,13 @@ class FalconLine final {
   // The thread's own, from here on.
   UsbSession usb_{};
   std::unique_ptr<FalconPort> port_{};
+  LastWords last_words_{};  // the watchdog's
+  std::unique_ptr<WatchdogProcess> watchdog_{};
   FrameReader reader_{};
   Readings answers_;
   std::int64_t heard_ns_ = 0;
+  std::int64_t exchanged_ns_ = 0;  // when the last exchange began
+  int in_doubt_ = 0;               // exchanges that may be answered late
   std::jthread thread_{};
 };
 

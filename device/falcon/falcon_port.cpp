@@ -1,10 +1,14 @@
+// The wire to a Falcon: the serial chip that it has on USB, through libusb.
+
 #include "device/falcon/falcon_port.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
 #include <libusb.h>
+#include <poll.h>
 
 namespace asperity::falcon {
 
@@ -22,9 +26,6 @@ namespace {
 
 constexpr std::uint16_t kVendor = 0x0403;
 constexpr std::uint16_t kProduct = 0xcb48;
-constexpr int kInterface = 0;
-constexpr unsigned char kOut = 0x02;
-constexpr unsigned char kIn = 0x81;
 constexpr std::size_t kModem_bytes = 2;
 constexpr std::uint8_t kToChip = 0x40;
 constexpr unsigned kControl_ms = 200;
@@ -107,12 +108,30 @@ Transfer outcome_of(int error) noexcept {
   }
 }
 
+// libusb's own reader of texts waits for a second, twice.
+std::vector<std::uint8_t> text_descriptor(libusb_device_handle* handle, std::uint8_t text,
+                                          std::uint16_t language) {
+  std::array<unsigned char, 255> bytes{};
+  const int length =
+      libusb_control_transfer(handle, LIBUSB_ENDPOINT_IN, LIBUSB_REQUEST_GET_DESCRIPTOR,
+                              static_cast<std::uint16_t>(LIBUSB_DT_STRING << 8U | text), language,
+                              bytes.data(), static_cast<std::uint16_t>(bytes.size()), kControl_ms);
+  const int told = std::min(length, int{bytes[0]});
+  if (told < 2 || bytes[1] != LIBUSB_DT_STRING) return {};
+  return {bytes.begin() + 2, bytes.begin() + told};
+}
+
 std::string serial_of(libusb_device_handle* handle, std::uint8_t text) {
   if (text == 0) return {};
-  std::array<unsigned char, 64> serial{};
-  const int length = libusb_get_string_descriptor_ascii(handle, text, serial.data(),
-                                                        static_cast<int>(serial.size()));
-  return length > 0 ? std::string(serial.begin(), serial.begin() + length) : std::string{};
+  const std::vector<std::uint8_t> languages = text_descriptor(handle, 0, 0);
+  if (languages.size() < 2) return {};
+  const auto language = static_cast<std::uint16_t>(languages[0] | languages[1] << 8U);
+  const std::vector<std::uint8_t> utf16 = text_descriptor(handle, text, language);
+  std::string serial;
+  for (std::size_t i = 0; i + 1 < utf16.size(); i += 2) {
+    serial += utf16[i + 1] == 0 && utf16[i] < 0x80 ? static_cast<char>(utf16[i]) : '?';
+  }
+  return serial;
 }
 
 }  // namespace
@@ -147,7 +166,7 @@ std::vector<AttachedDevice> UsbSession::falcons() const {
   return attached;
 }
 
-FalconPort::FalconPort(const UsbSession& usb, const std::string& place) {
+FalconPort::FalconPort(const UsbSession& usb, const std::string& place) : context_(usb.context()) {
   const FoundFalcons found(usb.context());
   int error = LIBUSB_ERROR_NO_DEVICE;
   for (const auto& [device, serial_text] : found.devices()) {
@@ -170,10 +189,10 @@ Transfer FalconPort::write(std::span<const std::uint8_t> bytes,
                            std::chrono::milliseconds patience) noexcept {
   int written = 0;
   // libusb's parameter is not const; it does not write to what goes out.
-  const int error = libusb_bulk_transfer(handle_, kOut, const_cast<unsigned char*>(bytes.data()),
-                                         static_cast<int>(bytes.size()), &written,
-                                         static_cast<unsigned>(patience.count()));
-  if (error == LIBUSB_ERROR_PIPE) libusb_clear_halt(handle_, kOut);
+  const int error = libusb_bulk_transfer(
+      handle_, kOutEndpoint, const_cast<unsigned char*>(bytes.data()),
+      static_cast<int>(bytes.size()), &written, static_cast<unsigned>(patience.count()));
+  if (error == LIBUSB_ERROR_PIPE) libusb_clear_halt(handle_, kOutEndpoint);
   if (error == LIBUSB_SUCCESS && written != static_cast<int>(bytes.size())) return Transfer::failed;
   return outcome_of(error);
 }
@@ -184,9 +203,9 @@ Transfer FalconPort::read(Packet& packet, std::size_t& count,
   Packet received{};
   int length = 0;
   const int error =
-      libusb_bulk_transfer(handle_, kIn, received.data(), static_cast<int>(received.size()),
+      libusb_bulk_transfer(handle_, kInEndpoint, received.data(), static_cast<int>(received.size()),
                            &length, static_cast<unsigned>(patience.count()));
-  if (error == LIBUSB_ERROR_PIPE) libusb_clear_halt(handle_, kIn);
+  if (error == LIBUSB_ERROR_PIPE) libusb_clear_halt(handle_, kInEndpoint);
   const auto bytes = static_cast<std::size_t>(std::max(0, length));
   if (bytes > kModem_bytes) {
     count = bytes - kModem_bytes;
@@ -218,6 +237,21 @@ Transfer FalconPort::begin_frames() noexcept {
       {Request::reset, kForgetToSend},
   }};
   return control_all(kSteps);
+}
+
+LastWords FalconPort::last_words() const noexcept {
+  LastWords words{};
+  libusb_device* device = libusb_get_device(handle_);
+  std::snprintf(words.node.data(), words.node.size(), "/dev/bus/usb/%03d/%03d",
+                int{libusb_get_bus_number(device)}, int{libusb_get_device_address(device)});
+  // libusb waits for an open device to be ready for writing, and for nothing else that way.
+  if (const libusb_pollfd** files = libusb_get_pollfds(context_); files != nullptr) {
+    for (const libusb_pollfd** file = files; *file != nullptr; ++file) {
+      if (((*file)->events & POLLOUT) != 0) words.file = (*file)->fd;
+    }
+    libusb_free_pollfds(files);
+  }
+  return words;
 }
 
 Transfer FalconPort::begin_boot_loader() noexcept {

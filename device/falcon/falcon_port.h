@@ -12,11 +12,16 @@
 #include <vector>
 
 #include "device/drivers.h"
+#include "device/falcon/falcon_last_words.h"
 
 struct libusb_context;
 struct libusb_device_handle;
 
 namespace asperity::falcon {
+
+inline constexpr int kInterface = 0;
+inline constexpr unsigned char kOutEndpoint = 0x02;
+inline constexpr unsigned char kInEndpoint = 0x81;
 
 /// One use of libusb. Errors: std::runtime_error when the machine has no USB at all.
 class UsbSession final {
@@ -49,6 +54,8 @@ enum class Transfer {
 ///
 /// Errors: the constructor throws std::runtime_error with a sentence.
 ///
+/// One port at a time for each session of libusb.
+///
 /// Threads: one at a time. No call takes longer than the time it is given, and a control transfer no
 /// longer than 0.2 s.
 class FalconPort final {
@@ -73,11 +80,15 @@ class FalconPort final {
   /// 140 kbaud, at which the boot loader takes firmware.
   Transfer begin_firmware() noexcept;
 
+  /// For who has to speak to it when this process cannot.
+  LastWords last_words() const noexcept;
+
  private:
   enum class Request : std::uint8_t;
   Transfer control(Request request, std::uint16_t value) noexcept;
   Transfer control_all(std::span<const std::pair<Request, std::uint16_t>> steps) noexcept;
 
+  libusb_context* context_ = nullptr;
   libusb_device_handle* handle_ = nullptr;
 };
 

@@ -1,3 +1,5 @@
+// What a Falcon's answers mean, and which of them are not to be believed.
+
 #include "device/falcon/falcon_readings.h"
 
 #include <glm/geometric.hpp>

@@ -1,3 +1,5 @@
+// Falcons without hardware: what the kernel and the device answer to a driver.
+
 #include "tests/device/emulated_falcon.h"
 
 #include <algorithm>
@@ -119,6 +121,7 @@ void EmulatedFalcon::plug_in() {
     held_ = false;
     received_.clear();
     to_say_.clear();
+    answers_.clear();
     strongest_ = 0;
     if (!node_.empty()) umockdev_testbed_detach_ioctl(bus_.testbed(), node_.c_str(), nullptr);
     node_ = node_of(++number_);
@@ -203,6 +206,23 @@ void EmulatedFalcon::spoil_loads(int count) {
   spoilt_loads_ = count;
 }
 
+void EmulatedFalcon::answer_late(std::chrono::milliseconds delay) {
+  const std::lock_guard lock(mutex_);
+  delay_ = delay;
+}
+
+void EmulatedFalcon::let_go() {
+  const std::lock_guard lock(mutex_);
+  held_ = false;
+  waiting_.clear();
+  finished_.clear();
+}
+
+int EmulatedFalcon::take_most_unread() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(most_unread_, 0);
+}
+
 void EmulatedFalcon::babble(std::vector<std::uint8_t> noise) {
   const std::lock_guard lock(mutex_);
   noise_ = std::move(noise);
@@ -259,6 +279,7 @@ void EmulatedFalcon::answer_ioctl(UMockdevIoctlClient* client) {
     case USBDEVFS_GET_CAPABILITIES: {
       UMockdevIoctlData* answer =
           umockdev_ioctl_data_resolve(argument, 0, sizeof(std::uint32_t), nullptr);
+      if (answer == nullptr) break;  // whoever asked is dead
       const std::uint32_t capabilities =
           USBDEVFS_CAP_BULK_CONTINUATION | USBDEVFS_CAP_NO_PACKET_SIZE_LIM |
           USBDEVFS_CAP_BULK_SCATTER_GATHER | USBDEVFS_CAP_REAP_AFTER_DISCONNECT;
@@ -269,13 +290,24 @@ void EmulatedFalcon::answer_ioctl(UMockdevIoctlClient* client) {
     case USBDEVFS_CLAIMINTERFACE: {
       const std::lock_guard lock(mutex_);
       error = !plugged_ ? ENODEV : held_ ? EBUSY : 0;
-      if (error == 0) held_ = true;
+      if (error == 0) {
+        held_ = true;
+        holder_ = client;
+      }
       break;
     }
     case USBDEVFS_RELEASEINTERFACE: {
       const std::lock_guard lock(mutex_);
-      held_ = false;
+      if (holder_ == client) held_ = false;
       break;
+    }
+    case USBDEVFS_BULK: {
+      const std::lock_guard lock(mutex_);
+      error = !plugged_ ? ENODEV : !held_ || holder_ != client ? EBUSY : send_at_once(argument);
+      // The kernel tells how many bytes it sent.
+      umockdev_ioctl_client_complete(
+          client, error == 0 ? static_cast<long>(falcon::kFrame_bytes) : -1, error);
+      return;
     }
     case USBDEVFS_SUBMITURB: {
       const std::lock_guard lock(mutex_);
@@ -309,13 +341,16 @@ void EmulatedFalcon::answer_ioctl(UMockdevIoctlClient* client) {
 int EmulatedFalcon::submit(UMockdevIoctlData* argument) {
   if (!plugged_) return ENODEV;
   const auto shared = [](UMockdevIoctlData* data) {
-    return std::shared_ptr<UMockdevIoctlData>(data, umockdev_ioctl_data_unref);
+    return data == nullptr ? nullptr
+                           : std::shared_ptr<UMockdevIoctlData>(data, umockdev_ioctl_data_unref);
   };
   Urb one{.submitted = steady_clock::now()};
   one.data = shared(umockdev_ioctl_data_resolve(argument, 0, sizeof(usbdevfs_urb), nullptr));
+  if (!one.data) return ENODEV;  // whoever submits is dead
   usbdevfs_urb& urb = one.urb();
   one.buffer = shared(umockdev_ioctl_data_resolve(one.data.get(), offsetof(usbdevfs_urb, buffer),
                                                   static_cast<gsize>(urb.buffer_length), nullptr));
+  if (!one.buffer) return ENODEV;
   urb.status = 0;
   if (urb.type == USBDEVFS_URB_TYPE_CONTROL) {
     urb.actual_length = control(one.buffer->data, urb.buffer_length);
@@ -359,9 +394,31 @@ bool EmulatedFalcon::reap(UMockdevIoctlData* argument, int& error) {
   const Urb one = std::move(finished_.front());
   finished_.pop_front();
   UMockdevIoctlData* pointer = umockdev_ioctl_data_resolve(argument, 0, sizeof(void*), nullptr);
+  if (pointer == nullptr) return true;  // whoever asked is dead
   umockdev_ioctl_data_set_ptr(pointer, 0, one.data.get());
   umockdev_ioctl_data_unref(pointer);
   return true;
+}
+
+// One transfer out, for a process that has no libusb any more.
+int EmulatedFalcon::send_at_once(UMockdevIoctlData* argument) {
+  UMockdevIoctlData* data =
+      umockdev_ioctl_data_resolve(argument, 0, sizeof(usbdevfs_bulktransfer), nullptr);
+  if (data == nullptr) return ENODEV;
+  const auto& transfer = *reinterpret_cast<const usbdevfs_bulktransfer*>(data->data);
+  int error = transfer.len == falcon::kFrame_bytes && transfer.ep == 0x02 ? 0 : EINVAL;
+  if (error == 0) {
+    UMockdevIoctlData* bytes = umockdev_ioctl_data_resolve(
+        data, offsetof(usbdevfs_bulktransfer, data), falcon::kFrame_bytes, nullptr);
+    if (bytes != nullptr) {
+      for (std::size_t i = 0; i < falcon::kFrame_bytes; ++i) take_byte(bytes->data[i]);
+      umockdev_ioctl_data_unref(bytes);
+    } else {
+      error = ENODEV;
+    }
+  }
+  umockdev_ioctl_data_unref(data);
+  return error;
 }
 
 int EmulatedFalcon::discard(UMockdevIoctlData* argument) {
@@ -380,7 +437,11 @@ int EmulatedFalcon::discard(UMockdevIoctlData* argument) {
 bool EmulatedFalcon::fill(Urb& one) {
   usbdevfs_urb& urb = one.urb();
   const auto now = steady_clock::now();
-  const bool speaks = !to_say_.empty() && now >= next_answer_;
+  if (to_say_.empty() && !answers_.empty() && now >= answers_.front().due) {
+    to_say_.assign(answers_.front().bytes.begin(), answers_.front().bytes.end());
+    answers_.pop_front();
+  }
+  const bool speaks = !to_say_.empty();
   if (!speaks && now - one.submitted < kLatency) return false;
   const std::size_t room = std::min(static_cast<std::size_t>(urb.buffer_length), kPacket_bytes);
   std::size_t count = 0;
@@ -417,7 +478,12 @@ int EmulatedFalcon::control(std::uint8_t* setup_and_data, int length) {
   settings_sent_.emplace_back(request, value);
   switch (request) {
     case 0:
-      if (value == 1) to_say_.clear();
+      if (value == 1) {
+        to_say_.clear();
+        while (!answers_.empty() && answers_.front().due <= steady_clock::now()) {
+          answers_.pop_front();
+        }
+      }
       if (value == 2) received_.clear();
       break;
     case 1:
@@ -445,7 +511,6 @@ void EmulatedFalcon::take_byte(std::uint8_t byte) {
   if (silent_) return;
   const auto answer = [this](std::initializer_list<std::uint8_t> bytes) {
     to_say_.insert(to_say_.end(), bytes);
-    next_answer_ = {};
   };
   if (!runs_ && divisor_ == 0x4138 && line_ready_) {
     received_.push_back(byte);
@@ -489,12 +554,14 @@ void EmulatedFalcon::take_frame(const falcon::Frame& frame) {
   }
   falcon::Frame bytes = falcon::frame_of({.motor_words = counts_now()});
   bytes[13] = static_cast<std::uint8_t>('A' + buttons_ + (homed_ ? 0x70 : 0));
-  to_say_.insert(to_say_.end(), noise_.begin(), noise_.end());
-  to_say_.insert(to_say_.end(), bytes.begin(), bytes.end());
-  const auto now = steady_clock::now();
+  most_unread_ =
+      std::max(most_unread_, static_cast<int>(answers_.size()) + (to_say_.empty() ? 0 : 1));
   const auto period = std::chrono::duration_cast<steady_clock::duration>(
       std::chrono::duration<double>(1.0 / settings_.rate_Hz));
-  next_answer_ = std::max(now, next_answer_ + period);
+  last_due_ = std::max(steady_clock::now(), last_due_ + period) + std::exchange(delay_, {});
+  Spoken spoken{.due = last_due_, .bytes = noise_};
+  spoken.bytes.insert(spoken.bytes.end(), bytes.begin(), bytes.end());
+  answers_.push_back(std::move(spoken));
 }
 
 std::array<std::int16_t, 3> EmulatedFalcon::counts_now() const {

@@ -87,6 +87,10 @@ class EmulatedFalcon final {
   void fall_silent(bool silent);
   /// Bits flip in what the boot loader sends back, in the next loads.
   void spoil_loads(int count);
+  /// The next answer is this late, and those to frames that come meanwhile follow it, one packet each.
+  void answer_late(std::chrono::milliseconds delay);
+  /// The process that had claimed it has ended: what the kernel does then.
+  void let_go();
   /// Every answer is preceded by these bytes.
   void babble(std::vector<std::uint8_t> noise);
 
@@ -98,6 +102,8 @@ class EmulatedFalcon final {
   /// The words of the last frame, and the strongest since this was last asked.
   std::array<std::int16_t, 3> motor_words() const;
   int take_strongest_word();
+  /// The most answers that nobody had read yet when another frame came, since this was last asked.
+  int take_most_unread();
   /// Requests and values of the serial chip's settings, in order.
   std::vector<std::pair<int, int>> settings_sent() const;
 
@@ -109,11 +115,17 @@ class EmulatedFalcon final {
     std::chrono::steady_clock::time_point submitted{};
     usbdevfs_urb& urb() const;
   };
+  /// What it says to a frame, from `due` on.
+  struct Spoken {
+    std::chrono::steady_clock::time_point due{};
+    std::vector<std::uint8_t> bytes{};
+  };
   static int on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self);
   void answer_ioctl(UMockdevIoctlClient* client);
   int submit(UMockdevIoctlData* argument);
   bool reap(UMockdevIoctlData* argument, int& error);
   int discard(UMockdevIoctlData* argument);
+  int send_at_once(UMockdevIoctlData* argument);
   int control(std::uint8_t* setup_and_data, int length);
   void take_byte(std::uint8_t byte);
   void take_frame(const falcon::Frame& frame);
@@ -131,6 +143,7 @@ class EmulatedFalcon final {
   bool plugged_ = false;
   bool silent_ = false;
   bool held_ = false;
+  const UMockdevIoctlClient* holder_ = nullptr;  // whoever has claimed it
   int failing_transfers_ = 0;
   int spoilt_loads_ = 0;
   std::vector<std::uint8_t> noise_{};
@@ -147,7 +160,10 @@ class EmulatedFalcon final {
   std::vector<std::uint8_t> received_{};
   std::vector<std::uint8_t> taken_{};  // into the boot loader
   std::deque<std::uint8_t> to_say_{};
-  std::chrono::steady_clock::time_point next_answer_{};
+  std::deque<Spoken> answers_{};
+  std::chrono::steady_clock::time_point last_due_{};
+  std::chrono::milliseconds delay_{0};
+  int most_unread_ = 0;
   falcon::Frame last_frame_{};
   std::int64_t frames_ = 0;
   int strongest_ = 0;

@@ -3,9 +3,14 @@
 #include "device/falcon/falcon_device.h"
 
 #include <cmath>
+#include <csignal>
+#include <fcntl.h>
+#include <filesystem>
 #include <fstream>
+#include <sched.h>
 #include <stdexcept>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <glm/geometric.hpp>
@@ -303,6 +308,83 @@ TEST_F(Falcon, HasItsMotorsAtZeroWhenNobodyPushesAnyMoreAndAtTheEnd) {
   device.reset();
   EXPECT_EQ(emulated.motor_words(), kNoWords);
   EXPECT_FALSE(emulated.is_held());
+}
+
+TEST_F(Falcon, HasItsMotorsAtZeroHoweverTheProgramThatDroveItDies) {
+  for (const int signal : {SIGKILL, SIGSEGV, SIGABRT, SIGINT}) {
+    EmulatedFalcon emulated(bus(), {});
+    const pid_t victim = fork();
+    if (victim == 0) {
+      execl(ASPERITY_FALCON_VICTIM, ASPERITY_FALCON_VICTIM, nullptr);
+      _exit(1);
+    }
+    ASSERT_TRUE(eventually([&] { return emulated.take_strongest_word() > 0; }));
+    kill(victim, signal);
+    waitpid(victim, nullptr, 0);
+    EXPECT_NE(emulated.motor_words(), kNoWords);  // as long as nobody else may say anything
+    emulated.let_go();
+    EXPECT_TRUE(eventually([&] { return emulated.motor_words() == kNoWords; })) << signal;
+    // And anybody may drive it again.
+    EXPECT_TRUE(eventually([&] { return complaint_of([] { open(); }).empty(); }));
+  }
+}
+
+TEST_F(Falcon, TakesZeroOverTheFileThatItsDriverHasOpenedAndNoOther) {
+  EmulatedFalcon emulated(bus(), {});
+  const falcon::UsbSession usb;
+  falcon::FalconPort port(usb, "usb 1-2");
+  ASSERT_EQ(port.begin_frames(), falcon::Transfer::done);
+  ASSERT_EQ(port.write(falcon::frame_of({.motor_words = {300, -20, 1}}), std::chrono::seconds(9)),
+            falcon::Transfer::done);
+  ASSERT_EQ(emulated.motor_words(), (std::array<std::int16_t, 3>{300, -20, 1}));
+  const falcon::LastWords words = port.last_words();
+  const int another = ::open(words.node.data(), O_RDWR | O_CLOEXEC);
+  ASSERT_GE(another, 0) << words.node.data();
+  EXPECT_FALSE(falcon::send_zero(another, words.zero));
+  EXPECT_NE(emulated.motor_words(), kNoWords);
+  // What the watchdog does while the program is stopped and cannot.
+  say_last_words(WatchdogProcess::Cause::stopped, &words);
+  EXPECT_EQ(emulated.motor_words(), kNoWords);
+  ::close(another);
+}
+
+TEST_F(Falcon, IsInStepAgainAfterAnAnswerThatCameLate) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  // Later than a frame is waited for: it is read as the answer to a later one, unless somebody minds.
+  emulated.answer_late(std::chrono::milliseconds(60));
+  EXPECT_TRUE(eventually([&] { return emulated.take_most_unread() > 0; }));
+  EXPECT_TRUE(eventually([&] {
+    emulated.take_most_unread();
+    const std::int64_t before = emulated.frames();
+    EXPECT_TRUE(eventually([&] { return emulated.frames() > before + 50; }));
+    return emulated.take_most_unread() == 0;
+  }));
+}
+
+int threads_at_fifo() {
+  int count = 0;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    const int policy = sched_getscheduler(std::stoi(task.path().filename().string()));
+    if (policy == SCHED_FIFO) ++count;
+  }
+  return count;
+}
+
+TEST_F(Falcon, HurriesWhileItExchangesFramesAndNotWhileItIsSearchedFor) {
+  EmulatedFalcon emulated(bus(), {});
+  FalconSettings wanted = settings();
+  wanted.line.wants_fifo = true;
+  const sched_param priority{1};
+  if (sched_setscheduler(0, SCHED_FIFO, &priority) != 0) GTEST_SKIP() << "SCHED_FIFO is refused";
+  const sched_param normal{0};
+  ASSERT_EQ(sched_setscheduler(0, SCHED_OTHER, &normal), 0);
+  const auto device = FalconDevice::open(wanted);
+  EXPECT_TRUE(eventually([] { return threads_at_fifo() == 1; }));
+  emulated.unplug();
+  EXPECT_TRUE(eventually([] { return threads_at_fifo() == 0; }));
+  emulated.plug_in();
+  EXPECT_TRUE(eventually([] { return threads_at_fifo() == 1; }));
 }
 
 TEST_F(Falcon, IsLostAfterFiftyMillisecondsOfSilenceAndFoundAgain) {

@@ -1,0 +1,118 @@
+// A second process, which sets motors to zero when this one no longer can.
+
+#include "device/watchdog_process.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <limits>
+#include <sched.h>
+#include <stdexcept>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+
+#include <poll.h>
+
+namespace asperity {
+namespace {
+
+constexpr int kBetweenLooks_ms = 50;
+
+using StatusPath = std::array<char, 32>;
+
+// All but the two, of which one may be −1.
+void close_others(int one, int other) noexcept {
+  const auto [low, high] = std::minmax(one, other);
+  unsigned first = 0;
+  for (const int kept : {low, high}) {
+    if (kept < 0) continue;
+    if (static_cast<unsigned>(kept) > first) close_range(first, static_cast<unsigned>(kept) - 1, 0);
+    first = static_cast<unsigned>(kept) + 1;
+  }
+  close_range(first, std::numeric_limits<unsigned>::max(), 0);
+}
+
+// Whether no thread of the process gets on: it is stopped, traced at a stop, or its core is written.
+bool stands_still(const StatusPath& status) noexcept {
+  const int file = open(status.data(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  std::array<char, 8192> text{};
+  const ssize_t length = read(file, text.data(), text.size());
+  close(file);
+  if (length <= 0) return false;
+  const auto says = [&](const char* line) {
+    return memmem(text.data(), static_cast<std::size_t>(length), line, std::strlen(line)) !=
+           nullptr;
+  };
+  return says("\nState:\tT") || says("\nState:\tt") || says("\nCoreDumping:\t1");
+}
+
+[[noreturn]] void watch(int leash, const StatusPath& status, WatchdogProcess::Act act,
+                        const void* about) noexcept {
+  for (;;) {
+    pollfd end{leash, POLLIN, 0};
+    const int ready = poll(&end, 1, kBetweenLooks_ms);
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready == 0) {
+      if (stands_still(status)) act(WatchdogProcess::Cause::stopped, about);
+      continue;
+    }
+    char farewell = 0;
+    if (read(leash, &farewell, 1) != 1) act(WatchdogProcess::Cause::ended, about);
+    _exit(0);
+  }
+}
+
+[[noreturn]] void refuse(const char* what) {
+  throw std::runtime_error(
+      std::string("the process that sets the motors to zero should this program die cannot be "
+                  "started (") +
+      what + ": " + std::generic_category().message(errno) + ")");
+}
+
+}  // namespace
+
+WatchdogProcess::WatchdogProcess(Act act, const void* about, int keep_open) {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse("pipe");
+  StatusPath status{};
+  std::snprintf(status.data(), status.size(), "/proc/%d/status", static_cast<int>(getpid()));
+  // No handler of this process may run in the other one, not even before it has closed its files.
+  sigset_t all{};
+  sigset_t before{};
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  process_ = fork();
+  if (process_ == 0) {
+    const sched_param none{};
+    sched_setscheduler(0, SCHED_OTHER, &none);
+    setsid();
+    prctl(PR_SET_NAME, "watchdog");
+    close_others(ends[0], keep_open);
+    watch(ends[0], status, act, about);
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  close(ends[0]);
+  leash_ = ends[1];
+  if (process_ < 0) {
+    close(leash_);
+    refuse("fork");
+  }
+}
+
+WatchdogProcess::~WatchdogProcess() {
+  const char farewell = 1;
+  // It only fails when the other process is gone already.
+  [[maybe_unused]] const ssize_t written = write(leash_, &farewell, 1);
+  close(leash_);
+  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,46 @@
+// A second process, which sets motors to zero when this one no longer can.
+
+#pragma once
+
+#include <cstddef>
+#include <sys/types.h>
+
+namespace asperity {
+
+/// Waits in a process of its own for this one to end, however badly, or to stand still.
+///
+/// What the caller may rely on:
+/// - Killed by a signal (a crash, abort(), SIGKILL, a second Ctrl-C): `act(ended, …)` is called there as
+///   soon as the kernel closes this process's files.
+/// - Stopped (SIGSTOP, Ctrl-Z, a debugger) or writing a core dump: `act(stopped, …)` within 0.1 s, and
+///   again every 50 ms until it goes on.
+/// - Destroyed in order: nothing is called; the destructor waits until the other process is gone.
+///
+/// What it cannot see: a thread that hangs in a process that runs, a kernel that died, a plug that was
+/// pulled.
+///
+/// The other process is a fork, with its memory as it was then: `act` may make system calls and nothing
+/// else (no heap, no lock, no C++ of others). It has its own terminal session, so that no key reaches it,
+/// blocks all signals, runs as a normal thread whatever the caller is, and closes every file of this
+/// process but `keep_open`: locks and connections end with this one.
+///
+/// Errors: the constructor throws std::runtime_error when the machine has no process or file left.
+///
+/// Threads: construct and destroy from any; not in real time (a fork takes milliseconds).
+class WatchdogProcess final {
+ public:
+  enum class Cause { ended, stopped };
+  using Act = void (*)(Cause cause, const void* about) noexcept;
+
+  /// `about` is handed to `act` as it is now. `keep_open` is a file of this process that `act` needs, −1 for none.
+  WatchdogProcess(Act act, const void* about, int keep_open);
+  ~WatchdogProcess();
+  WatchdogProcess(const WatchdogProcess&) = delete;
+  WatchdogProcess& operator=(const WatchdogProcess&) = delete;
+
+ private:
+  int leash_ = -1;  // nobody else has this end: it closes when this process ends
+  pid_t process_ = -1;
+};
+
+}  // namespace asperity
