@@ -27,6 +27,9 @@ struct DeviceCapability {
   double maximum_rate_Hz = 1000.0;
   int buttons = 0;  ///< that a participant can press; bits of ProbeState::buttons
   Pacing pacing = Pacing::ours;
+  /// The hand is computed, and rests where it rests to the last bit: a pose that stays the same is no
+  /// fault (pose_watch.h).
+  bool may_rest_exactly = false;
   /// Sentences about what shapes what is felt and read: filters of the maker's software, how velocity is
   /// estimated, which of these numbers are not the maker's own.
   std::string remarks{};

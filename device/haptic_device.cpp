@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "device/refusal.h"
 
 namespace asperity {
@@ -22,8 +24,9 @@ ForceLimits within(const DeviceCapability& capability, ForceLimits limits) {
 
 constexpr int kForceAndTorque = 6;
 
-// What is not there cannot be limited: a torque in the record would tell of a push that nobody felt.
+// What is not there cannot be limited: a force in the record would tell of a push that nobody felt.
 Wrench as_actuated(const DeviceCapability& capability, Wrench wanted) noexcept {
+  if (capability.actuated_degrees_of_freedom == 0) return {};
   if (capability.actuated_degrees_of_freedom < kForceAndTorque) wanted.torque_N_m = glm::dvec3(0.0);
   return wanted;
 }
@@ -42,27 +45,49 @@ std::optional<ProbeState> HapticDevice::read(std::int64_t now_ns) noexcept {
   if (!do_read(now_ns, state)) {
     return std::nullopt;
   }
+  if (!capability_.may_rest_exactly) {
+    pose_.take(state, pushed_N_);
+    is_frozen_.store(pose_.is_frozen(), std::memory_order_relaxed);
+  }
+  if (pose_.is_frozen()) return std::nullopt;
   return state;
 }
 
 std::optional<LimitedWrench> HapticDevice::push(const Wrench& wanted, double dt_s) noexcept {
+  if (pose_.is_frozen()) {
+    zero_force();
+    return std::nullopt;
+  }
   LimitedWrench limited = limiter_.limit(as_actuated(capability_, wanted), dt_s);
   given_.reset();
+  gave_less_ = false;
   if (!do_send(limited.wrench)) {
     // Its motors are at zero, or unknown; whatever comes next rises from zero.
     limiter_.reset();
+    pushed_N_ = 0.0;
     return std::nullopt;
   }
-  if (given_) {
-    limited.wrench = *given_;
-    limited.reasons |= static_cast<std::uint8_t>(LimitReason::force);
-  }
+  if (given_) limited.wrench = *given_;
+  if (given_ || gave_less_) limited.reasons |= static_cast<std::uint8_t>(LimitReason::force);
+  pushed_N_ = glm::length(limited.wrench.force_N);
   return limited;
 }
 
 void HapticDevice::zero_force() noexcept {
   limiter_.reset();
+  pushed_N_ = 0.0;
   do_send(Wrench{});
+}
+
+std::string HapticDevice::complaint() const {
+  std::string told = trouble();
+  if (!is_frozen_.load(std::memory_order_relaxed)) return told;
+  return capability_.model + (capability_.serial.empty() ? "" : " " + capability_.serial) +
+         " tells the same position again and again although it is pushed or says that it moves, "
+         "and is "
+         "not believed. Move its handle; if that does not help, see that its cable sits, and open "
+         "it anew." +
+         (told.empty() ? "" : " ") + told;
 }
 
 void HapticDevice::start_calls(const TickCall&) {

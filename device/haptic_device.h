@@ -2,12 +2,14 @@
 
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "device/device_capability.h"
 #include "device/force_limiter.h"
+#include "device/pose_watch.h"
 #include "device/probe_state.h"
 
 namespace asperity {
@@ -26,6 +28,10 @@ struct TickCall {
 /// implements `do_read`, `do_send` and nothing about safety. The motors are at zero after
 /// construction, after `zero_force` and after destruction (each driver's destructor sends zero).
 ///
+/// A pose that is frozen (pose_watch.h) is not believed, whatever the driver says: the device then does not
+/// answer until it changes. Only a hand that is computed may rest to the last bit
+/// (DeviceCapability::may_rest_exactly).
+///
 /// Errors: the constructor throws std::invalid_argument for a device that has motors and no
 /// positive peak force, or for a limit that is not positive and finite.
 ///
@@ -36,6 +42,10 @@ class HapticDevice {
   virtual ~HapticDevice() = default;
   HapticDevice(const HapticDevice&) = delete;
   HapticDevice& operator=(const HapticDevice&) = delete;
+
+  /// A device that has told nothing new for so long does not answer: drivers say so, and of one that
+  /// keeps time itself its servo loop does.
+  static constexpr std::int64_t kLongestSilence_ns = 50'000'000;
 
   const DeviceCapability& capability() const noexcept { return capability_; }
 
@@ -48,8 +58,8 @@ class HapticDevice {
   std::optional<ProbeState> read(std::int64_t now_ns) noexcept;
 
   /// Limits `wanted` and sends it; returns what was really sent. A device with fewer than six actuated
-  /// degrees of freedom gets the force alone. Nothing when the device is lost; when it comes back, its
-  /// force rises from zero.
+  /// degrees of freedom gets the force alone, one without motors nothing: zero is what it was sent. No
+  /// answer when the device is lost; when it comes back, its force rises from zero.
   std::optional<LimitedWrench> push(const Wrench& wanted, double dt_s) noexcept;
 
   /// Zero force at once, past the slew limit.
@@ -65,8 +75,10 @@ class HapticDevice {
   /// can reach them. May be called at any time and twice.
   virtual void stop_calls() noexcept {}
 
-  /// What is wrong with the device, in sentences for the person who must act: why it does not
-  /// answer, what it refuses. Empty while all is well. From any thread but the servo's.
+  /// What is wrong with the device now, in sentences for the person who must act: that its pose is
+  /// frozen, and its driver's `trouble`. Empty while all is well. From any thread but the servo's.
+  std::string complaint() const;
+  /// The driver's part of it: why the device does not answer, what it refuses. Empty again once that is over.
   virtual std::string trouble() const { return {}; }
 
  protected:
@@ -74,6 +86,9 @@ class HapticDevice {
 
   /// For `do_send`: the motors could give no more than this. `push` returns it as limited in force.
   void gave_only(const Wrench& given) noexcept { given_ = given; }
+  /// For `do_send`: the motors gave less, and nobody knows how much. `push` marks the wrench as limited
+  /// in force and returns it as it was sent.
+  void gave_less() noexcept { gave_less_ = true; }
 
  private:
   /// Fills `state`, whose time is already `now_ns`; false when the device does not answer.
@@ -84,6 +99,10 @@ class HapticDevice {
   DeviceCapability capability_{};
   ForceLimiter limiter_;
   std::optional<Wrench> given_{};
+  bool gave_less_ = false;
+  PoseWatch pose_{};
+  double pushed_N_ = 0.0;  // since the last reading
+  std::atomic<bool> is_frozen_{false};
 };
 
 }  // namespace asperity

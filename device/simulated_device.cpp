@@ -30,6 +30,7 @@ DeviceCapability capability_of(const SimulatedDeviceSettings& settings) {
   capability.position_resolution_m = settings.sensor.position_step_m;
   capability.buttons = VirtualHand::kButtons;
   capability.pacing = Pacing::ours;
+  capability.may_rest_exactly = true;
   return capability;
 }
 

@@ -37,7 +37,7 @@ struct ServoSettings {
   int misses_to_fault = 100;         ///< within one second
   double workspace_margin_m = 0.02;  ///< how far outside the device's workspace is a fault
   /// Without a call from a device that keeps time itself (Pacing::theirs), after which it is lost.
-  double silence_to_fault_s = 0.050;
+  double silence_to_fault_s = 1e-9 * static_cast<double>(HapticDevice::kLongestSilence_ns);
 };
 
 /// One consistent look at the loop, from any thread.

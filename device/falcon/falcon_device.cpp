@@ -10,24 +10,17 @@
 
 #include <glm/geometric.hpp>
 
+#include "device/monotonic_clock.h"
+
 namespace asperity {
 namespace {
 
 using falcon::FalconLine;
 
 constexpr double kMiddle_m = 0.115;
-constexpr std::int64_t kOldest_ns = 50'000'000;
-constexpr double kStrongPush_N = 2.0;
-constexpr std::int64_t kLongPush_ns = 1'000'000'000;
 // Slower than this, a device is what it was measured to be; otherwise it is what it is sold as.
 constexpr double kFullRate_Hz = 1000.0;
 constexpr double kNearlyFullRate_Hz = 800.0;
-
-std::int64_t monotonic_ns() noexcept {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
 
 DeviceCapability capability_of(const FalconLine& line) {
   DeviceCapability capability = falcon_capability();
@@ -72,7 +65,10 @@ void FalconDevice::wait_until_homed(const FalconSettings& settings) {
   bool told = false;
   for (;;) {
     if (line_->take(reading_)) {
-      if (reading_.is_homed) return;
+      if (reading_.is_homed) {
+        state_.store(State::well, std::memory_order_relaxed);
+        return;
+      }
       if (!told && settings.tell) {
         settings.tell(
             "The Falcon looks for its zero: pull the grip out all the way, then push it in all the "
@@ -91,37 +87,26 @@ void FalconDevice::wait_until_homed(const FalconSettings& settings) {
   }
 }
 
-bool FalconDevice::answers(std::int64_t clock_ns) noexcept {
-  if (!line_->is_connected() || !reading_.is_homed) return false;
-  if (clock_ns - reading_.time_ns > kOldest_ns) return false;
-  if (stuck_since_ns_ != 0) {
-    if (reading_.moved_ns <= stuck_since_ns_) return false;
-    stuck_since_ns_ = 0;
-  }
-  if (pushes_ && clock_ns - std::max(pushes_since_ns_, reading_.moved_ns) > kLongPush_ns) {
-    stuck_since_ns_ = reading_.moved_ns;
-    return false;
-  }
-  return true;
+FalconDevice::State FalconDevice::state_at(std::int64_t clock_ns) const noexcept {
+  if (!line_->is_connected()) return State::unplugged;
+  if (clock_ns - reading_.time_ns > kLongestSilence_ns) return State::silent;
+  return reading_.is_homed ? State::well : State::not_homed;
 }
 
 bool FalconDevice::do_read(std::int64_t, ProbeState& state) noexcept {
   line_->take(reading_);
-  answers_ = answers(monotonic_ns());
+  state_.store(state_at(monotonic_now_ns()), std::memory_order_relaxed);
   state.position_m = from_machine(reading_.position_m - kOrigin_m);
   state.velocity_m_per_s = from_machine(reading_.velocity_m_per_s);
   state.buttons = reading_.buttons;
-  return answers_;
+  return state_.load(std::memory_order_relaxed) == State::well;
 }
 
 bool FalconDevice::do_send(const Wrench& limited) noexcept {
-  const double strength_N = glm::length(limited.force_N);
-  const bool pushes = strength_N > kStrongPush_N;
-  if (pushes && !pushes_) pushes_since_ns_ = monotonic_ns();
-  pushes_ = pushes;
-  if (!answers_ || strength_N == 0.0) {
+  const bool answers = state_.load(std::memory_order_relaxed) == State::well;
+  if (!answers || limited.force_N == glm::dvec3(0.0)) {
     line_->command({});
-    return answers_;
+    return answers;
   }
   const std::optional<glm::dvec3> torques =
       falcon::torques_N_m(reading_.angles, reading_.position_m, to_machine(limited.force_N));
@@ -130,6 +115,25 @@ bool FalconDevice::do_send(const Wrench& limited) noexcept {
   line_->command(motors.words);
   if (motors.part < 1.0) gave_only({.force_N = motors.part * limited.force_N});
   return true;
+}
+
+std::string FalconDevice::trouble() const {
+  const std::string it =
+      "The Novint Falcon" + (capability().serial.empty() ? "" : " " + capability().serial);
+  switch (state_.load(std::memory_order_relaxed)) {
+    case State::well:
+      return {};
+    case State::unplugged:
+      return it + " is unplugged: plug it in again where it was, and see that it has power.";
+    case State::silent:
+      return it + " has not answered for 50 ms: see that its cable sits.";
+    case State::not_homed:
+      return it +
+             " looks for its zero: pull the grip out all the way, then push it in all the way, "
+             "until "
+             "its lamp turns from red to green.";
+  }
+  return {};
 }
 
 Driver falcon_driver() {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -29,8 +30,7 @@ DeviceCapability falcon_capability();
 /// What the caller may rely on:
 /// - `read` gives the newest of the device's answers, normally no older than one of its frames (1 ms).
 ///   It says that the device is lost at once when it is unplugged, 50 ms after the last answer
-///   otherwise, while it is not homed, and when the encoders stand still for 1 s of a force above 2 N,
-///   until they move: a hand at rest is no fault, a motor that pushes and moves nothing is.
+///   otherwise, and while it is not homed.
 /// - `push` says what the motors were given: a force beyond them keeps its direction and is marked as
 ///   limited.
 /// - Unplugged and plugged in again, it answers again: with its firmware and homing where it kept its
@@ -52,19 +52,19 @@ class FalconDevice final : public HapticDevice {
   static std::unique_ptr<FalconDevice> open(const FalconSettings& settings);
   ~FalconDevice() override;
 
+  std::string trouble() const override;
+
  private:
+  enum class State { well, unplugged, silent, not_homed };
   explicit FalconDevice(std::unique_ptr<falcon::FalconLine> line);
   void wait_until_homed(const FalconSettings& settings);
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;
   bool do_send(const Wrench& limited) noexcept override;
-  bool answers(std::int64_t clock_ns) noexcept;
+  State state_at(std::int64_t clock_ns) const noexcept;
 
   std::unique_ptr<falcon::FalconLine> line_;
   falcon::Reading reading_{};
-  bool answers_ = false;
-  bool pushes_ = false;
-  std::int64_t pushes_since_ns_ = 0;
-  std::int64_t stuck_since_ns_ = 0;  // 0: not stuck
+  std::atomic<State> state_{State::silent};
 };
 
 /// For the list of drivers: "falcon".

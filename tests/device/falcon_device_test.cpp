@@ -17,6 +17,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "device/monotonic_clock.h"
 #include "tests/device/emulated_falcon.h"
 #include "tests/device/falcon_arm_angles.h"
 #include "tests/device/falcon_run.h"
@@ -69,13 +70,13 @@ std::string complaint_of(const std::function<void()>& act) {
   return {};
 }
 
-bool answers(FalconDevice& device) { return device.read(0).has_value(); }
+bool answers(FalconDevice& device) { return device.read(monotonic_now_ns()).has_value(); }
 
 // Pushes until it is taken; a busy machine may lose the device for a moment.
 void push_until(FalconDevice& device, const glm::dvec3& force_N,
                 const std::function<bool()>& done) {
   EXPECT_TRUE(eventually([&] {
-    device.read(0);
+    device.read(monotonic_now_ns());
     device.push({.force_N = force_N}, kDt_s);
     return done();
   }));
@@ -285,7 +286,7 @@ TEST_F(Falcon, SaysWhatTheMotorsCouldGive) {
   device->set_limits({.force_N = 8.9, .slew_N_per_s = 1e6});
   std::optional<LimitedWrench> sent;
   EXPECT_TRUE(eventually([&] {
-    device->read(0);
+    device->read(monotonic_now_ns());
     sent = device->push({.force_N = {8.9, 0.0, 0.0}}, kDt_s);
     return sent.has_value();
   }));
@@ -392,9 +393,15 @@ TEST_F(Falcon, IsLostAfterFiftyMillisecondsOfSilenceAndFoundAgain) {
   const auto device = open();
   push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
   const std::size_t before = emulated.settings_sent().size();
+  const std::int64_t fell_silent_ns = monotonic_now_ns();
   emulated.fall_silent(true);
   EXPECT_TRUE(eventually([&] { return !answers(*device); }));
-  EXPECT_EQ(emulated.settings_sent().size(), before);  // long before it is opened anew
+  EXPECT_THAT(device->complaint(), HasSubstr("has not answered for 50 ms"));
+  // Long before it is opened anew, unless this machine has looked away for as long.
+  const std::size_t after = emulated.settings_sent().size();
+  if (monotonic_now_ns() - fell_silent_ns < 900'000'000) {
+    EXPECT_EQ(after, before);
+  }
   EXPECT_FALSE(device->push({.force_N = {0.0, 0.0, 1.0}}, kDt_s).has_value());
   emulated.take_strongest_word();
   emulated.fall_silent(false);
@@ -406,11 +413,14 @@ TEST_F(Falcon, ComesBackAfterItWasUnpluggedWithoutForce) {
   EmulatedFalcon emulated(bus(), {.serial = "NF042"});
   const auto device = open();
   push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
+  EXPECT_EQ(device->complaint(), "");
   emulated.unplug();
-  EXPECT_TRUE(eventually([&] { return !answers(*device); }));
+  EXPECT_TRUE(eventually([&] {
+    return !answers(*device) && device->complaint().find("is unplugged") != std::string::npos;
+  }));
   EXPECT_FALSE(device->push({.force_N = {0.0, 0.0, 1.0}}, kDt_s).has_value());
   emulated.plug_in();
-  EXPECT_TRUE(eventually([&] { return answers(*device); }));
+  EXPECT_TRUE(eventually([&] { return answers(*device) && device->complaint().empty(); }));
   EXPECT_EQ(emulated.take_strongest_word(), 0);
   push_until(*device, {0.0, 0.0, 1.0}, [&] { return emulated.motor_words() != kNoWords; });
 }
@@ -465,7 +475,7 @@ TEST_F(Falcon, FindsItsAnswersInNoise) {
   emulated.babble({'<', 'A', 'A', 0x00, 0xff, '>'});
   emulated.put_grip({0.0, 0.010, 0.115});
   EXPECT_TRUE(eventually([&] {
-    const auto read = device->read(0);
+    const auto read = device->read(monotonic_now_ns());
     return read && std::abs(read->position_m.z - 0.010) < 100e-6;
   }));
 }
@@ -543,7 +553,7 @@ TEST_F(Falcon, ReadsAndPushesWithoutTouchingTheHeap) {
   EXPECT_TRUE(eventually([&] { return answers(*device); }));
   AllocationGuard guard;
   for (int i = 0; i < 200; ++i) {
-    device->read(i);
+    device->read(monotonic_now_ns());
     device->push({.force_N = {9.0, 9.0, 9.0}}, kDt_s);
   }
   device->zero_force();

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -30,17 +31,22 @@ class Sketch final : public HapticDevice {
   }
 
   bool answers = true;
+  glm::dvec3 position_m{0.01, 0.02, 0.03};
+  bool is_saturated = false;
+  std::string says{};
   std::optional<double> strongest_N{};  ///< what its motors have, along the force that is asked for
   const std::vector<Wrench>& sent() const { return sent_; }
+  std::string trouble() const override { return says; }
 
  private:
   bool do_read(std::int64_t, ProbeState& state) noexcept override {
-    state.position_m = {0.01, 0.02, 0.03};
+    state.position_m = position_m;
     return answers;
   }
   bool do_send(const Wrench& limited) noexcept override {
     if (answers) {
-      sent_.push_back(limited);
+      if (sent_.size() < sent_.capacity()) sent_.push_back(limited);
+      if (is_saturated) gave_less();
       const double wanted_N = glm::length(limited.force_N);
       if (strongest_N && wanted_N > *strongest_N) {
         gave_only({.force_N = *strongest_N / wanted_N * limited.force_N});
@@ -107,6 +113,74 @@ TEST(HapticDevice, TellsWhatMotorsAtTheirLimitGave) {
   const auto next = device.push({.force_N = {0.0, 2.0, 0.0}}, kDt_s);
   EXPECT_EQ(next->wrench.force_N, glm::dvec3(0.0, 2.0, 0.0));
   EXPECT_EQ(next->reasons, 0);
+}
+
+TEST(HapticDevice, TellsThatMotorsGaveLessWhereNobodyKnowsHowMuch) {
+  Sketch device(capability(10.0), {.force_N = 8.0, .slew_N_per_s = 1e6});
+  device.is_saturated = true;
+  const auto limited = device.push({.force_N = {0.0, 6.0, 0.0}}, kDt_s);
+  EXPECT_EQ(limited->wrench.force_N, glm::dvec3(0.0, 6.0, 0.0));
+  EXPECT_TRUE(limited->has(LimitReason::force));
+  device.is_saturated = false;
+  EXPECT_EQ(device.push({.force_N = {0.0, 6.0, 0.0}}, kDt_s)->reasons, 0);
+}
+
+TEST(HapticDevice, SendsNothingWhereThereAreNoMotors) {
+  DeviceCapability mouse = capability(0.0);
+  mouse.actuated_degrees_of_freedom = 0;
+  Sketch device(mouse);
+  const auto limited = device.push({.force_N = {0.0, 0.0, 3.0}}, kDt_s);
+  ASSERT_TRUE(limited.has_value());
+  EXPECT_EQ(limited->wrench.force_N, glm::dvec3(0.0));  // what the record says was felt
+  EXPECT_EQ(limited->reasons, 0);
+}
+
+// Pushes for `ticks` milliseconds; the ticks in which it answered.
+int answered(Sketch& device, std::int64_t& tick, int ticks, double force_N) {
+  int count = 0;
+  for (int i = 0; i < ticks; ++i, ++tick) {
+    const bool is_read = device.read(tick * 1'000'000).has_value();
+    const bool is_pushed = device.push({.force_N = {0.0, 0.0, force_N}}, kDt_s).has_value();
+    EXPECT_EQ(is_read, is_pushed);
+    if (is_read) ++count;
+  }
+  return count;
+}
+
+TEST(HapticDevice, DoesNotAnswerWithAPoseThatStaysHoweverItIsPushed) {
+  Sketch device(capability(10.0));
+  std::int64_t tick = 0;
+  EXPECT_EQ(answered(device, tick, 3000, 1.9), 3000);
+  EXPECT_EQ(device.complaint(), "");
+  EXPECT_LT(answered(device, tick, 3000, 3.0), 1010);
+  device.read(tick * 1'000'000);
+  EXPECT_NE(device.complaint().find("the same position again and again"), std::string::npos);
+  device.says = "Its lamp is red.";
+  EXPECT_NE(device.complaint().find("open it anew. Its lamp is red."), std::string::npos);
+  EXPECT_EQ(answered(device, tick, 3000, 0.0), 0);  // still not believed
+  device.position_m.x += 38e-6;
+  EXPECT_EQ(answered(device, tick, 500, 3.0), 500);
+  EXPECT_EQ(device.complaint(), "Its lamp is red.");
+}
+
+TEST(HapticDevice, SendsZeroWhileItDoesNotBelieveThePose) {
+  Sketch device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  std::int64_t tick = 0;
+  // One reading a second: few enough for what the sketch keeps.
+  for (; tick < 20; ++tick) {
+    device.read(tick * 1'000'000'000);
+    device.push({.force_N = {0.0, 0.0, 4.0}}, kDt_s);
+  }
+  ASSERT_LT(device.sent().size(), device.sent().capacity());
+  EXPECT_EQ(device.sent().back().force_N, glm::dvec3(0.0));
+}
+
+TEST(HapticDevice, BelievesAComputedHandThatRestsToTheLastBit) {
+  DeviceCapability computed = capability(10.0);
+  computed.may_rest_exactly = true;
+  Sketch device(computed);
+  std::int64_t tick = 0;
+  EXPECT_EQ(answered(device, tick, 5000, 4.0), 5000);
 }
 
 TEST(HapticDevice, RefusesMotorsWithoutAPeakForce) {

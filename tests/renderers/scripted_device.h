@@ -24,6 +24,7 @@ class ScriptedDevice final : public HapticDevice {
     capability.name = "scripted";
     capability.peak_force_N = 100.0;
     capability.continuous_force_N = 100.0;
+    capability.may_rest_exactly = true;
     return capability;
   }
   // So generous that they leave alone whatever these tests render.

@@ -305,6 +305,40 @@ TEST(CalledServo, TakesASilentDeviceForLostWithoutATick) {
   EXPECT_EQ(record.sent.force_N.z, 0.0);
 }
 
+TEST(CalledServo, SendsNoForceInTheCallThatEndsASilence) {
+  CallingDevice device;
+  RecordRing ring(65536);
+  ServoLoop loop(device, ring, patient());
+  loop.present({.id = 1, .renderer = std::make_unique<Push>()});
+  {
+    const ServoThread thread(loop, device, Scheduling::normal);
+    const auto wait_for_ticks = [&loop](std::uint64_t more) {
+      const std::uint64_t until = loop.status().ticks + more;
+      while (loop.status().ticks < until) std::this_thread::yield();
+    };
+    // A little longer than it may be silent: in most rounds the call comes before the watch looks.
+    for (int round = 0; round < 12; ++round) {
+      wait_for_ticks(5);
+      device.is_silent = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(52));
+      device.is_silent = false;
+      wait_for_ticks(2);
+      loop.clear_fault();
+    }
+  }
+  TickRecord record;
+  std::int64_t last_ns = 0;
+  int silences = 0;
+  while (ring.pop(record)) {
+    if (last_ns != 0 && record.probe.time_ns - last_ns > 50'000'000) {
+      ++silences;
+      EXPECT_TRUE(record.has(TickFlag::fault_latched));
+    }
+    last_ns = record.probe.time_ns;
+  }
+  EXPECT_GT(silences, 0);
+}
+
 TEST(CalledServo, EndsThoughTheDevicesThreadHangsAndTurnsItAwayAfterwards) {
   CallingDevice device;
   RecordRing ring;
