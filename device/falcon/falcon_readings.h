@@ -16,8 +16,7 @@ namespace asperity::falcon {
 
 /// One answer of the device, in the machine's own frame.
 struct Reading {
-  std::int64_t time_ns = 0;   ///< monotonic, when the answer was here
-  std::int64_t moved_ns = 0;  ///< when its counts last were others
+  std::int64_t time_ns = 0;  ///< monotonic, when the answer was here
   ArmAngles_rad angles{};
   glm::dvec3 position_m{0.0};
   glm::dvec3 velocity_m_per_s{0.0};
@@ -28,9 +27,13 @@ struct Reading {
 /// Turns answers into readings.
 ///
 /// What the caller may rely on: there is no reading for counts at which the legs do not meet, and none
-/// farther from the last one than 1 mm and the way at 5 m/s, which no hand does: a bit that flipped on
-/// the wire. So every reading is finite, and one wild answer among good ones is dropped, while a place
-/// that stays is believed after as long as a hand would need to it.
+/// farther from the last reading than 1 mm and the way at 5 m/s since the last answer, which no hand
+/// does. So every reading is finite, and a wild answer among good ones, a bit that flipped on the wire, is
+/// dropped.
+///
+/// Encoders that go on telling of another place have lost or won counts: where the grip really is, nobody
+/// knows. They are believed again after 100 ms, twice what a device may be silent: by then the device is
+/// lost, its force at zero, and a person decides whether to go on.
 ///
 /// Real-time: does not allocate, lock or throw.
 class Readings final {
@@ -45,7 +48,8 @@ class Readings final {
  private:
   VelocityEstimator velocity_;
   std::optional<Reading> last_{};
-  std::array<std::int16_t, 3> last_counts_{};
+  std::int64_t heard_ns_ = 0;  // the last answer that told of a place, believed or not
+  std::optional<std::int64_t> doubted_since_ns_{};
   bool is_homed_ = false;
 };
 
