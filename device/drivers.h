@@ -26,6 +26,10 @@ struct DriverOptions {
   std::string service{};
   /// Told, while a device is opened, what a person has to do for it ("pull the grip out…").
   std::function<void(const std::string& sentence)> tell{};
+  /// Asked before a device that is opened moves by itself, with a sentence on what it will do: true when somebody
+  /// who can see it has been told and agrees. Null: nobody can be asked, and a device that has to move first is
+  /// refused.
+  std::function<bool(const std::string& sentence)> may_move{};
   /// Drivers with a thread of their own ask for SCHED_FIFO; refused, they go on without.
   bool wants_fifo = true;
   /// What holds the probe of the simulated device; has to outlive it. Null elsewhere.

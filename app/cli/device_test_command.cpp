@@ -16,6 +16,7 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/driver_options.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/tasks/device_test.h"
@@ -49,16 +50,10 @@ std::string in_four_digits(double value) {
   return {text.data(), end.ptr};
 }
 
-/// What a person has to know, and a yes, before a real device moves by itself.
-void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& options,
-                         bool is_agreed) {
-  const DeviceCapability& capability = device.capability();
-  say("asperity: the handle of " + capability.model + ' ' + capability.serial +
-      " will move by itself for a minute and a half, by at most 3 cm, with at most " +
-      fixed(options.force_N, 1) +
-      " N.\n  Let it hang free in the middle of its workspace, keep hands and hair away, and let "
-      "nobody hold it.\n  Ctrl-C takes the force away at once.");
-  if (is_agreed) return;
+/// Says what will happen and whether somebody agrees to it; `is_agreed` where they said so beforehand.
+bool agrees(const std::string& what, bool is_agreed) {
+  say("asperity: " + what);
+  if (is_agreed) return true;
   if (isatty(STDIN_FILENO) == 0) {
     throw WrongUsage(
         "device-test asks on a terminal before it moves a device, and there is none; use --yes "
@@ -66,7 +61,19 @@ void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& op
   }
   say("Type yes and press Enter to begin:");
   std::string answer{};
-  if (!std::getline(std::cin, answer) || answer != "yes") {
+  return std::getline(std::cin, answer) && answer == "yes";
+}
+
+/// What a person has to know, and a yes, before a real device is measured.
+void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& options,
+                         bool is_agreed) {
+  const DeviceCapability& capability = device.capability();
+  if (!agrees("the handle of " + capability.model + ' ' + capability.serial +
+                  " will move by itself for a minute and a half, by at most 3 cm, with at most " +
+                  fixed(options.force_N, 1) +
+                  " N.\n  Let it hang free in the middle of its workspace, keep hands and hair "
+                  "away, and let nobody hold it.\n  Ctrl-C takes the force away at once.",
+              is_agreed)) {
     throw std::runtime_error("nothing was measured: the answer was not yes");
   }
 }
@@ -115,8 +122,7 @@ void add_device_test(CLI::App& program, Job& job) {
       ->check(CLI::Range(0.1, 20.0))
       ->capture_default_str();
   command->add_option("--limit", options->limits, "NAME=NUMBER: what an item is held to");
-  command->add_option("--firmware", options->drivers.firmware,
-                      "File with the firmware of a Falcon");
+  add_driver_options(*command, options->drivers);
   command->add_flag("--yes", options->agreed, "Do not ask before the device moves");
   command->add_flag("--json", options->json, "Print the profile as JSON");
   command->callback([options, &job] {
@@ -127,6 +133,9 @@ void add_device_test(CLI::App& program, Job& job) {
       if (options->study) (void)Study::open(*options->study, Access::read_only);
       VirtualHand hand(HandHabits{}, Random(0));
       options->drivers.tell = [](const std::string& sentence) { say(sentence); };
+      options->drivers.may_move = [&options](const std::string& what) {
+        return agrees(what, options->agreed);
+      };
       options->drivers.hand = &hand;
       const std::unique_ptr<HapticDevice> device =
           built_in_drivers().open(options->device, options->drivers);

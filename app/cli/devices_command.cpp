@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/driver_options.h"
 #include "app/tasks/device_survey.h"
 
 namespace asperity {
@@ -65,8 +66,7 @@ void add_devices(CLI::App& program, Job& job) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
       "devices", "The drivers, what each finds attached, and what would make it usable.");
-  command->add_option("--firmware", options->drivers.firmware,
-                      "File with the firmware of a Falcon, as run takes it");
+  add_driver_options(*command, options->drivers);
   command->add_flag("--json", options->json, "Print one JSON document");
   command->callback([options, &job] {
     job = [options] {

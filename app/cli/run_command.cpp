@@ -11,6 +11,7 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/driver_options.h"
 #include "app/cli/session_output.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
@@ -50,8 +51,7 @@ void add_run(CLI::App& program, Job& job) {
                    "Device to run on: a name of asperity devices, and where there are several "
                    "NAME:SERIAL")
       ->capture_default_str();
-  command->add_option("--firmware", options->inputs.driver_options.firmware,
-                      "File with the firmware of a Falcon");
+  add_driver_options(*command, options->inputs.driver_options);
   command->add_option("--seed", options->seed, "Seed of the session; drawn anew by default");
   const std::map<std::string, SessionMode> modes{{"run", SessionMode::run},
                                                  {"pilot", SessionMode::pilot}};

@@ -12,8 +12,9 @@ namespace asperity {
 /// Force Dimension's SDK, loaded: libdrd where it is there (it brings libdhd with it and can find a
 /// device's zero), otherwise libdhd alone.
 ///
-/// The fields are named as the functions are, so that they can be held against the SDK's own pages. The
-/// last argument is the device's ID. They return 0, or kTimeGuard, or kMotorSaturated, or −1 with
+/// The fields are named as the functions are, so that they can be held against the SDK's own pages. Both
+/// functions that open one take its index in the list of those attached and return its ID, another number, which is
+/// the last argument of all others. These return 0, or kTimeGuard, or kMotorSaturated, or −1 with
 /// the reason in dhdErrorGetLastStr. Frame: x towards the participant, y to their right, z up; metres,
 /// newtons, newton metres.
 ///
@@ -40,7 +41,7 @@ class DhdFunctions final {
 
   int (*dhdGetDeviceCount)() = nullptr;
   int (*dhdGetAvailableCount)() = nullptr;  ///< null in old versions
-  int (*dhdOpenID)(char) = nullptr;
+  int (*dhdOpenID)(char index) = nullptr;   ///< of one that is open already: its ID again
   int (*dhdClose)(char) = nullptr;
   int (*dhdStop)(char) = nullptr;
   int (*dhdEnableForce)(unsigned char, char) = nullptr;
@@ -58,7 +59,7 @@ class DhdFunctions final {
   const char* (*dhdErrorGetLastStr)() = nullptr;
 
   // Null without libdrd.
-  int (*drdOpenID)(char) = nullptr;
+  int (*drdOpenID)(char index) = nullptr;
   bool (*drdIsInitialized)(char) = nullptr;
   int (*drdAutoInit)(char) = nullptr;
   int (*drdStop)(bool, char) = nullptr;

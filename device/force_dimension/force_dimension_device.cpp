@@ -64,6 +64,7 @@ std::string last_error_of(const DhdFunctions& sdk) {
 
 // What the SDK says of the device with this index while it is open; its own number for it.
 struct Identity {
+  char index = 0;
   char id = 0;
   int type = -1;
   std::string serial{};
@@ -87,7 +88,8 @@ Identity open_index(const DhdFunctions& sdk, int index) {
         ". See that no other program uses it and that this user may open it (udev rule for "
         "USB vendor 1451).");
   }
-  Identity identity{.id = static_cast<char>(id),
+  Identity identity{.index = static_cast<char>(index),
+                    .id = static_cast<char>(id),
                     .type = sdk.dhdGetSystemType(static_cast<char>(id))};
   unsigned short serial = 0;
   if (sdk.dhdGetSerialNumber(&serial, identity.id) >= 0) identity.serial = std::to_string(serial);
@@ -99,15 +101,18 @@ std::string unknown_type(int type) {
          ", which this program does not know: its force limits are not known either.";
 }
 
-bool knows_its_zero(const DhdFunctions& sdk, char id) {
-  if (sdk.has_robotics()) return sdk.drdOpenID(id) >= 0 && sdk.drdIsInitialized(id);
+bool knows_its_zero(const DhdFunctions& sdk, const Identity& identity) {
+  if (sdk.has_robotics()) {
+    return sdk.drdOpenID(identity.index) >= 0 && sdk.drdIsInitialized(identity.id);
+  }
   int status[DhdFunctions::kStatusSize] = {};
-  return sdk.dhdGetStatus(status, id) >= 0 && status[DhdFunctions::kStatusReset] != 0;
+  return sdk.dhdGetStatus(status, identity.id) >= 0 && status[DhdFunctions::kStatusReset] != 0;
 }
 
-// Finds the device's zero where it has lost it.
-void find_zero(const DhdFunctions& sdk, const Identity& identity, const std::string& model) {
-  if (knows_its_zero(sdk, identity.id)) return;
+// Has the device find its zero where it has lost it: it moves, and nobody may be hit who was not told.
+void find_zero(const DhdFunctions& sdk, const Identity& identity, const std::string& model,
+               const ForceDimensionDevice::MayMove& may_move) {
+  if (knows_its_zero(sdk, identity)) return;
   const std::string who = model + " " + identity.serial;
   if (!sdk.has_robotics()) {
     throw std::runtime_error(
@@ -115,9 +120,30 @@ void find_zero(const DhdFunctions& sdk, const Identity& identity, const std::str
         " does not know its zero, and libdhd alone cannot find it: install libdrd of the same "
         "SDK, or calibrate the device with its maker's program.");
   }
+  if (!may_move) {
+    throw std::runtime_error(
+        who +
+        " has lost its zero, as after it was switched off, and has to move by itself to find it. "
+        "It was not moved, because nobody can be asked here. Do it first with \"asperity "
+        "device-test force_dimension" +
+        (identity.serial.empty() ? "" : ":" + identity.serial) +
+        "\", which asks before anything moves, or calibrate the device as its maker's manual "
+        "says.");
+  }
+  if (!may_move("the handle of " + who +
+                " will move by itself, through its workspace and for some seconds, to find its "
+                "zero.\n  Let it hang free, keep hands and hair away, and let nobody hold it. "
+                "Should something be in its way, switch the device off.")) {
+    throw std::runtime_error(who +
+                             " has lost its zero and was not moved, because nobody agreed to it.");
+  }
   const bool found = sdk.drdAutoInit(identity.id) >= 0;
   const std::string words = found ? "" : last_error_of(sdk);
-  sdk.drdStop(true, identity.id);  // true: force stays ours to send
+  // true: force stays ours to send. While the SDK's own regulation runs, it is not.
+  if (sdk.drdStop(true, identity.id) < 0) {
+    throw std::runtime_error("The SDK does not let go of " + who + " (" + last_error_of(sdk) +
+                             ") and may still move it: switch the device off.");
+  }
   if (!found) {
     throw std::runtime_error(who + " did not find its zero: " + words +
                              ". Clear its workspace, let go of the handle and open it again.");
@@ -126,14 +152,15 @@ void find_zero(const DhdFunctions& sdk, const Identity& identity, const std::str
 
 }  // namespace
 
-ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index)
-    : ForceDimensionDevice(sdk, [&sdk, index] {
+ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index,
+                                           const MayMove& may_move)
+    : ForceDimensionDevice(sdk, [&sdk, index, &may_move] {
         Opened opened{.identity = open_index(*sdk, index)};
         try {
           std::optional<DhdModel> model = dhd_model_of(opened.identity.type);
           if (!model) throw std::runtime_error(unknown_type(opened.identity.type));
           opened.model = *std::move(model);
-          find_zero(*sdk, opened.identity, opened.model.capability.model);
+          find_zero(*sdk, opened.identity, opened.model.capability.model, may_move);
         } catch (...) {
           sdk->close(opened.identity.id);
           throw;
@@ -192,7 +219,7 @@ bool ForceDimensionDevice::reopen() {
     try {
       const Identity identity = open_index(*sdk_, index);
       const bool is_ours = identity.serial == capability().serial;
-      if (is_ours && knows_its_zero(*sdk_, identity.id)) {
+      if (is_ours && knows_its_zero(*sdk_, identity)) {
         sdk_->dhdEnableForce(1, identity.id);
         id_ = identity.id;
         has_lost_zero_.store(false);
@@ -323,8 +350,8 @@ std::string ForceDimensionDevice::trouble() const {
   };
   if (has_lost_zero_.load()) {
     tell(who +
-         " is back and has lost its zero: end the session and open it again. It then moves by "
-         "itself.");
+         " is back and has lost its zero: end the session, and let \"asperity device-test\" find "
+         "it, which asks before the device moves.");
   } else if (!answers_.load()) {
     const bool has_words = has_failed_.load(std::memory_order_acquire);
     tell(who + " does not answer" + (has_words ? " (" + std::string(failure_.data()) + ")" : "") +
@@ -365,7 +392,8 @@ DriverSurvey survey_of(const DhdFunctions& sdk) {
         device.model = model->capability.model;
         device.remark =
             sdk.has_robotics()
-                ? "When it is opened it may move by itself to find its zero: let go of the handle."
+                ? "After it was switched off it has to move by itself to find its zero: asperity "
+                  "device-test asks before it does."
                 : "";
       } else {
         device.hindrance = unknown_type(identity.type);
@@ -400,8 +428,8 @@ Driver force_dimension_driver() {
                 choose_attached("device of Force Dimension", attached, which).place;
             for (std::size_t index = 0; index < attached.size(); ++index) {
               if (attached[index].place != place) continue;
-              return std::make_unique<ForceDimensionDevice>(std::move(sdk),
-                                                            static_cast<int>(index));
+              return std::make_unique<ForceDimensionDevice>(std::move(sdk), static_cast<int>(index),
+                                                            options.may_move);
             }
             throw std::logic_error("the chosen device is not among those attached");
           }};

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -37,16 +38,20 @@ namespace asperity {
 /// The gripper is held open by nobody: it gets no force.
 ///
 /// Errors: the constructor throws std::runtime_error with a sentence when the device cannot be opened, is of
-/// a kind that we do not know, or has not found its zero and cannot.
+/// a kind that we do not know, or has lost its zero and may not or cannot find it.
 ///
 /// Threads: `gripper_angle_rad`, `counts` and `trouble` from any; the rest as HapticDevice.
 ///
 /// Real-time: as far as the SDK's functions are.
 class ForceDimensionDevice final : public HapticDevice {
  public:
-  /// Opens the one with this index. With libdrd a device that has lost its zero moves by itself to find it,
-  /// for some seconds: nobody may hold it.
-  ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index);
+  /// DriverOptions::may_move.
+  using MayMove = std::function<bool(const std::string& sentence)>;
+
+  /// Opens the one with this index. One that was switched off has lost its zero, and has to move by itself to find
+  /// it, for some seconds: only with libdrd, and after `may_move` said yes; otherwise it is refused, unmoved.
+  ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index,
+                       const MayMove& may_move = {});
   ~ForceDimensionDevice() override;
 
   /// Of the velocities: 2 ms late at 1 kHz, and σ·316/s of noise for an error σ of each position.

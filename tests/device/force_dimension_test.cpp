@@ -50,13 +50,21 @@ class ForceDimension : public testing::Test {
     bench->units.push_back({.type = type, .serial = serial});
     return bench->units.back();
   }
-  std::unique_ptr<ForceDimensionDevice> open() {
+  std::unique_ptr<ForceDimensionDevice> open(const ForceDimensionDevice::MayMove& may_move = {}) {
     return std::make_unique<ForceDimensionDevice>(
-        std::make_shared<const DhdFunctions>(ASPERITY_TEST_DRD), 0);
+        std::make_shared<const DhdFunctions>(ASPERITY_TEST_DRD), 0, may_move);
   }
+
+  // As with somebody beside it who is told and says yes.
+  const ForceDimensionDevice::MayMove agrees = [this](const std::string& sentence) {
+    told = sentence;
+    bench->calls.push_back("asked");
+    return true;
+  };
 
   const Driver driver = force_dimension_driver();
   const DriverOptions options{.library = ASPERITY_TEST_DRD};
+  std::string told{};
   test_dhd::Bench* bench = nullptr;
 
  private:
@@ -86,7 +94,7 @@ TEST_F(ForceDimension, FindsTwoAlikeByTheirSerialNumbers) {
   EXPECT_EQ(survey.attached[1].model, "omega.3");
   EXPECT_EQ(survey.attached[1].serial, "202");
   EXPECT_EQ(survey.attached[1].place, "dhd 1");
-  EXPECT_THAT(survey.attached[1].remark, HasSubstr("let go of the handle"));
+  EXPECT_THAT(survey.attached[1].remark, HasSubstr("asks before it does"));
   EXPECT_FALSE(bench->units[0].is_open);
   EXPECT_FALSE(bench->units[1].is_open);
 
@@ -132,23 +140,58 @@ TEST_F(ForceDimension, KnowsWhatEachModelCanDo) {
   EXPECT_FALSE(dhd_model_of(-1).has_value());
 }
 
-TEST_F(ForceDimension, MovesToFindItsZeroOnlyWhenItHasLostIt) {
+TEST_F(ForceDimension, MovesToFindItsZeroOnlyWhenItHasLostItAndSomebodyAgrees) {
   attach(33, 101);
-  open();
-  EXPECT_THAT(bench->calls, Not(Contains("drdAutoInit 0")));
+  open(agrees);
+  EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
+  EXPECT_EQ(told, "");
   bench->units[0].knows_its_zero = false;
   bench->calls.clear();
-  open();
+  open(agrees);
+  EXPECT_THAT(told, AllOf(HasSubstr("omega.3 101 will move by itself"), HasSubstr("nobody hold")));
   EXPECT_THAT(bench->calls,
-              ElementsAre("dhdOpenID 0", "drdOpenID 0", "drdAutoInit 0", "drdStop with force 0",
-                          "dhdStop 0", "drdClose 0", "dhdClose 0"));
+              ElementsAre("dhdOpenID 0", "drdOpenID 0", "asked", "drdAutoInit 3",
+                          "drdStop with force 3", "dhdStop 3", "drdClose 3", "dhdClose 3"));
+}
+
+TEST_F(ForceDimension, IsNotMovedWhereNobodyWasAskedOrSomebodySaidNo) {
+  attach(33, 101).knows_its_zero = false;
+  EXPECT_THAT(complaint_of([&] { driver.open("", options); }),
+              AllOf(HasSubstr("omega.3 101 has lost its zero"),
+                    HasSubstr("asperity device-test force_dimension:101"), HasSubstr("manual")));
+  EXPECT_THAT(complaint_of([&] { open([](const std::string&) { return false; }); }),
+              AllOf(HasSubstr("was not moved"), HasSubstr("nobody agreed")));
+  EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
+  EXPECT_FALSE(bench->units[0].is_open);
+}
+
+TEST_F(ForceDimension, RefusesADeviceThatTheSdkDoesNotLetGoOf) {
+  attach(33, 101).knows_its_zero = false;
+  bench->stop_answer = -1;
+  EXPECT_THAT(complaint_of([&] { open(agrees); }),
+              AllOf(HasSubstr("does not let go of omega.3 101"),
+                    HasSubstr("the regulation goes on"), HasSubstr("switch the device off")));
+  EXPECT_FALSE(bench->units[0].is_open);
+}
+
+// The SDK opens by place and speaks to what is open by ID: mixed up, the neighbour would move.
+TEST_F(ForceDimension, FindsTheZeroOfTheOneThatWasAskedFor) {
+  attach(33, 101);
+  attach(33, 202).knows_its_zero = false;
+  attach(33, 303);
+  DriverOptions with_somebody = options;
+  with_somebody.may_move = agrees;
+  EXPECT_EQ(driver.open("202", with_somebody)->capability().serial, "202");
+  EXPECT_TRUE(bench->units[1].knows_its_zero);
+  EXPECT_THAT(bench->calls, Contains("drdAutoInit 5"));
+  for (const test_dhd::Unit& unit : bench->units) EXPECT_FALSE(unit.is_open);
 }
 
 TEST_F(ForceDimension, RefusesADeviceThatDoesNotFindItsZero) {
   test_dhd::Unit& unit = attach(33, 101);
   unit.knows_its_zero = false;
   unit.finds_its_zero = false;
-  EXPECT_THAT(complaint_of([&] { open(); }),
+  EXPECT_THAT(complaint_of([&] { open(agrees); }),
               AllOf(HasSubstr("omega.3 101"), HasSubstr("the handle was held"),
                     HasSubstr("open it again")));
   EXPECT_FALSE(bench->units[0].is_open);
@@ -309,7 +352,7 @@ TEST_F(ForceDimension, DoesNotMoveADeviceThatIsBackWithoutItsZero) {
   while (device->trouble().find("lost its zero") == std::string::npos) std::this_thread::yield();
   EXPECT_FALSE(device->read(now_ns += kMillisecond_ns).has_value());
   device.reset();
-  EXPECT_THAT(bench->calls, Not(Contains("drdAutoInit 0")));
+  EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
 }
 
 TEST_F(ForceDimension, RefusesToPushWhileTheForceIsOffAndSaysWhatSwitchedItOff) {

@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdlib>
+#include <fstream>
 #include <mutex>
 
 using asperity::test_dhd::Bench;
@@ -11,7 +13,17 @@ using asperity::test_dhd::Unit;
 
 namespace {
 
-Bench the_bench;
+// For a program that a test starts: one unit with this serial number, which was switched off.
+Bench bench_of_this_process() {
+  Bench bench;
+  if (const char* serial = std::getenv("ASPERITY_TEST_DHD_SWITCHED_OFF")) {
+    bench.units.push_back(
+        {.serial = static_cast<unsigned short>(std::atoi(serial)), .knows_its_zero = false});
+  }
+  return bench;
+}
+
+Bench the_bench = bench_of_this_process();
 std::mutex the_notes;
 
 // The driver looks for a lost device in a thread of its own.
@@ -22,22 +34,48 @@ int failed(const char* reason) {
   return -1;
 }
 
-Unit* unit_of(char id) {
-  const auto index = static_cast<std::size_t>(id);
+// Which one is opened is said by its place in the list; from then on by an ID, which is another number.
+char id_at(std::size_t index) { return static_cast<char>(3 + 2 * index); }
+
+Unit* unit_at(std::size_t index) {
   if (!is_there()) {
     failed("device disconnected");
     return nullptr;
   }
-  if (id < 0 || index >= the_bench.units.size()) {
+  if (index >= the_bench.units.size()) {
     failed("no such device");
     return nullptr;
   }
   return &the_bench.units[index];
 }
 
+Unit* unit_of(char id) {
+  for (std::size_t index = 0; index < the_bench.units.size(); ++index) {
+    if (id_at(index) != id) continue;
+    Unit* unit = unit_at(index);
+    if (unit == nullptr || unit->is_open) return unit;
+    break;
+  }
+  failed("no open device has this ID");
+  return nullptr;
+}
+
+int opened_at(char index) {
+  Unit* unit = index < 0 ? nullptr : unit_at(static_cast<std::size_t>(index));
+  if (unit == nullptr) return -1;
+  if (!unit->is_open) {
+    unit->is_open = true;
+    unit->is_stopped = false;
+  }
+  return id_at(static_cast<std::size_t>(index));
+}
+
 void note(const char* function, char id) {
   const std::lock_guard lock(the_notes);
   the_bench.calls.push_back(std::string(function) + " " + std::to_string(static_cast<int>(id)));
+  if (const char* file = std::getenv("ASPERITY_TEST_DHD_CALLS")) {
+    std::ofstream(file, std::ios::app) << the_bench.calls.back() << '\n';
+  }
 }
 
 }  // namespace
@@ -54,19 +92,16 @@ int dhdGetAvailableCount() {
 }
 int dhdOpenID(char index) {
   note("dhdOpenID", index);
-  Unit* unit = unit_of(index);
-  if (unit == nullptr) return -1;
-  unit->force_is_on = true;
-  unit->is_open = true;
-  unit->is_stopped = false;
-  return index;
+  return opened_at(index);
 }
 int dhdClose(char id) {
   note("dhdClose", id);
   Unit* unit = unit_of(id);
-  if (unit == nullptr) return -1;
-  unit->is_open = false;
-  return 0;
+  // What is closed after its cable was pulled is closed.
+  for (std::size_t index = 0; index < the_bench.units.size(); ++index) {
+    if (id_at(index) == id) the_bench.units[index].is_open = false;
+  }
+  return unit == nullptr ? -1 : 0;
 }
 int dhdStop(char id) {
   note("dhdStop", id);
@@ -142,9 +177,9 @@ int dhdSetForceAndTorqueAndGripperForce(double fx, double fy, double fz, double 
 const char* dhdErrorGetLastStr() { return the_bench.last_error; }
 
 #ifndef ASPERITY_TEST_DHD_WITHOUT_DRD
-int drdOpenID(char id) {
-  note("drdOpenID", id);
-  return unit_of(id) == nullptr ? -1 : id;
+int drdOpenID(char index) {
+  note("drdOpenID", index);
+  return opened_at(index);
 }
 bool drdIsInitialized(char id) {
   const Unit* unit = unit_of(id);
@@ -160,7 +195,7 @@ int drdAutoInit(char id) {
 }
 int drdStop(bool leaves_force_on, char id) {
   note(leaves_force_on ? "drdStop with force" : "drdStop", id);
-  return 0;
+  return the_bench.stop_answer < 0 ? failed("the regulation goes on") : 0;
 }
 int drdClose(char id) {
   note("drdClose", id);

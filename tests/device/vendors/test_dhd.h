@@ -29,6 +29,7 @@ struct Bench {
   bool is_there = true;  ///< false: every call for a device fails, as after its cable was pulled
   int read_answer = 0;
   int send_answer = 0;
+  int stop_answer = 0;  ///< of drdStop
   const char* last_error = "no error";
   std::vector<std::string> calls{};  ///< those that open, move, close
 };

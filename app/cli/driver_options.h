@@ -1,0 +1,21 @@
+// What a lab tells the drivers on the command line.
+
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "device/drivers.h"
+
+namespace asperity {
+
+/// Adds --firmware, --library and --service. `options` has to outlive the command.
+inline void add_driver_options(CLI::App& command, DriverOptions& options) {
+  command.add_option("--firmware", options.firmware, "File with the firmware of a Falcon");
+  command.add_option("--library", options.library,
+                     "File of the maker's library, where the system does not find it "
+                     "(force_dimension, openhaptics)");
+  command.add_option("--service", options.service,
+                     "HOST:PORT of Haply's Inverse Service, where not 127.0.0.1:10001 (inverse3)");
+}
+
+}  // namespace asperity

@@ -1,0 +1,92 @@
+// A device that has to move by itself before it can be used: nobody's arm moves unasked.
+
+#include <gtest/gtest.h>
+
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+// A stand-in for Force Dimension's SDK with one device, which was switched off.
+class MovingDevice : public testing::Test {
+ protected:
+  Invocation invocation(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.end(), {"--library", ASPERITY_TEST_DRD});
+    Invocation invocation{};
+    invocation.arguments = std::move(arguments);
+    invocation.environment = {{"ASPERITY_TEST_DHD_SWITCHED_OFF", "101"},
+                              {"ASPERITY_TEST_DHD_CALLS", calls_.string()}};
+    return invocation;
+  }
+  bool has_moved() const { return text_of(calls_).find("drdAutoInit") != std::string::npos; }
+
+  const SmallStudy small{1};
+
+ private:
+  const fs::path calls_ = small.place() / "calls.txt";
+};
+
+TEST_F(MovingDevice, IsNotMovedByALookAtWhatIsAttached) {
+  const Outcome outcome = run(invocation({"devices"}));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("omega.3, serial 101"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("device-test asks before it does"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(has_moved());
+}
+
+TEST_F(MovingDevice, IsNotMovedByATestWithoutATerminal) {
+  const Outcome outcome = run(invocation({"device-test", "force_dimension"}));
+  EXPECT_EQ(outcome.status, 2) << outcome.err;
+  EXPECT_NE(outcome.err.find("omega.3 101 will move by itself"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(has_moved());
+}
+
+TEST_F(MovingDevice, IsNotMovedByATestThatIsToldNo) {
+  Invocation asked = invocation({"device-test", "force_dimension"});
+  asked.on_terminal = true;
+  Program program(asked);
+  EXPECT_TRUE(program.read_until([](const std::string&, const std::string& err) {
+    return err.find("Type yes") != std::string::npos;
+  })) << program.err();
+  EXPECT_FALSE(has_moved());
+  program.type("no\n");
+  const Outcome outcome = program.finish();
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("nobody agreed"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(has_moved());
+}
+
+TEST_F(MovingDevice, IsMovedByATestThatIsToldYes) {
+  Invocation asked = invocation({"device-test", "force_dimension"});
+  asked.on_terminal = true;
+  Program program(asked);
+  const auto questions = [&](std::size_t wanted) {
+    return program.read_until([wanted](const std::string&, const std::string& err) {
+      std::size_t seen = 0;
+      for (std::size_t at = 0; (at = err.find("Type yes", at)) != std::string::npos; ++at) ++seen;
+      return seen >= wanted;
+    });
+  };
+  EXPECT_TRUE(questions(1)) << program.err();
+  program.type("yes\n");
+  EXPECT_TRUE(questions(2)) << program.err();  // before it is measured
+  EXPECT_TRUE(has_moved());
+  program.type("no\n");
+  EXPECT_EQ(program.finish().status, 1);
+}
+
+TEST_F(MovingDevice, IsNotMovedByASession) {
+  Invocation session = invocation({"run", small.selection(), "--study", small.study(),
+                                   "--participant", "anna", "--device", "force_dimension"});
+  session.on_terminal = true;
+  const Outcome outcome = run(session);
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("omega.3 101 has lost its zero"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("asperity device-test force_dimension:101"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(has_moved());
+}
+
+}  // namespace
+}  // namespace asperity::test
