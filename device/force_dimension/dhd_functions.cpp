@@ -19,6 +19,7 @@ DhdFunctions::DhdFunctions(const std::filesystem::path& library)
   library_.find("dhdGetDeviceCount", dhdGetDeviceCount);
   library_.find_if_there("dhdGetAvailableCount", dhdGetAvailableCount);
   library_.find("dhdOpenID", dhdOpenID);
+  library_.find_if_there("dhdOpenSerial", dhdOpenSerial);
   library_.find("dhdClose", dhdClose);
   library_.find("dhdStop", dhdStop);
   library_.find("dhdEnableForce", dhdEnableForce);
@@ -28,7 +29,6 @@ DhdFunctions::DhdFunctions(const std::filesystem::path& library)
   library_.find("dhdGetStatus", dhdGetStatus);
   library_.find("dhdGetPosition", dhdGetPosition);
   library_.find("dhdGetPositionAndOrientationFrame", dhdGetPositionAndOrientationFrame);
-  library_.find("dhdGetGripperAngleRad", dhdGetGripperAngleRad);
   library_.find("dhdGetButtonMask", dhdGetButtonMask);
   library_.find("dhdSetForceAndTorqueAndGripperForce", dhdSetForceAndTorqueAndGripperForce);
   library_.find("dhdErrorGetLastStr", dhdErrorGetLastStr);
@@ -36,7 +36,6 @@ DhdFunctions::DhdFunctions(const std::filesystem::path& library)
   library_.find_if_there("drdAutoInit", drdAutoInit);
   if (has_robotics()) {
     library_.find("drdOpenID", drdOpenID);
-    library_.find("drdIsInitialized", drdIsInitialized);
     library_.find("drdStop", drdStop);
     library_.find("drdClose", drdClose);
   }

@@ -29,7 +29,6 @@ class DhdFunctions final {
 
   // What dhdGetStatus fills: 16 numbers, 17 in later versions. Room for more, should there be more.
   static constexpr int kStatusSize = 32;
-  static constexpr int kStatusPower = 0;
   static constexpr int kStatusReset = 3;  ///< the device knows its zero
   static constexpr int kStatusForce = 5;
   static constexpr int kStatusForceOffCause = 14;
@@ -40,8 +39,9 @@ class DhdFunctions final {
   bool has_robotics() const noexcept { return drdAutoInit != nullptr; }
 
   int (*dhdGetDeviceCount)() = nullptr;
-  int (*dhdGetAvailableCount)() = nullptr;  ///< null in old versions
-  int (*dhdOpenID)(char index) = nullptr;   ///< of one that is open already: its ID again
+  int (*dhdGetAvailableCount)() = nullptr;     ///< null in old versions
+  int (*dhdOpenID)(char index) = nullptr;      ///< of one that is open already: its ID again
+  int (*dhdOpenSerial)(int serial) = nullptr;  ///< null in old versions; fails for old models
   int (*dhdClose)(char) = nullptr;
   int (*dhdStop)(char) = nullptr;
   int (*dhdEnableForce)(unsigned char, char) = nullptr;
@@ -52,7 +52,6 @@ class DhdFunctions final {
   int (*dhdGetPosition)(double*, double*, double*, char) = nullptr;
   int (*dhdGetPositionAndOrientationFrame)(double*, double*, double*, double (*)[3],
                                            char) = nullptr;
-  int (*dhdGetGripperAngleRad)(double*, char) = nullptr;
   unsigned int (*dhdGetButtonMask)(char) = nullptr;
   int (*dhdSetForceAndTorqueAndGripperForce)(double, double, double, double, double, double, double,
                                              char) = nullptr;
@@ -60,13 +59,9 @@ class DhdFunctions final {
 
   // Null without libdrd.
   int (*drdOpenID)(char index) = nullptr;
-  bool (*drdIsInitialized)(char) = nullptr;
   int (*drdAutoInit)(char) = nullptr;
   int (*drdStop)(bool, char) = nullptr;
   int (*drdClose)(char) = nullptr;
-
-  /// With the function that belongs to how the device was opened.
-  void close(char id) const noexcept { has_robotics() ? drdClose(id) : dhdClose(id); }
 
  private:
   VendorLibrary library_;

@@ -8,7 +8,6 @@ namespace asperity {
 namespace {
 
 enum class Turns { no, sensed, actuated };
-enum class Gripper { no, yes };
 
 struct Figures {
   const char* model = "";
@@ -19,7 +18,7 @@ struct Figures {
 // With orders that reach the device when they are sent, 4 kHz is what the SDK's pages call the limit.
 constexpr double kFastest_Hz = 4000.0;
 
-DhdModel model_of(const Figures& figures, Turns turns, Gripper gripper, const std::string& more) {
+DhdModel model_of(const Figures& figures, Turns turns, const std::string& more = {}) {
   DhdModel model;
   DeviceCapability& capability = model.capability;
   capability.name = "force_dimension";
@@ -37,7 +36,6 @@ DhdModel model_of(const Figures& figures, Turns turns, Gripper gripper, const st
       "are not told. The maker's software adds what holds the handle's own weight." +
       more;
   model.has_wrist = turns != Turns::no;
-  model.has_gripper = gripper == Gripper::yes;
   return model;
 }
 
@@ -46,30 +44,30 @@ DhdModel model_of(const Figures& figures, Turns turns, Gripper gripper, const st
 std::optional<DhdModel> dhd_model_of(int system_type) {
   switch (system_type) {
     case 63:
-      return model_of({"delta.3", 20.0, 0.15}, Turns::no, Gripper::no, "");
+      return model_of({"delta.3", 20.0, 0.15}, Turns::no);
     case 64:
-      return model_of({"delta.6", 20.0, 0.15}, Turns::actuated, Gripper::no, "");
+      return model_of({"delta.6", 20.0, 0.15}, Turns::actuated);
     case 33:
-      return model_of({"omega.3", 12.0, 0.075}, Turns::no, Gripper::no, "");
+      return model_of({"omega.3", 12.0, 0.075}, Turns::no);
     case 34:
     case 36:
-      return model_of({"omega.6", 12.0, 0.075}, Turns::sensed, Gripper::no, "");
+      return model_of({"omega.6", 12.0, 0.075}, Turns::sensed);
     case 35:
     case 37:
-      return model_of({"omega.7", 12.0, 0.075}, Turns::sensed, Gripper::yes, "");
+      return model_of({"omega.7", 12.0, 0.075}, Turns::sensed);
     case 104:
     case 105:
-      return model_of({"sigma.7", 12.0, 0.075}, Turns::actuated, Gripper::yes, "");
+      return model_of({"sigma.7", 12.0, 0.075}, Turns::actuated);
     case 106:
     case 107:
-      return model_of({"sigma.6+", 12.0, 0.09}, Turns::actuated, Gripper::no, "");
+      return model_of({"sigma.6+", 12.0, 0.09}, Turns::actuated);
     case 108:
     case 109:
       return model_of(
-          {"lambda.7", 12.0, 0.075}, Turns::actuated, Gripper::yes,
+          {"lambda.7", 12.0, 0.075}, Turns::actuated,
           " No figures for lambda.7 were at hand: it is driven within those of sigma.7.");
     case 60:
-      return model_of({"Falcon", 8.0, 0.04}, Turns::no, Gripper::no, "");
+      return model_of({"Falcon", 8.0, 0.04}, Turns::no);
     default:
       return std::nullopt;
   }

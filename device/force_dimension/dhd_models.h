@@ -16,8 +16,7 @@ namespace asperity {
 /// continuous force are not told (0). For lambda.7, which CHAI3D does not know, they are those of sigma.7.
 struct DhdModel {
   DeviceCapability capability{};
-  bool has_wrist = false;    ///< senses orientation
-  bool has_gripper = false;  ///< senses how far its gripper is open
+  bool has_wrist = false;  ///< senses orientation
 };
 std::optional<DhdModel> dhd_model_of(int system_type);
 

@@ -13,6 +13,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "device/small_turn.h"
+#include "device/units_in_use.h"
 
 namespace asperity {
 namespace {
@@ -20,8 +21,7 @@ namespace {
 constexpr std::int64_t kLongestStale_ns = 50'000'000;
 constexpr std::int64_t kLongestFailure_ns = 200'000'000;
 constexpr std::chrono::milliseconds kBetweenTrials(250);
-constexpr std::int64_t kBetweenLooks_ns =
-    100'000'000;  // at the status; it changes when people press a button
+constexpr const char* kForceDimension = "force_dimension";
 
 // The SDK's x is towards the participant and its y to their right; ours are their right and away from them.
 glm::dvec3 ours_from(const glm::dvec3& theirs) noexcept { return {theirs.y, -theirs.x, theirs.z}; }
@@ -36,11 +36,20 @@ glm::dquat orientation_from(const double (&rows)[3][3]) noexcept {
 std::string place_of(int index) { return "dhd " + std::to_string(index); }
 
 // Of the SDK: what switched the force off.
+constexpr int kByButton = 1;
+constexpr int kByVelocityGuard = 2;
+constexpr int kByDeadman = 6;
+
+// A person, or the guard over what a person did, switched the force off: it is theirs to switch on again.
+bool is_for_people(int cause) noexcept {
+  return cause == kByButton || cause == kByVelocityGuard || cause == kByDeadman;
+}
+
 std::string cause_of(int cause) {
   switch (cause) {
-    case 1:
+    case kByButton:
       return "its force button was pressed; press it again";
-    case 2:
+    case kByVelocityGuard:
       return "its velocity guard has tripped: the handle was moved faster than its maker allows. "
              "Press the force "
              "button";
@@ -50,7 +59,7 @@ std::string cause_of(int cause) {
       return "a program has switched it off. Press the force button";
     case 5:
       return "its USB connection broke. See that the cable sits";
-    case 6:
+    case kByDeadman:
       return "nobody holds its handle. Hold it";
     default:
       return "the device does not say why. Press the force button";
@@ -68,7 +77,12 @@ struct Identity {
   char id = 0;
   int type = -1;
   std::string serial{};
+  bool is_robotic = false;  ///< opened by libdrd as well
 };
+
+void close_device(const DhdFunctions& sdk, const Identity& identity) {
+  identity.is_robotic ? sdk.drdClose(identity.id) : sdk.dhdClose(identity.id);
+}
 
 }  // namespace
 
@@ -79,6 +93,15 @@ struct ForceDimensionDevice::Opened {
 
 namespace {
 
+Identity identity_of(const DhdFunctions& sdk, int index, int id) {
+  Identity identity{.index = static_cast<char>(index),
+                    .id = static_cast<char>(id),
+                    .type = sdk.dhdGetSystemType(static_cast<char>(id))};
+  unsigned short serial = 0;
+  if (sdk.dhdGetSerialNumber(&serial, identity.id) >= 0) identity.serial = std::to_string(serial);
+  return identity;
+}
+
 Identity open_index(const DhdFunctions& sdk, int index) {
   const int id = sdk.dhdOpenID(static_cast<char>(index));
   if (id < 0) {
@@ -88,12 +111,7 @@ Identity open_index(const DhdFunctions& sdk, int index) {
         ". See that no other program uses it and that this user may open it (udev rule for "
         "USB vendor 1451).");
   }
-  Identity identity{.index = static_cast<char>(index),
-                    .id = static_cast<char>(id),
-                    .type = sdk.dhdGetSystemType(static_cast<char>(id))};
-  unsigned short serial = 0;
-  if (sdk.dhdGetSerialNumber(&serial, identity.id) >= 0) identity.serial = std::to_string(serial);
-  return identity;
+  return identity_of(sdk, index, id);
 }
 
 std::string unknown_type(int type) {
@@ -101,16 +119,19 @@ std::string unknown_type(int type) {
          ", which this program does not know: its force limits are not known either.";
 }
 
+// What its controller says, which is also what its lamp shows.
 bool knows_its_zero(const DhdFunctions& sdk, const Identity& identity) {
-  if (sdk.has_robotics()) {
-    return sdk.drdOpenID(identity.index) >= 0 && sdk.drdIsInitialized(identity.id);
-  }
   int status[DhdFunctions::kStatusSize] = {};
   return sdk.dhdGetStatus(status, identity.id) >= 0 && status[DhdFunctions::kStatusReset] != 0;
 }
 
+// What was asked of it before it was let go of, it would give again when somebody switches its force on.
+bool is_at_zero(const DhdFunctions& sdk, char id) noexcept {
+  return sdk.dhdSetForceAndTorqueAndGripperForce(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, id) >= 0;
+}
+
 // Has the device find its zero where it has lost it: it moves, and nobody may be hit who was not told.
-void find_zero(const DhdFunctions& sdk, const Identity& identity, const std::string& model,
+void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& model,
                const ForceDimensionDevice::MayMove& may_move) {
   if (knows_its_zero(sdk, identity)) return;
   const std::string who = model + " " + identity.serial;
@@ -137,6 +158,13 @@ void find_zero(const DhdFunctions& sdk, const Identity& identity, const std::str
     throw std::runtime_error(who +
                              " has lost its zero and was not moved, because nobody agreed to it.");
   }
+  // By its index: the SDK's pages hand out the ID of a device that is open already.
+  const int id = sdk.drdOpenID(identity.index);
+  identity.is_robotic = id >= 0;
+  if (id != identity.id) {
+    throw std::runtime_error("libdrd cannot open " + who + ": " + last_error_of(sdk) +
+                             ". It was not moved; see that no other program uses it.");
+  }
   const bool found = sdk.drdAutoInit(identity.id) >= 0;
   const std::string words = found ? "" : last_error_of(sdk);
   // true: force stays ours to send. While the SDK's own regulation runs, it is not.
@@ -161,8 +189,15 @@ ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> s
           if (!model) throw std::runtime_error(unknown_type(opened.identity.type));
           opened.model = *std::move(model);
           find_zero(*sdk, opened.identity, opened.model.capability.model, may_move);
+          if (!is_at_zero(*sdk, opened.identity.id) ||
+              sdk->dhdEnableForce(1, opened.identity.id) < 0) {
+            throw std::runtime_error(opened.model.capability.model + " " + opened.identity.serial +
+                                     " does not switch its force on: " + last_error_of(*sdk) +
+                                     ". See that it has power.");
+          }
         } catch (...) {
-          sdk->close(opened.identity.id);
+          if (opened.identity.is_robotic) sdk->dhdStop(opened.identity.id);
+          close_device(*sdk, opened.identity);
           throw;
         }
         return opened;
@@ -179,10 +214,12 @@ ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> s
           ForceLimits{}),
       sdk_(std::move(sdk)),
       id_(opened.identity.id),
+      is_robotic_(opened.identity.is_robotic),
+      type_(opened.identity.type),
       has_wrist_(opened.model.has_wrist),
-      has_gripper_(opened.model.has_gripper) {
-  sdk_->dhdEnableForce(1, id_);
-  zero_force();
+      in_use_(kForceDimension, {.model = capability().model,
+                                .serial = capability().serial,
+                                .place = place_of(opened.identity.index)}) {
   keeper_ = std::thread([this] { keep(); });
 }
 
@@ -197,54 +234,66 @@ ForceDimensionDevice::~ForceDimensionDevice() {
   is_given_up_.store(false);
   zero_force();
   sdk_->dhdStop(id_);
-  sdk_->close(id_);
+  close_device(*sdk_, {.id = id_, .is_robotic = is_robotic_});
 }
 
 void ForceDimensionDevice::keep() {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, kBetweenTrials, [this] { return ends_; })) {
     if (!is_given_up_.load(std::memory_order_acquire)) continue;
-    if (!is_closed_) sdk_->close(id_);
+    if (!is_closed_) close_device(*sdk_, {.id = id_, .is_robotic = is_robotic_});
     is_closed_ = true;
-    if (!reopen()) continue;
+    // Somebody looks for devices, or opens one: there is a next time.
+    const std::unique_lock alone(UnitInUse::looking(), std::try_to_lock);
+    if (!alone.owns_lock() || !reopen()) continue;
     is_closed_ = false;
     is_given_up_.store(false, std::memory_order_release);
   }
 }
 
-// The device with our serial number, at whatever place it is now.
-bool ForceDimensionDevice::reopen() {
-  const int count = sdk_->dhdGetDeviceCount();
-  for (int index = 0; index < count; ++index) {
-    try {
-      const Identity identity = open_index(*sdk_, index);
-      const bool is_ours = identity.serial == capability().serial;
-      if (is_ours && knows_its_zero(*sdk_, identity)) {
-        sdk_->dhdEnableForce(1, identity.id);
-        id_ = identity.id;
-        has_lost_zero_.store(false);
-        return true;
-      }
-      has_lost_zero_.store(is_ours || has_lost_zero_.load());
-      if (is_ours) {
-        sdk_->close(identity.id);
-      } else {
-        sdk_->dhdClose(identity.id);
-      }
-    } catch (const std::runtime_error&) {
-      // Another one that somebody else uses, or ours, not yet ready: there is a next time.
-    }
+// The ID of the device with our serial number, opened, at whatever place it is now.
+std::optional<char> ForceDimensionDevice::find_again() {
+  const std::string& serial = capability().serial;
+  if (sdk_->dhdOpenSerial != nullptr && !serial.empty()) {
+    const int id = sdk_->dhdOpenSerial(std::stoi(serial));
+    if (id >= 0) return static_cast<char>(id);
   }
-  return false;
+  // A model or an SDK that cannot be asked by serial number: each has to be opened to tell its own, which nobody
+  // else may be using.
+  const int count = sdk_->dhdGetDeviceCount();
+  const bool all_are_free = sdk_->dhdGetAvailableCount != nullptr &&
+                            sdk_->dhdGetAvailableCount() >= count &&
+                            UnitInUse::of(kForceDimension).size() == 1;
+  if (!all_are_free || (serial.empty() && count != 1)) return std::nullopt;
+  for (int index = 0; index < count; ++index) {
+    const int id = sdk_->dhdOpenID(static_cast<char>(index));
+    if (id < 0) continue;  // not ready yet
+    const Identity identity = identity_of(*sdk_, index, id);
+    if (identity.serial == serial && identity.type == type_) return identity.id;
+    sdk_->dhdClose(identity.id);
+  }
+  return std::nullopt;
 }
 
-ForceDimensionDevice::Counts ForceDimensionDevice::counts() const noexcept {
-  return {.not_new = not_new_.load(), .saturated = saturated_.load()};
-}
-
-std::optional<double> ForceDimensionDevice::gripper_angle_rad() const noexcept {
-  if (!has_gripper_) return std::nullopt;
-  return gripper_angle_rad_.load();
+bool ForceDimensionDevice::reopen() {
+  const std::optional<char> id = find_again();
+  if (!id) return false;
+  int status[DhdFunctions::kStatusSize] = {};
+  const bool answers = sdk_->dhdGetStatus(status, *id) >= 0;
+  const bool knows_zero = status[DhdFunctions::kStatusReset] != 0;
+  if (answers) has_lost_zero_.store(!knows_zero);
+  // What people or their guard had switched off when it was lost, or have switched off since, stays off.
+  const bool stays_off = is_for_people(force_off_cause_.load()) ||
+                         (status[DhdFunctions::kStatusForce] == 0 &&
+                          is_for_people(status[DhdFunctions::kStatusForceOffCause]));
+  if (!answers || !knows_zero || !is_at_zero(*sdk_, *id) ||
+      (!stays_off && sdk_->dhdEnableForce(1, *id) < 0)) {
+    sdk_->dhdClose(*id);
+    return false;
+  }
+  id_ = *id;
+  is_robotic_ = false;
+  return true;
 }
 
 // Whether the SDK did what it was asked; keeps its words for the first time that it did not.
@@ -265,9 +314,9 @@ bool ForceDimensionDevice::take(int answer, const char* function) noexcept {
   return false;
 }
 
-void ForceDimensionDevice::look_at_status(std::int64_t now_ns) noexcept {
-  if (now_ns < next_look_ns_) return;
-  next_look_ns_ = now_ns + kBetweenLooks_ns;
+// At every reading: a hand that is off the handle for a moment, or a button that is pressed twice, must not find the
+// force of before.
+void ForceDimensionDevice::look_at_status() noexcept {
   int status[DhdFunctions::kStatusSize] = {};
   if (sdk_->dhdGetStatus(status, id_) < 0) return;  // whether it answers, its position tells
   force_is_on_ = status[DhdFunctions::kStatusForce] != 0;
@@ -283,7 +332,6 @@ void ForceDimensionDevice::fail_at(std::int64_t now_ns) noexcept {
   has_read_ = false;
   velocity_.reset();
   angular_velocity_.reset();
-  force_is_on_ = true;  // it is not known, and looked at again
   is_given_up_.store(true, std::memory_order_release);
 }
 
@@ -300,9 +348,9 @@ bool ForceDimensionDevice::do_read(std::int64_t now_ns, ProbeState& state) noexc
   }
   failing_since_ns_.reset();
   answers_.store(true, std::memory_order_relaxed);
+  look_at_status();
 
   if (answer == DhdFunctions::kTimeGuard && has_read_) {
-    not_new_.fetch_add(1, std::memory_order_relaxed);
     state = last_;
     state.time_ns = now_ns;
     const bool is_stale = now_ns - last_new_ns_ > kLongestStale_ns;
@@ -321,21 +369,16 @@ bool ForceDimensionDevice::do_read(std::int64_t now_ns, ProbeState& state) noexc
     state.angular_velocity_rad_per_s = angular_velocity_.add(now_ns, turned_rad_);
   }
   state.buttons = sdk_->dhdGetButtonMask(id_);
-  if (has_gripper_) {
-    double angle_rad = 0.0;
-    if (sdk_->dhdGetGripperAngleRad(&angle_rad, id_) >= 0) {
-      gripper_angle_rad_.store(angle_rad, std::memory_order_relaxed);
-    }
-  }
-  look_at_status(now_ns);
   last_ = state;
   return true;
 }
 
 bool ForceDimensionDevice::do_send(const Wrench& limited) noexcept {
   if (is_given_up_.load(std::memory_order_acquire)) return false;
-  const glm::dvec3 force_N = theirs_from(limited.force_N);
-  const glm::dvec3 torque_N_m = theirs_from(limited.torque_N_m);
+  // What it holds while its force is off, it gives when somebody switches it on.
+  const Wrench sent = force_is_on_ ? limited : Wrench{};
+  const glm::dvec3 force_N = theirs_from(sent.force_N);
+  const glm::dvec3 torque_N_m = theirs_from(sent.torque_N_m);
   const int answer = sdk_->dhdSetForceAndTorqueAndGripperForce(
       force_N.x, force_N.y, force_N.z, torque_N_m.x, torque_N_m.y, torque_N_m.z, 0.0, id_);
   if (answer == DhdFunctions::kMotorSaturated) saturated_.fetch_add(1, std::memory_order_relaxed);
@@ -372,13 +415,19 @@ std::string ForceDimensionDevice::trouble() const {
 namespace {
 
 DriverSurvey survey_of(const DhdFunctions& sdk) {
-  DriverSurvey survey{.found = sdk.description()};
+  DriverSurvey survey{.found = sdk.description(), .attached = UnitInUse::of(kForceDimension)};
+  const std::vector<AttachedDevice> ours = survey.attached;
   const int count = std::max(0, sdk.dhdGetDeviceCount());
-  // The SDK opens a device twice without a word, and closing it once would end it under whoever uses it.
+  // The SDK hands an open device out again without a word, and closing it would end it under whoever uses it.
+  // Which index is whose can change with what is plugged in: while one is used, none is opened.
   const bool one_is_used =
-      sdk.dhdGetAvailableCount != nullptr && sdk.dhdGetAvailableCount() < count;
+      !ours.empty() || (sdk.dhdGetAvailableCount != nullptr && sdk.dhdGetAvailableCount() < count);
   for (int index = 0; index < count; ++index) {
     AttachedDevice device{.model = "Force Dimension", .place = place_of(index)};
+    if (std::any_of(ours.begin(), ours.end(),
+                    [&device](const AttachedDevice& used) { return used.place == device.place; })) {
+      continue;
+    }
     if (one_is_used) {
       device.hindrance =
           "A device of Force Dimension is in use; which one this is can be asked when it is free.";
@@ -415,7 +464,9 @@ Driver force_dimension_driver() {
           .find =
               [](const DriverOptions& options) {
                 try {
-                  return survey_of(DhdFunctions(options.library));
+                  const DhdFunctions sdk(options.library);
+                  const std::lock_guard alone(UnitInUse::looking());
+                  return survey_of(sdk);
                 } catch (const std::runtime_error& refusal) {
                   return DriverSurvey{.hindrance = refusal.what()};
                 }

@@ -17,6 +17,7 @@
 #include "device/force_dimension/dhd_functions.h"
 #include "device/force_dimension/dhd_models.h"
 #include "device/haptic_device.h"
+#include "device/units_in_use.h"
 #include "device/velocity_estimator.h"
 
 namespace asperity {
@@ -24,23 +25,27 @@ namespace asperity {
 /// One device that the SDK has opened.
 ///
 /// Velocity is our own estimate (velocity_estimator.h), because the SDK's is a mean over 20 ms: at 0.1 m/s
-/// two millimetres of texture. A reading that the SDK gives twice (its time guard) is counted and not
+/// two millimetres of texture. A reading that the SDK gives twice (its time guard) is not
 /// taken for a new one; when none is new for 50 ms, the device does not answer.
 ///
 /// The SDK's watchdog and velocity guard stay as its maker set them. When they, the device's own button
-/// or its power switch the force off, `do_send` refuses: the servo loop's fault tells, and `trouble`
-/// says which it was. With less force than was asked for (motors saturated) it goes on and counts.
+/// or its power switch the force off, the next tick sees it: zero is sent and `do_send` refuses, so that the servo
+/// loop's fault tells and its ramp brings the force back; `trouble` says which it was. Opening a device switches its
+/// force on, at zero. With less force than was asked for (motors saturated) it goes on and counts.
 ///
 /// A device that fails for 200 ms is given up; a thread of the driver's looks for its serial number four times a second and
-/// goes on with it when it is back and still knows its zero. It is never moved by itself in a session.
+/// goes on with it when it is back and still knows its zero. Its force is switched on again, at zero, unless a person
+/// or the velocity guard had switched it off. It is never moved by itself in a session. The destructor sends zero and
+/// leaves the motors to the SDK's electromagnetic brakes (dhdStop); it waits for a look that is under way, which takes
+/// as long as the SDK takes to open a device.
 ///
 /// Frame: ours, x to the participant's right, y away from them, z up; origin the device's.
-/// The gripper is held open by nobody: it gets no force.
+/// The gripper is held open by nobody: it gets no force, and is not read.
 ///
 /// Errors: the constructor throws std::runtime_error with a sentence when the device cannot be opened, is of
 /// a kind that we do not know, or has lost its zero and may not or cannot find it.
 ///
-/// Threads: `gripper_angle_rad`, `counts` and `trouble` from any; the rest as HapticDevice.
+/// Threads: `trouble` from any; the rest as HapticDevice.
 ///
 /// Real-time: as far as the SDK's functions are.
 class ForceDimensionDevice final : public HapticDevice {
@@ -57,13 +62,6 @@ class ForceDimensionDevice final : public HapticDevice {
   /// Of the velocities: 2 ms late at 1 kHz, and σ·316/s of noise for an error σ of each position.
   static constexpr VelocityWindow kWindow{.samples = 5};
 
-  struct Counts {
-    std::uint64_t not_new = 0;    ///< readings that were the one before again
-    std::uint64_t saturated = 0;  ///< pushes with less force than was asked for
-  };
-  Counts counts() const noexcept;
-  /// Nothing for a device without gripper.
-  std::optional<double> gripper_angle_rad() const noexcept;
   std::string trouble() const override;
 
  private:
@@ -76,13 +74,16 @@ class ForceDimensionDevice final : public HapticDevice {
   bool take(int answer, const char* function) noexcept;
   void fail_at(std::int64_t now_ns) noexcept;
   void keep();
+  std::optional<char> find_again();
   bool reopen();
-  void look_at_status(std::int64_t now_ns) noexcept;
+  void look_at_status() noexcept;
 
   std::shared_ptr<const DhdFunctions> sdk_;
   char id_ = 0;
+  bool is_robotic_ = false;  ///< opened by libdrd as well
+  int type_ = -1;
   bool has_wrist_ = false;
-  bool has_gripper_ = false;
+  UnitInUse in_use_;
 
   // The servo's thread, and while the device is given up the keeper's: `is_given_up_` hands `id_` over.
   std::atomic<bool> is_given_up_{false};
@@ -98,15 +99,12 @@ class ForceDimensionDevice final : public HapticDevice {
   bool has_read_ = false;
   std::optional<std::int64_t> failing_since_ns_{};
   std::int64_t last_new_ns_ = 0;
-  std::int64_t next_look_ns_ = 0;
   bool force_is_on_ = true;
   VelocityEstimator velocity_{kWindow};
   VelocityEstimator angular_velocity_{kWindow};
   glm::dvec3 turned_rad_{0.0};  ///< the sum of all small turns so far, each about its own axis
 
-  std::atomic<std::uint64_t> not_new_{0};
   std::atomic<std::uint64_t> saturated_{0};
-  std::atomic<double> gripper_angle_rad_{0.0};
   std::atomic<bool> answers_{true};
   std::atomic<bool> is_stale_{false};
   std::atomic<int> force_off_cause_{-1};  ///< of the SDK; −1 while the force is on

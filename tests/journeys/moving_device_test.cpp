@@ -21,10 +21,9 @@ class MovingDevice : public testing::Test {
   }
   bool has_moved() const { return text_of(calls_).find("drdAutoInit") != std::string::npos; }
 
-  const SmallStudy small{1};
-
  private:
-  const fs::path calls_ = small.place() / "calls.txt";
+  const TemporaryFolder folder_{};
+  const fs::path calls_ = folder_ / "calls.txt";
 };
 
 TEST_F(MovingDevice, IsNotMovedByALookAtWhatIsAttached) {
@@ -77,6 +76,7 @@ TEST_F(MovingDevice, IsMovedByATestThatIsToldYes) {
 }
 
 TEST_F(MovingDevice, IsNotMovedByASession) {
+  const SmallStudy small(1);
   Invocation session = invocation({"run", small.selection(), "--study", small.study(),
                                    "--participant", "anna", "--device", "force_dimension"});
   session.on_terminal = true;

@@ -86,13 +86,20 @@ Bench* test_dhd_bench() { return &the_bench; }
 
 int dhdGetDeviceCount() { return is_there() ? static_cast<int>(the_bench.units.size()) : 0; }
 int dhdGetAvailableCount() {
-  int free = -the_bench.in_use_elsewhere;
-  for (const Unit& unit : the_bench.units) free += unit.is_open ? 0 : 1;
-  return free;
+  // What this program itself has open counts as available.
+  return dhdGetDeviceCount() - the_bench.in_use_elsewhere;
 }
 int dhdOpenID(char index) {
   note("dhdOpenID", index);
   return opened_at(index);
+}
+int dhdOpenSerial(int serial) {
+  for (std::size_t index = 0; index < the_bench.units.size(); ++index) {
+    if (the_bench.units[index].serial != serial || !the_bench.opens_by_serial) continue;
+    note("dhdOpenSerial", static_cast<char>(index));
+    return opened_at(static_cast<char>(index));
+  }
+  return failed("no device has this serial number");
 }
 int dhdClose(char id) {
   note("dhdClose", id);
@@ -110,7 +117,16 @@ int dhdStop(char id) {
   unit->is_stopped = true;
   return 0;
 }
-int dhdEnableForce(unsigned char, char id) { return unit_of(id) == nullptr ? -1 : 0; }
+int dhdEnableForce(unsigned char, char id) {
+  Unit* unit = unit_of(id);
+  if (unit == nullptr) return -1;
+  if (the_bench.enable_answer < 0) return failed("it has no power");
+  for (const double one : unit->sent) {
+    unit->was_enabled_with_force = unit->was_enabled_with_force || one != 0.0;
+  }
+  unit->force_is_on = true;
+  return 0;
+}
 int dhdGetSystemType(char id) {
   const Unit* unit = unit_of(id);
   return unit == nullptr ? -1 : unit->type;
@@ -154,12 +170,6 @@ int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double fr
   }
   return answer;
 }
-int dhdGetGripperAngleRad(double* angle_rad, char id) {
-  const Unit* unit = unit_of(id);
-  if (unit == nullptr) return -1;
-  *angle_rad = unit->gripper_angle_rad;
-  return 0;
-}
 unsigned int dhdGetButtonMask(char id) {
   const Unit* unit = unit_of(id);
   return unit == nullptr ? 0 : unit->buttons;
@@ -180,10 +190,6 @@ const char* dhdErrorGetLastStr() { return the_bench.last_error; }
 int drdOpenID(char index) {
   note("drdOpenID", index);
   return opened_at(index);
-}
-bool drdIsInitialized(char id) {
-  const Unit* unit = unit_of(id);
-  return unit != nullptr && unit->knows_its_zero;
 }
 int drdAutoInit(char id) {
   note("drdAutoInit", id);

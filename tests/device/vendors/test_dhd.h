@@ -16,20 +16,22 @@ struct Unit {
   bool is_stopped = false;
   double position_m[3] = {0.0, 0.0, 0.0};
   double frame[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-  double gripper_angle_rad = 0.0;
   unsigned int buttons = 0;
   double sent[7] = {9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0};  ///< force, torque, gripper
-  bool force_is_on = true;
+  bool force_is_on = false;
   int force_off_cause = 0;
+  bool was_enabled_with_force = false;  ///< with anything but zero to give
 };
 
 struct Bench {
   std::vector<Unit> units{};
-  int in_use_elsewhere = 0;
+  int in_use_elsewhere = 0;     ///< by other programs
+  bool opens_by_serial = true;  ///< recent models do
   bool is_there = true;  ///< false: every call for a device fails, as after its cable was pulled
   int read_answer = 0;
   int send_answer = 0;
-  int stop_answer = 0;  ///< of drdStop
+  int stop_answer = 0;    ///< of drdStop
+  int enable_answer = 0;  ///< of dhdEnableForce
   const char* last_error = "no error";
   std::vector<std::string> calls{};  ///< those that open, move, close
 };

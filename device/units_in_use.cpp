@@ -1,0 +1,55 @@
+#include "device/units_in_use.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity {
+namespace {
+
+struct Entry {
+  const UnitInUse* unit = nullptr;
+  std::string driver{};
+  AttachedDevice device{};
+};
+
+struct UnitList {
+  std::mutex looking{};
+  std::mutex mutex{};  // for `entries`
+  std::vector<Entry> entries{};
+};
+
+UnitList& units_of_this_process() {
+  // Never destroyed: a device whose maker's thread hangs stays listed to the end of the process.
+  static auto* const list = new UnitList;
+  return *list;
+}
+
+}  // namespace
+
+UnitInUse::UnitInUse(std::string driver, AttachedDevice device) {
+  device.remark.clear();
+  device.hindrance = "This program uses it now. It is not looked at meanwhile.";
+  UnitList& list = units_of_this_process();
+  const std::lock_guard lock(list.mutex);
+  list.entries.push_back({.unit = this, .driver = std::move(driver), .device = std::move(device)});
+}
+
+UnitInUse::~UnitInUse() {
+  UnitList& list = units_of_this_process();
+  const std::lock_guard lock(list.mutex);
+  std::erase_if(list.entries, [this](const Entry& entry) { return entry.unit == this; });
+}
+
+std::vector<AttachedDevice> UnitInUse::of(std::string_view driver) {
+  UnitList& list = units_of_this_process();
+  const std::lock_guard lock(list.mutex);
+  std::vector<AttachedDevice> devices;
+  for (const Entry& entry : list.entries) {
+    if (entry.driver == driver) devices.push_back(entry.device);
+  }
+  return devices;
+}
+
+std::mutex& UnitInUse::looking() { return units_of_this_process().looking; }
+
+}  // namespace asperity
