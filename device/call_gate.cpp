@@ -2,6 +2,7 @@
 
 #include "device/call_gate.h"
 
+#include <chrono>
 #include <thread>
 
 namespace asperity {
@@ -23,18 +24,16 @@ bool CallGate::pass() noexcept {
   return true;
 }
 
-bool CallGate::close(std::chrono::milliseconds patience) noexcept {
-  const auto until = std::chrono::steady_clock::now() + patience;
+void CallGate::close() noexcept {
   for (;;) {
     State seen = State::open;
     if (state_.compare_exchange_strong(seen, State::closed, std::memory_order_acq_rel) ||
         seen == State::closed) {
-      return true;
+      return;
     }
     if (seen == State::passing) {
       state_.compare_exchange_strong(seen, State::closing, std::memory_order_acq_rel);
     }
-    if (std::chrono::steady_clock::now() >= until) return false;
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 
 #include "device/haptic_device.h"
 
@@ -11,9 +10,12 @@ namespace asperity {
 
 /// Lets a thread that is not ours run the tick, one call at a time, until it is closed.
 ///
-/// Threads: `pass` belongs to the maker's thread; `open` and `close` to the driver's owner. A gate has
-/// to outlive that thread's last `pass`: a driver whose thread did not come to an end leaves its closed
-/// gate behind, on the heap, for ever.
+/// Two things can be stuck behind it. A tick is this program's own code, and what it works on is freed as soon as
+/// the gate is closed: it is waited for, as long as it takes, as for a thread of our own. The maker's code around
+/// it may hang for ever, and then comes back to a closed gate: whoever owns one whose thread did not come to an end
+/// leaves it behind, on the heap, for ever.
+///
+/// Threads: `pass` belongs to the maker's thread; `open` and `close` to the driver's owner.
 ///
 /// Real-time: `pass` does not allocate, lock or throw.
 class CallGate final {
@@ -26,9 +28,8 @@ class CallGate final {
   void open(const TickCall& call) noexcept;
   /// Runs the tick; false, at once, when the gate is closed.
   bool pass() noexcept;
-  /// No tick begins any more. Waits up to `patience` for the one under way; false when that is still
-  /// running then.
-  bool close(std::chrono::milliseconds patience) noexcept;
+  /// No tick begins any more, and none is under way when it returns.
+  void close() noexcept;
 
  private:
   enum class State : int { closed, open, passing, closing };

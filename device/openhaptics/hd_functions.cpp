@@ -42,10 +42,18 @@ HdFunctions::HdFunctions(const std::filesystem::path& library)
 }
 
 HdFunctions::Error HdFunctions::take_errors() const noexcept {
-  const Error first = hdGetError();
-  Error next = first;
-  for (int i = 0; i < kMostErrors && next.code != 0; ++i) next = hdGetError();
-  return first;
+  const auto gravity = [](const Error& error) {
+    if (error.code == 0) return 0;
+    if (is_of_device(error.code)) return 3;
+    return is_about_force(error.code) ? 2 : 1;
+  };
+  Error gravest = hdGetError();
+  Error next = gravest;
+  for (int i = 0; i < kMostErrors && next.code != 0; ++i) {
+    next = hdGetError();
+    if (gravity(next) > gravity(gravest)) gravest = next;
+  }
+  return gravest;
 }
 
 std::string HdFunctions::name_of(const Error& error) const {

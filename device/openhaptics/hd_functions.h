@@ -11,7 +11,7 @@ namespace asperity {
 
 /// libHD of 3D Systems' OpenHaptics, loaded. The fields are named as the functions are, so that they can be held
 /// against its own pages. It works on the device that is current (hdMakeCurrentDevice) and keeps errors on a
-/// stack, from which hdGetError takes one. Frame: x to the right, y up, z towards the participant;
+/// stack, from which hdGetError takes the latest. Frame: x to the right, y up, z towards the participant;
 /// millimetres, newtons, newton millimetres.
 ///
 /// Errors: the constructor's are VendorLibrary's.
@@ -49,12 +49,18 @@ class HdFunctions final {
   static constexpr unsigned int kForceOutput = 0x4000;
   static constexpr unsigned int kForceClamping = 0x4001;
   // Answers of hdCheckCalibration, and bits of kCalibrationStyle.
+  static constexpr unsigned int kCalibrated = 0x5000;
   static constexpr unsigned int kNeedsUpdate = 0x5001;
   static constexpr unsigned int kNeedsHand = 0x5002;
   static constexpr unsigned int kByItself = 2;
   static constexpr unsigned int kInInkwell = 4;
 
-  /// The first error since the last call, with which the stack is emptied.
+  /// Nothing, one about the force (warm motors, too strong), or one of the device itself (fault, no answer).
+  static constexpr bool is_about_force(unsigned int code) { return (code & 0xFF00U) == 0x0200U; }
+  static constexpr bool is_of_device(unsigned int code) { return (code & 0xFF00U) == 0x0300U; }
+
+  /// The gravest error since the last call, with which the stack is emptied: one of the device before one about
+  /// the force before any other; the latest of equals.
   Error take_errors() const noexcept;
   /// "HD_WARM_MOTORS (its motors are warm: let it rest)", or what the library calls it.
   std::string name_of(const Error& error) const;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -14,6 +15,7 @@
 
 #include "device/call_gate.h"
 #include "device/small_turn.h"
+#include "device/units_in_use.h"
 #include "device/velocity_estimator.h"
 
 namespace asperity {
@@ -24,7 +26,7 @@ constexpr double kTorqueUnits_per_N_m = 1e3;  // newton millimetres
 constexpr double kUsualRate_Hz = 1000.0;      // of its scheduler, unless told otherwise
 constexpr VelocityWindow kVelocityWindow{.samples =
                                              5};  // 2 ms late, as for every maker's device here
-constexpr std::chrono::milliseconds kPatience(500);
+constexpr const char* kOpenHaptics = "openhaptics";
 // How many frames without an error it takes before the last one is no news any more: two seconds' worth.
 constexpr int kFramesToForget = 2000;
 
@@ -40,8 +42,6 @@ glm::dquat hd_orientation(const double (&transform)[16]) noexcept {
   return glm::quat_cast(glm::dmat3(column(0), -column(2), column(1)));
 }
 
-bool is_force_error(unsigned int code) noexcept { return (code & 0xFF00U) == 0x0200U; }
-
 std::string text_of(const HdFunctions& hd, unsigned int what) {
   const char* text = hd.hdGetString(what);
   return text == nullptr ? "" : text;
@@ -53,6 +53,7 @@ struct OpenHapticsDevice::Opened {
   unsigned int handle = HdFunctions::kNoDevice;
   DeviceCapability capability{};
   glm::dvec3 centre_m{0.0};  // of the usable workspace, in our axes
+  std::string place{};       // the name under which it is configured
 };
 
 // Outlives the device where libHD's thread does not come to an end.
@@ -61,40 +62,67 @@ struct OpenHapticsDevice::Servo {
   unsigned int handle = 0;
   bool has_torque = false;
   glm::dvec3 centre_m{0.0};
+  UnitInUse in_use;
   CallGate gate{};
+
+  Servo(std::shared_ptr<const HdFunctions> the_hd, const Opened& opened)
+      : hd(std::move(the_hd)),
+        handle(opened.handle),
+        has_torque(opened.capability.actuated_degrees_of_freedom >= 6),
+        centre_m(opened.centre_m),
+        in_use(kOpenHaptics, {.model = opened.capability.model,
+                              .serial = opened.capability.serial,
+                              .place = opened.place}) {}
 
   // libHD's thread.
   double transform[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   int buttons = 0;
   bool was_read = false;
-  bool may_push = true;
+  bool may_push = false;
+  unsigned int error_at_end = 0;  ///< of the frame before
   Wrench wanted{};
   VelocityEstimator velocity{kVelocityWindow};
   VelocityEstimator angular_velocity{kVelocityWindow};
   glm::dvec3 turned_rad{0.0};
   glm::dquat last_orientation{1.0, 0.0, 0.0, 0.0};
 
-  std::atomic<bool> is_done{false};  ///< its last call was answered with "no more"
+  std::atomic<bool> has_begun{false};  ///< its first frame
+  std::atomic<bool> is_done{false};    ///< its last call was answered with "no more"
   std::atomic<unsigned int> last_error{0};
   std::atomic<int> frames_since_error{0};
 
   static unsigned int frame(void* servo) { return static_cast<Servo*>(servo)->run_frame(); }
 
+  // No thread runs frames.
+  void begin_anew() noexcept {
+    was_read = false;
+    may_push = false;
+    error_at_end = 0;
+    wanted = Wrench{};
+    has_begun.store(false);
+    is_done.store(false);
+    last_error.store(0);
+    velocity.reset();
+    angular_velocity.reset();
+  }
+
   unsigned int run_frame() noexcept {
+    has_begun.store(true, std::memory_order_relaxed);
     hd->hdMakeCurrentDevice(handle);
     hd->hdBeginFrame(handle);
     hd->hdGetDoublev(HdFunctions::kTransform, transform);
     hd->hdGetIntegerv(HdFunctions::kButtons, &buttons);
-    const unsigned int before = note(hd->take_errors());
-    was_read = before == 0 || is_force_error(before);
+    const unsigned int error_at_begin = note(hd->take_errors());
+    was_read = error_at_begin == 0 || HdFunctions::is_about_force(error_at_begin);
+    // Nothing is pushed in the frame in which an error is told, whichever it is, nor after one at a frame's end.
+    may_push = error_at_begin == 0 && error_at_end == 0;
 
     wanted = Wrench{};
     const bool was_wanted = gate.pass();
-    send(wanted);
+    send(may_push ? wanted : Wrench{});
     hd->hdEndFrame(handle);
-    const unsigned int after = note(hd->take_errors());
-    may_push = !is_force_error(before) && !is_force_error(after);
-    if (before == 0 && after == 0 &&
+    error_at_end = note(hd->take_errors());
+    if (error_at_begin == 0 && error_at_end == 0 &&
         frames_since_error.load(std::memory_order_relaxed) < kFramesToForget) {
       frames_since_error.fetch_add(1, std::memory_order_relaxed);
     }
@@ -124,7 +152,8 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   const std::string who = name.empty() ? "the default device of OpenHaptics"
                                        : "the device \"" + name + "\" of OpenHaptics";
   hd.take_errors();  // what is on the stack is not ours
-  Opened opened{.handle = hd.hdInitDevice(name.empty() ? nullptr : name.c_str())};
+  Opened opened{.handle = hd.hdInitDevice(name.empty() ? nullptr : name.c_str()),
+                .place = name.empty() ? "default" : name};
   const HdFunctions::Error error = hd.take_errors();
   if (opened.handle == HdFunctions::kNoDevice || error.code != 0) {
     throw std::runtime_error(
@@ -157,18 +186,19 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
       "keeps the time, and its "
       "clamping of forces is on.";
 
-  const unsigned int calibration = hd.hdCheckCalibration();
+  unsigned int calibration = hd.hdCheckCalibration();
   int styles = 0;
   hd.hdGetIntegerv(HdFunctions::kCalibrationStyle, &styles);
   const unsigned int style =
       static_cast<unsigned int>(styles) & (HdFunctions::kByItself | HdFunctions::kInInkwell);
   if (calibration == HdFunctions::kNeedsUpdate && style != 0) {
     hd.hdUpdateCalibration((style & HdFunctions::kByItself) != 0 ? HdFunctions::kByItself : style);
+    calibration = hd.hdCheckCalibration();
   }
   std::string refusal;
   if (const HdFunctions::Error asked = hd.take_errors(); asked.code != 0) {
     refusal = "it does not describe itself: " + hd.name_of(asked);
-  } else if (calibration == HdFunctions::kNeedsHand) {
+  } else if (calibration != HdFunctions::kCalibrated) {
     refusal =
         "it is not calibrated. Put the stylus into its inkwell, or calibrate it with its maker's "
         "program";
@@ -182,24 +212,21 @@ OpenHapticsDevice::Opened OpenHapticsDevice::open(const HdFunctions& hd, const s
   return opened;
 }
 
-OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<const HdFunctions> hd, const std::string& name)
-    : OpenHapticsDevice(hd, open(*hd, name)) {}
+OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<const HdFunctions> hd, const std::string& name,
+                                     std::chrono::milliseconds patience)
+    : OpenHapticsDevice(hd, open(*hd, name), patience) {}
 
-OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<const HdFunctions> hd, const Opened& opened)
+OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<const HdFunctions> hd, const Opened& opened,
+                                     std::chrono::milliseconds patience)
     : HapticDevice(opened.capability, ForceLimits{}),
       hd_(std::move(hd)),
-      servo_(std::make_unique<Servo>()) {
-  servo_->hd = hd_;
-  servo_->handle = opened.handle;
-  servo_->centre_m = opened.centre_m;
-  servo_->has_torque = opened.capability.actuated_degrees_of_freedom >= 6;
-}
+      patience_(patience),
+      servo_(std::make_unique<Servo>(hd_, opened)) {}
 
 OpenHapticsDevice::~OpenHapticsDevice() {
   stop_calls();
   if (!servo_) return;  // libHD hangs: another word to it would hang as well
-  hd_->hdMakeCurrentDevice(servo_->handle);
-  hd_->hdDisable(HdFunctions::kForceOutput);
+  switch_off();
   hd_->hdDisableDevice(servo_->handle);
 }
 
@@ -215,44 +242,62 @@ void OpenHapticsDevice::start_calls(const TickCall& call) {
   };
   hd_->take_errors();
   hd_->hdMakeCurrentDevice(servo_->handle);
-  if (call.rate_Hz != kUsualRate_Hz) {
-    hd_->hdSetSchedulerRate(static_cast<unsigned long>(std::lround(call.rate_Hz)));
-    refuse_after("call " + std::to_string(std::lround(call.rate_Hz)) + " times a second");
-  }
-  hd_->hdEnable(HdFunctions::kForceOutput);
-  hd_->hdEnable(HdFunctions::kForceClamping);
-  refuse_after("switch its force on");
-  servo_->is_done.store(false);
-  servo_->velocity.reset();
-  servo_->angular_velocity.reset();
-  servo_->gate.open(call);
-  schedule_ = hd_->hdScheduleAsynchronous(&Servo::frame, servo_.get(), HdFunctions::kUsualPriority);
-  hd_->hdStartScheduler();
-  is_called_ = true;
+  servo_->begin_anew();
   try {
+    if (call.rate_Hz != kUsualRate_Hz) {
+      hd_->hdSetSchedulerRate(static_cast<unsigned long>(std::lround(call.rate_Hz)));
+      refuse_after("call " + std::to_string(std::lround(call.rate_Hz)) + " times a second");
+      has_other_rate_ = true;
+    }
+    hd_->hdEnable(HdFunctions::kForceOutput);
+    hd_->hdEnable(HdFunctions::kForceClamping);
+    refuse_after("switch its force on");
+    servo_->gate.open(call);
+    schedule_ =
+        hd_->hdScheduleAsynchronous(&Servo::frame, servo_.get(), HdFunctions::kUsualPriority);
+    is_called_ = true;
+    hd_->hdStartScheduler();
     refuse_after("start its scheduler");
   } catch (...) {
-    stop_calls();
+    if (is_called_) end_frames();
+    switch_off();
     throw;
   }
 }
 
 void OpenHapticsDevice::stop_calls() noexcept {
   if (!is_called_) return;
-  is_called_ = false;
   // The next frame finds the gate closed, sends zero and says that it needs no other.
-  bool is_done = servo_->gate.close(kPatience);
-  const auto until = std::chrono::steady_clock::now() + kPatience;
-  while (is_done && !servo_->is_done.load(std::memory_order_acquire)) {
-    if (std::chrono::steady_clock::now() >= until) is_done = false;
+  servo_->gate.close();
+  const auto until = std::chrono::steady_clock::now() + patience_;
+  while (!servo_->is_done.load(std::memory_order_acquire)) {
+    if (std::chrono::steady_clock::now() >= until) break;
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
-  if (!is_done) {
+  if (!servo_->is_done.load() && servo_->has_begun.load()) {
+    is_called_ = false;
     [[maybe_unused]] Servo* left_behind = servo_.release();
     return;
   }
+  end_frames();
+  switch_off();
+}
+
+// libHD's thread runs no frame of ours any more, or never began one.
+void OpenHapticsDevice::end_frames() noexcept {
+  is_called_ = false;
+  servo_->gate.close();
   hd_->hdStopScheduler();
   hd_->hdUnschedule(schedule_);
+}
+
+void OpenHapticsDevice::switch_off() noexcept {
+  hd_->hdMakeCurrentDevice(servo_->handle);
+  hd_->hdDisable(HdFunctions::kForceOutput);
+  // The scheduler is one for the process: the next to use it finds it as it was.
+  if (has_other_rate_) hd_->hdSetSchedulerRate(static_cast<unsigned long>(kUsualRate_Hz));
+  has_other_rate_ = false;
+  hd_->take_errors();
 }
 
 bool OpenHapticsDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
@@ -295,6 +340,10 @@ Driver openhaptics_driver() {
                 try {
                   auto hd = std::make_shared<const HdFunctions>(options.library);
                   survey.found = "libHD in " + hd->file().string();
+                  const std::lock_guard alone(UnitInUse::looking());
+                  // To look at any device is to make it libHD's current one, and to end that is to switch it off.
+                  survey.attached = UnitInUse::of(kOpenHaptics);
+                  if (!survey.attached.empty()) return survey;
                   AttachedDevice device{.model = "OpenHaptics", .place = "default"};
                   try {
                     const OpenHapticsDevice opened(std::move(hd), "");
@@ -312,6 +361,12 @@ Driver openhaptics_driver() {
           .open = [](const std::string& which,
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             const auto hd = std::make_shared<const HdFunctions>(options.library);
+            const std::lock_guard alone(UnitInUse::looking());
+            if (const auto used = UnitInUse::of(kOpenHaptics); !used.empty()) {
+              throw std::runtime_error("This program uses " + used.front().model + " " +
+                                       used.front().serial +
+                                       " already, and one device of OpenHaptics at a time.");
+            }
             if (which.empty() || which == "default")
               return std::make_unique<OpenHapticsDevice>(hd, "");
             try {

@@ -1,6 +1,7 @@
 // The driver of OpenHaptics' devices, unmodified, against a library with the same functions and a scheduler's thread.
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <mutex>
@@ -28,6 +29,7 @@ using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 
 std::string openhaptics_complaint(const std::function<void()>& act) {
@@ -50,9 +52,11 @@ class OpenHaptics : public testing::Test {
   }
   ~OpenHaptics() override { reset_(); }
 
-  std::unique_ptr<OpenHapticsDevice> open() {
+  // A busy machine may keep the scheduler's thread waiting for long.
+  std::unique_ptr<OpenHapticsDevice> open(
+      std::chrono::milliseconds patience = std::chrono::minutes(1)) {
     return std::make_unique<OpenHapticsDevice>(
-        std::make_shared<const HdFunctions>(ASPERITY_TEST_HD), "");
+        std::make_shared<const HdFunctions>(ASPERITY_TEST_HD), "", patience);
   }
   std::vector<std::string> calls() {
     const std::lock_guard lock(bench->mutex);
@@ -115,6 +119,24 @@ TEST_F(OpenHaptics, RefusesADeviceWithoutLimitOrCalibrationAndClosesIt) {
   bench->calibration = 0x5001;
   open();
   EXPECT_THAT(calls(), Contains("hdUpdateCalibration 4"));
+  bench->calibration = 0x5001;
+  bench->calibrates = false;
+  EXPECT_THAT(openhaptics_complaint([&] { open(); }), HasSubstr("not calibrated"));
+  EXPECT_EQ(calls().back(), "hdDisableDevice");
+}
+
+TEST_F(OpenHaptics, LeavesADeviceThatThisProgramUsesAlone) {
+  const auto device = open();
+  bench->calls.clear();
+  const int made_current = bench->made_current;
+  const DriverSurvey survey = driver.find(options);
+  ASSERT_EQ(survey.attached.size(), 1U);
+  EXPECT_EQ(survey.attached[0].serial, "T-17");
+  EXPECT_THAT(survey.attached[0].hindrance, HasSubstr("This program uses it"));
+  EXPECT_THAT(openhaptics_complaint([&] { driver.open("Left Device", options); }),
+              HasSubstr("uses Touch T-17 already"));
+  EXPECT_THAT(calls(), IsEmpty());
+  EXPECT_EQ(bench->made_current, made_current);
 }
 
 TEST_F(OpenHaptics, TicksOnceInEachFrame) {
@@ -198,7 +220,7 @@ TEST_F(OpenHaptics, RefusesAPushAfterAForceErrorAndNamesIt) {
   EXPECT_EQ(servo.refused, 0);
   {
     const std::lock_guard lock(bench->mutex);
-    bench->error_of_each_frame = 0x0200;
+    bench->error_of_each_end = 0x0200;
   }
   while (servo.refused == 0) std::this_thread::yield();
   EXPECT_EQ(servo.unread, 0);  // it can be read, and is
@@ -206,10 +228,63 @@ TEST_F(OpenHaptics, RefusesAPushAfterAForceErrorAndNamesIt) {
               AllOf(HasSubstr("Touch T-17"), HasSubstr("HD_WARM_MOTORS"), HasSubstr("rest")));
   {
     const std::lock_guard lock(bench->mutex);
-    bench->error_of_each_frame = 0x0201;
+    bench->error_of_each_end = 0x0201;
   }
   servo.wait_for(3);
   EXPECT_THAT(device->trouble(), HasSubstr("HD_EXCEEDED_MAX_FORCE"));
+}
+
+TEST_F(OpenHaptics, SendsNothingInAFrameThatBeginsWithAnError) {
+  const auto device = open();
+  device->set_limits({.force_N = 3.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  {
+    const std::lock_guard lock(bench->mutex);
+    bench->error_of_each_begin = 0x0203;
+  }
+  ReadAndPush servo{device.get(), {.force_N = {0.0, 0.0, 1.0}}};
+  servo.start();
+  servo.wait_for(3);
+  device->stop_calls();
+  EXPECT_EQ(bench->strongest_N, 0.0);  // the first frame included
+  EXPECT_EQ(servo.refused, servo.ticks);
+  EXPECT_EQ(servo.unread, 0);
+}
+
+TEST_F(OpenHaptics, RefusesAPushAfterAFaultThatComesAtTheEndOfAFrameOnly) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  servo.start();
+  servo.wait_for(2);
+  EXPECT_EQ(servo.refused, 0);
+  {
+    const std::lock_guard lock(bench->mutex);
+    bench->error_of_each_end = 0x0300;
+  }
+  while (servo.refused == 0) std::this_thread::yield();
+  EXPECT_THAT(device->trouble(), HasSubstr("HD_DEVICE_FAULT"));
+}
+
+TEST_F(OpenHaptics, TellsTheGravestOfSomeErrors) {
+  bench->errors = {0x0100, 0x0300, 0x0200, 0x0101};
+  EXPECT_EQ(HdFunctions(ASPERITY_TEST_HD).take_errors().code, 0x0300U);
+  EXPECT_EQ(HdFunctions(ASPERITY_TEST_HD).take_errors().code, 0U);
+}
+
+TEST_F(OpenHaptics, BeginsAnewAfterAnError) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  servo.start();
+  bench->mutex.lock();
+  bench->error_of_each_end = 0x0200;
+  bench->mutex.unlock();
+  while (servo.refused == 0) std::this_thread::yield();
+  device->stop_calls();
+  bench->error_of_each_end = 0;
+  const int refused = servo.refused;
+  servo.start();
+  servo.wait_for(3);
+  EXPECT_EQ(servo.refused, refused);
+  EXPECT_EQ(device->trouble(), "");
 }
 
 TEST_F(OpenHaptics, DoesNotAnswerWhenTheDeviceIsGoneAndDoesAgainAfterwards) {
@@ -243,8 +318,57 @@ TEST_F(OpenHaptics, AsksForTheRateOrSaysThatItCannotBeHad) {
               }),
               HasSubstr("2000 times a second"));
   device->start_calls({.function = &ReadAndPush::tick, .argument = &servo, .rate_Hz = 500.0});
-  const std::lock_guard lock(bench->mutex);
-  EXPECT_EQ(bench->rate_Hz, 500U);
+  {
+    const std::lock_guard lock(bench->mutex);
+    EXPECT_EQ(bench->rate_Hz, 500U);
+  }
+  device->stop_calls();
+  EXPECT_EQ(bench->rate_Hz, 1000U);  // the scheduler is one for the process
+}
+
+TEST_F(OpenHaptics, IsAsBeforeWhenItsSchedulerDoesNotStart) {
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  bench->refuses_to_start = true;
+  EXPECT_THAT(openhaptics_complaint([&] { servo.start(500.0); }), HasSubstr("HD_TIMER_ERROR"));
+  EXPECT_FALSE(bench->gives_force);
+  EXPECT_EQ(bench->rate_Hz, 1000U);
+  EXPECT_EQ(device->trouble(), "");
+  bench->refuses_to_start = false;
+  servo.start();
+  servo.wait_for(3);
+}
+
+TEST_F(OpenHaptics, LetsGoOfASchedulerThatNeverCalled) {
+  const auto device = open(std::chrono::milliseconds(20));
+  ReadAndPush servo{device.get()};
+  bench->never_calls = true;
+  servo.start();
+  EXPECT_TRUE(bench->gives_force);
+  device->stop_calls();
+  EXPECT_FALSE(bench->gives_force);
+  EXPECT_THAT(calls(), Contains("hdUnschedule"));
+  EXPECT_EQ(device->trouble(), "");
+}
+
+// The tick is this program's own, and what it works on is freed once the calls are stopped.
+TEST_F(OpenHaptics, WaitsForATickUnderWay) {
+  struct LongTick {
+    std::atomic<bool> has_begun{false};
+    std::atomic<bool> has_ended{false};
+    static void run(void* self) noexcept {
+      auto* tick = static_cast<LongTick*>(self);
+      tick->has_begun = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(700));
+      tick->has_ended = true;
+    }
+  } tick;
+  const auto device = open();
+  device->start_calls({.function = &LongTick::run, .argument = &tick});
+  while (!tick.has_begun) std::this_thread::yield();
+  device->stop_calls();
+  EXPECT_TRUE(tick.has_ended);
+  EXPECT_EQ(device->trouble(), "");
 }
 
 TEST_F(OpenHaptics, EndsAtZeroForceAndLetsGo) {
@@ -267,7 +391,7 @@ TEST_F(OpenHaptics, LeavesAThreadThatHangsBehind) {
 #ifdef __SANITIZE_ADDRESS__
   const __lsan::ScopedDisabler what_is_left_behind_on_purpose;
 #endif
-  auto device = open();
+  auto device = open(std::chrono::milliseconds(20));
   ReadAndPush servo{device.get()};
   servo.start();
   servo.wait_for(2);

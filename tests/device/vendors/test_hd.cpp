@@ -82,12 +82,12 @@ unsigned int hdInitDevice(const char* name) {
   return kHandle;
 }
 void hdDisableDevice(unsigned int) { note("hdDisableDevice"); }
-void hdMakeCurrentDevice(unsigned int) {}
+void hdMakeCurrentDevice(unsigned int) { ++the_bench->made_current; }
 TestHdError hdGetError() {
   const std::lock_guard lock(the_bench->mutex);
   if (the_bench->errors.empty()) return {0, 0, kHandle};
-  const unsigned int code = the_bench->errors.front();
-  the_bench->errors.erase(the_bench->errors.begin());
+  const unsigned int code = the_bench->errors.back();
+  the_bench->errors.pop_back();
   return {code, 0, kHandle};
 }
 const char* hdGetErrorString(unsigned int) { return "an error without a name"; }
@@ -96,13 +96,15 @@ void hdBeginFrame(unsigned int) {
   if (is_in_frame) ++the_bench->disorders;
   is_in_frame = true;
   if (!the_bench->is_attached) the_bench->errors.push_back(0x0302);
+  if (the_bench->error_of_each_begin != 0) {
+    the_bench->errors.push_back(the_bench->error_of_each_begin);
+  }
 }
 void hdEndFrame(unsigned int) {
   const std::lock_guard lock(the_bench->mutex);
   if (!is_in_frame) ++the_bench->disorders;
   is_in_frame = false;
-  if (the_bench->error_of_each_frame != 0)
-    the_bench->errors.push_back(the_bench->error_of_each_frame);
+  if (the_bench->error_of_each_end != 0) the_bench->errors.push_back(the_bench->error_of_each_end);
   ++the_bench->frames;
 }
 void hdGetDoublev(unsigned int what, double* values) {
@@ -157,14 +159,24 @@ void hdSetDoublev(unsigned int what, const double* values) {
     the_bench->errors.push_back(0x0100);
   }
 }
-void hdEnable(unsigned int what) { note("hdEnable " + std::to_string(what)); }
-void hdDisable(unsigned int what) { note("hdDisable " + std::to_string(what)); }
+void hdEnable(unsigned int what) {
+  note("hdEnable " + std::to_string(what));
+  const std::lock_guard lock(the_bench->mutex);
+  if (what == 0x4000) the_bench->gives_force = true;
+}
+void hdDisable(unsigned int what) {
+  note("hdDisable " + std::to_string(what));
+  const std::lock_guard lock(the_bench->mutex);
+  if (what == 0x4000) the_bench->gives_force = false;
+}
 unsigned int hdCheckCalibration() {
   const std::lock_guard lock(the_bench->mutex);
   return the_bench->calibration;
 }
 void hdUpdateCalibration(unsigned int style) {
   note("hdUpdateCalibration " + std::to_string(style));
+  const std::lock_guard lock(the_bench->mutex);
+  if (the_bench->calibrates) the_bench->calibration = 0x5000;
 }
 void hdSetSchedulerRate(unsigned long rate_Hz) {
   const std::lock_guard lock(the_bench->mutex);
@@ -176,6 +188,11 @@ void hdSetSchedulerRate(unsigned long rate_Hz) {
 }
 void hdStartScheduler() {
   note("hdStartScheduler");
+  {
+    const std::lock_guard lock(the_bench->mutex);
+    if (the_bench->refuses_to_start) the_bench->errors.push_back(0x0304);
+    if (the_bench->refuses_to_start || the_bench->never_calls) return;
+  }
   if (!scheduler.joinable()) scheduler = std::thread(run_scheduler);
 }
 void hdStopScheduler() {
@@ -189,6 +206,10 @@ unsigned long hdScheduleAsynchronous(unsigned int (*callback)(void*), void* argu
   return 1;
 }
 #ifndef ASPERITY_TEST_HD_IS_OLD
-void hdUnschedule(unsigned long) { note("hdUnschedule"); }
+void hdUnschedule(unsigned long) {
+  note("hdUnschedule");
+  const std::lock_guard lock(the_bench->mutex);
+  scheduled = {};
+}
 #endif
 }

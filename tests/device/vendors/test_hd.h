@@ -19,9 +19,15 @@ struct Bench {
   double peak_force_N = 3.3;
   double workspace_mm[6] = {-160.0, -60.0, -70.0, 160.0, 120.0, 50.0};
   unsigned int calibration = 0x5000;
-  std::vector<unsigned int> errors{};  ///< the stack that hdGetError takes from
-  unsigned int error_of_each_frame = 0;
+  std::vector<unsigned int> errors{};  ///< the stack that hdGetError takes the latest from
+  unsigned int error_of_each_begin = 0;
+  unsigned int error_of_each_end = 0;
+  bool calibrates = true;         ///< when hdUpdateCalibration asks it to
+  bool refuses_to_start = false;  ///< the scheduler
+  bool never_calls = false;       ///< the scheduler, though it has started
+  bool gives_force = false;       ///< force output is on
 
+  std::atomic<int> made_current{0};
   std::atomic<int> frames{0};
   std::atomic<bool> hangs{false};  ///< the scheduler's thread, between two frames
   std::atomic<bool> is_hanging{false};
