@@ -13,9 +13,30 @@
 #include <dlfcn.h>
 #include <elf.h>
 #include <link.h>
+#include <locale.h>
 
 namespace asperity {
 namespace {
+
+// While it lives, this thread's messages of the C library are the untranslated ones: whether a file was not found,
+// the loader tells by its words alone.
+class UntranslatedMessages final {
+ public:
+  UntranslatedMessages()
+      : plain_(newlocale(LC_ALL_MASK, "C", nullptr)),
+        before_(plain_ == nullptr ? nullptr : uselocale(plain_)) {}
+  ~UntranslatedMessages() {
+    if (plain_ == nullptr) return;
+    uselocale(before_);
+    freelocale(plain_);
+  }
+  UntranslatedMessages(const UntranslatedMessages&) = delete;
+  UntranslatedMessages& operator=(const UntranslatedMessages&) = delete;
+
+ private:
+  locale_t plain_ = nullptr;
+  locale_t before_ = nullptr;
+};
 
 std::string last_words() {
   const char* words = dlerror();
@@ -89,11 +110,12 @@ std::filesystem::path file_of(void* library, const std::filesystem::path& name) 
 
 VendorLibrary::VendorLibrary(std::string product, const std::vector<std::filesystem::path>& names)
     : product_(std::move(product)) {
+  const UntranslatedMessages untranslated;
   std::string tried;
   for (const std::filesystem::path& name : names) {
     // All of its own needs at once: later, in a tick, would be too late to tell.
-    if (void* loaded = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
-      library_ = std::shared_ptr<void>(loaded, [](void* library) { dlclose(library); });
+    if (void* loaded = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
+      library_ = loaded;
       file_ = file_of(loaded, name);
       return;
     }
@@ -110,12 +132,12 @@ VendorLibrary::VendorLibrary(std::string product, const std::vector<std::filesys
   }
   throw std::runtime_error(
       product_ + " is not installed: there is no " + tried +
-      " where the system looks for libraries. Install it from its maker, or say where its "
-      "library is.");
+      " where the system looks for libraries. Install it from its maker, or name its library "
+      "with --library FILE.");
 }
 
 void* VendorLibrary::address_or_null(const char* name) const noexcept {
-  return dlsym(library_.get(), name);
+  return dlsym(library_, name);
 }
 
 void* VendorLibrary::address_of(const char* name) const {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,8 @@ namespace asperity {
 /// names, a file for another architecture, a library that itself lacks one, a function that this
 /// version does not have.
 ///
-/// The library is unloaded with the last copy; functions must not be called afterwards.
+/// The library stays loaded until the process ends: makers' libraries leave threads of their own behind, which would
+/// go on in code that is no longer there.
 class VendorLibrary final {
  public:
   /// Loads the first of `names` that the system's loader finds: file names ("libdhd.so"), or paths. `product`
@@ -44,7 +44,7 @@ class VendorLibrary final {
   void* address_or_null(const char* name) const noexcept;
 
   std::string product_{};
-  std::shared_ptr<void> library_{};  // copies of this object share what dlopen returned
+  void* library_ = nullptr;
   std::filesystem::path file_{};
 };
 

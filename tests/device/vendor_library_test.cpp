@@ -2,12 +2,17 @@
 
 #include "device/vendor_library.h"
 
+#include <clocale>
+#include <cstdint>
+#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 
+#include <dlfcn.h>
 #include <elf.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <libintl.h>
 
 namespace asperity {
 namespace {
@@ -42,6 +47,57 @@ TEST(VendorLibrary, NamesWhatItLookedForWhenThereIsNothing) {
               AllOf(HasSubstr("Tester's SDK is not installed"),
                     HasSubstr("libnobody-has-this.so, libnor-this.so.3"), HasSubstr("Install it")));
   EXPECT_THAT(refusal_of({"/no/such/folder/libm.so"}), HasSubstr("/no/such/folder/libm.so"));
+}
+
+// A catalogue (.mo) with one message of the C library in another language.
+void write_catalogue(const std::filesystem::path& file, const std::string& message,
+                     const std::string& translation) {
+  constexpr std::uint32_t kHead = 28;
+  const std::uint32_t texts = kHead + 16;
+  const auto length = static_cast<std::uint32_t>(message.size());
+  const auto translated = static_cast<std::uint32_t>(translation.size());
+  const std::uint32_t words[] = {0x950412de, 0,      1,     kHead,      kHead + 8,         0,
+                                 0,          length, texts, translated, texts + length + 1};
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(reinterpret_cast<const char*>(words), sizeof(words));
+  stream << message << '\0' << translation << '\0';
+}
+
+// As in a German window: the loader's words are translated, and the second name is tried all the same.
+TEST(VendorLibrary, TriesTheNextNameInAnyLanguage) {
+  const std::filesystem::path folder = file_in_temporary_folder("languages");
+  const std::string message = "cannot open shared object file";
+  write_catalogue(folder / "de" / "LC_MESSAGES" / "libc.mo", message,
+                  "Gemeinsame Objektdatei nicht da");
+  const std::string language_before = setlocale(LC_MESSAGES, nullptr);
+  const std::string folder_before = bindtextdomain("libc", nullptr);
+  ASSERT_NE(setlocale(LC_MESSAGES, "C.UTF-8"), nullptr);
+  setenv("LANGUAGE", "de", 1);
+  bindtextdomain("libc", folder.c_str());
+  ASSERT_EQ(dlopen("libnobody-has-this.so", RTLD_NOW), nullptr);
+  const std::string words = dlerror();
+  std::string refusal;
+  std::string file;
+  try {
+    file = VendorLibrary("Tester's SDK", {"libnobody-has-this.so", "libm.so.6"}).file();
+  } catch (const std::runtime_error& error) {
+    refusal = error.what();
+  }
+  bindtextdomain("libc", folder_before.c_str());
+  unsetenv("LANGUAGE");
+  setlocale(LC_MESSAGES, language_before.c_str());
+  EXPECT_THAT(words, HasSubstr("Gemeinsame Objektdatei"));  // or this test tests nothing
+  EXPECT_EQ(refusal, "");
+  EXPECT_THAT(file, HasSubstr("libm.so.6"));
+}
+
+// A maker's thread may still run in it.
+TEST(VendorLibrary, StaysLoaded) {
+  { const VendorLibrary library("Tester's SDK", {ASPERITY_TEST_OLD_DHD}); }
+  void* again = dlopen(ASPERITY_TEST_OLD_DHD, RTLD_NOW | RTLD_NOLOAD);
+  EXPECT_NE(again, nullptr);
+  if (again != nullptr) dlclose(again);
 }
 
 TEST(VendorLibrary, NamesTheFunctionThatAnotherVersionLacks) {
