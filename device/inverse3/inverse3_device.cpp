@@ -12,9 +12,11 @@
 #include <sys/prctl.h>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "device/inverse3/web_socket.h"
 #include "device/small_turn.h"
+#include "device/units_in_use.h"
 #include "device/velocity_estimator.h"
 
 namespace asperity {
@@ -24,18 +26,19 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr VelocityWindow kInverse3Window{.samples = 5};  // 2 ms late at 1 kHz
-constexpr milliseconds kForUpdate(100);
-constexpr milliseconds kForInventory(1000);
 constexpr milliseconds kBetweenConnections(500);
+constexpr milliseconds kForLastWord(100);
 constexpr double kTrialForce_N = 0.02;
 constexpr int kTrialMessages = 3;  // the force that a service tells may be the one before
 // What is asked of it at most, and where: the service tells neither.
 constexpr double kMostForce_N = 5.0;
 constexpr double kHalfBox_m = 0.12;
-constexpr glm::dvec3 kDefaultsRest_m(0.0, -0.12, 0.15);
+// Where the documents have the handle rest when the origin is the device's base.
+constexpr glm::dvec3 kRestFromBase_m(0.0, -0.12, 0.15);
 
-Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& place) {
-  const std::optional<std::string> message = socket.receive(kForInventory);
+Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& place,
+                               const Inverse3Patience& patience) {
+  const std::optional<std::string> message = socket.receive(patience.inventory);
   std::optional<Inverse3Inventory> inventory = message ? inventory_from(*message) : std::nullopt;
   if (!inventory) {
     throw std::runtime_error("What answers at " + place.text() +
@@ -46,12 +49,13 @@ Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& pla
 
 // The upward force that the service tells after it was asked for one, in this spelling.
 double told_force_N(WebSocket& socket, const std::string& id, ForceSpelling spelling,
-                    double force_N, const std::string& profile) {
+                    double force_N, const Inverse3Patience& patience,
+                    const std::string& profile = {}) {
   double told_N = 0.0;
   for (int i = 0; i < kTrialMessages; ++i) {
     if (!socket.send(force_command(id, spelling, {0.0, 0.0, force_N}, i == 0 ? profile : "")))
       break;
-    const std::optional<std::string> message = socket.receive(kForInventory);
+    const std::optional<std::string> message = socket.receive(patience.inventory);
     const std::optional<Inverse3State> state = message ? state_from(*message, id) : std::nullopt;
     if (!state) {
       throw std::runtime_error("The Inverse Service does not tell where the Inverse3 " + id +
@@ -62,17 +66,60 @@ double told_force_N(WebSocket& socket, const std::string& id, ForceSpelling spel
   return told_N;
 }
 
+struct FoundSpelling {
+  ForceSpelling spelling = ForceSpelling::vector;
+  bool is_confirmed = false;  // the service told that it applied a force that was so spelt
+};
+
 // A service that does not know a spelling takes the message and applies no force.
-ForceSpelling spelling_of(WebSocket& socket, const std::string& id,
-                          const Inverse3Inventory& inventory) {
-  const double without_N = told_force_N(socket, id, ForceSpelling::vector, 0.0, "asperity");
+FoundSpelling spelling_of(WebSocket& socket, const std::string& id,
+                          const Inverse3Inventory& inventory, const Inverse3Patience& patience) {
+  const double without_N =
+      told_force_N(socket, id, ForceSpelling::vector, 0.0, patience, "asperity");
   for (const ForceSpelling spelling : {ForceSpelling::vector, ForceSpelling::values}) {
-    const double with_N = told_force_N(socket, id, spelling, kTrialForce_N, "");
-    told_force_N(socket, id, spelling, 0.0, "");
-    if (with_N - without_N > 0.5 * kTrialForce_N) return spelling;
+    const double with_N = told_force_N(socket, id, spelling, kTrialForce_N, patience);
+    told_force_N(socket, id, spelling, 0.0, patience);
+    if (with_N - without_N > 0.5 * kTrialForce_N)
+      return {.spelling = spelling, .is_confirmed = true};
   }
   // It does not tell what it applies: what the documents of its version say.
-  return inventory.has_session ? ForceSpelling::vector : ForceSpelling::values;
+  return {.spelling = inventory.has_session ? ForceSpelling::vector : ForceSpelling::values};
+}
+
+// From where the service counts to where we do; refuses what would turn "up" into another direction, or a
+// millimetre into two.
+glm::dvec3 origin_of(const Inverse3Entry& entry) {
+  const std::string remedy =
+      " Set it to the preset \"defaults\" and the basis \"XYZ\", in Haply's Device Manager or as "
+      "the service's documents say, and open it again.";
+  const std::string who = "The Inverse3 " + entry.id;
+  if (!entry.axes.empty() && entry.axes != "XYZ") {
+    throw std::runtime_error(who + " tells its axes as \"" + entry.axes +
+                             "\"; this program knows x to the right, y away, z up, \"XYZ\"." +
+                             remedy);
+  }
+  if (entry.is_transformed) {
+    throw std::runtime_error(who +
+                             " tells its positions moved, turned or scaled by a mount or a "
+                             "workspace transform; forces and sizes would not be those of the "
+                             "hand." +
+                             remedy);
+  }
+  if (entry.preset.empty() || entry.preset == "defaults" || entry.preset == "arm_front") {
+    return kRestFromBase_m;
+  }
+  if (entry.preset == "arm_front_centered") return glm::dvec3(0.0);
+  throw std::runtime_error(who + " has the workspace preset \"" + entry.preset +
+                           "\", with which this program does not know where its axes point." +
+                           remedy);
+}
+
+std::string remark_on(const FoundSpelling& found) {
+  const std::string name = found.spelling == ForceSpelling::vector ? "vector" : "values";
+  if (found.is_confirmed) return "Forces are spelt \"" + name + "\".";
+  return "Forces are spelt \"" + name +
+         "\", as the documents of its version have it: the service did not confirm that it "
+         "applies them. Feel for a force before the first participant does.";
 }
 
 }  // namespace
@@ -93,18 +140,35 @@ InverseServicePlace InverseServicePlace::of(const std::string& text) {
 
 struct Inverse3Device::Opened {
   InverseServicePlace place{};
+  Inverse3Patience patience{};
   std::unique_ptr<WebSocket> socket{};
   DeviceCapability capability{};
   ForceSpelling spelling = ForceSpelling::vector;
   glm::dvec3 origin_m{0.0};
+  std::string grip_id{};
 };
 
 // The driver's thread and what it holds.
 struct Inverse3Device::Line {
   InverseServicePlace place;
+  Inverse3Patience patience;
   std::string id;
+  std::string grip_id;
   ForceSpelling spelling = ForceSpelling::vector;
   glm::dvec3 origin_m{0.0};
+  UnitInUse in_use;
+
+  explicit Line(Opened& opened)
+      : place(opened.place),
+        patience(opened.patience),
+        id(opened.capability.serial),
+        grip_id(opened.grip_id),
+        spelling(opened.spelling),
+        origin_m(opened.origin_m),
+        in_use("inverse3", {.model = opened.capability.model,
+                            .serial = opened.capability.serial,
+                            .place = opened.place.text()}),
+        socket(std::move(opened.socket)) {}
 
   std::mutex mutex{};  // for `socket` being another one, and for `changed`
   std::condition_variable changed{};
@@ -148,14 +212,14 @@ struct Inverse3Device::Line {
       }
       const steady_clock::time_point sent = steady_clock::now();
       if (!socket->send(message)) continue;
-      const std::optional<std::string> update = socket->receive(kForUpdate);
+      const std::optional<std::string> update = socket->receive(patience.update);
       if (must_stop()) break;
       answers.store(update.has_value());
       if (!update) {
         message = command({});
         continue;
       }
-      state = state_from(*update, id);
+      state = state_from(*update, id, grip_id);
       knows_device.store(state.has_value());
       wanted = Wrench{};
       call.function(call.argument);
@@ -165,8 +229,9 @@ struct Inverse3Device::Line {
       while (socket->receive(milliseconds(0))) {
       }
     }
-    // Zero is the last word, and is waited for: a connection that ends at once may take it along.
-    if (socket->send(command({})) && !socket->receive(kForUpdate)) socket->receive(kForUpdate);
+    // Zero is the last word, and is waited for: a connection that ends at once may take it along. The first wait may
+    // end at once by what woke us.
+    if (socket->send(command({})) && !socket->receive(kForLastWord)) socket->receive(kForLastWord);
   }
 
   // One trial to have the connection and the device back; waits a while after one that failed.
@@ -177,13 +242,13 @@ struct Inverse3Device::Line {
     angular_velocity.reset();
     bool is_there = false;
     try {
-      auto fresh = std::make_unique<WebSocket>(place.host, place.port);
+      auto fresh = std::make_unique<WebSocket>(place.host, place.port, patience.connection);
       {
         const std::lock_guard lock(mutex);
         socket = std::move(fresh);
         if (stopping) return;
       }
-      for (const Inverse3Entry& entry : inventory_at(*socket, place).devices) {
+      for (const Inverse3Entry& entry : inventory_at(*socket, place, patience).devices) {
         is_there = is_there || entry.id == id;
       }
       knows_device.store(is_there);
@@ -199,11 +264,13 @@ struct Inverse3Device::Line {
 };
 
 std::unique_ptr<Inverse3Device::Opened> Inverse3Device::open(const InverseServicePlace& place,
-                                                             const std::string& device_id) {
+                                                             const std::string& device_id,
+                                                             const Inverse3Patience& patience) {
   auto opened = std::make_unique<Opened>();
   opened->place = place;
-  opened->socket = std::make_unique<WebSocket>(place.host, place.port);
-  const Inverse3Inventory inventory = inventory_at(*opened->socket, place);
+  opened->patience = patience;
+  opened->socket = std::make_unique<WebSocket>(place.host, place.port, patience.connection);
+  const Inverse3Inventory inventory = inventory_at(*opened->socket, place, patience);
   const Inverse3Entry* entry = nullptr;
   for (const Inverse3Entry& candidate : inventory.devices) {
     if (candidate.id == device_id) entry = &candidate;
@@ -212,43 +279,46 @@ std::unique_ptr<Inverse3Device::Opened> Inverse3Device::open(const InverseServic
     throw std::runtime_error("The Inverse Service at " + place.text() + " knows no Inverse3 \"" +
                              device_id + "\": see that it has power and that its cable sits.");
   }
-  opened->spelling = spelling_of(*opened->socket, device_id, inventory);
-  const bool has_default_preset = entry->preset.empty() || entry->preset == "defaults";
-  if (has_default_preset) opened->origin_m = kDefaultsRest_m;
+  opened->origin_m = origin_of(*entry);
+  const FoundSpelling found = spelling_of(*opened->socket, device_id, inventory, patience);
+  opened->spelling = found.spelling;
+  // A grip does not say which arm it is screwed to.
+  if (inventory.grips.size() == 1 && inventory.devices.size() == 1) {
+    opened->grip_id = inventory.grips.front();
+  }
+  const bool has_grip = !opened->grip_id.empty();
   DeviceCapability& capability = opened->capability;
   capability.name = "inverse3";
   capability.model = "Inverse3";
   capability.serial = device_id;
-  capability.sensed_degrees_of_freedom = inventory.has_grip ? 6 : 3;
+  capability.sensed_degrees_of_freedom = has_grip ? 6 : 3;
   capability.actuated_degrees_of_freedom = 3;
   capability.workspace_minimum_m = glm::dvec3(-kHalfBox_m);
   capability.workspace_maximum_m = glm::dvec3(kHalfBox_m);
   capability.peak_force_N = kMostForce_N;
   capability.maximum_rate_Hz = 1000.0;
-  capability.buttons = inventory.has_grip ? 3 : 0;
+  capability.buttons = has_grip ? 3 : 0;
   capability.pacing = Pacing::theirs;
   capability.remarks =
       filters_of(*entry) + " Its axes are " + (entry->axes.empty() ? "not told" : entry->axes) +
       ", its workspace preset is " + (entry->preset.empty() ? "not told" : entry->preset) +
       ". The service tells neither its peak force nor its workspace: 5 N and a box of 24 cm are "
-      "this program's "
-      "own bounds. Forces are spelt \"" +
-      (opened->spelling == ForceSpelling::vector ? "vector" : "values") +
-      "\". Velocity is the slope of the last five positions.";
+      "this program's own bounds. " +
+      remark_on(found) + " Velocity is the slope of the last five positions.";
+  if (!has_grip && !inventory.grips.empty()) {
+    capability.remarks +=
+        " Its grip is not read: with more than one device or more than one grip, the service does "
+        "not tell which belongs to which.";
+  }
   return opened;
 }
 
-Inverse3Device::Inverse3Device(const InverseServicePlace& place, const std::string& device_id)
-    : Inverse3Device(open(place, device_id)) {}
+Inverse3Device::Inverse3Device(const InverseServicePlace& place, const std::string& device_id,
+                               const Inverse3Patience& patience)
+    : Inverse3Device(open(place, device_id, patience)) {}
 
 Inverse3Device::Inverse3Device(std::unique_ptr<Opened> opened)
-    : HapticDevice(opened->capability, ForceLimits{}), line_(std::make_unique<Line>()) {
-  line_->place = opened->place;
-  line_->id = opened->capability.serial;
-  line_->spelling = opened->spelling;
-  line_->origin_m = opened->origin_m;
-  line_->socket = std::move(opened->socket);
-}
+    : HapticDevice(opened->capability, ForceLimits{}), line_(std::make_unique<Line>(*opened)) {}
 
 Inverse3Device::~Inverse3Device() { stop_calls(); }
 
@@ -275,7 +345,7 @@ bool Inverse3Device::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
   if (!line.state) return false;
   state.position_m = line.state->position_m - line.origin_m;
   state.velocity_m_per_s = line.velocity.add(now_ns, state.position_m);
-  state.orientation = line.state->grip;
+  state.orientation = line.state->grip.value_or(line.last_grip);
   line.turned_rad += small_turn_rad(line.last_grip, state.orientation);
   line.last_grip = state.orientation;
   state.angular_velocity_rad_per_s = line.angular_velocity.add(now_ns, line.turned_rad);
@@ -299,7 +369,8 @@ std::string Inverse3Device::trouble() const {
            " is gone: see that the service runs. This program tries to have it back.";
   }
   if (!line_->answers.load()) {
-    return "The Inverse Service has not answered for 100 ms: see that the service and " + who +
+    return "The Inverse Service has not answered for " +
+           std::to_string(line_->patience.update.count()) + " ms: see that the service and " + who +
            " are well.";
   }
   return "";
@@ -307,27 +378,31 @@ std::string Inverse3Device::trouble() const {
 
 namespace {
 
-DriverSurvey inverse3_survey(const DriverOptions& options) {
+DriverSurvey inverse3_survey(const DriverOptions& options, const Inverse3Patience& patience) {
   DriverSurvey survey;
   std::optional<InverseServicePlace> place;
   try {
     place = InverseServicePlace::of(options.service);
-    WebSocket socket(place->host, place->port);
-    const Inverse3Inventory inventory = inventory_at(socket, *place);
+    WebSocket socket(place->host, place->port, patience.connection);
+    const Inverse3Inventory inventory = inventory_at(socket, *place, patience);
     survey.found = "Haply's Inverse Service at " + place->text();
+    const std::vector<AttachedDevice> ours = UnitInUse::of("inverse3");
     for (const Inverse3Entry& entry : inventory.devices) {
-      survey.attached.push_back({.model = "Inverse3",
-                                 .serial = entry.id,
-                                 .place = place->text(),
-                                 .remark = filters_of(entry)});
+      AttachedDevice device{.model = "Inverse3",
+                            .serial = entry.id,
+                            .place = place->text(),
+                            .remark = filters_of(entry)};
+      for (const AttachedDevice& used : ours) {
+        if (used.serial == device.serial && used.place == device.place) device = used;
+      }
+      survey.attached.push_back(device);
     }
   } catch (const std::runtime_error& refusal) {
     survey.hindrance = refusal.what();
     if (place) {
       survey.hindrance +=
           " Install Haply's Inverse Service and start it (systemctl start haply-inverse-service), "
-          "or say where it "
-          "listens.";
+          "or say where it listens with --service HOST:PORT.";
     }
   }
   return survey;
@@ -335,17 +410,19 @@ DriverSurvey inverse3_survey(const DriverOptions& options) {
 
 }  // namespace
 
-Driver inverse3_driver() {
+Driver inverse3_driver(const Inverse3Patience& patience) {
   return {.id = "inverse3",
           .summary = "Inverse3 of Haply, through the maker's local service.",
-          .find = inverse3_survey,
-          .open = [](const std::string& which,
-                     const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
-            const DriverSurvey survey = inverse3_survey(options);
+          .find = [patience](
+                      const DriverOptions& options) { return inverse3_survey(options, patience); },
+          .open = [patience](const std::string& which,
+                             const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
+            const std::lock_guard alone(UnitInUse::looking());
+            const DriverSurvey survey = inverse3_survey(options, patience);
             if (!survey.hindrance.empty()) throw std::runtime_error(survey.hindrance);
             const AttachedDevice device = choose_attached("Inverse3", survey.attached, which);
             return std::make_unique<Inverse3Device>(InverseServicePlace::of(options.service),
-                                                    device.serial);
+                                                    device.serial, patience);
           }};
 }
 

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -20,28 +21,42 @@ struct InverseServicePlace {
   std::string text() const { return host + ":" + std::to_string(port); }
 };
 
+/// How long the service is waited for.
+struct Inverse3Patience {
+  std::chrono::milliseconds connection{1000};
+  std::chrono::milliseconds inventory{1000};  ///< what it says first, and while a device is opened
+  std::chrono::milliseconds update{100};      ///< of the hand, in a session
+};
+
 /// One Inverse3. It keeps time itself (Pacing::theirs): the service gives one update of the hand for each message
 /// that it gets, and the thread of this driver turns each update into one tick, the tick's force into the next
 /// message, and sends no more of them than the loop wants ticks. A force reaches the service up to one period after
 /// the update that it answers.
 ///
-/// An update that does not come within 100 ms is asked for again, with no force. When the connection ends, the
+/// An update that does not come in time (100 ms) is asked for again, with no force. When the connection ends, the
 /// driver tries twice a second to have it back, and calls again when this device is there again; the watch over its
 /// calls (servo_thread.h) tells of the loss. A force is per message: a service that hears nothing lets go.
 ///
 /// What the service does to the force on its way (its filters) stands in the capability's remarks, as it was when
-/// the device was opened. How it spells a force is found out then, with 0.02 N that nobody feels. Velocity is our own
-/// estimate.
+/// the device was opened. How it spells a force is found out then, with 0.02 N that nobody feels; where the service
+/// does not tell what it applies, the remarks say that it was not confirmed. Velocity is our own estimate. A grip is
+/// read where it is the only one and this the only arm.
 ///
-/// Frame: the service's, which is taken for x to the right, y away from the participant, z up; with the
-/// preset "defaults" the origin is moved from the base to where the service's documents have the handle rest, (0, −0.12, 0.15) m.
+/// Frame: the service's, x to the right, y away from the participant, z up. With the presets "defaults" and
+/// "arm_front" the origin is moved from the base to where the service's documents have the handle rest,
+/// (0, −0.12, 0.15) m; with "arm_front_centered" it is the service's.
 ///
-/// Errors: the constructor throws std::runtime_error with a sentence when the service or the device does not answer.
+/// Errors: the constructor throws std::runtime_error with a sentence when the service or the device does not answer, and
+/// for another preset, basis or transform: its axes or its millimetres would not be ours.
 ///
-/// Threads: `trouble` from any; the rest as HapticDevice.
+/// Threads: `trouble` from any; the rest as HapticDevice. `stop_calls` takes up to 1.5 s where the service has fallen
+/// silent; a host that is a name is looked up by the system, as long as that takes.
+///
+/// Real-time: reading and pushing do not allocate; between two ticks the same thread reads and writes JSON, which does.
 class Inverse3Device final : public HapticDevice {
  public:
-  Inverse3Device(const InverseServicePlace& place, const std::string& device_id);
+  Inverse3Device(const InverseServicePlace& place, const std::string& device_id,
+                 const Inverse3Patience& patience = {});
   ~Inverse3Device() override;
 
   void start_calls(const TickCall& call) override;
@@ -53,7 +68,8 @@ class Inverse3Device final : public HapticDevice {
   struct Line;
   explicit Inverse3Device(std::unique_ptr<Opened> opened);
   static std::unique_ptr<Opened> open(const InverseServicePlace& place,
-                                      const std::string& device_id);
+                                      const std::string& device_id,
+                                      const Inverse3Patience& patience);
 
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;
   bool do_send(const Wrench& limited) noexcept override;
@@ -62,6 +78,6 @@ class Inverse3Device final : public HapticDevice {
 };
 
 /// "inverse3": every Inverse3 that the service knows, by its device id.
-Driver inverse3_driver();
+Driver inverse3_driver(const Inverse3Patience& patience = {});
 
 }  // namespace asperity

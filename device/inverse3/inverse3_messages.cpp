@@ -2,6 +2,9 @@
 
 #include "device/inverse3/inverse3_messages.h"
 
+#include <utility>
+
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "analysis/number_text.h"
@@ -37,15 +40,43 @@ std::optional<bool> flag_if_there(const json& value) {
   return value.get<bool>();
 }
 
-glm::dvec3 vector_of(const json& value) {
-  return {number_or(at(value, "x"), 0.0), number_or(at(value, "y"), 0.0),
-          number_or(at(value, "z"), 0.0)};
+// Nothing where no vector is told: neither an empty object nor words in place of numbers are one.
+std::optional<glm::dvec3> vector_if_there(const json& value) {
+  if (!value.is_object() || value.empty()) return std::nullopt;
+  glm::dvec3 vector(0.0);
+  const char* const names[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const json& part = at(value, names[axis]);
+    if (!part.is_null() && !part.is_number()) return std::nullopt;
+    vector[axis] = number_or(part, 0.0);
+  }
+  return vector;
 }
 
-glm::dquat turn_of(const json& value) {
-  if (!value.is_object() || value.empty()) return {1.0, 0.0, 0.0, 0.0};
-  const glm::dvec3 axis = vector_of(value);
-  return {number_or(at(value, "w"), 0.0), axis.x, axis.y, axis.z};
+// Nothing told is no turn; four zeros are none that anything could have.
+std::optional<glm::dquat> turn_of(const json& value) {
+  if (!value.is_object() || value.empty()) return glm::dquat(1.0, 0.0, 0.0, 0.0);
+  const glm::dvec3 axis = vector_if_there(value).value_or(glm::dvec3(0.0));
+  const glm::dquat turn(number_or(at(value, "w"), 0.0), axis.x, axis.y, axis.z);
+  constexpr double kShortest = 0.5;  // of what should be 1
+  const double length = glm::length(turn);
+  if (!(length > kShortest && length < 1.0 / kShortest)) return std::nullopt;
+  return turn / length;
+}
+
+bool is_identity(const json& transform) {
+  const glm::dvec3 moved_m = vector_if_there(at(transform, "position")).value_or(glm::dvec3(0.0));
+  const glm::dvec3 scaled = vector_if_there(at(transform, "scale")).value_or(glm::dvec3(1.0));
+  const std::optional<glm::dquat> turned = turn_of(at(transform, "rotation"));
+  constexpr double kClose = 1e-9;
+  return glm::length(moved_m) < kClose && glm::length(scaled - glm::dvec3(1.0)) < kClose &&
+         turned && glm::length(glm::dvec3(turned->x, turned->y, turned->z)) < kClose;
+}
+
+// "defaults", or {"preset": "defaults"}.
+std::string preset_of(const json& config) {
+  const json& preset = at(config, "preset");
+  return preset.is_object() ? text_or_none(at(preset, "preset")) : text_or_none(preset);
 }
 
 Inverse3Entry entry_of(const json& device) {
@@ -54,8 +85,10 @@ Inverse3Entry entry_of(const json& device) {
   const json& filters = at(config, "filters");
   return {.id = text_or_none(at(device, "device_id")),
           .handedness = text_or_none(at(config, "handedness")),
-          .preset = text_or_none(at(config, "preset")),
+          .preset = preset_of(config),
           .axes = text_or_none(at(at(config, "basis"), "permutation")),
+          .is_transformed = !is_identity(at(at(config, "mount"), "transform")) ||
+                            !is_identity(at(at(device, "state"), "transform")),
           .force_gate_gain = number_if_there(at(at(filters, "force_gate"), "gain")),
           .damping = number_if_there(at(at(filters, "damping"), "scalar")),
           .compensates_gravity = flag_if_there(at(gravity, "enabled")),
@@ -82,27 +115,35 @@ std::optional<Inverse3Inventory> inventory_from(std::string_view message) {
     Inverse3Entry entry = entry_of(device);
     if (!entry.id.empty()) inventory.devices.push_back(std::move(entry));
   }
-  const json& grips = at(root, "wireless_verse_grip");
-  inventory.has_grip = grips.is_array() && !grips.empty();
+  for (const json& grip : at(root, "wireless_verse_grip")) {
+    std::string id = text_or_none(at(grip, "device_id"));
+    if (!id.empty()) inventory.grips.push_back(std::move(id));
+  }
   return inventory;
 }
 
-std::optional<Inverse3State> state_from(std::string_view message, const std::string& device_id) {
+std::optional<Inverse3State> state_from(std::string_view message, const std::string& device_id,
+                                        const std::string& grip_id) {
   const json root = json::parse(message, nullptr, /*allow_exceptions=*/false);
   for (const json& device : at(root, "inverse3")) {
     if (text_or_none(at(device, "device_id")) != device_id) continue;
     const json& state = at(device, "state");
-    Inverse3State found{.position_m = vector_of(at(state, "cursor_position")),
-                        .force_N = vector_of(at(state, "current_cursor_force"))};
-    const json& grips = at(root, "wireless_verse_grip");
-    if (grips.is_array() && !grips.empty()) {
-      const json& grip = at(grips.front(), "state");
-      found.grip = turn_of(at(grip, "orientation"));
+    const std::optional<glm::dvec3> position_m = vector_if_there(at(state, "cursor_position"));
+    if (!position_m) return std::nullopt;
+    Inverse3State found{
+        .position_m = *position_m,
+        .force_N = vector_if_there(at(state, "current_cursor_force")).value_or(glm::dvec3(0.0))};
+    for (const json& grip : at(root, "wireless_verse_grip")) {
+      if (grip_id.empty() || text_or_none(at(grip, "device_id")) != grip_id) continue;
+      const json& told = at(grip, "state");
+      if (!told.is_object()) break;
+      found.grip = turn_of(at(told, "orientation"));
       const char* const names[] = {"a", "b", "c"};
       for (unsigned int i = 0; i < 3; ++i) {
-        if (flag_if_there(at(at(grip, "buttons"), names[i])).value_or(false))
+        if (flag_if_there(at(at(told, "buttons"), names[i])).value_or(false))
           found.buttons |= 1U << i;
       }
+      break;
     }
     return found;
   }

@@ -19,9 +19,10 @@ enum class ForceSpelling { vector, values };
 /// One Inverse3 in the first message of a connection, with what shapes its force.
 struct Inverse3Entry {
   std::string id{};
-  std::string handedness{};  ///< "right", "left"; empty where not told
-  std::string preset{};      ///< of the workspace; empty where not told
-  std::string axes{};        ///< permutation of the basis, "XYZ"; empty where not told
+  std::string handedness{};     ///< "right", "left"; empty where not told
+  std::string preset{};         ///< of the workspace; empty where not told
+  std::string axes{};           ///< permutation of the basis, "XYZ"; empty where not told
+  bool is_transformed = false;  ///< its workspace is moved, turned or scaled
   std::optional<double> force_gate_gain{};
   std::optional<double> damping{};
   std::optional<bool> compensates_gravity{};
@@ -32,22 +33,24 @@ struct Inverse3Entry {
 struct Inverse3Inventory {
   bool has_session = false;  ///< it numbers sessions, as 3.5 does
   std::vector<Inverse3Entry> devices{};
-  bool has_grip = false;  ///< a wireless Verse Grip is there
+  std::vector<std::string> grips{};  ///< ids of the wireless Verse Grips
 };
 
-/// Where the cursor of one device is. Metres, metres per second, newtons, in the service's frame; what a message
-/// leaves out is zero, or no turn.
+/// Where the cursor of one device is. Metres, metres per second, newtons, in the service's frame. Of a vector that is
+/// told, a part that is left out is zero.
 struct Inverse3State {
   glm::dvec3 position_m{0.0};
-  glm::dvec3 force_N{0.0};  ///< that it applies
-  glm::dquat grip{1.0, 0.0, 0.0, 0.0};
-  std::uint32_t buttons = 0;  ///< of the grip: a, b, c
+  glm::dvec3 force_N{0.0};           ///< that it applies; zero where not told
+  std::optional<glm::dquat> grip{};  ///< of length 1; nothing where none is told that is a turn
+  std::uint32_t buttons = 0;         ///< of the grip: a, b, c
 };
 
 /// Nothing when the text is not JSON or no object.
 std::optional<Inverse3Inventory> inventory_from(std::string_view message);
-/// Nothing when the text is not JSON or does not speak of this device.
-std::optional<Inverse3State> state_from(std::string_view message, const std::string& device_id);
+/// Nothing when the text is not JSON, does not speak of this device, or does not tell its position: a hand nobody knows
+/// of must not be felt at the origin. `grip_id` is the grip that belongs to it; empty for none.
+std::optional<Inverse3State> state_from(std::string_view message, const std::string& device_id,
+                                        const std::string& grip_id = {});
 
 /// The command for one tick. `profile` names the session, in the first message of a connection only.
 std::string force_command(const std::string& device_id, ForceSpelling spelling,

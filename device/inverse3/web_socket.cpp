@@ -14,8 +14,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::chrono::milliseconds kToConnect(1000);
-constexpr std::chrono::milliseconds kToSend(1000);
+constexpr std::chrono::milliseconds kToSend(250);  // a line that takes nothing for so long is gone
 constexpr std::size_t kReceiveBuffer_bytes = 65536;
 constexpr unsigned int kMostFiles = 8;  // of its own: the socket and what wakes it, with room
 
@@ -102,7 +101,7 @@ struct WebSocket::Connection {
   }
 };
 
-WebSocket::WebSocket(const std::string& host, int port)
+WebSocket::WebSocket(const std::string& host, int port, std::chrono::milliseconds patience)
     : connection_(std::make_unique<Connection>()) {
   const std::string place = host + ":" + std::to_string(port);
   lws_set_log_level(0, nullptr);  // what matters is told by whoever called
@@ -130,7 +129,7 @@ WebSocket::WebSocket(const std::string& host, int port)
   target.local_protocol_name = "asperity";
   target.pwsi = &connection_->line;
   lws_client_connect_via_info(&target);
-  connection_->serve_until(kToConnect, [this] { return connection_->is_open; });
+  connection_->serve_until(patience, [this] { return connection_->is_open; });
   if (!connection_->is_open) {
     const std::string& failure = connection_->failure;
     throw std::runtime_error("Nobody answers at " + place +

@@ -13,18 +13,18 @@ namespace asperity {
 /// Text messages over ws://host:port/, one after the other, as a client.
 ///
 /// Errors: the constructor throws std::runtime_error with a sentence when nobody listens there, or does not speak
-/// WebSocket, within a second.
+/// WebSocket, within `patience` (and the time that the system takes to look up a host that is a name).
 ///
 /// Threads: all of it belongs to one thread at a time, but for `wake`, which may come from any.
 class WebSocket final {
  public:
-  WebSocket(const std::string& host, int port);
+  WebSocket(const std::string& host, int port, std::chrono::milliseconds patience);
   ~WebSocket();
   WebSocket(const WebSocket&) = delete;
   WebSocket& operator=(const WebSocket&) = delete;
 
   bool is_open() const noexcept;
-  /// False when the connection is gone, or does not take it within a second.
+  /// False when the connection is gone, or does not take it within a quarter of a second.
   bool send(std::string_view text);
   /// The next message; nothing when none comes within `patience`, the connection is gone or `wake` was called.
   std::optional<std::string> receive(std::chrono::milliseconds patience);

@@ -1,6 +1,8 @@
 // The driver of the Inverse3, unmodified, against a service on the loopback that speaks the documented messages.
 
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <functional>
 #include <stdexcept>
 #include <thread>
@@ -12,6 +14,7 @@
 #include "device/inverse3/inverse3_device.h"
 #include "tests/device/servo_stand_in.h"
 #include "tests/device/vendors/test_inverse_service.h"
+#include "tests/support/allocation_guard.h"
 
 namespace asperity {
 namespace {
@@ -37,7 +40,7 @@ TEST(Inverse3Messages, AreReadAsDocumented) {
       "filters":{"force_gate":{"gain":0.3},"damping":{"scalar":0.0}}}},{"device_id":"1234"}]})");
   ASSERT_TRUE(inventory.has_value());
   EXPECT_TRUE(inventory->has_session);
-  EXPECT_FALSE(inventory->has_grip);
+  EXPECT_TRUE(inventory->grips.empty());
   ASSERT_EQ(inventory->devices.size(), 2U);
   EXPECT_EQ(inventory->devices[0].axes, "XZY");
   EXPECT_EQ(filters_of(inventory->devices[0]),
@@ -53,14 +56,41 @@ TEST(Inverse3Messages, MeanNoTurnAndNoWayByWhatTheyLeaveOut) {
   const auto full =
       state_from(R"({"inverse3":[{"device_id":"A","state":{"cursor_position":{"x":1,"y":2,"z":3}}},
       {"device_id":"B","state":{"cursor_position":{"z":-0.5},"current_cursor_force":{"y":0.25}}}],
-      "wireless_verse_grip":[{"state":{"buttons":{"a":true,"c":true}}}]})",
-                 "B");
+      "wireless_verse_grip":[{"device_id":"F","state":{"buttons":{"b":true}}},
+      {"device_id":"G","state":{"buttons":{"a":true,"c":true}}}]})",
+                 "B", "G");
   ASSERT_TRUE(full.has_value());
   EXPECT_EQ(full->position_m, glm::dvec3(0.0, 0.0, -0.5));
   EXPECT_EQ(full->force_N, glm::dvec3(0.0, 0.25, 0.0));
   EXPECT_EQ(full->grip, glm::dquat(1.0, 0.0, 0.0, 0.0));
   EXPECT_EQ(full->buttons, 5U);
-  EXPECT_EQ(state_from(R"({"inverse3":[{"device_id":"A"}]})", "A")->position_m, glm::dvec3(0.0));
+}
+
+TEST(Inverse3Messages, WithoutAPositionTellOfNoHand) {
+  for (const char* state :
+       {R"({})", R"({"state":{}})", R"({"state":null})", R"({"state":{"cursor_position":{}}})",
+        R"({"state":{"cursor_position":{"x":"far"}}})",
+        R"({"state":{"current_cursor_force":{"z":1}}})"}) {
+    std::string device = state;
+    device.insert(1, device == "{}" ? R"("device_id":"A")" : R"("device_id":"A",)");
+    EXPECT_FALSE(state_from(R"({"inverse3":[)" + device + "]}", "A").has_value()) << device;
+  }
+}
+
+TEST(Inverse3Messages, TellOfAGripOnlyItsOwnAndOnlyATurn) {
+  const auto grip = [](const std::string& orientation, const std::string& id) {
+    return state_from(
+               R"({"inverse3":[{"device_id":"A","state":{"cursor_position":{"x":1}}}],
+               "wireless_verse_grip":[{"device_id":"G","state":{"orientation":)" +
+                   orientation + R"(,"buttons":{"a":true}}}]})",
+               "A", id)
+        .value();
+  };
+  EXPECT_EQ(grip(R"({"w":0,"z":2})", "G").grip, std::nullopt);
+  EXPECT_EQ(grip(R"({"w":0,"x":0,"y":0,"z":0})", "G").grip, std::nullopt);
+  EXPECT_EQ(grip(R"({"z":1})", "G").grip, glm::dquat(0.0, 0.0, 0.0, 1.0));
+  EXPECT_EQ(grip(R"({"w":0.6,"x":0.8})", "F").grip, std::nullopt);
+  EXPECT_EQ(grip(R"({"w":0.6,"x":0.8})", "").buttons, 0U);
 }
 
 TEST(Inverse3Messages, OfAnyOtherKindAreNone) {
@@ -94,11 +124,21 @@ TEST(InverseServicePlace, IsTheUsualOneUnlessSaid) {
 
 class Inverse3 : public testing::Test {
  protected:
+  // A busy machine may keep the stand-in waiting for long; where being late is the matter, it is `hurried`.
+  static constexpr Inverse3Patience kPatient{.connection = std::chrono::minutes(1),
+                                             .inventory = std::chrono::minutes(1),
+                                             .update = std::chrono::minutes(1)};
+  static constexpr Inverse3Patience kHurried{.connection = std::chrono::minutes(1),
+                                             .inventory = std::chrono::minutes(1),
+                                             .update = std::chrono::milliseconds(100)};
   TestInverseService service{};
-  const Driver driver = inverse3_driver();
+  const Driver driver = inverse3_driver(kPatient);
   const DriverOptions options{.service = service.place()};
 
   std::unique_ptr<HapticDevice> open() { return driver.open("", options); }
+  std::unique_ptr<HapticDevice> open_hurried() {
+    return inverse3_driver(kHurried).open("", options);
+  }
   // A change of the bench, or a look at it.
   template <typename Change>
   auto bench(Change change) {
@@ -135,21 +175,58 @@ TEST_F(Inverse3, ListsWhatTheServiceKnowsAndItsFilters) {
   EXPECT_THAT(device->capability().remarks, HasSubstr("force gate 0.3"));
   // In the first message, and in no other.
   EXPECT_THAT(bench([](auto& it) { return it.profiles; }), ElementsAre("asperity"));
+  const DriverSurvey meanwhile = driver.find(options);
+  EXPECT_TRUE(meanwhile.attached.at(0).is_usable());
+  EXPECT_THAT(meanwhile.attached.at(1).hindrance, HasSubstr("This program uses it"));
+  EXPECT_THAT(inverse3_complaint([&] { driver.open("0C1A", options); }), HasSubstr("uses it"));
+}
+
+TEST_F(Inverse3, IsRefusedWhereItsAxesOrItsMillimetresAreNotOurs) {
+  bench([](auto& it) { it.axes = "XZY"; });
+  EXPECT_THAT(inverse3_complaint([&] { open(); }),
+              AllOf(HasSubstr("049D"), HasSubstr("\"XZY\""), HasSubstr("\"defaults\"")));
+  bench([](auto& it) {
+    it.axes = "XYZ";
+    it.preset = "led_front";
+  });
+  EXPECT_THAT(inverse3_complaint([&] { open(); }), HasSubstr("\"led_front\""));
+  bench([](auto& it) {
+    it.preset = "arm_front";
+    it.scale = 2.0;
+  });
+  EXPECT_THAT(inverse3_complaint([&] { open(); }), HasSubstr("scaled"));
+  EXPECT_EQ(bench([](auto& it) { return it.strongest_N; }), 0.0);  // and before any force
+  bench([](auto& it) { it.scale = 1.0; });
+  open();
+}
+
+TEST_F(Inverse3, CountsFromTheMiddleWhereTheServiceDoes) {
+  bench([](auto& it) {
+    it.preset = "arm_front_centered";
+    it.position_m = {0.01, 0.02, 0.03};
+  });
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  servo.start();
+  servo.wait_for(2);
+  EXPECT_EQ(servo.probe().position_m, glm::dvec3(0.01, 0.02, 0.03));
 }
 
 TEST_F(Inverse3, FindsOutHowTheServiceSpellsForces) {
   for (const char* field : {"vector", "values"}) {
     bench([&](auto& it) { it.force_field = field; });
     const auto device = open();
-    EXPECT_THAT(device->capability().remarks, HasSubstr("\"" + std::string(field) + "\""));
+    EXPECT_THAT(device->capability().remarks, HasSubstr("\"" + std::string(field) + "\"."));
     EXPECT_LE(bench([](auto& it) { return it.strongest_N; }), 0.02);
     EXPECT_THAT(bench([](auto& it) { return it.force_N; }), ElementsAre(0.0, 0.0, 0.0));
   }
   // One that does not tell: by its version.
   bench([](auto& it) { it.tells_forces = false; });
-  EXPECT_THAT(open()->capability().remarks, HasSubstr("\"vector\""));
+  EXPECT_THAT(open()->capability().remarks,
+              AllOf(HasSubstr("\"vector\""), HasSubstr("did not confirm")));
   bench([](auto& it) { it.numbers_sessions = false; });
-  EXPECT_THAT(open()->capability().remarks, HasSubstr("\"values\""));
+  EXPECT_THAT(open()->capability().remarks,
+              AllOf(HasSubstr("\"values\""), HasSubstr("did not confirm")));
 }
 
 TEST_F(Inverse3, TicksOnceForEachUpdateAndSendsOneMessageForEach) {
@@ -160,17 +237,16 @@ TEST_F(Inverse3, TicksOnceForEachUpdateAndSendsOneMessageForEach) {
   servo.wait_for(30);
   device->stop_calls();
   const int messages = bench([](auto& it) { return it.messages; }) - before;
-  EXPECT_EQ(bench([](auto& it) { return it.answers; }) - before, messages);
-  // The last message says zero and its update is no tick; nor is an update that a busy machine was too slow for.
-  EXPECT_GT(messages, servo.ticks);
-  EXPECT_LT(messages, 2 * servo.ticks);
+  // The last message says zero and its update is no tick; nor is that of the message that was under way at the end.
+  EXPECT_GE(messages, servo.ticks + 1);
+  EXPECT_LE(messages, servo.ticks + 2);
   EXPECT_EQ(servo.unread, 0);
 }
 
 TEST_F(Inverse3, TellsThePoseAboutWhereTheHandleRests) {
   bench([](auto& it) {
     it.position_m = {0.01, -0.10, 0.18};
-    it.has_grip = true;
+    it.grips = {"G"};
   });
   const auto device = open();
   EXPECT_EQ(device->capability().sensed_degrees_of_freedom, 6);
@@ -187,16 +263,82 @@ TEST_F(Inverse3, TellsThePoseAboutWhereTheHandleRests) {
   EXPECT_NEAR(glm::length(probe.velocity_m_per_s), 0.0, 1e-12);
 }
 
-TEST_F(Inverse3, TakesWhatIsLeftOutForTheOrigin) {
+TEST_F(Inverse3, KeepsItsTurnWhereTheGripTellsNone) {
+  bench([](auto& it) { it.grips = {"G"}; });
+  const auto device = open();
+  ReadAndPush servo{device.get()};
+  servo.start();
+  servo.wait_for(3);
+  bench([](auto& it) { it.turns = false; });
+  servo.wait_for(8);
+  const ProbeState probe = servo.probe();
+  EXPECT_NEAR(
+      glm::distance(probe.orientation * glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0)), 0.0,
+      1e-12);
+  EXPECT_NEAR(glm::length(probe.angular_velocity_rad_per_s), 0.0, 1e-9);
+}
+
+TEST_F(Inverse3, DoesNotReadAGripThatMayBeAnybodys) {
+  bench([](auto& it) { it.grips = {"G", "H"}; });
+  {
+    const auto device = open();
+    EXPECT_EQ(device->capability().sensed_degrees_of_freedom, 3);
+    EXPECT_EQ(device->capability().buttons, 0);
+    EXPECT_THAT(device->capability().remarks, HasSubstr("grip is not read"));
+    ReadAndPush servo{device.get()};
+    servo.start();
+    servo.wait_for(2);
+    EXPECT_EQ(servo.probe().buttons, 0U);
+  }
   bench([](auto& it) {
-    it.omits_identity = true;
-    it.position_m = {0.0, 0.0, 0.0};
+    it.grips = {"G"};
+    it.ids = {"049D", "0C1A"};
   });
+  EXPECT_EQ(driver.open("049D", options)->capability().sensed_degrees_of_freedom, 3);
+}
+
+TEST_F(Inverse3, DoesNotAnswerWhileNoPositionIsTold) {
   const auto device = open();
   ReadAndPush servo{device.get()};
   servo.start();
   servo.wait_for(2);
-  EXPECT_NEAR(glm::distance(servo.probe().position_m, glm::dvec3(0.0, 0.12, -0.15)), 0.0, 1e-12);
+  EXPECT_EQ(servo.unread, 0);
+  bench([](auto& it) {
+    it.omits_identity = true;
+    it.position_m = {0.0, 0.0, 0.0};
+  });
+  while (servo.unread == 0) std::this_thread::yield();
+}
+
+TEST_F(Inverse3, IsRefusedWhereNoPositionIsTold) {
+  bench([](auto& it) {
+    it.omits_identity = true;
+    it.position_m = {0.0, 0.0, 0.0};
+  });
+  EXPECT_THAT(inverse3_complaint([&] { open(); }), HasSubstr("does not tell where"));
+}
+
+// The tick, that is reading and pushing in it; the messages between two ticks do.
+TEST_F(Inverse3, DoesNotTouchTheHeapInATick) {
+  struct CountingTick {
+    HapticDevice* device = nullptr;
+    std::atomic<int> ticks{0};
+    std::int64_t allocations = 0;
+    static void run(void* self) noexcept {
+      auto* tick = static_cast<CountingTick*>(self);
+      const AllocationGuard guard;
+      tick->device->read(tick->ticks * 1'000'000);
+      tick->device->push({.force_N = {0.0, 0.0, 0.1}}, 1e-3);
+      tick->allocations += guard.count();
+      ++tick->ticks;
+    }
+  } tick;
+  const auto device = open();
+  tick.device = device.get();
+  device->start_calls({.function = &CountingTick::run, .argument = &tick});
+  while (tick.ticks < 20) std::this_thread::yield();
+  device->stop_calls();
+  EXPECT_EQ(tick.allocations, 0);
 }
 
 TEST_F(Inverse3, SendsTheForceOfATickWithTheNextMessageAndEndsAtZero) {
@@ -216,22 +358,22 @@ TEST_F(Inverse3, SendsTheForceOfATickWithTheNextMessageAndEndsAtZero) {
 }
 
 TEST_F(Inverse3, AsksAgainWithoutForceForAnUpdateThatDoesNotCome) {
-  const auto device = open();
+  const auto device = open_hurried();
   ReadAndPush servo{device.get(), {.force_N = {0.0, 0.0, 0.3}}};
   servo.start();
   servo.wait_for(3);
-  bench([](auto& it) { it.answers_to_drop = 1; });
+  bench([](auto& it) { it.answers_to_drop = 3; });
+  while (bench([](auto& it) { return it.answers_to_drop; }) > 0) std::this_thread::yield();
   servo.wait_for(5);
   device->stop_calls();
-  EXPECT_EQ(bench([](auto& it) { return it.answers_to_drop; }), 0);
-  // The one that was dropped; no update was taken for two.
-  EXPECT_EQ(bench([](auto& it) { return it.messages - it.answers; }), 1);
+  EXPECT_EQ(bench([](auto& it) { return it.after_a_drop_N; }), 0.0);
+  EXPECT_GT(bench([](auto& it) { return it.strongest_N; }), 0.29);
 }
 
 // Four updates come after they were asked for again: had they been taken for those of later messages, every tick from
 // then on would see the hand four messages ago.
 TEST_F(Inverse3, DoesNotLagAfterLateUpdates) {
-  const auto device = open();
+  const auto device = open_hurried();
   ReadAndPush servo{device.get()};
   bench([](auto& it) { it.counts_in_position = true; });
   servo.start();
@@ -249,7 +391,7 @@ TEST_F(Inverse3, DoesNotLagAfterLateUpdates) {
 }
 
 TEST_F(Inverse3, SaysThatTheServiceIsLateWhileItIs) {
-  const auto device = open();
+  const auto device = open_hurried();
   ReadAndPush servo{device.get()};
   servo.start();
   servo.wait_for(3);
@@ -297,7 +439,7 @@ TEST_F(Inverse3, ConnectsAgainAfterTheConnectionEnded) {
 }
 
 TEST_F(Inverse3, StopsThoughTheServiceFellSilent) {
-  const auto device = open();
+  const auto device = open_hurried();
   ReadAndPush servo{device.get()};
   servo.start();
   servo.wait_for(3);

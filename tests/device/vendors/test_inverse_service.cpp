@@ -2,6 +2,7 @@
 
 #include "tests/device/vendors/test_inverse_service.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -93,6 +94,9 @@ struct TestInverseService::Server {
       if (!bench.omits_identity || bench.position_m != std::array{0.0, 0.0, 0.0}) {
         state["cursor_position"] = vector(bench.position_m);
       }
+      if (bench.scale != 1.0) {
+        state["transform"]["scale"] = vector({bench.scale, bench.scale, bench.scale});
+      }
       if (bench.tells_forces) state["current_cursor_force"] = vector(bench.force_N);
       if (!bench.omits_identity)
         state["body_orientation"] = {{"w", 1}, {"x", 0}, {"y", 0}, {"z", 0}};
@@ -102,11 +106,16 @@ struct TestInverseService::Server {
   }
 
   json grips() const {
-    // Turned by 90° about the axis that points up, its second button down.
-    return json::array({{{"device_id", "G"},
-                         {"state",
-                          {{"orientation", {{"w", std::sqrt(0.5)}, {"z", std::sqrt(0.5)}}},
-                           {"buttons", {{"a", false}, {"b", true}, {"c", false}}}}}}});
+    json all = json::array();
+    for (const std::string& id : bench.grips) {
+      // Turned by 90° about the axis that points up, its second button down.
+      const double half = bench.turns ? std::sqrt(0.5) : 0.0;
+      all.push_back({{"device_id", id},
+                     {"state",
+                      {{"orientation", {{"w", half}, {"z", half}}},
+                       {"buttons", {{"a", false}, {"b", true}, {"c", false}}}}}});
+    }
+    return all;
   }
 
   json inventory() const {
@@ -116,13 +125,13 @@ struct TestInverseService::Server {
     for (json& device : message["inverse3"]) {
       device["config"] = {
           {"handedness", "right"},
-          {"preset", "defaults"},
-          {"basis", {{"permutation", "XYZ"}}},
+          {"preset", bench.preset},
+          {"basis", {{"permutation", bench.axes}}},
           {"gravity_compensation", {{"enabled", true}, {"scaling_factor", 0.75}}},
           {"torque_scaling", {{"enabled", true}}},
           {"filters", {{"force_gate", {{"gain", 0.3}}}, {"damping", {{"scalar", 0.5}}}}}};
     }
-    if (bench.has_grip) message["wireless_verse_grip"] = grips();
+    if (!bench.grips.empty()) message["wireless_verse_grip"] = grips();
     return message;
   }
 
@@ -142,7 +151,12 @@ struct TestInverseService::Server {
         bench.strongest_N = std::max(
             bench.strongest_N, std::hypot(bench.force_N[0], bench.force_N[1], bench.force_N[2]));
       }
-      if (bench.answers_to_drop > 0) {
+      if (bench.was_dropped) {
+        bench.after_a_drop_N = std::max(
+            bench.after_a_drop_N, std::hypot(bench.force_N[0], bench.force_N[1], bench.force_N[2]));
+      }
+      bench.was_dropped = bench.answers_to_drop > 0;
+      if (bench.was_dropped) {
         --bench.answers_to_drop;
         return;
       }
@@ -154,7 +168,7 @@ struct TestInverseService::Server {
     ++bench.answers;
     if (bench.counts_in_position) bench.position_m[0] = bench.answers;
     json update{{"inverse3", state_of_devices()}};
-    if (bench.has_grip) update["wireless_verse_grip"] = grips();
+    if (!bench.grips.empty()) update["wireless_verse_grip"] = grips();
     say(line, update);
   }
 };

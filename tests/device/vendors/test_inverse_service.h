@@ -22,9 +22,15 @@ class TestInverseService final {
     bool tells_forces = true;
     bool numbers_sessions = true;
     bool omits_identity = false;
-    bool has_grip = false;
+    std::vector<std::string> grips{};
+    bool turns = true;  ///< false: what the grips tell as their turn is four zeros
+    std::string preset = "defaults";
+    std::string axes = "XYZ";
+    double scale = 1.0;  ///< of the workspace
     std::array<double, 3> position_m{0.0, -0.12, 0.15};
     int answers_to_drop = 0;
+    bool was_dropped = false;     ///< the last answer
+    double after_a_drop_N = 0.0;  ///< the strongest force asked for next
     int delay_ms = 0;
     int answers_to_delay = 0;         ///< as long as delay_ms says; 0: all
     bool counts_in_position = false;  ///< x is the number of the answer
