@@ -73,8 +73,9 @@ const std::map<std::string, NumberWords>& known_numbers() {
 /// Alternatives of a test that is listed as well.
 bool is_another_form(const std::string& quantity) {
   static const std::set<std::string> kAlternatives{
-      "G.p",           "exact.midp.greater", "exact.p.less",        "fisher.p.greater",
-      "fisher.p.less", "multinom.exact.p",   "pairwise.binom.p.two"};
+      "G.p",           "exact.midp.greater",  "exact.p.less",         "fisher.p.greater",
+      "fisher.p.less", "mauchly.p.car",       "mauchly.p.firstorder", "multinom.exact.p",
+      "p.lower",       "pairwise.binom.p.two"};
   return kAlternatives.contains(quantity);
 }
 

@@ -271,7 +271,7 @@ std::string words_of_key(const std::string& key) {
     } else if (!part.name.empty() && (is_number || part.name == "against")) {
       add(names, part.name + ' ' + part.value);
     } else {
-      add(names, part.value);
+      add(names, part.value == "condition:spacing" ? "spacing by condition" : part.value);
     }
   }
   if (names.empty()) return wholes;
@@ -279,6 +279,10 @@ std::string words_of_key(const std::string& key) {
 }
 
 std::string words_of_quantity(const std::string& quantity) {
+  static const std::map<std::string, std::string> kNamed{
+      {"mauchly.W", "Mauchly’s test of sphericity"},
+      {"peak.fieller", "Fieller’s interval of the peak"}};
+  if (const auto named = kNamed.find(quantity); named != kNamed.end()) return named->second;
   std::string words = quantity;
   std::replace(words.begin(), words.end(), '_', ' ');
   std::replace(words.begin(), words.end(), '.', ' ');

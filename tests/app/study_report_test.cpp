@@ -501,6 +501,8 @@ TEST(ReportTests, TellsWholesFromTheirParts) {
   EXPECT_TRUE(tests[2].is_of_whole) << "there is no whole of its kind";
   EXPECT_EQ(words_of_key("column=all item=a"), "a (all columns)");
   EXPECT_EQ(words_of_key("column=1 person=Other or not told"), "column 1, Other or not told");
+  EXPECT_EQ(words_of_key("condition:spacing"), "spacing by condition");
+  EXPECT_EQ(words_of_quantity("peak.fieller"), "Fieller’s interval of the peak");
 }
 
 // Both p are alike; what is told is known by its name.

@@ -311,8 +311,8 @@ class MagnitudeList final {
       number("exponent.se", probe, test->standard_error, "over participants");
       number("exponent.ci.lower", probe, test->interval.low, "t interval");
       number("exponent.ci.upper", probe, test->interval.high, "t interval");
-      number("exponent.t", probe, test->t, "t over participants against 0");
-      number("exponent.p", probe, test->p, "two-sided t over participants");
+      number("exponent.t", probe, test->t, "exponent against 0, t over participants");
+      number("exponent.p", probe, test->p, "exponent against 0, two-sided t over participants");
     } else {
       list_.word("exponent.t", probe, "undefined_zero_variance",
                  "all participants have the same exponent, so there is no t",
@@ -338,10 +338,11 @@ class MagnitudeList final {
     }
     number("pooled.quad.r2", probe, fit.pooled_r2, "curve through the means");
     number("pooled.quad.vs.linear.F", probe, fit.F, "curve against line, through the means");
-    number("pooled.quad.vs.linear.p", probe, fit.p, "F of curve against line");
+    number("pooled.quad.vs.linear.p", probe, fit.p, "parabola against line, through the means: F");
     if (const auto& test = fit.curvature.test) {
-      number("quad.c.t", probe, test->t, "t of c over participants against 0");
-      number("quad.c.p", probe, test->p, "two-sided t of c over participants");
+      number("quad.c.t", probe, test->t, "bend of the parabola against 0, t over participants");
+      number("quad.c.p", probe, test->p,
+             "bend of the parabola against 0, two-sided t over participants");
     } else {
       list_.word("quad.c.t", probe, "undefined_zero_variance",
                  "all participants have the same curvature, so there is no t",
