@@ -70,9 +70,9 @@ class HapticDevice {
   /// Errors: std::logic_error for a device that we pace; std::runtime_error with a sentence when the
   /// device refuses.
   virtual void start_calls(const TickCall& call);
-  /// When it returns, within two seconds, no call is under way and none will come: a thread that is
-  /// stuck in the maker's code is shut out for ever (call_gate.h). The motors are at zero, or nobody
-  /// can reach them. May be called at any time and twice.
+  /// When it returns no call is under way and none will come: a tick is waited for, a thread that is
+  /// stuck in the maker's code shut out for ever within two seconds (call_gate.h). The motors are at
+  /// zero, or nobody can reach them. May be called at any time and twice.
   virtual void stop_calls() noexcept {}
 
   /// What is wrong with the device now, in sentences for the person who must act: that its pose is
