@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -30,6 +31,9 @@
 #include "app/figures/figure_files.h"
 #include "app/figures/figures_of.h"
 #include "app/figures/sweep_figure.h"
+#include "app/tasks/protocol_files.h"
+#include "app/tasks/sweep_beside.h"
+#include "protocols/protocol_reader.h"
 #include "results_schema/study.h"
 #endif
 #include "stimuli/synthetic_surface.h"
@@ -69,11 +73,50 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
   return numbers;
 }
 
+/// What a quantity is given in, and more than anybody presses, strokes or holds: a number above it was
+/// meant in another unit.
+struct Given {
+  const char* name = "";
+  const char* unit = "";
+  double most = 0.0;
+  const char* like = "";
+};
+
+Given given_of(VariedQuantity quantity) {
+  switch (quantity) {
+    case VariedQuantity::probe_diameter:
+      return {"a probe diameter", "m", 0.1, "2 mm is 0.002"};
+    case VariedQuantity::applied_force:
+      return {"a force", "N", 100.0, "500 mN is 0.5"};
+    case VariedQuantity::exploratory_speed:
+      return {"a speed", "m/s", 10.0, "60 mm/s is 0.06"};
+  }
+  return {};
+}
+
+constexpr Given kGivenSpacing{"a spacing", "m", 0.1, "4 mm is 0.004"};
+
+void require_unit(const std::string& option, double number, const Given& given) {
+  if (!(number > given.most)) return;
+  throw WrongUsage(option + ": " + given.name + " is given in " + given.unit + " and is at most " +
+                   number_text(given.most) + ' ' + given.unit + ", not " + number_text(number) +
+                   "; " + given.like);
+}
+
+std::vector<double> values_of(VariedQuantity varied, const std::string& text) {
+  std::vector<double> values = numbers_of("--values", text, ',');
+  for (const double value : values) require_unit("--values " + text, value, given_of(varied));
+  return values;
+}
+
 std::vector<double> spacings_of(const std::string& text) {
   const std::vector<double> numbers = numbers_of("--spacings", text, ':');
   if (numbers.size() != 3 || numbers[2] != std::floor(numbers[2]) || numbers[2] > 10000.0) {
     throw WrongUsage("--spacings " + text +
                      ": write FROM:TO:COUNT, in metres, like 0.0005:0.008:40");
+  }
+  for (const double spacing_m : {numbers[0], numbers[1]}) {
+    require_unit("--spacings " + text, spacing_m, kGivenSpacing);
   }
   try {
     return logarithmic_spacings(numbers[0], numbers[1], static_cast<int>(numbers[2]));
@@ -143,6 +186,7 @@ void take_level(const SweepOrder& order, VariedQuantity quantity, const char* op
   if (order.varied == quantity) {
     throw WrongUsage(std::string(option) + " is what --vary varies; its levels are --values");
   }
+  require_unit(std::string(option) + ' ' + number_text(*given), *given, given_of(quantity));
   level = *given;
 }
 
@@ -185,20 +229,84 @@ Table summary_table(const Sweep& sweep, SweepMeasure measure) {
   return table;
 }
 
+/// Why a column of the summary has no number; a sentence for each reason that there is.
+void say_why_absent(const Sweep& sweep, SweepMeasure measure) {
+  bool is_short = false;
+  bool is_at_end = false;
+  bool has_no_top = false;
+  for (const SweepCurve& curve : curves_of(sweep, measure)) {
+    if (!curve.fit) {
+      is_short = true;
+      continue;
+    }
+    is_at_end = is_at_end || !curve.greatest_at_m;
+    has_no_top = has_no_top || !curve.fit->peak;
+  }
+  if (is_short) {
+    say("n/a: a greatest value within the range and a parabola need three spacings at least that "
+        "are fitted (--spacings FROM:TO:COUNT; see the column status)");
+  }
+  if (is_at_end) {
+    say("greatest_at_mm n/a: the greatest value is at the first or the last spacing, so that "
+        "nothing shows that it is the greatest");
+  }
+  if (has_no_top) {
+    say("parabola_peak_mm n/a: the parabola has no highest point within the spacings");
+  }
+}
+
 #ifdef ASPERITY_WITH_WINDOWS
-/// The first estimates of roughness in a study, in the order of `analyze`: of people before others.
-Figure estimates_in(const std::string& folder, const std::optional<std::string>& protocol) {
-  const Study study = Study::open(folder, Access::read_only);
-  for (const AnalysisOutcome& outcome : analyze_study(study, protocol)) {
+/// What a sweep is drawn beside.
+struct StudyBeside {
+  Figure estimates{};
+  std::vector<std::string> conditions{};  ///< by the levels of the sweep
+};
+
+/// Of a study with estimates by several protocols, which of them has to be said.
+void require_one_protocol(const std::string& folder, const std::vector<AnalysisOutcome>& outcomes) {
+  std::set<std::string> names{};
+  for (const AnalysisOutcome& outcome : outcomes) {
+    if (outcome.kind == text_of(ProtocolKind::magnitude)) names.insert(outcome.protocol);
+  }
+  if (names.size() < 2) return;
+  std::string said{};
+  for (const std::string& name : names) said += (said.empty() ? "" : ", ") + name;
+  throw std::runtime_error("the study " + folder + " has estimates of roughness by " +
+                           std::to_string(names.size()) + " protocols: say which by --protocol, " +
+                           said);
+}
+
+Protocol protocol_of(const Study& study, const AnalysisOutcome& outcome,
+                     const ModelRegistry& models) {
+  for (const ProtocolRow& row : study.protocols()) {
+    if (row.name != outcome.protocol || row.version != outcome.version) continue;
+    return read_protocol(row.source, row.name, declarations_of(models));
+  }
+  throw std::runtime_error("the study has lost the protocol " + outcome.protocol + ' ' +
+                           outcome.version + "; asperity verify says more");
+}
+
+/// The first estimates of roughness in the order of `analyze`: of people before others.
+StudyBeside study_beside(const SweepOptions& options, const ModelRegistry& models) {
+  const Study study = Study::open(options.beside, Access::read_only);
+  const std::vector<AnalysisOutcome> outcomes = analyze_study(study, options.protocol);
+  if (!options.protocol) require_one_protocol(options.beside, outcomes);
+  for (const AnalysisOutcome& outcome : outcomes) {
     for (Figure& figure : figures_of(outcome)) {
       if (figure.name != "roughness") continue;
       if (!figure.is_drawn()) throw std::runtime_error(figure.instead.english());
+      const SweepBeside beside =
+          sweep_beside(options.order, protocol_of(study, outcome, models), study.folder());
+      require_estimates(figure, beside.conditions);
       say("beside it: " + outcome.protocol + " " + outcome.version + ", " + text_of(outcome.group) +
           ", " + std::to_string(outcome.answers) + " answers");
-      return std::move(figure);
+      for (const std::string& remark : beside.remarks) {
+        say("asperity: warning: " + remark);
+      }
+      return {.estimates = std::move(figure), .conditions = beside.conditions};
     }
   }
-  throw std::runtime_error("the study " + folder + " has no estimates of roughness");
+  throw std::runtime_error("the study " + options.beside + " has no estimates of roughness");
 }
 #endif
 
@@ -210,8 +318,8 @@ int run_sweep(SweepOptions options) {
   order.stroke.parameters =
       parameters_from(options.parameters, model.declaration.parameters, options.model);
   order.stroke.hand = hand_of(options.hand);
-  order.values = options.values.empty() ? usual_values(order.varied)
-                                        : numbers_of("--values", options.values, ',');
+  order.values =
+      options.values.empty() ? usual_values(order.varied) : values_of(order.varied, options.values);
   order.spacings_m = spacings_of(options.spacings);
   take_texture(order, options.texture);
   if (options.tool) take_tip(order, *options.tool);
@@ -241,8 +349,11 @@ int run_sweep(SweepOptions options) {
                                plot.parent_path().string());
     }
   }
-  std::optional<Figure> estimates{};
-  if (!options.beside.empty()) estimates = estimates_in(options.beside, options.protocol);
+  std::optional<StudyBeside> beside{};
+  if (!options.beside.empty()) {
+    require_sweep(order);
+    beside = study_beside(options, models);
+  }
 #endif
   Sweep sweep{};
   {
@@ -262,12 +373,13 @@ int run_sweep(SweepOptions options) {
   std::cout << options.out << ": " << counted(sweep.rows.size(), "row") << ", "
             << text_of(order.stroke.mode) << ", " << text_of(options.measure) << '\n'
             << aligned(summary_table(sweep, options.measure));
+  say_why_absent(sweep, options.measure);
 #ifdef ASPERITY_WITH_WINDOWS
   if (!plot.empty()) {
     const LettersWithoutWindows letters;
-    const Figure figure = estimates
-                              ? beside_prediction(*std::move(estimates), sweep, options.measure)
-                              : sweep_figure(sweep, options.measure);
+    const Figure figure = beside ? beside_prediction(std::move(beside->estimates), sweep,
+                                                     beside->conditions, options.measure)
+                                 : sweep_figure(sweep, options.measure);
     write_figure(plot, figure, {}, file.overwrite);
   }
 #endif
@@ -350,11 +462,17 @@ void add_sweep(CLI::App& program, Job& job) {
 #ifdef ASPERITY_WITH_WINDOWS
   auto* plot = command->add_option(
       "--plot", options->plot, "Also a figure of that measure, by its ending .svg, .png or .pdf");
-  auto* beside = command
-                     ->add_option("--beside", options->beside,
-                                  "In the figure: what the participants of this study estimated")
-                     ->needs(plot);
-  command->add_option("--protocol", options->protocol, "Of the study, the protocol of this name")
+  auto* beside =
+      command
+          ->add_option(
+              "--beside", options->beside,
+              "In the figure: what the participants of this study estimated. A level for each of "
+              "its protocol's conditions, which differ in what is varied")
+          ->needs(plot);
+  command
+      ->add_option(
+          "--protocol", options->protocol,
+          "Of the study, the protocol of this name; needed where several estimate roughness")
       ->needs(beside);
 #endif
   command->add_flag("--force", options->force, "Replace what is there of another sweep");

@@ -81,6 +81,23 @@ FigurePlace on_curve(const FigureAxis& axis, const Quadratic& curve, double log1
   return {.x = std::pow(10.0, log10_frequency), .y = shown(axis, y)};
 }
 
+/// Which series of a study's estimates are the full marks of a condition. Where there is one condition
+/// only, they have no name.
+std::size_t series_of_condition(const Figure& estimates, const std::string& condition) {
+  std::vector<std::string> there{};
+  for (std::size_t i = 0; i < estimates.series.size(); ++i) {
+    const FigureSeries& series = estimates.series[i];
+    if (series.hollow) continue;
+    const std::string name = series.name.english();
+    if (name == condition || name.empty()) return i;
+    there.push_back(name);
+  }
+  std::string names{};
+  for (const std::string& name : there) names += (names.empty() ? "" : ", ") + name;
+  throw std::runtime_error("the study has no estimates under the condition " + condition +
+                           " yet; it has some under " + names);
+}
+
 }  // namespace
 
 Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
@@ -156,15 +173,28 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
   return figure;
 }
 
-Figure beside_prediction(Figure estimates, const Sweep& sweep, SweepMeasure measure) {
-  std::vector<FigureSeries*> conditions{};
+void require_estimates(const Figure& estimates, const std::vector<std::string>& conditions) {
+  for (const std::string& condition : conditions) (void)series_of_condition(estimates, condition);
+}
+
+Figure beside_prediction(Figure estimates, const Sweep& sweep,
+                         const std::vector<std::string>& conditions, SweepMeasure measure) {
+  const std::vector<SweepCurve> curves = curves_of(sweep, measure);
+  if (curves.size() != conditions.size()) {
+    throw std::runtime_error("the sweep has " + std::to_string(curves.size()) +
+                             " levels and there are " + std::to_string(conditions.size()) +
+                             " conditions");
+  }
+  std::vector<std::size_t> places{};
+  for (const std::string& condition : conditions) {
+    places.push_back(series_of_condition(estimates, condition));
+  }
   double shortest_mm = 0.0;
   double longest_mm = 0.0;
   double sum = 0.0;
   double count = 0.0;
-  for (FigureSeries& series : estimates.series) {
+  for (const FigureSeries& series : estimates.series) {
     if (series.hollow) continue;
-    conditions.push_back(&series);
     for (const FigurePoint& point : series.points) {
       shortest_mm = count > 0.0 ? std::min(shortest_mm, point.x) : point.x;
       longest_mm = std::max(longest_mm, point.x);
@@ -172,20 +202,14 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep, SweepMeasure meas
       count += 1.0;
     }
   }
-  const std::vector<SweepCurve> curves = curves_of(sweep, measure);
-  if (curves.size() != conditions.size()) {
-    throw std::runtime_error("the sweep has " + std::to_string(curves.size()) +
-                             " levels and the study estimates under " +
-                             std::to_string(conditions.size()) +
-                             " conditions; give a level for each, in their order");
-  }
   constexpr double kRounding = 1e-9;  // of the spacings at the ends
   std::vector<FigureSeries> predicted{};
   double predicted_sum = 0.0;
   double predicted_count = 0.0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
+    FigureSeries& condition = estimates.series[places[i]];
     FigureSeries& marks =
-        predicted.emplace_back(FigureSeries{.style = conditions[i]->style, .hollow = true});
+        predicted.emplace_back(FigureSeries{.style = condition.style, .hollow = true});
     for (const SweepRow& row : curves[i].fitted) {
       const double spacing_mm = kMillimetres * row.spacing_m;
       if (spacing_mm < shortest_mm * (1.0 - kRounding) ||
@@ -200,10 +224,9 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep, SweepMeasure meas
     }
     // One style is one entry of the key.
     const Phrase level = level_name(sweep.order.varied, curves[i].value);
-    conditions[i]->name =
-        conditions[i]->name.empty()
-            ? level
-            : phrase("Figures", "%1; predicted: %2").with(conditions[i]->name, level);
+    condition.name = condition.name.empty()
+                         ? level
+                         : phrase("Figures", "%1; predicted: %2").with(condition.name, level);
   }
   if (predicted_count == 0.0) {
     throw std::runtime_error("nothing of the sweep is within the spacings that were estimated, " +

@@ -2,6 +2,9 @@
 
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "app/figures/figure.h"
 #include "app/tasks/sweep.h"
 
@@ -11,14 +14,22 @@ namespace asperity {
 /// and its peak for every level.
 Figure sweep_figure(const Sweep& sweep, SweepMeasure measure = SweepMeasure::max_accel);
 
-/// The figure `roughness` of a study (figures_of.h), whose spacings are in millimetres, and beside its estimates what a sweep predicts:
-/// a measure of its strokes as small outlined marks, each level in the style of a condition, in the
-/// order of both, within the study's range of spacings. An estimate has no unit, so all of the
-/// measure is multiplied by one factor: both have the same geometric mean.
+/// Before hours of work: whether the figure `roughness` of a study has estimates under each of these
+/// conditions (SweepBeside).
 ///
-/// Errors: std::runtime_error where there are not as many levels as conditions, or nothing of the sweep
-/// is within the range.
+/// Errors: std::runtime_error that names the condition without any.
+void require_estimates(const Figure& estimates, const std::vector<std::string>& conditions);
+
+/// The figure `roughness` of a study (figures_of.h), whose spacings are in millimetres, and beside its
+/// estimates what a sweep predicts: a measure of its strokes as small outlined marks, each level in the
+/// style of its condition, within the study's range of spacings. `conditions` are by the sweep's levels
+/// (SweepBeside). An estimate has no unit, so all of the measure is multiplied by one factor: both have
+/// the same geometric mean.
+///
+/// Errors: std::runtime_error as `require_estimates`, and where there are not as many levels as
+/// conditions, or nothing of the sweep is within the range.
 Figure beside_prediction(Figure estimates, const Sweep& sweep,
+                         const std::vector<std::string>& conditions,
                          SweepMeasure measure = SweepMeasure::max_accel);
 
 }  // namespace asperity

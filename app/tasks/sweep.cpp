@@ -58,35 +58,6 @@ bool has_effect(const SweepOrder& order) {
   return depends_on(order.stroke.model->declaration, order.varied);
 }
 
-void require_sweep(const SweepOrder& order) {
-  const auto require = [](const std::vector<double>& numbers, const char* name) {
-    if (numbers.empty()) throw std::invalid_argument(std::string(name) + " must not be empty");
-    for (const double number : numbers) {
-      if (!(number > 0.0 && std::isfinite(number))) {
-        throw std::invalid_argument(std::string(name) + " must be positive, and one is " +
-                                    number_text(number));
-      }
-      if (std::count(numbers.begin(), numbers.end(), number) > 1) {
-        throw std::invalid_argument(std::string(name) + ": " + number_text(number) +
-                                    " is there twice");
-      }
-    }
-  };
-  require(order.values, "the values");
-  require(order.spacings_m, "the spacings");
-  const bool has_size = order.stroke.tip.form != TipForm::point && !order.stroke.tool;
-  if (order.varied == VariedQuantity::probe_diameter &&
-      order.stroke.model->declaration.needs_bodies && !has_size) {
-    throw std::invalid_argument(
-        "the diameter of a sphere or a disc can be varied; a point has none, and a mesh its own");
-  }
-  // Before hours of work: what the first and the last texture and their renderers refuse.
-  for (const double spacing_m : {order.spacings_m.front(), order.spacings_m.back()}) {
-    const TextureAtSpacing texture = texture_at_spacing(order.texture, spacing_m);
-    if (!order.stroke.tool) stroked_renderer(at_level(order, order.values.front()), texture);
-  }
-}
-
 // Before hours of work, after which nothing could be written.
 void require_folder_of(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.parent_path();
@@ -424,6 +395,35 @@ std::string declaration_of(const SweepOrder& order) {
 
 std::filesystem::path declaration_beside(const std::filesystem::path& table) {
   return table.string() + ".json";
+}
+
+void require_sweep(const SweepOrder& order) {
+  const auto require = [](const std::vector<double>& numbers, const char* name) {
+    if (numbers.empty()) throw std::invalid_argument(std::string(name) + " must not be empty");
+    for (const double number : numbers) {
+      if (!(number > 0.0 && std::isfinite(number))) {
+        throw std::invalid_argument(std::string(name) + " must be positive, and one is " +
+                                    number_text(number));
+      }
+      if (std::count(numbers.begin(), numbers.end(), number) > 1) {
+        throw std::invalid_argument(std::string(name) + ": " + number_text(number) +
+                                    " is there twice");
+      }
+    }
+  };
+  require(order.values, "the values");
+  require(order.spacings_m, "the spacings");
+  const bool has_size = order.stroke.tip.form != TipForm::point && !order.stroke.tool;
+  if (order.varied == VariedQuantity::probe_diameter &&
+      order.stroke.model->declaration.needs_bodies && !has_size) {
+    throw std::invalid_argument(
+        "the diameter of a sphere or a disc can be varied; a point has none, and a mesh its own");
+  }
+  // Before hours of work: what the first and the last texture and their renderers refuse.
+  for (const double spacing_m : {order.spacings_m.front(), order.spacings_m.back()}) {
+    const TextureAtSpacing texture = texture_at_spacing(order.texture, spacing_m);
+    if (!order.stroke.tool) stroked_renderer(at_level(order, order.values.front()), texture);
+  }
 }
 
 Sweep sweep_into_file(const SweepOrder& order, const SweepFile& file, const std::stop_token& stop,

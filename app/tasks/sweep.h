@@ -99,6 +99,11 @@ struct SweepFile {
 Sweep sweep_into_file(const SweepOrder& order, const SweepFile& file, const std::stop_token& stop,
                       const std::function<void(double)>& progress);
 
+/// What `sweep_into_file` refuses of an order before it begins.
+///
+/// Errors: std::invalid_argument.
+void require_sweep(const SweepOrder& order);
+
 /// The rows without a file.
 Sweep sweep_of(const SweepOrder& order, int jobs);
 

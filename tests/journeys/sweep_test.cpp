@@ -11,7 +11,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "protocols/library_protocols.h"
 #include "results_schema/table.h"
+#include "tests/app/made_up_study.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
 
@@ -148,6 +150,13 @@ TEST(Sweep, RefusesWhatMakesNoSense) {
   EXPECT_EQ(outcome({"--values", "0.001,much"}).status, 2);
   EXPECT_EQ(outcome({"--hand", "0.05,3"}).status, 2);
   EXPECT_EQ(outcome({"--texture", "sinusoid,spacing_m=0.002"}).status, 2);
+  const Outcome in_millimetres = outcome({"--values", "1,2,3"});
+  EXPECT_EQ(in_millimetres.status, 2);
+  EXPECT_THAT(in_millimetres.err, HasSubstr("--values 1,2,3: a probe diameter is given in m"));
+  EXPECT_THAT(
+      outcome({"--spacings", "0.5:8:4"}).err,
+      HasSubstr("--spacings 0.5:8:4: a spacing is given in m and is at most 0.1 m, not 0.5"));
+  EXPECT_EQ(outcome({"--applied-force-n", "500"}).status, 2);
   EXPECT_EQ(outcome({"--values", "0"}).status, 1);
   EXPECT_EQ(outcome({"--texture", "noise"}).status, 1);
   EXPECT_EQ(outcome({"--hand", "0,3,200"}).status, 1);
@@ -209,7 +218,82 @@ TEST(Sweep, StandsBesideEstimatesOnlyInAFigureAndOfAStudyThatHasThem) {
   EXPECT_THAT(refused.err, HasSubstr("has no estimates of roughness"));
   EXPECT_FALSE(fs::exists(place / "sweep.tsv")) << "nothing was computed in vain";
 }
+
+/// Three people who gave numbers under every condition of a library protocol.
+void add_estimates(MadeUpStudy& made, const std::string& name, const std::string& factor,
+                   const std::vector<std::string>& conditions) {
+  const auto library = library_protocols();
+  const auto found = std::find_if(library.begin(), library.end(),
+                                  [&](const LibraryProtocol& one) { return one.name == name; });
+  ASSERT_NE(found, library.end());
+  const std::int64_t protocol = made.add_protocol(name, "magnitude", std::string(found->text));
+  for (int person = 0; person < 3; ++person) {
+    const std::string label = "P" + std::to_string(protocol) + std::to_string(person);
+    made.add_person(label, "F");
+    std::vector<MadeUpTrial> trials{};
+    double number = 1.0 + person;
+    for (const std::string& condition : conditions) {
+      for (const char* spacing : {"spacing_05", "spacing_10", "spacing_20", "spacing_40"}) {
+        MadeUpTrial trial{};
+        trial.surfaces = {surface_of("s", "pd_gradient", spacing)};
+        trial.factors_json = std::string(R"({"texture": ")") + spacing + R"(", ")" + factor +
+                             R"(": ")" + condition + "\"}";
+        trial.answers = {text_of_number(number)};
+        number = number * 1.7 > 9.0 ? number / 5.0 : number * 1.7;
+        trials.push_back(trial);
+      }
+    }
+    made.add_session(label, protocol, trials);
+  }
+}
+
+TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
+  const TemporaryFolder place{};
+  MadeUpStudy made{};
+  add_estimates(made, "roughness_force", "force", {"light", "medium", "firm"});
+  const fs::path out = place / "sweep.tsv";
+  const auto outcome = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"--model",  "pd_gradient", "--spacings", "0.0005:0.004:3",
+                                 "--beside", made.folder(), "--plot",     place / "sweep.svg"};
+    all.insert(all.end(), more.begin(), more.end());
+    return asperity(sweep_into(out, all));
+  };
+  const Outcome other = outcome({"--vary", "probe_diameter"});
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err, HasSubstr("--vary applied_force --values 0.5,1,2"));
+  EXPECT_THAT(outcome({"--vary", "applied_force"}).err, HasSubstr("0.25 N is none of them"));
+  EXPECT_FALSE(fs::exists(out)) << "nothing was computed in vain";
+
+  const std::vector<std::string> right{"--vary",  "applied_force", "--values",
+                                       "2,0.5,1", "--friction",    "0.2"};
+  const Outcome drawn = outcome(right);
+  ASSERT_EQ(drawn.status, 0) << drawn.err;
+  EXPECT_THAT(drawn.err, HasSubstr("warning: the surface of the sweep has 1000 N/m"));
+  EXPECT_THAT(drawn.err, testing::Not(HasSubstr("--friction")));
+  const std::string svg = text_of(place / "sweep.svg");
+  EXPECT_THAT(svg, HasSubstr("light; predicted: force 0.5 N"));
+  EXPECT_THAT(svg, HasSubstr("firm; predicted: force 2 N"));
+
+  add_estimates(made, "roughness_speed", "speed", {"slow", "fast"});
+  std::vector<std::string> again = right;
+  again.push_back("--force");
+  const Outcome unnamed = outcome(again);
+  EXPECT_EQ(unnamed.status, 1);
+  EXPECT_THAT(unnamed.err, HasSubstr("say which by --protocol, roughness_force, roughness_speed"));
+  again.insert(again.end(), {"--protocol", "roughness_force"});
+  EXPECT_EQ(outcome(again).status, 0);
+}
 #endif
+
+TEST(Sweep, SaysWhyANumberIsMissing) {
+  const TemporaryFolder place{};
+  std::vector<std::string> order = sweep_into(place / "two.tsv", kSmall);
+  order.back() = "0.001:0.004:2";
+  const Outcome two = asperity(order);
+  EXPECT_EQ(two.status, 0) << two.err;
+  EXPECT_THAT(two.out, HasSubstr("n/a"));
+  EXPECT_THAT(two.err, HasSubstr("need three spacings at least"));
+}
 
 // Each measure has its own peak: of the same strokes the power over the threshold of touch, whose
 // decibels are logarithms already, is greatest elsewhere than the greatest acceleration.

@@ -225,7 +225,7 @@ TEST(BesidePrediction, HasTheGeometricMeanOfTheEstimatesAndNothingBeyondTheirSpa
   estimates.series.push_back({.style = 0, .hollow = true, .points = {{.x = 1.5, .y = 9.0}}});
   estimates.y = {.scale = AxisScale::log10, .low = 7.0, .high = 9.0};
 
-  const Figure both = beside_prediction(estimates, two_tips());
+  const Figure both = beside_prediction(estimates, two_tips(), {"small", "large"});
   ASSERT_EQ(both.series.size(), 5U);
   EXPECT_EQ(both.series[0].name.english(), "small; predicted: probe 1 mm");
   double product = 1.0;
@@ -242,8 +242,16 @@ TEST(BesidePrediction, HasTheGeometricMeanOfTheEstimatesAndNothingBeyondTheirSpa
   EXPECT_LT(both.y.low, both.series[4].points[2].y);
   EXPECT_GT(both.y.high, both.series[3].points[0].y);
 
+  // A level goes where its condition is, in whatever order the study has them.
+  const Figure turned = beside_prediction(estimates, two_tips(), {"large", "small"});
+  EXPECT_EQ(turned.series[0].name.english(), "small; predicted: probe 2 mm");
+  EXPECT_EQ(turned.series[3].style, 1);
+
+  EXPECT_THROW(beside_prediction(estimates, two_tips(), {"small"}), std::runtime_error);
   estimates.series.erase(estimates.series.begin());
-  EXPECT_THROW(beside_prediction(estimates, two_tips()), std::runtime_error);
+  EXPECT_THROW(require_estimates(estimates, {"small", "large"}), std::runtime_error);
+  EXPECT_NO_THROW(require_estimates(estimates, {"large"}));
+  EXPECT_THROW(beside_prediction(estimates, two_tips(), {"small", "large"}), std::runtime_error);
 }
 
 TEST(FiguresOf, DrawRoughnessByProbeWithItsCurveAndPeak) {

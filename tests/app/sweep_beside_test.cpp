@@ -1,0 +1,181 @@
+// Whether a sweep goes beside a protocol's estimates: by what varies, by numbers, and what else differs.
+
+#include "app/tasks/sweep_beside.h"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/height_field_files.h"
+#include "app/tasks/protocol_files.h"
+#include "protocols/library_protocols.h"
+#include "protocols/protocol_reader.h"
+#include "renderers/force_model.h"
+#include "stimuli/synthetic_surface.h"
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+using Change = std::function<void(nlohmann::ordered_json&)>;
+
+const ModelRegistry& all_models() {
+  static const ModelRegistry kModels = built_in_models();
+  return kModels;
+}
+
+Protocol roughness_by(std::string_view what, const Change& change = {}) {
+  const std::string name = "roughness_" + std::string(what);
+  for (const LibraryProtocol& each : library_protocols()) {
+    if (each.name != name) continue;
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(each.text);
+    if (change) change(json);
+    return read_protocol(json.dump(), name, declarations_of(all_models()));
+  }
+  throw std::runtime_error("no library protocol " + name);
+}
+
+/// As the three protocols of roughness have it.
+SweepOrder like_the_library(VariedQuantity varied, std::vector<double> values) {
+  SweepOrder order{.varied = varied, .values = std::move(values)};
+  order.stroke.model = all_models().find("pd_gradient");
+  order.stroke.material = {.stiffness_N_per_m = 3000.0, .friction = 0.2};
+  order.stroke.speed_m_per_s = 0.06;
+  order.spacings_m = {0.0005, 0.002, 0.004};
+  order.texture = {.kind = "sinusoid", .values = {{"amplitude_m", 1e-4}}};
+  return order;
+}
+
+/// A study's folder with the waves that the protocols name, 0.2 mm high.
+class SweepBesideTest : public testing::Test {
+ protected:
+  SweepBesideTest() {
+    std::filesystem::create_directory(folder_.path() / "stimuli");
+    for (const auto& [name, spacing_m] :
+         {std::pair{"wave_05", 0.0005}, std::pair{"wave_07", 0.0007}, std::pair{"wave_10", 0.001},
+          std::pair{"wave_14", 0.0014}, std::pair{"wave_20", 0.002}, std::pair{"wave_28", 0.0028},
+          std::pair{"wave_40", 0.004}}) {
+      // Eight pixels a wave, as those of the demonstration.
+      const HeightField field =
+          make_surface("sinusoid", {{"spacing_m", spacing_m}, {"amplitude_m", 1e-4}},
+                       {.width_m = 4.0 * spacing_m, .pixels = 32});
+      save_height_field(folder_.path() / "stimuli" / (std::string(name) + ".png"), field, {},
+                        Overwrite::refuse);
+    }
+  }
+
+  SweepBeside beside(const SweepOrder& order, const Protocol& protocol) const {
+    return sweep_beside(order, protocol, folder_.path());
+  }
+  std::string refusal(const SweepOrder& order, const Protocol& protocol) const {
+    try {
+      (void)beside(order, protocol);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "not refused";
+  }
+
+  TemporaryFolder folder_{};
+};
+
+TEST_F(SweepBesideTest, PutsEachLevelToTheConditionOfItsNumber) {
+  const Protocol force = roughness_by("force");
+  SweepOrder order = like_the_library(VariedQuantity::applied_force, {2.0, 0.5, 1.0});
+  const SweepBeside found = beside(order, force);
+  EXPECT_THAT(found.conditions, ElementsAre("firm", "light", "medium"));
+  EXPECT_THAT(found.remarks, IsEmpty());
+  EXPECT_THAT(beside(like_the_library(VariedQuantity::exploratory_speed, {0.1, 0.05}),
+                     roughness_by("speed"))
+                  .conditions,
+              ElementsAre("fast", "slow"));
+  // In whatever order the protocol lists them.
+  const Protocol turned = roughness_by("diameter", [](nlohmann::ordered_json& json) {
+    json["factors"]["tip"]["levels"] = {"sphere_3mm", "sphere_1mm", "sphere_2mm"};
+  });
+  EXPECT_THAT(
+      beside(like_the_library(VariedQuantity::probe_diameter, {0.001, 0.002, 0.003}), turned)
+          .conditions,
+      ElementsAre("sphere_1mm", "sphere_2mm", "sphere_3mm"));
+}
+
+TEST_F(SweepBesideTest, GoesByTheOrderOfThePlanWhereConditionsCarryNoNumber) {
+  const Protocol protocol = roughness_by("force", [](nlohmann::ordered_json& json) {
+    for (const char* how : {"light", "medium", "firm"}) {
+      json["explorations"][how]["normal_force_N"].erase("target");
+    }
+  });
+  EXPECT_THAT(
+      beside(like_the_library(VariedQuantity::applied_force, {2.0, 0.5, 1.0}), protocol).conditions,
+      ElementsAre("light", "medium", "firm"));
+}
+
+TEST_F(SweepBesideTest, RefusesWhatTheConditionsDoNotVary) {
+  const std::string said =
+      refusal(like_the_library(VariedQuantity::probe_diameter, {0.001, 0.002, 0.003}),
+              roughness_by("force"));
+  EXPECT_THAT(said, HasSubstr("light, medium and firm"));
+  EXPECT_THAT(said, HasSubstr("--vary applied_force --values 0.5,1,2"));
+}
+
+TEST_F(SweepBesideTest, RefusesOtherLevelsThanTheConditions) {
+  const Protocol force = roughness_by("force");
+  EXPECT_THAT(
+      refusal(like_the_library(VariedQuantity::applied_force, {0.5, 1.0}), force),
+      HasSubstr("3 conditions, light, medium and firm (0.5 N, 1 N and 2 N), and the sweep 2 "
+                "levels, 0.5 N and 1 N"));
+  EXPECT_THAT(refusal(like_the_library(VariedQuantity::applied_force, {0.25, 0.5, 1.0}), force),
+              HasSubstr("the level of 0.25 N is none of them: --values 0.5,1,2"));
+}
+
+TEST_F(SweepBesideTest, RefusesSpacingsThatNobodyFelt) {
+  SweepOrder order = like_the_library(VariedQuantity::applied_force, {0.5, 1.0, 2.0});
+  order.spacings_m = {0.005, 0.008};
+  EXPECT_THAT(refusal(order, roughness_by("force")),
+              HasSubstr("textures 0.5 to 4 mm apart, and the sweep 5 to 8 mm"));
+}
+
+TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
+  const Protocol force = roughness_by("force");
+  const SweepOrder same = like_the_library(VariedQuantity::applied_force, {0.5, 1.0, 2.0});
+  const auto remark = [&](const std::function<void(SweepOrder&)>& change) {
+    SweepOrder order = same;
+    change(order);
+    const std::vector<std::string> remarks = beside(order, force).remarks;
+    return remarks.size() == 1 ? remarks.front() : std::to_string(remarks.size()) + " remarks";
+  };
+  EXPECT_THAT(
+      remark([](SweepOrder& order) {
+        order.texture.values = {{"amplitude_m", 2e-4}};
+      }),
+      HasSubstr("0.4 mm from trough to crest (--texture), and those of roughness_force 0.2 mm"));
+  EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.material.stiffness_N_per_m = 1000.0; }),
+              HasSubstr("1000 N/m (--stiffness-n-per-m), and that of roughness_force 3000 N/m"));
+  EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.material.friction = 0.0; }),
+              HasSubstr("a friction of 0 (--friction), and that of roughness_force one of 0.2"));
+  EXPECT_THAT(remark([](SweepOrder& order) {
+                order.spacings_m = {0.0005, 0.008};
+              }),
+              HasSubstr("0.5 to 4 mm apart, and the sweep 0.5 to 8 mm (--spacings)"));
+  EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.tip.diameter_m = 0.001; }),
+              HasSubstr("the sweep has 1 mm (--probe-diameter-m), and roughness_force 2 mm"));
+  EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.speed_m_per_s = 0.1; }),
+              HasSubstr("100 mm/s (--exploratory-speed-m-per-s), and roughness_force 60 mm/s"));
+  std::filesystem::remove(folder_.path() / "stimuli" / "wave_20.png");
+  EXPECT_THAT(remark([](SweepOrder&) {}), HasSubstr("wave_20.png"));
+}
+
+}  // namespace
+}  // namespace asperity
