@@ -67,7 +67,7 @@ std::vector<Estimated> estimates_in(const GatheredAnswers& gathered, AnalysisOut
   return estimates;
 }
 
-/// In ascending order of what they say, where that is a number.
+/// In ascending order of what they say, where that is a number; words after numbers.
 std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
                                    std::string Estimated::*name) {
   std::vector<std::string> levels{};
@@ -75,6 +75,7 @@ std::vector<std::string> levels_of(const std::vector<Estimated>& estimates,
   std::sort(levels.begin(), levels.end(), [](const std::string& a, const std::string& b) {
     const auto first = number_in(a);
     const auto second = number_in(b);
+    if (first.has_value() != second.has_value()) return first.has_value();
     return first && second ? *first < *second : a < b;
   });
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
