@@ -1,6 +1,7 @@
 #include "app/cli/body_option.h"
 
 #include <array>
+#include <filesystem>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -81,6 +82,12 @@ BodyOption body_option(const std::string& option, const std::string& text) {
                                ", with sizes in metres");
     }
     return body;
+  }
+  for (const Form& form : kForms) {
+    // A shape without its sizes is no file, unless somebody called one so.
+    if (text + ':' != form.prefix || std::filesystem::exists(text)) continue;
+    throw std::runtime_error(option + ' ' + text + " says no size: write " +
+                             std::string(form.meant) + ", with sizes in metres");
   }
   body.file = text;
   return body;

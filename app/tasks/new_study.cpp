@@ -1,5 +1,6 @@
 #include "app/tasks/new_study.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -158,6 +159,20 @@ void new_demo_study(const std::filesystem::path& folder,
     make_texture(textures[i], folder / "stimuli");
   }
   progress(1.0);
+}
+
+bool is_of_demonstration(const std::string& study_path) {
+  const auto is_of = [&study_path](std::string_view name) {
+    const std::string stem = "stimuli/" + std::string(name);
+    for (const char* end : {".png", ".png.json", "_photo.png", "_true.png", "_true.png.json"}) {
+      if (study_path == stem + end) return true;
+    }
+    return false;
+  };
+  const auto is_any = [&is_of](const auto& all) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& one) { return is_of(one.name); });
+  };
+  return is_any(body_reliefs()) || is_any(waves()) || is_any(demo_textures());
 }
 
 bool holds_demo_study(const std::filesystem::path& folder) {

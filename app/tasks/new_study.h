@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace asperity {
 
@@ -19,6 +20,9 @@ void new_study(const std::filesystem::path& folder);
 /// what was made until then stays.
 void new_demo_study(const std::filesystem::path& folder,
                     const std::function<void(double)>& progress);
+
+/// Whether a study-relative file is one that the demonstration study has in `stimuli/`.
+bool is_of_demonstration(const std::string& study_path);
 
 /// Whether the folder holds the whole demonstration study: one that was cut off in the making does
 /// not. What was added or changed since does not matter.

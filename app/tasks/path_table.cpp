@@ -20,6 +20,8 @@ constexpr std::array kOrientation{"qw", "qx", "qy", "qz"};
 constexpr std::array kVelocity{"vx_m_per_s",   "vy_m_per_s",   "vz_m_per_s",
                                "wx_rad_per_s", "wy_rad_per_s", "wz_rad_per_s"};
 
+constexpr double kNanoseconds_per_s = 1e9;
+
 /// The cells of a table as numbers, by column name.
 class Numbers final {
  public:
@@ -144,8 +146,10 @@ std::string forces_tsv(std::span<const ProbeState> path, std::span<const Rendere
   table.rows.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Wrench& wrench = forces[i].wrench;
-    table.rows.push_back({static_cast<double>(path[i].time_ns) * 1e-9, wrench.force_N.x,
-                          wrench.force_N.y, wrench.force_N.z, wrench.torque_N_m.x,
+    // Divided: the quotient of two whole numbers is the double next to the decimal that was meant, 1.198;
+    // a product with 1e-9, which is none, is off by a bit, 1.1980000000000002.
+    table.rows.push_back({static_cast<double>(path[i].time_ns) / kNanoseconds_per_s,
+                          wrench.force_N.x, wrench.force_N.y, wrench.force_N.z, wrench.torque_N_m.x,
                           wrench.torque_N_m.y, wrench.torque_N_m.z, forces[i].penetration_m});
   }
   return tsv_of(table);

@@ -20,6 +20,7 @@
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/trial_attempt.h"
 #include "app/parameter_json.h"
+#include "app/tasks/new_study.h"
 #include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
@@ -62,7 +63,12 @@ std::optional<std::string> complaint_about_file(const NamedFile& named,
   if (named.kind == NamedFile::Kind::height_field) paths.push_back(named.path + ".json");
   for (const std::string& path : paths) {
     if (!std::filesystem::is_regular_file(study / path)) {
-      return "the file " + path + " is not in the study " + study.string();
+      const char* const from = is_of_demonstration(path)
+                                   ? "; the demonstration study has one of this name (asperity new "
+                                     "DIR --demo makes it): "
+                                     "copy it from there, with its .json where it has one"
+                                   : "";
+      return "the file " + path + " is not in the study " + study.string() + from;
     }
     if (!lies_in(study, study / path)) {
       return "the file " + path + " is a link to " +

@@ -92,6 +92,21 @@ TEST(Render, OfASinusoidFollowsItsHeights) {
   }
 }
 
+// A tick of 1 ms is 0.001 s, and so is its thousandfold: no 1.1980000000000002.
+TEST(Render, WritesTheTimesThatWereAskedFor) {
+  const TemporaryFolder place{};
+  std::string path = "time_s\tx_m\ty_m\tz_m\n";
+  std::vector<std::string> times{};
+  for (int tick = 0; tick < 2000; ++tick) {
+    std::string digits = std::to_string(1000 + tick % 1000).substr(1);
+    while (!digits.empty() && digits.back() == '0') digits.pop_back();
+    times.push_back(std::to_string(tick / 1000) + (digits.empty() ? "" : '.' + digits));
+    path += times.back() + "\t0\t0\t0\n";
+  }
+  const Tsv forces = forces_along(place.path(), path, {"--model", "sinusoid"});
+  EXPECT_EQ(forces.column("time_s"), times);
+}
+
 TEST(Render, SaysWhatIsWrongWithAPath) {
   const TemporaryFolder place{};
   const auto refused = [&place](const std::string& path, const std::vector<std::string>& words) {
@@ -260,6 +275,17 @@ TEST(Check, PutsTheFaultsOfEveryFileIntoTheDocument) {
   EXPECT_GT(diagnostics.size(), 1U);
   EXPECT_EQ(diagnostics.at(0).at("line"), 1);
   EXPECT_GT(diagnostics.at(0).at("column"), 0);
+}
+
+TEST(Check, SaysWhereFilesOfTheDemonstrationComeFrom) {
+  const TemporaryFolder place{};
+  ASSERT_EQ(asperity({"new", place / "study"}).status, 0);
+  const fs::path library = fs::path(ASPERITY_SOURCE_DIR) / "protocols/library/roughness_force.json";
+  const Outcome outcome = asperity({"check", library, "--study", place / "study"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("stimuli/wave_05.png is not in the study"), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("asperity new DIR --demo makes it"), std::string::npos);
 }
 
 TEST(Check, AcceptsEveryProtocolOfTheLibrary) {

@@ -175,6 +175,9 @@ TEST_F(RenderBodies, SaysWhatIsMissingOrWrong) {
   };
   refused({}, {"needs something to touch", "--stimulus"});
   refused({"--stimulus", "plane:0.02,0.02"}, {"needs a tool", "sphere:D_m"});
+  refused({"--stimulus", "sphere", "--tool", "sphere:0.01"},
+          {"--stimulus sphere says no size", "sphere:[FILE.png,]D_m", "metres"});
+  refused({"--stimulus", "plane:0.02,0.02", "--tool", "cylinder"}, {"D_m,L_m"});
   refused({"--stimulus", "plane:0.02", "--tool", "sphere:0.01"},
           {"--stimulus plane:0.02", "plane:[FILE.png,]X_m,Y_m"});
   refused({"--stimulus", "box:1,2", "--tool", "sphere:0.01"}, {"box:[FILE.png,]X_m,Y_m,Z_m"});
