@@ -91,11 +91,11 @@ void add_run(CLI::App& program, Job& job) {
       // Before the protocol's files are missed in what is no study.
       (void)Study::open(inputs.study, Access::read_only);
       const ModelRegistry models = built_in_models();
-      if (!inputs.is_virtual &&
-          guides_participants(load_protocol(inputs.protocol, models, inputs.study))) {
+      inputs.ready = [&inputs](const Protocol& protocol) {
+        if (inputs.is_virtual || !guides_participants(protocol)) return;
         say("asperity: the protocol guides the participant's hand by bars, a target or tones; a "
             "terminal has none of them, and the report will say so (the program's windows have)");
-      }
+      };
       const SessionEnd end =
           run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), say_done);
       if (end.state != SessionState::completed) {

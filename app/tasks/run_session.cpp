@@ -197,6 +197,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   if (!inputs.resume && !inputs.is_virtual) check_may_begin(study, inputs, protocol);
   if (inputs.resume) sitting.unfinished = unfinished_session(study, inputs, protocol);
   const std::unique_ptr<Rig> rig = make_rig(inputs, protocol, study, sitting.unfinished, drivers);
+  if (inputs.ready) inputs.ready(protocol);
 
   const Wait wait = sleep_until_stopped(stop, links);
   if (!inputs.is_virtual && !inputs.resume && !protocol.consent_statement.empty()) {

@@ -40,6 +40,8 @@ struct RunInputs {
   /// Somebody who is new and was already asked the protocol's questions (the label is
   /// `participant`); otherwise the respondent is asked.
   std::optional<ParticipantRow> new_person{};
+  /// Told once the device is there, before anybody is asked anything.
+  std::function<void(const Protocol&)> ready{};
   /// The person has agreed to the protocol's statement; otherwise the respondent is asked.
   bool has_consented = false;
 };

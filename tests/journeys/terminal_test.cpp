@@ -108,6 +108,30 @@ TEST(Terminal, AsksAgainForWhatIsNoOption) {
       [](const std::string&, const std::string& err) { return !done_lines(err).empty(); }));
 }
 
+// What a terminal does not show matters to who has a device.
+TEST(Terminal, SaysThatThereIsNoDeviceBeforeItSpeaksOfGuidance) {
+  const SmallStudy small(1);
+  nlohmann::ordered_json guided = small_recognition(1);
+  guided["explorations"]["short"]["guidance"] = "bars";
+  guided["explorations"]["short"]["normal_force_N"] = {{"minimum", 0.2}, {"maximum", 3}};
+  write_text(small.recognition(), guided.dump(2));
+  Invocation invocation{};
+  invocation.arguments = run_arguments(small, small.recognition());
+  invocation.on_terminal = true;
+  {
+    Program program(invocation);
+    EXPECT_TRUE(program.read_until([](const std::string&, const std::string& err) {
+      return err.find("a terminal has none of them") != std::string::npos;
+    })) << program.err();
+  }
+  invocation.arguments.insert(invocation.arguments.end(), {"--device", "falcon:9"});
+  Program program(invocation);
+  const Outcome outcome = program.finish();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err.find("a terminal has none of them"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("falcon"), std::string::npos) << outcome.err;
+}
+
 TEST(Terminal, StopsAfterTheTrialAndGoesOnLater) {
   const SmallStudy small(2);  // four trials
   Invocation invocation{};
