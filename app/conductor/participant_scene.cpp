@@ -170,6 +170,26 @@ ParticipantScene scene_of_lifting(const Trial& trial, const std::vector<int>& fe
   return scene_at_surface(trial, felt, now, {.what = Saying::What::lift});
 }
 
+bool is_guided_by_sight(const Exploration& exploration) noexcept {
+  return exploration.guidance == Exploration::Guidance::bars ||
+         exploration.guidance == Exploration::Guidance::moving_target;
+}
+
+double end_of_bar(const Band& band) {
+  if (band.maximum) return 1.25 * *band.maximum;
+  return 2.5 * band.minimum.value_or(0.0);
+}
+
+GuideScale guide_scale_of(const Protocol& protocol) {
+  GuideScale scale{};
+  for (const auto& [name, exploration] : protocol.explorations) {
+    if (!is_guided_by_sight(exploration)) continue;
+    scale.force_N = std::max(scale.force_N, end_of_bar(exploration.normal_force_N));
+    scale.speed_m_per_s = std::max(scale.speed_m_per_s, end_of_bar(exploration.speed_m_per_s));
+  }
+  return scale;
+}
+
 ParticipantScene scene_between_surfaces(const Trial& trial, const std::vector<int>& felt) {
   ParticipantScene scene = scene_at_surface(trial, felt, 0, {});
   scene.kind = ParticipantScene::Kind::blank;

@@ -51,6 +51,19 @@ Phrase phrase_of(const Saying& saying);
 /// In English.
 std::string text_of(const Saying& saying);
 
+/// The values at the right ends of the bars that show a hand its bands. One scale for all explorations
+/// of a protocol: a band that asks for more stands further to the right, and is as wide as it allows.
+struct GuideScale {
+  double force_N = 0.0;
+  double speed_m_per_s = 0.0;
+};
+/// Of the explorations that participants see guided; a quantity without a band is 0.
+GuideScale guide_scale_of(const Protocol& protocol);
+/// The same of one band: a quarter more than its maximum, or else 2.5 times its minimum.
+double end_of_bar(const Band& band);
+/// A participant sees how they meet its bands.
+bool is_guided_by_sight(const Exploration& exploration) noexcept;
+
 /// One thing at a time. Nothing in it names a stimulus, a texture or a model.
 struct ParticipantScene {
   enum class Kind {
@@ -115,6 +128,7 @@ struct ParticipantScene {
   /// While a surface is felt: what is asked of the hand, as the session's layout has it, where the
   /// participant is to see how they meet it.
   std::optional<Exploration> guide{};
+  GuideScale guide_scale{};  ///< of that
   /// Counts how often a button of the device asked for the next page of what is read.
   int pages_turned = 0;
   /// A response of the trial is open: keys of any window belong to it.

@@ -36,11 +36,6 @@ std::string options_json(const TrialQuestion& question) {
   return options.dump();
 }
 
-bool is_guided_by_sight(const Exploration& exploration) {
-  return exploration.guidance == Exploration::Guidance::bars ||
-         exploration.guidance == Exploration::Guidance::moving_target;
-}
-
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   return static_cast<double>(to_ns - from_ns) * 1e-9;
 }
@@ -239,7 +234,10 @@ void TrialAttempt::feel(std::size_t index) {
   Surface& surface = surfaces_.at(index);
   const auto show = [this](ParticipantScene scene) {
     scene.show_workspace = course_.protocol().scene.has_value();
-    if (is_guided_by_sight(exploration_)) scene.guide = exploration_;
+    if (is_guided_by_sight(exploration_)) {
+      scene.guide = exploration_;
+      scene.guide_scale = guide_scale_of(course_.protocol());
+    }
     course_.show(std::move(scene));
   };
   show(scene_of_surface(trial_, felt_, planned.position));

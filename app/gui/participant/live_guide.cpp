@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include <QtCore/QLocale>
 #include <QtGui/QPainter>
 #include <QtGui/QPolygonF>
 
@@ -22,19 +23,42 @@ const QColor kInside("#0072B2");
 const QColor kOutside("#D55E00");
 const QColor kBandGround("#BFDDF2");
 
-/// The value at the right end of a bar: the band lies in its middle.
-double end_of_bar(const Band& band) {
-  if (band.maximum && *band.maximum > 0.0) return 1.5 * *band.maximum;
-  return std::max(2.5 * band.minimum.value_or(1.0), 1e-9);
+/// What a bar shows, and on which scale.
+struct BarOrder {
+  const Band& band;
+  double end = 0.0;               ///< the value at the right end
+  double shown_per_value = 1.0;   ///< of the numbers under it
+  std::optional<double> value{};  ///< without one the mark waits at the left end
+};
+
+/// As much room as an arrow needs beyond the ends.
+QRectF bar_in(const QRectF& row) {
+  const double unit = row.height() / 88.0;
+  return row.adjusted(28.0 * unit, 16.0 * unit, -28.0 * unit, -16.0 * unit);
 }
 
-/// Without a value the mark waits at the left end.
-void draw_bar(QPainter& painter, const QRectF& row, const Band& band,
-              const std::optional<double>& value) {
+void draw_numbers(QPainter& painter, const QRectF& row, const BarOrder& order, double size_px) {
   const ParticipantColors colors{};
+  const QRectF bar = bar_in(row);
+  const double shown_end = order.shown_per_value * order.end;
+  painter.setPen(colors.text);
+  painter.setFont(participant_font(static_cast<int>(std::ceil(size_px - 1e-9)), false));
+  const double height = 1.2 * size_px;
+  for (const double tick : guide_ticks(shown_end)) {
+    const double x = bar.left() + bar.width() * tick / shown_end;
+    painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, row.bottom()));
+    painter.drawText(QRectF(x - 4.0 * size_px, row.bottom(), 8.0 * size_px, height),
+                     Qt::AlignCenter, QLocale().toString(tick, 'g', 6));
+  }
+}
+
+void draw_bar(QPainter& painter, const QRectF& row, const BarOrder& order) {
+  const ParticipantColors colors{};
+  const Band& band = order.band;
+  const std::optional<double>& value = order.value;
   const double unit = row.height() / 88.0;
-  const QRectF bar = row.adjusted(28.0 * unit, 16.0 * unit, -28.0 * unit, -16.0 * unit);
-  const double end = end_of_bar(band);
+  const QRectF bar = bar_in(row);
+  const double end = order.end;
   const auto x_of = [&](double at) {
     return bar.left() + bar.width() * std::clamp(at / end, 0.0, 1.0);
   };
@@ -132,6 +156,12 @@ LiveGuide::LiveGuide(const SessionMonitor& monitor, QWidget* parent)
   connect(&timer_, &QTimer::timeout, this, &LiveGuide::look_again);
 }
 
+void LiveGuide::set_number_size(double size_px) {
+  if (size_px == number_size_px_) return;
+  number_size_px_ = size_px;
+  update();
+}
+
 void LiveGuide::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   look_again();
@@ -147,6 +177,7 @@ void LiveGuide::look_again() {
   const std::shared_ptr<const ParticipantScene> scene = monitor_.snapshot().scene;
   if (!scene->guide) return;
   asked_ = *scene->guide;
+  scale_ = scene->guide_scale;
   std::int64_t now_ns = monotonic_now_ns();
   if (const auto facts = monitor_.facts()) {
     now_ns += facts->clock_ahead_ns;
@@ -182,19 +213,34 @@ void LiveGuide::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), ParticipantColors{}.ground);
   const GuideRows rows = guide_rows(asked_);
   if (rows.count() == 0) return;
-  const double row = static_cast<double>(height()) / rows.count();
+  const double numbers = height_of_guide_numbers(number_size_px_);
+  const double row = (static_cast<double>(height()) - rows.bars() * numbers) / rows.count();
   double top = 0.0;
   const auto take = [&](int many) {
     const QRectF room(0.0, top, width(), many * row);
     top = room.bottom();
     return room;
   };
+  constexpr double kShortest = 1e-9;  // a band may end at 0
+  const auto bar = [&](BarOrder order) {
+    order.end = std::max(order.end, kShortest);
+    const QRectF room = take(1);
+    if (numbers > 0.0) draw_numbers(painter, room, order, number_size_px_);
+    draw_bar(painter, room, order);
+    top += numbers;
+  };
+  constexpr double kMillimetres = 1e3;
   if (rows.track > 0) draw_track(painter, take(rows.track), asked_, patch_, shown_);
   if (rows.force) {
-    draw_bar(painter, take(1), asked_.normal_force_N, shown_.pressing_N);
+    bar({.band = asked_.normal_force_N,
+         .end = std::max(scale_.force_N, end_of_bar(asked_.normal_force_N)),
+         .value = shown_.pressing_N});
   }
   if (rows.speed) {
-    draw_bar(painter, take(1), asked_.speed_m_per_s, shown_.stroking_m_per_s);
+    bar({.band = asked_.speed_m_per_s,
+         .end = std::max(scale_.speed_m_per_s, end_of_bar(asked_.speed_m_per_s)),
+         .shown_per_value = kMillimetres,
+         .value = shown_.stroking_m_per_s});
   }
 }
 

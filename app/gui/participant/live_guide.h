@@ -10,6 +10,7 @@
 #include <QtCore/QTimer>
 #include <QtWidgets/QWidget>
 
+#include "app/conductor/participant_scene.h"
 #include "app/conductor/session_monitor.h"
 #include "protocols/protocol.h"
 #include "stimuli/surface_patch.h"
@@ -23,7 +24,8 @@ double target_along_m(double elapsed_s, double stroke_length_m, double speed_m_p
 /// Draws what the scene of the monitor asks of the hand (ParticipantScene::guide) and what the hand
 /// does, 60 times a second while it is visible.
 ///
-/// A bar for each of force and speed that has a band: the band is shaded, between two edges; the mark is
+/// A bar for each of force and speed that has a band, on the scene's scale (GuideScale), with numbers in
+/// newtons and millimetres per second under it where the layout has room for them: the band is shaded, between two edges; the mark is
 /// a disc inside it and an arrow towards it outside. The mark is a ring that asks for nothing while no
 /// surface is felt, while the hand is to lift, and for the speed until it has stroked far enough. Over
 /// them, where a target moves, the stroke from above: the target a disc with a ring, the probe a cross.
@@ -46,6 +48,9 @@ class LiveGuide final : public QWidget {
   /// `monitor` must outlive the widget.
   explicit LiveGuide(const SessionMonitor& monitor, QWidget* parent = nullptr);
 
+  /// Of the numbers under bars, in pixels of the widget; 0: there are none.
+  void set_number_size(double size_px);
+
   const Shown& shown() const noexcept { return shown_; }
 
  protected:
@@ -62,6 +67,8 @@ class LiveGuide final : public QWidget {
   std::vector<LiveBin> bins_{};
   LiveBin last_{};
   Exploration asked_{};
+  GuideScale scale_{};
+  double number_size_px_ = 0.0;
   SurfacePatch patch_{};
   Shown shown_{};
 };

@@ -30,6 +30,23 @@ GuideRows guide_rows(const Exploration& asked) {
   return rows;
 }
 
+double height_of_guide_numbers(double letters_px) { return std::ceil(1.2 * letters_px); }
+
+std::vector<double> guide_ticks(double end) {
+  constexpr int kMost = 5;  // beside 0
+  constexpr double kRounding = 1e-9;
+  if (!(end > 0.0) || !std::isfinite(end)) return {};
+  const double decade = std::pow(10.0, std::floor(std::log10(end)) - 1.0);
+  double step = decade;
+  for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
+    step = factor * decade;
+    if (end / step < kMost + 1.0 - kRounding) break;
+  }
+  std::vector<double> ticks{};
+  for (int i = 0; i * step <= end * (1.0 + kRounding); ++i) ticks.push_back(i * step);
+  return ticks;
+}
+
 std::vector<ParticipantItem> lay_out(const ParticipantScene& scene,
                                      const ParticipantLayoutInputs& inputs) {
   return ParticipantPage(scene, inputs).lay_out();

@@ -37,7 +37,7 @@ struct ParticipantItem {
     number,     ///< what was typed
     field,      ///< where text is typed
     workspace,  ///< where the scene of object, tool and probe is
-    guide,      ///< where bars and target are (LiveGuide)
+    guide,      ///< where bars and target are (LiveGuide); `size_px`: of numbers at bars, or 0
     cue,
   };
   Kind kind = Kind::words;
@@ -88,9 +88,14 @@ struct GuideRows {
   int track = 0;  ///< rows of the stroke that a target moves along
   bool force = false;
   bool speed = false;
-  int count() const noexcept { return track + (force ? 1 : 0) + (speed ? 1 : 0); }
+  int bars() const noexcept { return (force ? 1 : 0) + (speed ? 1 : 0); }
+  int count() const noexcept { return track + bars(); }
 };
 GuideRows guide_rows(const Exploration& asked);
+/// How much higher a bar's row is with the numbers of its scale under it, in letters of that size.
+double height_of_guide_numbers(double letters_px);
+/// What stands at a scale from 0 to `end`: at most five round numbers and 0.
+std::vector<double> guide_ticks(double end);
 
 QFont participant_font(int size_px, bool bold);
 

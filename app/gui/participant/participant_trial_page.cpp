@@ -339,17 +339,26 @@ void ParticipantPage::standard_beside() {
 double ParticipantPage::guide_height() const {
   if (!scene_.guide) return 0.0;
   constexpr double kRow = 88.0;
-  const double wanted = guide_rows(*scene_.guide).count() * tall(kRow, kOneLine);
+  const GuideRows rows = guide_rows(*scene_.guide);
+  const double wanted =
+      rows.count() * tall(kRow, kOneLine) + rows.bars() * height_of_guide_numbers(letters(kText));
   return std::min(wanted, std::floor(0.6 * body_.height()));
 }
 
 void ParticipantPage::guide(const QRectF& place) {
   const GuideRows rows = guide_rows(*scene_.guide);
   if (rows.count() == 0) return;
-  const double row = place.height() / rows.count();
+  // Where the window is too low for both, the mark in its band comes before the numbers.
+  double numbers = height_of_guide_numbers(letters(kText));
+  double row = (place.height() - rows.bars() * numbers) / rows.count();
+  const bool has_numbers = row >= em(kOneLine);
+  if (!has_numbers) {
+    numbers = 0.0;
+    row = place.height() / rows.count();
+  }
   std::vector<QString> names{};
-  if (rows.force) names.push_back(tr("Force"));
-  if (rows.speed) names.push_back(tr("Speed"));
+  if (rows.force) names.push_back(has_numbers ? tr("Force, N") : tr("Force"));
+  if (rows.speed) names.push_back(has_numbers ? tr("Speed, mm/s") : tr("Speed"));
   double beside = 0.0;
   for (const QString& name : names) {
     beside = std::max(beside, width_of(name, letters(kText), true) + px(kGap));
@@ -361,9 +370,11 @@ void ParticipantPage::guide(const QRectF& place) {
          .size_px = letters(kText),
          .bold = true,
          .left_aligned = true});
-    top += row;
+    top += row + numbers;
   }
-  add({.kind = Item::Kind::guide, .rect = place.adjusted(beside, 0.0, 0.0, 0.0)});
+  add({.kind = Item::Kind::guide,
+       .rect = place.adjusted(beside, 0.0, 0.0, 0.0),
+       .size_px = has_numbers ? letters(kText) : 0});
 }
 
 void ParticipantPage::feel() {

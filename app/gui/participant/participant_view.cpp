@@ -327,6 +327,7 @@ void ParticipantView::arrange() {
   }
   if (workspace_ != nullptr) place(workspace_, workspace);
   place(guide_, guide);
+  if (guide != nullptr) guide_->set_number_size(page_scale() * guide->size_px);
   update();
   emit arranged();
 }

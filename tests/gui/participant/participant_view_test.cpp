@@ -735,6 +735,75 @@ TEST(ParticipantView, MarksTheHandInsideAndOutsideOfItsBands) {
   EXPECT_GT(pixels_of(guide_with(seat, 0.9, 0.0), outside, speed), 200);
 }
 
+/// From its left to its right edge, in pixels.
+std::pair<int, int> band_in(const QImage& image) {
+  const QColor ground("#BFDDF2");
+  std::pair<int, int> edges{image.width(), 0};
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      if (image.pixelColor(x, y) != ground) continue;
+      edges.first = std::min(edges.first, x);
+      edges.second = std::max(edges.second, x);
+    }
+  }
+  return edges;
+}
+
+TEST(ParticipantView, ShowsTheBandsOfAllExplorationsOnOneScale) {
+  Protocol protocol{};
+  std::vector<ParticipantScene> pressed{};
+  for (const double force_N : {0.5, 1.0, 2.0}) {
+    ParticipantScene scene = scenes::guided(Exploration::Guidance::bars);
+    scene.guide->speed_m_per_s = {};
+    scene.guide->normal_force_N = {
+        .minimum = 0.7 * force_N, .target = force_N, .maximum = 1.3 * force_N};
+    protocol.explorations[std::to_string(pressed.size())] = *scene.guide;
+    pressed.push_back(scene);
+  }
+  // The experimenter's alone: no bar shows it, and none makes room for it.
+  Exploration unseen = *pressed.front().guide;
+  unseen.guidance = Exploration::Guidance::experimenter;
+  unseen.normal_force_N.maximum = 40.0;
+  protocol.explorations["unseen"] = unseen;
+  EXPECT_DOUBLE_EQ(guide_scale_of(protocol).force_N, 1.25 * 2.6);
+  EXPECT_DOUBLE_EQ(guide_scale_of(protocol).speed_m_per_s, 0.0);
+
+  Seat seat{};
+  auto* guide = seat.view.findChild<LiveGuide*>();
+  std::vector<std::pair<int, int>> bands{};
+  for (ParticipantScene& scene : pressed) {
+    scene.guide_scale = guide_scale_of(protocol);
+    seat.show(scene);
+    const double asked_N = *scene.guide->normal_force_N.target;
+    LiveBin bin{};
+    bin.is_felt = true;
+    bin.pressing_N = asked_N;
+    seat.monitor.add_bin(bin);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return guide->shown().pressing_N == asked_N; }));
+    bands.push_back(band_in(guide->grab().toImage()));
+  }
+  EXPECT_GT(bands[1].first, bands[0].second) << "1 N is asked for beyond where 0.5 N was";
+  EXPECT_GT(bands[2].first, bands[1].second);
+  const auto width = [](const std::pair<int, int>& band) { return band.second - band.first; };
+  EXPECT_NEAR(static_cast<double>(width(bands[2])) / width(bands[0]), 4.0, 0.3);
+}
+
+TEST(ParticipantView, PutsRoundNumbersUnderItsBars) {
+  EXPECT_EQ(guide_ticks(3.25), (std::vector<double>{0.0, 1.0, 2.0, 3.0}));
+  EXPECT_EQ(guide_ticks(162.5), (std::vector<double>{0.0, 50.0, 100.0, 150.0}));
+  EXPECT_EQ(guide_ticks(0.5).size(), 6U);
+  EXPECT_TRUE(guide_ticks(0.0).empty());
+  Seat seat{};
+  seat.show(scenes::guided(Exploration::Guidance::bars));
+  const auto names = [&seat] {
+    QStringList texts{};
+    for (const Item& item : seat.view.items()) texts.push_back(item.text);
+    return texts;
+  };
+  EXPECT_TRUE(names().contains("Force, N"));
+  EXPECT_TRUE(names().contains("Speed, mm/s"));
+}
+
 TEST(ParticipantView, AsksAHandThatIsToLiftForNothing) {
   Seat seat{};
   ParticipantScene scene = scenes::guided(Exploration::Guidance::bars);

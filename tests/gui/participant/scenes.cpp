@@ -154,6 +154,9 @@ ParticipantScene guided(Exploration::Guidance guidance) {
   scene.guide->speed_m_per_s = {.minimum = 0.045, .target = 0.06, .maximum = 0.075};
   scene.guide->stroke_length_m.target = 0.06;
   scene.guide->guidance = guidance;
+  Protocol protocol{};
+  protocol.explorations["only"] = *scene.guide;
+  scene.guide_scale = guide_scale_of(protocol);
   return scene;
 }
 
