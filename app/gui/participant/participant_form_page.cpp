@@ -77,8 +77,12 @@ QString ParticipantPage::range_text(const Question& question) {
 }
 
 void ParticipantPage::form_number(const Question& question) {
-  const bool is_signed = !question.minimum || *question.minimum < 0.0;
-  number_pad(range_text(question), is_signed ? Sign::minus : Sign::none);
+  number_pad(range_text(question), may_be_negative(scene_) ? Sign::minus : Sign::none);
+}
+
+QString ParticipantPage::no_number_text() const {
+  return scene_.kind == Scene::Kind::question ? tr("That is no number above 0. Please correct it.")
+                                              : tr("That is no number. Please correct it.");
 }
 
 bool ParticipantPage::is_enough_for_number(double height) const {
@@ -94,9 +98,12 @@ void ParticipantPage::number_pad(const QString& range, Sign sign) {
   // Beside the pad, or above it.
   const double beside = body_.width() - (3.0 * key_width + 2.0 * gap) - px(3 * kGap);
   QSizeF shown(std::min(em(320.0), is_wide() ? beside : body_.width()), tall(kChip));
-  const double range_width = is_wide() ? beside : body_.width();
-  const double range_height =
-      range.isEmpty() ? 0.0 : height_of(range, letters(kText), false, range_width) + em(8.0);
+  // Both have room, so that nothing moves under the hand when one takes the place of the other.
+  const QString amiss = no_number_text();
+  const double range_width = is_wide() ? std::min(beside, em(400.0)) : body_.width();
+  const double range_height = std::max(height_of(range, letters(kText), false, range_width),
+                                       height_of(amiss, letters(kText), true, range_width)) +
+                              em(8.0);
   const double above = is_wide() ? 0.0 : shown.height() + range_height + gap;
   const double key_height =
       std::min(em(80.0), std::floor((body_.height() - 3.0 * gap - above) / 4.0));
@@ -105,8 +112,7 @@ void ParticipantPage::number_pad(const QString& range, Sign sign) {
   QRectF number_rect{};
   QRectF range_rect{};
   if (is_wide()) {
-    const double number_width =
-        std::max(shown.width(), std::min(beside, width_of(range, letters(kText), false)));
+    const double number_width = std::max(shown.width(), range_width);
     const double total = pad.width() + px(3 * kGap) + number_width;
     const double left = body_.center().x() - total / 2.0;
     const double pad_x = inputs_.mirrored ? left : left + total - pad.width();
@@ -133,7 +139,9 @@ void ParticipantPage::number_pad(const QString& range, Sign sign) {
        .text = inputs_.draft.number,
        .size_px = size_px,
        .bold = true});
-  if (!range.isEmpty()) {
+  if (is_no_number(scene_, inputs_.draft.number)) {
+    add({.rect = range_rect, .text = amiss, .size_px = letters(kText), .bold = true});
+  } else if (!range.isEmpty()) {
     add({.rect = range_rect, .text = range, .size_px = letters(kText), .muted = true});
   }
   // As on a keyboard's pad. A sign takes the place of nothing: it stands with the point.

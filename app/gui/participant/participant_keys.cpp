@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include <QtCore/QRegularExpression>
 #include <QtCore/Qt>
 
 namespace asperity {
@@ -23,6 +24,31 @@ std::optional<Action> typed_into_number(int key, const QString& typed, const QSt
 }
 
 }  // namespace
+
+bool takes_typed_number(const ParticipantScene& scene) {
+  if (scene.kind == Scene::Kind::question) return scene.takes_number;
+  return scene.kind == Scene::Kind::form && scene.question &&
+         scene.question->form == Question::Form::number;
+}
+
+bool may_be_negative(const ParticipantScene& scene) {
+  return scene.kind == Scene::Kind::form && scene.question &&
+         (!scene.question->minimum || *scene.question->minimum < 0.0);
+}
+
+std::optional<ParticipantAction> sign_amiss(const ParticipantScene& scene, const QString& text) {
+  if (!takes_typed_number(scene) || text.size() != 1) return {};
+  if (!text.front().isPrint() || text.front().isSpace()) return {};
+  return Action{.what = Action::What::write, .text = text};
+}
+
+bool is_no_number(const ParticipantScene& scene, const QString& typed) {
+  constexpr qsizetype kMostSigns = 15;  // all digits of it are kept
+  static const QRegularExpression kBegun(
+      QStringLiteral("^-?[0-9]*[.]?[0-9]*$|^-?([0-9]+[.]?[0-9]*|[.][0-9]+)[eE][+-]?[0-9]*$"));
+  if (typed.startsWith('-') && !may_be_negative(scene)) return true;
+  return typed.size() > kMostSigns || !kBegun.match(typed).hasMatch();
+}
 
 QString key_of_form_option(int number) {
   if (number <= 9) return QString::number(number);

@@ -32,6 +32,16 @@ struct ParticipantAction {
 std::optional<ParticipantAction> action_of_key(const ParticipantScene& scene, int key,
                                                const QString& text);
 
+/// A number is typed here, of a trial or a form.
+bool takes_typed_number(const ParticipantScene& scene);
+/// It may be below 0.
+bool may_be_negative(const ParticipantScene& scene);
+/// What a key adds to a number although no number has it: "/", "x". It is seen where it was typed, and
+/// said to be wrong (`is_no_number`), as what is left out of "1/2" would be another number.
+std::optional<ParticipantAction> sign_amiss(const ParticipantScene& scene, const QString& text);
+/// Whatever is typed after it: "1/2", "1.2.3", and more signs than a number has. "1e" is none yet.
+bool is_no_number(const ParticipantScene& scene, const QString& typed);
+
 /// What is pressed for an option of a form: "1" … "9", then "A" ….
 QString key_of_form_option(int number);
 

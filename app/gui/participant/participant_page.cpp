@@ -166,7 +166,9 @@ void ParticipantPage::controls() {
       break;
     case Scene::Kind::question:
       add_control(tr("Confirm"), return_key, confirm,
-                  scene_.takes_number ? !inputs_.draft.number.isEmpty() : scene_.can_confirm);
+                  scene_.takes_number ? !inputs_.draft.number.isEmpty() &&
+                                            !is_no_number(scene_, inputs_.draft.number)
+                                      : scene_.can_confirm);
       if (scene_.can_switch) add_control(again_text(), space_key, next, false);
       if (shows_pictures()) answers_in_words_as_controls();
       break;
@@ -179,7 +181,9 @@ void ParticipantPage::controls() {
       if (scene_.question->optional && empty) {
         add_control(tr("Leave out"), return_key, confirm, true);
       } else {
-        add_control(tr("Confirm"), return_key, confirm, !empty);
+        const bool is_amiss =
+            takes_typed_number(scene_) && is_no_number(scene_, inputs_.draft.number);
+        add_control(tr("Confirm"), return_key, confirm, !empty && !is_amiss);
       }
       break;
     }

@@ -179,6 +179,8 @@ class ParticipantPage final {
   enum class Sign { none, minus };
   /// What was typed, and the keys that type it; `range` says what may be.
   void number_pad(const QString& range, Sign sign);
+  /// What stands in the place of the range while what was typed is no number.
+  QString no_number_text() const;
   bool is_enough_for_number(double height) const;
   static QString range_text(const Question& question);
   Item answer_in_words(std::size_t index) const;

@@ -27,7 +27,7 @@ using Scene = ParticipantScene;
 constexpr int kLook_ms = 16;
 constexpr std::chrono::seconds kCueShown{5};
 constexpr std::int64_t kTwoDigits_ns = 1'000'000'000;  // between the digits of one key
-constexpr qsizetype kLongestNumber = 12;
+constexpr qsizetype kLongestNumber = 24;               // to be seen; not all of it can be an answer
 constexpr QSizeF kUsualPage(1366.0, 768.0);
 // Of the keys 1 … 9, 0 above the letters, under xcb and Wayland alike.
 constexpr quint32 kScanCodeOf1 = 10;
@@ -496,6 +496,9 @@ QString ParticipantView::sign_of(const QKeyEvent& event) const {
   const quint32 code = event.nativeScanCode();
   if (code < kScanCodeOf1 || code > kScanCodeOf0) return event.text();
   if (action_of_key(*scene_, event.key(), event.text())) return event.text();
+  // Digits that are typed without Shift are what the row is for; with it, "/" of a German keyboard is no 7.
+  const bool shifted = (event.modifiers() & Qt::ShiftModifier) != 0;
+  if (shifted && takes_typed_number(*scene_)) return event.text();
   return QString::number((code - kScanCodeOf1 + 1) % 10);
 }
 
@@ -503,6 +506,7 @@ bool ParticipantView::has_use_for(const QKeyEvent& event) const {
   if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
   if (turned_by(event.key()) != nullptr) return true;
   if (action_of_key(*scene_, event.key(), sign_of(event))) return true;
+  if (sign_amiss(*scene_, sign_of(event))) return true;
   if (!is_text_form()) return false;
   const QString text = event.text();
   return (!text.isEmpty() && text.front().isPrint()) || event.key() == Qt::Key_Backspace ||
@@ -517,6 +521,7 @@ bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
   }
   const QString sign = sign_of(event);
   std::optional<Action> action = action_of_key(*scene_, event.key(), sign);
+  if (!action) action = sign_amiss(*scene_, sign);
   if (!action) {
     if (field_->isHidden()) turn_to(0);
     QApplication::sendEvent(field_, &event);
@@ -534,6 +539,10 @@ bool ParticipantView::press(QKeyEvent& event, std::int64_t pressed_ns) {
   typed_ns_ = pressed_ns;
   act(*action, pressed_ns, "keyboard");
   return true;
+}
+
+bool ParticipantView::holds_no_number() const {
+  return takes_typed_number(*scene_) && is_no_number(*scene_, draft_.number);
 }
 
 bool ParticipantView::is_typed() const {
@@ -595,6 +604,7 @@ void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
       }
       return;
     case Action::What::confirm:
+      if (holds_no_number()) return;
       if (is_typed()) {
         tell({.kind = Kind::text, .text = draft_.number.toStdString()}, time_ns, source);
       } else {
@@ -613,11 +623,11 @@ void ParticipantView::act(const ParticipantAction& action, std::int64_t time_ns,
 void ParticipantView::write_number(const ParticipantAction& action) {
   if (action.what == Action::What::erase) {
     draft_.number.chop(1);
-  } else if (action.text == "-") {
+  } else if (action.text == "-" && may_be_negative(*scene_) &&
+             !draft_.number.endsWith('e', Qt::CaseInsensitive)) {
     // A minus changes the sign, wherever it is pressed.
     draft_.number = draft_.number.startsWith('-') ? draft_.number.mid(1) : '-' + draft_.number;
-  } else if (draft_.number.size() < kLongestNumber &&
-             !(action.text == "." && draft_.number.contains('.'))) {
+  } else if (draft_.number.size() < kLongestNumber) {
     draft_.number += action.text;
   }
   turn_to(0);
@@ -641,6 +651,7 @@ void ParticipantView::act_on_form(const ParticipantAction& action, std::int64_t 
       write_number(action);
       return;
     case Action::What::confirm: {
+      if (holds_no_number()) return;
       QString text{};
       switch (question.form) {
         case Question::Form::choice:

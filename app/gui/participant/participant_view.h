@@ -133,6 +133,8 @@ class ParticipantView final : public QWidget {
   void act(const ParticipantAction& action, std::int64_t time_ns, const char* source);
   /// Into a number that is being typed.
   void write_number(const ParticipantAction& action);
+  /// What was typed cannot become a number: nothing is confirmed until it is corrected.
+  bool holds_no_number() const;
   /// What is typed is the answer and nothing else of it is told.
   bool is_typed() const;
   void act_on_form(const ParticipantAction& action, std::int64_t time_ns, const char* source);

@@ -294,7 +294,6 @@ TEST(ParticipantView, WritesNumbersWithAPointWhateverKeyWasPressed) {
   seat.key(Qt::Key_1);
   seat.key(Qt::Key_Comma);
   seat.key(Qt::Key_5);
-  seat.key(Qt::Key_Period);  // a second point has no place
   seat.key(Qt::Key_Minus);
   seat.click(Item::Kind::control, "Confirm");
   EXPECT_EQ(seat.last().text, "-1.5");
@@ -304,7 +303,6 @@ TEST(ParticipantView, WritesTheNumberOfATrialByKeyAndByPad) {
   Seat seat{};
   seat.show(scenes::magnitude());
   seat.key(Qt::Key_1);
-  seat.key(Qt::Key_Minus);  // no magnitude has a sign
   seat.click(Item::Kind::pad, "2");
   seat.key(Qt::Key_Comma);
   seat.key(Qt::Key_5);
@@ -312,6 +310,68 @@ TEST(ParticipantView, WritesTheNumberOfATrialByKeyAndByPad) {
   seat.click(Item::Kind::control, "Confirm");
   EXPECT_EQ(seat.last().kind, Kind::text);
   EXPECT_EQ(seat.last().text, "12.5");
+}
+
+// Left out without a word, the signs would leave another number: 12 of 1/2.
+TEST(ParticipantView, TellsAtOnceOfWhatIsNoNumberAndTakesNothingUntilItIsCorrected) {
+  Seat seat{};
+  const auto shows = [&seat](const QString& text) {
+    const std::vector<Item> items = seat.view.items();
+    return std::any_of(items.begin(), items.end(),
+                       [&text](const Item& item) { return item.text == text; });
+  };
+  const QString of_trial = "That is no number above 0. Please correct it.";
+  for (const auto& [typed, corrected] :
+       {std::pair{"1/2", "1"}, std::pair{"-5", ""}, std::pair{"1.2.3", "1.2"}, std::pair{"x", ""},
+        std::pair{"1234567890123456", "123456789012345"}}) {
+    seat.inputs.clear();
+    ParticipantScene scene = scenes::magnitude();
+    scene.question = Question{.name = typed};  // another one: the field is empty again
+    seat.show(scene);
+    QTest::keyClicks(&seat.view, typed);
+    EXPECT_TRUE(shows(typed)) << "it is seen as it was typed";
+    EXPECT_TRUE(shows(of_trial)) << typed;
+    seat.key(Qt::Key_Return);
+    seat.click(Item::Kind::control, "Confirm");
+    EXPECT_TRUE(seat.inputs.empty()) << typed;
+    for (std::size_t i = 0; i < 2 && shows(of_trial); ++i) seat.key(Qt::Key_Backspace);
+    EXPECT_FALSE(shows(of_trial)) << typed;
+    if (*corrected == 0) continue;
+    seat.key(Qt::Key_Return);
+    EXPECT_EQ(seat.last().text, corrected);
+  }
+  seat.show(scenes::form_number());
+  QTest::keyClicks(&seat.view, "2z");
+  EXPECT_TRUE(shows("That is no number. Please correct it."));
+  seat.key(Qt::Key_Return);
+  seat.key(Qt::Key_Backspace);
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().text, "2");
+}
+
+TEST(ParticipantView, UnderstandsPowersOfTen) {
+  Seat seat{};
+  seat.show(scenes::magnitude());
+  QTest::keyClicks(&seat.view, "1e-3");
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().text, "1e-3");
+}
+
+// On the row of digits "/" is Shift and 7: no 7, and without Shift a French "è" is one.
+TEST(ParticipantView, TakesNoSignOfTheRowOfDigitsForADigitOfANumber) {
+  Seat seat{};
+  seat.show(scenes::magnitude());
+  const auto press = [&seat](Qt::KeyboardModifiers held, const QString& text) {
+    constexpr quint32 kScanCodeOf7 = 16;
+    QKeyEvent event(QEvent::KeyPress, Qt::Key_unknown, held, kScanCodeOf7, 0, 0, text);
+    EXPECT_TRUE(seat.view.press(event, 1));
+  };
+  press(Qt::NoModifier, QString::fromUtf8("è"));
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.last().text, "7");
+  press(Qt::ShiftModifier, "/");
+  seat.key(Qt::Key_Return);
+  EXPECT_EQ(seat.inputs.size(), 1U);
 }
 
 // What is to be checked stays in its field: a confirmation gives it once more.
