@@ -26,6 +26,7 @@
 #include "app/gui/study/settings.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/welcome_page.h"
+#include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
 
 namespace asperity {
@@ -66,6 +67,8 @@ StudyWindow::~StudyWindow() {
 void StudyWindow::refill() {
   const QString shown = shown_page();
   const std::filesystem::path edited = editor() == nullptr ? "" : editor()->file();
+  const auto* bench = qobject_cast<WorkbenchPage*>(page("workbench"));
+  const WorkbenchPage::Work work = bench == nullptr ? WorkbenchPage::Work{} : bench->work();
   remove_pages();
   make_menus();
   auto* centre = new QWidget(this);
@@ -107,6 +110,7 @@ void StudyWindow::refill() {
   setCentralWidget(centre);  // deletes the one before
   make_pages();
   if (!edited.empty()) editor()->open(edited);
+  if (auto* again = qobject_cast<WorkbenchPage*>(page("workbench"))) again->resume(work);
   if (!shown.isEmpty() && page(shown) != nullptr) show_page(shown);
 }
 

@@ -151,6 +151,23 @@ TextureRecipe RecipePanel::recipe() const {
   return texture_recipe(values);
 }
 
+int RecipePanel::kind() const { return kind_->currentIndex(); }
+
+void RecipePanel::show_recipe(const TextureRecipe& recipe, int kind) {
+  const ParameterValues all = parameter_values(recipe);
+  for (ParameterForm* form : forms_) {
+    ParameterValues values{};
+    for (const Parameter& parameter : form->parameters()) {
+      const auto value = all.find(parameter.name);
+      if (value != all.end()) values.insert(*value);
+    }
+    form->set_values(values);
+  }
+  const QSignalBlocker quiet(kind_);
+  kind_->setCurrentIndex(kind);
+  say_what_it_shows(kind);
+}
+
 bool RecipePanel::is_dragging() const {
   return std::any_of(forms_.begin(), forms_.end(),
                      [](const ParameterForm* form) { return form->is_dragging(); });

@@ -30,6 +30,10 @@ class RecipePanel final : public QWidget {
   void show_opened(const OpenedPicture& opened);
 
   TextureRecipe recipe() const;
+  /// Of what the photograph shows, its place in the list.
+  int kind() const;
+  /// As it was left elsewhere. Does not signal.
+  void show_recipe(const TextureRecipe& recipe, int kind);
   /// A slider is held.
   bool is_dragging() const;
   /// Why the recipe cannot be; empty: it can.

@@ -342,6 +342,25 @@ void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened, const QStr
   if (parameter_values(recipe()) != parameter_values(opened_->recipe)) recompute();
 }
 
+WorkbenchPage::Work WorkbenchPage::work() const {
+  return {.opened = opened_,
+          .recipe = recipe(),
+          .kind = recipe_->kind(),
+          .compares = mode_->checkedId() == static_cast<int>(Mode::comparing)};
+}
+
+void WorkbenchPage::resume(const Work& work) {
+  if (work.opened == nullptr) return;
+  take(work.opened, {});
+  banner_->hide();  // it was read when the file was opened
+  if (work.opened->is_photograph()) {
+    recipe_->show_recipe(work.recipe, work.kind);
+    recompute();
+    keep_unsaved(false);
+  }
+  if (work.compares) set_mode(Mode::comparing);
+}
+
 TextureRecipe WorkbenchPage::recipe() const { return recipe_->recipe(); }
 
 void WorkbenchPage::recompute() {

@@ -45,6 +45,17 @@ class WorkbenchPage final : public QWidget {
   /// In the background, and can be cancelled. A PNG that has a sidecar beside it is a height field.
   void open_file(const std::filesystem::path& file);
 
+  /// What is open, for a page that takes the place of this one.
+  struct Work {
+    std::shared_ptr<const OpenedPicture> opened{};  ///< null: nothing
+    TextureRecipe recipe{};
+    int kind = 0;  ///< of what the photograph shows, as in the recipe's list
+    bool compares = false;
+  };
+  Work work() const;
+  /// Of a page that is gone and had nothing unsaved.
+  void resume(const Work& work);
+
   TextureRecipe recipe() const;
   /// What is shown; null while there is nothing.
   std::shared_ptr<const HeightField> field() const noexcept { return preview_.field; }

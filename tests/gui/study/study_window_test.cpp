@@ -2,7 +2,9 @@
 
 #include "app/gui/study/study_window.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <stdexcept>
 #include <unistd.h>
 
@@ -20,6 +22,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/study/settings.h"
 #include "app/gui/study/study_table.h"
+#include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
 #include "results_schema/atomic_file.h"
 #include "tests/gui/study/lively_study.h"
@@ -251,6 +254,29 @@ TEST_F(StudyWindowTest, DoesNotCloseWhileBusyAndSaysWhy) {
   window.set_busy({});
   window.close();
   EXPECT_FALSE(window.isVisible());
+}
+
+TEST_F(StudyWindowTest, KeepsTheReliefInTheWorkbenchThroughAChangeOfTheme) {
+  const std::filesystem::path folder = small_demo_study();
+  StudyWindow window{};
+  window.show();
+  ASSERT_TRUE(window.open_study(folder));
+  window.show_page("workbench");
+  const auto bench = [&window] { return qobject_cast<WorkbenchPage*>(window.page("workbench")); };
+  bench()->open_file(folder / "stimuli" / "brick.png");
+  ASSERT_TRUE(eventually([&] { return bench()->field() != nullptr && bench()->is_settled(); }));
+  const std::shared_ptr<const HeightField> field = bench()->field();
+  const QPointer<WorkbenchPage> before = bench();
+  const auto actions = window.findChildren<QAction*>();
+  const auto dark = std::find_if(actions.begin(), actions.end(),
+                                 [](const QAction* action) { return action->text() == "&Dark"; });
+  ASSERT_NE(dark, actions.end());
+  (*dark)->trigger();
+  ASSERT_TRUE(eventually([&] { return before.isNull() && bench() != nullptr; }));
+  EXPECT_EQ(bench()->field(), field);
+  EXPECT_TRUE(bench()->property("keep").toString().isEmpty()) << "it was saved, and still is";
+  EXPECT_EQ(window.shown_page(), "workbench");
+  apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::light);
 }
 
 TEST_F(StudyWindowTest, RemembersWhereItWas) {
