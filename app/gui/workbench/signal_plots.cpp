@@ -6,6 +6,7 @@
 
 #include <QtCore/QEvent>
 #include <QtCore/QStringList>
+#include <QtGui/QFontMetrics>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 #include <qcustomplot.h>
@@ -29,10 +30,43 @@ struct Extent {
   bool is_empty() const { return !(low <= high); }
 };
 
+/// Decades, and 1, 2 and 5 of each where fewer than two of them are shown: one number is no scale.
+class DecadeTicker final : public QCPAxisTickerLog {
+ protected:
+  QVector<double> createTickVector(double step, const QCPRange& range) override {
+    const auto shown = [&range](const QVector<double>& ticks) {
+      return std::count_if(ticks.begin(), ticks.end(),
+                           [&](double at) { return range.contains(at); });
+    };
+    QVector<double> decades = QCPAxisTickerLog::createTickVector(step, range);
+    if (shown(decades) >= 2 || !(range.lower > 0.0)) return decades;
+    QVector<double> ticks{};
+    for (double decade = std::pow(10.0, std::floor(std::log10(range.lower))); decade <= range.upper;
+         decade *= 10.0) {
+      for (const double factor : {1.0, 2.0, 5.0}) ticks.append(factor * decade);
+    }
+    return ticks;
+  }
+};
+
+/// In lines that are no wider, where words allow it.
+QString in_lines(const QString& text, const QFontMetrics& metrics, int width) {
+  QStringList lines{};
+  for (const QString& word : text.split(' ')) {
+    const QString longer = lines.isEmpty() ? word : lines.last() + ' ' + word;
+    if (lines.isEmpty() || metrics.horizontalAdvance(longer) > width) {
+      lines << word;
+    } else {
+      lines.last() = longer;
+    }
+  }
+  return lines.join('\n');
+}
+
 void set_scale(QCPAxis& axis, PlotScale scale) {
   if (scale == PlotScale::linear) return;
   axis.setScaleType(QCPAxis::stLogarithmic);
-  axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+  axis.setTicker(QSharedPointer<DecadeTicker>::create());
   axis.setNumberFormat("eb");
   axis.setNumberPrecision(0);
 }
@@ -73,7 +107,7 @@ SignalPlot::SignalPlot(const PlotAxes& axes, QWidget* parent) : QFrame(parent), 
   heading_ = add_line(axes.heading, TextSize::small, false);
   heading_->setTextFormat(Qt::RichText);
   // Lying above its axis it is read whole however low the plot is; beside it, it would be cut off.
-  add_line(axes.y, TextSize::small, true);
+  add_line(axes.y, TextSize::small, true)->setWordWrap(true);
   if (axes.names_are_large) {
     large_names_ = add_line({}, TextSize::body, false);
     large_names_->setTextFormat(Qt::RichText);
@@ -135,9 +169,11 @@ void SignalPlot::draw() {
     auto* label = new QCPItemText(plot_);
     label->position->setType(QCPItemPosition::ptAxisRectRatio);
     label->position->setCoords(0.5, 0.5);
-    label->setText(empty_);
-    label->setColor(theme().muted);
     label->setFont(text_font(TextSize::small));
+    label->setText(in_lines(empty_, QFontMetrics(label->font()), plot_->axisRect()->width()));
+    label->setClipToAxisRect(false);
+    label->setColor(theme().muted);
+    label->setObjectName("empty");
   }
   plot_->xAxis->setTickLabels(!nothing);
   plot_->yAxis->setTickLabels(!nothing);
@@ -157,12 +193,14 @@ void SignalPlot::changeEvent(QEvent* event) {
 void SignalPlot::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
   choose_ticks();
+  if (series_.empty() && !empty_.isEmpty()) draw();  // in other lines
 }
 
-/// In a narrow plot four numbers of three digits would run into each other.
+/// In a narrow plot four numbers of three digits would run into each other. Of three, steps are less
+/// than half of what is shown, so that two numbers stand there at least.
 void SignalPlot::choose_ticks() {
   constexpr int kNarrow = 256;
-  const int ticks = width() < kNarrow ? 2 : 4;
+  const int ticks = width() < kNarrow ? 3 : 4;
   QCPAxisTicker& ticker = *plot_->xAxis->ticker();
   if (axes_.x_scale == PlotScale::logarithmic || ticker.tickCount() == ticks) return;
   ticker.setTickCount(ticks);
