@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include <QtCore/QEvent>
 #include <QtCore/QSignalBlocker>
 #include <QtCore/QTimer>
 #include <QtWidgets/QBoxLayout>
@@ -36,6 +37,19 @@ double gain_of(int slider) { return std::pow(10.0, 0.5 * slider / 20.0); }
 int slider_of(double gain) {
   return std::clamp(static_cast<int>(std::lround(40.0 * std::log10(gain))), kLowest, kHighest);
 }
+
+/// Passes the wheel to the page that a field stands on: who scrolls over a level does not turn it.
+class WheelPasser final : public QObject {
+ public:
+  explicit WheelPasser(QObject* field) : QObject(field) { field->installEventFilter(this); }
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::Wheel) return false;
+    event->ignore();
+    return true;
+  }
+};
 
 }  // namespace
 
@@ -91,6 +105,7 @@ NoiseCheck::NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget
   };
 
   gain_ = new QSlider(Qt::Horizontal, this);
+  new WheelPasser(gain_);
   gain_->setObjectName("noise_gain");
   gain_->setRange(kLowest, kHighest);
   gain_->setPageStep(6);
@@ -104,6 +119,7 @@ NoiseCheck::NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget
   add_row(0, tr("&Gain"), gain_, gain_text_);
 
   measured_ = new QDoubleSpinBox(this);
+  new WheelPasser(measured_);
   measured_->setObjectName("measured_level");
   measured_->setRange(kNotMeasured_dBA, 100.0);
   measured_->setDecimals(1);

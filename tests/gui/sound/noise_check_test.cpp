@@ -2,6 +2,7 @@
 
 #include "app/gui/sound/noise_check.h"
 
+#include <QtGui/QWheelEvent>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -80,6 +81,25 @@ TEST(NoiseCheck, TheGainIsHeardAtOnceAndMakesAMeasurementVoid) {
   EXPECT_FALSE(check.value().measured_dBA.has_value());
   EXPECT_TRUE(check.reservation().contains("was not measured"));
   EXPECT_GE(changed.count(), 8);
+}
+
+TEST(NoiseCheck, KeepsItsLevelsUnderTheWheel) {
+  FakeCard card{};
+  NoiseCheck check(declared_noise(), output_of(card));
+  check.show();
+  control<QDoubleSpinBox>(check, "measured_level").setValue(64.0);
+  const double gain = check.value().gain;
+  for (const char* name : {"noise_gain", "measured_level"}) {
+    auto& field = control<QWidget>(check, name);
+    field.setFocus();
+    const QPointF middle(field.rect().center());
+    QWheelEvent turned(middle, field.mapToGlobal(middle), {}, {0, 240}, Qt::NoButton,
+                       Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&field, &turned);
+    EXPECT_FALSE(turned.isAccepted()) << "the page scrolls";
+  }
+  EXPECT_EQ(check.value().gain, gain);
+  EXPECT_EQ(check.value().measured_dBA, 64.0);
 }
 
 TEST(NoiseCheck, TakesDownWhatWasMeasuredByWhom) {
