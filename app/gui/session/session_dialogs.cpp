@@ -4,6 +4,7 @@
 
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 
 #include "app/gui/look/controls.h"
@@ -47,6 +48,11 @@ AbortDialog::AbortDialog(QWidget* parent, std::function<void(QString)> on_abort)
                on_abort(reason);
                accept();
              });
+  // What it says to do is read whole, in every language.
+  auto* field = form_->findChild<QLineEdit*>("reason");
+  constexpr int kAround = 32;
+  field->setMinimumWidth(field->fontMetrics().horizontalAdvance(field->placeholderText()) +
+                         kAround);
 }
 
 void AbortDialog::lock(const QString& why) { form_->lock(why); }

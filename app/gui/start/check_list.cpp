@@ -115,7 +115,9 @@ void CheckList::set_checks(const std::vector<SessionCheck>& checks) {
 void CheckList::set_running(bool running) {
   lines_->setVisible(!running);  // they are of what was chosen before
   again_->setEnabled(!running);
-  if (running) summary_->setText(tr("Looking at everything: a second or so."));
+  if (running)
+    summary_->setText(
+        tr("Looking at everything: seconds to a minute, by what the protocol asks for."));
 }
 
 }  // namespace asperity
