@@ -50,20 +50,22 @@ void SessionProgress::set_aside(const AttemptRow& attempt) {
 /// All of it at once: no frame shows an attempt as done whose trial is still under way.
 void SessionProgress::publish(std::size_t step, int coming, std::optional<AttemptSummary> added) {
   int done = 0;
-  double left_s = 0.0;
+  double trials_left_s = 0.0;
+  double others_left_s = 0.0;  // breaks and screens, which take as long however long trials take
   for (std::size_t i = 0; i < plan_.steps.size(); ++i) {
     if (const auto* of_trial = std::get_if<TrialStep>(&plan_.steps[i])) {
       const Trial& trial = plan_.trials[of_trial->trial];
       if (tally_.is_done(trial) || tally_.is_over(trial)) {
         ++done;
       } else {
-        left_s += planned_s_[i];
+        trials_left_s += planned_s_[i];
       }
     } else if (i > step) {
-      left_s += planned_s_[i];
+      others_left_s += planned_s_[i];
     }
   }
-  constexpr double kGuess_s = 60.0;
+  // As good as so many seconds of trials: a slow first one says little of the others.
+  constexpr double kGuess_s = 300.0;
   const double pace = (kGuess_s + spent_so_far_s_) / (kGuess_s + planned_so_far_s_);
   const AttemptRow* last = tally_.last_done();
   course_.update([&](SessionSnapshot& snapshot) {
@@ -79,7 +81,7 @@ void SessionProgress::publish(std::size_t step, int coming, std::optional<Attemp
     snapshot.attempt = coming == 0 ? 0 : tally_.attempts_at(coming) + 1;
     snapshot.last_done = last == nullptr ? 0 : last->trial;
     snapshot.trials_done = done;
-    snapshot.expected_left_s = pace * left_s;
+    snapshot.expected_left_s = pace * trials_left_s + others_left_s;
     snapshot.rows_stored = static_cast<std::int64_t>(tally_.attempts().size());
   });
 }
