@@ -16,8 +16,8 @@
 #include "app/cli/terminal.h"
 #include "app/conductor/rehearsal.h"
 #include "app/device_profile.h"
+#include "app/tasks/device_choice.h"
 #include "app/tasks/protocol_files.h"
-#include "device/simulated_models.h"
 #include "protocols/doubts.h"
 
 namespace asperity {
@@ -61,16 +61,8 @@ std::string warning_of(const Diagnostic& doubt) {
 std::vector<Diagnostic> device_warnings(const ProtocolCheck& check,
                                         const std::filesystem::path& study,
                                         const std::string& device, const ModelRegistry& models) {
-  const std::size_t colon = device.find(':');
-  WhichDevice which{.name = device.substr(0, colon)};
-  const std::string rest = colon == std::string::npos ? "" : device.substr(colon + 1);
-  if (const auto simulated = simulated_settings(device)) {
-    if (simulated->stands_for) which.model = simulated->stands_for->model;
-  } else {
-    which.serial = rest;
-  }
   std::vector<Diagnostic> warnings{};
-  const std::optional<DeviceProfile> profile = latest_profile(study, which);
+  const std::optional<DeviceProfile> profile = latest_profile(study, which_device(device));
   if (!profile) return warnings;
   StimulusBuilder builder(models, study);
   for (const RehearsalWarning& warning : rehearse_on_device(*check.protocol, *profile, builder)) {

@@ -153,9 +153,14 @@ class DeviceRehearsal final {
   DeviceRehearsal(const Protocol& protocol, const DeviceProfile& profile, StimulusBuilder& builder)
       : protocol_(protocol), profile_(profile), builder_(builder) {}
 
-  std::vector<RehearsalWarning> run() {
+  std::vector<RehearsalWarning> run(const RehearsalCourse& course) {
     std::set<std::string> seen{};
-    for (const Trial& trial : possible_trials(protocol_)) {
+    const std::vector<Trial> trials = possible_trials(protocol_);
+    double done = 0.0;
+    for (const Trial& trial : trials) {
+      if (course.stop.stop_requested()) break;
+      if (course.progress) course.progress(done / static_cast<double>(trials.size()));
+      ++done;
       const Exploration& exploration = exploration_of(protocol_, trial);
       for (const PlannedPresentation& planned : trial.presentations) {
         const StimulusDescription& stimulus = planned.stimulus;
@@ -347,13 +352,34 @@ class DeviceRehearsal final {
 
 std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const DeviceProfile& profile,
-                                                 StimulusBuilder& builder) {
-  return DeviceRehearsal(protocol, profile, builder).run();
+                                                 StimulusBuilder& builder,
+                                                 const RehearsalCourse& course) {
+  return DeviceRehearsal(protocol, profile, builder).run(course);
+}
+
+std::vector<RehearsalWarning> RehearsalMemory::recall(
+    const std::string& key, const std::stop_token& stop,
+    const std::function<std::vector<RehearsalWarning>()>& compare) {
+  const std::lock_guard lock(mutex_);
+  if (key_ == key) return warnings_;
+  std::vector<RehearsalWarning> warnings = compare();
+  if (stop.stop_requested()) return warnings;
+  key_ = key;
+  warnings_ = std::move(warnings);
+  return warnings_;
 }
 
 RehearsedDevice rehearsed_device(const Protocol& protocol, const WhichDevice& device,
                                  const std::filesystem::path& study, const std::string& now_utc,
                                  StimulusBuilder& builder) {
+  return rehearsed_device(protocol, device, study, now_utc, [&](const DeviceProfile& profile) {
+    return rehearse_on_device(protocol, profile, builder);
+  });
+}
+
+RehearsedDevice rehearsed_device(const Protocol& protocol, const WhichDevice& device,
+                                 const std::filesystem::path& study, const std::string& now_utc,
+                                 const Rehearse& rehearse) {
   RehearsedDevice rehearsed{};
   rehearsed.profile = latest_profile(study, device);
   if (protocol.profile_maximum_age_days) {
@@ -384,7 +410,7 @@ RehearsedDevice rehearsed_device(const Protocol& protocol, const WhichDevice& de
     }
   }
   if (!rehearsed.profile) return rehearsed;
-  rehearsed.warnings = rehearse_on_device(protocol, *rehearsed.profile, builder);
+  rehearsed.warnings = rehearse(*rehearsed.profile);
   if (protocol.refuses_rehearsal_warnings && !rehearsed.warnings.empty()) {
     throw PhrasedError(
         phrase("Rehearsal",

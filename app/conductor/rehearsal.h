@@ -3,7 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -48,9 +51,32 @@ struct RehearsalWarning {
 /// Errors: none of a stimulus: what cannot be rendered is a warning. std::bad_alloc.
 ///
 /// [Colgate 1997] Colgate, Schenkel: Passivity of a class of sampled-data systems.
+/// `course`, for whoever waits: it may take seconds. What was not compared when the stop came is not told.
+struct RehearsalCourse {
+  std::stop_token stop{};
+  std::function<void(double)> progress{};  ///< 0 to 1; may be empty
+};
 std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const DeviceProfile& profile,
-                                                 StimulusBuilder& builder);
+                                                 StimulusBuilder& builder,
+                                                 const RehearsalCourse& course = {});
+
+/// What the last comparison found, for whoever asks again while nothing of it has changed.
+///
+/// Threads: any; one that asks while another compares waits for it.
+class RehearsalMemory final {
+ public:
+  /// `compare` is called for another `key` than the last one's, and what it returns is kept unless `stop`
+  /// was asked for meanwhile.
+  std::vector<RehearsalWarning> recall(
+      const std::string& key, const std::stop_token& stop,
+      const std::function<std::vector<RehearsalWarning>()>& compare);
+
+ private:
+  std::mutex mutex_{};
+  std::optional<std::string> key_{};
+  std::vector<RehearsalWarning> warnings_{};
+};
 
 /// A device before a session: what it was last measured to be, and what of the plan is beyond that.
 struct RehearsedDevice {
@@ -65,5 +91,10 @@ struct RehearsedDevice {
 RehearsedDevice rehearsed_device(const Protocol& protocol, const WhichDevice& device,
                                  const std::filesystem::path& study, const std::string& now_utc,
                                  StimulusBuilder& builder);
+/// The same, the comparison being made by `rehearse`.
+using Rehearse = std::function<std::vector<RehearsalWarning>(const DeviceProfile&)>;
+RehearsedDevice rehearsed_device(const Protocol& protocol, const WhichDevice& device,
+                                 const std::filesystem::path& study, const std::string& now_utc,
+                                 const Rehearse& rehearse);
 
 }  // namespace asperity

@@ -374,7 +374,9 @@ std::optional<VersionUse> other_text_of_version(const Study& study, const std::s
 std::vector<Phrase> complaints_about_device(const Protocol& protocol,
                                             const DeviceCapability& device) {
   std::vector<Phrase> complaints{};
-  if (protocol.force_limit_N > device.peak_force_N) {
+  // One without motors gives none of it, whatever the protocol asks for: whoever chooses it knows.
+  const bool has_motors = device.actuated_degrees_of_freedom > 0;
+  if (has_motors && protocol.force_limit_N > device.peak_force_N) {
     complaints.push_back(
         phrase("ProtocolFiles",
                "the protocol's force_limit_N of %1 N is more than the device \"%2\" can give, %3 N")

@@ -6,15 +6,16 @@
 #include <utility>
 
 #include "analysis/number_text.h"
-#include "app/conductor/attempt_measures.h"
+#include "app/conductor/clock.h"
 #include "app/conductor/reason.h"
-#include "app/conductor/recorder.h"
 #include "app/conductor/recording_columns.h"
 #include "app/conductor/rig.h"
 #include "app/conductor/session_setup.h"
 #include "app/conductor/stimulus_builder.h"
+#include "app/tasks/device_choice.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
+#include "device/pointer_device.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 
@@ -24,8 +25,6 @@ namespace {
 
 using State = SessionCheck::State;
 
-constexpr double kTrial_s = 0.3;         // of the servo loop
-constexpr double kWarmUp_s = 0.05;       // a thread's first wake-ups are its latest ones
 constexpr double kStoreBytes = 20e6;     // rows of a session, and what SQLite needs to write them
 constexpr double kWantedSessions = 2.0;  // room for one more than this
 constexpr double kSlowestRate = 0.9;     // of what the protocol asks for
@@ -218,11 +217,59 @@ SessionCheck stimuli_check(const CheckInputs& inputs, const Protocol& protocol,
   return check;
 }
 
+/// What the device says of itself; nothing of one that nobody has opened yet.
+std::optional<DeviceCapability> capability_of(const CheckInputs& inputs, const Protocol& protocol) {
+  switch (kind_of_device(inputs.device)) {
+    case DeviceKind::simulated:
+      return SteppedRig(rig_settings_for(protocol, {}, inputs.device), 0).capability();
+    case DeviceKind::pointer: {
+      LatestValue<PointerSample> nobody{};
+      return PointerDevice(nobody).capability();
+    }
+    case DeviceKind::attached:
+      break;
+  }
+  if (inputs.tried == nullptr || !inputs.tried->failure.empty()) return {};
+  return inputs.tried->capability;
+}
+
+/// The device that an unfinished session began on, where it is another one than this; otherwise empty.
+std::string other_device_before(const CheckInputs& inputs, const Protocol& protocol,
+                                const std::string& name) {
+  if (!inputs.resume) return {};
+  const Study study = Study::open(inputs.study, Access::read_only);
+  const std::optional<SessionRow> row =
+      unfinished_row(study, protocol, inputs.participant, inputs.resumed_session);
+  if (!row || row->device == name || row->device.starts_with(name + ' ')) return {};
+  return row->device;
+}
+
+SessionCheck untried_device_check(const CheckInputs& inputs) {
+  SessionCheck check{.state = State::stop};
+  if (inputs.tried != nullptr) {
+    check.text = inputs.tried->failure;
+    check.remedy = phrase("SessionChecks", "Mend it, then try the device again.");
+    return check;
+  }
+  check.text = phrase("SessionChecks", "\"%1\" has not been tried yet.").with(inputs.device);
+  check.remedy = phrase("SessionChecks",
+                        "Press \"Try this device\" while nobody holds it: it is opened, and the "
+                        "loop runs for a third of a second without force.");
+  return check;
+}
+
 SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   SessionCheck check{};
-  const SteppedRig rig(rig_settings_for(protocol, {}, inputs.device), 0);
-  const DeviceCapability& device = rig.capability();
-  const std::vector<Phrase> complaints = complaints_about_device(protocol, device);
+  if (!inputs.device_hindrance.empty()) {
+    check.state = State::stop;
+    check.text = Phrase(inputs.device_hindrance).as_sentence();
+    check.remedy =
+        phrase("SessionChecks", "Mend it, then look for devices again; or choose another device.");
+    return check;
+  }
+  const std::optional<DeviceCapability> device = capability_of(inputs, protocol);
+  if (!device) return untried_device_check(inputs);
+  const std::vector<Phrase> complaints = complaints_about_device(protocol, *device);
   if (!complaints.empty()) {
     check.state = State::stop;
     check.text = complaints.front().as_sentence();
@@ -230,15 +277,32 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
         phrase("SessionChecks", "Choose another device, or ask for less in the protocol.");
     return check;
   }
-  check.text =
-      phrase("SessionChecks",
-             "\"%1\" gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.")
-          .with(device.name, fixed(device.peak_force_N, 1), fixed(device.maximum_rate_Hz, 0),
-                fixed(protocol.force_limit_N, 1), fixed(protocol.rate_Hz, 0));
-  if (inputs.mode == SessionMode::run && device.name == "simulated") {
+  const DeviceKind kind = kind_of_device(inputs.device);
+  if (kind == DeviceKind::pointer) {
+    check.text = phrase("SessionChecks",
+                        "\"%1\" moves and presses, and gives no force: nobody feels anything.")
+                     .with(device->name);
+  } else {
+    check.text =
+        phrase("SessionChecks",
+               "\"%1\" gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.")
+            .with(device->name, fixed(device->peak_force_N, 1), fixed(device->maximum_rate_Hz, 0),
+                  fixed(protocol.force_limit_N, 1), fixed(protocol.rate_Hz, 0));
+  }
+  const std::string before = other_device_before(inputs, protocol, device->name);
+  if (!before.empty()) {
     check.state = State::look;
-    check.text = phrase("SessionChecks", "%1 It is simulated: nobody's hand feels anything.")
-                     .with(check.text);
+    check.text =
+        phrase("SessionChecks", "%1 The session began on \"%2\".").with(check.text, before);
+    check.remedy =
+        phrase("SessionChecks", "Choose the device that it began on, unless another one is meant.");
+  }
+  if (inputs.mode == SessionMode::run && kind != DeviceKind::attached) {
+    check.state = State::look;
+    if (kind == DeviceKind::simulated) {
+      check.text = phrase("SessionChecks", "%1 It is simulated: nobody's hand feels anything.")
+                       .with(check.text);
+    }
     check.remedy =
         phrase("SessionChecks",
                "For real data choose a device; to try the session out choose Pilot or Simulate.");
@@ -246,27 +310,127 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   return check;
 }
 
-/// What a few hundred ticks of the loop that the session will run on say, nothing being felt.
-struct LoopTrial {
-  ServoQualityRow quality{};
-  double strongest_N = 0.0;
-  Fault fault = Fault::none;
-};
-LoopTrial try_loop(const CheckInputs& inputs, const Protocol& protocol) {
-  RealTimeRig rig(rig_settings_for(protocol, {}, inputs.device), HandHabits{}, Random(0),
-                  Scheduling::fifo_if_permitted, 0);
-  Recorder recorder{};
-  rig.pass(kWarmUp_s, recorder);
-  recorder.begin(nullptr, protocol.rate_Hz, rig.records());
-  rig.pass(kTrial_s, recorder);
-  LoopTrial trial{};
-  trial.fault = rig.loop().status().fault;
-  const Recorder::Attempt attempt = recorder.finish(rig.records());
-  trial.quality = servo_quality_of(attempt.records, protocol.rate_Hz, attempt.lost_records);
-  for (const TickRecord& record : attempt.records) {
-    trial.strongest_N = std::max(trial.strongest_N, glm::length(record.sent.force_N));
+// --- the device's profile ------------------------------------------------------------------------
+
+/// Everything that a comparison with the device depends on: protocol, profile and stimuli.
+std::string rehearsal_key(const CheckInputs& inputs, const Protocol& protocol,
+                          const DeviceProfile& profile) {
+  std::string key = sha256_of(protocol.source) + '\n' + json_text_of(profile);
+  for (const StimulusFileRow& file : hash_files(protocol, inputs.study)) {
+    key += file.path + ' ' + file.sha256 + '\n';
   }
-  return trial;
+  return key;
+}
+
+Phrase age_in_words(double days) {
+  if (days < 1.0) return phrase("SessionChecks", "Measured within the last day");
+  return phrase("SessionChecks", "Measured %1 days ago").with(fixed(days, 0));
+}
+
+/// Warnings of one kind are one line: the first, and how many stimuli it concerns beside.
+std::vector<SessionCheck> lines_of(const std::vector<RehearsalWarning>& warnings) {
+  std::vector<SessionCheck> lines{};
+  std::vector<std::string> kinds{};
+  for (const RehearsalWarning& warning : warnings) {
+    if (std::find(kinds.begin(), kinds.end(), warning.id) != kinds.end()) continue;
+    kinds.push_back(warning.id);
+    const auto alike =
+        std::count_if(warnings.begin(), warnings.end(),
+                      [&warning](const RehearsalWarning& one) { return one.id == warning.id; });
+    SessionCheck line{.id = "rehearsal",
+                      .title = phrase("SessionChecks", "Rehearsal"),
+                      .state = State::look,
+                      .text = warning.text};
+    if (alike > 1) {
+      line.text = phrase("SessionChecks", "%1 So it is with %2 more.")
+                      .with(warning.text, std::to_string(alike - 1));
+    }
+    lines.push_back(line);
+  }
+  if (!lines.empty()) {
+    lines.back().remedy = phrase("SessionChecks",
+                                 "Choose another device, or stimuli that this one can render; the "
+                                 "session is stored with these warnings.");
+  }
+  return lines;
+}
+
+/// What the study knows of the device, and what of the plan is beyond that. As a session asks it, which
+/// refuses what is refused here.
+std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Protocol& protocol,
+                                             const ModelRegistry& models,
+                                             const std::stop_token& stop,
+                                             const std::function<void(double)>& progress) {
+  if (inputs.mode == SessionMode::simulate) {
+    return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
+  }
+  WhichDevice which = which_device(inputs.device);
+  if (const auto device = capability_of(inputs, protocol)) {
+    which = {device->name, device->model, device->serial};
+  }
+  StimulusBuilder builder(models, inputs.study);
+  const Rehearse rehearse = [&](const DeviceProfile& profile) {
+    const auto compare = [&] {
+      return rehearse_on_device(protocol, profile, builder, {.stop = stop, .progress = progress});
+    };
+    if (inputs.rehearsal == nullptr) return compare();
+    return inputs.rehearsal->recall(rehearsal_key(inputs, protocol, profile), stop, compare);
+  };
+  const std::string now_utc = SystemClock(0).utc();
+  const RehearsedDevice found = rehearsed_device(protocol, which, inputs.study, now_utc, rehearse);
+  if (!found.profile) {
+    switch (kind_of_device(inputs.device)) {
+      case DeviceKind::simulated:
+        return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
+      case DeviceKind::pointer:
+        return {fine(phrase("SessionChecks", "Not needed: it gives no force."))};
+      case DeviceKind::attached:
+        break;
+    }
+    return {{.state = State::look,
+             .text = phrase("SessionChecks",
+                            "The study has no profile of this device: whether it can render these "
+                            "stimuli has not been looked at."),
+             .remedy = phrase("SessionChecks",
+                              "Measure it once, while nobody holds it: asperity device-test %1 "
+                              "--study \"%2\"")
+                           .with(inputs.device, inputs.study.string())}};
+  }
+  const Phrase age = age_in_words(age_days(*found.profile, now_utc));
+  const std::vector<SessionCheck> beyond = lines_of(found.warnings);
+  SessionCheck profile{};
+  profile.text =
+      beyond.empty()
+          ? phrase("SessionChecks", "%1; every stimulus is within what it can do.").with(age)
+          : phrase("SessionChecks", "%1; some stimuli are beyond what it can do.").with(age);
+  if (found.profile->has_failed()) {
+    profile.state = State::look;
+    profile.text =
+        phrase("SessionChecks", "%1 It failed an item of the measurement.").with(profile.text);
+    profile.remedy = phrase("SessionChecks", "Look into its profile, and measure it again.");
+  }
+  std::vector<SessionCheck> lines{profile};
+  lines.insert(lines.end(), beyond.begin(), beyond.end());
+  return lines;
+}
+
+// --- the loop ------------------------------------------------------------------------------------
+
+TriedDevice try_loop(const CheckInputs& inputs, const Protocol& protocol) {
+  LatestValue<PointerSample> nobody{};
+  return try_device(inputs.device, protocol, built_in_drivers(), {.pointer = &nobody});
+}
+
+/// The loop says nothing of a device that is not there, or that nobody has opened yet.
+bool can_be_tried(const CheckInputs& inputs) {
+  if (!inputs.device_hindrance.empty()) return false;
+  if (inputs.pacing == RunPacing::stepped) return true;  // it has no loop of its own
+  if (inputs.tried != nullptr) return inputs.tried->failure.empty();
+  try {
+    return kind_of_device(inputs.device) != DeviceKind::attached;
+  } catch (const std::exception&) {
+    return false;  // there is no such device, which its own line says
+  }
 }
 
 struct LoopChecks {
@@ -278,7 +442,8 @@ LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol) {
     return {fine(phrase("SessionChecks", "Not needed: nothing is held in a fast simulation.")),
             fine(phrase("SessionChecks", "Not needed: a fast simulation has a clock of its own."))};
   }
-  const LoopTrial trial = try_loop(inputs, protocol);
+  const TriedDevice trial = inputs.tried != nullptr ? *inputs.tried : try_loop(inputs, protocol);
+  if (!trial.failure.empty()) throw PhrasedError(trial.failure);
   const ServoQualityRow& quality = trial.quality;
   SessionCheck zero{};
   if (trial.fault != Fault::none) {
@@ -446,7 +611,8 @@ SessionCheck looked_at(const std::string& id, const Phrase& title, Look look) {
 }  // namespace
 
 std::vector<SessionCheck> check_session(const CheckInputs& inputs, const ModelRegistry& models,
-                                        const std::stop_token& stop) {
+                                        const std::stop_token& stop,
+                                        const std::function<void(double)>& progress) {
   std::vector<SessionCheck> checks{};
   std::optional<Protocol> protocol{};
   checks.push_back(looked_at("protocol", phrase("SessionChecks", "Protocol"), [&] {
@@ -465,14 +631,21 @@ std::vector<SessionCheck> check_session(const CheckInputs& inputs, const ModelRe
   add("stimuli", phrase("SessionChecks", "Stimuli"),
       [&] { return stimuli_check(inputs, *protocol, models); });
   add("device", phrase("SessionChecks", "Device"), [&] { return device_check(inputs, *protocol); });
-  add("calibration", phrase("SessionChecks", "Calibration"),
-      [] { return fine(phrase("SessionChecks", "Not needed: the simulated device has none.")); });
-  std::optional<SessionCheck> rate{};  // found in the same few hundred ticks
-  add("force_zero", phrase("SessionChecks", "Force zero"), [&] {
-    auto [zero, its_rate] = loop_checks(inputs, *protocol);
-    rate = its_rate;
-    return zero;
+  std::vector<SessionCheck> beyond{};
+  add("calibration", phrase("SessionChecks", "Calibration"), [&] {
+    std::vector<SessionCheck> lines = calibration_checks(inputs, *protocol, models, stop, progress);
+    beyond.assign(lines.begin() + 1, lines.end());
+    return lines.front();
   });
+  checks.insert(checks.end(), beyond.begin(), beyond.end());
+  std::optional<SessionCheck> rate{};  // found in the same few hundred ticks
+  if (can_be_tried(inputs)) {
+    add("force_zero", phrase("SessionChecks", "Force zero"), [&] {
+      auto [zero, its_rate] = loop_checks(inputs, *protocol);
+      rate = its_rate;
+      return zero;
+    });
+  }
   if (rate) add("rate", phrase("SessionChecks", "Rate"), [&] { return *rate; });
   add("screens", phrase("SessionChecks", "Screens"), [&] { return screens_check(inputs); });
   add("masking_noise", phrase("SessionChecks", "Masking noise"),

@@ -4,13 +4,17 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "app/conductor/rehearsal.h"
 #include "app/conductor/sound.h"
 #include "app/phrase.h"
 #include "app/tasks/run_session.h"
+#include "app/tasks/tried_device.h"
 #include "protocols/protocol.h"
 #include "renderers/force_model.h"
 
@@ -42,19 +46,29 @@ struct CheckInputs {
   std::optional<std::int64_t> resumed_session{};  ///< see RunInputs
   RunPacing pacing = RunPacing::real_time;
   std::string device = "simulated";  ///< see RunInputs
+  /// A sentence of whoever looked for devices: why this one cannot be used. Empty: nothing is against it.
+  std::string device_hindrance{};
+  /// Of an attached device, which is opened by a person's wish alone: what it did then. Null: not yet.
+  std::shared_ptr<const TriedDevice> tried{};
+  /// Warnings of the last comparison with the device, so that they are not found again; may be null.
+  std::shared_ptr<RehearsalMemory> rehearsal{};
   MaskingNoise noise{};     ///< what will be played, and the level that a person has measured
   bool sound_card = false;  ///< there is a sound output
   int screens = 1;
 };
 
 /// Looks at everything, in the order in which a person would mend it: "protocol", "participant",
-/// "study", "disk", "stimuli", "device", "calibration", "force_zero", "rate", "screens",
+/// "study", "disk", "stimuli", "device", "calibration", "rehearsal" (one line for each way in which the
+/// device falls short of the plan, as the study's profile of it says), "force_zero", "rate", "screens",
 /// "masking_noise". A protocol that cannot be read is the only line.
 ///
-/// In real time the servo loop really runs, for some 0.3 s. Where `stop` is requested, the rest is
-/// left out. Never throws for what it finds.
+/// In real time the servo loop really runs, for some 0.3 s, on a device that the program has itself. An
+/// attached one is left alone: without `tried` there is no "force_zero" and no "rate", and "device" keeps the
+/// session from starting. Where `stop` is requested, the rest is left out. `progress` is told how far the
+/// comparison with the device is, 0 to 1. Never throws for what it finds.
 std::vector<SessionCheck> check_session(const CheckInputs& inputs, const ModelRegistry& models,
-                                        const std::stop_token& stop);
+                                        const std::stop_token& stop,
+                                        const std::function<void(double)>& progress = {});
 
 /// The noise that a protocol asks for; kind `none` when it asks for none.
 MaskingNoise declared_noise(const Protocol& protocol);

@@ -3,10 +3,12 @@
 #include "app/tasks/session_checks.h"
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
+#include "app/conductor/clock.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/unfinished_session.h"
 #include "results_schema/atomic_file.h"
@@ -251,6 +253,170 @@ TEST_F(SessionChecks, WarnThatASimulatedDeviceGivesNoStudyData) {
   EXPECT_EQ(check("device").state, State::look);
   inputs.mode = SessionMode::pilot;
   EXPECT_EQ(check("device").state, State::fine);
+}
+
+TEST_F(SessionChecks, SayThatAMouseGivesNoForceAndLetItMoveAllTheSame) {
+  inputs.device = "mouse";
+  inputs.pacing = RunPacing::real_time;
+  inputs.mode = SessionMode::pilot;
+  EXPECT_EQ(check("device").state, State::fine) << "whatever force the protocol asks for";
+  EXPECT_NE(check("device").text.english().find("nobody feels anything"), std::string::npos);
+  EXPECT_EQ(check("force_zero").state, State::fine) << "its loop runs";
+  inputs.mode = SessionMode::run;
+  EXPECT_EQ(check("device").state, State::look);
+}
+
+/// As when somebody has pressed "Try this device".
+std::shared_ptr<TriedDevice> tried_falcon() {
+  TriedDevice tried{.device = "falcon:A7", .rate_Hz = 1000.0};
+  tried.capability = {.name = "falcon",
+                      .model = "Novint Falcon",
+                      .serial = "A7",
+                      .peak_force_N = 9.0,
+                      .maximum_rate_Hz = 1000.0};
+  tried.quality.ticks = 300;
+  tried.quality.period_mean_s = 0.001;
+  return std::make_shared<TriedDevice>(tried);
+}
+
+TEST_F(SessionChecks, NeedAnAttachedDeviceToBeTriedByAPersonsWish) {
+  inputs.device = "falcon:A7";
+  inputs.pacing = RunPacing::real_time;
+  EXPECT_EQ(check("device").state, State::stop);
+  EXPECT_NE(check("device").text.english().find("\"falcon:A7\" has not been tried"),
+            std::string::npos);
+  EXPECT_EQ(check("force_zero").id, "absent");
+  EXPECT_EQ(check("rate").id, "absent");
+
+  inputs.tried = tried_falcon();
+  EXPECT_EQ(check("device").state, State::fine) << check("device").text.english();
+  EXPECT_NE(check("device").text.english().find("gives 9.0 N"), std::string::npos);
+  EXPECT_EQ(check("force_zero").text.english(), "Exactly 0 N in 300 ticks.");
+  EXPECT_EQ(check("rate").state, State::fine);
+
+  auto pushes = tried_falcon();
+  pushes->strongest_N = 0.2;
+  inputs.tried = pushes;
+  EXPECT_EQ(check("force_zero").state, State::stop);
+
+  auto refused = std::make_shared<TriedDevice>(TriedDevice{.failure = "It has no power."});
+  inputs.tried = refused;
+  EXPECT_EQ(check("device").text.english(), "It has no power.");
+  EXPECT_EQ(check("force_zero").id, "absent");
+
+  inputs.tried = tried_falcon();
+  inputs.device_hindrance = "It is used by another program.";
+  EXPECT_EQ(check("device").state, State::stop);
+  EXPECT_EQ(check("device").text.english(), "It is used by another program.");
+}
+
+class RehearsedChecks : public SessionChecks {
+ protected:
+  void SetUp() override {
+    SessionChecks::SetUp();
+    inputs.device = "falcon:A7";
+    inputs.tried = tried_falcon();
+    inputs.rehearsal = std::make_shared<RehearsalMemory>();
+  }
+  /// `days` ago.
+  void measure(double days, double friction_N) {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    const auto now_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+    const DeviceProfile profile{
+        .name = "falcon",
+        .serial = "A7",
+        .measured_utc = utc_text(now_ns - static_cast<std::int64_t>(days * 86400.0 * 1e9)),
+        .rate_Hz = 1000.0,
+        .workspace_minimum_m = glm::dvec3(-1.0),
+        .workspace_maximum_m = glm::dvec3(1.0),
+        .items = {{.name = "friction_N", .status = DeviceItem::Status::pass, .value = friction_N}}};
+    std::filesystem::create_directories(study / "profiles");
+    write_file(profile_path(study, profile), json_text_of(profile), Overwrite::allow);
+  }
+  std::vector<SessionCheck> rehearsed() {
+    std::vector<SessionCheck> lines = check_session(inputs, models, {}, [this](double) { ++told; });
+    std::erase_if(lines, [](const SessionCheck& line) { return line.id != "rehearsal"; });
+    return lines;
+  }
+  void ask_for(const std::string& of_device) {
+    std::string text = small_protocol();
+    text.insert(text.find("\"textures\""), "\"device\": {" + of_device + "}, ");
+    write_protocol(text);
+  }
+
+  int told = 0;  ///< of the comparison's progress
+};
+
+TEST_F(RehearsedChecks, SayHowADeviceIsMeasuredThatNobodyHasMeasured) {
+  EXPECT_EQ(check("calibration").state, State::look);
+  EXPECT_NE(check("calibration").remedy.english().find("asperity device-test falcon:A7 --study"),
+            std::string::npos);
+  EXPECT_TRUE(rehearsed().empty());
+  ask_for(R"("profile_maximum_age_days": 30)");
+  EXPECT_EQ(check("calibration").state, State::stop) << "as the session would refuse it";
+}
+
+TEST_F(RehearsedChecks, TellTheAgeOfTheProfileAndEveryWarningWithBothNumbers) {
+  measure(12.0, 0.0);
+  EXPECT_EQ(check("calibration").state, State::fine);
+  EXPECT_EQ(check("calibration").text.english(),
+            "Measured 12 days ago; every stimulus is within what it can do.");
+  measure(0.1, 0.9);
+  EXPECT_EQ(check("calibration").text.english(),
+            "Measured within the last day; some stimuli are beyond what it can do.");
+  const std::vector<SessionCheck> lines = rehearsed();
+  ASSERT_EQ(lines.size(), 1U) << "one kind of warning is one line";
+  EXPECT_EQ(lines.front().state, State::look);
+  EXPECT_NE(lines.front().text.english().find("the device's own friction is 0.900 N"),
+            std::string::npos)
+      << lines.front().text.english();
+}
+
+TEST_F(RehearsedChecks, RefuseWhatTheProtocolRefuses) {
+  ask_for(R"("profile_maximum_age_days": 30)");
+  measure(31.0, 0.0);
+  EXPECT_EQ(check("calibration").state, State::stop);
+  EXPECT_NE(check("calibration").text.english().find("31.0 days old"), std::string::npos);
+  measure(1.0, 0.9);
+  EXPECT_EQ(check("calibration").state, State::fine);
+  ask_for(R"("refuse_rehearsal_warnings": true)");
+  EXPECT_EQ(check("calibration").state, State::stop);
+  EXPECT_NE(check("calibration").text.english().find("0.900 N"), std::string::npos);
+  inputs.mode = SessionMode::simulate;
+  inputs.participant = "virtual0001";
+  inputs.device = "simulated";
+  EXPECT_EQ(check("calibration").state, State::fine) << "nobody feels it";
+}
+
+TEST_F(RehearsedChecks, CompareAnewOnlyWhereSomethingHasChanged) {
+  measure(2.0, 0.9);
+  rehearsed();
+  EXPECT_GT(told, 0);
+  told = 0;
+  inputs.participant = "P002";
+  EXPECT_EQ(rehearsed().size(), 1U) << "it is known";
+  EXPECT_EQ(told, 0) << "and not computed";
+  measure(1.0, 0.0);
+  EXPECT_TRUE(rehearsed().empty()) << "it was measured again";
+  EXPECT_GT(told, 0);
+  told = 0;
+  write_protocol(small_protocol() + "\n");
+  rehearsed();
+  EXPECT_GT(told, 0) << "it is another protocol";
+}
+
+TEST_F(RehearsedChecks, SayThatASessionBeganOnAnotherDevice) {
+  std::stop_source stop;
+  stop.request_stop();
+  run_virtual(false, stop.get_token());
+  inputs.participant = "virtual0001";
+  inputs.mode = SessionMode::simulate;
+  inputs.resume = true;
+  EXPECT_NE(check("device").text.english().find("began on \"simulated"), std::string::npos)
+      << check("device").text.english();
+  inputs.device = "simulated";
+  inputs.tried = nullptr;
+  EXPECT_EQ(check("device").text.english().find("began on"), std::string::npos);
 }
 
 TEST_F(SessionChecks, WantRoomForTwoSessions) {

@@ -1,0 +1,63 @@
+#include "app/tasks/device_choice.h"
+
+#include "device/simulated_models.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kSimulated = "simulated";
+constexpr const char* kMouse = "mouse";
+
+}  // namespace
+
+DeviceKind kind_of_device(const std::string& device) {
+  if (simulated_settings(device)) return DeviceKind::simulated;
+  return device == kMouse ? DeviceKind::pointer : DeviceKind::attached;
+}
+
+std::vector<DeviceChoice> devices_without_hardware() {
+  std::vector<DeviceChoice> choices{{.device = kSimulated, .kind = DeviceKind::simulated}};
+  for (const std::string& model : simulated_models()) {
+    choices.push_back({.device = std::string(kSimulated) + ':' + model,
+                       .kind = DeviceKind::simulated,
+                       .model = model});
+  }
+  choices.push_back({.device = kMouse, .kind = DeviceKind::pointer});
+  return choices;
+}
+
+std::vector<DeviceChoice> device_choices(const std::vector<SurveyedDriver>& surveyed) {
+  std::vector<DeviceChoice> choices = devices_without_hardware();
+  for (const SurveyedDriver& driver : surveyed) {
+    if (driver.id == kSimulated || driver.id == kMouse) continue;
+    for (const AttachedDevice& found : driver.survey.attached) {
+      // The serial number stays the device's own when it is plugged in elsewhere.
+      const std::string& tag = found.serial.empty() ? found.place : found.serial;
+      choices.push_back({.device = driver.id + (tag.empty() ? "" : ":" + tag),
+                         .kind = DeviceKind::attached,
+                         .model = found.model,
+                         .remark = found.remark,
+                         .hindrance = found.hindrance});
+    }
+    if (!driver.survey.hindrance.empty()) {
+      choices.push_back({.device = driver.id,
+                         .kind = DeviceKind::attached,
+                         .hindrance = driver.survey.hindrance});
+    }
+  }
+  return choices;
+}
+
+WhichDevice which_device(const std::string& device) {
+  const std::size_t colon = device.find(':');
+  WhichDevice which{.name = device.substr(0, colon)};
+  if (const auto simulated = simulated_settings(device)) {
+    if (simulated->stands_for) which.model = simulated->stands_for->model;
+  } else if (colon != std::string::npos) {
+    which.serial = device.substr(colon + 1);
+  }
+  return which;
+}
+
+}  // namespace asperity

@@ -1,0 +1,56 @@
+#include "app/tasks/tried_device.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "app/conductor/attempt_measures.h"
+#include "app/conductor/recorder.h"
+#include "app/conductor/rig.h"
+#include "app/tasks/device_choice.h"
+#include "app/tasks/sitting.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kTrial_s = 0.3;    // of the servo loop
+constexpr double kWarmUp_s = 0.05;  // a thread's first wake-ups are its latest ones
+
+void run_loop(RealTimeRig& rig, TriedDevice& tried) {
+  tried.capability = rig.capability();
+  Recorder recorder{};
+  rig.pass(kWarmUp_s, recorder);
+  recorder.begin(nullptr, tried.rate_Hz, rig.records());
+  rig.pass(kTrial_s, recorder);
+  tried.fault = rig.loop().status().fault;
+  const Recorder::Attempt attempt = recorder.finish(rig.records());
+  tried.quality = servo_quality_of(attempt.records, tried.rate_Hz, attempt.lost_records);
+  for (const TickRecord& record : attempt.records) {
+    tried.strongest_N = std::max(tried.strongest_N, glm::length(record.sent.force_N));
+  }
+}
+
+}  // namespace
+
+TriedDevice try_device(const std::string& device, const Protocol& protocol,
+                       const DriverRegistry& drivers, const DriverOptions& options) {
+  TriedDevice tried{.device = device, .rate_Hz = protocol.rate_Hz};
+  try {
+    const RigSettings settings = rig_settings_for(protocol, {}, device);
+    if (kind_of_device(device) == DeviceKind::simulated) {
+      RealTimeRig rig(settings, HandHabits{}, Random(0), Scheduling::fifo_if_permitted, 0);
+      run_loop(rig, tried);
+    } else {
+      RealTimeRig rig(settings, HandHabits{}, Random(0), Scheduling::fifo_if_permitted, 0,
+                      [&](VirtualHand&) { return drivers.open(device, options); });
+      run_loop(rig, tried);
+    }
+  } catch (const std::exception& error) {
+    tried = {
+        .device = device, .rate_Hz = protocol.rate_Hz, .failure = phrase_of(error).as_sentence()};
+  }
+  return tried;
+}
+
+}  // namespace asperity

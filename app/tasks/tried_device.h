@@ -1,0 +1,35 @@
+// A device that was opened for a moment, without force, before anybody's hand is on it.
+
+#pragma once
+
+#include <string>
+
+#include "app/phrase.h"
+#include "app/tasks/run_session.h"
+#include "device/device_capability.h"
+#include "device/drivers.h"
+#include "protocols/protocol.h"
+#include "renderers/servo_loop.h"
+#include "results_schema/rows.h"
+
+namespace asperity {
+
+/// What a few hundred ticks of the loop that a session will run on say, nothing being felt.
+struct TriedDevice {
+  std::string device{};  ///< as RunInputs::device
+  double rate_Hz = 0.0;  ///< that the protocol asks for
+  Phrase failure{};      ///< a sentence: why it could not be opened; the rest is then empty
+  DeviceCapability capability{};
+  ServoQualityRow quality{};
+  double strongest_N = 0.0;
+  Fault fault = Fault::none;
+};
+
+/// Opens it, runs the loop for some 0.3 s with nothing to feel, and closes it. Opening takes as long as the
+/// device does, and an arm may move while it finds its zero: `options.tell` says so.
+///
+/// Never throws for what the device does; std::bad_alloc.
+TriedDevice try_device(const std::string& device, const Protocol& protocol,
+                       const DriverRegistry& drivers, const DriverOptions& options);
+
+}  // namespace asperity

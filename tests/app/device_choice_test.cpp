@@ -1,0 +1,64 @@
+// What a session may run on, as a list: by which name, and why not.
+
+#include "app/tasks/device_choice.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "device/drivers.h"
+
+namespace asperity {
+namespace {
+
+std::vector<SurveyedDriver> survey_of_a_lab() {
+  return {{.id = "simulated", .survey = {.attached = {{.model = "simulated hand and probe"}}}},
+          {.id = "falcon",
+           .survey = {.attached = {{.model = "Novint Falcon", .serial = "A7", .place = "usb 1-2"},
+                                   {.model = "Novint Falcon",
+                                    .place = "usb 1-3",
+                                    .hindrance = "It has no permission."}}}},
+          {.id = "openhaptics", .survey = {.hindrance = "OpenHaptics is not installed."}},
+          {.id = "inverse3"},
+          {.id = "mouse", .survey = {.hindrance = "There is no window."}}};
+}
+
+std::vector<std::string> names(const std::vector<DeviceChoice>& choices) {
+  std::vector<std::string> names{};
+  for (const DeviceChoice& choice : choices) names.push_back(choice.device);
+  return names;
+}
+
+TEST(DeviceChoices, NameWhatIsAttachedBySerialNumberOrPlaceAfterWhatIsAlwaysThere) {
+  std::vector<std::string> expected = names(devices_without_hardware());
+  ASSERT_EQ(expected.front(), "simulated");
+  ASSERT_EQ(expected.back(), "mouse");
+  for (const char* name : {"falcon:A7", "falcon:usb 1-3", "openhaptics"}) expected.push_back(name);
+  EXPECT_EQ(names(device_choices(survey_of_a_lab())), expected);
+}
+
+TEST(DeviceChoices, SayWhyWhatCannotBeUsed) {
+  const std::vector<DeviceChoice> choices = device_choices(survey_of_a_lab());
+  for (const DeviceChoice& choice : choices) {
+    const bool is_hindered = choice.device == "falcon:usb 1-3" || choice.device == "openhaptics";
+    EXPECT_EQ(choice.is_usable(), !is_hindered) << choice.device;
+  }
+  EXPECT_EQ(choices.back().hindrance, "OpenHaptics is not installed.");
+}
+
+TEST(DeviceChoices, KnowTheirKindByTheirName) {
+  for (const DeviceChoice& choice : device_choices(survey_of_a_lab())) {
+    EXPECT_EQ(kind_of_device(choice.device), choice.kind) << choice.device;
+  }
+  EXPECT_THROW(kind_of_device("simulated:gamma.3"), std::runtime_error);
+}
+
+TEST(DeviceChoices, HaveTheProfilesOfTheirOwn) {
+  EXPECT_EQ(which_device("falcon:A7").name, "falcon");
+  EXPECT_EQ(which_device("falcon:A7").serial, "A7");
+  EXPECT_EQ(which_device("simulated:falcon").model, "in place of Novint Falcon");
+  EXPECT_EQ(which_device("simulated:falcon").serial, "");
+}
+
+}  // namespace
+}  // namespace asperity
