@@ -324,6 +324,7 @@ std::string rehearsal_key(const CheckInputs& inputs, const Protocol& protocol,
 
 Phrase age_in_words(double days) {
   if (days < 1.0) return phrase("SessionChecks", "Measured within the last day");
+  if (days < 1.5) return phrase("SessionChecks", "Measured a day ago");
   return phrase("SessionChecks", "Measured %1 days ago").with(fixed(days, 0));
 }
 

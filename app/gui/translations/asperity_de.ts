@@ -2170,6 +2170,22 @@
         <source>Speed</source>
         <translation>Tempo</translation>
     </message>
+    <message>
+        <source>That is no number above 0. Please correct it.</source>
+        <translation>Das ist keine Zahl über 0. Bitte verbessern Sie sie.</translation>
+    </message>
+    <message>
+        <source>That is no number. Please correct it.</source>
+        <translation>Das ist keine Zahl. Bitte verbessern Sie die Eingabe.</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Kraft, N</translation>
+    </message>
+    <message>
+        <source>Speed, mm/s</source>
+        <translation>Geschwindigkeit, mm/s</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantWords</name>
@@ -2883,6 +2899,86 @@
     <message>
         <source>Connect headphones, then check again.</source>
         <translation>Kopfhörer anschließen, dann erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Mend it, then try the device again.</source>
+        <translation>Beheben Sie das und probieren Sie das Gerät erneut aus.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has not been tried yet.</source>
+        <translation>„%1“ wurde noch nicht ausprobiert.</translation>
+    </message>
+    <message>
+        <source>Press &quot;Try this device&quot; while nobody holds it: it is opened, and the loop runs for a third of a second without force.</source>
+        <translation>Drücken Sie „Dieses Gerät ausprobieren“, während es niemand hält: Es wird geöffnet, und die Regelschleife läuft eine Drittelsekunde lang ohne Kraft.</translation>
+    </message>
+    <message>
+        <source>Mend it, then look for devices again; or choose another device.</source>
+        <translation>Beheben Sie das und suchen Sie erneut nach Geräten, oder wählen Sie ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; moves and presses, and gives no force: nobody feels anything.</source>
+        <translation>„%1“ bewegt und drückt, gibt aber keine Kraft: Niemand fühlt etwas.</translation>
+    </message>
+    <message>
+        <source>%1 The session began on &quot;%2&quot;.</source>
+        <translation>%1 Die Sitzung begann auf „%2“.</translation>
+    </message>
+    <message>
+        <source>Choose the device that it began on, unless another one is meant.</source>
+        <translation>Wählen Sie das Gerät, auf dem sie begann, wenn kein anderes gemeint ist.</translation>
+    </message>
+    <message>
+        <source>Measured within the last day</source>
+        <translation>Am letzten Tag gemessen</translation>
+    </message>
+    <message>
+        <source>Measured %1 days ago</source>
+        <translation>Vor %1 Tagen gemessen</translation>
+    </message>
+    <message>
+        <source>Rehearsal</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <source>%1 So it is with %2 more.</source>
+        <translation>%1 So ist es auch bei %2 weiteren.</translation>
+    </message>
+    <message>
+        <source>Choose another device, or stimuli that this one can render; the session is stored with these warnings.</source>
+        <translation>Wählen Sie ein anderes Gerät oder Reize, die dieses wiedergeben kann; die Sitzung wird mit diesen Warnungen gespeichert.</translation>
+    </message>
+    <message>
+        <source>Not needed: it gives no force.</source>
+        <translation>Nicht nötig: Es gibt keine Kraft.</translation>
+    </message>
+    <message>
+        <source>The study has no profile of this device: whether it can render these stimuli has not been looked at.</source>
+        <translation>Die Studie hat kein Profil dieses Geräts: Ob es diese Reize wiedergeben kann, wurde nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>Measure it once, while nobody holds it: asperity device-test %1 --study &quot;%2&quot;</source>
+        <translation>Messen Sie es einmal, während es niemand hält: asperity device-test %1 --study &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>%1; every stimulus is within what it can do.</source>
+        <translation>%1; jeder Reiz liegt in dem, was es kann.</translation>
+    </message>
+    <message>
+        <source>%1; some stimuli are beyond what it can do.</source>
+        <translation>%1; einige Reize übersteigen, was es kann.</translation>
+    </message>
+    <message>
+        <source>%1 It failed an item of the measurement.</source>
+        <translation>%1 Einen Punkt der Messung hat es nicht bestanden.</translation>
+    </message>
+    <message>
+        <source>Look into its profile, and measure it again.</source>
+        <translation>Sehen Sie sein Profil an und messen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>Measured a day ago</source>
+        <translation>Vor einem Tag gemessen</translation>
     </message>
 </context>
 <context>
@@ -3632,8 +3728,8 @@
         <translation>Alles ist bereit.</translation>
     </message>
     <message>
-        <source>Looking at everything: a second or so.</source>
-        <translation>Alles wird geprüft: etwa eine Sekunde.</translation>
+        <source>Looking at everything: seconds to a minute, by what the protocol asks for.</source>
+        <translation>Alles wird geprüft: Sekunden bis eine Minute, je nachdem, was das Protokoll verlangt.</translation>
     </message>
 </context>
 <context>
