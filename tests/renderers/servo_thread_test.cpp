@@ -206,7 +206,7 @@ class CallingDevice final : public HapticDevice {
     gate_.open(call);
     thread_ = std::thread([this] { call_often(); });
   }
-  void stop_calls() noexcept override { gate_.close(std::chrono::milliseconds(1000)); }
+  void stop_calls() noexcept override { gate_.close(); }
   double rate_Hz = 0.0;
 
  private:
