@@ -87,7 +87,9 @@ void add_run(CLI::App& program, Job& job) {
         person.emplace(STDIN_FILENO, std::cout, inputs.study,
                        inputs.study / ("sheet-" + inputs.participant + ".png"));
       }
-      const InterruptWatch interrupt;
+      SessionRequests requests;
+      const InterruptWatch interrupt("stopping after this trial",
+                                     [&requests] { requests.emergency_stop(); });
       // Before the protocol's files are missed in what is no study.
       (void)Study::open(inputs.study, Access::read_only);
       const ModelRegistry models = built_in_models();
@@ -97,7 +99,8 @@ void add_run(CLI::App& program, Job& job) {
             "terminal has none of them, and the report will say so (the program's windows have)");
       };
       const SessionEnd end =
-          run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), say_done);
+          run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), say_done,
+                      {.requests = &requests});
       if (end.state != SessionState::completed) {
         say("asperity: the session stopped: " + end.reason +
             (end.as_the_protocol_says ? ""

@@ -1,3 +1,5 @@
+// Ctrl-C, as a request that the work can hear.
+
 #include "app/cli/signals.h"
 
 #include <chrono>
@@ -10,35 +12,51 @@ namespace asperity {
 
 namespace {
 
-// The only thing that a signal handler may touch.
+constexpr std::chrono::milliseconds kBetweenLooks{20};
+
+// The only things that a signal handler may touch.
 volatile std::sig_atomic_t interrupts = 0;
+volatile std::sig_atomic_t last_interrupt = SIGINT;
+
+void end_program(int number) noexcept {
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
 
 extern "C" void note_interrupt(int number) {
   interrupts = interrupts + 1;
-  if (interrupts > 1) {
-    std::signal(number, SIG_DFL);
-    std::raise(number);
-  }
+  last_interrupt = number;
+  if (interrupts > 2) end_program(number);
 }
 
 }  // namespace
 
-InterruptWatch::InterruptWatch(std::string saying) : saying_(std::move(saying)) {
+InterruptWatch::InterruptWatch(std::string saying, std::function<void()> at_once)
+    : saying_(std::move(saying)), at_once_(std::move(at_once)) {
   interrupts = 0;
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
   // A terminal that is closed shows as the end of its input, and the session ends in order.
   std::signal(SIGHUP, SIG_IGN);
-  watcher_ = std::jthread([this](const std::stop_token& ended) {
-    while (!ended.stop_requested()) {
-      if (interrupts > 0) {
-        say(saying_ + " (once more to end at once)");
-        source_.request_stop();
-        return;
+  std::signal(SIGTSTP, SIG_IGN);
+  watcher_ = std::jthread([this](const std::stop_token& ended) { watch(ended); });
+}
+
+void InterruptWatch::watch(const std::stop_token& ended) {
+  while (!ended.stop_requested()) {
+    if (interrupts > 1) {
+      if (at_once_) {
+        at_once_();
+        std::this_thread::sleep_for(kForZero);
       }
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      end_program(last_interrupt);
     }
-  });
+    if (interrupts > 0 && !source_.stop_requested()) {
+      source_.request_stop();
+      say(saying_ + " (once more to end at once)");
+    }
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
 }
 
 InterruptWatch::~InterruptWatch() {
@@ -46,6 +64,7 @@ InterruptWatch::~InterruptWatch() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   std::signal(SIGHUP, SIG_DFL);
+  std::signal(SIGTSTP, SIG_DFL);
 }
 
 }  // namespace asperity

@@ -2,20 +2,28 @@
 
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <thread>
 
 namespace asperity {
 
-/// While it lives, the first interrupt (or termination) asks `token()` to stop; a second one ends
-/// the program at once.
+/// While it lives, the first interrupt (or termination) asks `token()` to stop. The second one ends the
+/// program: `at_once` is called, which asks a device for zero force and returns; after `kForZero` the
+/// program is gone, whatever it was doing. A third one does not wait even for that.
 ///
-/// Threads: owns one, which watches. One object at a time.
+/// Ctrl-Z does nothing meanwhile: motors keep their last force while a program stands still.
+///
+/// Threads: owns one, which watches, and calls `at_once`. One object at a time.
 class InterruptWatch final {
  public:
+  static constexpr std::chrono::milliseconds kForZero{100};
+
   /// `saying` is told once, when the first one comes.
-  explicit InterruptWatch(std::string saying = "stopping after this trial");
+  explicit InterruptWatch(std::string saying = "stopping after this trial",
+                          std::function<void()> at_once = {});
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
@@ -23,7 +31,10 @@ class InterruptWatch final {
   std::stop_token token() const noexcept { return source_.get_token(); }
 
  private:
+  void watch(const std::stop_token& ended);
+
   std::string saying_{};
+  std::function<void()> at_once_{};
   std::stop_source source_{};
   std::jthread watcher_{};
 };
