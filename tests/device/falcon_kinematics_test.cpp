@@ -131,6 +131,35 @@ TEST(FalconKinematics, SendsTorquesAsWordsAgainstTheAnglesSense) {
   EXPECT_EQ(motors.part, 1.0);
 }
 
+// The force that motor words give at `p`, by virtual work.
+glm::dvec3 force_of_words_N(const std::array<std::int16_t, 3>& words, const glm::dvec3& p) {
+  glm::dvec3 force_N{0.0};
+  for (std::size_t i = 0; i < 3; ++i) force_N += words[i] / -10000.0 * slope(i, p);
+  return force_N;
+}
+
+TEST(FalconKinematics, HasOtherWordsThanAFreeDriverThatDoesNotTransposeItsJacobian) {
+  const glm::dvec3 p(0.0, 0.0, 0.125);
+  const MotorWords ours = words_for(torques_N_m(arm_angles_rad(p), p, {1.0, 0.0, 0.0}).value());
+  EXPECT_EQ(ours.words, (std::array<std::int16_t, 3>{-179, 606, -427}));
+  EXPECT_LT(glm::distance(force_of_words_N(ours.words, p), {1.0, 0.0, 0.0}), 1e-3);
+  // What that driver sends for 1 N along x: its first motor agrees, so that order, sense and scale do.
+  const glm::dvec3 theirs_N = force_of_words_N({-178, 596, -324}, p);
+  EXPECT_NEAR(theirs_N.x, 0.914, 1e-3);
+  EXPECT_NEAR(theirs_N.y, -0.077, 1e-3);
+  EXPECT_NEAR(theirs_N.z, -0.124, 1e-3);
+  // Its words are the first column of dp/dθ and not the first row; the z of each also has sin θ2 for sin θ3.
+  std::array<glm::dvec3, 3> torques{};
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 unit_N{0.0};
+    unit_N[axis] = 1.0;
+    torques[static_cast<std::size_t>(axis)] = torques_N_m(arm_angles_rad(p), p, unit_N).value();
+  }
+  EXPECT_NEAR(-10000.0 * torques[0][0], -178, 1.0);
+  EXPECT_NEAR(-10000.0 * torques[1][0], 596, 1.0);
+  EXPECT_NEAR(-10000.0 * torques[2][0], -252, 1.0);
+}
+
 TEST(FalconKinematics, ShortensTooMuchTorqueAndNeverTurnsAMotorRound) {
   const glm::dvec3 p(0.0, 0.0, kMiddle_m);
   const glm::dvec3 one = torques_N_m(arm_angles_rad(p), p, {1.0, 0.0, 0.0}).value();
