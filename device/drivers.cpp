@@ -1,3 +1,5 @@
+// The drivers of this program: what each finds attached, and how one of the found is opened.
+
 #include "device/drivers.h"
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include "device/inverse3/inverse3_device.h"
 #include "device/openhaptics/openhaptics_device.h"
 #include "device/pointer_device.h"
+#include "device/replay_device.h"
 #include "device/simulated_models.h"
 
 namespace asperity {
@@ -101,6 +104,7 @@ DriverRegistry built_in_drivers() {
   registry.add(openhaptics_driver());
   registry.add(inverse3_driver());
   registry.add(pointer_driver());
+  registry.add(replay_driver());
   return registry;
 }
 

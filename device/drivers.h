@@ -35,6 +35,8 @@ struct DriverOptions {
   /// What holds the probe of the simulated device; has to outlive it. Null elsewhere.
   VirtualHand* hand = nullptr;
   SimulatedDeviceSettings simulated{};
+  /// Reads the hand of a recording, for the device "replay". Errors: std::exception with a sentence.
+  std::function<std::vector<ProbeState>(const std::filesystem::path& file)> recorded_hand{};
   /// What a window feeds the device "mouse" through; has to outlive it. Null where there is no window.
   LatestValue<PointerSample>* pointer = nullptr;
 };

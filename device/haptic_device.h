@@ -75,6 +75,9 @@ class HapticDevice {
   /// zero, or nobody can reach them. May be called at any time and twice.
   virtual void stop_calls() noexcept {}
 
+  /// An attempt begins: a device that plays a recording begins anew with the next reading. From any thread.
+  virtual void begin_attempt() noexcept {}
+
   /// What is wrong with the device now, in sentences for the person who must act: that its pose is
   /// frozen, and its driver's `trouble`. Empty while all is well. From any thread but the servo's.
   std::string complaint() const;

@@ -1,3 +1,5 @@
+// A mouse or a tablet's pen as a probe: moves, presses, and has no motors.
+
 #include "device/pointer_device.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 
 #include "device/replay_device.h"
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,12 +13,18 @@ namespace asperity {
 namespace {
 
 // Both an input device without limits of its own and the box that its recording fills.
-DeviceCapability recorded_capability(const std::vector<ProbeState>& states) {
+DeviceCapability recorded_capability(const std::vector<ProbeState>& states,
+                                     const std::string& source) {
   if (states.empty())
     throw std::invalid_argument("states of a replayed hand are none; it needs at least one");
   DeviceCapability capability{
       .name = "replay", .model = "recording", .actuated_degrees_of_freedom = 0};
   capability.sensed_degrees_of_freedom = 6;
+  capability.maximum_rate_Hz = 10'000.0;
+  capability.remarks =
+      "It has no motors: nobody feels anything. The hand is that of " +
+      (source.empty() ? "a recording" : "the recording " + source) +
+      ", from its first tick on in each attempt; it rests where the recording ends.";
   capability.workspace_minimum_m = states.front().position_m;
   capability.workspace_maximum_m = states.front().position_m;
   std::uint32_t buttons = 0;
@@ -40,14 +47,15 @@ DeviceCapability recorded_capability(const std::vector<ProbeState>& states) {
 
 }  // namespace
 
-ReplayDevice::ReplayDevice(std::vector<ProbeState> states, ReplayEnd end)
-    : HapticDevice(recorded_capability(states), ForceLimits{}),
+ReplayDevice::ReplayDevice(std::vector<ProbeState> states, ReplayEnd end, const std::string& source)
+    : HapticDevice(recorded_capability(states, source), ForceLimits{}),
       states_(std::move(states)),
       end_(end) {}
 
 bool ReplayDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
-  if (!has_begun_) {
+  if (begins_.exchange(false) || !has_begun_) {
     has_begun_ = true;
+    at_ = 0;
     began_ns_ = now_ns;
   }
   const std::int64_t due_ns = states_.front().time_ns + (now_ns - began_ns_);
@@ -63,6 +71,29 @@ bool ReplayDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
   }
   is_lost_ = rests && end_ == ReplayEnd::lost;
   return !is_lost_;
+}
+
+Driver replay_driver() {
+  return {
+      .id = "replay",
+      .summary = "A recorded hand: moves as somebody once moved, and gives no force.",
+      .find =
+          [](const DriverOptions&) {
+            return DriverSurvey{.hindrance =
+                                    "It is made of a recording: name its file, replay:FILE."};
+          },
+      .open = [](const std::string& file,
+                 const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
+        if (file.empty()) {
+          throw std::runtime_error(
+              "the device \"replay\" is a recorded hand: name the recording, replay:FILE (those of "
+              "a study are in its folder recordings)");
+        }
+        if (!options.recorded_hand) {
+          throw std::runtime_error("the device \"replay\" cannot be used here; a session can");
+        }
+        return std::make_unique<ReplayDevice>(options.recorded_hand(file), ReplayEnd::rest, file);
+      }};
 }
 
 }  // namespace asperity

@@ -2,10 +2,13 @@
 
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "device/drivers.h"
 #include "device/haptic_device.h"
 
 namespace asperity {
@@ -17,7 +20,7 @@ enum class ReplayEnd {
 };
 
 /// Gives the states of a recording again, at the distances of time at which they were taken, from the first reading
-/// on: at each reading the latest state that is due, exactly as it was but for its time. What
+/// on, and again from the first reading of each attempt on: at each reading the latest state that is due, exactly as it was but for its time. What
 /// comes after the last one is `ReplayEnd`.
 ///
 /// It has no motors: pushes are taken and have no effect, so that a recording can be led over another surface.
@@ -27,10 +30,14 @@ enum class ReplayEnd {
 /// Real-time: reading does not allocate, lock or throw.
 class ReplayDevice final : public HapticDevice {
  public:
-  explicit ReplayDevice(std::vector<ProbeState> states, ReplayEnd end = ReplayEnd::rest);
+  /// `source` is where the states come from, for the device's remarks.
+  explicit ReplayDevice(std::vector<ProbeState> states, ReplayEnd end = ReplayEnd::rest,
+                        const std::string& source = {});
 
   /// Whether the last state has been given. From the thread that reads.
   bool is_over() const noexcept { return is_over_; }
+
+  void begin_attempt() noexcept override { begins_.store(true); }
 
  private:
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;
@@ -40,9 +47,13 @@ class ReplayDevice final : public HapticDevice {
   ReplayEnd end_ = ReplayEnd::rest;
   std::size_t at_ = 0;  ///< the state given last
   std::int64_t began_ns_ = 0;
+  std::atomic<bool> begins_{false};
   bool has_begun_ = false;
   bool is_over_ = false;
   bool is_lost_ = false;
 };
+
+/// "replay:FILE": the hand of a recording, read by DriverOptions::recorded_hand.
+Driver replay_driver();
 
 }  // namespace asperity

@@ -124,6 +124,7 @@ RealTimeRig::~RealTimeRig() = default;
 
 void RealTimeRig::prepare_attempt(const HandHabits& habits, const Random&) {
   hand_.set_habits(habits);
+  device_->begin_attempt();
 }
 
 void RealTimeRig::pass(double duration_s, Recorder& recorder) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/conductor/reason.h"
+#include "app/conductor/recorded_hand.h"
 #include "app/conductor/virtual_participant.h"
 #include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
@@ -108,9 +109,11 @@ std::unique_ptr<Rig> make_rig(const RunInputs& inputs, const Protocol& protocol,
       return std::make_unique<RealTimeRig>(settings, HandHabits{}, hand,
                                            Scheduling::fifo_if_permitted, not_before_ns);
     }
+    DriverOptions options = inputs.driver_options;
+    options.recorded_hand = recorded_hand;
     return std::make_unique<RealTimeRig>(
         settings, HandHabits{}, hand, Scheduling::fifo_if_permitted, not_before_ns,
-        [&](VirtualHand&) { return drivers.open(inputs.device, inputs.driver_options); });
+        [&](VirtualHand&) { return drivers.open(inputs.device, options); });
   }
   auto rig = std::make_unique<SteppedRig>(
       settings, unfinished ? unfinished->clock_zero_ns / kHour_ns : free_hour(study));

@@ -1,16 +1,22 @@
 // A device that fails in real time: what is finished stays, the force is gone, the session goes on.
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "app/conductor/recording_columns.h"
+#include "app/conductor/session_requests.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 #include "results_schema/atomic_file.h"
@@ -218,6 +224,61 @@ TEST(NamedDevice, RunsTheSessionAndIsStoredWithIt) {
   const Study study = Study::open(inputs.study, Access::read_only);
   const SessionRow session = study.sessions().at(0);
   EXPECT_NE(session.device.find("swinging"), std::string::npos) << session.device;
+}
+
+TEST(RecordedHand, MovesInASessionAsItOnceMovedAndFeelsNothing) {
+  const TemporaryFolder folder{};
+  const ModelRegistry models = built_in_models();
+  const auto run = [&](const std::string& name, const std::string& protocol,
+                       const std::string& device) {
+    RunInputs inputs{};
+    inputs.study = folder.path() / name;
+    make_small_study(inputs.study);
+    inputs.protocol = folder.path() / (name + ".json");
+    write_file(inputs.protocol, protocol, Overwrite::refuse);
+    inputs.participant = "anna";
+    inputs.seed = 5;
+    inputs.pacing = RunPacing::real_time;
+    inputs.device = device;
+    QuickPerson person{};
+    SessionRequests requests{};
+    // The hand may come a tick late for what the protocol asks: that is not what is tested.
+    const std::jthread limit([&requests](const std::stop_token& ended) {
+      for (int i = 0; i < 600 && !ended.stop_requested(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      }
+      requests.abort("it took too long");
+    });
+    run_session(inputs, models, &person, {}, {}, {.requests = &requests});
+    const Study study = Study::open(inputs.study, Access::read_only);
+    const AttemptRow first = study.attempts(study.sessions().at(0).id).at(0);
+    return study.folder() / first.recording->path;
+  };
+  // Twice as long in contact as is asked of it then.
+  std::string longer = quick_protocol();
+  const std::string contact = "\"minimum_contact_s\": 0.2";
+  longer.replace(longer.find(contact), contact.size(), "\"minimum_contact_s\": 0.5");
+  const std::filesystem::path file = run("recorded", longer, "simulated");
+  const auto recorded = records_of(read_recording(file));
+  const auto moved =
+      records_of(read_recording(run("moved", quick_protocol(), "replay:" + file.string())));
+  std::set<std::array<double, 3>> places{};
+  for (const TickRecord& tick : recorded) {
+    places.insert({tick.probe.position_m.x, tick.probe.position_m.y, tick.probe.position_m.z});
+  }
+  std::set<std::array<double, 3>> met{};
+  double meant_N = 0.0;
+  ASSERT_GT(moved.size(), 300U);
+  // Its first ticks may be of the hand as it rested before the attempt.
+  for (const TickRecord& tick : moved) {
+    const glm::dvec3& place = tick.probe.position_m;
+    ASSERT_TRUE(places.contains({place.x, place.y, place.z})) << place.x << ' ' << place.z;
+    met.insert({place.x, place.y, place.z});
+    EXPECT_EQ(tick.sent.force_N, glm::dvec3(0.0));
+    meant_N = std::max(meant_N, glm::length(tick.rendered.force_N));
+  }
+  EXPECT_GT(met.size(), 200U);  // it moved
+  EXPECT_GT(meant_N, 0.0);      // over a surface
 }
 
 TEST(NamedDevice, IsNotForVirtualParticipants) {

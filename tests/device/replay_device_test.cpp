@@ -2,7 +2,9 @@
 
 #include "device/replay_device.h"
 
+#include <filesystem>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -70,6 +72,33 @@ TEST(ReplayDevice, DescribesWhatWasRecordedAndHasNoMotors) {
   EXPECT_EQ(device.capability().workspace_maximum_m, glm::dvec3(0.002, 0.0, 0.1));
   EXPECT_EQ(device.capability().buttons, 3);
   EXPECT_TRUE(device.push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
+}
+
+TEST(ReplayDevice, BeginsAnewWithEachAttempt) {
+  ReplayDevice device(three_states());
+  const ProbeState first = device.read(0).value();
+  const ProbeState last = device.read(1000 * kMillisecond_ns).value();
+  ASSERT_NE(last.position_m, first.position_m);
+  device.begin_attempt();
+  EXPECT_EQ(device.read(2000 * kMillisecond_ns)->position_m, first.position_m);
+  EXPECT_FALSE(device.is_over());
+  EXPECT_EQ(device.read(3000 * kMillisecond_ns)->position_m, last.position_m);
+}
+
+TEST(ReplayDriver, NeedsARecordingAndSomebodyWhoReadsIt) {
+  const DriverRegistry drivers = built_in_drivers();
+  EXPECT_NE(drivers.find("replay")->find({}).hindrance.find("replay:FILE"), std::string::npos);
+  EXPECT_THROW(drivers.open("replay", {}), std::runtime_error);
+  EXPECT_THROW(drivers.open("replay:some.rec", {}), std::runtime_error);
+  std::filesystem::path asked{};
+  const DriverOptions options{.recorded_hand = [&asked](const std::filesystem::path& file) {
+    asked = file;
+    return three_states();
+  }};
+  const auto device = drivers.open("replay:my study/a:b.rec", options);
+  EXPECT_EQ(asked, "my study/a:b.rec");
+  EXPECT_EQ(device->capability().name, "replay");
+  EXPECT_NE(device->capability().remarks.find("my study/a:b.rec"), std::string::npos);
 }
 
 TEST(ReplayDevice, RefusesWhatIsNoRecording) {
