@@ -100,7 +100,9 @@ void add_run(CLI::App& program, Job& job) {
       };
       const SessionEnd end =
           run_session(inputs, models, person ? &*person : nullptr, interrupt.token(), say_done,
-                      {.requests = &requests});
+                      {.requests = &requests,
+                       .experimenter_is_there = person.has_value(),
+                       .tell = [](const std::string& line) { say("asperity: " + line); }});
       if (end.state != SessionState::completed) {
         say("asperity: the session stopped: " + end.reason +
             (end.as_the_protocol_says ? ""

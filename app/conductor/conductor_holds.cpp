@@ -173,7 +173,11 @@ bool Conductor::wait_out_fault(const std::string& what) {
                     : phrase("Troubles", "%1 The force is zero until the fault is cleared."))
         .with(read_reason(what).as_sentence());
   };
-  publish_trouble(stopped(), SessionTrouble::Remedy::clear_fault);
+  const auto tell = [this](const Phrase& sentence) {
+    publish_trouble(sentence, SessionTrouble::Remedy::clear_fault);
+    respondent_.hear_of_fault(sentence.english());
+  };
+  tell(stopped());
   for (;;) {
     course_.pass_slice();
     course_.store_remarks();
@@ -181,10 +185,13 @@ bool Conductor::wait_out_fault(const std::string& what) {
       stop(*reason);
       return false;
     }
-    if (requests_.take_stop(StopAfter::trial) || requests_.take_stop(StopAfter::block)) {
+    const Respondent::AfterFault wish = respondent_.after_fault();
+    if (wish == Respondent::AfterFault::end || requests_.take_stop(StopAfter::trial) ||
+        requests_.take_stop(StopAfter::block)) {
       stop(what);
       return false;
     }
+    if (wish == Respondent::AfterFault::go_on) requests_.clear_fault();
     if (!requests_.lift_fault()) continue;
     const Phrase problem = device_problem([this](double duration_s) {
       for (double passed_s = 0.0; passed_s < duration_s; passed_s += SessionCourse::kSlice_s) {
@@ -193,12 +200,10 @@ bool Conductor::wait_out_fault(const std::string& what) {
     });
     if (problem.empty() && rig_.loop().status().fault == Fault::none) break;
     const Fault fault = rig_.loop().status().fault;
-    publish_trouble(
-        fault == Fault::emergency_stop
-            ? phrase("Troubles", "%1 The emergency stop was pressed meanwhile.").with(stopped())
-            : phrase("Troubles", "%1 The device is not fit yet: %2.")
-                  .with(stopped(), problem.empty() ? phrase_of(fault) : problem),
-        SessionTrouble::Remedy::clear_fault);
+    tell(fault == Fault::emergency_stop
+             ? phrase("Troubles", "%1 The emergency stop was pressed meanwhile.").with(stopped())
+             : phrase("Troubles", "%1 The device is not fit yet: %2.")
+                   .with(stopped(), problem.empty() ? phrase_of(fault) : problem));
   }
   while (rig_.loop().collect().renderer != nullptr) {
     // What was felt when the fault came is not felt again.

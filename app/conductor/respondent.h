@@ -94,6 +94,12 @@ class Respondent {
   virtual bool leaves_prompts_to_experimenter() const { return false; }
   /// The eye mask is to be put on or taken off; returns when that was confirmed.
   virtual void put_mask(bool on, const Wait& wait);
+  /// The force is held at zero after a fault, for the reason told. Who has a window beside it does nothing.
+  virtual void hear_of_fault(const std::string& what) { static_cast<void>(what); }
+  /// What is asked for then: nothing yet, that the fault is lifted and the session goes on, or its end.
+  enum class AfterFault { nothing, go_on, end };
+  /// Asked again and again while the session waits in a fault; does not wait.
+  virtual AfterFault after_fault() { return AfterFault::nothing; }
   /// Called while time goes by in `wait`.
   virtual void button_changed(const ButtonChange& change) { static_cast<void>(change); }
   /// What happened at the participant's side since the last call, for the store: keys with press

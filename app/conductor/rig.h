@@ -47,6 +47,8 @@ class Rig {
   /// "stepped" or "real_time", and how the thread is scheduled.
   virtual std::string pacing() const = 0;
   virtual std::string scheduling() const = 0;
+  /// What is wrong with the device now (HapticDevice::complaint); empty while all is well.
+  virtual std::string complaint() const { return {}; }
 
   /// The hand as it is for the next attempt, lifted. A stepped rig starts anew, so that an attempt
   /// does not depend on the ones before it.
@@ -118,6 +120,7 @@ class RealTimeRig final : public Rig {
   const DeviceCapability& capability() const noexcept override { return device_->capability(); }
   std::string pacing() const override { return "real_time"; }
   std::string scheduling() const override { return thread_.scheduling(); }
+  std::string complaint() const override { return device_->complaint(); }
   void prepare_attempt(const HandHabits& habits, const Random& random) override;
   void pass(double duration_s, Recorder& recorder) override;
   void emergency_stop() noexcept override { loop_.emergency_stop(); }

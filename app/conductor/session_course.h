@@ -48,6 +48,9 @@ std::string fault_sentence(const Interruption& interruption, std::optional<int> 
 /// Events within an attempt are kept until `take_attempt_events` and belong into its row; those
 /// outside are stored at once.
 ///
+/// What the device complains of is shown as it is, and stored (`device_trouble`, `device_well`) when it
+/// begins, when it is over, and every ten seconds at most when its words change.
+///
 /// Threads: the conductor's.
 class SessionCourse final {
  public:
@@ -129,6 +132,7 @@ class SessionCourse final {
   void wait_in_slices(double duration_s, const std::function<void()>& after_each);
   void pass(double duration_s);
   void look(bool outside_trial);
+  void listen_to_device();
   void publish_now();
   bool plays_noise() const;
   MaskingState masking_state() const;
@@ -150,6 +154,10 @@ class SessionCourse final {
   bool mask_on_ = false;
   std::vector<EventRow> attempt_events_{};
   std::int64_t health_shown_ns_ = 0;
+  std::int64_t device_heard_ns_ = 0;
+  std::string complaint_{};       ///< of the device, as shown
+  std::string told_complaint_{};  ///< as stored and told
+  std::int64_t complaint_told_ns_ = 0;
 };
 
 }  // namespace asperity

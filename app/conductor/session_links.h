@@ -2,6 +2,9 @@
 
 #pragma once
 
+#include <functional>
+#include <string>
+
 namespace asperity {
 
 class SessionMonitor;
@@ -17,6 +20,8 @@ struct SessionLinks {
   /// An experimenter is there: after a fault, or when the masking noise stops, the session waits for
   /// what they decide; otherwise it ends and can be gone on with.
   bool experimenter_is_there = false;
+  /// Told, in a line, what is wrong with the device and that it is well again; for who has no monitor.
+  std::function<void(const std::string& line)> tell{};
 };
 
 }  // namespace asperity

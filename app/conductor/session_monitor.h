@@ -138,6 +138,9 @@ struct SessionSnapshot {
   Fault fault = Fault::none;
   MaskingState masking = MaskingState::none;
   std::optional<SessionTrouble> trouble{};
+  /// What the device says of itself (HapticDevice::complaint), and since when; empty while all is well.
+  std::string device_complaint{};
+  std::int64_t device_complains_since_ns = 0;
   std::shared_ptr<const ParticipantScene> scene = std::make_shared<const ParticipantScene>();
   std::shared_ptr<const std::vector<AttemptSummary>> attempts =
       std::make_shared<const std::vector<AttemptSummary>>();

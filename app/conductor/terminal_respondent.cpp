@@ -1,3 +1,5 @@
+// A person at a terminal: numbered options, typed answers.
+
 #include "app/conductor/terminal_respondent.h"
 
 #include <algorithm>
@@ -19,6 +21,8 @@ namespace asperity {
 namespace {
 
 constexpr double kPoll_s = 0.05;
+constexpr const char* kAfterFault =
+    "When it is mended and safe, press Return to go on; to end the session here, type: end\n";
 
 }  // namespace
 
@@ -35,27 +39,48 @@ void TerminalRespondent::show(const std::vector<std::string>& pictures) {
   save_picture(sheet_, side_by_side(images, kRows), Overwrite::allow);
 }
 
-std::optional<std::string> TerminalRespondent::line(const Wait& wait,
-                                                    const std::optional<double>& left_s) {
+std::optional<std::string> TerminalRespondent::typed_line() {
   for (;;) {
     if (const auto end = buffer_.find('\n'); end != std::string::npos) {
       std::string text = trimmed(buffer_.substr(0, end));
       buffer_.erase(0, end + 1);
       return text;
     }
-    if (left_s && *left_s <= 0.0) return {};
     pollfd ready{input_, POLLIN, 0};
-    if (::poll(&ready, 1, 0) > 0) {
-      std::array<char, 512> bytes{};
-      const ssize_t count = ::read(input_, bytes.data(), bytes.size());
-      if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) {
-        throw RespondentGone(phrase_of(Reason::terminal_closed));
-      }
-      if (count > 0) buffer_.append(bytes.data(), static_cast<std::size_t>(count));
-      continue;
+    if (::poll(&ready, 1, 0) <= 0) return {};
+    std::array<char, 512> bytes{};
+    const ssize_t count = ::read(input_, bytes.data(), bytes.size());
+    if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) {
+      throw RespondentGone(phrase_of(Reason::terminal_closed));
     }
+    if (count > 0) buffer_.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+}
+
+std::optional<std::string> TerminalRespondent::line(const Wait& wait,
+                                                    const std::optional<double>& left_s) {
+  for (;;) {
+    const bool is_late = left_s && *left_s <= 0.0;
+    if (is_late && buffer_.find('\n') == std::string::npos) return {};
+    if (std::optional<std::string> text = typed_line()) return text;
     wait(kPoll_s);
   }
+}
+
+void TerminalRespondent::hear_of_fault(const std::string& what) {
+  // What was typed before is no answer to this.
+  ::tcflush(input_, TCIFLUSH);
+  buffer_.clear();
+  output_ << "\n\n" << what << '\n' << kAfterFault << std::flush;
+}
+
+Respondent::AfterFault TerminalRespondent::after_fault() {
+  const std::optional<std::string> typed = typed_line();
+  if (!typed) return AfterFault::nothing;
+  if (typed->empty()) return AfterFault::go_on;
+  if (*typed == "end") return AfterFault::end;
+  output_ << kAfterFault << std::flush;
+  return AfterFault::nothing;
 }
 
 void TerminalRespondent::read(const std::string& text, double minimum_s, const Wait& wait) {

@@ -32,6 +32,9 @@ class TerminalRespondent final : public Respondent {
   void tell(const std::string& text, const Wait& wait) override;
   std::string answer(const Question& question, const Wait& wait) override;
   std::string source() const override { return "keyboard"; }
+  /// A terminal has nobody beside it: whoever sits there says when the fault is mended, by Return.
+  void hear_of_fault(const std::string& what) override;
+  AfterFault after_fault() override;
   void begin_attempt(int, int) override {}
 
  private:
@@ -43,6 +46,9 @@ class TerminalRespondent final : public Respondent {
 
   /// The next line typed; nothing when no time is left. `wait` may count `left_s` down.
   std::optional<std::string> line(const Wait& wait, const std::optional<double>& left_s = {});
+
+  /// A line that has been typed already.
+  std::optional<std::string> typed_line();
 
   /// Writes the sheet with these pictures (paths in the study), from left to right.
   void show(const std::vector<std::string>& pictures);

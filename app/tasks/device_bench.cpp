@@ -1,3 +1,5 @@
+// Runs a device through short stages on the real servo loop, and hands back every tick.
+
 #include "app/tasks/device_bench.h"
 
 #include <algorithm>
@@ -80,7 +82,7 @@ StageRecord DeviceBench::run(const DeviceStage& stage, StagePacing pacing) {
   record.ran_away = ran_away.load();
   if (stop_.stop_requested()) throw DeviceStageStopped("stopped as asked; the force is zero");
   if (record.fault == Fault::device_lost) {
-    const std::string trouble = device_.trouble();
+    const std::string trouble = device_.complaint();
     throw std::runtime_error("the device was lost while it was measured" +
                              (trouble.empty() ? "" : ": " + trouble));
   }

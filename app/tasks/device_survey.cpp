@@ -1,3 +1,5 @@
+// What every driver finds on this computer.
+
 #include "app/tasks/device_survey.h"
 
 namespace asperity {

@@ -24,7 +24,9 @@ class WatchedRig final : public Rig {
   std::function<void()> at_pass{};
   /// Another hand than the one that does what the protocol asks for.
   std::function<void(HandHabits&)> at_prepare{};
+  std::string complains{};
 
+  std::string complaint() const override { return complains; }
   const Clock& clock() const noexcept override { return rig_.clock(); }
   ServoLoop& loop() noexcept override { return rig_.loop(); }
   RecordRing& records() noexcept override { return rig_.records(); }
@@ -107,6 +109,8 @@ class ScriptedPerson final : public Respondent {
  public:
   std::function<Reply(int, const Trial&)> at_question{};
   std::function<void()> at_tell{};
+  std::function<AfterFault()> at_fault{};
+  std::vector<std::string> faults_heard{};
   std::vector<std::string> texts{};
   std::vector<int> felt_positions{};
   std::vector<ForceFeatures> last_felt{};
@@ -138,6 +142,8 @@ class ScriptedPerson final : public Respondent {
   }
   std::string source() const override { return "keyboard"; }
   void begin_attempt(int, int) override {}
+  void hear_of_fault(const std::string& what) override { faults_heard.push_back(what); }
+  AfterFault after_fault() override { return at_fault ? at_fault() : AfterFault::nothing; }
 };
 
 class SessionTest : public testing::Test {

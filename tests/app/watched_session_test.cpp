@@ -608,6 +608,76 @@ TEST_F(WatchedSession, WaitsInAFaultUntilItIsClearedAndAsksTheTrialAgain) {
   EXPECT_EQ(events_of("fault_cleared").size(), 1U);
 }
 
+TEST_F(WatchedSession, GoesOnAfterAFaultWhenWhoeverAnswersSaysThatItIsMended) {
+  begin(one_trial());
+  links_.monitor = nullptr;  // as on a terminal
+  person_.at_question = [&](int question, const Trial&) -> Reply {
+    if (question > 1) return {{0}, {}};
+    requests_.emergency_stop();
+    return {{}, 1};
+  };
+  int asked = 0;
+  person_.at_fault = [&] {
+    return ++asked < 20 ? Respondent::AfterFault::nothing : Respondent::AfterFault::go_on;
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_EQ(asked, 20);
+  EXPECT_THAT(person_.faults_heard,
+              ElementsAre("The emergency stop was pressed in trial 1. The force is zero until the "
+                          "stop is cleared."));
+  const auto rows = attempts();
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].outcome, AttemptOutcome::device_fault);
+  EXPECT_TRUE(rows[1].valid);
+  EXPECT_EQ(events_of("fault_cleared").size(), 1U);
+}
+
+TEST_F(WatchedSession, EndsAfterAFaultWhenWhoeverAnswersWantsThat) {
+  begin(one_trial(), {{.kind = ScriptedFault::Kind::lost, .at_s = 1.0}});
+  person_.at_fault = [] { return Respondent::AfterFault::end; };
+  const SessionEnd end = run();
+  EXPECT_EQ(end.state, SessionState::stopped);
+  EXPECT_THAT(end.reason, HasSubstr("device_lost"));
+  EXPECT_EQ(attempts().size(), 1U);
+}
+
+TEST_F(WatchedSession, TellsWhatTheDeviceComplainsOfUntilItIsWell) {
+  begin(small_protocol());
+  std::vector<std::string> lines{};
+  links_.tell = [&lines](const std::string& line) { lines.push_back(line); };
+  std::vector<std::string> shown{};
+  int slices = 0;
+  rig_->at_pass = [&] {
+    ++slices;
+    if (slices == 20) rig_->complains = "Its motors gave less than was asked for 1 times.";
+    // Its words change in every slice: shown as they are, and told and stored now and then.
+    if (slices > 20 && slices < 120) {
+      rig_->complains =
+          "Its motors gave less than was asked for " + std::to_string(slices) + " times.";
+    }
+    if (slices == 120) rig_->complains.clear();
+    const SessionSnapshot now = monitor_.snapshot();
+    if (shown.empty() || shown.back() != now.device_complaint)
+      shown.push_back(now.device_complaint);
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  ASSERT_GT(slices, 140);
+  EXPECT_GT(shown.size(), 6U);
+  EXPECT_EQ(shown.back(), "");
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_THAT(lines[0], HasSubstr("Its motors gave less"));
+  EXPECT_EQ(lines[1], "The device is well again.");
+  std::vector<std::string> kinds{};
+  std::vector<EventRow> events = study_->events(session_.row.id);
+  for (const AttemptRow& attempt : attempts()) {
+    events.insert(events.end(), attempt.events.begin(), attempt.events.end());
+  }
+  for (const EventRow& event : events) {
+    if (event.kind.rfind("device_", 0) == 0) kinds.push_back(event.kind);
+  }
+  EXPECT_THAT(kinds, testing::UnorderedElementsAre("device_trouble", "device_well"));
+}
+
 TEST_F(WatchedSession, AnEmergencyStopIsNotLiftedByWhatWasAskedForBeforeIt) {
   begin(one_trial());
   person_.at_question = [&](int question, const Trial&) -> Reply {

@@ -1,3 +1,5 @@
+// What went wrong in a session, and the button that helps.
+
 #include "app/gui/session/session_troubles.h"
 
 #include <utility>
@@ -25,10 +27,13 @@ SessionTroubles::SessionTroubles(SessionRequests& requests, QVBoxLayout& rows, Q
   fault_ = new FaultPanel(parent);
   trouble_ = new Banner(parent);
   trouble_->setObjectName("trouble");
+  device_ = new Banner(parent);
+  device_->setObjectName("device_trouble");
   news_ = new Banner(parent);
   news_->setObjectName("news");
   rows.addWidget(fault_);
   rows.addWidget(trouble_);
+  rows.addWidget(device_);
   rows.addWidget(news_);
   connect(fault_, &FaultPanel::clear_wanted, this, &SessionTroubles::clear_fault);
   connect(fault_, &FaultPanel::end_wanted, this, &SessionTroubles::end_wanted);
@@ -115,7 +120,19 @@ void SessionTroubles::end() {
   write();
 }
 
+void SessionTroubles::write_device() {
+  const std::string complaint = ended_ ? std::string() : shown_.device_complaint;
+  // One that was put away comes back when it says something else.
+  if (complaint == device_shown_) return;
+  device_shown_ = complaint;
+  if (complaint.empty()) return device_->hide();
+  device_->show_news(State::look, tr("%1  The device reports: %2")
+                                      .arg(clock_text(shown_.device_complains_since_ns),
+                                           QString::fromStdString(complaint)));
+}
+
 void SessionTroubles::write() {
+  write_device();
   const SessionSnapshot& s = shown_;
   // To clear something is always asked in the same way, with the question whether it is safe.
   const bool to_clear = s.trouble && s.trouble->remedy == SessionTrouble::Remedy::clear_fault;

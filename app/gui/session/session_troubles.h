@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QObject>
@@ -23,8 +24,9 @@ namespace asperity {
 class Banner;
 class FaultPanel;
 
-/// Three places, each hidden while it has nothing to say: a fault that holds the force at zero, what
-/// the session reports otherwise, and news of the windows.
+/// Four places, each hidden while it has nothing to say: a fault that holds the force at zero, what
+/// the session reports otherwise, what the device complains of (until it no longer does), and news of the
+/// windows.
 ///
 /// What comes from elsewhere is shown with names taken out while the experimenter is blind.
 class SessionTroubles final : public QObject {
@@ -63,6 +65,7 @@ class SessionTroubles final : public QObject {
  private:
   void clear_fault();
   void write();
+  void write_device();
   QString fault_text() const;
   QString clock_text(std::int64_t time_ns) const;
 
@@ -80,6 +83,8 @@ class SessionTroubles final : public QObject {
   std::optional<SessionTrouble> trouble_shown_{};
   FaultPanel* fault_ = nullptr;
   Banner* trouble_ = nullptr;
+  Banner* device_ = nullptr;
+  std::string device_shown_{};
   Banner* news_ = nullptr;
 };
 

@@ -607,6 +607,23 @@ TEST(SessionWindow, ShowsATroubleWithTheButtonThatHelps) {
   EXPECT_FALSE(session.requests.pending().pause);
 }
 
+TEST(SessionWindow, ShowsWhatTheDeviceComplainsOfUntilItIsOver) {
+  FilledMonitor session{};
+  session.answer_up_to(4);
+  const auto window = session.window();
+  EXPECT_FALSE(find<QWidget>(*window, "device_trouble").isVisible());
+  const auto complain = [&](const std::string& complaint) {
+    session.monitor.update([&](SessionSnapshot& s) { s.device_complaint = complaint; });
+    window->refresh();
+  };
+  complain("Its motors are warm.");
+  const auto& banner = find<QWidget>(*window, "device_trouble");
+  EXPECT_TRUE(banner.isVisible());
+  EXPECT_TRUE(texts_of(banner).filter("The device reports: Its motors are warm.").size() > 0);
+  complain("");
+  EXPECT_FALSE(banner.isVisible());
+}
+
 TEST(SessionWindow, HidesTheBannerOnceTheTroubleIsOver) {
   FilledMonitor session{};
   session.answer_up_to(4);
