@@ -18,6 +18,7 @@
 #include "app/device_profile.h"
 #include "app/tasks/device_choice.h"
 #include "app/tasks/protocol_files.h"
+#include "device/drivers.h"
 #include "protocols/doubts.h"
 
 namespace asperity {
@@ -57,12 +58,33 @@ std::string warning_of(const Diagnostic& doubt) {
          ": warning: " + doubt.message + " (" + doubt.pointer + ')';
 }
 
-/// What the device cannot render, as the study's profile of it says; nothing without a profile.
+/// The serial number of the one device that this driver has attached now; nothing where there are none or
+/// several, or it tells none.
+std::string attached_serial(const std::string& driver_id) {
+  const DriverRegistry drivers = built_in_drivers();
+  const Driver* driver = drivers.find(driver_id);
+  if (driver == nullptr) return {};
+  const std::vector<AttachedDevice> attached = driver->find({}).attached;
+  return attached.size() == 1 ? attached.front().serial : std::string();
+}
+
+/// What the device cannot render, as the study's profile of it says: of the one that is attached, where
+/// there is one; nothing without a profile.
 std::vector<Diagnostic> device_warnings(const ProtocolCheck& check,
                                         const std::filesystem::path& study,
                                         const std::string& device, const ModelRegistry& models) {
+  WhichDevice which = which_device(device);
+  const bool names_one = device.find(':') != std::string::npos;
+  if (!names_one) which.serial = attached_serial(which.name);
   std::vector<Diagnostic> warnings{};
-  const std::optional<DeviceProfile> profile = latest_profile(study, which_device(device));
+  const std::optional<DeviceProfile> profile = latest_profile(study, which);
+  if (!profile && !names_one && !which.serial.empty()) {
+    warnings.push_back({check.file, 1, 1, "",
+                        "the study has no profile of the attached device " + which.name + " " +
+                            which.serial +
+                            ", and it is compared with none; measure it: asperity device-test " +
+                            which.name + " --study " + study.string()});
+  }
   if (!profile) return warnings;
   StimulusBuilder builder(models, study);
   for (const RehearsalWarning& warning : rehearse_on_device(*check.protocol, *profile, builder)) {
