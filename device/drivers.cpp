@@ -93,7 +93,13 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
     for (const Driver& one : drivers_) ids += (ids.empty() ? "" : ", ") + one.id;
     throw std::runtime_error("there is no device \"" + id + "\"; this program has: " + ids);
   }
+  const std::lock_guard lock(*one_at_a_time_);
   return driver->open(colon == std::string::npos ? "" : name.substr(colon + 1), options);
+}
+
+DriverSurvey DriverRegistry::survey(const Driver& driver, const DriverOptions& options) const {
+  const std::lock_guard lock(*one_at_a_time_);
+  return driver.find(options);
 }
 
 DriverRegistry built_in_drivers() {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,6 +79,9 @@ struct Driver {
 
 /// The drivers that a program knows.
 ///
+/// Threads: any. `survey` and `open` wait for each other, in copies of a registry as well, so that no driver
+/// is asked two things at a time.
+///
 /// Errors: `add` throws std::invalid_argument for an id that is taken or not `[a-z][a-z0-9_]*`.
 class DriverRegistry final {
  public:
@@ -88,12 +92,15 @@ class DriverRegistry final {
   const Driver* find(std::string_view id) const& noexcept;
   const Driver* find(std::string_view id) && = delete;
 
+  /// What one of its drivers finds.
+  DriverSurvey survey(const Driver& driver, const DriverOptions& options) const;
   /// Opens what `--device` names: ID, or ID:SERIAL, or ID:PLACE.
   /// Errors: std::runtime_error, for an unknown driver with the names of all; as Driver::open does.
   std::unique_ptr<HapticDevice> open(const std::string& name, const DriverOptions& options) const;
 
  private:
   std::vector<Driver> drivers_{};
+  std::shared_ptr<std::mutex> one_at_a_time_ = std::make_shared<std::mutex>();
 };
 
 /// Every driver that this program was built with, the simulated device first.

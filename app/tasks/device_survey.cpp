@@ -9,7 +9,7 @@ std::vector<SurveyedDriver> survey_devices(const DriverRegistry& drivers,
   std::vector<SurveyedDriver> surveyed{};
   for (const Driver& driver : drivers.drivers()) {
     surveyed.push_back(
-        {.id = driver.id, .summary = driver.summary, .survey = driver.find(options)});
+        {.id = driver.id, .summary = driver.summary, .survey = drivers.survey(driver, options)});
   }
   return surveyed;
 }

@@ -262,7 +262,7 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
   SessionCheck check{};
   if (!inputs.device_hindrance.empty()) {
     check.state = State::stop;
-    check.text = Phrase(inputs.device_hindrance).as_sentence();
+    check.text = inputs.device_hindrance;
     check.remedy =
         phrase("SessionChecks", "Mend it, then look for devices again; or choose another device.");
     return check;

@@ -19,8 +19,8 @@ std::unique_ptr<Sound> usual_sound(const SessionOrder& order) {
   return std::make_unique<QtSound>(order.noise, order.speech);
 }
 
-SessionRunner::SessionRunner(QObject* parent, SoundMaker make_sound)
-    : QObject(parent), make_sound_(std::move(make_sound)) {
+SessionRunner::SessionRunner(QObject* parent, SoundMaker make_sound, DriverRegistry drivers)
+    : QObject(parent), make_sound_(std::move(make_sound)), drivers_(std::move(drivers)) {
   qRegisterMetaType<asperity::SessionOrder>();
   qRegisterMetaType<asperity::SessionEnd>();
   qRegisterMetaType<asperity::AfterFailure>();
@@ -41,6 +41,12 @@ PersonAtWindow& SessionRunner::person() noexcept {
 void SessionRunner::start(const SessionOrder& order) {
   assert(!worker_.joinable());
   order_ = order;
+  order_.inputs.driver_options.pointer = &pointer_;
+  order_.inputs.driver_options.tell = [this](const std::string& sentence) {
+    QMetaObject::invokeMethod(
+        this, [this, text = QString::fromStdString(sentence)] { emit told(text); },
+        Qt::QueuedConnection);
+  };
   running_ = true;
   person_ = std::make_unique<PersonAtWindow>(monitor_, nullptr);
   if (!order.consent_seen_by.empty()) {
@@ -64,7 +70,7 @@ void SessionRunner::run(const std::stop_token& stop) {
     Respondent* respondent = order_.inputs.is_virtual ? nullptr : person_.get();
     const SessionEnd end = run_session(
         order_.inputs, models_, respondent, stop,
-        [this](const AttemptDone&) { announce_attempt(); }, links);
+        [this](const AttemptDone&) { announce_attempt(); }, links, drivers_);
     QMetaObject::invokeMethod(
         this,
         [this, end] {

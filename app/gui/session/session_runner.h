@@ -59,7 +59,8 @@ std::unique_ptr<Sound> usual_sound(const SessionOrder& order);
 class SessionRunner final : public QObject {
   Q_OBJECT
  public:
-  explicit SessionRunner(QObject* parent = nullptr, SoundMaker make_sound = usual_sound);
+  explicit SessionRunner(QObject* parent = nullptr, SoundMaker make_sound = usual_sound,
+                         DriverRegistry drivers = built_in_drivers());
   ~SessionRunner() override;
 
   /// Once in the life of this object.
@@ -71,10 +72,14 @@ class SessionRunner final : public QObject {
   SessionRequests& requests() noexcept { return requests_; }
   /// Only after `start`.
   PersonAtWindow& person() noexcept;
+  /// Where the participant's window puts its pointer, for the device "mouse"; one thread writes.
+  LatestValue<PointerSample>& pointer() noexcept { return pointer_; }
   /// As started.
   const SessionOrder& order() const noexcept { return order_; }
 
  signals:
+  /// What a person has to do for the device while it is opened, a sentence.
+  void told(const QString& sentence);
   /// At least one more attempt is on disk; several that come quickly are announced together.
   void attempt_done();
   void ended(const asperity::SessionEnd& end);
@@ -87,6 +92,8 @@ class SessionRunner final : public QObject {
   void fail(const Phrase& what, AfterFailure unbegun);
 
   SoundMaker make_sound_{};
+  DriverRegistry drivers_{};
+  LatestValue<PointerSample> pointer_{};
   SessionOrder order_{};
   ModelRegistry models_ = built_in_models();
   SessionMonitor monitor_{};

@@ -44,6 +44,7 @@ void SessionTroubles::set_facts(std::shared_ptr<const SessionFacts> facts) {
   if (facts_ != nullptr && facts_->protocol != nullptr && facts_->plan != nullptr) {
     veil_ = NameVeil(*facts_->protocol, *facts_->plan);
   }
+  if (facts_ != nullptr && std::exchange(is_told_, false)) news_->hide();  // the device is there
 }
 
 void SessionTroubles::set_blind(bool blind) {
@@ -172,7 +173,13 @@ void SessionTroubles::write() {
 
 // --- news of the windows -------------------------------------------------------------------------
 
+void SessionTroubles::show_told(const QString& sentence) {
+  is_told_ = true;
+  news_->show_news(State::look, sentence);
+}
+
 void SessionTroubles::show_failure(const QString& what, AfterFailure next) {
+  is_told_ = false;
   news_->show_news(State::stop, veiled(what), SessionText::of_way_on(next),
                    [this, next] { emit way_on_wanted(next); });
 }

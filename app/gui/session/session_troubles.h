@@ -48,6 +48,8 @@ class SessionTroubles final : public QObject {
   /// The session is over: its end says the rest.
   void end();
 
+  /// What a person has to do for the device before the session begins; gone when it has.
+  void show_told(const QString& sentence);
   void show_failure(const QString& what, AfterFailure next);
   /// Any screen, before it is known whose it was.
   void show_screen_removed(const QString& name);
@@ -80,6 +82,7 @@ class SessionTroubles final : public QObject {
   bool clearing_ = false;           ///< going on was asked for and has not happened yet
   std::int64_t cleared_trouble_ns_ = 0;  ///< a later one is another
   QElapsedTimer since_clearing_{};
+  bool is_told_ = false;  ///< the news are what the device wants
   std::optional<SessionTrouble> trouble_shown_{};
   FaultPanel* fault_ = nullptr;
   Banner* trouble_ = nullptr;

@@ -565,6 +565,10 @@ bool SessionWindow::focusNextPrevChild(bool next) {
   return true;
 }
 
+void SessionWindow::tell_device_wish(const QString& sentence) {
+  if (!failed_ && !ended_ && facts_ == nullptr) troubles_->show_told(sentence);
+}
+
 void SessionWindow::tell_screen_lost(const QString& name, ScreenLoss loss) {
   troubles_->show_participant_screen_lost(name, loss);
 }

@@ -78,6 +78,8 @@ class SessionWindow final : public QWidget {
   void refresh();
   /// How it ended, where that is known; otherwise the counts of the monitor decide what is said.
   void show_end(const asperity::SessionEnd& end);
+  /// What a person has to do for the device while the session is prepared.
+  void tell_device_wish(const QString& sentence);
   /// Of the participant; the session has been stopped or asked to pause for it.
   void tell_screen_lost(const QString& name, asperity::ScreenLoss loss);
   /// The session could not begin, or broke off: says so, offers what helps, and lets the window

@@ -120,4 +120,9 @@ void CheckList::set_running(bool running) {
         tr("Looking at everything: seconds to a minute, by what the protocol asks for."));
 }
 
+void CheckList::set_progress(double fraction) {
+  summary_->setText(tr("Comparing every stimulus with the device: %1 %.")
+                        .arg(static_cast<int>(100.0 * fraction)));
+}
+
 }  // namespace asperity

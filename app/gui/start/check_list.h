@@ -23,6 +23,8 @@ class CheckList final : public QWidget {
 
   void set_checks(const std::vector<SessionCheck>& checks);
   void set_running(bool running);
+  /// Of the comparison with the device, 0 to 1, while everything is gone through.
+  void set_progress(double fraction);
 
  signals:
   void again_wanted();

@@ -13,6 +13,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
+#include "app/gui/start/device_chooser.h"
 #include "app/gui/start/question_form.h"
 
 namespace asperity {
@@ -25,25 +26,15 @@ constexpr int kSetupFieldWidth = 320;
 
 }  // namespace
 
-SetupCard::SetupCard(QWidget* parent) : QWidget(parent) {
+SetupCard::SetupCard(OpenStudy& study, QWidget* parent) : QWidget(parent) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout* layout = nullptr;
   outer->addWidget(make_card(this, layout));
   layout->addWidget(make_heading(tr("Device and screens"), this));
 
-  auto* device_row = new QHBoxLayout();
-  device_row->setSpacing(kMargin);
-  auto* device = new QComboBox(this);
-  device->setObjectName("device");
-  device->addItem(tr("Simulated device"), "simulated");
-  device->setFixedWidth(kSetupFieldWidth);
-  ignore_wheel(*device);
-  QLabel* device_label = make_text(tr("Device"), this);
-  device_label->setBuddy(device);
-  device_row->addWidget(device_label, 1);
-  device_row->addWidget(device);
-  layout->addLayout(device_row);
+  device_ = new DeviceChooser(study, this);
+  layout->addWidget(device_);
 
   auto* hand_row = new QHBoxLayout();
   hand_row->setSpacing(kGrid);

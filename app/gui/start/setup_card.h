@@ -14,10 +14,17 @@ class QPushButton;
 
 namespace asperity {
 
+class DeviceChooser;
+class OpenStudy;
+
 class SetupCard final : public QWidget {
   Q_OBJECT
  public:
-  explicit SetupCard(QWidget* parent = nullptr);
+  /// `study` outlives it.
+  explicit SetupCard(OpenStudy& study, QWidget* parent = nullptr);
+
+  DeviceChooser& device() noexcept { return *device_; }
+  const DeviceChooser& device() const noexcept { return *device_; }
 
   bool is_mirrored() const;
   /// What somebody chose themselves.
@@ -45,6 +52,7 @@ class SetupCard final : public QWidget {
   void list_screens();
   void set_left(bool left);
 
+  DeviceChooser* device_ = nullptr;
   bool hand_chosen_ = false;
   QPushButton* right_ = nullptr;
   QPushButton* left_ = nullptr;

@@ -14,6 +14,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/start/check_list.h"
 #include "app/gui/start/consent_card.h"
+#include "app/gui/start/device_chooser.h"
 #include "app/gui/start/participant_card.h"
 #include "app/gui/start/question_form.h"
 #include "app/gui/start/setup_card.h"
@@ -76,7 +77,7 @@ StartPage::StartPage(OpenStudy& study, QWidget* parent) : QWidget(parent), study
   make_simulation_card(*column);
   consent_ = new ConsentCard(form_);
   column->addWidget(consent_);
-  setup_ = new SetupCard(form_);
+  setup_ = new SetupCard(study_, form_);
   column->addWidget(setup_);
   noise_card_ = make_card(form_, noise_layout_);
   noise_layout_->addWidget(make_heading(tr("Masking noise"), form_));
@@ -259,6 +260,16 @@ void StartPage::connect_parts() {
   connect(consent_, &ConsentCard::changed, this, &StartPage::show_start);
   connect(setup_, &SetupCard::changed, this, &StartPage::show_start);
   connect(setup_, &SetupCard::screens_changed, this, &StartPage::check_soon);
+  connect(&setup_->device(), &DeviceChooser::changed, this, [this] {
+    // A page that is made anew would wait for it.
+    setProperty("keep", setup_->device().is_trying()
+                            ? tr("A device is being tried: wait until it has answered.")
+                            : QString());
+    check_soon();
+  });
+  connect(&check_task_, &BackgroundTask::progressed, this, [this](double fraction) {
+    if (!checks_ && !check_outdated_) check_list_->set_progress(fraction);
+  });
   connect(check_list_, &CheckList::again_wanted, this, &StartPage::check_again);
   connect(start_, &QPushButton::clicked, this, &StartPage::press_start);
   connect(check_timer_, &QTimer::timeout, this, &StartPage::check);
@@ -285,6 +296,7 @@ void StartPage::connect_parts() {
 
 void StartPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
+  setup_->device().look_once();
   if (stale_) {
     read();
   } else {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -147,6 +148,8 @@ class StartPage final : public QWidget {
   std::optional<std::int64_t> going_on_{};  ///< the session that the page was opened to go on with
   bool stale_ = true;                       ///< to be read when the page is shown
   std::optional<std::vector<SessionCheck>> checks_{};  ///< absent: not up to date
+  /// Of the device: computed once for a protocol, its stimuli and a profile.
+  std::shared_ptr<RehearsalMemory> rehearsal_ = std::make_shared<RehearsalMemory>();
   bool check_outdated_ = false;  ///< what is looked at now is to be looked at once more
 
   ModeBand* band_ = nullptr;

@@ -11,6 +11,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/sound/noise_check.h"
 #include "app/gui/start/consent_card.h"
+#include "app/gui/start/device_chooser.h"
 #include "app/gui/start/participant_card.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
@@ -50,6 +51,7 @@ QString text_of_problem(const ChosenProtocol& chosen) {
 
 void StartPage::show_protocol() {
   const ChosenProtocol& now = facts_.chosen;
+  setup_->device().set_protocol(now.protocol);
   // What stands there of the one before is grey for a moment rather than gone and back.
   protocol_text_->setEnabled(now.is_read());
   if (!is_read_ && !now.is_read()) {
@@ -146,6 +148,9 @@ void StartPage::show_mode() {
     simulation_text_->setText(tr("All of their sessions, in the background."));
   }
   setup_->set_virtual(is_virtual());
+  setup_->device().set_for(!is_virtual() ? DeviceChooser::For::people
+                           : is_batch()  ? DeviceChooser::For::virtual_participants
+                                         : DeviceChooser::For::virtual_participant);
   noise_card_->setVisible(noise_ != nullptr && !is_virtual());
   consent_->setVisible(needs_consent());
   show_person();

@@ -16,9 +16,11 @@
 #include "app/gui/sound/sound_output.h"
 #include "app/gui/start/check_list.h"
 #include "app/gui/start/consent_card.h"
+#include "app/gui/start/device_chooser.h"
 #include "app/gui/start/participant_card.h"
 #include "app/gui/start/setup_card.h"
 #include "app/gui/start/start_page.h"
+#include "app/gui/study/settings.h"
 
 namespace asperity {
 
@@ -45,6 +47,10 @@ std::vector<QString> StartPage::reasons() const {
   std::vector<QString> reasons = participant_->complaints();
   if (needs_consent()) {
     for (QString& complaint : consent_->complaints()) reasons.push_back(std::move(complaint));
+  }
+  if (const QString waits_for = setup_->device().waits_for(); !waits_for.isEmpty()) {
+    reasons.push_back(waits_for);
+    return reasons;
   }
   if (!checks_) {
     reasons.push_back(tr("The checklist is being gone through."));
@@ -84,6 +90,10 @@ void StartPage::check() {
       .resume = resume_,
       .resumed_session = resumed_session(),
       .pacing = order().inputs.pacing,
+      .device = setup_->device().device(),
+      .device_hindrance = setup_->device().hindrance(),
+      .tried = setup_->device().tried(),
+      .rehearsal = rehearsal_,
       .noise = noise(),
       .sound_card = !sound_outputs().empty(),
       .screens = static_cast<int>(QGuiApplication::screens().size()),
@@ -91,8 +101,8 @@ void StartPage::check() {
   check_list_->set_running(true);
   check_task_.run<std::vector<SessionCheck>>(
       [inputs, models = built_in_models()](const std::stop_token& stop,
-                                           const BackgroundTask::Progress&) {
-        return check_session(inputs, models, stop);
+                                           const BackgroundTask::Progress& progress) {
+        return check_session(inputs, models, stop, progress);
       },
       [this](std::vector<SessionCheck> checks) {
         // Something else is chosen by now, or being read: then it is looked at once more.
@@ -122,6 +132,8 @@ SessionOrder StartPage::order() const {
   inputs.is_virtual = is_virtual();
   inputs.pacing = is_virtual() && fast_->isChecked() ? RunPacing::stepped : RunPacing::real_time;
   inputs.mirrored = setup_->is_mirrored();
+  inputs.device = setup_->device().device();
+  inputs.driver_options = driver_options();
   const Protocol* protocol = chosen();
   if (protocol != nullptr && !is_virtual() && participant_->is_new()) {
     inputs.new_person = participant_->new_person(*protocol);
@@ -148,6 +160,7 @@ void StartPage::press_start() {
   }
   // What was found holds for one start: the next one looks again.
   const SessionOrder ordered = order();
+  setup_->device().forget_try();
   checks_.reset();
   show_start();
   emit start_wanted(ordered);

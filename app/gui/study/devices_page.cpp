@@ -6,6 +6,7 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QScrollArea>
 
+#include "app/gui/study/settings.h"
 #include "app/tasks/study_overview.h"
 
 namespace asperity {
@@ -92,7 +93,15 @@ QFrame* make_device_card(const QString& name, State state, const QString& words,
 
 DevicesPage::DevicesPage(OpenStudy& study, QWidget* parent)
     : DevicesPage(
-          study, [] { return survey_devices(built_in_drivers(), {}); }, parent) {}
+          study,
+          [drivers = study.drivers()] {
+            DriverOptions options = driver_options();
+            // The mouse needs a window that feeds it; sessions have one.
+            LatestValue<PointerSample> pointer{};
+            options.pointer = &pointer;
+            return survey_devices(drivers, options);
+          },
+          parent) {}
 
 DevicesPage::DevicesPage(OpenStudy& study, Survey survey, QWidget* parent)
     : StudyPage(study, tr("Devices"), parent), survey_(std::move(survey)) {

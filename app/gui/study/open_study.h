@@ -10,6 +10,7 @@
 
 #include <QtCore/QObject>
 
+#include "device/drivers.h"
 #include "renderers/force_model.h"
 #include "results_schema/study.h"
 
@@ -28,6 +29,11 @@ class OpenStudy final : public QObject {
   /// Otherwise it is only looked at: what would write is disabled, and says so.
   bool can_be_written() const noexcept { return can_be_written_; }
   const ModelRegistry& models() const noexcept { return models_; }
+  /// What a session here may run on: pages and sessions ask the drivers through this registry, which asks
+  /// each one thing at a time.
+  const DriverRegistry& drivers() const noexcept { return drivers_; }
+  /// Before pages are made.
+  void set_drivers(DriverRegistry drivers) { drivers_ = std::move(drivers); }
   /// Everybody who shows the study reads it again.
   void announce_change() { emit changed(); }
   /// What a page leaves to the one that is made in its place for another theme or language; empty
@@ -42,6 +48,7 @@ class OpenStudy final : public QObject {
   Study study_;
   bool can_be_written_ = true;
   ModelRegistry models_ = built_in_models();
+  DriverRegistry drivers_ = built_in_drivers();
   std::map<std::string, std::any> left_{};
 };
 

@@ -102,7 +102,7 @@ void SessionDesk::choose(const SessionWish& wish) {
 
 void SessionDesk::begin(const SessionOrder& order) {
   if (runner_ != nullptr) return;
-  runner_ = std::make_unique<SessionRunner>(nullptr, make_sound_);
+  runner_ = std::make_unique<SessionRunner>(nullptr, make_sound_, study_->drivers());
   runner_->start(order);
   window_.set_busy(tr("A session is running. End it in its own window first."));
   window_.show_page("sessions");  // the page before a session has done its part
@@ -114,6 +114,7 @@ void SessionDesk::begin(const SessionOrder& order) {
   };
   connect(runner_.get(), &SessionRunner::ended, this, is_over);
   connect(runner_.get(), &SessionRunner::failed, this, is_over);
+  connect(runner_.get(), &SessionRunner::told, session_window_, &SessionWindow::tell_device_wish);
   connect(runner_.get(), &SessionRunner::attempt_done, study_, &OpenStudy::announce_change);
   connect(runner_.get(), &SessionRunner::ended, session_window_, &SessionWindow::show_end);
   connect(runner_.get(), &SessionRunner::failed, session_window_, &SessionWindow::show_failure);

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QCryptographicHash>
 #include <QtCore/QDir>
 #include <QtCore/QLibraryInfo>
 #include <QtCore/QLocale>
@@ -123,6 +124,38 @@ QStringList note_phrases() { return QSettings{}.value("note_phrases").toStringLi
 
 void remember_note_phrases(const QStringList& phrases) {
   QSettings{}.setValue("note_phrases", phrases);
+}
+
+namespace {
+
+/// Names of keys have no slashes of their own.
+QString device_key(const std::filesystem::path& study) {
+  const std::string folder = std::filesystem::weakly_canonical(study).string();
+  const QByteArray hash =
+      QCryptographicHash::hash(QByteArray::fromStdString(folder), QCryptographicHash::Sha256);
+  return "devices/of_study/" + QString::fromLatin1(hash.toHex().left(32));
+}
+
+constexpr const char* kFirmware = "devices/firmware";
+
+}  // namespace
+
+std::string remembered_device(const std::filesystem::path& study) {
+  return QSettings().value(device_key(study)).toString().toStdString();
+}
+
+void remember_device(const std::filesystem::path& study, const std::string& device) {
+  QSettings().setValue(device_key(study), QString::fromStdString(device));
+}
+
+DriverOptions driver_options() {
+  DriverOptions options{};
+  options.firmware = QSettings().value(kFirmware).toString().toStdString();
+  return options;
+}
+
+void remember_firmware(const std::filesystem::path& file) {
+  QSettings().setValue(kFirmware, QString::fromStdString(file.string()));
 }
 
 bool restore_geometry(QWidget& window, const QString& name) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <QtCore/QDateTime>
@@ -10,6 +11,7 @@
 #include <QtCore/QStringList>
 
 #include "app/gui/look/theme.h"
+#include "device/drivers.h"
 
 class QWidget;
 
@@ -47,6 +49,13 @@ void apply_language(const QString& choice);
 /// Notes of the experimenter's own that a click writes, the latest last.
 QStringList note_phrases();
 void remember_note_phrases(const QStringList& phrases);
+
+/// The device that sessions of a study ran on last, as RunInputs::device; empty where none has.
+std::string remembered_device(const std::filesystem::path& study);
+void remember_device(const std::filesystem::path& study, const std::string& device);
+/// What a lab tells the drivers: the file with the firmware of a Falcon.
+DriverOptions driver_options();
+void remember_firmware(const std::filesystem::path& file);
 
 /// Where a window was, by its name; false when it has never been anywhere.
 bool restore_geometry(QWidget& window, const QString& name);

@@ -1,0 +1,104 @@
+// The device that a session is to run on: chosen among what is there, and tried before anybody holds it.
+
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QtWidgets/QWidget>
+
+#include "app/gui/look/background_task.h"
+#include "app/tasks/device_choice.h"
+#include "app/tasks/tried_device.h"
+#include "protocols/protocol.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace asperity {
+
+class OpenStudy;
+class StateLabel;
+
+/// Lists the simulated device and what it can stand for, the mouse, and what the drivers find attached; what
+/// cannot be used is listed with the reason. Looks for devices in the background when it is first asked to,
+/// and again when somebody wants it.
+///
+/// An attached device is opened by a person's press alone: it is tried for a third of a second without force,
+/// and what it wants meanwhile ("pull the grip out") stands here. Where it may move by itself, that is asked
+/// before.
+///
+/// The choice is remembered for the study. A device that is remembered and not there stays chosen, and is
+/// said not to be there: nothing else takes its place unasked.
+class DeviceChooser final : public QWidget {
+  Q_OBJECT
+ public:
+  /// `study` outlives it.
+  explicit DeviceChooser(OpenStudy& study, QWidget* parent = nullptr);
+
+  enum class For { people, virtual_participant, virtual_participants };
+  void set_for(For whom);
+  /// Whose rate and force limit a device is tried with; may be null.
+  void set_protocol(std::shared_ptr<const Protocol> protocol);
+  /// Looks for devices, unless that has been done.
+  void look_once();
+
+  /// As RunInputs::device.
+  std::string device() const;
+  DeviceKind kind() const { return chosen().kind; }
+  /// A sentence: why the chosen one cannot be used; empty: it can.
+  const std::string& hindrance() const { return chosen().hindrance; }
+  /// Of an attached device, at the rate of the protocol; null while it was not tried.
+  std::shared_ptr<const TriedDevice> tried() const;
+  /// The next session tries anew.
+  void forget_try();
+  bool is_trying() const { return try_task_.is_running(); }
+  /// A sentence while nothing can be said of the chosen device yet; otherwise empty.
+  QString waits_for() const;
+
+ signals:
+  void changed();
+
+ private:
+  void look();
+  void list();
+  void show_chosen();
+  const DeviceChoice& chosen() const;
+  void press_try();
+  void try_now();
+  /// In the room below the device: what is asked stays until it is answered.
+  void ask(const QString& question, const QString& verb, std::function<void()> yes);
+  void drop_question();
+  void choose_firmware();
+
+  OpenStudy& study_;
+  For whom_ = For::people;
+  std::shared_ptr<const Protocol> protocol_{};
+  std::vector<DeviceChoice> choices_ = devices_without_hardware();
+  /// What is chosen for people and not among them: a session must not run on another one unasked.
+  DeviceChoice gone_{};
+  std::string of_people_ = "simulated";   ///< as chosen for them
+  std::string of_virtual_ = "simulated";  ///< likewise
+  bool has_looked_ = false;
+  std::shared_ptr<const TriedDevice> tried_{};
+  std::function<void()> on_yes_{};
+
+  QComboBox* devices_ = nullptr;
+  QLabel* text_ = nullptr;
+  QPushButton* again_ = nullptr;
+  QPushButton* try_ = nullptr;
+  QPushButton* firmware_ = nullptr;
+  StateLabel* state_ = nullptr;
+  QWidget* question_ = nullptr;
+  StateLabel* question_text_ = nullptr;
+  QPushButton* yes_ = nullptr;
+  QPushButton* why_ = nullptr;
+  QLabel* why_text_ = nullptr;
+  BackgroundTask survey_task_{};
+  BackgroundTask try_task_{};
+};
+
+}  // namespace asperity

@@ -1,0 +1,323 @@
+// Choosing and trying the device of a session, on the page before it: the driver of Force Dimension against a
+// stand-in for its maker's library.
+
+#include "app/gui/start/device_chooser.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <semaphore>
+
+#include <QtCore/QSettings>
+#include <QtGui/QStandardItemModel>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
+#include <gtest/gtest.h>
+
+#include "app/conductor/clock.h"
+#include "app/gui/look/controls.h"
+#include "app/gui/start/start_page.h"
+#include "device/force_dimension/force_dimension_device.h"
+#include "device/vendor_library.h"
+#include "results_schema/atomic_file.h"
+#include "tests/app/small_study.h"
+#include "tests/device/vendors/test_dhd.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kPatience_ms = 20000;
+constexpr const char* kDevice = "force_dimension:42";
+constexpr int kUnknownType = 9999;
+
+class TheDeviceChooser : public testing::Test {
+ protected:
+  TheDeviceChooser() : library_("the stand-in", {ASPERITY_TEST_DRD}) {
+    TestDhdBench bench_of = nullptr;
+    library_.find("test_dhd_bench", bench_of);
+    bench = bench_of();
+    *bench = test_dhd::Bench{};
+    bench->units.push_back({.serial = 42});
+    QSettings().clear();
+    make_small_study(folder);
+    std::string text = small_protocol();
+    text.replace(text.find("\"flow\""), std::string::npos, R"("flow": [{"run": "main"}]})");
+    std::filesystem::create_directories(folder / "protocols");
+    write_file(protocol, text, Overwrite::allow);
+  }
+  ~TheDeviceChooser() override { apply_theme(*qApp, ThemeChoice::light); }
+
+  /// As in a lab: what the program has itself, and the maker's library. Its driver says what is to be done
+  /// while it opens, and waits until the test lets it go on.
+  DriverRegistry drivers_of_a_lab() {
+    DriverRegistry registry{};
+    const DriverRegistry built_in = built_in_drivers();
+    for (const Driver& driver : built_in.drivers()) {
+      if (driver.id == "simulated" || driver.id == "mouse") registry.add(driver);
+    }
+    Driver driver = force_dimension_driver();
+    driver.find = [this, find = driver.find](DriverOptions options) {
+      options.library = ASPERITY_TEST_DRD;
+      ++surveys;
+      return find(options);
+    };
+    driver.open = [this, open = driver.open](const std::string& which, DriverOptions options) {
+      options.library = ASPERITY_TEST_DRD;
+      ++openings;
+      options.tell("Pull the grip out.");
+      EXPECT_TRUE(let_it_open.try_acquire_for(std::chrono::seconds(20)));
+      return open(which, options);
+    };
+    registry.add(driver);
+    return registry;
+  }
+
+  void make_page() {
+    page.reset();
+    study = std::make_unique<OpenStudy>(folder);
+    study->set_drivers(drivers_of_a_lab());
+    page = std::make_unique<StartPage>(*study);
+    page->resize(1146, 768);
+    page->show();
+    page->choose(protocol, {}, {});
+    require([this] { return page->is_read() && !has_reason("being looked for"); }, "the page");
+    require([this] { return find<QPushButton>("device_look").isEnabled(); }, "a survey");
+  }
+
+  static void require(const std::function<bool()>& condition, const std::string& what) {
+    if (!QTest::qWaitFor(condition, kPatience_ms)) throw std::runtime_error("no " + what);
+  }
+  template <class Widget>
+  Widget& find(const char* name) const {
+    auto* found = page->findChild<Widget*>(name);
+    if (found == nullptr) throw std::runtime_error(std::string("no widget ") + name);
+    return *found;
+  }
+  void click(const char* name) const {
+    ASSERT_TRUE(find<QPushButton>(name).isEnabled()) << name;
+    QTest::mouseClick(&find<QPushButton>(name), Qt::LeftButton);
+  }
+  void pick(const char* device) const {
+    auto& box = find<QComboBox>("device");
+    const int row = box.findData(QString(device));
+    ASSERT_GE(row, 0) << device;
+    box.setCurrentIndex(row);
+  }
+  QString shown(const char* label) const { return find<QLabel>(label).text(); }
+  bool is_seen(const char* name) const { return find<QWidget>(name).isVisibleTo(page.get()); }
+  bool has_reason(const QString& part) const {
+    const std::vector<QString> reasons = page->reasons();
+    return std::any_of(reasons.begin(), reasons.end(),
+                       [&part](const QString& reason) { return reason.contains(part); });
+  }
+  bool has_line(const char* check, const QString& part) const {
+    const auto* line = page->findChild<QLabel*>(check);
+    return line != nullptr && line->text().contains(part);
+  }
+  bool is_enabled(const char* device) const {
+    const auto& box = find<QComboBox>("device");
+    const int row = box.findData(QString(device));
+    return row >= 0 && qobject_cast<QStandardItemModel*>(box.model())->item(row)->isEnabled();
+  }
+  void try_it() {
+    click("device_try");
+    click("device_yes");
+    let_it_open.release();
+    require([this] { return shown("device_state").contains("Tried"); }, "answer of the device");
+  }
+
+  TemporaryFolder temporary{};
+  std::filesystem::path folder = temporary.path() / "study";
+  std::filesystem::path protocol = folder / "protocols" / "small.json";
+  test_dhd::Bench* bench = nullptr;
+  std::atomic<int> surveys{0};
+  std::atomic<int> openings{0};
+  std::counting_semaphore<100> let_it_open{0};
+  std::unique_ptr<OpenStudy> study{};
+  std::unique_ptr<StartPage> page{};
+
+ private:
+  VendorLibrary library_;
+};
+
+TEST_F(TheDeviceChooser, ListsWhatCanBeUsedAndSaysOfTheOthersWhyNot) {
+  bench->units.push_back({.type = kUnknownType, .serial = 43});
+  make_page();
+  for (const char* device : {"simulated", "simulated:falcon", "mouse", kDevice}) {
+    EXPECT_TRUE(is_enabled(device)) << device;
+  }
+  EXPECT_FALSE(is_enabled("force_dimension:43"));
+  EXPECT_FALSE(is_seen("device_hindrances"));
+  click("device_why");
+  EXPECT_TRUE(is_seen("device_hindrances"));
+  EXPECT_TRUE(shown("device_hindrances").contains(QString::number(kUnknownType)))
+      << shown("device_hindrances").toStdString();
+  EXPECT_EQ(page->order().inputs.device, "simulated") << "as long as nobody chooses another one";
+  pick("mouse");
+  EXPECT_TRUE(shown("device_text").contains("Nobody feels a force"));
+  EXPECT_FALSE(is_seen("device_try"));
+  EXPECT_EQ(page->order().inputs.device, "mouse");
+  bench->units.pop_back();
+  click("device_look");
+  require([this] { return find<QPushButton>("device_look").isEnabled(); }, "second survey");
+  EXPECT_EQ(surveys, 2);
+  EXPECT_FALSE(is_seen("device_why"));
+  EXPECT_EQ(page->order().inputs.device, "mouse");
+}
+
+TEST_F(TheDeviceChooser, OpensAnAttachedDeviceOnlyWhenSomebodyWantsItAndTellsWhatItWants) {
+  make_page();
+  pick(kDevice);
+  find<QCheckBox>("consent_given").click();
+  find<QLineEdit>("consent_seen_by").setText("MW");
+  require([this] { return has_reason("has not been tried yet"); }, "reason");
+  EXPECT_EQ(openings, 0) << "the checklist leaves it alone";
+  EXPECT_FALSE(find<QPushButton>("start").isEnabled());
+
+  click("device_try");
+  EXPECT_TRUE(shown("device_question").contains("it may move by itself"))
+      << shown("device_question").toStdString();
+  click("device_no");
+  EXPECT_FALSE(is_seen("device_question"));
+  EXPECT_EQ(openings, 0);
+
+  click("device_try");
+  click("device_yes");
+  // The window goes on meanwhile.
+  require([this] { return shown("device_state").contains("Pull the grip out."); }, "wish");
+  EXPECT_TRUE(has_reason("being tried"));
+  EXPECT_FALSE(find<QPushButton>("device_look").isEnabled()) << "a driver does one thing at a time";
+  EXPECT_FALSE(find<QComboBox>("device").isEnabled());
+  let_it_open.release();
+  require([this] { return shown("device_state").contains("Tried"); }, "answer of the device");
+  require([this] { return has_line("check_force_zero", "Exactly 0 N in"); }, "loop's line");
+  EXPECT_TRUE(has_line("check_device", "gives 12.0 N at up to"))
+      << "as the driver tells of an omega.3";
+  EXPECT_TRUE(has_line("check_calibration", "no profile of this device"));
+  EXPECT_FALSE(bench->units.front().is_open) << "it is let go of for the session";
+}
+
+TEST_F(TheDeviceChooser, OrdersASessionOnTheDeviceAndTriesItAnewForTheNext) {
+  make_page();
+  pick(kDevice);
+  find<QCheckBox>("consent_given").click();
+  find<QLineEdit>("consent_seen_by").setText("MW");
+  QSignalSpy wanted(page.get(), &StartPage::start_wanted);
+  // On a busy machine the loop may be found too slow; then it is tried again.
+  for (int tries = 0; tries < 5 && !find<QPushButton>("start").isEnabled(); ++tries) {
+    try_it();
+    require([this] { return !has_reason("The checklist"); }, "checklist");
+  }
+  ASSERT_TRUE(find<QPushButton>("start").isEnabled()) << shown("start_reason").toStdString();
+  click("start");
+  ASSERT_EQ(wanted.size(), 1);
+  EXPECT_EQ(wanted.first().first().value<SessionOrder>().inputs.device, kDevice);
+  page->hide();
+  page->show();
+  require([this] { return has_reason("has not been tried yet"); }, "reason");
+}
+
+TEST_F(TheDeviceChooser, SaysWhyADeviceCouldNotBeOpened) {
+  make_page();
+  pick(kDevice);
+  bench->units.front().knows_its_zero = false;
+  bench->units.front().finds_its_zero = false;
+  click("device_try");
+  click("device_yes");
+  let_it_open.release();
+  require([this] { return has_reason("handle"); }, "reason");
+  EXPECT_TRUE(shown("device_state").contains("handle")) << shown("device_state").toStdString();
+  EXPECT_TRUE(find<QPushButton>("device_try").isEnabled());
+}
+
+TEST_F(TheDeviceChooser, RemembersTheDeviceOfAStudyAndTakesNoOtherInItsPlace) {
+  make_page();
+  pick(kDevice);
+  make_page();
+  EXPECT_EQ(page->order().inputs.device, kDevice);
+  bench->units.clear();
+  make_page();
+  EXPECT_EQ(page->order().inputs.device, kDevice);
+  require([this] { return has_reason("force_dimension:42 is not there"); }, "reason");
+  EXPECT_FALSE(find<QPushButton>("start").isEnabled());
+  EXPECT_FALSE(find<QPushButton>("device_try").isEnabled());
+  bench->units.push_back({.serial = 42});
+  click("device_look");
+  require([this] { return has_reason("has not been tried yet"); }, "reason");
+
+  page.reset();
+  folder = temporary.path() / "other";
+  protocol = folder / "protocols" / "small.json";
+  make_small_study(folder);
+  std::filesystem::create_directories(folder / "protocols");
+  write_file(protocol, small_protocol(), Overwrite::allow);
+  make_page();
+  EXPECT_EQ(page->order().inputs.device, "simulated") << "another study has its own";
+}
+
+TEST_F(TheDeviceChooser, GivesAVirtualParticipantASimulatedDeviceAndPeopleTheirsBack) {
+  make_page();
+  pick(kDevice);
+  page->set_mode(SessionMode::simulate);
+  EXPECT_EQ(page->order().inputs.device, "simulated");
+  EXPECT_EQ(find<QComboBox>("device").findData("mouse"), -1);
+  EXPECT_EQ(find<QComboBox>("device").findData(kDevice), -1);
+  EXPECT_FALSE(is_seen("device_try"));
+  pick("simulated:falcon");
+  EXPECT_EQ(page->order().inputs.device, "simulated:falcon");
+  page->set_mode(SessionMode::pilot);
+  EXPECT_EQ(page->order().inputs.device, kDevice);
+}
+
+TEST_F(TheDeviceChooser, ShowsTheProfilesAgeAndWhatIsBeyondTheDevice) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  const DeviceProfile profile{
+      .name = "force_dimension",
+      .serial = "42",
+      .measured_utc = utc_text(
+          std::chrono::duration_cast<std::chrono::nanoseconds>(now - std::chrono::hours(12 * 24))
+              .count()),
+      .rate_Hz = 1000.0,
+      .workspace_minimum_m = glm::dvec3(-1.0),
+      .workspace_maximum_m = glm::dvec3(1.0),
+      .items = {{.name = "friction_N", .status = DeviceItem::Status::pass, .value = 0.9}}};
+  std::filesystem::create_directories(folder / "profiles");
+  write_file(profile_path(folder, profile), json_text_of(profile), Overwrite::allow);
+  bench->units.push_back({.type = kUnknownType, .serial = 43});
+  for (const auto theme_choice : {ThemeChoice::light, ThemeChoice::dark}) {
+    apply_theme(*qApp, theme_choice);
+    const QString suffix = theme_choice == ThemeChoice::dark ? "-dark" : "";
+    make_page();
+    pick(kDevice);
+    try_it();
+    require([this] { return has_line("check_rehearsal", "0.900 N"); }, "warning");
+    EXPECT_TRUE(has_line("check_calibration", "Measured 12 days ago"));
+    require([this] { return has_line("check_force_zero", "0 N"); }, "loop's line");
+    const auto show_device = [this] {
+      QTest::qWait(50);  // until everything has its place
+      page->findChild<QScrollArea*>("start_form")
+          ->ensureWidgetVisible(&find<QWidget>("own_keyboard"));
+    };
+    show_device();
+    take_screenshot(*page, "start-page-device" + suffix);
+    click("device_why");
+    click("device_try");
+    show_device();
+    take_screenshot(*page, "start-page-device-question" + suffix);
+    pick("mouse");
+    require([this] { return has_line("check_device", "gives no force"); }, "line of the mouse");
+    show_device();
+    take_screenshot(*page, "start-page-mouse" + suffix);
+  }
+}
+
+}  // namespace
+}  // namespace asperity
