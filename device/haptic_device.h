@@ -71,8 +71,8 @@ class HapticDevice {
   /// device refuses.
   virtual void start_calls(const TickCall& call);
   /// When it returns no call is under way and none will come: a tick is waited for, a thread that is
-  /// stuck in the maker's code shut out for ever within two seconds (call_gate.h). The motors are at
-  /// zero, or nobody can reach them. May be called at any time and twice.
+  /// stuck in the maker's code shut out for ever (call_gate.h), within two seconds where the maker's own
+  /// functions return (docs/devices.md). The motors are at zero, or nobody can reach them. May be called at any time and twice.
   virtual void stop_calls() noexcept {}
 
   /// An attempt begins: a device that plays a recording begins anew with the next reading. From any thread.

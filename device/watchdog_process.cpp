@@ -13,6 +13,8 @@
 #include <sched.h>
 #include <stdexcept>
 #include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
@@ -26,16 +28,26 @@ constexpr int kBetweenLooks_ms = 50;
 
 using StatusPath = std::array<char, 32>;
 
+void close_from_to(unsigned first, unsigned last) noexcept {
+  if (close_range(first, last, 0) == 0) return;
+  // A kernel or a container that does not have the call: one by one, as far as files can go.
+  rlimit most{};
+  if (getrlimit(RLIMIT_NOFILE, &most) != 0) return;
+  for (rlim_t file = first; file <= last && file < most.rlim_cur; ++file) {
+    close(static_cast<int>(file));
+  }
+}
+
 // All but the two, of which one may be −1.
 void close_others(int one, int other) noexcept {
   const auto [low, high] = std::minmax(one, other);
   unsigned first = 0;
   for (const int kept : {low, high}) {
     if (kept < 0) continue;
-    if (static_cast<unsigned>(kept) > first) close_range(first, static_cast<unsigned>(kept) - 1, 0);
+    if (static_cast<unsigned>(kept) > first) close_from_to(first, static_cast<unsigned>(kept) - 1);
     first = static_cast<unsigned>(kept) + 1;
   }
-  close_range(first, std::numeric_limits<unsigned>::max(), 0);
+  close_from_to(first, std::numeric_limits<unsigned>::max());
 }
 
 // Whether no thread of the process gets on: it is stopped, traced at a stop, or its core is written.
@@ -69,18 +81,21 @@ bool stands_still(const StatusPath& status) noexcept {
   }
 }
 
-[[noreturn]] void refuse(const char* what) {
+[[noreturn]] void refuse(const char* what, int error) {
   throw std::runtime_error(
       std::string("the process that sets the motors to zero should this program die cannot be "
                   "started (") +
-      what + ": " + std::generic_category().message(errno) + ")");
+      what + ": " + std::generic_category().message(error) + ")");
 }
 
 }  // namespace
 
 WatchdogProcess::WatchdogProcess(Act act, const void* about, int keep_open) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse("pipe");
+  // Sockets, and no pipe: writing to a watchdog that is dead is an error then, and no SIGPIPE.
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    refuse("socketpair", errno);
+  }
   StatusPath status{};
   std::snprintf(status.data(), status.size(), "/proc/%d/status", static_cast<int>(getpid()));
   // No handler of this process may run in the other one, not even before it has closed its files.
@@ -88,12 +103,15 @@ WatchdogProcess::WatchdogProcess(Act act, const void* about, int keep_open) {
   sigset_t before{};
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
-  process_ = fork();
+  // Not fork(), which runs what every library of this process wants done in a child, with its locks.
+  process_ = _Fork();
+  const int error = errno;
   if (process_ == 0) {
     const sched_param none{};
     sched_setscheduler(0, SCHED_OTHER, &none);
     setsid();
     prctl(PR_SET_NAME, "watchdog");
+    close(ends[1]);  // whatever else fails: with it open the end of the other would not be seen
     close_others(ends[0], keep_open);
     watch(ends[0], status, act, about);
   }
@@ -102,14 +120,16 @@ WatchdogProcess::WatchdogProcess(Act act, const void* about, int keep_open) {
   leash_ = ends[1];
   if (process_ < 0) {
     close(leash_);
-    refuse("fork");
+    refuse("fork", error);
   }
 }
 
 WatchdogProcess::~WatchdogProcess() {
   const char farewell = 1;
-  // It only fails when the other process is gone already.
-  [[maybe_unused]] const ssize_t written = write(leash_, &farewell, 1);
+  if (!is_left_to_act_) {
+    // It only fails when the other process is gone already.
+    [[maybe_unused]] const ssize_t written = send(leash_, &farewell, 1, MSG_NOSIGNAL);
+  }
   close(leash_);
   while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
   }

@@ -14,7 +14,8 @@ namespace asperity {
 ///   soon as the kernel closes this process's files.
 /// - Stopped (SIGSTOP, Ctrl-Z, a debugger) or writing a core dump: `act(stopped, …)` within 0.1 s, and
 ///   again every 50 ms until it goes on.
-/// - Destroyed in order: nothing is called; the destructor waits until the other process is gone.
+/// - Destroyed in order: nothing is called, or after `leave_to_act` what is called when the process has ended; the
+///   destructor waits until the other process is gone.
 ///
 /// What it cannot see: a thread that hangs in a process that runs, a kernel that died, a plug that was
 /// pulled.
@@ -35,12 +36,17 @@ class WatchdogProcess final {
   /// `about` is handed to `act` as it is now. `keep_open` is a file of this process that `act` needs, −1 for none.
   WatchdogProcess(Act act, const void* about, int keep_open);
   ~WatchdogProcess();
+  /// Has the destructor take its leave as a death does: for who could not set the motors to zero itself. What `act`
+  /// needs has to be free before it is destroyed.
+  void leave_to_act() noexcept { is_left_to_act_ = true; }
+
   WatchdogProcess(const WatchdogProcess&) = delete;
   WatchdogProcess& operator=(const WatchdogProcess&) = delete;
 
  private:
   int leash_ = -1;  // nobody else has this end: it closes when this process ends
   pid_t process_ = -1;
+  bool is_left_to_act_ = false;
 };
 
 }  // namespace asperity

@@ -11,12 +11,13 @@
 #include <time.h>
 
 #include "device/falcon/falcon_port.h"
+#include "device/monotonic_clock.h"
 
 namespace asperity::falcon {
 namespace {
 
 constexpr unsigned kPatience_ms = 20;
-constexpr int kTries = 1000;
+constexpr std::int64_t kLongest_ns = 1'000'000'000;
 constexpr timespec kBetweenTries{0, 5'000'000};
 
 }  // namespace
@@ -38,7 +39,8 @@ void say_last_words(WatchdogProcess::Cause cause, const void* about) noexcept {
   }
   // Shared with the dead, and so is its claim: both go with the last who has it open.
   close(words.file);
-  for (int attempt = 0; attempt < kTries; ++attempt) {
+  const std::int64_t until_ns = monotonic_now_ns() + kLongest_ns;
+  while (monotonic_now_ns() < until_ns) {
     const int file = open(words.node.data(), O_RDWR | O_CLOEXEC);
     if (file < 0) return;  // unplugged
     unsigned interface = kInterface;

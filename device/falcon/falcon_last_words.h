@@ -22,7 +22,7 @@ bool send_zero(int file, const Frame& zero) noexcept;
 
 /// What a WatchdogProcess does for a Falcon; `about` is a LastWords. While the program stands still it holds
 /// the device, and the frame goes over its own file; once it has ended the node is opened anew, for up to
-/// five seconds while the kernel still holds the claim of the dead.
+/// a second while the kernel still holds the claim of the dead or the device takes nothing.
 void say_last_words(WatchdogProcess::Cause cause, const void* about) noexcept;
 
 }  // namespace asperity::falcon

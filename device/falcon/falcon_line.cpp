@@ -140,9 +140,18 @@ void FalconLine::converse(const std::stop_token& stop) {
     }
   }
   const Frame zero = frame_of({});
-  for (int i = 0; port_ && i < kPartingFrames; ++i) {
-    if (port_->write(zero, kPatience) == Transfer::done) break;
+  bool is_at_zero = !port_;
+  for (int i = 0; !is_at_zero && i < kPartingFrames; ++i) {
+    is_at_zero = port_->write(zero, kPatience) == Transfer::done;
   }
+  if (!is_at_zero) leave_to_watchdog();
+}
+
+// Its motors may still have the last words, and over this connection they cannot be taken back.
+void FalconLine::leave_to_watchdog() noexcept {
+  if (watchdog_) watchdog_->leave_to_act();
+  port_.reset();  // before the watchdog, which claims the device anew
+  watchdog_.reset();
 }
 
 bool FalconLine::reopen(const std::stop_token& stop) {
@@ -183,8 +192,7 @@ void FalconLine::lose() noexcept {
   commanded_ns_.store(0, std::memory_order_release);
   // Searching takes its time, and is no business of the servo's neighbours.
   if (settings_.wants_fifo) take_priority(SCHED_OTHER);
-  watchdog_.reset();
-  port_.reset();
+  leave_to_watchdog();
   reader_.reset();
   answers_.reset();
 }

@@ -44,7 +44,8 @@ struct LineSettings {
 ///
 /// Threads: owns one, at SCHED_FIFO only while it exchanges frames, not while it looks for a device.
 /// `take` and `command` belong to one other. The destructor waits for the transfer under way and does
-/// not begin another but the parting zero: 0.5 s at the worst, while firmware is loaded; for a search
+/// not begin another but the parting zero: 0.5 s at the worst, while firmware is loaded, and a second more where the
+/// device takes no zero and it is left to the watchdog; for a search
 /// 0.6 s more for each Falcon on the bus that answers nothing.
 ///
 /// Real-time: `take`, `command` and `is_connected` are wait-free.
@@ -78,6 +79,7 @@ class FalconLine final {
   Transfer exchange_one(std::int64_t began_ns);
   bool is_left_over();
   void lose() noexcept;
+  void leave_to_watchdog() noexcept;
   Command command_now(std::int64_t now_ns) const noexcept;
 
   LineSettings settings_{};

@@ -160,8 +160,9 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
   }
   // By its index: the SDK's pages hand out the ID of a device that is open already.
   const int id = sdk.drdOpenID(identity.index);
-  identity.is_robotic = id >= 0;
-  if (id != identity.id) {
+  identity.is_robotic = id == identity.id;
+  if (!identity.is_robotic) {
+    if (id >= 0) sdk.drdClose(static_cast<char>(id));
     throw std::runtime_error("libdrd cannot open " + who + ": " + last_error_of(sdk) +
                              ". It was not moved; see that no other program uses it.");
   }
@@ -474,6 +475,8 @@ Driver force_dimension_driver() {
           .open = [](const std::string& which,
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             auto sdk = std::make_shared<const DhdFunctions>(options.library);
+            // Until it is listed as used: a look from another thread would close what may be moving by then.
+            const std::lock_guard alone(UnitInUse::looking());
             const std::vector<AttachedDevice> attached = survey_of(*sdk).attached;
             const std::string place =
                 choose_attached("device of Force Dimension", attached, which).place;

@@ -211,7 +211,7 @@ struct Inverse3Device::Line {
         continue;
       }
       const steady_clock::time_point sent = steady_clock::now();
-      if (!socket->send(message)) continue;
+      if (!socket->send(message)) continue;  // the line is closed
       const std::optional<std::string> update = socket->receive(patience.update);
       if (must_stop()) break;
       answers.store(update.has_value());
@@ -249,7 +249,8 @@ struct Inverse3Device::Line {
         if (stopping) return;
       }
       for (const Inverse3Entry& entry : inventory_at(*socket, place, patience).devices) {
-        is_there = is_there || entry.id == id;
+        // Restarted with other axes the service would have forces point elsewhere.
+        is_there = is_there || (entry.id == id && origin_of(entry) == origin_m);
       }
       knows_device.store(is_there);
     } catch (const std::runtime_error&) {

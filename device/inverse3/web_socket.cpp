@@ -147,7 +147,12 @@ bool WebSocket::send(std::string_view text) {
   std::memcpy(connection_->outgoing.data() + LWS_PRE, text.data(), text.size());
   lws_callback_on_writable(connection_->line);
   connection_->serve_until(kToSend, [this] { return connection_->outgoing.empty(); });
-  return connection_->is_open && connection_->outgoing.empty();
+  if (!connection_->outgoing.empty()) {
+    // Nothing that was meant for then may go out later.
+    connection_->outgoing.clear();
+    connection_->is_open = false;
+  }
+  return connection_->is_open;
 }
 
 std::optional<std::string> WebSocket::receive(std::chrono::milliseconds patience) {

@@ -314,15 +314,24 @@ TEST_F(Falcon, HasItsMotorsAtZeroWhenNobodyPushesAnyMoreAndAtTheEnd) {
 TEST_F(Falcon, HasItsMotorsAtZeroHoweverTheProgramThatDroveItDies) {
   for (const int signal : {SIGKILL, SIGSEGV, SIGABRT, SIGINT}) {
     EmulatedFalcon emulated(bus(), {});
-    const pid_t victim = fork();
-    if (victim == 0) {
-      execl(ASPERITY_FALCON_VICTIM, ASPERITY_FALCON_VICTIM, nullptr);
-      _exit(1);
+    const auto dies_pushing = [&] {
+      const pid_t victim = fork();
+      if (victim == 0) {
+        execl(ASPERITY_FALCON_VICTIM, ASPERITY_FALCON_VICTIM, nullptr);
+        _exit(1);
+      }
+      EXPECT_TRUE(eventually([&] { return emulated.take_strongest_word() > 0; }));
+      kill(victim, signal);
+      waitpid(victim, nullptr, 0);
+      return emulated.motor_words() != kNoWords;  // as long as nobody else may say anything
+    };
+    // On a busy machine it may have stood still, at zero, before it was killed.
+    bool is_pushed = dies_pushing();
+    for (int more = 0; more < 5 && !is_pushed; ++more) {
+      emulated.let_go();
+      is_pushed = dies_pushing();
     }
-    ASSERT_TRUE(eventually([&] { return emulated.take_strongest_word() > 0; }));
-    kill(victim, signal);
-    waitpid(victim, nullptr, 0);
-    EXPECT_NE(emulated.motor_words(), kNoWords);  // as long as nobody else may say anything
+    ASSERT_TRUE(is_pushed);
     emulated.let_go();
     EXPECT_TRUE(eventually([&] { return emulated.motor_words() == kNoWords; })) << signal;
     // And anybody may drive it again.

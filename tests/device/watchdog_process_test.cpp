@@ -5,6 +5,7 @@
 #include <array>
 #include <csignal>
 #include <fcntl.h>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <sys/resource.h>
@@ -98,6 +99,42 @@ TEST(WatchdogProcess, ActsWhileTheOtherProcessStandsStill) {
 TEST(WatchdogProcess, SaysNothingOfAnEndInOrder) {
   const Watched watched([] {}, true);
   EXPECT_EQ(watched.next(), "");
+}
+
+TEST(WatchdogProcess, ActsWhenItIsLeftTheLastWord) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+  to_test = ends[1];
+  {
+    WatchdogProcess watchdog(&tell, "7", to_test);
+    watchdog.leave_to_act();
+  }
+  close(ends[1]);
+  std::array<char, 3> said{};
+  EXPECT_EQ(read(ends[0], said.data(), said.size()), 2)
+      << "it has acted before the destructor returns";
+  EXPECT_EQ(said[0], 'e');
+  close(ends[0]);
+}
+
+// As one that was killed for want of memory: the program that it watched goes on.
+TEST(WatchdogProcess, MayBeDeadBeforeItIsDestroyed) {
+  const pid_t program = fork();
+  if (program == 0) {
+    {
+      const WatchdogProcess watchdog(&tell, "7", -1);
+      std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
+      pid_t child = 0;
+      if (!(children >> child) || kill(child, SIGKILL) != 0) _exit(1);
+      siginfo_t dead{};
+      waitid(P_PID, static_cast<id_t>(child), &dead, WEXITED | WNOWAIT);
+    }
+    _exit(7);
+  }
+  int status = 0;
+  waitpid(program, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 7);
 }
 
 TEST(WatchdogProcess, IsNotReachedByTheKeysOfATerminal) {
