@@ -28,6 +28,11 @@ struct RehearsalWarning {
   Phrase text{};  ///< a sentence with both numbers
 };
 
+struct RehearsalCourse {
+  std::stop_token stop{};
+  std::function<void(double)> progress{};  ///< 0 to 1; may be empty
+};
+
 /// Compares every stimulus that the plan can reach with what the device was measured to do:
 ///
 ///   friction             RMS of the texture force ≥ friction_N
@@ -52,10 +57,6 @@ struct RehearsalWarning {
 ///
 /// [Colgate 1997] Colgate, Schenkel: Passivity of a class of sampled-data systems.
 /// `course`, for whoever waits: it may take seconds. What was not compared when the stop came is not told.
-struct RehearsalCourse {
-  std::stop_token stop{};
-  std::function<void(double)> progress{};  ///< 0 to 1; may be empty
-};
 std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const DeviceProfile& profile,
                                                  StimulusBuilder& builder,

@@ -55,7 +55,9 @@ WhichDevice which_device(const std::string& device) {
   if (const auto simulated = simulated_settings(device)) {
     if (simulated->stands_for) which.model = simulated->stands_for->model;
   } else if (colon != std::string::npos) {
-    which.serial = device.substr(colon + 1);
+    // Or a place, "usb 1-3": serial numbers have no blanks.
+    const std::string one = device.substr(colon + 1);
+    if (one.find(' ') == std::string::npos) which.serial = one;
   }
   return which;
 }

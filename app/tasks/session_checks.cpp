@@ -393,7 +393,7 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
                             "The study has no profile of this device: whether it can render these "
                             "stimuli has not been looked at."),
              .remedy = phrase("SessionChecks",
-                              "Measure it once, while nobody holds it: asperity device-test %1 "
+                              "Measure it once, while nobody holds it: asperity device-test \"%1\" "
                               "--study \"%2\"")
                            .with(inputs.device, inputs.study.string())}};
   }

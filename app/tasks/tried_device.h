@@ -26,7 +26,7 @@ struct TriedDevice {
 };
 
 /// Opens it, runs the loop for some 0.3 s with nothing to feel, and closes it. Opening takes as long as the
-/// device does, and an arm may move while it finds its zero: `options.tell` says so.
+/// device does. One that has to move by itself to find its zero is refused unmoved, unless `options.may_move` agrees.
 ///
 /// Never throws for what the device does; std::bad_alloc.
 TriedDevice try_device(const std::string& device, const Protocol& protocol,

@@ -349,8 +349,9 @@ class RehearsedChecks : public SessionChecks {
 
 TEST_F(RehearsedChecks, SayHowADeviceIsMeasuredThatNobodyHasMeasured) {
   EXPECT_EQ(check("calibration").state, State::look);
-  EXPECT_NE(check("calibration").remedy.english().find("asperity device-test falcon:A7 --study"),
-            std::string::npos);
+  EXPECT_NE(
+      check("calibration").remedy.english().find("asperity device-test \"falcon:A7\" --study"),
+      std::string::npos);
   EXPECT_TRUE(rehearsed().empty());
   ask_for(R"("profile_maximum_age_days": 30)");
   EXPECT_EQ(check("calibration").state, State::stop) << "as the session would refuse it";

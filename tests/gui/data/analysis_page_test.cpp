@@ -35,7 +35,7 @@ namespace asperity {
 namespace {
 
 /// Ten people choose between two models; `hits` of their twenty choices are height_map.
-void add_choices(MadeUpStudy& made, int hits) {
+void add_hits(MadeUpStudy& made, int hits) {
   const std::int64_t protocol = made.add_protocol("which_is_real", "selection");
   for (int person = 0; person < 10; ++person) {
     const std::string label = "p" + std::to_string(10 + person);
@@ -58,7 +58,7 @@ void add_choices(MadeUpStudy& made, int hits) {
 
 TEST(AnalysisPage, SaysTheAnswerInASentenceAboveItsTables) {
   MadeUpStudy made;
-  add_choices(made, 15);
+  add_hits(made, 15);
   OpenStudy study(made.folder());
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
@@ -79,7 +79,7 @@ TEST(AnalysisPage, SaysTheAnswerInASentenceAboveItsTables) {
 
 TEST(AnalysisPage, DrawsEveryShareWithItsOwnInterval) {
   MadeUpStudy made;
-  add_choices(made, 15);
+  add_hits(made, 15);
   OpenStudy study(made.folder());
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
@@ -167,7 +167,7 @@ TEST(AnalysisPage, ShowsEachQuestionWithItsAnswerAndFoldsTheMethodAway) {
 
 TEST(AnalysisPage, SavesAFigureAndReplacesAFileOnlyWhenToldTo) {
   MadeUpStudy made;
-  add_choices(made, 15);
+  add_hits(made, 15);
   OpenStudy study(made.folder());
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
@@ -207,7 +207,7 @@ TEST(AnalysisPage, SavesAFigureAndReplacesAFileOnlyWhenToldTo) {
 
 TEST(AnalysisPage, CopiesAFigureAsAPictureAndAsSvg) {
   MadeUpStudy made;
-  add_choices(made, 15);
+  add_hits(made, 15);
   OpenStudy study(made.folder());
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
@@ -229,7 +229,7 @@ TEST(AnalysisPage, LooksTheSameInTheDark) {
   apply_theme(*qApp, ThemeChoice::dark);
   {
     MadeUpStudy made;
-    add_choices(made, 15);
+    add_hits(made, 15);
     OpenStudy study(made.folder());
     AnalysisPage page(study);
     QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
@@ -266,7 +266,7 @@ TEST(AnalysisPage, SaysFixedWordsInTheLanguageOfTheWindowsAndLeavesNamesAlone) {
   Brackets brackets;
   QCoreApplication::installTranslator(&brackets);
   MadeUpStudy made;
-  add_choices(made, 15);
+  add_hits(made, 15);
   OpenStudy study(made.folder());
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
@@ -309,7 +309,7 @@ TEST(AnalysisPage, SaysWhatToDoWhileThereIsNothing) {
 
 TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
   MadeUpStudy made;
-  add_choices(made, 10);
+  add_hits(made, 10);
   OpenStudy study(made.folder());
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
@@ -333,7 +333,7 @@ TEST(AnalysisPage, ExportsTheTablesToANewFolder) {
 
 TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
   MadeUpStudy made;
-  add_choices(made, 10);
+  add_hits(made, 10);
   OpenStudy study(made.folder());
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
@@ -356,7 +356,7 @@ TEST(AnalysisPage, ExportsForThePublicWhenToldTo) {
 
 TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
   MadeUpStudy made;
-  add_choices(made, 10);
+  add_hits(made, 10);
   OpenStudy study(made.folder());
   AnalysisPage page(study);
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
@@ -380,7 +380,7 @@ TEST(AnalysisPage, ExportsAllOrNothingWhenItIsCancelled) {
 
 TEST(AnalysisPage, TellsNothingByNameWhileASessionRuns) {
   MadeUpStudy made;
-  add_choices(made, 15);
+  add_hits(made, 15);
   const std::int64_t protocol = made.study().sessions().front().protocol_id;
   made.study().add_participant({.label = "p99"});
   SessionRow session = made.study().sessions().front();
@@ -407,7 +407,7 @@ TEST(AnalysisPage, ReadsAgainWhenTheStudyChanges) {
   QSignalSpy refreshed(&page, &AnalysisPage::refreshed);
   page.show();
   ASSERT_TRUE(refreshed.wait(10000));
-  add_choices(made, 15);
+  add_hits(made, 15);
   study.announce_change();
   ASSERT_TRUE(refreshed.wait(10000));
   EXPECT_EQ(page.outcomes().size(), 1U);
