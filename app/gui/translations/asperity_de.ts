@@ -2957,10 +2957,6 @@
         <translation>Die Studie hat kein Profil dieses Geräts: Ob es diese Reize wiedergeben kann, wurde nicht geprüft.</translation>
     </message>
     <message>
-        <source>Measure it once, while nobody holds it: asperity device-test %1 --study &quot;%2&quot;</source>
-        <translation>Messen Sie es einmal, während es niemand hält: asperity device-test %1 --study &quot;%2&quot;</translation>
-    </message>
-    <message>
         <source>%1; every stimulus is within what it can do.</source>
         <translation>%1; jeder Reiz liegt in dem, was es kann.</translation>
     </message>
@@ -2979,6 +2975,10 @@
     <message>
         <source>Measured a day ago</source>
         <translation>Vor einem Tag gemessen</translation>
+    </message>
+    <message>
+        <source>Measure it once, while nobody holds it: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</source>
+        <translation>Messen Sie es einmal, während es niemand hält: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</translation>
     </message>
 </context>
 <context>
@@ -3731,6 +3731,10 @@
         <source>Looking at everything: seconds to a minute, by what the protocol asks for.</source>
         <translation>Alles wird geprüft: Sekunden bis eine Minute, je nachdem, was das Protokoll verlangt.</translation>
     </message>
+    <message>
+        <source>Comparing every stimulus with the device: %1 %.</source>
+        <translation>Jeder Reiz wird mit dem Gerät verglichen: %1 %.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::CloseDialog</name>
@@ -3815,6 +3819,121 @@
     <message>
         <source>This study can only be read here: nothing can be decided.</source>
         <translation>Diese Studie ist hier nur lesbar: Nichts kann entschieden werden.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::DeviceChooser</name>
+    <message>
+        <source>Simulated device</source>
+        <translation>Simuliertes Gerät</translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation>Simuliert: %1</translation>
+    </message>
+    <message>
+        <source>Mouse or pen (input only)</source>
+        <translation>Maus oder Stift (nur Eingabe)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>A virtual hand holds it, and nobody feels anything.</source>
+        <translation>Eine virtuelle Hand hält es, und niemand fühlt etwas.</translation>
+    </message>
+    <message>
+        <source>A virtual hand holds it, with the latency, steps and forces of the device as far as they are known. Nobody feels anything.</source>
+        <translation>Eine virtuelle Hand hält es, mit Verzögerung, Schritten und Kräften des Geräts, soweit sie bekannt sind. Niemand fühlt etwas.</translation>
+    </message>
+    <message>
+        <source>The mouse over the participant&apos;s window moves the probe, and presses while its button is held; a pen as hard as it does. Nobody feels a force.</source>
+        <translation>Die Maus über dem Fenster der Versuchsperson bewegt die Sonde und drückt, solange ihre Taste gehalten wird; ein Stift so fest, wie er selbst drückt. Niemand fühlt eine Kraft.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Why others cannot be used</source>
+        <translation>Warum andere nicht benutzbar sind</translation>
+    </message>
+    <message>
+        <source>Firmware file…</source>
+        <translation>Firmware-Datei …</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Erneut suchen</translation>
+    </message>
+    <message>
+        <source>Try this device</source>
+        <translation>Dieses Gerät ausprobieren</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Devices could not be looked for: %1</source>
+        <translation>Nach Geräten konnte nicht gesucht werden: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not there: plug it in, see that it has power, and look again.</source>
+        <translation>%1 ist nicht da: Schließen Sie es an, prüfen Sie die Stromversorgung und suchen Sie erneut.</translation>
+    </message>
+    <message>
+        <source>%1: not usable</source>
+        <translation>%1: nicht benutzbar</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Suche läuft …</translation>
+    </message>
+    <message>
+        <source>Several virtual participants are simulated on the simulated device as it is.</source>
+        <translation>Mehrere virtuelle Versuchspersonen werden auf dem simulierten Gerät simuliert, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Devices are being looked for.</source>
+        <translation>Nach Geräten wird gesucht.</translation>
+    </message>
+    <message>
+        <source>It cannot be used now.</source>
+        <translation>Es ist jetzt nicht benutzbar.</translation>
+    </message>
+    <message>
+        <source>Not tried yet. Trying it opens it and runs the loop for a third of a second, without force.</source>
+        <translation>Noch nicht ausprobiert. Dabei wird es geöffnet, und die Regelschleife läuft eine Drittelsekunde lang ohne Kraft.</translation>
+    </message>
+    <message>
+        <source>Tried: it answers. The checklist says the rest.</source>
+        <translation>Ausprobiert: Es antwortet. Das Übrige sagt die Prüfliste.</translation>
+    </message>
+    <message>
+        <source>The device is being tried.</source>
+        <translation>Das Gerät wird ausprobiert.</translation>
+    </message>
+    <message>
+        <source>%1 Keep hands off it until it was tried.</source>
+        <translation>%1 Halten Sie die Hände davon fern, bis es ausprobiert ist.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>It is being opened.</source>
+        <translation>Es wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>The file of a Falcon&apos;s firmware</source>
+        <translation>Die Datei mit der Firmware eines Falcon</translation>
     </message>
 </context>
 <context>
@@ -6299,6 +6418,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
         <source>Put their window back</source>
         <translation>Ihr Fenster zurückholen</translation>
     </message>
+    <message>
+        <source>%1  The device reports: %2</source>
+        <translation>%1  Das Gerät meldet: %2</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SessionWindow</name>
@@ -6507,14 +6630,6 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Device and screens</source>
         <translation>Gerät und Bildschirme</translation>
-    </message>
-    <message>
-        <source>Simulated device</source>
-        <translation>Simuliertes Gerät</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
     </message>
     <message>
         <source>Right hand</source>
@@ -6865,6 +6980,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>One session, %1 answers: look at the table.</source>
         <translation>Eine Sitzung, %1 Antworten: Tabelle ansehen.</translation>
+    </message>
+    <message>
+        <source>A device is being tried: wait until it has answered.</source>
+        <translation>Ein Gerät wird ausprobiert: Warten Sie, bis es geantwortet hat.</translation>
     </message>
 </context>
 <context>
