@@ -3913,7 +3913,7 @@
     </message>
     <message>
         <source>Tried: it answers. The checklist says the rest.</source>
-        <translation>Ausprobiert: Es antwortet. Das Übrige sagt die Prüfliste.</translation>
+        <translation>Ausprobiert: Es antwortet. Das Übrige sagt die Checkliste.</translation>
     </message>
     <message>
         <source>The device is being tried.</source>
