@@ -1,9 +1,10 @@
 #include "app/gui/participant/live_workspace.h"
 
-#include <algorithm>
 #include <stop_token>
 
 #include <QtWidgets/QBoxLayout>
+
+#include "app/gui/participant/shown_surface.h"
 
 namespace asperity {
 
@@ -44,15 +45,8 @@ void LiveWorkspace::look_again() {
     return;
   }
   if (shown_ != std::pair(now.trial, now.surface)) {
-    const auto& trials = facts->plan->trials;
-    const auto trial = std::find_if(trials.begin(), trials.end(),
-                                    [&now](const Trial& one) { return one.ordinal == now.trial; });
-    if (trial == trials.end()) return;
-    const auto& surfaces = trial->presentations;
-    const auto surface = std::find_if(
-        surfaces.begin(), surfaces.end(),
-        [&now](const PlannedPresentation& one) { return one.position == now.surface; });
-    if (surface == surfaces.end()) return;
+    const PlannedPresentation* const surface = shown_surface(*facts, now);
+    if (surface == nullptr) return;
     shown_ = {now.trial, now.surface};
     show_surface(*surface, facts->mirrored);
   }

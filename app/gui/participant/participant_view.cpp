@@ -94,6 +94,7 @@ ParticipantView::ParticipantView(const SessionMonitor& monitor, std::filesystem:
     setAttribute(Qt::WA_TransparentForMouseEvents);
   }
   guide_ = new LiveGuide(monitor_, this);
+  guide_->setAttribute(Qt::WA_TransparentForMouseEvents);
   guide_->hide();
   connect(&shelf_, &PictureShelf::arrived, this, [this] { update(); });
   connect(&shelf_, &PictureShelf::unreadable, this, [this](const QString& name) {
@@ -112,6 +113,8 @@ void ParticipantView::set_workspace(QWidget* workspace) {
   if (workspace_ != nullptr) {
     workspace_->setParent(this);
     workspace_->setFocusPolicy(Qt::NoFocus);
+    // What a mouse does over it is the view's, also without a button.
+    workspace_->setAttribute(Qt::WA_TransparentForMouseEvents);
   }
   arrange();
 }
@@ -420,7 +423,7 @@ void ParticipantView::mousePressEvent(QMouseEvent* event) {
   press_.reset();
   if (event->button() != Qt::LeftButton) return;
   if (scene_->kind == Scene::Kind::blank && !scene_->surfaces.empty()) {
-    tell({.kind = ParticipantInput::Kind::click}, time_ns, "mouse");
+    if (!pointer_is_probe_) tell({.kind = ParticipantInput::Kind::click}, time_ns, "mouse");
     return;
   }
   const QPointF at = to_page(event->position());

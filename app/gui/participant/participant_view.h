@@ -55,6 +55,10 @@ class ParticipantView final : public QWidget {
 
   /// The scene of object, tool and probe, shown where a scene asks for it. Taken as a child.
   void set_workspace(QWidget* workspace);
+  /// A press where nothing can be pressed is then a touch of the surface, and no act of the participant's.
+  void set_pointer_is_probe(bool is_probe) { pointer_is_probe_ = is_probe; }
+  /// Something that can be pressed stands there, in the widget's pixels.
+  bool can_be_pressed(QPointF at) const { return item_at(to_page(at)).has_value(); }
   /// Of a mirror: the view that it shows, with its size and what is begun in it. Without one it is
   /// laid out as for a screen of 1366 × 768.
   void follow(ParticipantView& original);
@@ -161,6 +165,7 @@ class ParticipantView final : public QWidget {
   QPlainTextEdit* field_ = nullptr;
   std::optional<Press> press_{};
   QPointF pointer_{};
+  bool pointer_is_probe_ = false;
   std::uint64_t cue_seen_ = 0;
   std::chrono::steady_clock::time_point cue_until_{};
   bool cue_shown_ = false;

@@ -48,6 +48,11 @@ ParticipantWindow::ParticipantWindow(const SessionMonitor& monitor, std::filesys
   follow();
 }
 
+void ParticipantWindow::feed(LatestValue<PointerSample>& samples) {
+  view_->set_pointer_is_probe(true);
+  feed_ = std::make_unique<PointerFeed>(*view_, monitor_, samples);
+}
+
 void ParticipantWindow::follow() {
   if (const auto facts = monitor_.facts()) band_->set_mode(facts->row.mode);
   const bool ended = view_->scene().kind == ParticipantScene::Kind::ended;

@@ -9,6 +9,7 @@
 #include <QtWidgets/QWidget>
 
 #include "app/gui/participant/participant_view.h"
+#include "app/gui/participant/pointer_feed.h"
 #include "app/gui/participant/response_keys.h"
 
 class QScreen;
@@ -33,6 +34,10 @@ class ParticipantWindow final : public QWidget {
 
   ParticipantView& view() noexcept { return *view_; }
   ResponseKeys& keys() noexcept { return *keys_; }
+
+  /// The mouse or the pen over the view is the probe of the device "mouse" from now on; `samples` outlives
+  /// the window.
+  void feed(LatestValue<PointerSample>& samples);
 
   /// Shows the window over the whole of the screen of this name; over the right half of a screen, a
   /// little less of a small one,
@@ -69,6 +74,7 @@ class ParticipantWindow final : public QWidget {
   const SessionMonitor& monitor_;
   ModeBand* band_ = nullptr;
   ParticipantView* view_ = nullptr;
+  std::unique_ptr<PointerFeed> feed_{};
   std::unique_ptr<ResponseKeys> keys_{};  // gone before the focus of a dying window moves
   QTimer* thanks_ = nullptr;
   bool asked_for_text_ = false;

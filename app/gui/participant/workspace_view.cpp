@@ -158,6 +158,11 @@ void WorkspaceView::take_probe_away() {
   update();
 }
 
+std::optional<glm::dvec2> WorkspaceView::place_at(QPointF pixel) const {
+  if (!camera_) return {};
+  return glm::dvec2(patch_.centre_m + camera_->point_at(pixel, 0.0));
+}
+
 void WorkspaceView::set_mirrored(bool mirrored) {
   mirrored_ = mirrored;
   update();

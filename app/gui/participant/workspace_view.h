@@ -8,6 +8,7 @@
 #include <QtGui/QImage>
 #include <QtWidgets/QWidget>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "app/gui/look/background_task.h"
@@ -43,6 +44,9 @@ class WorkspaceView final : public QWidget {
   void set_probe_orientation(const glm::dquat& orientation);
   /// The position of the probe is not known: neither it nor the tool is drawn.
   void take_probe_away();
+  /// The point on the plane of the surface that is seen at this pixel, in the device's frame; nothing
+  /// while no object was set.
+  std::optional<glm::dvec2> place_at(QPointF pixel) const;
   /// The tool is held in the left hand.
   void set_mirrored(bool mirrored);
   /// The object is seen as it is to be, not as it is while that is being drawn.

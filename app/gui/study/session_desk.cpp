@@ -16,6 +16,7 @@
 #include "app/gui/study/settings.h"
 #include "app/gui/study/study_window.h"
 #include "app/gui/study/trials_page.h"
+#include "app/tasks/device_choice.h"
 
 namespace asperity {
 
@@ -133,6 +134,9 @@ void SessionDesk::open_participant_window() {
   add_workspace(participant_window_->view(), runner_->monitor(), study_->folder());
   participant_window_->keys().set_own_keyboard(runner_->order().own_keyboard);
   SessionRunner* runner = runner_.get();
+  if (kind_of_device(runner_->order().inputs.device) == DeviceKind::pointer) {
+    participant_window_->feed(runner_->pointer());
+  }
   connect(participant_window_, &ParticipantWindow::acted, runner,
           [runner](const ParticipantInput& input) { runner->person().post(input); });
   connect(&participant_window_->view(), &ParticipantView::more_to_read, runner,
