@@ -91,7 +91,6 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   again_->setObjectName("device_look");
   try_ = make_button(tr("Try this device"), ButtonRole::plain, this);
   try_->setObjectName("device_try");
-  buttons->addWidget(why_);
   buttons->addStretch(1);
   for (QPushButton* button : {firmware_, again_, try_}) buttons->addWidget(button);
   layout->addLayout(buttons);
@@ -115,6 +114,7 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   state_->setObjectName("device_state");
   state_->setWordWrap(true);
   layout->addWidget(state_);
+  layout->addWidget(why_, 0, Qt::AlignLeft);
   why_text_ = make_text({}, this, true);
   why_text_->setObjectName("device_hindrances");
   why_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);

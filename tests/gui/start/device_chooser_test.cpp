@@ -302,6 +302,7 @@ TEST_F(TheDeviceChooser, ShowsTheProfilesAgeAndWhatIsBeyondTheDevice) {
     EXPECT_TRUE(has_line("check_calibration", "Measured 12 days ago"));
     require([this] { return has_line("check_force_zero", "0 N"); }, "loop's line");
     const auto show_device = [this] {
+      page->resize(1366, 768);
       QTest::qWait(50);  // until everything has its place
       page->findChild<QScrollArea*>("start_form")
           ->ensureWidgetVisible(&find<QWidget>("own_keyboard"));
