@@ -31,7 +31,13 @@ class ByMouse : public SessionRoom {
   }
   /// Holds the button on the surface and strokes while it can be felt; lifts when it cannot.
   void stroke() {
-    const bool can_be_felt = is_in(SessionPhase::fore) || is_in(SessionPhase::contact);
+    const SessionSnapshot now = monitor().snapshot();
+    if (is_in(SessionPhase::contact) && now.contact_s > 0.6 && now.surface != enough_of_) {
+      enough_of_ = now.surface;
+      key(Qt::Key_Space);
+    }
+    const bool can_be_felt =
+        is_in(SessionPhase::fore) || (is_in(SessionPhase::contact) && now.surface != enough_of_);
     const QPoint middle = view().rect().center();
     if (can_be_felt && !is_down_) {
       QTest::mouseMove(&view(), middle);
@@ -47,6 +53,7 @@ class ByMouse : public SessionRoom {
   }
 
  private:
+  int enough_of_ = 0;
   bool is_down_ = false;
   int steps_ = 0;
 };
