@@ -34,7 +34,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kPatience_ms = 20000;
+constexpr int kChooserPatience_ms = 20000;
 constexpr const char* kDevice = "force_dimension:42";
 constexpr int kUnknownType = 9999;
 
@@ -93,7 +93,7 @@ class TheDeviceChooser : public testing::Test {
   }
 
   static void require(const std::function<bool()>& condition, const std::string& what) {
-    if (!QTest::qWaitFor(condition, kPatience_ms)) throw std::runtime_error("no " + what);
+    if (!QTest::qWaitFor(condition, kChooserPatience_ms)) throw std::runtime_error("no " + what);
   }
   template <class Widget>
   Widget& find(const char* name) const {
