@@ -121,9 +121,7 @@ QuantityLevel band_level(const Band& band) {
   const auto bound = [](const std::optional<double>& one) {
     return one ? number_text(*one) : std::string("-");
   };
-  std::optional<double> number = band.target;
-  if (!number && band.minimum && band.maximum) number = 0.5 * (*band.minimum + *band.maximum);
-  return {bound(band.minimum) + ' ' + bound(band.target) + ' ' + bound(band.maximum), number};
+  return {bound(band.minimum) + ' ' + bound(band.target) + ' ' + bound(band.maximum), band.target};
 }
 
 std::optional<double> diameter_of(const BodyDescription& body) {

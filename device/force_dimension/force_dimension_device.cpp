@@ -440,11 +440,10 @@ DriverSurvey survey_of(const DhdFunctions& sdk) {
       device.serial = identity.serial;
       if (const std::optional<DhdModel> model = dhd_model_of(identity.type)) {
         device.model = model->capability.model;
-        device.remark =
-            sdk.has_robotics()
-                ? "After it was switched off it has to move by itself to find its zero: asperity "
-                  "device-test asks before it does."
-                : "";
+        device.remark = sdk.has_robotics() ? "After it was switched off it has to move by itself, "
+                                             "for some seconds, to find its "
+                                             "zero; somebody is asked before it does."
+                                           : "";
       } else {
         device.hindrance = unknown_type(identity.type);
       }

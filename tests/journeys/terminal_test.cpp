@@ -129,7 +129,7 @@ TEST(Terminal, SaysThatThereIsNoDeviceBeforeItSpeaksOfGuidance) {
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err.find("a terminal has none of them"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("falcon"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("Falcon"), std::string::npos) << outcome.err;
 }
 
 TEST(Terminal, StopsAfterTheTrialAndGoesOnLater) {

@@ -328,6 +328,10 @@ void DeviceChooser::try_now() {
         this, [this, sentence] { state_->set_state(State::look, text(sentence)); },
         Qt::QueuedConnection);
   };
+  if (!chosen().remark.empty()) {
+    // Whoever pressed has read what it does, and keeps hands off.
+    options.may_move = [](const std::string&) { return true; };
+  }
   try_task_.run<TriedDevice>(
       [device = device(), protocol = protocol_, drivers = study_.drivers(), options](
           const std::stop_token&, const BackgroundTask::Progress&) {

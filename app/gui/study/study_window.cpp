@@ -179,7 +179,7 @@ QString StudyWindow::shown_page() const {
 }
 
 QWidget* StudyWindow::page(const QString& key) const {
-  for (int i = 0; i < pages_->count(); ++i) {
+  for (int i = 0; pages_ != nullptr && i < pages_->count(); ++i) {
     if (pages_->widget(i)->property("page").toString() == key) return pages_->widget(i);
   }
   return nullptr;

@@ -183,7 +183,7 @@ TEST_F(TheDeviceChooser, OpensAnAttachedDeviceOnlyWhenSomebodyWantsItAndTellsWha
   EXPECT_FALSE(find<QPushButton>("start").isEnabled());
 
   click("device_try");
-  EXPECT_TRUE(shown("device_question").contains("it may move by itself"))
+  EXPECT_TRUE(shown("device_question").contains("has to move by itself"))
       << shown("device_question").toStdString();
   click("device_no");
   EXPECT_FALSE(is_seen("device_question"));
