@@ -34,6 +34,8 @@ class Watched final {
     EXPECT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
     process_ = fork();
     if (process_ == 0) {
+      // By itself: where a stopped process is in a group that nobody waits for, the kernel hangs up on all of them.
+      setsid();
       const rlimit no_core{0, 0};
       setrlimit(RLIMIT_CORE, &no_core);
       for (const int number : {SIGSEGV, SIGABRT}) std::signal(number, SIG_DFL);
@@ -140,7 +142,6 @@ TEST(WatchdogProcess, MayBeDeadBeforeItIsDestroyed) {
 TEST(WatchdogProcess, IsNotReachedByTheKeysOfATerminal) {
   // What a terminal sends goes to the whole group of processes.
   const Watched watched([] {
-    setpgid(0, 0);
     std::signal(SIGINT, SIG_IGN);
     kill(0, SIGINT);
     kill(0, SIGTERM);
