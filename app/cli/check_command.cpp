@@ -64,7 +64,7 @@ std::string attached_serial(const std::string& driver_id) {
   const DriverRegistry drivers = built_in_drivers();
   const Driver* driver = drivers.find(driver_id);
   if (driver == nullptr) return {};
-  const std::vector<AttachedDevice> attached = driver->find({}).attached;
+  const std::vector<AttachedDevice> attached = drivers.survey(*driver, {}).attached;
   return attached.size() == 1 ? attached.front().serial : std::string();
 }
 
