@@ -109,10 +109,13 @@ double fixed_level(const SweepOrder& order, VariedQuantity quantity) {
   return 0.0;
 }
 
-/// What a trial has of a quantity: what tells it from another one, and its number if it has one.
+/// What a trial has of a quantity: what tells it from another one, and its number if it has one. A band without a
+/// target has none: people keep anywhere between its bounds.
 struct QuantityLevel {
   std::string told_by{};
   std::optional<double> number{};
+  std::optional<double> minimum{};
+  std::optional<double> maximum{};
 
   bool operator==(const QuantityLevel&) const = default;
 };
@@ -121,7 +124,8 @@ QuantityLevel band_level(const Band& band) {
   const auto bound = [](const std::optional<double>& one) {
     return one ? number_text(*one) : std::string("-");
   };
-  return {bound(band.minimum) + ' ' + bound(band.target) + ' ' + bound(band.maximum), band.target};
+  return {bound(band.minimum) + ' ' + bound(band.target) + ' ' + bound(band.maximum), band.target,
+          band.minimum, band.maximum};
 }
 
 std::optional<double> diameter_of(const BodyDescription& body) {
@@ -178,6 +182,19 @@ class QuantityByCondition final {
     return found->second.front().number;
   }
 
+  /// A level without a number whose bounds leave `value` out.
+  std::optional<QuantityLevel> band_without(double value) const {
+    for (const auto& [condition, levels] : levels_) {
+      for (const QuantityLevel& level : levels) {
+        if (level.number) continue;
+        if (level.minimum.value_or(value) > value || level.maximum.value_or(value) < value) {
+          return level;
+        }
+      }
+    }
+    return {};
+  }
+
   /// Every number that there is, in ascending order.
   std::vector<double> numbers() const {
     std::set<double> numbers{};
@@ -192,6 +209,16 @@ class QuantityByCondition final {
  private:
   std::map<std::string, std::vector<QuantityLevel>> levels_{};
 };
+
+/// "0.8 N to 1.2 N", "0.8 N or more", "1.2 N or less".
+std::string band_text(VariedQuantity quantity, const QuantityLevel& band) {
+  const auto text = [quantity](const std::optional<double>& bound) {
+    return bound ? quantity_text(quantity, *bound) : std::string();
+  };
+  if (!band.maximum) return text(band.minimum) + " or more";
+  if (!band.minimum) return text(band.maximum) + " or less";
+  return text(band.minimum) + " to " + text(band.maximum);
+}
 
 [[noreturn]] void refuse_beside(const Protocol& protocol, const std::string& why) {
   throw std::runtime_error("--beside: the protocol " + protocol.name + ' ' + why);
@@ -376,14 +403,18 @@ void compare_levels(const SweepOrder& order, const Protocol& protocol,
         (order.stroke.tool || order.stroke.tip.form == TipForm::point ||
          (order.stroke.model != nullptr && !order.stroke.model->declaration.needs_bodies));
     if (has_none) continue;
-    const std::vector<double> theirs = QuantityByCondition(protocol, quantity).numbers();
+    const QuantityByCondition by_condition(protocol, quantity);
     const double here = fixed_level(order, quantity);
+    const std::string sweep = "the sweep has " + quantity_text(quantity, here) + " (" +
+                              option_of(quantity) + "), and " + protocol.name + ' ';
+    if (const auto band = by_condition.band_without(here)) {
+      remarks.push_back(sweep + "asks for " + band_text(quantity, *band));
+    }
+    const std::vector<double> theirs = by_condition.numbers();
     if (theirs.empty() || (theirs.size() == 1 && is_alike(theirs.front(), here, kSameNumber))) {
       continue;
     }
-    remarks.push_back("the sweep has " + quantity_text(quantity, here) + " (" +
-                      option_of(quantity) + "), and " + protocol.name + ' ' +
-                      quantities_text(quantity, theirs));
+    remarks.push_back(sweep + quantities_text(quantity, theirs));
   }
 }
 

@@ -32,8 +32,8 @@ using testing::IsEmpty;
 using Change = std::function<void(nlohmann::ordered_json&)>;
 
 const ModelRegistry& all_models() {
-  static const ModelRegistry kModels = built_in_models();
-  return kModels;
+  static const ModelRegistry kAll = built_in_models();
+  return kAll;
 }
 
 Protocol roughness_by(std::string_view what, const Change& change = {}) {
@@ -175,6 +175,28 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
               HasSubstr("100 mm/s (--exploratory-speed-m-per-s), and roughness_force 60 mm/s"));
   std::filesystem::remove(folder_.path() / "stimuli" / "wave_20.png");
   EXPECT_THAT(remark([](SweepOrder&) {}), HasSubstr("wave_20.png"));
+}
+
+TEST_F(SweepBesideTest, SaysThatItIsOutsideABandWithoutATarget) {
+  const auto remarks_at = [this](double speed_m_per_s, const nlohmann::ordered_json& band) {
+    SweepOrder order = like_the_library(VariedQuantity::applied_force, {0.5, 1.0, 2.0});
+    order.stroke.speed_m_per_s = speed_m_per_s;
+    return beside(order, roughness_by("force",
+                                      [&band](nlohmann::ordered_json& json) {
+                                        for (auto& exploration : json["explorations"]) {
+                                          exploration["speed_m_per_s"] = band;
+                                        }
+                                      }))
+        .remarks;
+  };
+  const nlohmann::ordered_json band{{"minimum", 0.04}, {"maximum", 0.08}};
+  EXPECT_THAT(remarks_at(0.04, band), IsEmpty());
+  EXPECT_THAT(remarks_at(0.08, band), IsEmpty());
+  EXPECT_THAT(remarks_at(0.1, band),
+              ElementsAre("the sweep has 100 mm/s (--exploratory-speed-m-per-s), and "
+                          "roughness_force asks for 40 mm/s to 80 mm/s"));
+  EXPECT_THAT(remarks_at(0.1, {{"minimum", 0.12}}), ElementsAre(HasSubstr("120 mm/s or more")));
+  EXPECT_THAT(remarks_at(0.1, {{"maximum", 0.08}}), ElementsAre(HasSubstr("80 mm/s or less")));
 }
 
 }  // namespace
