@@ -181,6 +181,30 @@ void ForceComparison::add_card(const ForceModel& model, QWidget* parent) {
   cards_.push_back(card);
 }
 
+ForceComparison::Choices ForceComparison::choices() const {
+  Choices choices{.surface = surface_->given(),
+                  .component = component_->currentIndex(),
+                  .heard = heard_->currentIndex()};
+  for (const ModelCard& card : cards_) {
+    choices.chosen[card.model->declaration.id] = card.chosen->isChecked();
+    choices.given[card.model->declaration.id] = card.form->given();
+  }
+  return choices;
+}
+
+void ForceComparison::choose(const Choices& choices) {
+  surface_->set_values(choices.surface);
+  for (const ModelCard& card : cards_) {
+    const auto chosen = choices.chosen.find(card.model->declaration.id);
+    if (chosen == choices.chosen.end()) continue;
+    card.form->set_values(choices.given.at(chosen->first));
+    card.chosen->setChecked(chosen->second);
+  }
+  component_->setCurrentIndex(choices.component);
+  heard_->setCurrentIndex(choices.heard);
+  make_renderers();
+}
+
 void ForceComparison::set_field(std::shared_ptr<const HeightField> field) {
   if (field_ != nullptr && field == field_->field()) return;  // a stroke over it goes on
   field_ = field != nullptr ? std::make_shared<FieldPlate>(std::move(field)) : nullptr;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,17 @@ class ForceComparison final : public QWidget {
   void set_field(std::shared_ptr<const HeightField> field);
   const ForceStroke& stroke() const noexcept { return stroke_; }
   bool is_settled() const noexcept { return !work_.is_busy(); }
+
+  /// What a person has chosen, for a widget that takes the place of this one.
+  struct Choices {
+    std::map<std::string, bool> chosen{};            ///< by model
+    std::map<std::string, ParameterValues> given{};  ///< by model, what differs from its default
+    ParameterValues surface{};
+    int component = 0;  ///< of the force, as in its list
+    int heard = 0;
+  };
+  Choices choices() const;
+  void choose(const Choices& choices);
 
   void begin_stroke(double x_m, double y_m);
   void aim_stroke(double x_m, double y_m) { stroke_.aim({x_m, y_m}); }

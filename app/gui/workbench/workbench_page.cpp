@@ -346,10 +346,12 @@ WorkbenchPage::Work WorkbenchPage::work() const {
   return {.opened = opened_,
           .recipe = recipe(),
           .kind = recipe_->kind(),
-          .compares = mode_->checkedId() == static_cast<int>(Mode::comparing)};
+          .compares = mode_->checkedId() == static_cast<int>(Mode::comparing),
+          .comparison = comparison_->choices()};
 }
 
 void WorkbenchPage::resume(const Work& work) {
+  comparison_->choose(work.comparison);
   if (work.opened == nullptr) return;
   take(work.opened, {});
   banner_->hide();  // it was read when the file was opened

@@ -10,6 +10,7 @@
 
 #include "app/gui/look/background_task.h"
 #include "app/gui/look/newest_work.h"
+#include "app/gui/workbench/force_comparison.h"
 #include "app/gui/workbench/opened_picture.h"
 #include "app/gui/workbench/step_strip.h"
 
@@ -21,7 +22,6 @@ class QStackedWidget;
 namespace asperity {
 
 class Banner;
-class ForceComparison;
 class OpenStudy;
 class RecipePanel;
 class ReliefView;
@@ -51,6 +51,7 @@ class WorkbenchPage final : public QWidget {
     TextureRecipe recipe{};
     int kind = 0;  ///< of what the photograph shows, as in the recipe's list
     bool compares = false;
+    ForceComparison::Choices comparison{};
   };
   Work work() const;
   /// Of a page that is gone and had nothing unsaved.

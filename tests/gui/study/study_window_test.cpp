@@ -12,6 +12,8 @@
 #include <QtCore/QPointer>
 #include <QtGui/QAction>
 #include <QtTest/QTest>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialog>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QMenu>
@@ -22,6 +24,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/study/settings.h"
 #include "app/gui/study/study_table.h"
+#include "app/gui/workbench/parameter_form.h"
 #include "app/gui/workbench/workbench_page.h"
 #include "app/tasks/new_study.h"
 #include "results_schema/atomic_file.h"
@@ -256,7 +259,7 @@ TEST_F(StudyWindowTest, DoesNotCloseWhileBusyAndSaysWhy) {
   EXPECT_FALSE(window.isVisible());
 }
 
-TEST_F(StudyWindowTest, KeepsTheReliefInTheWorkbenchThroughAChangeOfTheme) {
+TEST_F(StudyWindowTest, KeepsTheWorkbenchThroughAChangeOfTheme) {
   const std::filesystem::path folder = small_demo_study();
   StudyWindow window{};
   window.show();
@@ -266,6 +269,13 @@ TEST_F(StudyWindowTest, KeepsTheReliefInTheWorkbenchThroughAChangeOfTheme) {
   bench()->open_file(folder / "stimuli" / "brick.png");
   ASSERT_TRUE(eventually([&] { return bench()->field() != nullptr && bench()->is_settled(); }));
   const std::shared_ptr<const HeightField> field = bench()->field();
+  const auto chosen = [&bench](const char* model) { return bench()->findChild<QCheckBox*>(model); };
+  const bool had_height_map = chosen("model_height_map")->isChecked();
+  chosen("model_height_map")->setChecked(!had_height_map);
+  chosen("model_stochastic")->setChecked(true);
+  const ParameterValues softer{{"stiffness_N_per_m", 400.0}};
+  bench()->findChild<ParameterForm*>("surface")->set_values(softer);
+  bench()->findChild<QComboBox*>("force_component")->setCurrentIndex(1);
   const QPointer<WorkbenchPage> before = bench();
   const auto actions = window.findChildren<QAction*>();
   const auto dark = std::find_if(actions.begin(), actions.end(),
@@ -274,6 +284,10 @@ TEST_F(StudyWindowTest, KeepsTheReliefInTheWorkbenchThroughAChangeOfTheme) {
   (*dark)->trigger();
   ASSERT_TRUE(eventually([&] { return before.isNull() && bench() != nullptr; }));
   EXPECT_EQ(bench()->field(), field);
+  EXPECT_EQ(chosen("model_height_map")->isChecked(), !had_height_map);
+  EXPECT_TRUE(chosen("model_stochastic")->isChecked());
+  EXPECT_EQ(bench()->findChild<ParameterForm*>("surface")->given(), softer);
+  EXPECT_EQ(bench()->findChild<QComboBox*>("force_component")->currentIndex(), 1);
   EXPECT_TRUE(bench()->property("keep").toString().isEmpty()) << "it was saved, and still is";
   EXPECT_EQ(window.shown_page(), "workbench");
   apply_theme(*qobject_cast<QApplication*>(qApp), ThemeChoice::light);
