@@ -1,6 +1,7 @@
 // A program that drives a Falcon until it is killed, in the test bed that it was started in.
 
 #include <chrono>
+#include <csignal>
 #include <sys/resource.h>
 #include <thread>
 
@@ -9,6 +10,8 @@
 int main() {
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
+  // A sanitizer's handler takes so long to tell of the signal that the driver has time for its zero.
+  for (const int signal : {SIGSEGV, SIGABRT}) std::signal(signal, SIG_DFL);
   asperity::FalconSettings settings{};
   settings.line.place = "usb 1-2";
   settings.line.wants_fifo = false;
