@@ -26,12 +26,12 @@ struct ChoiceProbabilities {
 // power of the step: at 1/16 of a standard deviation to rounding.
 ChoiceProbabilities probabilities_at(const Eigen::VectorXd& mean) {
   constexpr double kStep = 0.0625;
-  constexpr double kReach = 10.0;  // φ(10) is 10⁻²²
+  constexpr double kRange = 10.0;  // φ(10) is 10⁻²²
   const Eigen::Index count = mean.size();
   ChoiceProbabilities at{Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, count)};
   Eigen::VectorXd density(count);
   Eigen::VectorXd below(count);
-  for (double z = mean.minCoeff() - kReach; z <= mean.maxCoeff() + kReach; z += kStep) {
+  for (double z = mean.minCoeff() - kRange; z <= mean.maxCoeff() + kRange; z += kStep) {
     for (Eigen::Index j = 0; j < count; ++j) {
       density(j) = normal_density(z - mean(j));
       below(j) = normal_below(z - mean(j));

@@ -103,17 +103,17 @@ double argument(const PsychometricFunction& f, double x) {
 }
 
 // α, ln β, γ, λ; γ and λ keep their places when they are fixed.
-using Parameters = Eigen::Vector4d;
+using CurveParameters = Eigen::Vector4d;
 using Free = std::array<bool, 4>;
 
 struct Bounds {
-  Parameters low = Parameters::Zero();
-  Parameters high = Parameters::Zero();
+  CurveParameters low = CurveParameters::Zero();
+  CurveParameters high = CurveParameters::Zero();
 };
 
-struct Likelihood {
+struct CurveLikelihood {
   double value = 0.0;
-  Parameters gradient = Parameters::Zero();
+  CurveParameters gradient = CurveParameters::Zero();
   Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();
 };
 
@@ -196,7 +196,7 @@ class Problem final {
   const std::vector<PsychometricBlock>& blocks() const noexcept { return blocks_; }
   const PsychometricModel& model() const noexcept { return model_; }
 
-  PsychometricFunction function(const Parameters& at) const {
+  PsychometricFunction function(const CurveParameters& at) const {
     return {.shape = model_.shape,
             .alpha = at(0),
             .beta = std::exp(at(1)),
@@ -204,7 +204,7 @@ class Problem final {
             .lambda = at(3)};
   }
 
-  double value(const Parameters& at) const {
+  double value(const CurveParameters& at) const {
     const PsychometricFunction f = function(at);
     double sum = constant_;
     for (const PsychometricBlock& block : blocks_) {
@@ -214,9 +214,9 @@ class Problem final {
     return sum;
   }
 
-  Likelihood likelihood(const Parameters& at) const {
+  CurveLikelihood likelihood(const CurveParameters& at) const {
     const PsychometricFunction f = function(at);
-    Likelihood answer{.value = constant_};
+    CurveLikelihood answer{.value = constant_};
     for (const PsychometricBlock& block : blocks_) {
       const double t = argument(f, block.x);
       const Standard s = standard_at(model_.shape, t);
@@ -244,12 +244,12 @@ class Problem final {
   }
 
   void add_derivatives(const PsychometricBlock& block, const PsychometricFunction& f, double t,
-                       const Standard& s, Likelihood& answer) const {
+                       const Standard& s, CurveLikelihood& answer) const {
     const bool weibull = is_weibull(model_.shape);
     const double t_alpha = weibull ? -f.beta / f.alpha : -f.beta;
     const double t_alpha_alpha = weibull ? f.beta / (f.alpha * f.alpha) : 0.0;
     const double reach = 1.0 - f.gamma - f.lambda;
-    Parameters first;
+    CurveParameters first;
     first << reach * s.d1 * t_alpha, reach * s.d1 * t, s.Q, -s.F;
     Eigen::Matrix4d second = Eigen::Matrix4d::Zero();
     second(0, 0) = reach * (s.d2 * t_alpha * t_alpha + s.d1 * t_alpha_alpha);
@@ -263,7 +263,7 @@ class Problem final {
     const auto add = [&](double count, double probability, double sign) {
       const double p = std::max(probability, kLeastProbability);
       answer.gradient += count * sign / p * first;
-      const Parameters relative = first / p;
+      const CurveParameters relative = first / p;
       answer.hessian += count * (sign / p * second - relative * relative.transpose());
     };
     if (block.hits > 0) {
@@ -292,17 +292,17 @@ std::vector<Eigen::Index> places_of(const Free& free) {
   return places;
 }
 
-struct Maximum {
-  Parameters at = Parameters::Zero();
+struct CurveMaximum {
+  CurveParameters at = CurveParameters::Zero();
   double value = -kInfinite;
 };
 
 // Newton's method within the bounds over the parameters in `free`. A parameter that the gradient
 // presses against its bound stands still; where the surface is not concave the step is damped.
-Maximum newton(const Problem& problem, Parameters at, const Free& free) {
+CurveMaximum newton(const Problem& problem, CurveParameters at, const Free& free) {
   const Bounds& bounds = problem.bounds();
   at = at.cwiseMax(bounds.low).cwiseMin(bounds.high);
-  Likelihood here = problem.likelihood(at);
+  CurveLikelihood here = problem.likelihood(at);
   constexpr int kMostSteps = 200;
   for (int iteration = 0; iteration < kMostSteps; ++iteration) {
     std::vector<Eigen::Index> places;
@@ -331,12 +331,12 @@ Maximum newton(const Problem& problem, Parameters at, const Free& free) {
     bool moved = false;
     double travelled = 0.0;
     for (double length = 1.0; length > 1e-12; length *= 0.5) {
-      Parameters next = at;
+      CurveParameters next = at;
       for (std::size_t i = 0; i < places.size(); ++i) {
         next(places[i]) += length * step(static_cast<Eigen::Index>(i));
       }
       next = next.cwiseMax(bounds.low).cwiseMin(bounds.high);
-      const Likelihood there = problem.likelihood(next);
+      const CurveLikelihood there = problem.likelihood(next);
       if (std::isfinite(there.value) && there.value >= here.value - 1e-14 * std::abs(here.value)) {
         travelled = ((next - at).array() / (1.0 + at.array().abs())).abs().maxCoeff();
         moved = there.value > here.value || travelled > 0.0;
@@ -355,11 +355,11 @@ Maximum newton(const Problem& problem, Parameters at, const Free& free) {
 struct Search {
   const Problem& problem;
   std::vector<Eigen::Index> places{};
-  Parameters at = Parameters::Zero();
+  CurveParameters at = CurveParameters::Zero();
 };
 
 // BOBYQA needs no derivatives and keeps to the bounds. It is scaled to the range of the levels.
-Maximum bobyqa(const Problem& problem, const Parameters& start) {
+CurveMaximum bobyqa(const Problem& problem, const CurveParameters& start) {
   Search search{.problem = problem, .places = places_of(problem.free()), .at = start};
   const Bounds& bounds = problem.bounds();
   std::vector<double> point;
@@ -383,7 +383,7 @@ Maximum bobyqa(const Problem& problem, const Parameters& start) {
   optimizer.set_max_objective(
       [](const std::vector<double>& x, std::vector<double>&, void* data) {
         auto& s = *static_cast<Search*>(data);
-        Parameters at = s.at;
+        CurveParameters at = s.at;
         for (std::size_t i = 0; i < x.size(); ++i) {
           at(s.places[i]) = x[i];
         }
@@ -399,7 +399,7 @@ Maximum bobyqa(const Problem& problem, const Parameters& start) {
   } catch (const nlopt::roundoff_limited&) {
     // What it reached is the start of Newton's steps.
   }
-  Parameters at = start;
+  CurveParameters at = start;
   for (std::size_t i = 0; i < point.size(); ++i) {
     at(search.places[i]) = point[i];
   }
@@ -407,7 +407,7 @@ Maximum bobyqa(const Problem& problem, const Parameters& start) {
 }
 
 // Distinct good starts: the likelihood of a guessing observer has several maxima.
-std::vector<Parameters> starts(const Problem& problem) {
+std::vector<CurveParameters> starts(const Problem& problem) {
   constexpr int kPositions = 41;
   constexpr std::size_t kMost = 6;
   const Bounds& bounds = problem.bounds();
@@ -420,7 +420,7 @@ std::vector<Parameters> starts(const Problem& problem) {
       model.lambda ? std::vector<double>{*model.lambda}
                    : std::vector<double>{0.05 * model.greatest_lambda, 0.6 * model.greatest_lambda};
   struct Start {
-    Parameters at = Parameters::Zero();
+    CurveParameters at = CurveParameters::Zero();
     double place = 0.0;  // of α among the levels
     double value = 0.0;
   };
@@ -431,7 +431,7 @@ std::vector<Parameters> starts(const Problem& problem) {
     for (const double less : {0.0, 0.15, 0.4, 0.7, 1.0, 1.4, 1.8, 2.2, 2.6, 3.0, 3.5, 4.0, 5.0}) {
       for (const double gamma : gammas) {
         for (const double lambda : lambdas) {
-          const Parameters at(alpha, bounds.high(1) - less, gamma, lambda);
+          const CurveParameters at(alpha, bounds.high(1) - less, gamma, lambda);
           all.push_back({.at = at, .place = place, .value = problem.value(at)});
         }
       }
@@ -452,7 +452,7 @@ std::vector<Parameters> starts(const Problem& problem) {
       break;
     }
   }
-  std::vector<Parameters> points;
+  std::vector<CurveParameters> points;
   for (const Start& start : kept) {
     points.push_back(start.at);
   }
@@ -468,27 +468,27 @@ struct AtBound {
 };
 
 struct Solution {
-  Maximum maximum{};
+  CurveMaximum maximum{};
   AtBound at_bound{};
   Free free{};
 };
 
 Solution solve(const Problem& problem) {
-  Maximum best;
-  for (const Parameters& start : starts(problem)) {
-    const Maximum found = newton(problem, bobyqa(problem, start).at, problem.free());
+  CurveMaximum best;
+  for (const CurveParameters& start : starts(problem)) {
+    const CurveMaximum found = newton(problem, bobyqa(problem, start).at, problem.free());
     if (found.value > best.value) {
       best = found;
     }
   }
   // A bound is taken where it is as likely: on it, no standard error would mean anything.
   const Bounds& bounds = problem.bounds();
-  constexpr double kReach = 1e-4;
+  constexpr double kNear = 1e-4;
   constexpr double kAsLikely = 1e-9;
-  const bool near_beta = bounds.high(1) - best.at(1) < kReach;
-  const bool near_gamma = problem.free()[2] && best.at(2) < kReach;
+  const bool near_beta = bounds.high(1) - best.at(1) < kNear;
+  const bool near_gamma = problem.free()[2] && best.at(2) < kNear;
   const bool near_lambda =
-      problem.free()[3] && (best.at(3) < kReach || bounds.high(3) - best.at(3) < kReach);
+      problem.free()[3] && (best.at(3) < kNear || bounds.high(3) - best.at(3) < kNear);
   Solution answer{.maximum = best, .free = problem.free()};
   for (const bool beta : {false, true}) {
     for (const bool gamma : {false, true}) {
@@ -498,7 +498,7 @@ Solution solve(const Problem& problem) {
             bound.count() <= answer.at_bound.count()) {
           continue;
         }
-        Parameters start = best.at;
+        CurveParameters start = best.at;
         Free free = problem.free();
         if (beta) {
           start(1) = bounds.high(1);
@@ -512,7 +512,7 @@ Solution solve(const Problem& problem) {
           start(3) = start(3) < 0.5 * bounds.high(3) ? 0.0 : bounds.high(3);
           free[3] = false;
         }
-        const Maximum found = newton(problem, start, free);
+        const CurveMaximum found = newton(problem, start, free);
         if (found.value >= best.value - kAsLikely) {
           answer = {.maximum = found, .at_bound = bound, .free = free};
         }
@@ -547,7 +547,7 @@ std::optional<double> pearson(const std::vector<PsychometricBlock>& blocks,
 }
 
 // d(threshold)/d(α, ln β, γ, λ).
-Parameters threshold_gradient(const PsychometricFunction& f, double performance) {
+CurveParameters threshold_gradient(const PsychometricFunction& f, double performance) {
   const double reach = 1.0 - f.gamma - f.lambda;
   const double F = (performance - f.gamma) / reach;
   const double t = standard_quantile(f.shape, F);
@@ -555,7 +555,7 @@ Parameters threshold_gradient(const PsychometricFunction& f, double performance)
   // x = α + t/β, or α·e^{t/β}
   const double x = f.inverse(performance);
   const double dx_dt = (is_weibull(f.shape) ? x : 1.0) / f.beta;
-  Parameters gradient;
+  CurveParameters gradient;
   gradient << (is_weibull(f.shape) ? x / f.alpha : 1.0), -dx_dt * t,
       dx_dt * dt_dF * (F - 1.0) / reach, dx_dt * dt_dF * F / reach;
   return gradient;
@@ -595,7 +595,7 @@ std::optional<double> profile_end(const Problem& problem, const Solution& soluti
     if (is_weibull(problem.model().shape) && !(at > 0.0)) {
       return kInfinite;
     }
-    Parameters start = solution.maximum.at;
+    CurveParameters start = solution.maximum.at;
     start(0) = at;
     return solution.maximum.value - newton(problem, start, others).value - fall;
   };

@@ -29,7 +29,7 @@ std::optional<double> tail_at_the_end(double value) {
   return std::nullopt;
 }
 
-void refuse_improbable(double confidence) {
+void refuse_confidence(double confidence) {
   if (!(confidence > 0.0 && confidence < 1.0)) {
     throw std::invalid_argument("confidence is " + number_text(confidence) +
                                 "; it must lie between 0 and 1");
@@ -84,13 +84,13 @@ std::optional<double> two_sided_tail(const TStatistic& statistic) {
 }
 
 double normal_limit(double confidence) {
-  refuse_improbable(confidence);
+  refuse_confidence(confidence);
   return boost::math::quantile(
       boost::math::complement(boost::math::normal(), 0.5 * (1.0 - confidence)));
 }
 
 std::optional<double> t_limit(const TLimit& limit) {
-  refuse_improbable(limit.confidence);
+  refuse_confidence(limit.confidence);
   if (!usable(limit.df)) {
     return std::nullopt;
   }

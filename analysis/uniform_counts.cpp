@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 double total_of(std::span<const std::uint64_t> counts) {
   if (counts.size() < 2) {
@@ -31,7 +31,7 @@ UniformTest uniform_test(std::span<const std::uint64_t> counts) {
   UniformTest test{.df = alternatives - 1.0};
   if (n == 0.0) {
     test.pearson = test.pearson_p = test.likelihood_ratio = test.likelihood_ratio_p = test.cohen_w =
-        kNone;
+        kUndefined;
     return test;
   }
   const double expected = n / alternatives;

@@ -11,6 +11,8 @@ namespace asperity {
 
 namespace {
 
+using Block = Protocol::Block;
+
 using nlohmann::json;
 
 template <class Value>
@@ -234,8 +236,7 @@ Protocol::Criterion criterion_of(const json& object) {
   return criterion;
 }
 
-Protocol::Block block_of(const std::string& name, const json& object, ProtocolKind kind) {
-  using Block = Protocol::Block;
+Block block_of(const std::string& name, const json& object, ProtocolKind kind) {
   Block block{};
   block.name = name;
   read_choice(object, "phase", block.phase,

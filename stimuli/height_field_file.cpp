@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "asperity.height_field/1";
+constexpr const char* kFieldFormat = "asperity.height_field/1";
 constexpr double kLargestLevel = 65535.0;
 
 Json json_of(const HeightFieldProvenance& provenance) {
@@ -42,7 +42,7 @@ class Sidecar final {
     json_ = Json::parse(text, nullptr, false);
     if (!json_.is_object()) refuse("is not a JSON object; it must be one in " + format() + ".");
     const std::string given = this->text(json_, "format");
-    if (given != kFormat) {
+    if (given != kFieldFormat) {
       refuse("has the format \"" + given + "\"; this program reads " + format() + ".");
     }
   }
@@ -92,7 +92,7 @@ class Sidecar final {
   }
 
  private:
-  static std::string format() { return std::string("\"") + kFormat + "\""; }
+  static std::string format() { return std::string("\"") + kFieldFormat + "\""; }
 
   std::string text(const Json& object, const char* key) const {
     const auto found = object.find(key);
@@ -128,7 +128,7 @@ std::vector<std::byte> encode_height_field_png(const HeightField& field) {
 std::string encode_height_field_sidecar(const HeightField& field,
                                         const HeightFieldProvenance& provenance,
                                         std::string_view png_sha256) {
-  const Json json{{"format", kFormat},
+  const Json json{{"format", kFieldFormat},
                   {"pitch_m", field.grid().pitch_m},
                   {"height_min_m", field.minimum_m()},
                   {"height_max_m", field.maximum_m()},

@@ -34,7 +34,7 @@ GeometricError error_of(const std::vector<double>& distances_m) {
 }
 
 /// A place of the mesh, before displacement.
-struct Place {
+struct PlaceOnFace {
   std::uint32_t triangle = 0;
   glm::dvec3 barycentric{};
 };
@@ -49,9 +49,9 @@ class DisplacedSurface final {
         search_(coarse_) {}
 
   double distance_m(const glm::dvec3& point_m) const {
-    const Place near = near_place(point_m);
+    const PlaceOnFace near = near_place(point_m);
     const double from_near_m = distance_about_m(point_m, near);
-    const Place under = place_under(point_m, near);
+    const PlaceOnFace under = place_under(point_m, near);
     return std::min(from_near_m, distance_about_m(point_m, under));
   }
 
@@ -102,7 +102,7 @@ class DisplacedSurface final {
     return coarse;
   }
 
-  Place near_place(const glm::dvec3& point_m) const {
+  PlaceOnFace near_place(const glm::dvec3& point_m) const {
     const SurfaceSearch::Nearest nearest = search_.nearest(point_m);
     const auto of_face = static_cast<std::uint32_t>(rows_ * rows_);
     auto rest = static_cast<int>(nearest.triangle % of_face);
@@ -120,7 +120,7 @@ class DisplacedSurface final {
 
   /// Newton's method for the place whose interpolated normal goes through the point, from triangle
   /// to triangle. Where it does not arrive it returns where it came to.
-  Place place_under(const glm::dvec3& point_m, Place place) const {
+  PlaceOnFace place_under(const glm::dvec3& point_m, PlaceOnFace place) const {
     constexpr int kMostSteps = 24;
     constexpr double kArrived = 1e-9;
     double height = 0.0;
@@ -180,7 +180,7 @@ class DisplacedSurface final {
   }
 
   /// To the nearest triangle between texels around a place; the window grows with the distance.
-  double distance_about_m(const glm::dvec3& point_m, const Place& place) const {
+  double distance_about_m(const glm::dvec3& point_m, const PlaceOnFace& place) const {
     constexpr int kWidest = 32;
     double distance_m = std::numeric_limits<double>::infinity();
     for (int radius = 1; radius <= kWidest; radius *= 2) {
@@ -210,7 +210,7 @@ class DisplacedSurface final {
            texels(triangle);
   }
 
-  Window window_about(const Place& place, int radius) const {
+  Window window_about(const PlaceOnFace& place, int radius) const {
     const int count = texels(place.triangle);
     const int i = std::min(static_cast<int>(place.barycentric.y * count), count - 1);
     const int j = std::min(static_cast<int>(place.barycentric.z * count), count - 1);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
+
 #include "stimuli/spectral_noise.h"
 #include "stimuli/surface_makers.h"
 
@@ -12,12 +14,6 @@ namespace asperity {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-
-/// 0 below 0, 1 above 1, and smooth in between.
-double smoothstep(double t) noexcept {
-  const double clipped = std::clamp(t, 0.0, 1.0);
-  return clipped * clipped * (3.0 - 2.0 * clipped);
-}
 
 /// Noise of long streaks along y: a bell of wavelengths across them, a Gaussian along them.
 Heights streaks(const SurfaceCanvas& canvas, std::string_view stream, const WavelengthBell& across,
@@ -59,7 +55,7 @@ Heights make_stone(const ParameterValues& values, const SurfaceCanvas& canvas) {
   Heights heights_m(relief.size());
   for (std::size_t i = 0; i < relief.size(); ++i) {
     // Where the second noise passes 1.2 standard deviations a pit opens, full depth at 2.2.
-    const double pit = smoothstep(static_cast<double>(pits[i]) - 1.2);
+    const double pit = glm::smoothstep(0.0, 1.0, static_cast<double>(pits[i]) - 1.2);
     heights_m[i] = static_cast<float>(rms_m * static_cast<double>(relief[i]) - pit_depth_m * pit);
   }
   return heights_m;
@@ -117,7 +113,7 @@ Heights make_brick(const ParameterValues& values, const SurfaceCanvas& canvas) {
       const double to_bed_m = (0.5 - std::abs(up - course - 0.5)) * course_m;
       const double to_head_m = (0.5 - std::abs(along - std::floor(along) - 0.5)) * length_m;
       const double into_brick_m = std::min(to_bed_m, to_head_m) - 0.5 * joint_m;
-      const double brick = smoothstep(into_brick_m / edge_m + 0.5);
+      const double brick = glm::smoothstep(0.0, 1.0, into_brick_m / edge_m + 0.5);
       // Mortar is smoother than the face of a brick.
       const double roughness_m = face_rms_m * (0.3 + 0.7 * brick);
       heights_m.push_back(

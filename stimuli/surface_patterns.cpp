@@ -12,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 
 template <class HeightAt>
 Heights heights_from(const SurfaceCanvas& canvas, const HeightAt& height_at) {
@@ -30,8 +30,8 @@ Heights make_sinusoid(const ParameterValues& values, const SurfaceCanvas& canvas
   require_resolved(values, "spacing_m", canvas);
   const double amplitude_m = number_of(values, "amplitude_m");
   const double angle_rad = number_of(values, "angle_rad");
-  const double x_rad_per_m = kTwoPi / number_of(values, "spacing_m") * std::cos(angle_rad);
-  const double y_rad_per_m = kTwoPi / number_of(values, "spacing_m") * std::sin(angle_rad);
+  const double x_rad_per_m = kTurn_rad / number_of(values, "spacing_m") * std::cos(angle_rad);
+  const double y_rad_per_m = kTurn_rad / number_of(values, "spacing_m") * std::sin(angle_rad);
   return heights_from(canvas, [&](const SurfacePoint& p) {
     return amplitude_m * std::sin(x_rad_per_m * p.x_m + y_rad_per_m * p.y_m);
   });

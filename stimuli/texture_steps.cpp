@@ -23,7 +23,7 @@ constexpr double kBlack = 1.0 / 255.0;     // ε: one step of an 8-bit picture
 // RMS of f − g below which a picture is flat; one 8-bit step in one pixel of a hundred is 4e-4.
 constexpr double kNoContrast = 1e-5;
 
-cv::Mat as_mat(const GreyImage& image) {
+cv::Mat mat_over(const GreyImage& image) {
   return cv::Mat(static_cast<int>(image.rows), static_cast<int>(image.columns), CV_32FC1,
                  const_cast<float*>(image.values.data()));
 }
@@ -145,7 +145,7 @@ Residual residual_of(const GreyImage& evened, const GreyImage& low_pass,
   Residual residual{.values = difference(evened, low_pass)};
   cv::Scalar mean;
   cv::Scalar deviation;
-  cv::meanStdDev(as_mat(residual.values), mean, deviation);
+  cv::meanStdDev(mat_over(residual.values), mean, deviation);
   if (!(deviation[0] > kNoContrast)) {  // NaN, of a picture that holds one, ends here too
     throw std::invalid_argument(
         name + " has no contrast at wavelengths that could be felt (shorter than about " +
@@ -160,7 +160,7 @@ Residual residual_of(const GreyImage& evened, const GreyImage& low_pass,
 HeightField heights_of(Residual residual, const TextureRecipe& recipe) {
   const double sign = recipe.sign == HeightSign::bright_is_high ? 1.0 : -1.0;
   const double scale_m = sign * recipe.rms_m / residual.deviation;
-  cv::Mat heights_m = as_mat(residual.values);
+  cv::Mat heights_m = mat_over(residual.values);
   heights_m.convertTo(heights_m, CV_32F, scale_m, -residual.mean * scale_m);
   return {{.rows = residual.values.rows,
            .columns = residual.values.columns,

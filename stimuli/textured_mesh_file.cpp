@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 static_assert(std::endian::native == std::endian::little,
               "the arrays are written as they lie in memory, and the format is little-endian");
 
-constexpr const char* kFormat = "asperity.textured_mesh/1";
+constexpr const char* kMeshFormat = "asperity.textured_mesh/1";
 constexpr std::size_t kDigest_bytes = 64;
 constexpr std::size_t kLongestHeader_bytes = 1 << 20;
 constexpr std::size_t kMostItems = std::size_t{1} << 28;
@@ -87,9 +87,9 @@ class Reader final {
         !format->get_ref<const std::string&>().starts_with("asperity.textured_mesh/")) {
       refuse("is no textured mesh of Asperity; asperity bake makes one from a mesh.");
     }
-    if (*format != kFormat) {
-      refuse("is in the format " + format->get<std::string>() + "; this program reads " + kFormat +
-             ".");
+    if (*format != kMeshFormat) {
+      refuse("is in the format " + format->get<std::string>() + "; this program reads " +
+             kMeshFormat + ".");
     }
     const std::string_view rest = bytes.substr(end + 1);
     if (rest.size() < kDigest_bytes + 1 || rest[kDigest_bytes] != '\n') refuse("is cut off.");
@@ -277,7 +277,7 @@ std::vector<std::byte> encode_textured_mesh(const StoredTexturedMesh& stored) {
   }
   const TexturedMeshProvenance& provenance = stored.provenance;
   const Json json{
-      {"format", kFormat},
+      {"format", kMeshFormat},
       {"atlas",
        {{"rows", mesh.atlas.rows}, {"columns", mesh.atlas.columns}, {"step_m", mesh.atlas.step_m}}},
       {"error", json_of(stored.plain)},

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "analysis/number_text.h"
@@ -34,11 +35,6 @@ using Displacement = std::function<double(const glm::dvec3& point_m, const glm::
 
 double area_m2(const glm::dvec3& box_m) {
   return 2.0 * (box_m.x * box_m.y + box_m.y * box_m.z + box_m.z * box_m.x);
-}
-
-double smoothstep(double part) {
-  const double t = std::clamp(part, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
 }
 
 class Building final {
@@ -111,7 +107,7 @@ class Building final {
   /// Half of the rim stays bare, so that normals may turn there; in the other half the relief rises.
   double bare_m() const { return 0.5 * relief_.rim_m; }
   double risen(double from_edge_m) const {
-    return smoothstep((from_edge_m - bare_m()) / (relief_.rim_m - bare_m()));
+    return glm::smoothstep(0.0, 1.0, (from_edge_m - bare_m()) / (relief_.rim_m - bare_m()));
   }
   int texels_for(double length_m) const {
     return std::max(1, static_cast<int>(std::ceil(length_m / pitch_m_)));
@@ -299,7 +295,7 @@ void Building::lay_out(const SphereShape& sphere) {
     const double w = glm::length(normal);
     const double latitude_rad = std::asin(std::clamp(normal.z / w, -1.0, 1.0));
     const double share =
-        smoothstep((kEnds_rad - std::abs(latitude_rad)) / (kEnds_rad - kFades_rad));
+        glm::smoothstep(0.0, 1.0, (kEnds_rad - std::abs(latitude_rad)) / (kEnds_rad - kFades_rad));
     const double turns = std::atan2(normal.y, normal.x) / (2.0 * std::numbers::pi);
     const double height =
         share > 0.0 ? share * height_m(turns * periods * field_.width_m(), latitude_rad * radius_m)

@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kRate_Hz = 2000.0;
+constexpr double kStrokeRate_Hz = 2000.0;
 // (2π·250)²·0.1 µm, worked out in the header.
 constexpr double kThreshold_m_per_s2 = 0.24674011;
 
@@ -22,54 +22,55 @@ std::vector<double> tone(double frequency_Hz, double amplitude) {
   std::vector<double> signal(4000);
   for (std::size_t i = 0; i < signal.size(); ++i) {
     signal[i] = 5.0 + amplitude * std::sin(2.0 * std::numbers::pi * frequency_Hz *
-                                           static_cast<double>(i) / kRate_Hz);
+                                           static_cast<double>(i) / kStrokeRate_Hz);
   }
   return signal;
 }
 
 TEST(RecordRoughness, PutsASinusoidInItsChannel) {
-  const RecordRoughness slow = record_roughness(tone(20.0, 2.0), kRate_Hz);
+  const RecordRoughness slow = record_roughness(tone(20.0, 2.0), kStrokeRate_Hz);
   EXPECT_NEAR(slow.fa1_power, 2.0, 1e-9);
   EXPECT_NEAR(slow.fa2_power, 0.0, 1e-9);
   EXPECT_NEAR(slow.rms, std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(slow.maximum, 2.0, 1e-9);
-  const RecordRoughness quick = record_roughness(tone(300.0, 2.0), kRate_Hz);
+  const RecordRoughness quick = record_roughness(tone(300.0, 2.0), kStrokeRate_Hz);
   EXPECT_NEAR(quick.fa1_power, 0.0, 1e-9);
   EXPECT_NEAR(quick.fa2_power, 2.0, 1e-9);
 }
 
 TEST(RecordRoughness, GivesItsBordersToOneBandEach) {
-  EXPECT_NEAR(record_roughness(tone(5.0, 2.0), kRate_Hz).fa1_power, 2.0, 1e-9);
-  EXPECT_NEAR(record_roughness(tone(50.0, 2.0), kRate_Hz).fa1_power, 0.0, 1e-9);
-  EXPECT_NEAR(record_roughness(tone(50.0, 2.0), kRate_Hz).fa2_power, 2.0, 1e-9);
-  EXPECT_NEAR(record_roughness(tone(500.0, 2.0), kRate_Hz).fa2_power, 2.0, 1e-9);
-  EXPECT_NEAR(record_roughness(tone(501.0, 2.0), kRate_Hz).fa2_power, 0.0, 1e-9);
+  EXPECT_NEAR(record_roughness(tone(5.0, 2.0), kStrokeRate_Hz).fa1_power, 2.0, 1e-9);
+  EXPECT_NEAR(record_roughness(tone(50.0, 2.0), kStrokeRate_Hz).fa1_power, 0.0, 1e-9);
+  EXPECT_NEAR(record_roughness(tone(50.0, 2.0), kStrokeRate_Hz).fa2_power, 2.0, 1e-9);
+  EXPECT_NEAR(record_roughness(tone(500.0, 2.0), kStrokeRate_Hz).fa2_power, 2.0, 1e-9);
+  EXPECT_NEAR(record_roughness(tone(501.0, 2.0), kStrokeRate_Hz).fa2_power, 0.0, 1e-9);
 }
 
 // 20·log₁₀(√½·amplitude/threshold) far below 300 Hz, 3.01 dB less at 300 Hz.
 TEST(AccelerationRoughness, IsInDecibelsOverThreshold) {
   const double amplitude = kThreshold_m_per_s2 * std::numbers::sqrt2 * 10.0;
-  EXPECT_NEAR(acceleration_roughness_dB(tone(50.0, amplitude), kRate_Hz).value(), 20.0, 0.1);
-  EXPECT_NEAR(acceleration_roughness_dB(tone(300.0, amplitude), kRate_Hz).value(), 17.0, 0.1);
+  EXPECT_NEAR(acceleration_roughness_dB(tone(50.0, amplitude), kStrokeRate_Hz).value(), 20.0, 0.1);
+  EXPECT_NEAR(acceleration_roughness_dB(tone(300.0, amplitude), kStrokeRate_Hz).value(), 17.0, 0.1);
 }
 
 TEST(AccelerationRoughness, IsAbsentWithoutVibration) {
-  EXPECT_FALSE(acceleration_roughness_dB(std::vector<double>(1000, 0.0), kRate_Hz));
+  EXPECT_FALSE(acceleration_roughness_dB(std::vector<double>(1000, 0.0), kStrokeRate_Hz));
 }
 
 TEST(PacinianPower, IsOneForASinusoidAtThreshold) {
-  EXPECT_NEAR(pacinian_power(tone(100.0, kThreshold_m_per_s2), kRate_Hz), 1.0, 1e-6);
-  EXPECT_NEAR(pacinian_power(tone(250.0, kThreshold_m_per_s2), kRate_Hz), 1.0, 1e-6);
+  EXPECT_NEAR(pacinian_power(tone(100.0, kThreshold_m_per_s2), kStrokeRate_Hz), 1.0, 1e-6);
+  EXPECT_NEAR(pacinian_power(tone(250.0, kThreshold_m_per_s2), kStrokeRate_Hz), 1.0, 1e-6);
   // An octave above, the threshold of acceleration is 2⁴ times as high, and power goes squared.
-  EXPECT_NEAR(pacinian_power(tone(500.0, kThreshold_m_per_s2), kRate_Hz), 1.0 / 256.0, 1e-8);
-  EXPECT_NEAR(pacinian_power(tone(20.0, kThreshold_m_per_s2), kRate_Hz), 0.0, 1e-9);
+  EXPECT_NEAR(pacinian_power(tone(500.0, kThreshold_m_per_s2), kStrokeRate_Hz), 1.0 / 256.0, 1e-8);
+  EXPECT_NEAR(pacinian_power(tone(20.0, kThreshold_m_per_s2), kStrokeRate_Hz), 0.0, 1e-9);
 }
 
 TEST(RecordRoughness, RefusesNothingToMeasure) {
-  EXPECT_THROW(record_roughness({}, kRate_Hz), std::invalid_argument);
+  EXPECT_THROW(record_roughness({}, kStrokeRate_Hz), std::invalid_argument);
   EXPECT_THROW(record_roughness(std::vector<double>(10), 0.0), std::invalid_argument);
-  EXPECT_THROW(pacinian_power({}, kRate_Hz), std::invalid_argument);
-  EXPECT_THROW(acceleration_roughness_dB(std::vector<double>(5), kRate_Hz), std::invalid_argument);
+  EXPECT_THROW(pacinian_power({}, kStrokeRate_Hz), std::invalid_argument);
+  EXPECT_THROW(acceleration_roughness_dB(std::vector<double>(5), kStrokeRate_Hz),
+               std::invalid_argument);
   EXPECT_THROW(acceleration_roughness_dB(std::vector<double>(500), 500.0), std::invalid_argument);
 }
 
@@ -92,8 +93,8 @@ TEST(HeightRoughness, OfASinusoidFollowsFromItsAmplitude) {
 TEST(HeldToolRecord, AddsThePowersOfBothDirections) {
   const double threshold_m_per_s2 = std::pow(2.0 * std::numbers::pi * 175.0, 2) * 0.03e-6;
   EXPECT_NEAR(threshold_m_per_s2, 0.0363, 1e-4);
-  HeldToolRecord along(kRate_Hz);
-  HeldToolRecord both(kRate_Hz);
+  HeldToolRecord along(kStrokeRate_Hz);
+  HeldToolRecord both(kStrokeRate_Hz);
   for (const double one : tone(100.0, 2.0 * threshold_m_per_s2)) {
     along.add(one, 7.0);
     both.add(one, -one);
@@ -111,7 +112,7 @@ TEST(HeldToolRecord, AddsThePowersOfBothDirections) {
 }
 
 TEST(HeldToolRecord, BeginsAnewWhenItIsCleared) {
-  HeldToolRecord record(kRate_Hz);
+  HeldToolRecord record(kStrokeRate_Hz);
   EXPECT_THROW(record.roughness(), std::invalid_argument);
   record.add(100.0, 0.0);
   record.clear();

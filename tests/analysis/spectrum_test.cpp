@@ -16,7 +16,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 
 std::vector<double> noise(std::size_t count, std::uint64_t seed) {
   Random random(seed);
@@ -27,10 +27,10 @@ std::vector<double> noise(std::size_t count, std::uint64_t seed) {
   return signal;
 }
 
-std::vector<double> tone(std::size_t count, double frequency_Hz) {
+std::vector<double> sampled_tone(std::size_t count, double frequency_Hz) {
   std::vector<double> signal(count);
   for (std::size_t i = 0; i < count; ++i) {
-    signal[i] = std::sin(kTwoPi * frequency_Hz * static_cast<double>(i) / 1000.0);
+    signal[i] = std::sin(kTurn_rad * frequency_Hz * static_cast<double>(i) / 1000.0);
   }
   return signal;
 }
@@ -44,7 +44,7 @@ TEST(RealSpectrum, IsTheFourierSumForEveryKindOfLength) {
     for (std::size_t k = 0; k < lines.size(); ++k) {
       std::complex<double> sum;
       for (std::size_t n = 0; n < count; ++n) {
-        sum += signal[n] * std::polar(1.0, -kTwoPi * static_cast<double>((k * n) % count) /
+        sum += signal[n] * std::polar(1.0, -kTurn_rad * static_cast<double>((k * n) % count) /
                                                static_cast<double>(count));
       }
       EXPECT_LT(std::abs(lines[k] - sum), 1e-11 * static_cast<double>(count))
@@ -54,7 +54,7 @@ TEST(RealSpectrum, IsTheFourierSumForEveryKindOfLength) {
 }
 
 TEST(BandRms, OfASinusoidIsItsAmplitudeOverRootTwo) {
-  const std::vector<double> signal = tone(1800, 100.0);
+  const std::vector<double> signal = sampled_tone(1800, 100.0);
   EXPECT_NEAR(band_rms(signal, 1000.0), std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(band_rms(signal, 1000.0, 100.0, 100.0), std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(band_rms(signal, 1000.0, 101.0, 500.0), 0.0, 1e-12);
@@ -70,8 +70,8 @@ TEST(BandRms, CountsHalfTheRateOnce) {
 }
 
 TEST(BandRms, IncludesItsLowerBorder) {
-  EXPECT_NEAR(band_rms(tone(1800, 5.0), 1000.0), std::sqrt(0.5), 1e-12);
-  EXPECT_NEAR(band_rms(tone(1800, 5.0 - 1000.0 / 1800.0), 1000.0), 0.0, 1e-12);
+  EXPECT_NEAR(band_rms(sampled_tone(1800, 5.0), 1000.0), std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(band_rms(sampled_tone(1800, 5.0 - 1000.0 / 1800.0), 1000.0), 0.0, 1e-12);
 }
 
 // Parseval: all lines together are the variance, for even, odd and prime lengths, whatever the
@@ -93,7 +93,7 @@ TEST(BandRms, OfTheWholeBandIsTheStandardDeviation) {
 }
 
 TEST(BandRms, RefusesWhatIsNoBandOrRecord) {
-  const std::vector<double> signal = tone(100, 50.0);
+  const std::vector<double> signal = sampled_tone(100, 50.0);
   EXPECT_THROW(band_rms({}, 1000.0), std::invalid_argument);
   EXPECT_THROW(band_rms(signal, 0.0), std::invalid_argument);
   EXPECT_THROW(band_rms(signal, 1000.0, 50.0, 5.0), std::invalid_argument);
@@ -101,7 +101,7 @@ TEST(BandRms, RefusesWhatIsNoBandOrRecord) {
 
 TEST(WelchSpectrum, HasThePowerOfASinusoidAtItsPlace) {
   const PowerSpectrum spectrum =
-      welch_spectrum(tone(4096, 125.0), {.rate_Hz = 1000.0, .length = 256});
+      welch_spectrum(sampled_tone(4096, 125.0), {.rate_Hz = 1000.0, .length = 256});
   EXPECT_NEAR(band_power(spectrum, {.low_Hz = 110.0, .high_Hz = 140.0}), 0.5, 1e-6);
   EXPECT_NEAR(band_power(spectrum, {.low_Hz = 0.0, .high_Hz = 500.0}), 0.5, 1e-6);
   EXPECT_NEAR(band_power(spectrum, {.low_Hz = 200.0, .high_Hz = 500.0}), 0.0, 1e-6);
@@ -119,7 +119,7 @@ TEST(WelchSpectrum, OfWhiteNoiseIsFlat) {
 }
 
 TEST(WelchSpectrum, RefusesASignalShorterThanItsWindow) {
-  EXPECT_THROW(welch_spectrum(tone(255, 50.0), {}), std::invalid_argument);
+  EXPECT_THROW(welch_spectrum(sampled_tone(255, 50.0), {}), std::invalid_argument);
 }
 
 struct Field {
@@ -145,7 +145,7 @@ TEST(DominantWavelength, IsThatOfASinusoidInAnyDirection) {
     for (const double angle_rad : {0.0, 0.5, std::numbers::pi / 4.0, std::numbers::pi / 2.0}) {
       const auto found_m = dominant_m({}, [&](double x_m, double y_m) {
         const double along_m = x_m * std::cos(angle_rad) + y_m * std::sin(angle_rad);
-        return 1e-4 * std::sin(kTwoPi * along_m / wavelength_m);
+        return 1e-4 * std::sin(kTurn_rad * along_m / wavelength_m);
       });
       ASSERT_TRUE(found_m);
       EXPECT_NEAR(*found_m / wavelength_m, 1.0, 0.06) << wavelength_m << " at " << angle_rad;
@@ -156,7 +156,8 @@ TEST(DominantWavelength, IsThatOfASinusoidInAnyDirection) {
 TEST(DominantWavelength, IsThatOfTheStrongerWave) {
   const auto two_waves = [](double long_m, double short_m) {
     return [=](double x_m, double y_m) {
-      return long_m * std::sin(kTwoPi * x_m / 4e-3) + short_m * std::sin(kTwoPi * y_m / 0.8e-3);
+      return long_m * std::sin(kTurn_rad * x_m / 4e-3) +
+             short_m * std::sin(kTurn_rad * y_m / 0.8e-3);
     };
   };
   EXPECT_NEAR(dominant_m({}, two_waves(2e-5, 1e-5)).value(), 4e-3, 0.2e-3);
@@ -165,14 +166,14 @@ TEST(DominantWavelength, IsThatOfTheStrongerWave) {
 
 TEST(DominantWavelength, DoesNotDependOnAPlaneUnderIt) {
   const auto found_m = dominant_m({}, [](double x_m, double y_m) {
-    return 3e-3 + 0.05 * x_m - 0.1 * y_m + 1e-5 * std::sin(kTwoPi * x_m / 1e-3);
+    return 3e-3 + 0.05 * x_m - 0.1 * y_m + 1e-5 * std::sin(kTurn_rad * x_m / 1e-3);
   });
   EXPECT_NEAR(found_m.value(), 1e-3, 0.05e-3);
 }
 
 // Sides of 1031 and 337, both prime: cut to 1024 and 324 with the same answer.
 TEST(DominantWavelength, TakesAnySize) {
-  const auto wave = [](double x_m, double) { return 1e-5 * std::sin(kTwoPi * x_m / 1.5e-3); };
+  const auto wave = [](double x_m, double) { return 1e-5 * std::sin(kTurn_rad * x_m / 1.5e-3); };
   EXPECT_NEAR(dominant_m({.rows = 337, .columns = 1031}, wave).value(), 1.5e-3, 0.05e-3);
   EXPECT_NEAR(dominant_m({.rows = 1031, .columns = 337}, wave).value(), 1.5e-3, 0.05e-3);
 }

@@ -251,9 +251,9 @@ TEST_F(WatchedSession, ShowsTheParticipantsSceneBeforeEachCall) {
     if (kinds.empty() || kinds.back() != kind) kinds.push_back(kind);
   };
   run();
-  using Kind = ParticipantScene::Kind;
-  EXPECT_THAT(kinds, ElementsAre(Kind::text, Kind::blank, Kind::feel, Kind::blank, Kind::feel,
-                                 Kind::question, Kind::text));
+  using Scene = ParticipantScene::Kind;
+  EXPECT_THAT(kinds, ElementsAre(Scene::text, Scene::blank, Scene::feel, Scene::blank, Scene::feel,
+                                 Scene::question, Scene::text));
 }
 
 TEST_F(WatchedSession, SaysThatASurfaceWasFeltLongEnoughUntilTheHandHasLifted) {

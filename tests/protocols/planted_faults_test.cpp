@@ -65,7 +65,7 @@ void expect_complaint(const std::string& text, const Fault& fault) {
                      << all;
 }
 
-std::string library(std::string_view name) {
+std::string library_text(std::string_view name) {
   for (const LibraryProtocol& each : library_protocols()) {
     if (each.name == name) return std::string(each.text);
   }
@@ -151,10 +151,10 @@ TEST_P(PlantedInSelection, IsRefusedAtItsPlace) {
   expect_complaint(planted(test::example_selection(), GetParam()), GetParam());
 }
 TEST_P(PlantedInMatching, IsRefusedAtItsPlace) {
-  expect_complaint(planted(library("improved_matching"), GetParam()), GetParam());
+  expect_complaint(planted(library_text("improved_matching"), GetParam()), GetParam());
 }
 TEST_P(PlantedInRecognition, IsRefusedAtItsPlace) {
-  expect_complaint(planted(library("improved_recognition"), GetParam()), GetParam());
+  expect_complaint(planted(library_text("improved_recognition"), GetParam()), GetParam());
 }
 
 const auto name_of = [](const auto& each) { return std::string(each.param.name); };
@@ -447,7 +447,7 @@ TEST(PlantedFaults, OneMistakeGetsOneComplaint) {
 
 TEST(PlantedFaults, WhatMayBeDrawnIsCheckedEvenIfItSeldomIs) {
   // A session draws three of the four textures: a lucky one would not come across brick.
-  std::string text = library("chapter_recognition");
+  std::string text = library_text("chapter_recognition");
   const std::string from = R"("pictures": ["metal", "stone", "wood", "brick", )";
   ASSERT_NE(text.find(from), std::string::npos);
   text.replace(text.find(from), from.size(), R"("pictures": ["metal", "stone", "wood", )");
@@ -526,7 +526,7 @@ TEST(PlantedFaults, WhatIsNoJsonTextAtAllGetsASentence) {
 
 class PlantedInMagnitude : public testing::TestWithParam<Fault> {};
 TEST_P(PlantedInMagnitude, IsRefusedAtItsPlace) {
-  expect_complaint(planted(library("roughness_diameter"), GetParam()), GetParam());
+  expect_complaint(planted(library_text("roughness_diameter"), GetParam()), GetParam());
 }
 INSTANTIATE_TEST_SUITE_P(
     Faults, PlantedInMagnitude,
@@ -573,7 +573,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// What is doubted of the library's protocol of three forces with one text in place of another.
 std::vector<Diagnostic> doubts_with(const std::string& from, const std::string& to) {
-  std::string text = library("roughness_force");
+  std::string text = library_text("roughness_force");
   const std::size_t at = text.find(from);
   if (at == std::string::npos) throw std::invalid_argument("not in the protocol: " + from);
   text.replace(at, from.size(), to);

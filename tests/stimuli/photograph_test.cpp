@@ -45,7 +45,7 @@ float expected_at(int i, int j) {
   return static_cast<float>(0.2 + 0.6 * j / 51.0 - 0.15 * i / 36.0);
 }
 
-std::string refusal_of(const Bytes& bytes) {
+std::string photograph_refusal(const Bytes& bytes) {
   try {
     decode_photograph(bytes, "wall.png");
   } catch (const std::invalid_argument& error) {
@@ -176,11 +176,11 @@ TEST(Photograph, IsKnownByItsContentAndNotByItsName) {
 }
 
 TEST(Photograph, RefusesWhatIsNoPictureWithTheNameAndWhatWouldBeRight) {
-  EXPECT_EQ(refusal_of({}),
+  EXPECT_EQ(photograph_refusal({}),
             "wall.png is empty; a picture (PNG, JPEG, TIFF, BMP or WebP) is needed.");
-  EXPECT_EQ(refusal_of(bytes_of("{\"format\": 1}")),
+  EXPECT_EQ(photograph_refusal(bytes_of("{\"format\": 1}")),
             "wall.png is not a picture that is read here; PNG, JPEG, TIFF, BMP or WebP is needed.");
-  EXPECT_THAT(refusal_of(bytes_of("BM")), StartsWith("wall.png is cut off"));
+  EXPECT_THAT(photograph_refusal(bytes_of("BM")), StartsWith("wall.png is cut off"));
 }
 
 // The header claims 20000 pixels and nothing follows: only the header can have been read.
@@ -192,20 +192,20 @@ TEST(Photograph, RefusesAGiganticPictureByItsHeaderAlone) {
   Bytes png = bytes_of("\x89PNG\r\n\x1A\n");
   const Bytes chunk = png_chunk(ihdr);
   png.insert(png.end(), chunk.begin(), chunk.end());
-  EXPECT_THAT(refusal_of(png), HasSubstr("wall.png is 20000 by 100 pixels; at most 16384"));
+  EXPECT_THAT(photograph_refusal(png), HasSubstr("wall.png is 20000 by 100 pixels; at most 16384"));
 
   Bytes jpeg = encoded(ramp(CV_8UC1), ".jpg");
   const Bytes mark = bytes_of("\xFF\xC0");
   const auto frame = std::search(jpeg.begin(), jpeg.end(), mark.begin(), mark.end());
   ASSERT_NE(frame, jpeg.end());
   *(frame + 5) = std::byte{0xFF};  // rows
-  EXPECT_THAT(refusal_of(jpeg), HasSubstr("at most 16384"));
+  EXPECT_THAT(photograph_refusal(jpeg), HasSubstr("at most 16384"));
 }
 
 TEST(Photograph, RefusesNumbersThatAreNotWholeOrTooWide) {
   cv::Mat floats;
   ramp(CV_8UC1).convertTo(floats, CV_32F);
-  EXPECT_THAT(refusal_of(encoded(floats, ".tif")), HasSubstr("32-bit floating-point"));
+  EXPECT_THAT(photograph_refusal(encoded(floats, ".tif")), HasSubstr("32-bit floating-point"));
 }
 
 // OpenCV fills the rows that are missing in silence; a picture is read whole or not at all.
@@ -215,7 +215,7 @@ TEST(Photograph, RefusesEveryFileThatEndsEarly) {
     const std::size_t step = std::max<std::size_t>(1, whole.size() / 250);
     for (std::size_t length = 0; length + 1 < whole.size(); length += step) {
       const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
-      EXPECT_NE(refusal_of(part), "accepted") << c.extension << " cut to " << length;
+      EXPECT_NE(photograph_refusal(part), "accepted") << c.extension << " cut to " << length;
       EXPECT_THROW(inspect_picture(part, "wall.png"), std::invalid_argument)
           << c.extension << " cut to " << length;
     }
@@ -229,7 +229,7 @@ TEST(Photograph, RefusesAJpegWhoseEndWasGluedOn) {
   jpeg.push_back(std::byte{0xFF});
   jpeg.push_back(std::byte{0xD9});
   ::testing::internal::CaptureStderr();
-  EXPECT_THAT(refusal_of(jpeg), HasSubstr("premature end of data"));
+  EXPECT_THAT(photograph_refusal(jpeg), HasSubstr("premature end of data"));
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
@@ -239,7 +239,7 @@ TEST(Photograph, LetsNoLibraryTalkToTheTerminal) {
   const Bytes profile = png_chunk(bytes_of(std::string_view("iCCPx\0\0junk", 11)));
   png.insert(png.begin() + 33, profile.begin(), profile.end());
   ::testing::internal::CaptureStderr();
-  EXPECT_EQ(refusal_of(png), "accepted");
+  EXPECT_EQ(photograph_refusal(png), "accepted");
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 

@@ -31,13 +31,13 @@ std::string text_of(const StoredTexturedMesh& stored) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-StoredTexturedMesh read(const std::string& content) {
+StoredTexturedMesh read_back(const std::string& content) {
   return decode_textured_mesh(std::as_bytes(std::span(content.data(), content.size())), "thing");
 }
 
-std::string refusal(const std::string& content) {
+std::string refusal_of_file(const std::string& content) {
   try {
-    read(content);
+    read_back(content);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -47,12 +47,12 @@ std::string refusal(const std::string& content) {
 std::string refusal_of_changed(const std::function<void(StoredTexturedMesh&)>& change) {
   StoredTexturedMesh stored = made();
   change(stored);
-  return refusal(text_of(stored));
+  return refusal_of_file(text_of(stored));
 }
 
 TEST(TexturedMeshFile, GivesBackEveryBit) {
   const StoredTexturedMesh stored = made();
-  const StoredTexturedMesh back = read(text_of(stored));
+  const StoredTexturedMesh back = read_back(text_of(stored));
   EXPECT_TRUE(back.mesh.vertices_m == stored.mesh.vertices_m);
   EXPECT_TRUE(back.mesh.normals == stored.mesh.normals);
   EXPECT_TRUE(back.mesh.triangles == stored.mesh.triangles);
@@ -76,25 +76,25 @@ TEST(TexturedMeshFile, IsRefusedWhereverItIsDamaged) {
   for (std::size_t at = 0; at < good.size(); at += 1 + good.size() / 400) {
     std::string damaged = good;
     damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
-    EXPECT_THAT(refusal(damaged), testing::StartsWith("thing ")) << "byte " << at;
+    EXPECT_THAT(refusal_of_file(damaged), testing::StartsWith("thing ")) << "byte " << at;
   }
 }
 
 TEST(TexturedMeshFile, IsRefusedWhereverItIsCutOff) {
   const std::string good = text_of(made());
   for (std::size_t length = 0; length < good.size(); length += 1 + good.size() / 200) {
-    EXPECT_THAT(refusal(good.substr(0, length)), testing::StartsWith("thing ")) << length;
+    EXPECT_THAT(refusal_of_file(good.substr(0, length)), testing::StartsWith("thing ")) << length;
   }
-  EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("cut off"));
-  EXPECT_THAT(refusal(good + "x"), HasSubstr("goes on after its end"));
+  EXPECT_THAT(refusal_of_file(good.substr(0, good.size() - 1)), HasSubstr("cut off"));
+  EXPECT_THAT(refusal_of_file(good + "x"), HasSubstr("goes on after its end"));
 }
 
 TEST(TexturedMeshFile, OfAnotherKindOrVersionIsRefused) {
-  EXPECT_THAT(refusal("v 0 0 0\n"), HasSubstr("no textured mesh"));
-  EXPECT_THAT(refusal("{}\n"), HasSubstr("no textured mesh"));
+  EXPECT_THAT(refusal_of_file("v 0 0 0\n"), HasSubstr("no textured mesh"));
+  EXPECT_THAT(refusal_of_file("{}\n"), HasSubstr("no textured mesh"));
   std::string newer = text_of(made());
   newer.replace(newer.find("mesh/1"), 6, "mesh/2");
-  EXPECT_THAT(refusal(newer), HasSubstr("asperity.textured_mesh/2"));
+  EXPECT_THAT(refusal_of_file(newer), HasSubstr("asperity.textured_mesh/2"));
 }
 
 TEST(TexturedMeshFile, WithTheTextureOfAnotherMeshIsRefused) {
@@ -104,7 +104,7 @@ TEST(TexturedMeshFile, WithTheTextureOfAnotherMeshIsRefused) {
   const std::string another = text_of(other);
   const std::string mixed =
       one.substr(0, one.find('\n') + 66) + another.substr(another.find('\n') + 66);
-  EXPECT_THAT(refusal(mixed), testing::StartsWith("thing "));
+  EXPECT_THAT(refusal_of_file(mixed), testing::StartsWith("thing "));
   // With the right digest it still is no texture of this mesh: it has other faces.
   BakedMesh coarse = bake_texture(bumpy_ball(3, 0.02, 0.0005, 9.0),
                                   decimate_mesh(bumpy_ball(3, 0.02, 0.0005, 9.0), 40, "thing").mesh,
