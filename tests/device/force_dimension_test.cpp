@@ -43,8 +43,10 @@ class ForceDimension : public testing::Test {
   ForceDimension() : library_("the stand-in", {ASPERITY_TEST_DRD}) {
     TestDhdBench bench_of = nullptr;
     library_.find("test_dhd_bench", bench_of);
-    bench = bench_of();
-    *bench = test_dhd::Bench{};
+    TestDhdLock lock_of = nullptr;
+    library_.find("test_dhd_lock", lock_of);
+    *bench_of() = test_dhd::Bench{};
+    bench = test_dhd::SharedBench(bench_of(), lock_of());
   }
 
   test_dhd::Unit& attach(int type, unsigned short serial) {
@@ -66,7 +68,7 @@ class ForceDimension : public testing::Test {
   const Driver driver = force_dimension_driver();
   const DriverOptions options{.library = ASPERITY_TEST_DRD};
   std::string told{};
-  test_dhd::Bench* bench = nullptr;
+  test_dhd::SharedBench bench{};
 
  private:
   VendorLibrary library_;
@@ -346,13 +348,13 @@ class UnpluggedForceDimension : public ForceDimension {
   bool answers() { return device->read(now_ns += kMillisecond_ns).has_value(); }
   bool pushes() { return device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value(); }
   void unplug() {
-    std::atomic_ref(bench->is_there) = false;
+    bench->is_there = false;
     for (int i = 0; i < 250; ++i) EXPECT_FALSE(answers());
     EXPECT_FALSE(pushes());
   }
   void plug_in() {
     bench->calls.clear();
-    std::atomic_ref(bench->is_there) = true;
+    bench->is_there = true;
     while (!answers()) std::this_thread::yield();
   }
 
@@ -378,7 +380,7 @@ TEST_F(UnpluggedForceDimension, IsLookedForByOpeningOthersOnlyWhereNobodyUsesOne
   unplug();
   bench->in_use_elsewhere = 1;
   bench->calls.clear();
-  std::atomic_ref(bench->is_there) = true;
+  bench->is_there = true;
   // Long enough for some looks of the driver's; too short a time would pass, and tell nothing.
   std::this_thread::sleep_for(std::chrono::milliseconds(600));
   EXPECT_FALSE(answers());

@@ -24,9 +24,9 @@ Bench bench_of_this_process() {
 }
 
 Bench the_bench = bench_of_this_process();
-std::mutex the_notes;
+std::recursive_mutex
+    the_lock;  // of everything here: a driver looks for a lost device in a thread of its own
 
-// The driver looks for a lost device in a thread of its own.
 bool is_there() { return std::atomic_ref(the_bench.is_there).load(); }
 
 int failed(const char* reason) {
@@ -71,7 +71,6 @@ int opened_at(char index) {
 }
 
 void note(const char* function, char id) {
-  const std::lock_guard lock(the_notes);
   the_bench.calls.push_back(std::string(function) + " " + std::to_string(static_cast<int>(id)));
   if (const char* file = std::getenv("ASPERITY_TEST_DHD_CALLS")) {
     std::ofstream(file, std::ios::app) << the_bench.calls.back() << '\n';
@@ -83,17 +82,24 @@ void note(const char* function, char id) {
 extern "C" {
 
 Bench* test_dhd_bench() { return &the_bench; }
+std::recursive_mutex* test_dhd_lock() { return &the_lock; }
 
-int dhdGetDeviceCount() { return is_there() ? static_cast<int>(the_bench.units.size()) : 0; }
+int dhdGetDeviceCount() {
+  const std::lock_guard held(the_lock);
+  return is_there() ? static_cast<int>(the_bench.units.size()) : 0;
+}
 int dhdGetAvailableCount() {
+  const std::lock_guard held(the_lock);
   // What this program itself has open counts as available.
   return dhdGetDeviceCount() - the_bench.in_use_elsewhere;
 }
 int dhdOpenID(char index) {
+  const std::lock_guard held(the_lock);
   note("dhdOpenID", index);
   return opened_at(index);
 }
 int dhdOpenSerial(int serial) {
+  const std::lock_guard held(the_lock);
   for (std::size_t index = 0; index < the_bench.units.size(); ++index) {
     if (the_bench.units[index].serial != serial || !the_bench.opens_by_serial) continue;
     note("dhdOpenSerial", static_cast<char>(index));
@@ -102,6 +108,7 @@ int dhdOpenSerial(int serial) {
   return failed("no device has this serial number");
 }
 int dhdClose(char id) {
+  const std::lock_guard held(the_lock);
   note("dhdClose", id);
   Unit* unit = unit_of(id);
   // What is closed after its cable was pulled is closed.
@@ -111,6 +118,7 @@ int dhdClose(char id) {
   return unit == nullptr ? -1 : 0;
 }
 int dhdStop(char id) {
+  const std::lock_guard held(the_lock);
   note("dhdStop", id);
   Unit* unit = unit_of(id);
   if (unit == nullptr) return -1;
@@ -118,6 +126,7 @@ int dhdStop(char id) {
   return 0;
 }
 int dhdEnableForce(unsigned char, char id) {
+  const std::lock_guard held(the_lock);
   Unit* unit = unit_of(id);
   if (unit == nullptr) return -1;
   if (the_bench.enable_answer < 0) return failed("it has no power");
@@ -128,10 +137,12 @@ int dhdEnableForce(unsigned char, char id) {
   return 0;
 }
 int dhdGetSystemType(char id) {
+  const std::lock_guard held(the_lock);
   const Unit* unit = unit_of(id);
   return unit == nullptr ? -1 : unit->type;
 }
 int dhdGetSerialNumber(unsigned short* serial, char id) {
+  const std::lock_guard held(the_lock);
   const Unit* unit = unit_of(id);
   if (unit == nullptr) return -1;
   *serial = unit->serial;
@@ -144,6 +155,7 @@ void dhdGetSDKVersion(int* major, int* minor, int* release, int* revision) {
   *revision = 0;
 }
 int dhdGetStatus(int* status, char id) {
+  const std::lock_guard held(the_lock);
   const Unit* unit = unit_of(id);
   if (unit == nullptr) return -1;
   for (int i = 0; i < 17; ++i) status[i] = 0;
@@ -154,6 +166,7 @@ int dhdGetStatus(int* status, char id) {
   return 0;
 }
 int dhdGetPosition(double* x, double* y, double* z, char id) {
+  const std::lock_guard held(the_lock);
   const Unit* unit = unit_of(id);
   if (unit == nullptr || the_bench.read_answer < 0) return -1;
   *x = unit->position_m[0];
@@ -163,6 +176,7 @@ int dhdGetPosition(double* x, double* y, double* z, char id) {
 }
 int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double frame[3][3],
                                       char id) {
+  const std::lock_guard held(the_lock);
   const int answer = dhdGetPosition(x, y, z, id);
   if (answer < 0) return answer;
   for (int i = 0; i < 3; ++i) {
@@ -171,12 +185,14 @@ int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double fr
   return answer;
 }
 unsigned int dhdGetButtonMask(char id) {
+  const std::lock_guard held(the_lock);
   const Unit* unit = unit_of(id);
   return unit == nullptr ? 0 : unit->buttons;
 }
 #ifndef ASPERITY_TEST_DHD_IS_OLD
 int dhdSetForceAndTorqueAndGripperForce(double fx, double fy, double fz, double tx, double ty,
                                         double tz, double gripper, char id) {
+  const std::lock_guard held(the_lock);
   Unit* unit = unit_of(id);
   if (unit == nullptr || the_bench.send_answer < 0) return -1;
   const double sent[7] = {fx, fy, fz, tx, ty, tz, gripper};
@@ -184,14 +200,19 @@ int dhdSetForceAndTorqueAndGripperForce(double fx, double fy, double fz, double 
   return the_bench.send_answer;
 }
 #endif
-const char* dhdErrorGetLastStr() { return the_bench.last_error; }
+const char* dhdErrorGetLastStr() {
+  const std::lock_guard held(the_lock);
+  return the_bench.last_error;
+}
 
 #ifndef ASPERITY_TEST_DHD_WITHOUT_DRD
 int drdOpenID(char index) {
+  const std::lock_guard held(the_lock);
   note("drdOpenID", index);
   return opened_at(index);
 }
 int drdAutoInit(char id) {
+  const std::lock_guard held(the_lock);
   note("drdAutoInit", id);
   Unit* unit = unit_of(id);
   if (unit == nullptr) return -1;
@@ -200,10 +221,12 @@ int drdAutoInit(char id) {
   return 0;
 }
 int drdStop(bool leaves_force_on, char id) {
+  const std::lock_guard held(the_lock);
   note(leaves_force_on ? "drdStop with force" : "drdStop", id);
   return the_bench.stop_answer < 0 ? failed("the regulation goes on") : 0;
 }
 int drdClose(char id) {
+  const std::lock_guard held(the_lock);
   note("drdClose", id);
   return dhdClose(id);
 }

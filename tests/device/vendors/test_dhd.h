@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,26 @@ struct Bench {
   std::vector<std::string> calls{};  ///< those that open, move, close
 };
 
+/// The bench while a driver's own thread may be at it: held from `->` to the end of the expression.
+class SharedBench final {
+ public:
+  struct Held {
+    std::unique_lock<std::recursive_mutex> lock;
+    Bench* bench = nullptr;
+    Bench* operator->() const noexcept { return bench; }
+  };
+
+  SharedBench() = default;
+  SharedBench(Bench* bench, std::recursive_mutex* lock) : bench_(bench), lock_(lock) {}
+  Held operator->() const { return {std::unique_lock(*lock_), bench_}; }
+
+ private:
+  Bench* bench_ = nullptr;
+  std::recursive_mutex* lock_ = nullptr;
+};
+
 }  // namespace asperity::test_dhd
 
 // Exported by the stand-in.
 using TestDhdBench = asperity::test_dhd::Bench* (*)();
+using TestDhdLock = std::recursive_mutex* (*)();
