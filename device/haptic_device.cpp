@@ -3,6 +3,7 @@
 #include "device/haptic_device.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -42,11 +43,13 @@ void HapticDevice::set_limits(const ForceLimits& limits) {
 
 std::optional<ProbeState> HapticDevice::read(std::int64_t now_ns) noexcept {
   ProbeState state{.time_ns = now_ns};
+  is_read_again_ = false;
   if (!do_read(now_ns, state)) {
     return std::nullopt;
   }
-  if (!capability_.may_rest_exactly) {
-    pose_.take(state, pushed_N_);
+  if (!capability_.may_rest_exactly && !is_read_again_) {
+    pose_.take(state, std::min(weakest_N_, pushed_N_));
+    weakest_N_ = std::numeric_limits<double>::infinity();
     is_frozen_.store(pose_.is_frozen(), std::memory_order_relaxed);
   }
   if (pose_.is_frozen()) return std::nullopt;
@@ -64,19 +67,24 @@ std::optional<LimitedWrench> HapticDevice::push(const Wrench& wanted, double dt_
   if (!do_send(limited.wrench)) {
     // Its motors are at zero, or unknown; whatever comes next rises from zero.
     limiter_.reset();
-    pushed_N_ = 0.0;
+    note_push(0.0);
     return std::nullopt;
   }
   if (given_) limited.wrench = *given_;
   if (given_ || gave_less_) limited.reasons |= static_cast<std::uint8_t>(LimitReason::force);
-  pushed_N_ = glm::length(limited.wrench.force_N);
+  note_push(glm::length(limited.wrench.force_N));
   return limited;
 }
 
 void HapticDevice::zero_force() noexcept {
   limiter_.reset();
-  pushed_N_ = 0.0;
+  note_push(0.0);
   do_send(Wrench{});
+}
+
+void HapticDevice::note_push(double force_N) noexcept {
+  pushed_N_ = force_N;
+  weakest_N_ = std::min(weakest_N_, force_N);
 }
 
 std::string HapticDevice::complaint() const {

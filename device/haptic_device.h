@@ -87,6 +87,8 @@ class HapticDevice {
  protected:
   HapticDevice(DeviceCapability capability, const ForceLimits& limits);
 
+  /// For `do_read`: nothing new came, and this is the last reading again. It is no sign of a frozen pose.
+  void read_again() noexcept { is_read_again_ = true; }
   /// For `do_send`: the motors could give no more than this. `push` returns it as limited in force.
   void gave_only(const Wrench& given) noexcept { given_ = given; }
   /// For `do_send`: the motors gave less, and nobody knows how much. `push` marks the wrench as limited
@@ -99,12 +101,16 @@ class HapticDevice {
   /// False when the device does not take it.
   virtual bool do_send(const Wrench& limited) noexcept = 0;
 
+  void note_push(double force_N) noexcept;
+
   DeviceCapability capability_{};
   ForceLimiter limiter_;
   std::optional<Wrench> given_{};
   bool gave_less_ = false;
+  bool is_read_again_ = false;
   PoseWatch pose_{};
-  double pushed_N_ = 0.0;  // since the last reading
+  double pushed_N_ = 0.0;
+  double weakest_N_ = 0.0;  // push since the last new reading
   std::atomic<bool> is_frozen_{false};
 };
 

@@ -94,7 +94,7 @@ FalconDevice::State FalconDevice::state_at(std::int64_t clock_ns) const noexcept
 }
 
 bool FalconDevice::do_read(std::int64_t, ProbeState& state) noexcept {
-  line_->take(reading_);
+  if (!line_->take(reading_)) read_again();
   state_.store(state_at(monotonic_now_ns()), std::memory_order_relaxed);
   state.position_m = from_machine(reading_.position_m - kOrigin_m);
   state.velocity_m_per_s = from_machine(reading_.velocity_m_per_s);

@@ -352,6 +352,7 @@ bool ForceDimensionDevice::do_read(std::int64_t now_ns, ProbeState& state) noexc
   look_at_status();
 
   if (answer == DhdFunctions::kTimeGuard && has_read_) {
+    read_again();
     state = last_;
     state.time_ns = now_ns;
     const bool is_stale = now_ns - last_new_ns_ > kLongestStale_ns;

@@ -418,6 +418,24 @@ TEST_F(Falcon, IsLostAfterFiftyMillisecondsOfSilenceAndFoundAgain) {
   EXPECT_EQ(emulated.take_strongest_word(), 0);
 }
 
+TEST_F(Falcon, IsSilentAndNotFrozenWhileItTellsNothingNew) {
+  EmulatedFalcon emulated(bus(), {});
+  emulated.circle(0.03);  // at 0.19 m/s
+  const auto device = open();
+  EXPECT_TRUE(eventually([&] {
+    const auto read = device->read(monotonic_now_ns());
+    return read && glm::length(read->velocity_m_per_s) > 0.1;
+  }));
+  emulated.fall_silent(true);
+  // A second by the clock of the tick, within the 50 ms for which the last reading stands.
+  std::int64_t now_ns = monotonic_now_ns();
+  for (int tick = 0; tick < 1000; ++tick) device->read(now_ns += 1'000'000);
+  EXPECT_EQ(device->complaint().find("again and again"), std::string::npos) << device->complaint();
+  EXPECT_TRUE(eventually([&] { return !answers(*device); }));
+  EXPECT_THAT(device->complaint(), HasSubstr("has not answered for 50 ms"));
+  EXPECT_EQ(device->complaint().find("again and again"), std::string::npos) << device->complaint();
+}
+
 TEST_F(Falcon, ComesBackAfterItWasUnpluggedWithoutForce) {
   EmulatedFalcon emulated(bus(), {.serial = "NF042"});
   const auto device = open();

@@ -293,6 +293,19 @@ TEST_F(ForceDimension, IsLostWhenNothingNewCameForFiftyMilliseconds) {
   EXPECT_EQ(device->trouble(), "");
 }
 
+TEST_F(ForceDimension, IsBelievedWhileItsReadingsRepeatThoughTheLastOneMoved) {
+  attach(33, 1);
+  const auto device = open();
+  std::int64_t tick = 0;
+  for (; tick < 20; ++tick) {  // 1 m/s to the right
+    bench->units[0].position_m[1] = 0.001 * static_cast<double>(tick);
+    EXPECT_TRUE(device->read(tick * kMillisecond_ns).has_value());
+  }
+  bench->read_answer = 1;
+  for (; tick < 65; ++tick) EXPECT_TRUE(device->read(tick * kMillisecond_ns).has_value()) << tick;
+  EXPECT_EQ(device->complaint(), "");
+}
+
 TEST_F(ForceDimension, SendsForceAndTorqueInTheDevicesFrame) {
   attach(104, 1);
   const auto device = open();

@@ -32,6 +32,8 @@ class Sketch final : public HapticDevice {
 
   bool answers = true;
   glm::dvec3 position_m{0.01, 0.02, 0.03};
+  glm::dvec3 velocity_m_per_s{0.0};
+  bool has_nothing_new = false;
   bool is_saturated = false;
   std::string says{};
   std::optional<double> strongest_N{};  ///< what its motors have, along the force that is asked for
@@ -40,7 +42,9 @@ class Sketch final : public HapticDevice {
 
  private:
   bool do_read(std::int64_t, ProbeState& state) noexcept override {
+    if (has_nothing_new) read_again();
     state.position_m = position_m;
+    state.velocity_m_per_s = velocity_m_per_s;
     return answers;
   }
   bool do_send(const Wrench& limited) noexcept override {
@@ -161,6 +165,28 @@ TEST(HapticDevice, DoesNotAnswerWithAPoseThatStaysHoweverItIsPushed) {
   device.position_m.x += 38e-6;
   EXPECT_EQ(answered(device, tick, 500, 3.0), 500);
   EXPECT_EQ(device.complaint(), "Its lamp is red.");
+}
+
+TEST(HapticDevice, TakesAReadingThatIsHeldForNoSignOfAFrozenPose) {
+  Sketch device(capability(10.0));
+  device.velocity_m_per_s = {1.0, 0.0, 0.0};
+  std::int64_t tick = 0;
+  EXPECT_EQ(answered(device, tick, 10, 0.0), 10);
+  device.has_nothing_new = true;
+  EXPECT_EQ(answered(device, tick, 45, 0.0), 45);  // 4.5 cm by the velocity that is held
+  EXPECT_EQ(answered(device, tick, 2000, 3.0), 2000);
+  EXPECT_EQ(device.complaint(), "");
+  device.has_nothing_new = false;
+  EXPECT_LT(answered(device, tick, 100, 0.0), 30);  // told anew, it is one
+}
+
+TEST(HapticDevice, CountsAPushThatPausedBetweenTwoNewReadingsAsPaused) {
+  Sketch device(capability(10.0), {.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  for (std::int64_t tick = 0; tick < 5000; ++tick) {
+    device.has_nothing_new = tick % 10 != 0;
+    EXPECT_TRUE(device.read(tick * 1'000'000).has_value()) << tick;
+    device.push({.force_N = {0.0, 0.0, tick % 500 == 255 ? 0.0 : 4.0}}, kDt_s);
+  }
 }
 
 TEST(HapticDevice, SendsZeroWhileItDoesNotBelieveThePose) {
