@@ -124,6 +124,12 @@ WatchdogProcess::WatchdogProcess(Act act, const void* about, int keep_open) {
   }
 }
 
+bool WatchdogProcess::is_there() const noexcept {
+  // Nobody but it has the other end, so that its end is the end of the line.
+  pollfd end{leash_, 0, 0};
+  return poll(&end, 1, 0) <= 0;
+}
+
 WatchdogProcess::~WatchdogProcess() {
   const char farewell = 1;
   if (!is_left_to_act_) {

@@ -36,6 +36,8 @@ class WatchdogProcess final {
   /// `about` is handed to `act` as it is now. `keep_open` is a file of this process that `act` needs, −1 for none.
   WatchdogProcess(Act act, const void* about, int keep_open);
   ~WatchdogProcess();
+  /// False when the other process has ended, by whatever hand: nobody acts any more. A system call, without waiting.
+  bool is_there() const noexcept;
   /// Has the destructor take its leave as a death does: for who could not set the motors to zero itself. What `act`
   /// needs has to be free before it is destroyed.
   void leave_to_act() noexcept { is_left_to_act_ = true; }

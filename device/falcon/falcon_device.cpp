@@ -88,6 +88,7 @@ void FalconDevice::wait_until_homed(const FalconSettings& settings) {
 }
 
 FalconDevice::State FalconDevice::state_at(std::int64_t clock_ns) const noexcept {
+  if (!line_->is_watched()) return State::unwatched;
   if (!line_->is_connected()) return State::unplugged;
   if (clock_ns - reading_.time_ns > kLongestSilence_ns) return State::silent;
   return reading_.is_homed ? State::well : State::not_homed;
@@ -123,6 +124,10 @@ std::string FalconDevice::trouble() const {
   switch (state_.load(std::memory_order_relaxed)) {
     case State::well:
       return {};
+    case State::unwatched:
+      return it +
+             " gets no force: the process that sets its motors to zero should this program die is "
+             "gone. Unplug the Falcon and plug it in again, or end the session and open it anew.";
     case State::unplugged:
       return it + " is unplugged: plug it in again where it was, and see that it has power.";
     case State::silent:

@@ -33,6 +33,7 @@ DeviceCapability falcon_capability();
 ///   otherwise, and while it is not homed.
 /// - `push` says what the motors were given: a force beyond them keeps its direction and is marked as
 ///   limited.
+/// - It does not answer while its watchdog process is gone (falcon/falcon_line.h).
 /// - Unplugged and plugged in again, it answers again: with its firmware and homing where it kept its
 ///   power, after loading and another homing where it did not. The force stays zero until the next push.
 ///
@@ -43,7 +44,7 @@ DeviceCapability falcon_capability();
 /// middle of the workspace, 115 mm in front of the shoulders.
 ///
 /// Errors: `open` throws std::runtime_error with a sentence: no permission, in use, no firmware, loading
-/// failed three times, not homed in time.
+/// failed three times, not homed in time, no watchdog process.
 ///
 /// Real-time: reading and sending do not allocate, lock, wait or throw; the bus has a thread of its own
 /// (falcon/falcon_line.h).
@@ -55,7 +56,7 @@ class FalconDevice final : public HapticDevice {
   std::string trouble() const override;
 
  private:
-  enum class State { well, unplugged, silent, not_homed };
+  enum class State { well, unwatched, unplugged, silent, not_homed };
   explicit FalconDevice(std::unique_ptr<falcon::FalconLine> line);
   void wait_until_homed(const FalconSettings& settings);
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;

@@ -91,8 +91,17 @@ void FalconLine::open() {
 }
 
 void FalconLine::begin_watch() {
+  watched_.store(false, std::memory_order_release);
   last_words_ = port_->last_words();
+  if (last_words_.file < 0) {
+    throw std::runtime_error(
+        "the Novint Falcon at " + settings_.place +
+        " is given no force: libusb does not tell through which file it speaks to the device, and "
+        "nobody could set its motors to zero while this program stands still; use the libusb of "
+        "your Linux distribution");
+  }
   watchdog_ = std::make_unique<WatchdogProcess>(&say_last_words, &last_words_, last_words_.file);
+  watched_.store(true, std::memory_order_release);
 }
 
 void FalconLine::make_ready(FalconPort& port, const std::stop_token& stop) const {
@@ -132,6 +141,7 @@ void FalconLine::converse(const std::stop_token& stop) {
       }
       continue;
     }
+    if (!watchdog_->is_there()) watched_.store(false, std::memory_order_release);
     const Transfer ended = exchange();
     if (ended == Transfer::gone || monotonic_now_ns() - heard_ns_ > kSilence_ns) {
       lose();
@@ -200,6 +210,7 @@ void FalconLine::lose() noexcept {
 Command FalconLine::command_now(std::int64_t now_ns) const noexcept {
   if (!answers_.is_homed()) return {.lamp = Lamp::red, .is_homing = true};
   Command command{.lamp = Lamp::green};
+  if (!is_watched()) return command;
   const std::int64_t commanded_ns = commanded_ns_.load(std::memory_order_acquire);
   if (now_ns - commanded_ns < kForceLasts_ns) {
     command.motor_words = unpacked(words_.load(std::memory_order_relaxed));

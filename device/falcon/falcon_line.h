@@ -34,7 +34,9 @@ struct LineSettings {
 /// What the caller may rely on:
 /// - The motors get zero while the device is not homed, for `kForceLasts_ns` after the last `command` at
 ///   the latest, after every loss until the next `command`, and at destruction. When the program dies
-///   or stands still another process sends it (WatchdogProcess).
+///   or stands still another process sends it (WatchdogProcess); without that process there is no force:
+///   a device for which it cannot be started is refused, and when it ends the motors get zero from the
+///   next frame on, until the device is opened again.
 /// - Errors of the bus are outlived; a device that says nothing for a second is opened anew. After a frame
 ///   that was not answered in time what comes late is thrown away, so that an answer is always the
 ///   one to the frame before it.
@@ -48,7 +50,7 @@ struct LineSettings {
 /// device takes no zero and it is left to the watchdog; for a search
 /// 0.6 s more for each Falcon on the bus that answers nothing.
 ///
-/// Real-time: `take`, `command` and `is_connected` are wait-free.
+/// Real-time: `take`, `command`, `is_connected` and `is_watched` are wait-free.
 class FalconLine final {
  public:
   static constexpr std::int64_t kForceLasts_ns = 100'000'000;
@@ -66,6 +68,8 @@ class FalconLine final {
   bool take(Reading& reading) noexcept { return readings_.take(reading); }
   void command(const std::array<std::int16_t, 3>& motor_words) noexcept;
   bool is_connected() const noexcept { return connected_.load(std::memory_order_acquire); }
+  /// False when nobody would set the motors to zero, should this program die; no force is given then.
+  bool is_watched() const noexcept { return watched_.load(std::memory_order_acquire); }
 
  private:
   void open();
@@ -90,6 +94,7 @@ class FalconLine final {
   std::atomic<std::uint64_t> words_{0};  // three times sixteen bits
   std::atomic<std::int64_t> commanded_ns_{0};
   std::atomic<bool> connected_{false};
+  std::atomic<bool> watched_{true};
 
   // The thread's own, from here on.
   UsbSession usb_{};

@@ -196,6 +196,11 @@ void EmulatedFalcon::fail_transfers(int count) {
   failing_transfers_ = count;
 }
 
+void EmulatedFalcon::take_no_frames(bool takes_none) {
+  const std::lock_guard lock(mutex_);
+  takes_none_ = takes_none;
+}
+
 void EmulatedFalcon::fall_silent(bool silent) {
   const std::lock_guard lock(mutex_);
   silent_ = silent;
@@ -364,7 +369,7 @@ int EmulatedFalcon::submit(UMockdevIoctlData* argument) {
     finished_.push_back(std::move(one));
     return 0;
   }
-  if ((urb.endpoint & 0x80U) == 0) {
+  if ((urb.endpoint & 0x80U) == 0 && !takes_none_) {
     for (int i = 0; i < urb.buffer_length; ++i) take_byte(one.buffer->data[i]);
     urb.actual_length = urb.buffer_length;
     finished_.push_back(std::move(one));
@@ -436,6 +441,7 @@ int EmulatedFalcon::discard(UMockdevIoctlData* argument) {
 // What the device has to say by now, after its two bytes.
 bool EmulatedFalcon::fill(Urb& one) {
   usbdevfs_urb& urb = one.urb();
+  if ((urb.endpoint & 0x80U) == 0) return false;  // it goes out, and waits
   const auto now = steady_clock::now();
   if (to_say_.empty() && !answers_.empty() && now >= answers_.front().due) {
     to_say_.assign(answers_.front().bytes.begin(), answers_.front().bytes.end());

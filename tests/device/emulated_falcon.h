@@ -83,6 +83,9 @@ class EmulatedFalcon final {
 
   /// The next transfers of frames fail on the bus.
   void fail_transfers(int count);
+  /// Frames wait on the bus until whoever sent them takes them back. What another process sends over a file of
+  /// its own is taken.
+  void take_no_frames(bool takes_none);
   /// It takes everything and says nothing any more.
   void fall_silent(bool silent);
   /// Bits flip in what the boot loader sends back, in the next loads.
@@ -142,6 +145,7 @@ class EmulatedFalcon final {
   mutable std::mutex mutex_{};
   bool plugged_ = false;
   bool silent_ = false;
+  bool takes_none_ = false;
   bool held_ = false;
   const UMockdevIoctlClient* holder_ = nullptr;  // whoever has claimed it
   int failing_transfers_ = 0;

@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <dlfcn.h>
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,6 +23,16 @@
 #include "tests/device/falcon_arm_angles.h"
 #include "tests/device/falcon_run.h"
 #include "tests/support/allocation_guard.h"
+
+// libusb as it is where it has no files to wait for: this definition comes before the library's own.
+struct libusb_context;
+struct libusb_pollfd;
+static bool libusb_has_no_files = false;
+extern "C" const libusb_pollfd** libusb_get_pollfds(libusb_context* context) {
+  using Function = const libusb_pollfd** (*)(libusb_context*);
+  static const auto theirs = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "libusb_get_pollfds"));
+  return libusb_has_no_files ? nullptr : theirs(context);
+}
 
 namespace asperity {
 namespace {
@@ -336,6 +347,80 @@ TEST_F(Falcon, HasItsMotorsAtZeroHoweverTheProgramThatDroveItDies) {
     EXPECT_TRUE(eventually([&] { return emulated.motor_words() == kNoWords; })) << signal;
     // And anybody may drive it again.
     EXPECT_TRUE(eventually([&] { return complaint_of([] { open(); }).empty(); }));
+  }
+}
+
+// The child of this process that is called so; −1 where there is none.
+pid_t watchdog_process() {
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream children(task.path() / "children");
+    for (pid_t child = 0; children >> child;) {
+      std::ifstream comm("/proc/" + std::to_string(child) + "/comm");
+      std::string name;
+      if (comm >> name && name == "watchdog") return child;
+    }
+  }
+  return -1;
+}
+
+TEST_F(Falcon, GetsNoForceOnceTheProcessThatWouldTakeItAwayIsGone) {
+  EmulatedFalcon emulated(bus(), {});
+  const auto device = open();
+  const auto is_pushed = [&] { return emulated.motor_words() != kNoWords; };
+  push_until(*device, {0.0, 0.0, 1.0}, is_pushed);
+  const pid_t watchdog = watchdog_process();
+  ASSERT_GT(watchdog, 0);
+  ASSERT_EQ(kill(watchdog, SIGKILL), 0);
+  push_until(*device, {0.0, 0.0, 1.0}, [&] {
+    return device->complaint().find("should this program die is gone") != std::string::npos;
+  });
+  EXPECT_TRUE(eventually([&] { return !is_pushed(); }));
+  emulated.take_strongest_word();
+  const std::int64_t before = emulated.frames();
+  EXPECT_TRUE(eventually([&] {
+    EXPECT_FALSE(answers(*device));
+    EXPECT_FALSE(device->push({.force_N = {0.0, 0.0, 1.0}}, kDt_s).has_value());
+    return emulated.frames() > before + 50;
+  }));
+  EXPECT_EQ(emulated.take_strongest_word(), 0);
+  emulated.unplug();
+  emulated.plug_in();
+  push_until(*device, {0.0, 0.0, 1.0}, is_pushed);
+  EXPECT_TRUE(eventually([&] { return answers(*device) && device->complaint().empty(); }));
+}
+
+TEST_F(Falcon, IsRefusedWhereNobodyCouldTakeItsForceAway) {
+  EmulatedFalcon emulated(bus(), {});
+  libusb_has_no_files = true;
+  const std::string complaint = complaint_of([] { open(); });
+  libusb_has_no_files = false;
+  EXPECT_THAT(complaint, HasSubstr("the Novint Falcon at usb 1-2 is given no force"));
+  EXPECT_FALSE(emulated.is_held());
+  EXPECT_EQ(emulated.take_strongest_word(), 0);
+  open();
+}
+
+TEST_F(Falcon, IsLeftToItsWatchdogWhenItTakesNoPartingFrame) {
+  for (const bool in_time : {true, false}) {
+    EmulatedFalcon emulated(bus(), {});
+    auto device = open();
+    const auto is_pushed = [&] { return emulated.motor_words() != kNoWords; };
+    const auto refuse = [&](bool refuses) {
+      if (in_time) {
+        emulated.fail_transfers(refuses ? 1'000'000 : 0);
+      } else {
+        emulated.take_no_frames(refuses);
+      }
+    };
+    // On a busy machine the force may have ended before it takes nothing any more: once again then.
+    do {
+      refuse(false);
+      push_until(*device, {0.0, 0.0, 1.0}, is_pushed);
+      refuse(true);
+    } while (!is_pushed());
+    device.reset();
+    EXPECT_EQ(emulated.motor_words(), kNoWords);
+    EXPECT_FALSE(emulated.is_held());
   }
 }
 

@@ -119,17 +119,19 @@ TEST(WatchdogProcess, ActsWhenItIsLeftTheLastWord) {
   close(ends[0]);
 }
 
-// As one that was killed for want of memory: the program that it watched goes on.
-TEST(WatchdogProcess, MayBeDeadBeforeItIsDestroyed) {
+// As one that was killed for want of memory: the program that it watched goes on, and can see it.
+TEST(WatchdogProcess, IsKnownToBeDeadAndMayBeBeforeItIsDestroyed) {
   const pid_t program = fork();
   if (program == 0) {
     {
       const WatchdogProcess watchdog(&tell, "7", -1);
+      if (!watchdog.is_there()) _exit(2);
       std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
       pid_t child = 0;
       if (!(children >> child) || kill(child, SIGKILL) != 0) _exit(1);
       siginfo_t dead{};
       waitid(P_PID, static_cast<id_t>(child), &dead, WEXITED | WNOWAIT);
+      if (watchdog.is_there()) _exit(3);
     }
     _exit(7);
   }
