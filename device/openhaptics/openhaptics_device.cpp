@@ -225,13 +225,17 @@ OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<const HdFunctions> hd, cons
 
 OpenHapticsDevice::~OpenHapticsDevice() {
   stop_calls();
-  if (!servo_) return;  // libHD hangs: another word to it would hang as well
+  if (is_given_up_) {
+    // Another word to libHD would hang as well, and its thread may still look at this.
+    [[maybe_unused]] Servo* left_behind = servo_.release();
+    return;
+  }
   switch_off();
   hd_->hdDisableDevice(servo_->handle);
 }
 
 void OpenHapticsDevice::start_calls(const TickCall& call) {
-  if (!servo_) {
+  if (is_given_up_) {
     throw std::runtime_error("OpenHaptics' thread hangs: end this program and start it again.");
   }
   if (is_called_) throw std::logic_error("the device openhaptics calls already");
@@ -276,7 +280,7 @@ void OpenHapticsDevice::stop_calls() noexcept {
   }
   if (!servo_->is_done.load() && servo_->has_begun.load()) {
     is_called_ = false;
-    [[maybe_unused]] Servo* left_behind = servo_.release();
+    is_given_up_.store(true);
     return;
   }
   end_frames();
@@ -301,7 +305,7 @@ void OpenHapticsDevice::switch_off() noexcept {
 }
 
 bool OpenHapticsDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
-  if (!servo_ || !servo_->was_read) return false;
+  if (is_given_up_ || !servo_->was_read) return false;
   Servo& servo = *servo_;
   const double(&transform)[16] = servo.transform;
   state.position_m =
@@ -316,14 +320,14 @@ bool OpenHapticsDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept
 }
 
 bool OpenHapticsDevice::do_send(const Wrench& limited) noexcept {
-  if (!servo_) return false;
+  if (is_given_up_) return false;
   servo_->wanted = limited;  // set in the frame that is under way; none is outside a call
   return servo_->may_push;
 }
 
 std::string OpenHapticsDevice::trouble() const {
   const std::string who = capability().model + " " + capability().serial;
-  if (!servo_)
+  if (is_given_up_.load())
     return "OpenHaptics' thread hangs, and " + who +
            " with it: end this program and start it again.";
   const unsigned int code = servo_->last_error.load();

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <string>
@@ -58,7 +59,8 @@ class OpenHapticsDevice final : public HapticDevice {
 
   std::shared_ptr<const HdFunctions> hd_;
   std::chrono::milliseconds patience_{500};
-  std::unique_ptr<Servo> servo_;  // null after libHD's thread was given up
+  std::unique_ptr<Servo> servo_;  // left behind at the end where libHD's thread was given up
+  std::atomic<bool> is_given_up_{false};
   unsigned long schedule_ = 0;
   bool is_called_ = false;
   bool has_other_rate_ = false;  ///< than libHD's usual one
