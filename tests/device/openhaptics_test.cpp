@@ -212,7 +212,16 @@ TEST_F(OpenHaptics, SendsTorqueInNewtonMillimetresToModelsThatCanTurn) {
   EXPECT_NEAR(bench->torque[2], -20.0, 1e-12);
 }
 
-TEST_F(OpenHaptics, RefusesAPushAfterAForceErrorAndNamesIt) {
+struct HdErrorAtTheEnd {
+  std::string called{};
+  unsigned int code = 0;
+  std::string name{};
+};
+
+class OpenHapticsAfterAFrameWithAnError : public OpenHaptics,
+                                          public testing::WithParamInterface<HdErrorAtTheEnd> {};
+
+TEST_P(OpenHapticsAfterAFrameWithAnError, RefusesAPushAndNamesIt) {
   const auto device = open();
   ReadAndPush servo{device.get()};
   servo.start();
@@ -220,19 +229,19 @@ TEST_F(OpenHaptics, RefusesAPushAfterAForceErrorAndNamesIt) {
   EXPECT_EQ(servo.refused, 0);
   {
     const std::lock_guard lock(bench->mutex);
-    bench->error_of_each_end = 0x0200;
+    bench->error_of_each_end = GetParam().code;
   }
   while (servo.refused == 0) std::this_thread::yield();
   EXPECT_EQ(servo.unread, 0);  // it can be read, and is
-  EXPECT_THAT(device->trouble(),
-              AllOf(HasSubstr("Touch T-17"), HasSubstr("HD_WARM_MOTORS"), HasSubstr("rest")));
-  {
-    const std::lock_guard lock(bench->mutex);
-    bench->error_of_each_end = 0x0201;
-  }
-  servo.wait_for(3);
-  EXPECT_THAT(device->trouble(), HasSubstr("HD_EXCEEDED_MAX_FORCE"));
+  EXPECT_THAT(device->trouble(), AllOf(HasSubstr("Touch T-17"), HasSubstr(GetParam().name)));
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Codes, OpenHapticsAfterAFrameWithAnError,
+    testing::Values(HdErrorAtTheEnd{"WarmMotors", 0x0200, "HD_WARM_MOTORS (its motors are warm"},
+                    HdErrorAtTheEnd{"ExceededForce", 0x0201, "HD_EXCEEDED_MAX_FORCE (it was asked"},
+                    HdErrorAtTheEnd{"DeviceFault", 0x0300, "HD_DEVICE_FAULT (the device reports"}),
+    [](const auto& instance) { return instance.param.called; });
 
 TEST_F(OpenHaptics, SendsNothingInAFrameThatBeginsWithAnError) {
   const auto device = open();
@@ -248,20 +257,6 @@ TEST_F(OpenHaptics, SendsNothingInAFrameThatBeginsWithAnError) {
   EXPECT_EQ(bench->strongest_N, 0.0);  // the first frame included
   EXPECT_EQ(servo.refused, servo.ticks);
   EXPECT_EQ(servo.unread, 0);
-}
-
-TEST_F(OpenHaptics, RefusesAPushAfterAFaultThatComesAtTheEndOfAFrameOnly) {
-  const auto device = open();
-  ReadAndPush servo{device.get()};
-  servo.start();
-  servo.wait_for(2);
-  EXPECT_EQ(servo.refused, 0);
-  {
-    const std::lock_guard lock(bench->mutex);
-    bench->error_of_each_end = 0x0300;
-  }
-  while (servo.refused == 0) std::this_thread::yield();
-  EXPECT_THAT(device->trouble(), HasSubstr("HD_DEVICE_FAULT"));
 }
 
 TEST_F(OpenHaptics, TellsTheGravestOfSomeErrors) {
