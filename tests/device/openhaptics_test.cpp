@@ -15,6 +15,7 @@
 
 #include "device/openhaptics/openhaptics_device.h"
 #include "device/vendor_library.h"
+#include "tests/device/long_tick.h"
 #include "tests/device/servo_stand_in.h"
 #include "tests/device/vendors/test_hd.h"
 
@@ -348,21 +349,13 @@ TEST_F(OpenHaptics, LetsGoOfASchedulerThatNeverCalled) {
 
 // The tick is this program's own, and what it works on is freed once the calls are stopped.
 TEST_F(OpenHaptics, WaitsForATickUnderWay) {
-  struct LongTick {
-    std::atomic<bool> has_begun{false};
-    std::atomic<bool> has_ended{false};
-    static void run(void* self) noexcept {
-      auto* tick = static_cast<LongTick*>(self);
-      tick->has_begun = true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(700));
-      tick->has_ended = true;
-    }
-  } tick;
+  LongTick tick;
   const auto device = open();
   device->start_calls({.function = &LongTick::run, .argument = &tick});
-  while (!tick.has_begun) std::this_thread::yield();
-  device->stop_calls();
+  tick.wait_until_begun();
+  tick.end_calls([&device] { device->stop_calls(); });
   EXPECT_TRUE(tick.has_ended);
+  EXPECT_FALSE(tick.was_left);
   EXPECT_EQ(device->trouble(), "");
 }
 
