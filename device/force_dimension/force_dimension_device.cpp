@@ -21,6 +21,8 @@ namespace {
 constexpr std::int64_t kLongestStale_ns = 50'000'000;
 constexpr std::int64_t kLongestFailure_ns = 200'000'000;
 constexpr std::chrono::milliseconds kBetweenTrials(250);
+// How many pushes in full it takes before motors that were saturated are no news any more: two seconds' worth.
+constexpr int kPushesToForget = 2000;
 constexpr const char* kForceDimension = "force_dimension";
 
 // The SDK's x is towards the participant and its y to their right; ours are their right and away from them.
@@ -278,7 +280,10 @@ std::optional<char> ForceDimensionDevice::find_again() {
 
 bool ForceDimensionDevice::reopen() {
   const std::optional<char> id = find_again();
-  if (!id) return false;
+  if (!id) {
+    has_lost_zero_.store(false);  // it was there for a moment only
+    return false;
+  }
   int status[DhdFunctions::kStatusSize] = {};
   const bool answers = sdk_->dhdGetStatus(status, *id) >= 0;
   const bool knows_zero = status[DhdFunctions::kStatusReset] != 0;
@@ -383,7 +388,15 @@ bool ForceDimensionDevice::do_send(const Wrench& limited) noexcept {
   const glm::dvec3 torque_N_m = theirs_from(sent.torque_N_m);
   const int answer = sdk_->dhdSetForceAndTorqueAndGripperForce(
       force_N.x, force_N.y, force_N.z, torque_N_m.x, torque_N_m.y, torque_N_m.z, 0.0, id_);
-  if (answer == DhdFunctions::kMotorSaturated) saturated_.fetch_add(1, std::memory_order_relaxed);
+  if (answer == DhdFunctions::kMotorSaturated) {
+    gave_less();
+    saturated_.fetch_add(1, std::memory_order_relaxed);
+    pushes_since_saturated_ = 0;
+  } else if (pushes_since_saturated_ < kPushesToForget) {
+    ++pushes_since_saturated_;
+  } else {
+    saturated_.store(0, std::memory_order_relaxed);
+  }
   return take(answer, "dhdSetForceAndTorqueAndGripperForce") && force_is_on_;
 }
 

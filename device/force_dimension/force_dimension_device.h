@@ -31,7 +31,8 @@ namespace asperity {
 /// The SDK's watchdog and velocity guard stay as its maker set them. When they, the device's own button
 /// or its power switch the force off, the next tick sees it: zero is sent and `do_send` refuses, so that the servo
 /// loop's fault tells and its ramp brings the force back; `trouble` says which it was. Opening a device switches its
-/// force on, at zero. With less force than was asked for (motors saturated) it goes on and counts.
+/// force on, at zero. With less force than was asked for (motors saturated) it goes on: the push is marked as
+/// limited in force, and `trouble` counts until two seconds of pushes were given in full.
 ///
 /// A device that fails for 200 ms is given up; a thread of the driver's looks for its serial number four times a second and
 /// goes on with it when it is back and still knows its zero. Its force is switched on again, at zero, unless a person
@@ -102,6 +103,7 @@ class ForceDimensionDevice final : public HapticDevice {
   bool force_is_on_ = true;
   VelocityEstimator velocity_{kWindow};
   VelocityEstimator angular_velocity_{kWindow};
+  int pushes_since_saturated_ = 0;
   glm::dvec3 turned_rad_{0.0};  ///< the sum of all small turns so far, each about its own axis
 
   std::atomic<std::uint64_t> saturated_{0};

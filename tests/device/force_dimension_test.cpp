@@ -322,13 +322,26 @@ TEST_F(ForceDimension, NeverSendsMoreThanTheModelGives) {
   EXPECT_NEAR(bench->units[0].sent[2], 12.0, 1e-12);
 }
 
-TEST_F(ForceDimension, CountsSaturatedMotorsAndGoesOn) {
+TEST_F(ForceDimension, TellsOfSaturatedMotorsInTheRecordAndInWordsWhileTheyAre) {
   attach(33, 1);
   const auto device = open();
-  bench->send_answer = 2;
-  EXPECT_TRUE(device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
-  EXPECT_TRUE(device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).has_value());
-  EXPECT_THAT(device->trouble(), HasSubstr("less force than was asked for 2 times"));
+  const auto push = [&] { return device->push({.force_N = {0.0, 0.0, 1.0}}, 1e-3).value(); };
+  EXPECT_FALSE(push().has(LimitReason::force));
+  for (const int times : {2, 3}) {
+    bench->send_answer = 2;
+    for (int i = 0; i < times; ++i) {
+      const LimitedWrench sent = push();
+      EXPECT_TRUE(sent.has(LimitReason::force));
+      EXPECT_EQ(sent.wrench.force_N.z, 1.0);  // how much less, nobody knows
+    }
+    EXPECT_THAT(device->trouble(),
+                HasSubstr("less force than was asked for " + std::to_string(times) + " times"));
+    bench->send_answer = 0;
+    for (int i = 0; i < 1000; ++i) EXPECT_FALSE(push().has(LimitReason::force));
+    EXPECT_NE(device->trouble(), "");
+    for (int i = 0; i < 1100; ++i) push();
+    EXPECT_EQ(device->trouble(), "");
+  }
 }
 
 TEST_F(ForceDimension, SaysWhyADeviceThatVanishedDoesNotAnswer) {
@@ -442,6 +455,9 @@ TEST_F(ForceDimension, DoesNotMoveADeviceThatIsBackWithoutItsZero) {
   is_there = true;
   while (device->trouble().find("lost its zero") == std::string::npos) std::this_thread::yield();
   EXPECT_FALSE(device->read(now_ns += kMillisecond_ns).has_value());
+  is_there = false;  // and gone again: nothing is known of its zero any more
+  while (device->trouble().find("lost its zero") != std::string::npos) std::this_thread::yield();
+  EXPECT_THAT(device->trouble(), HasSubstr("does not answer"));
   device.reset();
   EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
 }
