@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "device/pointer_device.h"
 #include "device/replay_device.h"
 #include "device/simulated_models.h"
+#include "device/units_in_use.h"
 
 namespace asperity {
 namespace {
@@ -93,12 +95,12 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
     for (const Driver& one : drivers_) ids += (ids.empty() ? "" : ", ") + one.id;
     throw std::runtime_error("there is no device \"" + id + "\"; this program has: " + ids);
   }
-  const std::lock_guard lock(*one_at_a_time_);
+  const std::lock_guard alone(UnitInUse::looking());
   return driver->open(colon == std::string::npos ? "" : name.substr(colon + 1), options);
 }
 
 DriverSurvey DriverRegistry::survey(const Driver& driver, const DriverOptions& options) const {
-  const std::lock_guard lock(*one_at_a_time_);
+  const std::lock_guard alone(UnitInUse::looking());
   return driver.find(options);
 }
 

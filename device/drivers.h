@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,8 +63,8 @@ struct DriverSurvey {
 
 /// A driver: a kind of device, found and opened.
 ///
-/// Threads: `find` and `open` from any thread, one call at a time; both may take seconds. `find`
-/// leaves a device that a session uses alone.
+/// Threads: `find` and `open` from any thread, one call at a time, which DriverRegistry sees to; both may take
+/// seconds. `find` leaves a device that a session uses alone.
 struct Driver {
   std::string id{};       ///< `[a-z][a-z0-9_]*`, the name in `--device` and in DeviceCapability
   std::string summary{};  ///< one sentence
@@ -79,8 +78,8 @@ struct Driver {
 
 /// The drivers that a program knows.
 ///
-/// Threads: any. `survey` and `open` wait for each other, in copies of a registry as well, so that no driver
-/// is asked two things at a time.
+/// Threads: any. `survey` and `open` wait for each other, whichever registry they are called on: what a driver
+/// looks into (a maker's library, a bus) is one for the process (UnitInUse::looking).
 ///
 /// Errors: `add` throws std::invalid_argument for an id that is taken or not `[a-z][a-z0-9_]*`.
 class DriverRegistry final {
@@ -100,7 +99,6 @@ class DriverRegistry final {
 
  private:
   std::vector<Driver> drivers_{};
-  std::shared_ptr<std::mutex> one_at_a_time_ = std::make_shared<std::mutex>();
 };
 
 /// Every driver that this program was built with, the simulated device first.

@@ -1,3 +1,5 @@
+// Which devices this process has open, so that no look at what is attached disturbs them.
+
 #include "device/units_in_use.h"
 
 #include <algorithm>

@@ -28,8 +28,9 @@ class UnitInUse final {
   /// Those of one driver, each with the hindrance that this program uses it.
   static std::vector<AttachedDevice> of(std::string_view driver);
 
-  /// For drivers: held while one looks for devices or opens one. Between the two looks of another thread a device
-  /// that it has opened only to ask its name would be closed under whoever began to use it.
+  /// Held by DriverRegistry while a driver looks for devices or opens one, and by a driver that opens its lost
+  /// device again. Between the two looks of another thread a device that it has opened only to ask its name would
+  /// be closed under whoever began to use it.
   static std::mutex& looking();
 };
 

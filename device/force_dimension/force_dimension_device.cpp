@@ -479,7 +479,6 @@ Driver force_dimension_driver() {
               [](const DriverOptions& options) {
                 try {
                   const DhdFunctions sdk(options.library);
-                  const std::lock_guard alone(UnitInUse::looking());
                   return survey_of(sdk);
                 } catch (const std::runtime_error& refusal) {
                   return DriverSurvey{.hindrance = refusal.what()};
@@ -488,8 +487,6 @@ Driver force_dimension_driver() {
           .open = [](const std::string& which,
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             auto sdk = std::make_shared<const DhdFunctions>(options.library);
-            // Until it is listed as used: a look from another thread would close what may be moving by then.
-            const std::lock_guard alone(UnitInUse::looking());
             const std::vector<AttachedDevice> attached = survey_of(*sdk).attached;
             const std::string place =
                 choose_attached("device of Force Dimension", attached, which).place;

@@ -418,7 +418,6 @@ Driver inverse3_driver(const Inverse3Patience& patience) {
                       const DriverOptions& options) { return inverse3_survey(options, patience); },
           .open = [patience](const std::string& which,
                              const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
-            const std::lock_guard alone(UnitInUse::looking());
             const DriverSurvey survey = inverse3_survey(options, patience);
             if (!survey.hindrance.empty()) throw std::runtime_error(survey.hindrance);
             const AttachedDevice device = choose_attached("Inverse3", survey.attached, which);

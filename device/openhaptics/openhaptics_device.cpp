@@ -5,7 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -344,7 +343,6 @@ Driver openhaptics_driver() {
                 try {
                   auto hd = std::make_shared<const HdFunctions>(options.library);
                   survey.found = "libHD in " + hd->file().string();
-                  const std::lock_guard alone(UnitInUse::looking());
                   // To look at any device is to make it libHD's current one, and to end that is to switch it off.
                   survey.attached = UnitInUse::of(kOpenHaptics);
                   if (!survey.attached.empty()) return survey;
@@ -365,7 +363,6 @@ Driver openhaptics_driver() {
           .open = [](const std::string& which,
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             const auto hd = std::make_shared<const HdFunctions>(options.library);
-            const std::lock_guard alone(UnitInUse::looking());
             if (const auto used = UnitInUse::of(kOpenHaptics); !used.empty()) {
               throw std::runtime_error("This program uses " + used.front().model + " " +
                                        used.front().serial +

@@ -3,7 +3,10 @@
 #include "device/drivers.h"
 
 #include <algorithm>
+#include <atomic>
+#include <semaphore>
 #include <stdexcept>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -111,6 +114,47 @@ TEST(Drivers, HandTheSerialNumberOn) {
   EXPECT_EQ(asked, "usb 1-2:7");
   drivers.open("one", {});
   EXPECT_EQ(asked, "");
+}
+
+// A look would find a device that is being opened free, or close what it has opened only to ask its name.
+TEST(Drivers, AreAskedOneThingAtATimeWhicheverRegistryAsks) {
+  constexpr int kTurns = 10'000;
+  std::atomic<bool> is_opening{false};
+  std::atomic<bool> was_opening{false};
+  std::atomic<bool> has_looked{false};
+  std::binary_semaphore has_begun{0};
+  std::binary_semaphore may_end{0};
+  const Driver driver{.id = "one",
+                      .find =
+                          [&](const DriverOptions&) {
+                            was_opening = is_opening.load();
+                            return DriverSurvey{};
+                          },
+                      .open =
+                          [&](const std::string&, const DriverOptions&) {
+                            is_opening = true;
+                            has_begun.release();
+                            may_end.acquire();
+                            is_opening = false;
+                            return std::unique_ptr<HapticDevice>();
+                          }};
+  DriverRegistry opens;
+  opens.add(driver);
+  DriverRegistry looks;
+  looks.add(driver);
+  std::thread opening([&] { opens.open("one", {}); });
+  has_begun.acquire();
+  std::thread looking([&] {
+    looks.survey(looks.drivers().front(), {});
+    has_looked = true;
+  });
+  for (int turn = 0; turn < kTurns && !has_looked; ++turn) std::this_thread::yield();
+  EXPECT_FALSE(has_looked);
+  may_end.release();
+  opening.join();
+  looking.join();
+  EXPECT_TRUE(has_looked);
+  EXPECT_FALSE(was_opening);
 }
 
 TEST(ChooseAttached, TakesTheOnlyOneOrTheOneThatIsNamed) {
