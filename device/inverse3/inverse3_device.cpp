@@ -114,6 +114,14 @@ glm::dvec3 origin_of(const Inverse3Entry& entry) {
                            remedy);
 }
 
+bool has_origin(const Inverse3Entry& entry, const glm::dvec3& origin_m) {
+  try {
+    return origin_of(entry) == origin_m;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 std::string remark_on(const FoundSpelling& found) {
   const std::string name = found.spelling == ForceSpelling::vector ? "vector" : "values";
   if (found.is_confirmed) return "Forces are spelt \"" + name + "\".";
@@ -188,6 +196,7 @@ struct Inverse3Device::Line {
 
   std::atomic<bool> is_connected{true};
   std::atomic<bool> knows_device{true};
+  std::atomic<bool> is_elsewhere{false};  ///< with axes or an origin other than when it was opened
   std::atomic<bool> answers{true};
 
   bool must_stop() {
@@ -241,6 +250,7 @@ struct Inverse3Device::Line {
     velocity.reset();
     angular_velocity.reset();
     bool is_there = false;
+    bool tells_otherwise = false;
     try {
       auto fresh = std::make_unique<WebSocket>(place.host, place.port, patience.connection);
       {
@@ -249,13 +259,16 @@ struct Inverse3Device::Line {
         if (stopping) return;
       }
       for (const Inverse3Entry& entry : inventory_at(*socket, place, patience).devices) {
+        if (entry.id != id) continue;
         // Restarted with other axes the service would have forces point elsewhere.
-        is_there = is_there || (entry.id == id && origin_of(entry) == origin_m);
+        is_there = has_origin(entry, origin_m);
+        tells_otherwise = !is_there;
       }
-      knows_device.store(is_there);
+      knows_device.store(is_there || tells_otherwise);
     } catch (const std::runtime_error&) {
       is_there = false;  // `trouble` tells that there is no connection
     }
+    is_elsewhere.store(tells_otherwise);
     is_ready = is_there;
     is_connected.store(is_there);
     if (is_there) return;
@@ -364,6 +377,11 @@ std::string Inverse3Device::trouble() const {
   if (!line_->knows_device.load()) {
     return "The Inverse Service does not see " + who +
            " any more: see that it has power and that its cable sits.";
+  }
+  if (line_->is_elsewhere.load()) {
+    return "The Inverse Service is back and tells " + who +
+           " in other axes or from another origin than when it was opened: it gets no force. Set "
+           "them as they were, in Haply's Device Manager, or end the session and open it anew.";
   }
   if (!line_->is_connected.load()) {
     return "The connection to the Inverse Service at " + line_->place.text() +

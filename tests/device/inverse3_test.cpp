@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "device/inverse3/inverse3_device.h"
+#include "device/inverse3/web_socket.h"
 #include "tests/device/servo_stand_in.h"
 #include "tests/device/vendors/test_inverse_service.h"
 #include "tests/support/allocation_guard.h"
@@ -436,6 +437,63 @@ TEST_F(Inverse3, ConnectsAgainAfterTheConnectionEnded) {
   servo.wait_for(3);
   EXPECT_GT(servo.ticks, ticks);
   EXPECT_GT(bench([](auto& it) { return it.connections; }), connections);
+}
+
+// What pushed the hand up would push it sideways.
+TEST_F(Inverse3, GetsNoForceWhereItComesBackWithOtherAxesOrFromAnotherOrigin) {
+  const auto device = open();
+  device->set_limits({.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9});
+  ReadAndPush servo{device.get(), {.force_N = {0.0, 0.0, 1.0}}};
+  servo.start();
+  servo.wait_for(3);
+  for (const bool is_turned : {true, false}) {
+    bench([&](auto& it) {
+      it.axes = is_turned ? "XZY" : "XYZ";
+      it.preset = is_turned ? "defaults" : "arm_front_centered";
+    });
+    service.disconnect();
+    while (device->trouble().find("in other axes") == std::string::npos) {
+      std::this_thread::yield();
+    }
+    EXPECT_THAT(device->trouble(), AllOf(HasSubstr("049D"), HasSubstr("Device Manager")));
+    bench([](auto& it) { it.strongest_N = 0.0; });
+    const int ticks = servo.ticks;
+    const int connections = bench([](auto& it) { return it.connections; });
+    while (bench([](auto& it) { return it.connections; }) < connections + 2) {
+      std::this_thread::yield();
+    }
+    EXPECT_EQ(servo.ticks, ticks);
+    EXPECT_EQ(bench([](auto& it) { return it.strongest_N; }), 0.0);
+    bench([](auto& it) {
+      it.axes = "XYZ";
+      it.preset = "defaults";
+    });
+    servo.wait_for(3);
+    EXPECT_EQ(device->trouble(), "");
+  }
+}
+
+// The other end takes nothing off the line, until no more goes into it.
+TEST(WebSocket, IsClosedWhenAMessageIsNotTakenInTimeAndSendsItNeverAgain) {
+  TestInverseService service;
+  {
+    const std::lock_guard lock(service.bench().mutex);
+    service.bench().stalls = true;
+  }
+  const std::string place = service.place();
+  WebSocket socket("127.0.0.1", std::stoi(place.substr(place.find(':') + 1)),
+                   std::chrono::minutes(1));
+  ASSERT_TRUE(socket.receive(std::chrono::minutes(1)).has_value());
+  const std::string text = force_command("049D", ForceSpelling::vector, {0.0, 0.0, 1.0},
+                                         std::string(std::size_t{1} << 20, 'x'));
+  constexpr int kMostTexts = 100;  // 100 MB: more than any line holds
+  int sent = 0;
+  while (sent < kMostTexts && socket.send(text)) ++sent;
+  EXPECT_LT(sent, kMostTexts);
+  EXPECT_FALSE(socket.is_open());
+  EXPECT_FALSE(socket.send("{}"));
+  const std::lock_guard lock(service.bench().mutex);
+  service.bench().stalls = false;
 }
 
 TEST_F(Inverse3, StopsThoughTheServiceFellSilent) {

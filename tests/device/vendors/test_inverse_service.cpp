@@ -135,7 +135,13 @@ struct TestInverseService::Server {
     return message;
   }
 
+  bool is_stalled() {
+    const std::lock_guard lock(bench.mutex);
+    return bench.stalls && !ends;
+  }
+
   void answer(lws* line, const json& message) {
+    while (is_stalled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     int delay_ms = 0;
     {
       const std::lock_guard lock(bench.mutex);

@@ -36,6 +36,7 @@ class TestInverseService final {
     bool counts_in_position = false;  ///< x is the number of the answer
     bool talks_nonsense = false;
     bool refuses_connections = false;
+    bool stalls = false;  ///< takes one message, and then nothing off the line until this is over
 
     int messages = 0;
     int answers = 0;
