@@ -1,10 +1,14 @@
+// A device, the servo loop that drives it, and what paces the loop: the physical side of a session.
+
 #include "app/conductor/rig.h"
 
 #include <chrono>
 #include <cmath>
 #include <thread>
 
+#include "app/conductor/recorded_hand.h"
 #include "app/conductor/recorder.h"
+#include "app/device_kind.h"
 
 namespace asperity {
 
@@ -136,6 +140,20 @@ void RealTimeRig::pass(double duration_s, Recorder& recorder) {
     if (left_s <= 0.0) return;
     std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, kRealTimeSlice_s)));
   }
+}
+
+std::unique_ptr<RealTimeRig> open_rig(const NamedDevice& device, const DriverRegistry& drivers,
+                                      const RigSettings& settings, const Random& hand,
+                                      std::int64_t not_before_ns) {
+  constexpr auto kScheduling = Scheduling::fifo_if_permitted;
+  if (kind_of_device(device.name) == DeviceKind::simulated) {
+    return std::make_unique<RealTimeRig>(settings, HandHabits{}, hand, kScheduling, not_before_ns);
+  }
+  DriverOptions options = device.options;
+  options.recorded_hand = recorded_hand;
+  return std::make_unique<RealTimeRig>(
+      settings, HandHabits{}, hand, kScheduling, not_before_ns,
+      [&](VirtualHand&) { return drivers.open(device.name, options); });
 }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 
 #include "analysis/random.h"
 #include "app/conductor/clock.h"
+#include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "device/virtual_hand.h"
 #include "renderers/record_ring.h"
@@ -101,6 +102,12 @@ class SteppedRig final : public Rig {
 /// Opens the device of a rig. The simulated one is held by the hand; to others it means nothing.
 using DeviceOpening = std::function<std::unique_ptr<HapticDevice>(VirtualHand& hand)>;
 
+/// The device of a rig in real time: its name as RunInputs::device, and what its driver is told.
+struct NamedDevice {
+  std::string name = "simulated";
+  DriverOptions options{};
+};
+
 /// A device in real time, on a servo thread.
 class RealTimeRig final : public Rig {
  public:
@@ -133,5 +140,12 @@ class RealTimeRig final : public Rig {
   ServoLoop loop_;
   ServoThread thread_;
 };
+
+/// A rig in real time, as fast as the system lets its thread be: on the simulated device of the settings where
+/// that is what the name says, otherwise on what one of the drivers opens. It can play recordings ("replay:FILE").
+/// Errors: as DriverRegistry::open.
+std::unique_ptr<RealTimeRig> open_rig(const NamedDevice& device, const DriverRegistry& drivers,
+                                      const RigSettings& settings, const Random& hand,
+                                      std::int64_t not_before_ns);
 
 }  // namespace asperity

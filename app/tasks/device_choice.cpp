@@ -1,3 +1,5 @@
+// What a session may run on: what the program has itself, and what is attached.
+
 #include "app/tasks/device_choice.h"
 
 #include "device/simulated_models.h"
@@ -10,11 +12,6 @@ constexpr const char* kSimulated = "simulated";
 constexpr const char* kMouse = "mouse";
 
 }  // namespace
-
-DeviceKind kind_of_device(const std::string& device) {
-  if (simulated_settings(device)) return DeviceKind::simulated;
-  return device == kMouse ? DeviceKind::pointer : DeviceKind::attached;
-}
 
 std::vector<DeviceChoice> devices_without_hardware() {
   std::vector<DeviceChoice> choices{{.device = kSimulated, .kind = DeviceKind::simulated}};

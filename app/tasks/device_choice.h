@@ -5,18 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "app/device_kind.h"
 #include "app/device_profile.h"
 #include "app/tasks/device_survey.h"
 
 namespace asperity {
-
-enum class DeviceKind {
-  simulated,  ///< held by the virtual hand, in place of a real device or of none
-  pointer,    ///< the mouse of a window: moves, and gives no force
-  attached,   ///< hardware
-};
-/// Of what `RunInputs::device` names. Errors: std::runtime_error for a "simulated:MODEL" that there is not.
-DeviceKind kind_of_device(const std::string& device);
 
 /// One line of a list to choose from.
 struct DeviceChoice {

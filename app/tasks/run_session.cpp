@@ -11,12 +11,11 @@
 #include <utility>
 
 #include "app/conductor/reason.h"
-#include "app/conductor/recorded_hand.h"
 #include "app/conductor/virtual_participant.h"
+#include "app/device_kind.h"
 #include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
-#include "device/simulated_models.h"
 
 namespace asperity {
 
@@ -104,16 +103,8 @@ std::unique_ptr<Rig> make_rig(const RunInputs& inputs, const Protocol& protocol,
   const std::int64_t not_before_ns = unfinished ? last_time_ns(study, *unfinished) : 0;
   if (inputs.pacing == RunPacing::real_time) {
     const std::uint64_t seed = unfinished ? std::stoull(unfinished->seed) : inputs.seed;
-    const Random hand = Random(seed).split("hand");
-    if (simulated_settings(inputs.device)) {
-      return std::make_unique<RealTimeRig>(settings, HandHabits{}, hand,
-                                           Scheduling::fifo_if_permitted, not_before_ns);
-    }
-    DriverOptions options = inputs.driver_options;
-    options.recorded_hand = recorded_hand;
-    return std::make_unique<RealTimeRig>(
-        settings, HandHabits{}, hand, Scheduling::fifo_if_permitted, not_before_ns,
-        [&](VirtualHand&) { return drivers.open(inputs.device, options); });
+    return open_rig({.name = inputs.device, .options = inputs.driver_options}, drivers, settings,
+                    Random(seed).split("hand"), not_before_ns);
   }
   auto rig = std::make_unique<SteppedRig>(
       settings, unfinished ? unfinished->clock_zero_ns / kHour_ns : free_hour(study));
@@ -175,7 +166,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   if (const auto complaint = complaint_about_label(inputs.participant, inputs.is_virtual)) {
     throw PhrasedError(*complaint);
   }
-  if (inputs.is_virtual && !simulated_settings(inputs.device)) {
+  if (inputs.is_virtual && kind_of_device(inputs.device) != DeviceKind::simulated) {
     throw std::runtime_error("a virtual participant has no hand for the device \"" + inputs.device +
                              "\"; leave --device out, or take simulated or what it stands for, "
                              "such as simulated:falcon");

@@ -1,13 +1,15 @@
+// A device that was opened for a moment, without force, before anybody's hand is on it.
+
 #include "app/tasks/tried_device.h"
 
 #include <algorithm>
+#include <memory>
 
 #include <glm/geometric.hpp>
 
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/recorder.h"
 #include "app/conductor/rig.h"
-#include "app/tasks/device_choice.h"
 #include "app/tasks/sitting.h"
 
 namespace asperity {
@@ -37,15 +39,9 @@ TriedDevice try_device(const std::string& device, const Protocol& protocol,
                        const DriverRegistry& drivers, const DriverOptions& options) {
   TriedDevice tried{.device = device, .rate_Hz = protocol.rate_Hz};
   try {
-    const RigSettings settings = rig_settings_for(protocol, {}, device);
-    if (kind_of_device(device) == DeviceKind::simulated) {
-      RealTimeRig rig(settings, HandHabits{}, Random(0), Scheduling::fifo_if_permitted, 0);
-      run_loop(rig, tried);
-    } else {
-      RealTimeRig rig(settings, HandHabits{}, Random(0), Scheduling::fifo_if_permitted, 0,
-                      [&](VirtualHand&) { return drivers.open(device, options); });
-      run_loop(rig, tried);
-    }
+    const auto rig = open_rig({.name = device, .options = options}, drivers,
+                              rig_settings_for(protocol, {}, device), Random(0), 0);
+    run_loop(*rig, tried);
   } catch (const std::exception& error) {
     tried = {
         .device = device, .rate_Hz = protocol.rate_Hz, .failure = phrase_of(error).as_sentence()};
