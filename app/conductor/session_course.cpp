@@ -13,8 +13,6 @@ namespace {
 
 // Often enough for numbers that a person reads.
 constexpr std::int64_t kHealthEvery_ns = 250'000'000;
-// What changes more often (a count in its words) would fill the store.
-constexpr std::int64_t kComplaintEvery_ns = 10'000'000'000;
 
 }  // namespace
 
@@ -60,8 +58,7 @@ void SessionCourse::begin(const SessionRow& row) {
   has_masked_ = false;
   mask_on_ = false;
   attempt_events_.clear();
-  complaint_.clear();
-  told_complaint_.clear();
+  complaints_ = {};
 }
 
 // --- time ----------------------------------------------------------------------------------------
@@ -112,26 +109,18 @@ void SessionCourse::pass(double duration_s) {
 
 void SessionCourse::listen_to_device() {
   const std::int64_t now = now_ns();
-  if (device_heard_ns_ != 0 && now - device_heard_ns_ < kHealthEvery_ns) return;
-  device_heard_ns_ = now;
+  if (!complaints_.is_due(now)) return;
   const std::string complaint = rig_.complaint();
-  const bool turns = complaint.empty() != complaint_.empty();
-  if (complaint != complaint_) {
-    complaint_ = complaint;
+  const DeviceComplaints::News news = complaints_.hear(complaint, now);
+  if (news.is_new) {
     update([&](SessionSnapshot& snapshot) {
-      if (turns) snapshot.device_complains_since_ns = now;
+      if (news.turns) snapshot.device_complains_since_ns = now;
       snapshot.device_complaint = complaint;
     });
   }
-  if (complaint_ == told_complaint_) return;
-  if (complaint_.empty() == told_complaint_.empty() &&
-      now - complaint_told_ns_ < kComplaintEvery_ns) {
-    return;
-  }
-  told_complaint_ = complaint_;
-  complaint_told_ns_ = now;
-  event(complaint_.empty() ? "device_well" : "device_trouble", complaint_);
-  if (links_.tell) links_.tell(complaint_.empty() ? "The device is well again." : complaint_);
+  if (!news.is_to_tell) return;
+  event(complaint.empty() ? "device_well" : "device_trouble", complaint);
+  if (links_.tell) links_.tell(complaint.empty() ? "The device is well again." : complaint);
 }
 
 void SessionCourse::look(bool outside_trial) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/conductor/device_complaints.h"
 #include "app/conductor/record_watch.h"
 #include "app/conductor/recorder.h"
 #include "app/conductor/respondent.h"
@@ -48,8 +49,8 @@ std::string fault_sentence(const Interruption& interruption, std::optional<int> 
 /// Events within an attempt are kept until `take_attempt_events` and belong into its row; those
 /// outside are stored at once.
 ///
-/// What the device complains of is shown as it is, and stored (`device_trouble`, `device_well`) when it
-/// begins, when it is over, and every ten seconds at most when its words change.
+/// What the device complains of is shown as it is, and told and stored (`device_trouble`, `device_well`)
+/// as DeviceComplaints has it.
 ///
 /// Threads: the conductor's.
 class SessionCourse final {
@@ -154,10 +155,7 @@ class SessionCourse final {
   bool mask_on_ = false;
   std::vector<EventRow> attempt_events_{};
   std::int64_t health_shown_ns_ = 0;
-  std::int64_t device_heard_ns_ = 0;
-  std::string complaint_{};       ///< of the device, as shown
-  std::string told_complaint_{};  ///< as stored and told
-  std::int64_t complaint_told_ns_ = 0;
+  DeviceComplaints complaints_{};
 };
 
 }  // namespace asperity
