@@ -1,3 +1,5 @@
+// Can this session begin? What is looked at before a person sits down.
+
 #include "app/tasks/session_checks.h"
 
 #include <algorithm>
@@ -417,9 +419,10 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
 
 // --- the loop ------------------------------------------------------------------------------------
 
-TriedDevice try_loop(const CheckInputs& inputs, const Protocol& protocol) {
+TriedDevice try_loop(const CheckInputs& inputs, const Protocol& protocol,
+                     const DriverRegistry& drivers) {
   LatestValue<PointerSample> nobody{};
-  return try_device(inputs.device, protocol, built_in_drivers(), {.pointer = &nobody});
+  return try_device(inputs.device, protocol, drivers, {.pointer = &nobody});
 }
 
 /// The loop says nothing of a device that is not there, or that nobody has opened yet.
@@ -438,12 +441,14 @@ struct LoopChecks {
   SessionCheck zero{};
   SessionCheck rate{};
 };
-LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol) {
+LoopChecks loop_checks(const CheckInputs& inputs, const Protocol& protocol,
+                       const DriverRegistry& drivers) {
   if (inputs.pacing == RunPacing::stepped) {
     return {fine(phrase("SessionChecks", "Not needed: nothing is held in a fast simulation.")),
             fine(phrase("SessionChecks", "Not needed: a fast simulation has a clock of its own."))};
   }
-  const TriedDevice trial = inputs.tried != nullptr ? *inputs.tried : try_loop(inputs, protocol);
+  const TriedDevice trial =
+      inputs.tried != nullptr ? *inputs.tried : try_loop(inputs, protocol, drivers);
   if (!trial.failure.empty()) throw PhrasedError(trial.failure);
   const ServoQualityRow& quality = trial.quality;
   SessionCheck zero{};
@@ -613,7 +618,8 @@ SessionCheck looked_at(const std::string& id, const Phrase& title, Look look) {
 
 std::vector<SessionCheck> check_session(const CheckInputs& inputs, const ModelRegistry& models,
                                         const std::stop_token& stop,
-                                        const std::function<void(double)>& progress) {
+                                        const std::function<void(double)>& progress,
+                                        const DriverRegistry& drivers) {
   std::vector<SessionCheck> checks{};
   std::optional<Protocol> protocol{};
   checks.push_back(looked_at("protocol", phrase("SessionChecks", "Protocol"), [&] {
@@ -642,7 +648,7 @@ std::vector<SessionCheck> check_session(const CheckInputs& inputs, const ModelRe
   std::optional<SessionCheck> rate{};  // found in the same few hundred ticks
   if (can_be_tried(inputs)) {
     add("force_zero", phrase("SessionChecks", "Force zero"), [&] {
-      auto [zero, its_rate] = loop_checks(inputs, *protocol);
+      auto [zero, its_rate] = loop_checks(inputs, *protocol, drivers);
       rate = its_rate;
       return zero;
     });

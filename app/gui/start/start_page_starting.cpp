@@ -100,9 +100,9 @@ void StartPage::check() {
   };
   check_list_->set_running(true);
   check_task_.run<std::vector<SessionCheck>>(
-      [inputs, models = built_in_models()](const std::stop_token& stop,
-                                           const BackgroundTask::Progress& progress) {
-        return check_session(inputs, models, stop, progress);
+      [inputs, models = built_in_models(), drivers = study_.drivers()](
+          const std::stop_token& stop, const BackgroundTask::Progress& progress) {
+        return check_session(inputs, models, stop, progress, drivers);
       },
       [this](std::vector<SessionCheck> checks) {
         // Something else is chosen by now, or being read: then it is looked at once more.
