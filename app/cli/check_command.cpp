@@ -68,17 +68,30 @@ std::string attached_serial(const std::string& driver_id) {
   return attached.size() == 1 ? attached.front().serial : std::string();
 }
 
-/// What the device cannot render, as the study's profile of it says: of the one that is attached, where
-/// there is one; nothing without a profile.
+/// The device that protocols are compared with.
+struct ComparedDevice {
+  WhichDevice which{};
+  bool is_found =
+      false;  ///< its serial number is that of the one that is attached, and was not said
+};
+
+/// The one that is said, or else the one that is attached, which is looked for.
+ComparedDevice compared_device(const std::string& device) {
+  ComparedDevice compared{.which = which_device(device)};
+  if (device.find(':') != std::string::npos) return compared;
+  compared.which.serial = attached_serial(compared.which.name);
+  compared.is_found = !compared.which.serial.empty();
+  return compared;
+}
+
+/// What the device cannot render, as the study's profile of it says; nothing without a profile.
 std::vector<Diagnostic> device_warnings(const ProtocolCheck& check,
                                         const std::filesystem::path& study,
-                                        const std::string& device, const ModelRegistry& models) {
-  WhichDevice which = which_device(device);
-  const bool names_one = device.find(':') != std::string::npos;
-  if (!names_one) which.serial = attached_serial(which.name);
+                                        const ComparedDevice& device, const ModelRegistry& models) {
+  const WhichDevice& which = device.which;
   std::vector<Diagnostic> warnings{};
   const std::optional<DeviceProfile> profile = latest_profile(study, which);
-  if (!profile && !names_one && !which.serial.empty()) {
+  if (!profile && device.is_found) {
     warnings.push_back({check.file, 1, 1, "",
                         "the study has no profile of the attached device " + which.name + " " +
                             which.serial +
@@ -120,6 +133,8 @@ void add_check(CLI::App& program, Job& job) {
       nlohmann::ordered_json json{{"format", "asperity.check/1"},
                                   {"protocols", nlohmann::ordered_json::array()}};
       bool acceptable = true;
+      std::optional<ComparedDevice>
+          device{};  // looked for once, for the first to be compared with it
       for (const std::string& file : options->files) {
         ProtocolCheck check = check_protocol(file, models, options->study, options->device);
         if (options->study && check.protocol && check.diagnostics.empty()) {
@@ -131,8 +146,9 @@ void add_check(CLI::App& program, Job& job) {
         std::vector<Diagnostic> doubts{};
         if (check.protocol) doubts = doubts_about(*check.protocol, check.file);
         if (options->study && options->device && check.protocol && check.diagnostics.empty()) {
+          if (!device) device = compared_device(*options->device);
           for (const Diagnostic& warning :
-               device_warnings(check, *options->study, *options->device, models)) {
+               device_warnings(check, *options->study, *device, models)) {
             doubts.push_back(warning);
           }
         }

@@ -19,6 +19,8 @@ class MovingDevice : public testing::Test {
                               {"ASPERITY_TEST_DHD_CALLS", calls_.string()}};
     return invocation;
   }
+  /// To its maker's library.
+  std::string said() const { return text_of(calls_); }
   bool has_moved() const { return text_of(calls_).find("drdAutoInit") != std::string::npos; }
 
  private:
@@ -32,6 +34,25 @@ TEST_F(MovingDevice, IsNotMovedByALookAtWhatIsAttached) {
   EXPECT_NE(outcome.out.find("omega.3, serial 101"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("asked before it does"), std::string::npos) << outcome.out;
   EXPECT_FALSE(has_moved());
+}
+
+// To be asked for its serial number it is opened, for which it need not be found twice.
+TEST_F(MovingDevice, IsLookedForOnceHoweverManyProtocolsAreCheckedAgainstIt) {
+  const SmallStudy small(1);
+  const fs::path libraries = small.place() / "libraries";
+  fs::create_directory(libraries);
+  fs::create_symlink(ASPERITY_TEST_DRD, libraries / "libdrd.so");
+  Invocation check = invocation({});
+  check.arguments = {"check",       small.selection(), small.recognition(), "--study",
+                     small.study(), "--device",        "force_dimension"};
+  check.environment["LD_LIBRARY_PATH"] = libraries;
+  const Outcome outcome = run(check);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::string missing = "no profile of the attached device force_dimension 101";
+  const std::size_t first = outcome.err.find(missing);
+  ASSERT_NE(first, std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(missing, first + 1), std::string::npos) << "one for each protocol";
+  EXPECT_EQ(said(), "dhdOpenID 0\ndhdClose 3\n");
 }
 
 TEST_F(MovingDevice, IsNotMovedByATestWithoutATerminal) {
