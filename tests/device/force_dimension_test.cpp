@@ -1,7 +1,6 @@
 // The driver of Force Dimension's devices, unmodified, against a library with the same functions and answers.
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -448,14 +447,13 @@ TEST_F(ForceDimension, DoesNotMoveADeviceThatIsBackWithoutItsZero) {
   auto device = open();
   std::int64_t now_ns = 0;
   EXPECT_TRUE(device->read(now_ns).has_value());
-  const std::atomic_ref is_there(bench->is_there);
-  is_there = false;
+  bench->is_there = false;
   for (int i = 0; i < 250; ++i) device->read(now_ns += kMillisecond_ns);
   bench->units[0].knows_its_zero = false;  // it was without power
-  is_there = true;
+  bench->is_there = true;
   while (device->trouble().find("lost its zero") == std::string::npos) std::this_thread::yield();
   EXPECT_FALSE(device->read(now_ns += kMillisecond_ns).has_value());
-  is_there = false;  // and gone again: nothing is known of its zero any more
+  bench->is_there = false;  // and gone again: nothing is known of its zero any more
   while (device->trouble().find("lost its zero") != std::string::npos) std::this_thread::yield();
   EXPECT_THAT(device->trouble(), HasSubstr("does not answer"));
   device.reset();

@@ -2,7 +2,6 @@
 
 #include "tests/device/vendors/test_dhd.h"
 
-#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
@@ -27,8 +26,6 @@ Bench the_bench = bench_of_this_process();
 std::recursive_mutex
     the_lock;  // of everything here: a driver looks for a lost device in a thread of its own
 
-bool is_there() { return std::atomic_ref(the_bench.is_there).load(); }
-
 int failed(const char* reason) {
   the_bench.last_error = reason;
   return -1;
@@ -38,7 +35,7 @@ int failed(const char* reason) {
 char id_at(std::size_t index) { return static_cast<char>(3 + 2 * index); }
 
 Unit* unit_at(std::size_t index) {
-  if (!is_there()) {
+  if (!the_bench.is_there) {
     failed("device disconnected");
     return nullptr;
   }
@@ -86,7 +83,7 @@ std::recursive_mutex* test_dhd_lock() { return &the_lock; }
 
 int dhdGetDeviceCount() {
   const std::lock_guard held(the_lock);
-  return is_there() ? static_cast<int>(the_bench.units.size()) : 0;
+  return the_bench.is_there ? static_cast<int>(the_bench.units.size()) : 0;
 }
 int dhdGetAvailableCount() {
   const std::lock_guard held(the_lock);
