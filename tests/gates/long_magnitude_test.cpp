@@ -1,5 +1,6 @@
 // Twenty virtual participants through the diameter protocol, against what the offline sweep predicts.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -73,6 +74,32 @@ const Table& table_of(const AnalysisOutcome& outcome, const std::string& name) {
   throw std::runtime_error("no table " + name);
 }
 
+/// The cells of a row by the names of their columns: what is added to a table moves the others.
+class Row final {
+ public:
+  Row(const Table& table, std::size_t row) : table_(table), row_(row) {}
+
+  const Cell& operator[](const std::string& column) const {
+    const auto found = std::find(table_.columns.begin(), table_.columns.end(), column);
+    if (found == table_.columns.end()) throw std::runtime_error("no column " + column);
+    return table_.rows[row_][static_cast<std::size_t>(found - table_.columns.begin())];
+  }
+  double number(const std::string& column) const { return std::get<double>((*this)[column]); }
+  const std::string& word(const std::string& column) const {
+    return std::get<std::string>((*this)[column]);
+  }
+
+ private:
+  const Table& table_;
+  std::size_t row_;
+};
+
+std::vector<Row> rows_of(const Table& table) {
+  std::vector<Row> rows{};
+  for (std::size_t row = 0; row < table.rows.size(); ++row) rows.emplace_back(table, row);
+  return rows;
+}
+
 TEST(TwentyVirtualParticipants, FeelTheDiametersInTheOrderThatTheSweepPredicts) {
   const AnalysisOutcome outcome = answers_of_twenty();
   EXPECT_EQ(outcome.count.sessions, 20U);
@@ -80,26 +107,25 @@ TEST(TwentyVirtualParticipants, FeelTheDiametersInTheOrderThatTheSweepPredicts) 
   const Table& peaks = table_of(outcome, "peaks");
   ASSERT_EQ(peaks.rows.size(), 3U);  // by tip, in alphabetical order: from the smallest on
   double last_m = 0.0;
-  for (const auto& row : peaks.rows) {
-    EXPECT_EQ(row[1], Cell{}) << "there is a peak";
-    const double peak_m = std::get<double>(row[2]);
+  for (const Row& row : rows_of(peaks)) {
+    EXPECT_EQ(row["status"], Cell{}) << "there is a peak";
+    const double peak_m = row.number("peak_m");
     EXPECT_GT(peak_m, last_m);
     last_m = peak_m;
-    std::cout << std::get<std::string>(row[0]) << ": roughest at " << peak_m << " m\n";
+    std::cout << row.word("condition") << ": roughest at " << peak_m << " m\n";
   }
 
   const Table& anova = table_of(outcome, "anova");
   ASSERT_EQ(anova.rows.size(), 3U);
-  for (const auto& row : anova.rows) {
-    std::cout << std::get<std::string>(row[0]) << ": F " << std::get<double>(row[3]) << ", p "
-              << std::get<double>(row[5]) << '\n';
-    EXPECT_LT(std::get<double>(row[5]), 0.001) << std::get<std::string>(row[0]);
+  for (const Row& row : rows_of(anova)) {
+    std::cout << row.word("effect") << ": F " << row.number("F") << ", p " << row.number("p")
+              << '\n';
+    EXPECT_LT(row.number("p"), 0.001) << row.word("effect");
   }
 
   std::map<std::pair<double, double>, double> felt{};
-  for (const auto& row : table_of(outcome, "roughness").rows) {
-    felt[{kTips_m.at(std::get<std::string>(row[0])), std::get<double>(row[1])}] =
-        std::get<double>(row[3]);
+  for (const Row& row : rows_of(table_of(outcome, "roughness"))) {
+    felt[{kTips_m.at(row.word("condition")), row.number("spacing_m")}] = row.number("normalised");
   }
   const Sweep sweep = predicted();
   const auto rms = [&sweep](double tip_m, double spacing_m) {
