@@ -36,15 +36,24 @@ void run_loop(RealTimeRig& rig, TriedDevice& tried) {
 }  // namespace
 
 TriedDevice try_device(const std::string& device, const Protocol& protocol,
-                       const DriverRegistry& drivers, const DriverOptions& options) {
+                       const DriverRegistry& drivers, const DriverOptions& options,
+                       const std::string& agreed) {
   TriedDevice tried{.device = device, .rate_Hz = protocol.rate_Hz};
+  std::string unanswered{};
   try {
-    const auto rig = open_rig({.name = device, .options = options}, drivers,
-                              rig_settings_for(protocol, {}, device), Random(0), 0);
+    NamedDevice named{.name = device, .options = options};
+    named.options.may_move = [&](const std::string& sentence) {
+      const bool is_agreed = sentence == agreed;
+      if (!is_agreed) unanswered = sentence;
+      return is_agreed;
+    };
+    const auto rig = open_rig(named, drivers, rig_settings_for(protocol, {}, device), Random(0), 0);
     run_loop(*rig, tried);
   } catch (const std::exception& error) {
-    tried = {
-        .device = device, .rate_Hz = protocol.rate_Hz, .failure = phrase_of(error).as_sentence()};
+    tried = {.device = device,
+             .rate_Hz = protocol.rate_Hz,
+             .failure = phrase_of(error).as_sentence(),
+             .wants_to_move = unanswered};
   }
   return tried;
 }

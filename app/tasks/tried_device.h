@@ -19,6 +19,9 @@ struct TriedDevice {
   std::string device{};  ///< as RunInputs::device
   double rate_Hz = 0.0;  ///< that the protocol asks for
   Phrase failure{};      ///< a sentence: why it could not be opened; the rest is then empty
+  /// What it has to do by itself before it can be used, in its driver's own words; it was not moved, because
+  /// nobody has agreed to that. Empty otherwise.
+  std::string wants_to_move{};
   DeviceCapability capability{};
   ServoQualityRow quality{};
   double strongest_N = 0.0;
@@ -26,10 +29,13 @@ struct TriedDevice {
 };
 
 /// Opens it, runs the loop for some 0.3 s with nothing to feel, and closes it. Opening takes as long as the
-/// device does. One that has to move by itself to find its zero is refused unmoved, unless `options.may_move` agrees.
+/// device does. One that has to move by itself to find its zero is refused unmoved, unless what its driver says of
+/// that is word for word what somebody has `agreed` to: TriedDevice::wants_to_move of a try before. Nobody is waited
+/// for while it is open.
 ///
 /// Never throws for what the device does; std::bad_alloc.
 TriedDevice try_device(const std::string& device, const Protocol& protocol,
-                       const DriverRegistry& drivers, const DriverOptions& options);
+                       const DriverRegistry& drivers, const DriverOptions& options,
+                       const std::string& agreed = {});
 
 }  // namespace asperity

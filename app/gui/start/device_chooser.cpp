@@ -1,3 +1,5 @@
+// The device that a session is to run on: chosen among what is there, and tried before anybody holds it.
+
 #include "app/gui/start/device_chooser.h"
 
 #include <algorithm>
@@ -134,7 +136,7 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
     emit changed();
   });
   connect(again_, &QPushButton::clicked, this, &DeviceChooser::look);
-  connect(try_, &QPushButton::clicked, this, &DeviceChooser::press_try);
+  connect(try_, &QPushButton::clicked, this, [this] { try_now(); });
   connect(firmware_, &QPushButton::clicked, this, &DeviceChooser::choose_firmware);
   connect(why_, &QPushButton::toggled, why_text_, &QWidget::setVisible);
   connect(yes_, &QPushButton::clicked, this, [this] {
@@ -311,15 +313,7 @@ void DeviceChooser::forget_try() {
   show_chosen();
 }
 
-void DeviceChooser::press_try() {
-  const DeviceChoice& now = chosen();
-  // What the driver says of a usable one is what whoever stands beside it has to know before it is opened.
-  if (now.remark.empty()) return try_now();
-  ask(tr("%1 Keep hands off it until it was tried.").arg(text(now.remark)), tr("Open it"),
-      [this] { try_now(); });
-}
-
-void DeviceChooser::try_now() {
+void DeviceChooser::try_now(const std::string& agreed) {
   tried_.reset();
   DriverOptions options = driver_options();
   options.tell = [this](const std::string& sentence) {
@@ -328,20 +322,12 @@ void DeviceChooser::try_now() {
         this, [this, sentence] { state_->set_state(State::look, text(sentence)); },
         Qt::QueuedConnection);
   };
-  if (!chosen().remark.empty()) {
-    // Whoever pressed has read what it does, and keeps hands off.
-    options.may_move = [](const std::string&) { return true; };
-  }
   try_task_.run<TriedDevice>(
-      [device = device(), protocol = protocol_, drivers = study_.drivers(), options](
+      [device = device(), protocol = protocol_, drivers = study_.drivers(), options, agreed](
           const std::stop_token&, const BackgroundTask::Progress&) {
-        return try_device(device, *protocol, drivers, options);
+        return try_device(device, *protocol, drivers, options, agreed);
       },
-      [this](const TriedDevice& found) {
-        tried_ = std::make_shared<const TriedDevice>(found);
-        show_chosen();
-        emit changed();
-      },
+      [this](const TriedDevice& found) { show_try(found); },
       [this](const QString& what) {
         show_chosen();
         state_->set_state(State::stop, what);
@@ -350,6 +336,18 @@ void DeviceChooser::try_now() {
   show_chosen();
   state_->set_state(State::unknown, tr("It is being opened."));
   state_->show();
+  emit changed();
+}
+
+void DeviceChooser::show_try(const TriedDevice& found) {
+  const bool is_asked = !found.wants_to_move.empty();
+  if (!is_asked) tried_ = std::make_shared<const TriedDevice>(found);
+  show_chosen();
+  // Somebody may have turned to virtual participants meanwhile.
+  if (is_asked && whom_ == For::people && found.device == device()) {
+    ask(words_of(Phrase(found.wants_to_move).as_sentence()).simplified(), tr("Let it move"),
+        [this, agreed = found.wants_to_move] { try_now(agreed); });
+  }
   emit changed();
 }
 

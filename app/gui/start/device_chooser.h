@@ -28,8 +28,8 @@ class StateLabel;
 /// and again when somebody wants it.
 ///
 /// An attached device is opened by a person's press alone: it is tried for a third of a second without force,
-/// and what it wants meanwhile ("pull the grip out") stands here. Where it may move by itself, that is asked
-/// before.
+/// and what it wants meanwhile ("pull the grip out") stands here. One that has to move by itself is let go of
+/// unmoved first; what its driver says of the movement is asked here, and it is opened again by a yes to that.
 ///
 /// The choice is remembered for the study. A device that is remembered and not there stays chosen, and is
 /// said not to be there: nothing else takes its place unasked.
@@ -67,8 +67,9 @@ class DeviceChooser final : public QWidget {
   void list();
   void show_chosen();
   const DeviceChoice& chosen() const;
-  void press_try();
-  void try_now();
+  /// `agreed`: what the driver has said of how the device moves by itself, and somebody has agreed to.
+  void try_now(const std::string& agreed = {});
+  void show_try(const TriedDevice& found);
   /// In the room below the device: what is asked stays until it is answered.
   void ask(const QString& question, const QString& verb, std::function<void()> yes);
   void drop_question();

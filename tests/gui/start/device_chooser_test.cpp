@@ -127,10 +127,13 @@ class TheDeviceChooser : public testing::Test {
     const int row = box.findData(QString(device));
     return row >= 0 && qobject_cast<QStandardItemModel*>(box.model())->item(row)->isEnabled();
   }
-  void try_it() {
-    click("device_try");
-    click("device_yes");
+  /// Presses, and lets the driver open it.
+  void press(const char* button) {
+    click(button);
     let_it_open.release();
+  }
+  void try_it() {
+    press("device_try");
     require([this] { return shown("device_state").contains("Tried"); }, "answer of the device");
   }
 
@@ -182,15 +185,11 @@ TEST_F(TheDeviceChooser, OpensAnAttachedDeviceOnlyWhenSomebodyWantsItAndTellsWha
   EXPECT_EQ(openings, 0) << "the checklist leaves it alone";
   EXPECT_FALSE(find<QPushButton>("start").isEnabled());
 
-  click("device_try");
-  EXPECT_TRUE(shown("device_question").contains("has to move by itself"))
-      << shown("device_question").toStdString();
-  click("device_no");
-  EXPECT_FALSE(is_seen("device_question"));
-  EXPECT_EQ(openings, 0);
+  EXPECT_TRUE(shown("device_text").contains("it has to move by itself"))
+      << shown("device_text").toStdString();
 
   click("device_try");
-  click("device_yes");
+  EXPECT_FALSE(is_seen("device_question")) << "it knows its zero, and has nothing to ask";
   // The window goes on meanwhile.
   require([this] { return shown("device_state").contains("Pull the grip out."); }, "wish");
   EXPECT_TRUE(has_reason("being tried"));
@@ -203,6 +202,42 @@ TEST_F(TheDeviceChooser, OpensAnAttachedDeviceOnlyWhenSomebodyWantsItAndTellsWha
       << "as the driver tells of an omega.3";
   EXPECT_TRUE(has_line("check_calibration", "no profile of this device"));
   EXPECT_FALSE(bench->units.front().is_open) << "it is let go of for the session";
+}
+
+TEST_F(TheDeviceChooser, LetsAnArmMoveByAYesToItsDriversOwnWordsAlone) {
+  make_page();
+  pick(kDevice);
+  bench->units.front().knows_its_zero = false;
+  const auto has_moved = [this] {
+    return std::count(bench->calls.begin(), bench->calls.end(), "drdAutoInit 3") > 0;
+  };
+  const auto asks_of = [this](const QString& who) {
+    require([this] { return is_seen("device_yes"); }, "question");
+    const QString question = shown("device_question");
+    EXPECT_TRUE(question.contains("The handle of " + who + " will move by itself") &&
+                question.contains("keep hands and hair away"))
+        << question.toStdString();
+    EXPECT_FALSE(bench->units.front().is_open) << "nothing is held while somebody thinks";
+  };
+  press("device_try");
+  asks_of("omega.3 42");
+  EXPECT_FALSE(find<QPushButton>("start").isEnabled());
+  click("device_no");
+  EXPECT_FALSE(is_seen("device_question"));
+  EXPECT_TRUE(shown("device_state").contains("Not tried yet"));
+
+  press("device_try");
+  asks_of("omega.3 42");
+  bench->units.front().type = 34;  // another one stands there now
+  press("device_yes");
+  require([this] { return openings == 3 && shown("device_question").contains("omega.6"); },
+          "question anew");
+  asks_of("omega.6 42");
+  EXPECT_FALSE(has_moved());
+
+  press("device_yes");
+  require([this] { return shown("device_state").contains("Tried"); }, "answer of the device");
+  EXPECT_TRUE(has_moved());
 }
 
 TEST_F(TheDeviceChooser, OrdersASessionOnTheDeviceAndTriesItAnewForTheNext) {
@@ -230,11 +265,12 @@ TEST_F(TheDeviceChooser, SaysWhyADeviceCouldNotBeOpened) {
   pick(kDevice);
   bench->units.front().knows_its_zero = false;
   bench->units.front().finds_its_zero = false;
-  click("device_try");
-  click("device_yes");
-  let_it_open.release();
-  require([this] { return has_reason("handle"); }, "reason");
-  EXPECT_TRUE(shown("device_state").contains("handle")) << shown("device_state").toStdString();
+  press("device_try");
+  require([this] { return is_seen("device_yes"); }, "question");
+  press("device_yes");
+  require([this] { return has_reason("the handle was held"); }, "reason");
+  EXPECT_TRUE(shown("device_state").contains("the handle was held"))
+      << shown("device_state").toStdString();
   EXPECT_TRUE(find<QPushButton>("device_try").isEnabled());
 }
 
@@ -310,7 +346,10 @@ TEST_F(TheDeviceChooser, ShowsTheProfilesAgeAndWhatIsBeyondTheDevice) {
     show_device();
     take_screenshot(*page, "start-page-device" + suffix);
     click("device_why");
-    click("device_try");
+    bench->units.front().knows_its_zero = false;
+    press("device_try");
+    require([this] { return is_seen("device_yes"); }, "question");
+    bench->units.front().knows_its_zero = true;
     show_device();
     take_screenshot(*page, "start-page-device-question" + suffix);
     pick("mouse");
