@@ -148,8 +148,8 @@ Driver falcon_driver() {
               [](const DriverOptions& options) {
                 DriverSurvey survey{};
                 try {
-                  const falcon::UsbSession usb;
-                  survey.attached = usb.falcons();
+                  const UsbSession usb;
+                  survey.attached = falcon::attached_falcons(usb);
                   for (AttachedDevice& one : survey.attached) {
                     if (one.is_usable() && !falcon::runs_firmware(usb, one.place)) {
                       if (options.firmware.empty()) {
@@ -168,8 +168,9 @@ Driver falcon_driver() {
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             FalconSettings settings{.tell = options.tell};
             {
-              const falcon::UsbSession usb;
-              const AttachedDevice device = choose_attached("Novint Falcon", usb.falcons(), which);
+              const UsbSession usb;
+              const AttachedDevice device =
+                  choose_attached("Novint Falcon", falcon::attached_falcons(usb), which);
               settings.line.place = device.place;
               settings.line.serial = device.serial;
             }

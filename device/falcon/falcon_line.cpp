@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <pthread.h>
 #include <sched.h>
 #include <stdexcept>
 #include <utility>
 
 #include "device/monotonic_clock.h"
+#include "device/pause.h"
 
 namespace asperity::falcon {
 namespace {
@@ -39,13 +38,6 @@ constexpr int kMostLeftOver = 16;  // packets; the chip holds fewer
 void take_priority(int policy) noexcept {
   const sched_param priority{policy == SCHED_FIFO ? kFifoPriority : 0};
   (void)pthread_setschedparam(pthread_self(), policy, &priority);
-}
-
-void pause(const std::stop_token& stop, milliseconds duration) {
-  std::mutex mutex;
-  std::unique_lock lock(mutex);
-  std::condition_variable_any stopped;
-  stopped.wait_for(lock, stop, duration, [] { return false; });
 }
 
 std::uint64_t packed(const std::array<std::int16_t, 3>& words) noexcept {
@@ -80,7 +72,7 @@ void FalconLine::command(const std::array<std::int16_t, 3>& motor_words) noexcep
 }
 
 void FalconLine::open() {
-  was_alone_ = usb_.falcons().size() == 1;
+  was_alone_ = attached_falcons(usb_).size() == 1;
   auto port = std::make_unique<FalconPort>(usb_, settings_.place);
   make_ready(*port, {});
   port_ = std::move(port);
@@ -176,16 +168,9 @@ bool FalconLine::reopen(const std::stop_token& stop) {
 }
 
 bool FalconLine::is_reopened(const std::stop_token& stop) {
-  // The same unit, or else what is plugged in where it was. Another place only where nobody can have
-  // a second one in hand: where one alone was attached when this one was opened, and is now.
-  const std::vector<AttachedDevice> attached = usb_.falcons();
-  const AttachedDevice* same = nullptr;
-  for (const AttachedDevice& one : attached) {
-    const bool is_there = one.place == settings_.place;
-    const bool fits = settings_.serial.empty() ? is_there || (was_alone_ && attached.size() == 1)
-                                               : one.serial == settings_.serial;
-    if (fits && one.is_usable() && (same == nullptr || is_there)) same = &one;
-  }
+  const std::vector<AttachedDevice> attached = attached_falcons(usb_);
+  const AttachedDevice* same = found_again(
+      {.place = settings_.place, .serial = settings_.serial, .was_alone = was_alone_}, attached);
   if (same == nullptr) return false;
   auto port = std::make_unique<FalconPort>(usb_, same->place);
   make_ready(*port, stop);

@@ -40,60 +40,9 @@ constexpr std::uint16_t k140kBaud = 0x0015;
 constexpr std::uint16_t k1500kBaud = 0x0002;
 constexpr std::uint16_t kEightBitsNoParityOneStop = 8;
 
-// Every device that is a Falcon, unopened; lets go of them.
-class FoundFalcons final {
- public:
-  explicit FoundFalcons(libusb_context* context) {
-    const ssize_t count = libusb_get_device_list(context, &list_);
-    for (ssize_t i = 0; i < count; ++i) {
-      libusb_device_descriptor descriptor{};
-      if (libusb_get_device_descriptor(list_[i], &descriptor) == LIBUSB_SUCCESS &&
-          descriptor.idVendor == kVendor && descriptor.idProduct == kProduct) {
-        devices_.emplace_back(list_[i], descriptor.iSerialNumber);
-      }
-    }
-  }
-  ~FoundFalcons() {
-    if (list_ != nullptr) libusb_free_device_list(list_, 1);
-  }
-  FoundFalcons(const FoundFalcons&) = delete;
-  FoundFalcons& operator=(const FoundFalcons&) = delete;
+constexpr const char* kProductName = "Novint Falcon";
 
-  /// With the number of the text that is its serial number.
-  const std::vector<std::pair<libusb_device*, std::uint8_t>>& devices() const { return devices_; }
-
- private:
-  libusb_device** list_ = nullptr;
-  std::vector<std::pair<libusb_device*, std::uint8_t>> devices_{};
-};
-
-// "usb 1-2.3": bus and ports, as the kernel names them.
-std::string place_of(libusb_device* device) {
-  std::array<std::uint8_t, 7> ports{};
-  const int count = libusb_get_port_numbers(device, ports.data(), static_cast<int>(ports.size()));
-  std::string place = "usb " + std::to_string(libusb_get_bus_number(device));
-  for (int i = 0; i < count; ++i) {
-    place += (i == 0 ? '-' : '.') + std::to_string(ports[static_cast<std::size_t>(i)]);
-  }
-  return place;
-}
-
-std::string hindrance_of(int error, const std::string& place) {
-  const std::string it = "the Novint Falcon at " + place;
-  switch (error) {
-    case LIBUSB_ERROR_ACCESS:
-      return it +
-             " may not be opened by this user: put Asperity's rule file 70-asperity.rules into "
-             "/etc/udev/rules.d, then unplug the Falcon and plug it in again";
-    case LIBUSB_ERROR_BUSY:
-      return it + " is used by another program or session; end that one first";
-    case LIBUSB_ERROR_NO_DEVICE:
-      return it + " was unplugged while it was opened; plug it in again";
-    default:
-      return it + " cannot be opened (" + libusb_strerror(error) +
-             "); unplug it and plug it in again";
-  }
-}
+bool is_falcon(const UsbProduct& one) { return one.vendor == kVendor && one.product == kProduct; }
 
 Transfer outcome_of(int error) noexcept {
   switch (error) {
@@ -108,57 +57,22 @@ Transfer outcome_of(int error) noexcept {
   }
 }
 
-// libusb's own reader of texts waits for a second, twice.
-std::vector<std::uint8_t> text_descriptor(libusb_device_handle* handle, std::uint8_t text,
-                                          std::uint16_t language) {
-  std::array<unsigned char, 255> bytes{};
-  const int length =
-      libusb_control_transfer(handle, LIBUSB_ENDPOINT_IN, LIBUSB_REQUEST_GET_DESCRIPTOR,
-                              static_cast<std::uint16_t>(LIBUSB_DT_STRING << 8U | text), language,
-                              bytes.data(), static_cast<std::uint16_t>(bytes.size()), kControl_ms);
-  const int told = std::min(length, int{bytes[0]});
-  if (told < 2 || bytes[1] != LIBUSB_DT_STRING) return {};
-  return {bytes.begin() + 2, bytes.begin() + told};
-}
-
-std::string serial_of(libusb_device_handle* handle, std::uint8_t text) {
-  if (text == 0) return {};
-  const std::vector<std::uint8_t> languages = text_descriptor(handle, 0, 0);
-  if (languages.size() < 2) return {};
-  const auto language = static_cast<std::uint16_t>(languages[0] | languages[1] << 8U);
-  const std::vector<std::uint8_t> utf16 = text_descriptor(handle, text, language);
-  std::string serial;
-  for (std::size_t i = 0; i + 1 < utf16.size(); i += 2) {
-    serial += utf16[i + 1] == 0 && utf16[i] < 0x80 ? static_cast<char>(utf16[i]) : '?';
-  }
-  return serial;
-}
-
 }  // namespace
 
-UsbSession::UsbSession() {
-  if (const int error = libusb_init(&context_); error != LIBUSB_SUCCESS) {
-    throw std::runtime_error(std::string("USB devices cannot be looked for: ") +
-                             libusb_strerror(error));
-  }
-}
-
-UsbSession::~UsbSession() { libusb_exit(context_); }
-
-std::vector<AttachedDevice> UsbSession::falcons() const {
+std::vector<AttachedDevice> attached_falcons(const UsbSession& usb) {
   std::vector<AttachedDevice> attached;
-  const FoundFalcons found(context_);
-  for (const auto& [device, serial_text] : found.devices()) {
-    AttachedDevice one{.model = "Novint Falcon", .place = place_of(device)};
+  const UsbDevices found(usb, is_falcon);
+  for (libusb_device* device : found.devices()) {
+    AttachedDevice one{.model = kProductName, .place = usb_place(device)};
     libusb_device_handle* handle = nullptr;
     int error = libusb_open(device, &handle);
     if (error == LIBUSB_SUCCESS) {
-      one.serial = serial_of(handle, serial_text);
+      one.serial = usb_serial(handle);
       error = libusb_claim_interface(handle, kInterface);
       if (error == LIBUSB_SUCCESS) libusb_release_interface(handle, kInterface);
       libusb_close(handle);
     }
-    if (error != LIBUSB_SUCCESS) one.hindrance = hindrance_of(error, one.place);
+    if (error != LIBUSB_SUCCESS) one.hindrance = usb_hindrance(error, kProductName, one.place);
     attached.push_back(std::move(one));
   }
   std::sort(attached.begin(), attached.end(),
@@ -167,17 +81,19 @@ std::vector<AttachedDevice> UsbSession::falcons() const {
 }
 
 FalconPort::FalconPort(const UsbSession& usb, const std::string& place) : context_(usb.context()) {
-  const FoundFalcons found(usb.context());
+  const UsbDevices found(usb, is_falcon);
   int error = LIBUSB_ERROR_NO_DEVICE;
-  for (const auto& [device, serial_text] : found.devices()) {
-    if (place_of(device) != place) continue;
+  for (libusb_device* device : found.devices()) {
+    if (usb_place(device) != place) continue;
     error = libusb_open(device, &handle_);
     if (error != LIBUSB_SUCCESS) break;
     error = libusb_claim_interface(handle_, kInterface);
     if (error != LIBUSB_SUCCESS) libusb_close(handle_);
     break;
   }
-  if (error != LIBUSB_SUCCESS) throw std::runtime_error(hindrance_of(error, place));
+  if (error != LIBUSB_SUCCESS) {
+    throw std::runtime_error(usb_hindrance(error, kProductName, place));
+  }
 }
 
 FalconPort::~FalconPort() {

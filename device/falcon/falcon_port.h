@@ -6,16 +6,13 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "device/drivers.h"
 #include "device/falcon/falcon_last_words.h"
-
-struct libusb_context;
-struct libusb_device_handle;
+#include "device/usb_devices.h"
 
 namespace asperity::falcon {
 
@@ -23,23 +20,9 @@ inline constexpr int kInterface = 0;
 inline constexpr unsigned char kOutEndpoint = 0x02;
 inline constexpr unsigned char kInEndpoint = 0x81;
 
-/// One use of libusb. Errors: std::runtime_error when the machine has no USB at all.
-class UsbSession final {
- public:
-  UsbSession();
-  ~UsbSession();
-  UsbSession(const UsbSession&) = delete;
-  UsbSession& operator=(const UsbSession&) = delete;
-
-  /// The Falcons on the bus: serial number and place, and what keeps one from being opened (a permission,
-  /// a program that holds it). What is open elsewhere is left alone.
-  std::vector<AttachedDevice> falcons() const;
-
-  libusb_context* context() const noexcept { return context_; }
-
- private:
-  libusb_context* context_ = nullptr;
-};
+/// The Falcons on the bus: serial number and place, and what keeps one from being opened (a permission,
+/// a program that holds it). What is open elsewhere is left alone.
+std::vector<AttachedDevice> attached_falcons(const UsbSession& usb);
 
 /// How a transfer ended.
 enum class Transfer {

@@ -96,11 +96,11 @@ void push_until(FalconDevice& device, const glm::dvec3& force_N,
 std::string text_of(const Frame& frame) { return {frame.begin(), frame.end()}; }
 
 TEST_F(Falcon, IsFoundWithPlaceAndSerialNumber) {
-  const falcon::UsbSession before;
-  EXPECT_TRUE(before.falcons().empty());
+  const UsbSession before;
+  EXPECT_TRUE(falcon::attached_falcons(before).empty());
   EmulatedFalcon first(bus(), {.port = 3, .serial = "NF042"});
   EmulatedFalcon second(bus(), {.port = 1});
-  const std::vector<AttachedDevice> found = falcon::UsbSession().falcons();
+  const std::vector<AttachedDevice> found = falcon::attached_falcons(UsbSession());
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].place, "usb 1-1");
   EXPECT_EQ(found[0].serial, "");
@@ -143,7 +143,7 @@ TEST_F(Falcon, SaysWhichRuleIsMissingWithoutPermission) {
       ASSERT_EQ(syscall(SYS_setresuid, -1, 65534, -1), 0);
     }
     complaint = complaint_of([] { open(); });
-    const std::vector<AttachedDevice> found = falcon::UsbSession().falcons();
+    const std::vector<AttachedDevice> found = falcon::attached_falcons(UsbSession());
     if (!found.empty()) hindrance = found.front().hindrance;
   }).join();
   EXPECT_THAT(complaint, HasSubstr("may not be opened by this user"));
@@ -426,7 +426,7 @@ TEST_F(Falcon, IsLeftToItsWatchdogWhenItTakesNoPartingFrame) {
 
 TEST_F(Falcon, TakesZeroOverTheFileThatItsDriverHasOpenedAndNoOther) {
   EmulatedFalcon emulated(bus(), {});
-  const falcon::UsbSession usb;
+  const UsbSession usb;
   falcon::FalconPort port(usb, "usb 1-2");
   ASSERT_EQ(port.begin_frames(), falcon::Transfer::done);
   ASSERT_EQ(port.write(falcon::frame_of({.motor_words = {300, -20, 1}}), std::chrono::seconds(9)),
