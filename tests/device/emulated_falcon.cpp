@@ -26,76 +26,11 @@ using std::chrono::steady_clock;
 // Bus error of a transfer, as the kernel numbers it.
 constexpr int kBusError = -EPROTO;
 constexpr int kUnplugged = -ESHUTDOWN;
-constexpr int kTaken = -ENOENT;
 constexpr auto kLatency = std::chrono::milliseconds(4);
 constexpr std::size_t kPacket_bytes = 64;
 constexpr std::array<std::uint8_t, 3> kCall{0x0a, 0x43, 0x0d};
 
-std::string hex_of(const std::vector<int>& bytes) {
-  std::string text;
-  for (const int byte : bytes) {
-    char two[3]{};
-    std::snprintf(two, sizeof two, "%02x", static_cast<unsigned>(byte) & 0xffU);
-    text += two;
-  }
-  return text;
-}
-
-std::string number_of(int number) {
-  char three[8]{};
-  std::snprintf(three, sizeof three, "%03d", number);
-  return three;
-}
-
-// One device of the bus, as sysfs and the kernel tell of it.
-std::string entry_of(const std::string& name, const std::string& node, int number,
-                     const std::string& descriptors) {
-  return "P: /devices/" + name + "\nN: " + node.substr(5) +
-         "\nE: SUBSYSTEM=usb\nE: DRIVER=usb\nE: DEVTYPE=usb_device\nE: BUSNUM=001\nE: DEVNUM=" +
-         number_of(number) + "\nE: DEVNAME=" + node +
-         "\nA: bConfigurationValue=1\\n\nA: busnum=1\\n\nA: devnum=" + std::to_string(number) +
-         "\\n\nA: speed=12\\n\nH: descriptors=" + descriptors + "\n\n";
-}
-
-std::string node_of(int number) { return "/dev/bus/usb/001/" + number_of(number); }
-
-void add(UMockdevTestbed* testbed, const std::string& entry) {
-  GError* error = nullptr;
-  if (umockdev_testbed_add_from_string(testbed, entry.c_str(), &error) == FALSE) {
-    const std::string message = error->message;
-    g_error_free(error);
-    throw std::runtime_error(message);
-  }
-}
-
 }  // namespace
-
-EmulatedBus::EmulatedBus() : testbed_(umockdev_testbed_new()) {
-  const std::string hub =
-      hex_of({0x12, 1, 0,    2, 9, 0, 0, 64,   0x6b, 0x1d, 2, 0, 0, 6, 0, 0, 0, 1,  //
-              9,    2, 25,   0, 1, 1, 0, 0xe0, 0,                                   //
-              9,    4, 0,    0, 1, 9, 0, 0,    0,                                   //
-              7,    5, 0x81, 3, 4, 0, 12});
-  add(testbed_, entry_of("usb1", node_of(1), 1, hub));
-}
-
-EmulatedBus::~EmulatedBus() { g_object_unref(testbed_); }
-
-bool EmulatedBus::is_possible() {
-  const char* preloaded = std::getenv("LD_PRELOAD");
-  return preloaded != nullptr && std::strstr(preloaded, "umockdev") != nullptr;
-}
-
-std::filesystem::path EmulatedBus::folder() const {
-  gchar* root = umockdev_testbed_get_root_dir(testbed_);
-  const std::filesystem::path folder = root;
-  g_free(root);
-  return folder;
-}
-
-usbdevfs_urb& EmulatedFalcon::Urb::urb() const {
-  return *reinterpret_cast<usbdevfs_urb*>(data->data);
-}
 
 EmulatedFalcon::EmulatedFalcon(EmulatedBus& bus, EmulatedFalconSettings settings)
     : bus_(bus), settings_(std::move(settings)) {
@@ -124,7 +59,7 @@ void EmulatedFalcon::plug_in() {
     answers_.clear();
     strongest_ = 0;
     if (!node_.empty()) umockdev_testbed_detach_ioctl(bus_.testbed(), node_.c_str(), nullptr);
-    node_ = node_of(++number_);
+    node_ = EmulatedBus::node_of(++number_);
   }
   umockdev_testbed_attach_ioctl(bus_.testbed(), node_.c_str(), ioctls_, nullptr);
   const int serial = settings_.serial.empty() ? 0 : 3;
@@ -134,10 +69,7 @@ void EmulatedFalcon::plug_in() {
                                           9,    4,    0,    0, 2,  0xff, 0xff, 0xff,   0,   //
                                           7,    5,    0x81, 2, 64, 0,    0,                 //
                                           7,    5,    0x02, 2, 64, 0,    0});
-  const std::string name = "usb1/1-" + std::to_string(settings_.port);
-  system_path_ = "/sys/devices/" + name;
-  add(bus_.testbed(), entry_of(name, node_, number_, descriptors));
-  umockdev_testbed_uevent(bus_.testbed(), system_path_.c_str(), "add");
+  system_path_ = bus_.add("1-" + std::to_string(settings_.port), number_, descriptors);
 }
 
 void EmulatedFalcon::unplug() {
@@ -146,21 +78,12 @@ void EmulatedFalcon::unplug() {
     plugged_ = false;
     held_ = false;
   }
-  umockdev_testbed_uevent(bus_.testbed(), system_path_.c_str(), "remove");
-  umockdev_testbed_remove_device(bus_.testbed(), system_path_.c_str());
+  bus_.remove(system_path_);
 }
 
 void EmulatedFalcon::forbid() {
   umockdev_testbed_detach_ioctl(bus_.testbed(), node_.c_str(), nullptr);
-  const std::filesystem::path folder = bus_.folder();
-  using std::filesystem::perms;
-  std::filesystem::permissions(folder, perms::all);
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (entry.is_directory()) std::filesystem::permissions(entry, perms::all);
-  }
-  // umockdev connects to some other end of a node before it looks whether the node was opened at all.
-  std::filesystem::permissions(folder / "ioctl/_default", perms::all);
-  std::filesystem::permissions(folder / node_.substr(1), perms::none);
+  bus_.forbid(node_);
 }
 
 void EmulatedFalcon::lose_power() {
@@ -219,8 +142,7 @@ void EmulatedFalcon::answer_late(std::chrono::milliseconds delay) {
 void EmulatedFalcon::let_go() {
   const std::lock_guard lock(mutex_);
   held_ = false;
-  waiting_.clear();
-  finished_.clear();
+  urbs_.clear();
 }
 
 int EmulatedFalcon::take_most_unread() {
@@ -331,7 +253,7 @@ void EmulatedFalcon::answer_ioctl(UMockdevIoctlClient* client) {
     }
     case USBDEVFS_DISCARDURB: {
       const std::lock_guard lock(mutex_);
-      error = discard(argument);
+      error = urbs_.discard(argument);
       break;
     }
     case USBDEVFS_CLEAR_HALT:
@@ -345,64 +267,35 @@ void EmulatedFalcon::answer_ioctl(UMockdevIoctlClient* client) {
 
 int EmulatedFalcon::submit(UMockdevIoctlData* argument) {
   if (!plugged_) return ENODEV;
-  const auto shared = [](UMockdevIoctlData* data) {
-    return data == nullptr ? nullptr
-                           : std::shared_ptr<UMockdevIoctlData>(data, umockdev_ioctl_data_unref);
-  };
-  Urb one{.submitted = steady_clock::now()};
-  one.data = shared(umockdev_ioctl_data_resolve(argument, 0, sizeof(usbdevfs_urb), nullptr));
-  if (!one.data) return ENODEV;  // whoever submits is dead
-  usbdevfs_urb& urb = one.urb();
-  one.buffer = shared(umockdev_ioctl_data_resolve(one.data.get(), offsetof(usbdevfs_urb, buffer),
-                                                  static_cast<gsize>(urb.buffer_length), nullptr));
-  if (!one.buffer) return ENODEV;
-  urb.status = 0;
+  std::optional<Urb> one = UrbQueue::submitted(argument);
+  if (!one) return ENODEV;
+  const usbdevfs_urb& urb = one->urb();
+  const int length = urb.buffer_length;
   if (urb.type == USBDEVFS_URB_TYPE_CONTROL) {
-    urb.actual_length = control(one.buffer->data, urb.buffer_length);
-    finished_.push_back(std::move(one));
-    return 0;
-  }
-  if (failing_transfers_ > 0) {
+    const int answered = control(one->bytes(), length);
+    urbs_.finish(*std::move(one), 0, answered);
+  } else if (failing_transfers_ > 0) {
     --failing_transfers_;
-    urb.status = kBusError;
-    urb.actual_length = 0;
-    finished_.push_back(std::move(one));
-    return 0;
+    urbs_.finish(*std::move(one), kBusError, 0);
+  } else if ((urb.endpoint & 0x80U) == 0 && !takes_none_) {
+    for (int i = 0; i < length; ++i) take_byte(one->bytes()[i]);
+    urbs_.finish(*std::move(one), 0, length);
+  } else {
+    urbs_.wait(*std::move(one));
   }
-  if ((urb.endpoint & 0x80U) == 0 && !takes_none_) {
-    for (int i = 0; i < urb.buffer_length; ++i) take_byte(one.buffer->data[i]);
-    urb.actual_length = urb.buffer_length;
-    finished_.push_back(std::move(one));
-    return 0;
-  }
-  waiting_.push_back(std::move(one));
   return 0;
 }
 
 bool EmulatedFalcon::reap(UMockdevIoctlData* argument, int& error) {
-  if (!plugged_) {
-    for (Urb& one : waiting_) {
-      one.urb().status = kUnplugged;
-      one.urb().actual_length = 0;
-      finished_.push_back(std::move(one));
+  if (!plugged_) urbs_.end_waiting(kUnplugged);
+  if (!urbs_.has_finished() && !urbs_.waiting().empty()) {
+    if (const std::optional<int> count = fill(urbs_.waiting().front())) {
+      urbs_.finish_waiting(0, *count);
     }
-    waiting_.clear();
   }
-  if (finished_.empty() && !waiting_.empty() && fill(waiting_.front())) {
-    finished_.push_back(std::move(waiting_.front()));
-    waiting_.pop_front();
-  }
-  if (finished_.empty()) {
-    error = plugged_ ? EAGAIN : ENODEV;
-    return false;
-  }
-  const Urb one = std::move(finished_.front());
-  finished_.pop_front();
-  UMockdevIoctlData* pointer = umockdev_ioctl_data_resolve(argument, 0, sizeof(void*), nullptr);
-  if (pointer == nullptr) return true;  // whoever asked is dead
-  umockdev_ioctl_data_set_ptr(pointer, 0, one.data.get());
-  umockdev_ioctl_data_unref(pointer);
-  return true;
+  if (urbs_.reap(argument)) return true;
+  error = plugged_ ? EAGAIN : ENODEV;
+  return false;
 }
 
 // One transfer out, for a process that has no libusb any more.
@@ -426,60 +319,33 @@ int EmulatedFalcon::send_at_once(UMockdevIoctlData* argument) {
   return error;
 }
 
-int EmulatedFalcon::discard(UMockdevIoctlData* argument) {
-  const unsigned long address = *reinterpret_cast<unsigned long*>(argument->data);
-  const auto found = std::find_if(waiting_.begin(), waiting_.end(),
-                                  [&](const Urb& one) { return one.data->client_addr == address; });
-  if (found == waiting_.end()) return EINVAL;
-  found->urb().status = kTaken;
-  found->urb().actual_length = 0;
-  finished_.push_back(std::move(*found));
-  waiting_.erase(found);
-  return 0;
-}
-
 // What the device has to say by now, after its two bytes.
-bool EmulatedFalcon::fill(Urb& one) {
-  usbdevfs_urb& urb = one.urb();
-  if ((urb.endpoint & 0x80U) == 0) return false;  // it goes out, and waits
+std::optional<int> EmulatedFalcon::fill(const Urb& one) {
+  if ((one.urb().endpoint & 0x80U) == 0) return {};  // it goes out, and waits
   const auto now = steady_clock::now();
   if (to_say_.empty() && !answers_.empty() && now >= answers_.front().due) {
     to_say_.assign(answers_.front().bytes.begin(), answers_.front().bytes.end());
     answers_.pop_front();
   }
   const bool speaks = !to_say_.empty();
-  if (!speaks && now - one.submitted < kLatency) return false;
-  const std::size_t room = std::min(static_cast<std::size_t>(urb.buffer_length), kPacket_bytes);
+  if (!speaks && now - one.submitted < kLatency) return std::nullopt;
+  const std::size_t room =
+      std::min(static_cast<std::size_t>(one.urb().buffer_length), kPacket_bytes);
   std::size_t count = 0;
-  one.buffer->data[count++] = 0x01;
-  one.buffer->data[count++] = 0x60;
+  one.bytes()[count++] = 0x01;
+  one.bytes()[count++] = 0x60;
   while (speaks && count < room && !to_say_.empty()) {
-    one.buffer->data[count++] = to_say_.front();
+    one.bytes()[count++] = to_say_.front();
     to_say_.pop_front();
   }
-  urb.actual_length = static_cast<int>(count);
-  return true;
+  return static_cast<int>(count);
 }
 
 int EmulatedFalcon::control(std::uint8_t* setup_and_data, int length) {
   const int kind = setup_and_data[0];
   const int request = setup_and_data[1];
   const int value = setup_and_data[2] | setup_and_data[3] << 8;
-  if (kind == 0x80 && request == 6 &&
-      value >> 8 == 3) {  // a text: languages, or UTF-16 with a head
-    std::vector<std::uint8_t> text{0, 3};
-    if ((value & 0xff) == 0) {
-      text.insert(text.end(), {0x09, 0x04});
-    } else {
-      for (const char letter : settings_.serial) {
-        text.insert(text.end(), {static_cast<std::uint8_t>(letter), 0});
-      }
-    }
-    text[0] = static_cast<std::uint8_t>(text.size());
-    const auto fits = std::min(text.size(), static_cast<std::size_t>(length - 8));
-    std::copy_n(text.begin(), fits, setup_and_data + 8);
-    return static_cast<int>(fits);
-  }
+  if (const auto told = answer_text_request(setup_and_data, length, settings_.serial)) return *told;
   if (kind != 0x40) return 0;
   settings_sent_.emplace_back(request, value);
   switch (request) {

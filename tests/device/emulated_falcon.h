@@ -6,45 +6,21 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
-#include <filesystem>
-#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "device/falcon/falcon_frame.h"
+#include "tests/device/emulated_usb.h"
 
-typedef struct _UMockdevTestbed UMockdevTestbed;
 typedef struct _UMockdevIoctlBase UMockdevIoctlBase;
 typedef struct _UMockdevIoctlClient UMockdevIoctlClient;
-typedef struct _UMockdevIoctlData UMockdevIoctlData;
-
-struct usbdevfs_urb;
 
 namespace asperity {
-
-/// A machine whose only USB devices are emulated: what the process opens of /sys and /dev/bus/usb lies in
-/// a folder of its own. The program has to run under umockdev-wrapper.
-class EmulatedBus final {
- public:
-  EmulatedBus();
-  ~EmulatedBus();
-  EmulatedBus(const EmulatedBus&) = delete;
-  EmulatedBus& operator=(const EmulatedBus&) = delete;
-
-  /// The program was started so that this can work.
-  static bool is_possible();
-
-  UMockdevTestbed* testbed() const noexcept { return testbed_; }
-  std::filesystem::path folder() const;
-
- private:
-  UMockdevTestbed* testbed_ = nullptr;
-};
 
 struct EmulatedFalconSettings {
   int port = 2;  ///< its place is "usb 1-PORT"
@@ -111,13 +87,6 @@ class EmulatedFalcon final {
   std::vector<std::pair<int, int>> settings_sent() const;
 
  private:
-  /// A transfer on its way.
-  struct Urb {
-    std::shared_ptr<UMockdevIoctlData> data{};    // the kernel's struct, which the driver has too
-    std::shared_ptr<UMockdevIoctlData> buffer{};  // what it points to
-    std::chrono::steady_clock::time_point submitted{};
-    usbdevfs_urb& urb() const;
-  };
   /// What it says to a frame, from `due` on.
   struct Spoken {
     std::chrono::steady_clock::time_point due{};
@@ -127,12 +96,12 @@ class EmulatedFalcon final {
   void answer_ioctl(UMockdevIoctlClient* client);
   int submit(UMockdevIoctlData* argument);
   bool reap(UMockdevIoctlData* argument, int& error);
-  int discard(UMockdevIoctlData* argument);
   int send_at_once(UMockdevIoctlData* argument);
   int control(std::uint8_t* setup_and_data, int length);
   void take_byte(std::uint8_t byte);
   void take_frame(const falcon::Frame& frame);
-  bool fill(Urb& urb);
+  /// How many bytes of `urb` it fills by now.
+  std::optional<int> fill(const Urb& urb);
   std::array<std::int16_t, 3> counts_now() const;
 
   EmulatedBus& bus_;
@@ -172,19 +141,7 @@ class EmulatedFalcon final {
   std::int64_t frames_ = 0;
   int strongest_ = 0;
   std::vector<std::pair<int, int>> settings_sent_{};
-  std::deque<Urb> waiting_{};
-  std::deque<Urb> finished_{};
+  UrbQueue urbs_{};
 };
-
-/// Waits for something to become true, up to a minute.
-template <typename Condition>
-bool eventually(const Condition& condition) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > until) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return true;
-}
 
 }  // namespace asperity

@@ -1,0 +1,105 @@
+// USB without hardware: a machine's bus, and transfers as the kernel keeps them.
+
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+typedef struct _UMockdevTestbed UMockdevTestbed;
+typedef struct _UMockdevIoctlData UMockdevIoctlData;
+
+struct usbdevfs_urb;
+
+namespace asperity {
+
+/// A machine whose only USB devices are emulated: what the process opens of /sys and /dev/bus/usb lies in
+/// a folder of its own. The program has to run under umockdev-wrapper.
+class EmulatedBus final {
+ public:
+  EmulatedBus();
+  ~EmulatedBus();
+  EmulatedBus(const EmulatedBus&) = delete;
+  EmulatedBus& operator=(const EmulatedBus&) = delete;
+
+  /// The program was started so that this can work.
+  static bool is_possible();
+
+  UMockdevTestbed* testbed() const noexcept { return testbed_; }
+  std::filesystem::path folder() const;
+
+  /// The kernel's node of a device with this number on the bus.
+  static std::string node_of(int number);
+  /// A device at `port`, "1-2", as sysfs and the kernel tell of it; returns where sysfs has it.
+  std::string add(const std::string& port, int number, const std::string& descriptors);
+  void remove(const std::string& system_path);
+  /// Nobody may open this node any more; a thread has to be without root's rights to find out. Nothing may be attached
+  /// to the node.
+  void forbid(const std::string& node);
+
+ private:
+  UMockdevTestbed* testbed_ = nullptr;
+};
+
+/// Bytes as sysfs entries spell them.
+std::string hex_of(std::initializer_list<int> bytes);
+
+/// What a device answers to a request for one of its texts: the languages for number 0, or `text`. Writes to
+/// `setup_and_data`, whose first eight bytes are the request; returns how many bytes it wrote, nothing where something
+/// else is asked for.
+std::optional<int> answer_text_request(std::uint8_t* setup_and_data, int length,
+                                       const std::string& text);
+
+/// A transfer on its way.
+struct Urb {
+  std::shared_ptr<UMockdevIoctlData> data{};    // the kernel's struct, which the driver has too
+  std::shared_ptr<UMockdevIoctlData> buffer{};  // what it points to
+  std::chrono::steady_clock::time_point submitted{};
+
+  usbdevfs_urb& urb() const;
+  std::uint8_t* bytes() const;
+};
+
+/// The transfers of one device: those that wait for it to say something, and those that the driver has not fetched.
+class UrbQueue final {
+ public:
+  /// What the driver submits; nothing when whoever submits is dead.
+  static std::optional<Urb> submitted(UMockdevIoctlData* argument);
+
+  void wait(Urb urb) { waiting_.push_back(std::move(urb)); }
+  void finish(Urb urb, int status, int length);
+  std::deque<Urb>& waiting() noexcept { return waiting_; }
+  /// The n-th that waits.
+  void finish_waiting(std::size_t which, int length);
+  bool has_finished() const noexcept { return !finished_.empty(); }
+  /// All that wait end with `status`.
+  void end_waiting(int status);
+  /// Hands the driver one that is finished; false where there is none.
+  bool reap(UMockdevIoctlData* argument);
+  /// The driver takes one back; the error number.
+  int discard(UMockdevIoctlData* argument);
+  void clear();
+
+ private:
+  std::deque<Urb> waiting_{};
+  std::deque<Urb> finished_{};
+};
+
+/// Waits for something to become true, up to a minute.
+template <typename Condition>
+bool eventually(const Condition& condition) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > until) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+}  // namespace asperity
