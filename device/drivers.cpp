@@ -15,6 +15,7 @@
 #include "device/pointer_device.h"
 #include "device/replay_device.h"
 #include "device/simulated_models.h"
+#include "device/spacemouse/spacemouse_device.h"
 #include "device/units_in_use.h"
 
 namespace asperity {
@@ -111,6 +112,7 @@ DriverRegistry built_in_drivers() {
   registry.add(force_dimension_driver());
   registry.add(openhaptics_driver());
   registry.add(inverse3_driver());
+  registry.add(spacemouse_driver());
   registry.add(pointer_driver());
   registry.add(replay_driver());
   return registry;
