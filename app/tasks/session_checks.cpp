@@ -235,6 +235,8 @@ std::optional<DeviceCapability> capability_of(const CheckInputs& inputs, const P
   return inputs.tried->capability;
 }
 
+bool has_motors(const DeviceCapability& device) { return device.actuated_degrees_of_freedom > 0; }
+
 /// The device that an unfinished session began on, where it is another one than this; otherwise empty.
 std::string other_device_before(const CheckInputs& inputs, const Protocol& protocol,
                                 const std::string& name) {
@@ -280,7 +282,7 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
     return check;
   }
   const DeviceKind kind = kind_of_device(inputs.device);
-  if (kind == DeviceKind::pointer) {
+  if (!has_motors(*device)) {
     check.text = phrase("SessionChecks",
                         "\"%1\" moves and presses, and gives no force: nobody feels anything.")
                      .with(device->name);
@@ -299,7 +301,7 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
     check.remedy =
         phrase("SessionChecks", "Choose the device that it began on, unless another one is meant.");
   }
-  if (inputs.mode == SessionMode::run && kind != DeviceKind::attached) {
+  if (inputs.mode == SessionMode::run && (kind != DeviceKind::attached || !has_motors(*device))) {
     check.state = State::look;
     if (kind == DeviceKind::simulated) {
       check.text = phrase("SessionChecks", "%1 It is simulated: nobody's hand feels anything.")
@@ -368,9 +370,8 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
     return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
   }
   WhichDevice which = which_device(inputs.device);
-  if (const auto device = capability_of(inputs, protocol)) {
-    which = {device->name, device->model, device->serial};
-  }
+  const std::optional<DeviceCapability> device = capability_of(inputs, protocol);
+  if (device) which = {device->name, device->model, device->serial};
   StimulusBuilder builder(models, inputs.study);
   const Rehearse rehearse = [&](const DeviceProfile& profile) {
     const auto compare = [&] {
@@ -382,13 +383,11 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   const std::string now_utc = SystemClock(0).utc();
   const RehearsedDevice found = rehearsed_device(protocol, which, inputs.study, now_utc, rehearse);
   if (!found.profile) {
-    switch (kind_of_device(inputs.device)) {
-      case DeviceKind::simulated:
-        return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
-      case DeviceKind::pointer:
-        return {fine(phrase("SessionChecks", "Not needed: it gives no force."))};
-      case DeviceKind::attached:
-        break;
+    if (kind_of_device(inputs.device) == DeviceKind::simulated) {
+      return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
+    }
+    if (device && !has_motors(*device)) {
+      return {fine(phrase("SessionChecks", "Not needed: it gives no force."))};
     }
     return {{.state = State::look,
              .text = phrase("SessionChecks",

@@ -310,6 +310,25 @@ TEST_F(SessionChecks, NeedAnAttachedDeviceToBeTriedByAPersonsWish) {
   EXPECT_EQ(check("device").text.english(), "It is used by another program.");
 }
 
+TEST_F(SessionChecks, SayThatAnAttachedDeviceWithoutMotorsGivesNoForce) {
+  TriedDevice tried = *tried_falcon();
+  tried.device = inputs.device = "spacemouse:SM042";
+  tried.capability = {.name = "spacemouse",
+                      .model = "3Dconnexion SpaceMouse Compact",
+                      .serial = "SM042",
+                      .sensed_degrees_of_freedom = 6,
+                      .actuated_degrees_of_freedom = 0};
+  inputs.tried = std::make_shared<TriedDevice>(tried);
+  inputs.pacing = RunPacing::real_time;
+  inputs.mode = SessionMode::pilot;
+  EXPECT_EQ(check("device").state, State::fine) << "whatever force the protocol asks for";
+  EXPECT_NE(check("device").text.english().find("nobody feels anything"), std::string::npos);
+  EXPECT_EQ(check("calibration").text.english(), "Not needed: it gives no force.");
+  inputs.mode = SessionMode::run;
+  EXPECT_EQ(check("device").state, State::look);
+  EXPECT_NE(check("device").remedy.english().find("choose Pilot or Simulate"), std::string::npos);
+}
+
 class RehearsedChecks : public SessionChecks {
  protected:
   void SetUp() override {
