@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include "device/haptic_device.h"
 #include "device/spacemouse/cap_reports.h"
 
 namespace asperity::spacemouse {
@@ -51,7 +52,7 @@ struct CapReport {
 /// Real-time: all but the constructor does not allocate, lock or throw.
 class RateControl final {
  public:
-  static constexpr std::int64_t kHolds_ns = 50'000'000;
+  static constexpr std::int64_t kHolds_ns = HapticDevice::kLongestSilence_ns;
   static constexpr std::uint32_t kHomeButton = 0b10;
   /// Those that are a participant's: bit 0.
   static constexpr std::uint32_t kOtherButtons = 0b01;

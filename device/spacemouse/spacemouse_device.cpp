@@ -20,7 +20,7 @@ std::string rounded(double value) {
 
 DeviceCapability capability_of(const spacemouse::LineSettings& which,
                                const spacemouse::RateControlSettings& motion) {
-  return {.name = "spacemouse",
+  return {.name = spacemouse::kSpaceMouse,
           .model = which.model,
           .serial = which.serial,
           .sensed_degrees_of_freedom = 6,
@@ -97,7 +97,7 @@ std::string SpaceMouseDevice::trouble() const {
 
 Driver spacemouse_driver() {
   return {
-      .id = "spacemouse",
+      .id = spacemouse::kSpaceMouse,
       .summary = "SpaceMouse of 3Dconnexion: moves and turns the probe, and gives no force.",
       .find =
           [](const DriverOptions&) {

@@ -35,7 +35,7 @@ std::vector<AttachedDevice> SpaceMouseLine::attached() const {
 void SpaceMouseLine::open(const std::string& place) {
   port_ = std::make_unique<SpaceMousePort>(usb_, place);
   in_use_ = std::make_unique<UnitInUse>(
-      "spacemouse",
+      kSpaceMouse,
       AttachedDevice{.model = settings_.model, .serial = settings_.serial, .place = place});
   connected_.store(true, std::memory_order_release);
 }

@@ -142,7 +142,7 @@ class SpaceMousePort::Hidapi final {
 std::span<const Model> models() noexcept { return kModels; }
 
 std::vector<AttachedDevice> attached_spacemice(const UsbSession& usb) {
-  std::vector<AttachedDevice> attached = UnitInUse::of("spacemouse");
+  std::vector<AttachedDevice> attached = UnitInUse::of(kSpaceMouse);
   const std::vector<AttachedDevice> ours = attached;
   const UsbDevices found(usb, is_spacemouse);
   for (libusb_device* device : found.devices()) {
@@ -165,9 +165,8 @@ SpaceMousePort::SpaceMousePort(const UsbSession& usb, const std::string& place) 
     throw std::runtime_error(usb_hindrance(LIBUSB_ERROR_NO_DEVICE, "SpaceMouse", place));
   }
   // hidapi gives no reasons.
-  if (const AttachedDevice look = looked_at(*device); !look.is_usable()) {
-    throw std::runtime_error(look.hindrance);
-  }
+  const AttachedDevice look = looked_at(*device);
+  if (!look.is_usable()) throw std::runtime_error(look.hindrance);
   hidapi_ = std::make_unique<Hidapi>();
   const CapInterfaces interfaces = cap_interfaces(*device);
   for (const int interface : interfaces.numbers) {
@@ -175,18 +174,19 @@ SpaceMousePort::SpaceMousePort(const UsbSession& usb, const std::string& place) 
     const std::string path = place.substr(place.find(' ') + 1) + ':' +
                              std::to_string(interfaces.configuration) + '.' +
                              std::to_string(interface);
-    hid_device_* one = hid_open_path(path.c_str());
-    if (one == nullptr) {
-      for (hid_device_* opened : interfaces_) hid_close(opened);
-      throw std::runtime_error(
-          usb_hindrance(LIBUSB_ERROR_IO, model_of(usb_product(*device))->name, place));
-    }
-    interfaces_.push_back(one);
+    if (hid_device* one = hid_open_path(path.c_str())) interfaces_.push_back(one);
+  }
+  if (interfaces_.empty() || interfaces_.size() < interfaces.numbers.size()) {
+    close();
+    throw std::runtime_error(usb_hindrance(LIBUSB_ERROR_IO, look.model, place));
   }
 }
 
-SpaceMousePort::~SpaceMousePort() {
-  for (hid_device_* one : interfaces_) hid_close(one);
+SpaceMousePort::~SpaceMousePort() { close(); }
+
+void SpaceMousePort::close() noexcept {
+  for (hid_device* one : interfaces_) hid_close(one);
+  interfaces_.clear();
 }
 
 SpaceMousePort::Read SpaceMousePort::read(Report& report, std::size_t& count) noexcept {

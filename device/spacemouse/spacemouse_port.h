@@ -17,6 +17,9 @@ struct hid_device_;
 
 namespace asperity::spacemouse {
 
+/// The driver's name.
+inline constexpr const char* kSpaceMouse = "spacemouse";
+
 /// One model, or one receiver of wireless ones.
 struct Model {
   UsbProduct usb{};
@@ -53,6 +56,7 @@ class SpaceMousePort final {
 
  private:
   class Hidapi;
+  void close() noexcept;
   std::unique_ptr<Hidapi> hidapi_;
   std::vector<hid_device_*> interfaces_{};
   std::size_t next_ = 0;  // the interface to be asked

@@ -115,6 +115,14 @@ TEST_F(SpaceMouse, IsNoMouseOrKeyboardOfTheSameMakers) {
   EXPECT_EQ(mouse.opened() + cad_mouse.opened() + keyboard.opened(), 0);
 }
 
+TEST_F(SpaceMouse, IsNotOpenedWhereNothingOfItTellsOfACap) {
+  EmulatedSpaceMouse emulated(bus(), {.product = kUniversalReceiver, .protocols = {1, 2}});
+  ASSERT_EQ(found().size(), 1U);
+  EXPECT_THAT(found()[0].hindrance, HasSubstr("cannot be opened"));
+  EXPECT_THAT(complaint_of([] { open(); }), HasSubstr("cannot be opened"));
+  EXPECT_TRUE(emulated.is_the_kernels(0) && emulated.is_the_kernels(1));
+}
+
 TEST(SpaceMouseRules, LetPeopleOpenEachModel) {
   std::ifstream stream(ASPERITY_SOURCE_DIR "/device/udev/70-asperity.rules");
   std::vector<std::string> rules;
