@@ -45,15 +45,16 @@ SpaceMouseDevice::SpaceMouseDevice(const spacemouse::LineSettings& which,
                                    const spacemouse::RateControlSettings& motion)
     : HapticDevice(capability_of(which, motion), ForceLimits{}), motion_(motion), line_(which) {}
 
-SpaceMouseDevice::State SpaceMouseDevice::state_at(std::int64_t now_ns,
+SpaceMouseDevice::State SpaceMouseDevice::heard_at(std::int64_t now_ns,
                                                    bool is_told_anew) noexcept {
-  if (!line_.is_connected()) return State::unplugged;
   if (motion_.is_overdue(now_ns)) return State::silent;
   const bool was_silent = state_.load(std::memory_order_relaxed) == State::silent;
   return was_silent && !is_told_anew ? State::silent : State::well;
 }
 
 bool SpaceMouseDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept {
+  const bool is_connected = line_.is_connected();
+  if (!is_connected) motion_.stop();
   motion_.advance(now_ns);  // the way until now belongs to what was known
   spacemouse::CapReport report{};
   bool is_told_anew = false;
@@ -62,9 +63,9 @@ bool SpaceMouseDevice::do_read(std::int64_t now_ns, ProbeState& state) noexcept 
     moved_ns_ = report.moved_ns;
     motion_.take(report);
   }
-  const State now = state_at(now_ns, is_told_anew);
+  const State now = is_connected ? heard_at(now_ns, is_told_anew) : State::unplugged;
   state_.store(now, std::memory_order_relaxed);
-  if (now != State::well) motion_.stop();
+  if (now == State::silent) motion_.stop();
   state.position_m = motion_.position_m();
   state.orientation = motion_.orientation();
   state.velocity_m_per_s = motion_.velocity_m_per_s();

@@ -48,7 +48,7 @@ class SpaceMouseDevice final : public HapticDevice {
   enum class State { well, unplugged, silent };
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;
   bool do_send(const Wrench&) noexcept override;
-  State state_at(std::int64_t now_ns, bool is_told_anew) noexcept;
+  State heard_at(std::int64_t now_ns, bool is_told_anew) noexcept;
 
   spacemouse::RateControl motion_;
   spacemouse::SpaceMouseLine line_;

@@ -405,6 +405,35 @@ TEST_F(SpaceMouse, StandsStillAtOnceWhenItIsUnpluggedInMidMotionAndGoesOnWhenItI
       read_until(*device, [&](const ProbeState& now) { return now.position_m.x < from_m; }));
 }
 
+TEST_F(SpaceMouse, StandsStillOnItsWayHomeToo) {
+  EmulatedSpaceMouse emulated(bus(), {});
+  const auto device = open();
+  emulated.hold({report_of(1, {kFull, 0, 0})});
+  ASSERT_TRUE(read_until(*device, [](const ProbeState& now) { return now.position_m.x == 0.1; }));
+  emulated.hold({});
+  emulated.say(report_of(1, {0, 0, 0}));
+  emulated.say({3, 0b10, 0});
+  std::optional<ProbeState> last =
+      read_until(*device, [](const ProbeState& now) { return now.velocity_m_per_s.x < 0.0; });
+  ASSERT_TRUE(last.has_value());
+  emulated.unplug();
+  ASSERT_TRUE(eventually([&] {
+    const auto state = read(*device);
+    if (state) last = state;
+    return !state;
+  }));
+  int lost = 0;
+  ASSERT_TRUE(eventually([&] {
+    EXPECT_FALSE(answers(*device));
+    return ++lost > 100;
+  }));
+  emulated.plug_in();
+  const auto back = read_until(*device, [](const ProbeState&) { return true; });
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->position_m, last->position_m);
+  EXPECT_EQ(back->velocity_m_per_s, glm::dvec3(0.0));
+}
+
 TEST_F(SpaceMouse, IsLostAtRestTooWhenItIsUnplugged) {
   EmulatedSpaceMouse emulated(bus(), {});
   const auto device = open();
@@ -435,7 +464,7 @@ TEST_F(SpaceMouse, IsLostWhenItFallsSilentWhileItsCapIsDeflected) {
   EXPECT_THAT(device->complaint(), HasSubstr("touch the cap"));
   EXPECT_FALSE(device->push({}, 1e-3).has_value());
   // Time alone heals nothing, nor does a button. (A report that was on its way may come late.)
-  emulated.say({3, 0b01, 0});
+  emulated.hold({{3, 0b01, 0}, {3, 0b00, 0}});
   int lost_in_a_row = 0;
   EXPECT_TRUE(eventually([&] {
     const auto state = read(*device);
@@ -443,6 +472,7 @@ TEST_F(SpaceMouse, IsLostWhenItFallsSilentWhileItsCapIsDeflected) {
     lost_in_a_row = state ? 0 : lost_in_a_row + 1;
     return lost_in_a_row > 150;
   }));
+  emulated.hold({});
   emulated.say(report_of(1, {0, 0, 0}));
   const auto back = read_until(*device, [](const ProbeState&) { return true; });
   ASSERT_TRUE(back.has_value());
