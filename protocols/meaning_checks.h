@@ -70,6 +70,7 @@ class Meaning final {
   }
 
   void check_head();
+  void check_device_limits();
   void check_senses();
   void check_blindfold();
   void check_textures();

@@ -376,6 +376,9 @@ void read_setting(const json& root, Protocol& protocol) {
     read(*found, "maximum_lost_records", protocol.maximum_lost_records);
     read(*found, "profile_maximum_age_days", protocol.profile_maximum_age_days);
     read(*found, "refuse_rehearsal_warnings", protocol.refuses_rehearsal_warnings);
+    for_each_named(*found, "limits", [&](const std::string& item, const json& limit) {
+      protocol.device_limits[item] = limit.get<double>();
+    });
   }
   if (const auto found = root.find("surface"); found != root.end()) {
     SurfacePatch& patch = protocol.patch;

@@ -34,6 +34,16 @@ void Meaning::check_head() {
   }
 }
 
+void Meaning::check_device_limits() {
+  const auto rate_Hz = protocol_.device_limits.find("rate_Hz");
+  if (rate_Hz == protocol_.device_limits.end() || rate_Hz->second <= protocol_.rate_Hz) return;
+  report(
+      "/device/limits/rate_Hz",
+      "no loop that is to run at " + digits(protocol_.rate_Hz) + " Hz reaches " +
+          digits(rate_Hz->second) +
+          " Hz: the limit has to be at most /device/rate_Hz, which is the rate that is asked for");
+}
+
 void Meaning::check_path(const std::optional<std::string>& path, const std::string& pointer) {
   if (!path) return;
   const std::string& text = *path;
