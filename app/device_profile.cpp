@@ -7,12 +7,31 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/device_remarks.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
 namespace {
 
 constexpr const char* kProfileFormat = "asperity.device_profile/1";
+
+using Bound = DeviceItem::Bound;
+constexpr std::array<DeviceQuantity, 16> kQuantities{{{"rate_Hz", Bound::at_least, true},
+                                                      {"lateness_p50_s", Bound::at_most, true},
+                                                      {"lateness_p99_s", Bound::at_most, true},
+                                                      {"lateness_max_s", Bound::at_most, true},
+                                                      {"missed_deadlines", Bound::at_most, true},
+                                                      {"force_zero_N"},
+                                                      {"position_noise_m"},
+                                                      {"friction_N"},
+                                                      {"damping_N_s_per_m", Bound::at_least},
+                                                      {"position_resolution_m"},
+                                                      {"latency_s"},
+                                                      {"moving_mass_kg"},
+                                                      {"resonance_Hz", Bound::at_least},
+                                                      {"stiffness_N_per_m", Bound::at_least},
+                                                      {"force_resolution_N"},
+                                                      {"workspace_reached", Bound::at_least}}};
 
 nlohmann::ordered_json or_null(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
@@ -35,7 +54,7 @@ nlohmann::ordered_json json_of(const DeviceItem& item) {
     json["bound"] = item.bound == DeviceItem::Bound::at_most ? "at_most" : "at_least";
   }
   if (!item.by_axis.empty()) json["by_axis"] = item.by_axis;
-  json["text"] = item.text;
+  json["text"] = item.text.english();
   return json;
 }
 
@@ -71,8 +90,35 @@ DeviceItem item_from(const nlohmann::json& json) {
   item.limit = number_or_nothing(json, "limit");
   if (json.value("bound", "at_most") == "at_least") item.bound = DeviceItem::Bound::at_least;
   item.by_axis = json.value("by_axis", std::vector<double>{});
-  item.text = json.value("text", "");
+  item.text = read_remark(json.value("text", std::string{}));
   return item;
+}
+
+nlohmann::ordered_json json_of(const AxisResponse& response) {
+  std::vector<double> frequencies_Hz{};
+  std::vector<double> responses_m_per_N{};
+  for (const FrequencyResponse& tone : response.tones) {
+    frequencies_Hz.push_back(tone.frequency_Hz);
+    responses_m_per_N.push_back(tone.response_m_per_N);
+  }
+  return {{"axis", response.axis},
+          {"frequency_Hz", frequencies_Hz},
+          {"response_m_per_N", responses_m_per_N}};
+}
+
+AxisResponse response_from(const nlohmann::json& json) {
+  const auto frequencies_Hz = json.at("frequency_Hz").get<std::vector<double>>();
+  const auto responses_m_per_N = json.at("response_m_per_N").get<std::vector<double>>();
+  if (frequencies_Hz.size() != responses_m_per_N.size()) {
+    throw std::runtime_error("a response has " + std::to_string(frequencies_Hz.size()) +
+                             " frequencies and " + std::to_string(responses_m_per_N.size()) +
+                             " values; it has to have as many of both");
+  }
+  AxisResponse response{.axis = json.at("axis").get<std::string>()};
+  for (std::size_t i = 0; i < frequencies_Hz.size(); ++i) {
+    response.tones.push_back({frequencies_Hz[i], responses_m_per_N[i]});
+  }
+  return response;
 }
 
 /// Days since 1970 and the part of the day of "2026-01-01T00:00:00.000Z".
@@ -122,6 +168,19 @@ const char* text_of(DeviceItem::Status status) noexcept {
   return "unknown";
 }
 
+std::span<const DeviceQuantity> device_quantities() noexcept { return kQuantities; }
+
+const DeviceQuantity* device_quantity(std::string_view name) noexcept {
+  const auto found =
+      std::find_if(kQuantities.begin(), kQuantities.end(),
+                   [name](const DeviceQuantity& quantity) { return name == quantity.name; });
+  return found == kQuantities.end() ? nullptr : &*found;
+}
+
+bool keeps(double value, DeviceItem::Bound bound, double limit) noexcept {
+  return bound == DeviceItem::Bound::at_most ? value <= limit : value >= limit;
+}
+
 const DeviceItem* DeviceProfile::item(std::string_view wanted) const noexcept {
   const auto found = std::find_if(items.begin(), items.end(),
                                   [&](const DeviceItem& one) { return one.name == wanted; });
@@ -141,7 +200,7 @@ bool DeviceProfile::has_failed() const noexcept {
 std::string json_text_of(const DeviceProfile& profile) {
   nlohmann::ordered_json items = nlohmann::ordered_json::array();
   for (const DeviceItem& item : profile.items) items.push_back(json_of(item));
-  const nlohmann::ordered_json json{
+  nlohmann::ordered_json json{
       {"format", kProfileFormat},
       {"device", {{"name", profile.name}, {"model", profile.model}, {"serial", profile.serial}}},
       {"simulated", profile.is_simulated},
@@ -156,6 +215,9 @@ std::string json_text_of(const DeviceProfile& profile) {
       {"reached_minimum_m", or_null(profile.reached_minimum_m)},
       {"reached_maximum_m", or_null(profile.reached_maximum_m)},
       {"items", std::move(items)}};
+  for (const AxisResponse& response : profile.responses) {
+    json["responses"].push_back(json_of(response));
+  }
   return json.dump(2) + '\n';
 }
 
@@ -184,6 +246,9 @@ DeviceProfile profile_from_json(const std::string& text, const std::string& orig
     profile.reached_minimum_m = corner_or_nothing(json, "reached_minimum_m");
     profile.reached_maximum_m = corner_or_nothing(json, "reached_maximum_m");
     for (const nlohmann::json& item : json.at("items")) profile.items.push_back(item_from(item));
+    for (const nlohmann::json& response : json.value("responses", nlohmann::json::array())) {
+      profile.responses.push_back(response_from(response));
+    }
     return profile;
   } catch (const std::exception& error) {
     throw std::runtime_error("the device profile " + origin + " cannot be read: " + error.what());
@@ -198,11 +263,11 @@ std::filesystem::path profile_path(const std::filesystem::path& study,
   return study / "profiles" / (for_file_name(profile.name) + serial + '-' + when + ".json");
 }
 
-std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
-                                            const WhichDevice& device) {
+std::vector<DeviceProfile> profiles_in(const std::filesystem::path& study,
+                                       const WhichDevice& device) {
   const std::filesystem::path folder = study / "profiles";
-  if (!std::filesystem::is_directory(folder)) return {};
-  std::optional<DeviceProfile> latest{};
+  std::vector<DeviceProfile> profiles{};
+  if (!std::filesystem::is_directory(folder)) return profiles;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
     DeviceProfile profile = profile_from_json(read_file(entry.path()), entry.path().string());
@@ -213,10 +278,20 @@ std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
         differs(device.serial, profile.serial)) {
       continue;
     }
-    // Dates of this form sort as text.
-    if (!latest || latest->measured_utc < profile.measured_utc) latest = std::move(profile);
+    profiles.push_back(std::move(profile));
   }
-  return latest;
+  // Dates of this form sort as text.
+  std::sort(profiles.begin(), profiles.end(), [](const DeviceProfile& a, const DeviceProfile& b) {
+    return a.measured_utc > b.measured_utc;
+  });
+  return profiles;
+}
+
+std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
+                                            const WhichDevice& device) {
+  std::vector<DeviceProfile> profiles = profiles_in(study, device);
+  if (profiles.empty()) return {};
+  return std::move(profiles.front());
 }
 
 double age_days(const DeviceProfile& profile, const std::string& now_utc) {

@@ -4,11 +4,15 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
+
+#include "analysis/device_response.h"
+#include "app/phrase.h"
 
 namespace asperity {
 
@@ -24,11 +28,31 @@ struct DeviceItem {
   /// What it was held to. Without one the number is told and not judged.
   std::optional<double> limit{};
   Bound bound = Bound::at_most;
-  std::string text{};  ///< a sentence: what was done, or why nothing could be
+  Phrase text{};  ///< a sentence: what was done, or why nothing could be
 };
 
 /// As it stands in a profile.
 const char* text_of(DeviceItem::Status status) noexcept;
+
+/// What an item with a number is: the kind that can be held to a limit.
+struct DeviceQuantity {
+  const char* name = nullptr;  ///< the item's
+  DeviceItem::Bound bound = DeviceItem::Bound::at_most;
+  /// Says as much about the computer as about the device: of a simulated one it is told and not judged.
+  bool is_timing = false;
+};
+/// All there are, in the order of a profile.
+std::span<const DeviceQuantity> device_quantities() noexcept;
+/// Null where no item with a number is called so.
+const DeviceQuantity* device_quantity(std::string_view name) noexcept;
+/// Whether a number is on its side of a limit.
+bool keeps(double value, DeviceItem::Bound bound, double limit) noexcept;
+
+/// How far the handle answered to tones along one axis.
+struct AxisResponse {
+  std::string axis{};                      ///< "x", "y" or "z"
+  std::vector<FrequencyResponse> tones{};  ///< frequencies ascend
+};
 
 /// A device as `device-test` found it. Format: docs/formats/device_profile.md.
 struct DeviceProfile {
@@ -48,6 +72,7 @@ struct DeviceProfile {
   std::optional<glm::dvec3> reached_minimum_m{};
   std::optional<glm::dvec3> reached_maximum_m{};
   std::vector<DeviceItem> items{};
+  std::vector<AxisResponse> responses{};  ///< of the axes that were driven by tones
 
   /// Null where there is no such item.
   const DeviceItem* item(std::string_view name) const noexcept;
@@ -72,9 +97,12 @@ struct WhichDevice {
   std::string model{};
   std::string serial{};
 };
-/// The latest profile of this device in the study; nothing where there is none. A profile without
-/// serial is that of every device of its driver and model.
+/// The profiles that the study has of this device, the latest first. A profile without serial is that of
+/// every device of its driver and model.
 /// Errors: as profile_from_json for a file that is none.
+std::vector<DeviceProfile> profiles_in(const std::filesystem::path& study,
+                                       const WhichDevice& device);
+/// The first of them; nothing where there is none. Errors: as profiles_in.
 std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
                                             const WhichDevice& device);
 

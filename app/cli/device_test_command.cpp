@@ -19,17 +19,15 @@
 #include "app/cli/driver_options.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
-#include "app/tasks/device_test.h"
+#include "app/tasks/measure_device.h"
+#include "app/tasks/protocol_files.h"
 #include "device/drivers.h"
 #include "device/virtual_hand.h"
-#include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 
 namespace asperity {
 
 namespace {
-
-constexpr double kBorders_s = 20.0;  // for a person to move the handle once around
 
 /// "friction_N=0.2" → friction_N, 0.2
 std::pair<std::string, double> item_limit(const std::string& text) {
@@ -68,12 +66,9 @@ bool agrees(const std::string& what, bool is_agreed) {
 void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& options,
                          bool is_agreed) {
   const DeviceCapability& capability = device.capability();
-  if (!agrees("the handle of " + capability.model + ' ' + capability.serial +
-                  " will move by itself for a minute and a half, by at most 3 cm, with at most " +
-                  fixed(options.force_N, 1) +
-                  " N.\n  Let it hang free in the middle of its workspace, keep hands and hair "
-                  "away, and let nobody hold it.\n  Ctrl-C takes the force away at once.",
-              is_agreed)) {
+  const std::string what =
+      what_measuring_does(capability.model + ' ' + capability.serial, options.force_N).english();
+  if (!agrees(what + "\n  Ctrl-C takes the force away at once.", is_agreed)) {
     throw std::runtime_error("nothing was measured: the answer was not yes");
   }
 }
@@ -88,8 +83,8 @@ Table table_of(const DeviceProfile& profile) {
     }
     std::string result = text_of(item.status);
     if (item.status == DeviceItem::Status::not_measured) result = "not measured";
-    table.rows.push_back(
-        {item.name, result, item.value ? in_four_digits(*item.value) : "n/a", limit, item.text});
+    table.rows.push_back({item.name, result, item.value ? in_four_digits(*item.value) : "n/a",
+                          limit, item.text.english()});
   }
   return table;
 }
@@ -99,10 +94,10 @@ Table table_of(const DeviceProfile& profile) {
 void add_device_test(CLI::App& program, Job& job) {
   struct Options {
     std::string device{};
-    DeviceTestOptions test{};
+    MeasureOrder order{};
     DriverOptions drivers{};
     std::vector<std::string> limits{};
-    std::optional<std::filesystem::path> study{};
+    std::optional<std::string> protocol{};
     bool json = false;
     bool agreed = false;
   };
@@ -113,25 +108,34 @@ void add_device_test(CLI::App& program, Job& job) {
       ->add_option("NAME", options->device,
                    "Device: simulated, falcon, …; where there are several NAME:SERIAL")
       ->required();
-  command->add_option("--study", options->study,
+  command->add_option("--study", options->order.study,
                       "Keep the profile with this study, for its sessions");
-  command->add_option("--rate-hz", options->test.rate_Hz, "Rate of the servo loop")
-      ->check(CLI::Range(100.0, 10000.0))
-      ->capture_default_str();
-  command->add_option("--force-n", options->test.force_N, "No force is stronger")
+  command->add_option("--protocol", options->protocol,
+                      "Protocol whose limits the device is held to, at its rate");
+  const CLI::Option* rate =
+      command->add_option("--rate-hz", options->order.test.rate_Hz, "Rate of the servo loop")
+          ->check(CLI::Range(100.0, 10000.0))
+          ->capture_default_str();
+  command->add_option("--force-n", options->order.test.force_N, "No force is stronger")
       ->check(CLI::Range(0.1, 20.0))
       ->capture_default_str();
   command->add_option("--limit", options->limits, "NAME=NUMBER: what an item is held to");
   add_driver_options(*command, options->drivers);
   command->add_flag("--yes", options->agreed, "Do not ask before the device moves");
   command->add_flag("--json", options->json, "Print the profile as JSON");
-  command->callback([options, &job] {
-    job = [options]() -> int {
-      for (const std::string& limit : options->limits)
-        options->test.limits.insert(item_limit(limit));
+  command->callback([options, rate, &job] {
+    const bool has_rate = rate->count() > 0;
+    job = [options, has_rate]() -> int {
+      MeasureOrder& order = options->order;
+      for (const std::string& limit : options->limits) order.test.limits.insert(item_limit(limit));
       // Before a minute of measuring is lost for a folder that is no study.
-      if (options->study) (void)Study::open(*options->study, Access::read_only);
-      VirtualHand hand(HandHabits{}, Random(0));
+      if (order.study) (void)Study::open(*order.study, Access::read_only);
+      if (options->protocol) {
+        const Protocol protocol = load_protocol(*options->protocol, built_in_models(), order.study);
+        order.protocol_limits = protocol.device_limits;
+        if (!has_rate) order.test.rate_Hz = protocol.rate_Hz;
+      }
+      VirtualHand hand = hand_to_measure();
       options->drivers.tell = [](const std::string& sentence) { say(sentence); };
       options->drivers.may_move = [&options](const std::string& what) {
         return agrees(what, options->agreed);
@@ -139,26 +143,16 @@ void add_device_test(CLI::App& program, Job& job) {
       options->drivers.hand = &hand;
       const std::unique_ptr<HapticDevice> device =
           built_in_drivers().open(options->device, options->drivers);
-      DeviceTestOptions& test = options->test;
-      test.is_simulated = device->capability().name == "simulated";
       const InterruptWatch interrupt("asperity: stopping, the force goes to zero");
-      if (test.is_simulated) {
-        // Nobody feels it, and its mechanics know only the times that it is read at.
-        test.mechanics = StagePacing::stepped;
-      } else {
-        ask_before_it_moves(*device, test, options->agreed);
-        if (isatty(STDIN_FILENO) != 0) test.workspace_s = kBorders_s;
+      if (device->capability().name != "simulated") {
+        ask_before_it_moves(*device, order.test, options->agreed);
+        if (isatty(STDIN_FILENO) != 0) order.borders_s = kBorders_s;
       }
-      test.tell = [](const std::string& what, double done) {
-        say(fixed(100.0 * done, 0) + " %: " + what);
+      order.test.tell = [](const DeviceTestNews& news) {
+        say(fixed(100.0 * news.done, 0) + " %: " + news.what);
       };
-      const DeviceProfile profile = test_device(*device, test, interrupt.token());
-      if (options->study) {
-        const std::filesystem::path path = profile_path(*options->study, profile);
-        std::filesystem::create_directories(path.parent_path());
-        write_file(path, json_text_of(profile), Overwrite::refuse);
-        say("kept as " + path.string());
-      }
+      const auto [profile, file] = measure_device(*device, order, interrupt.token());
+      if (file) say("kept as " + file->string());
       std::cout << (options->json ? json_text_of(profile) : aligned(table_of(profile)));
       return profile.has_failed() ? 1 : 0;
     };

@@ -52,15 +52,20 @@ class StageForce final : public ForceRenderer {
   bool let_go_ = false;
 };
 
-void drain(RecordRing& ring, StageRecord& record) {
-  TickRecord tick{};
-  while (ring.pop(tick)) record.ticks.push_back(tick);
-}
-
 }  // namespace
 
-DeviceBench::DeviceBench(HapticDevice& device, double rate_Hz, std::stop_token stop)
-    : device_(device), rate_Hz_(rate_Hz), stop_(std::move(stop)) {}
+DeviceBench::DeviceBench(HapticDevice& device, double rate_Hz, std::stop_token stop,
+                         WatchTicks watch)
+    : device_(device), rate_Hz_(rate_Hz), stop_(std::move(stop)), watch_(std::move(watch)) {}
+
+void DeviceBench::drain(RecordRing& ring, StageRecord& record) const {
+  const std::size_t before = record.ticks.size();
+  TickRecord tick{};
+  while (ring.pop(tick)) record.ticks.push_back(tick);
+  if (watch_ && record.ticks.size() > before) {
+    watch_(std::span<const TickRecord>(record.ticks).subspan(before));
+  }
+}
 
 StageRecord DeviceBench::run(const DeviceStage& stage, StagePacing pacing) {
   StageRecord record{};

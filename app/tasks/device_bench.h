@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -44,6 +45,10 @@ struct StageRecord {
   std::string scheduling{};
 };
 
+/// Shown the ticks that came since it was last called, every 5 ms or so, by the thread that conducts the
+/// loop and never by the servo's: for a picture while the device moves.
+using WatchTicks = std::function<void(std::span<const TickRecord>)>;
+
 /// How a stage's time goes by.
 enum class StagePacing {
   real_time,  ///< on a ServoThread
@@ -58,8 +63,8 @@ enum class StagePacing {
 /// Threads: belongs to one.
 class DeviceBench final {
  public:
-  /// The device outlives the bench, and is read by nobody else.
-  DeviceBench(HapticDevice& device, double rate_Hz, std::stop_token stop);
+  /// The device outlives the bench, and is read by nobody else. `watch` may be empty.
+  DeviceBench(HapticDevice& device, double rate_Hz, std::stop_token stop, WatchTicks watch = {});
 
   StageRecord run(const DeviceStage& stage, StagePacing pacing);
 
@@ -71,10 +76,12 @@ class DeviceBench final {
                         StageRecord& record);
   void run_stepped(const DeviceStage& stage, ServoLoop& loop, RecordRing& ring,
                    StageRecord& record);
+  void drain(RecordRing& ring, StageRecord& record) const;
 
   HapticDevice& device_;
   double rate_Hz_ = 1000.0;
   std::stop_token stop_{};
+  WatchTicks watch_{};
   std::int64_t now_ns_ = 0;  // of stepped stages; never before the machine's clock
 };
 

@@ -17,6 +17,9 @@
 #include "analysis/number_text.h"
 #include "analysis/summary.h"
 #include "app/conductor/clock.h"
+#include "app/conductor/reason.h"
+#include "app/device_remarks.h"
+#include "app/phrase.h"
 #include "app/program.h"
 #include "device/refusal.h"
 
@@ -30,47 +33,20 @@ constexpr int kAxes = 3;
 constexpr std::array<const char*, kAxes> kAxisNames{"x", "y", "z"};
 constexpr double kSettled_s = 0.15;  // after the fade in
 
-struct NumberedItem {
-  const char* name = nullptr;
-  Bound bound = Bound::at_most;
-};
-constexpr std::array<NumberedItem, 15> kNumbered{{{"rate_Hz", Bound::at_least},
-                                                  {"lateness_p50_s"},
-                                                  {"lateness_p99_s"},
-                                                  {"lateness_max_s"},
-                                                  {"missed_deadlines"},
-                                                  {"force_zero_N"},
-                                                  {"position_noise_m"},
-                                                  {"friction_N"},
-                                                  {"damping_N_s_per_m", Bound::at_least},
-                                                  {"position_resolution_m"},
-                                                  {"latency_s"},
-                                                  {"moving_mass_kg"},
-                                                  {"resonance_Hz", Bound::at_least},
-                                                  {"stiffness_N_per_m", Bound::at_least},
-                                                  {"force_resolution_N"}}};
 constexpr const char* kWorkspace = "workspace_reached";
-
-Bound bound_of(const std::string& name) {
-  const auto numbered = std::find_if(kNumbered.begin(), kNumbered.end(),
-                                     [&](const NumberedItem& one) { return name == one.name; });
-  return numbered == kNumbered.end() ? Bound::at_least : numbered->bound;  // kWorkspace
-}
 
 /// What was found of one quantity along three axes.
 struct ByAxis {
   std::array<std::optional<double>, kAxes> values{};
-  std::array<std::string, kAxes> reasons{};  ///< why one is missing
-  std::string text{};
+  std::array<Phrase, kAxes> reasons{};  ///< why one is missing
+  Phrase text{};
 
   bool has(int axis) const { return values[static_cast<std::size_t>(axis)].has_value(); }
   double of(int axis, double otherwise) const {
     return values[static_cast<std::size_t>(axis)].value_or(otherwise);
   }
   void set(int axis, double value) { values[static_cast<std::size_t>(axis)] = value; }
-  void miss(int axis, const std::string& reason) {
-    reasons[static_cast<std::size_t>(axis)] = reason;
-  }
+  void miss(int axis, const Phrase& reason) { reasons[static_cast<std::size_t>(axis)] = reason; }
 };
 
 /// Holds the handle softly where the stage began.
@@ -93,13 +69,12 @@ double mean_value(std::span<const double> values) {
 }
 
 /// Why a stage says nothing; empty when it does.
-std::string hindrance_of(const StageRecord& record, const DeviceStage& stage) {
+Phrase hindrance_of(const StageRecord& record, const DeviceStage& stage) {
   if (record.fault != Fault::none) {
-    return std::string("the servo loop took the force away (") + name_of(record.fault) + ")";
+    return phrase_of(DeviceRemark::took_force_away).with(phrase_of(record.fault));
   }
   if (record.ran_away) {
-    return "the handle ran farther than " + fixed(1e3 * stage.reach_m, 0) +
-           " mm away, and the force was let go of";
+    return phrase_of(DeviceRemark::ran_away).with(fixed(1e3 * stage.reach_m, 0));
   }
   return {};
 }
@@ -107,7 +82,7 @@ std::string hindrance_of(const StageRecord& record, const DeviceStage& stage) {
 class DeviceTest final {
  public:
   DeviceTest(HapticDevice& device, const DeviceTestOptions& options, const std::stop_token& stop)
-      : device_(device), options_(options), bench_(device, options.rate_Hz, stop) {
+      : device_(device), options_(options), bench_(device, options.rate_Hz, stop, options.watch) {
     const DeviceCapability& capability = device.capability();
     has_motors_ = capability.actuated_degrees_of_freedom > 0;
     force_N_ = options.force_N;
@@ -134,59 +109,67 @@ class DeviceTest final {
   }
 
  private:
-  void tell(const std::string& what, double done) const {
-    if (options_.tell) options_.tell(what, done);
+  void tell(DeviceTestPart part, std::string what, double done) const {
+    if (options_.tell) options_.tell({.part = part, .what = std::move(what), .done = done});
+  }
+  void tell(DeviceTestPart part, const std::string& what, int axis, double done) const {
+    if (!options_.tell) return;
+    options_.tell({.part = part,
+                   .axis = axis,
+                   .what = what + kAxisNames[static_cast<std::size_t>(axis)],
+                   .done = done});
   }
 
   // --- items -------------------------------------------------------------------------------------
 
-  void judge(const std::string& name, std::optional<double> value, const std::string& text,
+  void judge(const std::string& name, std::optional<double> value, const Phrase& text,
              std::optional<double> usual_limit = {}, std::vector<double> by_axis = {}) {
     DeviceItem item{.name = name, .value = value, .by_axis = std::move(by_axis), .text = text};
-    item.bound = bound_of(name);
+    item.bound = device_quantity(name)->bound;
     const auto given = options_.limits.find(name);
     item.limit = given != options_.limits.end() ? given->second : usual_limit;
     if (value) {
-      const bool keeps = !item.limit || (item.bound == Bound::at_most ? *value <= *item.limit
-                                                                      : *value >= *item.limit);
-      item.status = keeps ? Status::pass : Status::fail;
+      const bool is_kept = !item.limit || keeps(*value, item.bound, *item.limit);
+      item.status = is_kept ? Status::pass : Status::fail;
     }
     profile_.items.push_back(std::move(item));
   }
 
   void judge(const std::string& name, const ByAxis& found) {
-    const bool at_least = bound_of(name) == Bound::at_least;
+    const bool at_least = device_quantity(name)->bound == Bound::at_least;
     std::optional<double> worst{};
     std::vector<double> by_axis{};
-    std::string missing{};
+    Phrase missing{};
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (const std::optional<double>& value = found.values[axis]) {
         by_axis.push_back(*value);
         const bool is_worse = !worst || (at_least ? *value < *worst : *value > *worst);
         if (is_worse) worst = value;
       } else if (!found.reasons[axis].empty()) {
-        missing += (missing.empty() ? "" : "; ") + std::string("along ") + kAxisNames[axis] + ' ' +
-                   found.reasons[axis];
+        const Phrase reason =
+            phrase_of(DeviceRemark::along).with(kAxisNames[axis], found.reasons[axis]);
+        missing = missing.empty() ? reason : Phrase("%1; %2").with(missing, reason);
       }
     }
     if (by_axis.size() != kAxes) by_axis.clear();
-    judge(name, worst, missing.empty() ? found.text : "Not measured: " + missing + '.', {},
+    judge(name, worst,
+          missing.empty() ? found.text : phrase_of(DeviceRemark::not_measured).with(missing), {},
           std::move(by_axis));
   }
 
-  void promise(const std::string& name, bool is_kept, const std::string& text) {
+  void promise(const std::string& name, bool is_kept, const Phrase& text) {
     profile_.items.push_back(
         {.name = name, .status = is_kept ? Status::pass : Status::fail, .text = text});
   }
 
-  void leave_out(const std::vector<std::string>& names, const std::string& why) {
+  void leave_out(const std::vector<std::string>& names, const Phrase& why) {
     for (const std::string& name : names) judge(name, {}, why);
   }
 
   // --- timing ------------------------------------------------------------------------------------
 
   void time_it() {
-    tell("timing, without any force", 0.0);
+    tell(DeviceTestPart::timing, "timing, without any force", 0.0);
     constexpr double kTimed_s = 2.0;
     constexpr double kWarm_s = 0.1;  // a thread's first wake-ups are its latest ones
     const StageRecord record = bench_.run({.duration_s = kTimed_s}, options_.timing);
@@ -211,15 +194,14 @@ class DeviceTest final {
     const auto timing_limit = [this](double limit) {
       return options_.is_simulated ? std::nullopt : std::optional(limit);
     };
-    const std::string told = options_.is_simulated
-                                 ? "Of a simulated device: it says something about this computer."
-                                 : "Nothing was felt.";
+    const Phrase told = options_.is_simulated ? phrase_of(DeviceRemark::of_this_computer)
+                                              : phrase_of(DeviceRemark::nothing_felt);
     const bool ticked = time_s.size() >= 2 && record.fault == Fault::none;
     const auto if_ticked = [&](double value) {
       return ticked ? std::optional(value) : std::nullopt;
     };
-    const std::string why =
-        ticked ? told : "The loop did not run: " + std::string(name_of(record.fault));
+    const Phrase why =
+        ticked ? told : phrase_of(DeviceRemark::did_not_run).with(phrase_of(record.fault));
     const auto at = [&](double p) { return ticked ? quantile(lateness_s, p) : 0.0; };
     const double lasted_s = ticked ? time_s.back() - time_s.front() : 1.0;
     judge("rate_Hz", if_ticked(static_cast<double>(time_s.size() - 1) / lasted_s), why,
@@ -228,8 +210,8 @@ class DeviceTest final {
     judge("lateness_p99_s", if_ticked(at(0.99)), why, timing_limit(1.0 / options_.rate_Hz));
     judge("lateness_max_s", if_ticked(at(1.0)), why);
     judge("missed_deadlines", if_ticked(missed), why);
-    judge("force_zero_N", if_ticked(strongest_N), "The strongest force with nothing to feel.", 0.0);
-    ByAxis noise{.text = "Standard deviation of the positions of the handle at rest."};
+    judge("force_zero_N", if_ticked(strongest_N), phrase_of(DeviceRemark::force_of_nothing), 0.0);
+    ByAxis noise{.text = phrase_of(DeviceRemark::noise)};
     for (int axis = 0; axis < kAxes; ++axis) {
       SweepLeg rest{};
       rest.position_m = positions_m[static_cast<std::size_t>(axis)];
@@ -238,7 +220,7 @@ class DeviceTest final {
       if (const auto error_m = position_error_m({rest}); error_m && ticked) {
         noise.set(axis, *error_m);
       } else {
-        noise.miss(axis, "there were too few readings");
+        noise.miss(axis, phrase_of(DeviceRemark::too_few_readings));
       }
     }
     judge("position_noise_m", noise);
@@ -253,11 +235,12 @@ class DeviceTest final {
                                          "zero_without_heartbeat"};
     if (!has_motors_) {
       for (const std::string& name : names) {
-        profile_.items.push_back({.name = name, .text = "It has no motors."});
+        profile_.items.push_back({.name = name, .text = phrase_of(DeviceRemark::no_motors)});
       }
       return;
     }
-    tell("safety: a limit, a stop, a force that is no number, and silence", 0.05);
+    tell(DeviceTestPart::safety, "safety: a limit, a stop, a force that is no number, and silence",
+         0.05);
     const double limit_N = std::min(kGentle_N, force_N_);
     device_.set_limits({.force_N = limit_N});
     check_limiter(limit_N);
@@ -281,8 +264,8 @@ class DeviceTest final {
       limited = limited || tick.has(TickFlag::limited_force);
     }
     promise("limiter", limited && strongest_N <= limit_N,
-            "Asked for " + fixed(10.0 * limit_N, 1) + " N at a limit of " + fixed(limit_N, 1) +
-                " N, at most " + fixed(strongest_N, 3) + " N was sent.");
+            phrase_of(DeviceRemark::limited)
+                .with(fixed(10.0 * limit_N, 1), fixed(limit_N, 1), fixed(strongest_N, 3)));
   }
 
   /// Whether there was a force, and none from the first latched tick on.
@@ -308,7 +291,7 @@ class DeviceTest final {
              }},
         options_.timing);
     promise("zero_after_stop", record.fault == Fault::emergency_stop && lets_go(record),
-            "Stopped under a force, the device got exactly 0 N from the next tick on.");
+            phrase_of(DeviceRemark::stopped));
   }
 
   void check_not_finite() {
@@ -321,7 +304,7 @@ class DeviceTest final {
              }},
         options_.timing);
     promise("zero_after_not_finite", record.fault == Fault::not_finite && lets_go(record),
-            "Asked for a force that is no number, the device got exactly 0 N in the same tick.");
+            phrase_of(DeviceRemark::no_number));
   }
 
   void check_silence() {
@@ -344,14 +327,13 @@ class DeviceTest final {
           return tick.has(TickFlag::heartbeat_lost) && glm::length(tick.sent.force_N) == 0.0;
         });
     promise("zero_without_heartbeat", was_there && is_gone && record.fault == Fault::none,
-            "Without a sign of life from the program the force faded to 0 N (a session waits for " +
-                fixed(ServoSettings{}.heartbeat_timeout_s, 0) + " s).");
+            phrase_of(DeviceRemark::silent).with(fixed(ServoSettings{}.heartbeat_timeout_s, 0)));
   }
 
   // --- mechanics ---------------------------------------------------------------------------------
 
   /// The legs of a sweep at one speed; the record may say why there are none.
-  std::vector<SweepLeg> sweep(int axis, double speed_m_per_s, int rounds, std::string& hindrance) {
+  std::vector<SweepLeg> sweep(int axis, double speed_m_per_s, int rounds, Phrase& hindrance) {
     constexpr double kAmplitude_m = 0.008;
     constexpr double kPull_N_per_m = 400.0;
     const double quarter_s = kAmplitude_m / speed_m_per_s;
@@ -397,7 +379,7 @@ class DeviceTest final {
       ++used;
     }
     if (hindrance.empty() && 20 * limited > used) {
-      hindrance = "the handle did not follow with " + fixed(force_N_, 1) + " N";
+      hindrance = phrase_of(DeviceRemark::did_not_follow).with(fixed(force_N_, 1));
     }
     return legs;
   }
@@ -408,14 +390,12 @@ class DeviceTest final {
     constexpr double kFast_m_per_s = 0.040;
     constexpr double kMoved_m_per_s = 0.0005;  // slower, the handle sticks
     for (int axis = 0; axis < kAxes; ++axis) {
-      tell(
-          std::string("slow and faster sweeps along ") + kAxisNames[static_cast<std::size_t>(axis)],
-          0.1 + 0.08 * axis);
-      std::string hindrance{};
+      tell(DeviceTestPart::sweeps, "slow and faster sweeps along ", axis, 0.1 + 0.08 * axis);
+      Phrase hindrance{};
       const std::vector<SweepLeg> slow = sweep(axis, kSlow_m_per_s, 1, hindrance);
       const auto slowly = sweep_response(slow);
       if (hindrance.empty() && (!slowly || slowly->speed_m_per_s < kMoved_m_per_s)) {
-        hindrance = "the handle did not move";
+        hindrance = phrase_of(DeviceRemark::did_not_move);
       }
       if (hindrance.empty()) {
         const auto faster = sweep_response(sweep(axis, kFast_m_per_s, 3, hindrance));
@@ -423,7 +403,8 @@ class DeviceTest final {
           resistances_[static_cast<std::size_t>(axis)] = resistance_of(*slowly, *faster);
         }
       }
-      if (hindrance.empty() && !resistance(axis)) hindrance = "the sweeps say nothing";
+      if (hindrance.empty() && !resistance(axis))
+        hindrance = phrase_of(DeviceRemark::sweeps_say_nothing);
       sweep_hindrances_[static_cast<std::size_t>(axis)] = hindrance;
       if (!hindrance.empty()) {
         resistances_[static_cast<std::size_t>(axis)].reset();
@@ -474,7 +455,7 @@ class DeviceTest final {
       return force_N;
     };
     const StageRecord record = bench_.run(stage, options_.mechanics);
-    const std::string hindrance = hindrance_of(record, stage);
+    const Phrase hindrance = hindrance_of(record, stage);
     if (!hindrance.empty()) {
       latency.miss(axis, hindrance);
       mass.miss(axis, hindrance);
@@ -499,7 +480,7 @@ class DeviceTest final {
     }
     const auto response = push_response(pushes, *resistance(axis));
     if (!response) {
-      latency.miss(axis, "a push of " + fixed(push_N, 1) + " N did not move the handle");
+      latency.miss(axis, phrase_of(DeviceRemark::push_did_not_move).with(fixed(push_N, 1)));
       mass.miss(axis, latency.reasons[static_cast<std::size_t>(axis)]);
       return;
     }
@@ -508,20 +489,19 @@ class DeviceTest final {
   }
 
   void measure_push() {
-    ByAxis latency{.text = "From a sudden force to the motion that is read."};
-    mass_.text = "Of the handle and what moves with it, from how a sudden force speeds it up.";
-    ByAxis friction{.text = "Coulomb friction, from slow sweeps to and fro at two speeds."};
-    ByAxis damping{.text = "Growth of that resistance with speed."};
-    resolution_.text = "The step of positions that would make the errors found in a slow sweep.";
+    ByAxis latency{.text = phrase_of(DeviceRemark::latency)};
+    mass_.text = phrase_of(DeviceRemark::mass);
+    ByAxis friction{.text = phrase_of(DeviceRemark::friction)};
+    ByAxis damping{.text = phrase_of(DeviceRemark::damping)};
+    resolution_.text = phrase_of(DeviceRemark::position_step);
     if (!has_motors_) {
       leave_out({"friction_N", "damping_N_s_per_m", "position_resolution_m", "latency_s",
                  "moving_mass_kg"},
-                "It has no motors.");
+                phrase_of(DeviceRemark::no_motors));
       return;
     }
     for (int axis = 0; axis < kAxes; ++axis) {
-      tell(std::string("sudden pushes along ") + kAxisNames[static_cast<std::size_t>(axis)],
-           0.36 + 0.04 * axis);
+      tell(DeviceTestPart::pushes, "sudden pushes along ", axis, 0.36 + 0.04 * axis);
       push(axis, latency, mass_);
       if (!resistance(axis)) {
         friction.miss(axis, sweep_hindrances_[static_cast<std::size_t>(axis)]);
@@ -540,7 +520,7 @@ class DeviceTest final {
 
   void measure_resonance() {
     if (!has_motors_) {
-      leave_out({"resonance_Hz"}, "It has no motors.");
+      leave_out({"resonance_Hz"}, phrase_of(DeviceRemark::no_motors));
       return;
     }
     constexpr double kLowest_Hz = 8.0;
@@ -561,11 +541,9 @@ class DeviceTest final {
       tones.push_back({f_Hz, now_s, now_s + before_s, now_s + before_s + judged_s});
       now_s = tones.back().ends_s;
     }
-    ByAxis found{.text =
-                     "The lowest frequency at which the handle answers twice as much as its mass."};
+    ByAxis found{.text = phrase_of(DeviceRemark::resonance)};
     for (int axis = 0; axis < kAxes; ++axis) {
-      tell(std::string("tones along ") + kAxisNames[static_cast<std::size_t>(axis)],
-           0.48 + 0.05 * axis);
+      tell(DeviceTestPart::tones, "tones along ", axis, 0.48 + 0.05 * axis);
       const double tone_N = std::min(0.7 * force_N_, friction_N(axis) + 0.7);
       DeviceStage stage{.duration_s = now_s + 0.05};
       Hold hold{};
@@ -580,7 +558,7 @@ class DeviceTest final {
         return force_N;
       };
       const StageRecord record = bench_.run(stage, options_.mechanics);
-      const std::string hindrance = hindrance_of(record, stage);
+      const Phrase hindrance = hindrance_of(record, stage);
       if (!hindrance.empty()) {
         found.miss(axis, hindrance);
         continue;
@@ -601,18 +579,20 @@ class DeviceTest final {
         if (!moved || !pushed || std::abs(*pushed) < 0.05 * tone_N) continue;
         responses.push_back({tone.frequency_Hz, std::abs(*moved) / std::abs(*pushed)});
       }
+      profile_.responses.push_back({kAxisNames[static_cast<std::size_t>(axis)], responses});
       if (const auto frequency_Hz = resonance_Hz(responses)) {
         found.set(axis, *frequency_Hz);
       } else {
-        found.miss(axis, "there is none from " + fixed(kLowest_Hz, 0) + " to " +
-                             fixed(highest_Hz, 0) + " Hz");
+        found.miss(
+            axis,
+            phrase_of(DeviceRemark::no_resonance).with(fixed(kLowest_Hz, 0), fixed(highest_Hz, 0)));
       }
     }
     judge("resonance_Hz", found);
   }
 
   /// Whether a spring of that stiffness makes the handle swing by itself after a small kick.
-  bool swings(int axis, double stiffness_N_per_m, std::string& hindrance) {
+  bool swings(int axis, double stiffness_N_per_m, Phrase& hindrance) {
     constexpr double kKick_m = 0.3e-3;
     constexpr double kKicked_s = 0.05;
     constexpr double kEnd_s = 0.45;
@@ -644,22 +624,19 @@ class DeviceTest final {
 
   void measure_stiffness() {
     if (!has_motors_) {
-      leave_out({"stiffness_N_per_m"}, "It has no motors.");
+      leave_out({"stiffness_N_per_m"}, phrase_of(DeviceRemark::no_motors));
       return;
     }
     constexpr double kSoftest_N_per_m = 250.0;
     constexpr int kLevels = 11;  // by √2, up to 8000 N/m
-    ByAxis found{
-        .text =
-            "The stiffest spring, up to 8000 N/m, on which the handle came to rest after a kick."};
+    ByAxis found{.text = phrase_of(DeviceRemark::stiffest)};
     for (int axis = 0; axis < kAxes; ++axis) {
-      tell(std::string("ever stiffer springs along ") + kAxisNames[static_cast<std::size_t>(axis)],
-           0.63 + 0.04 * axis);
-      std::string hindrance{};
+      tell(DeviceTestPart::springs, "ever stiffer springs along ", axis, 0.63 + 0.04 * axis);
+      Phrase hindrance{};
       for (int level = 0; level < kLevels && hindrance.empty(); ++level) {
         const double stiffness_N_per_m = kSoftest_N_per_m * std::pow(2.0, 0.5 * level);
         if (swings(axis, stiffness_N_per_m, hindrance)) {
-          if (level == 0) hindrance = "already a spring of 250 N/m made the handle swing";
+          if (level == 0) hindrance = phrase_of(DeviceRemark::swings_at_once);
           break;
         }
         if (hindrance.empty()) found.set(axis, stiffness_N_per_m);
@@ -670,7 +647,7 @@ class DeviceTest final {
   }
 
   /// How far small pushes move the handle, on the average, in their own direction.
-  std::optional<double> moved_by(int axis, double push_N, std::string& hindrance) {
+  std::optional<double> moved_by(int axis, double push_N, Phrase& hindrance) {
     constexpr int kPushes = 6;
     constexpr double kHalf_s = 0.060;
     constexpr double kJudged_s = 0.010;
@@ -717,20 +694,18 @@ class DeviceTest final {
 
   void measure_force_resolution() {
     if (!has_motors_) {
-      leave_out({"force_resolution_N"}, "It has no motors.");
+      leave_out({"force_resolution_N"}, phrase_of(DeviceRemark::no_motors));
       return;
     }
     constexpr double kWeakest_N = 0.002;
     constexpr double kPushed_s = 0.060;
-    ByAxis found{.text =
-                     "The weakest push, by steps of a factor √2, that moved the handle from rest."};
+    ByAxis found{.text = phrase_of(DeviceRemark::weakest)};
     for (int axis = 0; axis < kAxes; ++axis) {
-      tell(std::string("ever stronger small pushes along ") +
-               kAxisNames[static_cast<std::size_t>(axis)],
+      tell(DeviceTestPart::small_pushes, "ever stronger small pushes along ", axis,
            0.75 + 0.08 * axis);
-      std::string hindrance = "no push up to " + fixed(0.8 * force_N_, 1) + " N moved the handle";
+      Phrase hindrance = phrase_of(DeviceRemark::nothing_moves_it).with(fixed(0.8 * force_N_, 1));
       for (double push_N = kWeakest_N; push_N <= 0.8 * force_N_; push_N *= std::numbers::sqrt2) {
-        std::string trouble{};
+        Phrase trouble{};
         const auto moved_m = moved_by(axis, push_N, trouble);
         if (!trouble.empty()) {
           hindrance = trouble;
@@ -755,16 +730,16 @@ class DeviceTest final {
   void measure_workspace() {
     constexpr double kUsualReach = 0.8;
     if (!(options_.workspace_s > 0.0)) {
-      judge(kWorkspace, {}, "Nobody moved the handle along the borders of its workspace.",
-            kUsualReach);
+      judge(kWorkspace, {}, phrase_of(DeviceRemark::nobody_moved_it), kUsualReach);
       return;
     }
-    tell("now move the handle along all borders of its workspace, for " +
+    tell(DeviceTestPart::workspace,
+         "now move the handle along all borders of its workspace, for " +
              fixed(options_.workspace_s, 0) + " s",
          0.99);
     const StageRecord record = bench_.run({.duration_s = options_.workspace_s}, options_.mechanics);
     if (record.ticks.empty()) {
-      judge(kWorkspace, {}, "There were no readings.", kUsualReach);
+      judge(kWorkspace, {}, phrase_of(DeviceRemark::no_readings), kUsualReach);
       return;
     }
     glm::dvec3 low_m = record.ticks.front().probe.position_m;
@@ -778,9 +753,8 @@ class DeviceTest final {
     const DeviceCapability& capability = device_.capability();
     const glm::dvec3 share =
         (high_m - low_m) / (capability.workspace_maximum_m - capability.workspace_minimum_m);
-    judge(kWorkspace, std::min({share.x, share.y, share.z}),
-          "The least share of the declared workspace that the handle reached.", kUsualReach,
-          {share.x, share.y, share.z});
+    judge(kWorkspace, std::min({share.x, share.y, share.z}), phrase_of(DeviceRemark::share_reached),
+          kUsualReach, {share.x, share.y, share.z});
   }
 
   static constexpr double kSoftHold_N_per_m = 100.0;
@@ -791,7 +765,7 @@ class DeviceTest final {
   bool has_motors_ = true;
   double force_N_ = 0.0;
   std::array<std::optional<Resistance>, kAxes> resistances_{};
-  std::array<std::string, kAxes> sweep_hindrances_{};
+  std::array<Phrase, kAxes> sweep_hindrances_{};
   ByAxis resolution_{};
   ByAxis mass_{};
   DeviceProfile profile_{};
@@ -799,22 +773,16 @@ class DeviceTest final {
 
 }  // namespace
 
-std::vector<std::string> names_of_limits() {
-  std::vector<std::string> names{};
-  for (const NumberedItem& item : kNumbered) names.emplace_back(item.name);
-  names.emplace_back(kWorkspace);
-  return names;
-}
-
 DeviceProfile test_device(HapticDevice& device, const DeviceTestOptions& options,
                           const std::stop_token& stop) {
   require_positive("rate_Hz", options.rate_Hz);
   require_positive("force_N", options.force_N);
-  const std::vector<std::string> names = names_of_limits();
   for (const auto& [name, limit] : options.limits) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
+    if (device_quantity(name) == nullptr) {
       std::string all{};
-      for (const std::string& one : names) all += (all.empty() ? "" : ", ") + one;
+      for (const DeviceQuantity& one : device_quantities()) {
+        all += (all.empty() ? "" : ", ") + std::string(one.name);
+      }
       throw std::invalid_argument("there is no item \"" + name +
                                   "\" that could have a limit; there are: " + all);
     }

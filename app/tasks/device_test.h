@@ -4,15 +4,35 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 #include "app/device_profile.h"
 #include "app/tasks/device_bench.h"
 #include "device/haptic_device.h"
 
 namespace asperity {
+
+/// What is done one after the other.
+enum class DeviceTestPart {
+  timing,
+  safety,
+  sweeps,
+  pushes,
+  tones,
+  springs,
+  small_pushes,
+  workspace
+};
+
+/// What comes next, and how much is done.
+struct DeviceTestNews {
+  DeviceTestPart part = DeviceTestPart::timing;
+  std::optional<int> axis{};  ///< 0, 1, 2 for x, y, z where they are taken apart
+  std::string what{};         ///< "slow and faster sweeps along x", for a terminal
+  double done = 0.0;          ///< 0 to 1
+};
 
 struct DeviceTestOptions {
   double rate_Hz = 1000.0;
@@ -27,8 +47,8 @@ struct DeviceTestOptions {
   StagePacing timing = StagePacing::real_time;
   /// How long a person has to move the handle along the borders of its workspace; 0: nobody does.
   double workspace_s = 0.0;
-  /// Told, before each part, what comes and how much is done, 0 to 1.
-  std::function<void(const std::string& what, double done)> tell{};
+  std::function<void(const DeviceTestNews&)> tell{};  ///< before each part, and each axis of it
+  WatchTicks watch{};                                 ///< see DeviceBench
 };
 
 /// Measures it, in a minute and a half in real time. The device moves by itself: by at most 30 mm, with at
@@ -41,7 +61,7 @@ struct DeviceTestOptions {
 ///   mechanics   friction_N damping_N_s_per_m position_resolution_m latency_s moving_mass_kg resonance_Hz
 ///               stiffness_N_per_m force_resolution_N workspace_reached
 ///
-/// Each item is there exactly once, and in that order. Default limits: rate_Hz at least 95 % of what was
+/// Each item is there exactly once, and in that order; beside them the responses to the tones. Default limits: rate_Hz at least 95 % of what was
 /// asked for, lateness_p99_s at most a period, force_zero_N 0; workspace_reached at least 0.8. How each
 /// number is found stands in docs/formats/device_profile.md.
 ///
@@ -49,8 +69,5 @@ struct DeviceTestOptions {
 /// item with a number; DeviceStageStopped; std::runtime_error when the device is lost.
 DeviceProfile test_device(HapticDevice& device, const DeviceTestOptions& options,
                           const std::stop_token& stop);
-
-/// The names of the items that have a number, and can be given a limit.
-std::vector<std::string> names_of_limits();
 
 }  // namespace asperity

@@ -2,11 +2,19 @@
 
 #include "app/tasks/device_test.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "app/conductor/reason.h"
+#include "app/device_remarks.h"
+#include "app/tasks/measure_device.h"
 #include "device/simulated_device.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
@@ -71,12 +79,12 @@ class StuckDevice final : public HapticDevice {
 TEST(DeviceTest, FindsTheMassAndTheDampingOfThePlainDevice) {
   const DeviceProfile profile = measured({});
   const DeviceItem& damping = item(profile, "damping_N_s_per_m");
-  ASSERT_EQ(damping.by_axis.size(), 3U) << damping.text;
+  ASSERT_EQ(damping.by_axis.size(), 3U) << damping.text.english();
   EXPECT_NEAR(damping.by_axis[0], 5.0, 0.5);
   EXPECT_NEAR(damping.by_axis[1], 5.0, 0.5);
   EXPECT_NEAR(damping.by_axis[2], 10.0, 1.0);
   const DeviceItem& mass = item(profile, "moving_mass_kg");
-  ASSERT_EQ(mass.by_axis.size(), 3U) << mass.text;
+  ASSERT_EQ(mass.by_axis.size(), 3U) << mass.text.english();
   for (const double mass_kg : mass.by_axis) EXPECT_NEAR(mass_kg, 0.050, 0.005);
   EXPECT_NEAR(profile.value("latency_s").value(), 0.0, 0.3e-3);
   EXPECT_LT(profile.value("friction_N").value(), 0.01);
@@ -87,10 +95,12 @@ TEST(DeviceTest, FindsTheMassAndTheDampingOfThePlainDevice) {
 
 TEST(DeviceTest, HasEveryItemOnceAndPassesFunctionAndSafetyOfTheSimulatedDevice) {
   const DeviceProfile profile = measured({});
-  std::vector<std::string> names = names_of_limits();
+  std::vector<std::string> names{};
+  for (const DeviceQuantity& quantity : device_quantities()) names.emplace_back(quantity.name);
   for (const char* const name :
        {"limiter", "zero_after_stop", "zero_after_not_finite", "zero_without_heartbeat"}) {
-    EXPECT_EQ(item(profile, name).status, DeviceItem::Status::pass) << item(profile, name).text;
+    EXPECT_EQ(item(profile, name).status, DeviceItem::Status::pass)
+        << item(profile, name).text.english();
     names.emplace_back(name);
   }
   EXPECT_EQ(profile.items.size(), names.size());
@@ -106,7 +116,7 @@ TEST(DeviceTest, FindsAResonance) {
       .damping_N_s_per_m = 1.0, .stiffness_N_per_m = 2000.0, .normal_damping_N_s_per_m = 1.0};
   const DeviceProfile profile = measured(settings);
   const DeviceItem& resonance = item(profile, "resonance_Hz");
-  ASSERT_TRUE(resonance.value) << resonance.text;
+  ASSERT_TRUE(resonance.value) << resonance.text.english();
   EXPECT_NEAR(*resonance.value, 31.8, 3.0);
 }
 
@@ -126,7 +136,7 @@ TEST(DeviceTest, RecoversFrictionLatencyAndResolutionOfAnImperfectDevice) {
   const DeviceProfile profile = measured(imperfect());
   const auto near = [&](const char* name, double wanted, double tolerance) {
     const DeviceItem& found = item(profile, name);
-    ASSERT_EQ(found.by_axis.size(), 3U) << found.text;
+    ASSERT_EQ(found.by_axis.size(), 3U) << found.text.english();
     for (const double value : found.by_axis) EXPECT_NEAR(value, wanted, tolerance) << name;
   };
   near("friction_N", 0.3, 0.15 * 0.3);
@@ -188,7 +198,8 @@ TEST(DeviceTest, SaysWhyAHandleThatDoesNotMoveIsNotMeasured) {
   const DeviceProfile profile = test_device(device, stepped(), {});
   for (const char* const name : {"friction_N", "latency_s", "force_resolution_N"}) {
     EXPECT_EQ(item(profile, name).status, DeviceItem::Status::not_measured) << name;
-    EXPECT_NE(item(profile, name).text.find("move"), std::string::npos) << item(profile, name).text;
+    const std::string text = item(profile, name).text.english();
+    EXPECT_NE(text.find("move"), std::string::npos) << text;
   }
 }
 
@@ -212,10 +223,101 @@ TEST(DeviceTest, LeavesZeroForceWhereItIsStopped) {
   SimulatedDevice device(hand, {});
   std::stop_source stop;
   DeviceTestOptions options = stepped();
-  options.tell = [&](const std::string& what, double) {
-    if (what.find("sweeps") != std::string::npos) stop.request_stop();
+  options.tell = [&](const DeviceTestNews& news) {
+    if (news.part == DeviceTestPart::sweeps) stop.request_stop();
   };
   EXPECT_THROW(test_device(device, options, stop.get_token()), DeviceStageStopped);
+}
+
+TEST(DeviceTest, TellsItsPartsInOrderAndShowsEveryTick) {
+  DeviceTestOptions options = stepped();
+  std::vector<DeviceTestPart> parts{};
+  std::vector<int> sweeps{};
+  double done = 0.0;
+  options.tell = [&](const DeviceTestNews& news) {
+    if (parts.empty() || parts.back() != news.part) parts.push_back(news.part);
+    if (news.part == DeviceTestPart::sweeps) sweeps.push_back(news.axis.value());
+    EXPECT_GE(news.done, done) << news.what;
+    done = news.done;
+  };
+  std::size_t seen = 0;
+  double strongest_N = 0.0;
+  options.watch = [&](std::span<const TickRecord> ticks) {
+    seen += ticks.size();
+    for (const TickRecord& tick : ticks) {
+      strongest_N = std::max(strongest_N, glm::length(tick.sent.force_N));
+    }
+  };
+  const DeviceProfile profile = measured({}, options);
+  using Part = DeviceTestPart;
+  EXPECT_EQ(parts, (std::vector<Part>{Part::timing, Part::safety, Part::sweeps, Part::pushes,
+                                      Part::tones, Part::springs, Part::small_pushes}));
+  EXPECT_EQ(sweeps, (std::vector<int>{0, 1, 2}));
+  EXPECT_GT(seen, 60000U) << "a minute at 1 kHz at least";
+  EXPECT_GT(strongest_N, 0.5);
+  EXPECT_LE(strongest_N, profile.force_N);
+}
+
+// Far above its resonance a handle of 50 g answers as its mass alone: |X/F| = 1 / mω², at 200 Hz
+// 1 / (0.05 · (2π · 200)²) = 12.7 µm/N.
+TEST(DeviceTest, KeepsTheResponsesToTonesOfEveryAxis) {
+  const DeviceProfile profile = measured({});
+  ASSERT_EQ(profile.responses.size(), 3U);
+  EXPECT_EQ(profile.responses[2].axis, "z");
+  for (const AxisResponse& response : profile.responses) {
+    ASSERT_EQ(response.tones.size(), 24U);
+    EXPECT_NEAR(response.tones.front().frequency_Hz, 8.0, 1e-9);
+    EXPECT_NEAR(response.tones.back().frequency_Hz, 200.0, 1e-9);
+    EXPECT_NEAR(response.tones.back().response_m_per_N, 12.7e-6, 0.1 * 12.7e-6);
+  }
+}
+
+TEST(MeasuredDevice, HoldsADeviceToTheProtocolsLimitsUnlessToldOtherwise) {
+  MeasureOrder order{};
+  order.test.timing = StagePacing::stepped;
+  order.test.limits = {{"moving_mass_kg", 0.1}};
+  order.protocol_limits = {{"moving_mass_kg", 0.010}, {"friction_N", 0.5}, {"lateness_p99_s", 0.0}};
+  VirtualHand hand = hand_to_measure();
+  SimulatedDevice device(hand, {});
+  const DeviceProfile profile = measure_device(device, order, {}).profile;
+  EXPECT_EQ(item(profile, "moving_mass_kg").limit, 0.1);
+  EXPECT_EQ(item(profile, "friction_N").limit, 0.5);
+  EXPECT_EQ(item(profile, "friction_N").status, DeviceItem::Status::pass);
+  EXPECT_FALSE(item(profile, "lateness_p99_s").limit)
+      << "the timing of a simulated device is told and not judged";
+  EXPECT_FALSE(profile.has_failed());
+  EXPECT_EQ(profile_from_json(json_text_of(profile), "here").item("friction_N")->limit, 0.5);
+}
+
+TEST(MeasuredDevice, JudgesTheTimingOfAnAttachedOne) {
+  StuckDevice device{};
+  MeasureOrder order{};
+  order.test.timing = StagePacing::stepped;
+  order.test.mechanics = StagePacing::stepped;
+  order.protocol_limits = {{"rate_Hz", 1001.0}};
+  const DeviceProfile profile = measure_device(device, order, {}).profile;
+  EXPECT_EQ(item(profile, "rate_Hz").limit, 1001.0);
+  EXPECT_EQ(item(profile, "rate_Hz").status, DeviceItem::Status::fail);
+  EXPECT_EQ(item(profile, "lateness_p99_s").limit, 0.001) << "its usual one, a period";
+}
+
+TEST(MeasuredDevice, IsKeptInTheStudyOnlyWhereItCameToItsEnd) {
+  const TemporaryFolder folder{};
+  MeasureOrder order{};
+  order.test.timing = StagePacing::stepped;
+  order.study = folder.path();
+  VirtualHand hand = hand_to_measure();
+  SimulatedDevice device(hand, {});
+  std::stop_source stop{};
+  order.test.tell = [&stop](const DeviceTestNews& news) {
+    if (news.part == DeviceTestPart::small_pushes && news.axis == 2) stop.request_stop();
+  };
+  EXPECT_THROW(measure_device(device, order, stop.get_token()), DeviceStageStopped);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "profiles"));
+  order.test.tell = {};
+  const MeasuredDevice measured = measure_device(device, order, {});
+  ASSERT_TRUE(measured.file);
+  EXPECT_EQ(read_file(*measured.file), json_text_of(measured.profile));
 }
 
 TEST(DeviceTest, TimesARealThread) {
@@ -232,6 +334,27 @@ TEST(DeviceProfile, IsReadAsItWasWritten) {
   profile.reached_minimum_m = glm::dvec3(-0.1, -0.2, 0.0);
   const std::string text = json_text_of(profile);
   EXPECT_EQ(json_text_of(profile_from_json(text, "here")), text);
+}
+
+// Words of the file are English; a window says them in its own language.
+TEST(DeviceProfile, SaysInAnotherLanguageWhatWasStored) {
+  const auto spelt_out = [](const char*, const char* words) {
+    return "<" + std::string(words) + ">";
+  };
+  StuckDevice stuck;
+  for (const DeviceProfile& profile : {measured({}), test_device(stuck, stepped(), {})}) {
+    const DeviceProfile stored = profile_from_json(json_text_of(profile), "here");
+    for (const DeviceItem& one : profile.items) {
+      EXPECT_EQ(item(stored, one.name).text.translated(spelt_out), one.text.translated(spelt_out))
+          << one.name;
+      EXPECT_TRUE(one.text.can_be_translated()) << one.text.english();
+    }
+  }
+  DeviceItem fault{.name = "latency_s", .text = phrase_of(DeviceRemark::did_not_run)};
+  fault.text = fault.text.with(phrase_of(Fault::not_finite));
+  EXPECT_EQ(read_remark(fault.text.english()).translated(spelt_out),
+            fault.text.translated(spelt_out));
+  EXPECT_EQ(read_remark("of a later version").english(), "of a later version");
 }
 
 TEST(DeviceProfile, RefusesWhatIsNoneAndNamesTheFile) {

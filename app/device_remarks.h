@@ -1,0 +1,53 @@
+// What is said of an item of a device's profile: how its number was found, or why there is none.
+
+#pragma once
+
+#include <string>
+
+#include "app/phrase.h"
+
+namespace asperity {
+
+/// Sentences, and the parts of one: "Not measured: along x the handle did not move; along y …".
+enum class DeviceRemark {
+  took_force_away,
+  ran_away,
+  along,
+  not_measured,
+  of_this_computer,
+  nothing_felt,
+  did_not_run,
+  force_of_nothing,
+  noise,
+  too_few_readings,
+  no_motors,
+  limited,
+  stopped,
+  no_number,
+  silent,
+  did_not_follow,
+  did_not_move,
+  sweeps_say_nothing,
+  push_did_not_move,
+  latency,
+  mass,
+  friction,
+  damping,
+  position_step,
+  resonance,
+  no_resonance,
+  stiffest,
+  swings_at_once,
+  weakest,
+  nothing_moves_it,
+  nobody_moved_it,
+  no_readings,
+  share_reached,
+};
+/// Its places are filled by whoever measured.
+Phrase phrase_of(DeviceRemark remark);
+
+/// What a profile says in English, so that it can be said in another language; what is not known as it stands.
+Phrase read_remark(const std::string& stored);
+
+}  // namespace asperity

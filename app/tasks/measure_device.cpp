@@ -1,0 +1,45 @@
+#include "app/tasks/measure_device.h"
+
+#include "analysis/number_text.h"
+#include "results_schema/atomic_file.h"
+
+namespace asperity {
+
+MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
+                              const std::stop_token& stop) {
+  DeviceTestOptions test = order.test;
+  test.is_simulated = device.capability().name == "simulated";
+  if (test.is_simulated) {
+    // Nobody feels it, and its mechanics know only the times that it is read at.
+    test.mechanics = StagePacing::stepped;
+  } else {
+    test.workspace_s = order.borders_s;
+  }
+  for (const auto& [name, limit] : order.protocol_limits) {
+    const DeviceQuantity* const quantity = device_quantity(name);
+    if (test.is_simulated && quantity != nullptr && quantity->is_timing) continue;
+    test.limits.emplace(name, limit);
+  }
+  MeasuredDevice measured{.profile = test_device(device, test, stop)};
+  if (stop.stop_requested()) throw DeviceStageStopped("stopped as asked; the force is zero");
+  if (order.study) {
+    const std::filesystem::path file = profile_path(*order.study, measured.profile);
+    std::filesystem::create_directories(file.parent_path());
+    write_file(file, json_text_of(measured.profile), Overwrite::refuse);
+    measured.file = file;
+  }
+  return measured;
+}
+
+Phrase what_measuring_does(const std::string& device, double force_N) {
+  return phrase(
+             "DeviceTest",
+             "the handle of %1 will move by itself for a minute and a half, by at most 3 cm, with "
+             "at most %2 N. Let it hang free in the middle of its workspace, keep hands and hair "
+             "away, and let nobody hold it.")
+      .with(device, fixed(force_N, 1));
+}
+
+VirtualHand hand_to_measure() { return {HandHabits{}, Random(0)}; }
+
+}  // namespace asperity

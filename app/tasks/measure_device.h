@@ -1,0 +1,53 @@
+// A device measured because somebody wants it, at a terminal or in a window, and its profile kept.
+
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "app/device_profile.h"
+#include "app/phrase.h"
+#include "app/tasks/device_test.h"
+#include "device/haptic_device.h"
+#include "device/virtual_hand.h"
+
+namespace asperity {
+
+struct MeasureOrder {
+  /// Rate, force, limits, who is told; what depends on the device is filled in.
+  DeviceTestOptions test{};
+  /// What a protocol holds the device to, where `test.limits` says nothing else.
+  std::map<std::string, double> protocol_limits{};
+  /// How long somebody is there to move the handle of a real device along its borders; 0: nobody is.
+  double borders_s = 0.0;
+  std::optional<std::filesystem::path> study{};  ///< keeps the profile
+};
+
+struct MeasuredDevice {
+  DeviceProfile profile{};
+  std::optional<std::filesystem::path> file{};  ///< that the study has it in
+};
+
+/// Measures an open device: see `test_device`. Of a simulated one, which nobody feels, the mechanics are
+/// stepped, and a protocol's limits on timing are left out: timing is told and not judged. Whoever asks for a
+/// real one has told somebody beside it what it will do, and has been told yes.
+///
+/// Errors: as `test_device`, DeviceStageStopped also where the stop comes after the last force: nothing is
+/// kept then. ResultsError where the profile cannot be written.
+MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
+                              const std::stop_token& stop);
+
+/// What a person has to know before: how a handle will move, how far, how hard, and what to do about it.
+/// `device` is its model and serial number. In the middle of a sentence.
+Phrase what_measuring_does(const std::string& device, double force_N);
+
+/// What holds the probe of a simulated device that is measured: the same for everybody.
+VirtualHand hand_to_measure();
+
+/// For somebody to move the handle once around.
+inline constexpr double kBorders_s = 20.0;
+
+}  // namespace asperity
