@@ -20,6 +20,7 @@ namespace {
 
 /// The stiffest spring that `device-test` tries: no limit of a device that held it.
 constexpr double kStiffestTried_N_per_m = 8000.0;
+constexpr const char* kResonance = "resonance_Hz";
 
 /// "0.30", "8000": as many decimals as three digits take.
 std::string in_three_digits(double value) {
@@ -154,6 +155,7 @@ class DeviceRehearsal final {
       : protocol_(protocol), profile_(profile), builder_(builder) {}
 
   std::vector<RehearsalWarning> run(const RehearsalCourse& course) {
+    check_limits();
     std::set<std::string> seen{};
     const std::vector<Trial> trials = possible_trials(protocol_);
     double done = 0.0;
@@ -191,6 +193,44 @@ class DeviceRehearsal final {
           return one.id == warning.id && one.text == warning.text;
         });
     if (!is_told) warnings_.push_back(warning);
+  }
+
+  void check_limits() {
+    for (const auto& [name, limit] : protocol_.device_limits) {
+      const DeviceQuantity* const quantity = device_quantity(name);
+      if (quantity == nullptr || (quantity->is_timing && profile_.is_simulated)) continue;
+      check_limit(*quantity, limit);
+    }
+  }
+
+  void check_limit(const DeviceQuantity& quantity, double limit) {
+    const std::string name = quantity.name;
+    const std::string asked = in_three_digits(limit);
+    const bool at_most = quantity.bound == DeviceItem::Bound::at_most;
+    if (const std::optional<double> value = profile_.value(name)) {
+      if (keeps(*value, quantity.bound, limit)) return;
+      const Phrase text =
+          at_most ? phrase("Rehearsal",
+                           "The protocol asks for a device whose %1 is at most %2, and it was "
+                           "measured to be %3.")
+                  : phrase("Rehearsal",
+                           "The protocol asks for a device whose %1 is at least %2, and it was "
+                           "measured to be %3.");
+      warn({.id = "limit_" + name,
+            .asked = limit,
+            .device = *value,
+            .text = text.with(name, asked, in_three_digits(*value))});
+      return;
+    }
+    if (name == kResonance) return;  // most often there is none, which keeps every limit
+    const Phrase text =
+        at_most ? phrase("Rehearsal",
+                         "The protocol asks for a device whose %1 is at most %2, and that was not "
+                         "measured of it.")
+                : phrase("Rehearsal",
+                         "The protocol asks for a device whose %1 is at least %2, and that was not "
+                         "measured of it.");
+    warn({.id = "unmeasured_" + name, .asked = limit, .text = text.with(name, asked)});
   }
 
   void check(const PlannedPresentation& planned, const Exploration& exploration) {
@@ -271,7 +311,7 @@ class DeviceRehearsal final {
                        .with(name, in_um(*waves.wavelength_m), in_um(*resolution_m))});
     }
     double bandwidth_Hz = 0.5 * profile_.rate_Hz;
-    if (const auto resonance_Hz = profile_.value("resonance_Hz")) {
+    if (const auto resonance_Hz = profile_.value(kResonance)) {
       bandwidth_Hz = std::min(bandwidth_Hz, *resonance_Hz);
     }
     const double frequency_Hz = speed_m_per_s / *waves.wavelength_m;
@@ -414,7 +454,7 @@ RehearsedDevice rehearsed_device(const Protocol& protocol, const WhichDevice& de
   if (protocol.refuses_rehearsal_warnings && !rehearsed.warnings.empty()) {
     throw PhrasedError(
         phrase("Rehearsal",
-               "the protocol is not for this device, which cannot render it in %1 ways. %2")
+               "the protocol is not for this device, which falls short of it in %1 ways. %2")
             .with(std::to_string(rehearsed.warnings.size()), rehearsed.warnings.front().text));
   }
   return rehearsed;

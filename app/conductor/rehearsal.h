@@ -1,4 +1,5 @@
-// Can this device render what a plan can reach? Every stimulus against a measured profile.
+// Can this device do what a protocol asks for? Its limits, and every stimulus that a plan can reach, against a
+// measured profile.
 
 #pragma once
 
@@ -20,10 +21,11 @@ namespace asperity {
 /// One thing that a device cannot do as a stimulus asks for it.
 struct RehearsalWarning {
   /// "friction", "force_resolution", "position_resolution", "wavelength", "bandwidth", "stiffness",
-  /// "workspace"; "not_rehearsed" for a stimulus that nothing can be said of.
+  /// "workspace"; "not_rehearsed" for a stimulus that nothing can be said of; "limit_" and "unmeasured_"
+  /// with the name of an item that does not keep the protocol's limit, or of which nothing is known.
   std::string id{};
   std::string stimulus{};  ///< as the protocol calls it; empty for what concerns all
-  double asked = 0.0;      ///< both in SI units: N, m, Hz, N/m
+  double asked = 0.0;      ///< both in SI units: N, m, Hz, N/m; of an item its limit
   double device = 0.0;
   Phrase text{};  ///< a sentence with both numbers
 };
@@ -33,7 +35,8 @@ struct RehearsalCourse {
   std::function<void(double)> progress{};  ///< 0 to 1; may be empty
 };
 
-/// Compares every stimulus that the plan can reach with what the device was measured to do:
+/// Compares the protocol's limits for a device, and every stimulus that the plan can reach, with what the device
+/// was measured to do. Of a simulated one timing keeps every limit. Of stimuli:
 ///
 ///   friction             RMS of the texture force ≥ friction_N
 ///   force_resolution     likewise ≥ force_resolution_N, where friction is not the reason

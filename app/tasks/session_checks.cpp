@@ -360,6 +360,10 @@ std::vector<SessionCheck> lines_of(const std::vector<RehearsalWarning>& warnings
   return lines;
 }
 
+bool is_of_limits(const RehearsalWarning& warning) {
+  return warning.id.starts_with("limit_") || warning.id.starts_with("unmeasured_");
+}
+
 /// What the study knows of the device, and what of the plan is beyond that. As a session asks it, which
 /// refuses what is refused here.
 std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Protocol& protocol,
@@ -400,11 +404,21 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   }
   const Phrase age = age_in_words(age_days(*found.profile, now_utc));
   const std::vector<SessionCheck> beyond = lines_of(found.warnings);
+  // Its limits are compared first.
+  const bool breaks_limits = !found.warnings.empty() && is_of_limits(found.warnings.front());
+  const bool is_beyond = !found.warnings.empty() && !is_of_limits(found.warnings.back());
   SessionCheck profile{};
-  profile.text =
-      beyond.empty()
-          ? phrase("SessionChecks", "%1; every stimulus is within what it can do.").with(age)
-          : phrase("SessionChecks", "%1; some stimuli are beyond what it can do.").with(age);
+  if (is_beyond) {
+    profile.text = phrase("SessionChecks", "%1; some stimuli are beyond what it can do.").with(age);
+  } else if (breaks_limits) {
+    profile.text = phrase("SessionChecks",
+                          "%1; every stimulus is within what it can do, but it does not keep the "
+                          "protocol's limits.")
+                       .with(age);
+  } else {
+    profile.text =
+        phrase("SessionChecks", "%1; every stimulus is within what it can do.").with(age);
+  }
   if (found.profile->has_failed()) {
     profile.state = State::look;
     profile.text =

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "protocols/library_protocols.h"
 #include "tests/app/small_study.h"
 
 namespace asperity {
@@ -150,6 +153,73 @@ TEST_F(DeviceRehearsalTest, SaysNothingOfWhatWasNotMeasured) {
   DeviceProfile unknown = ideal();
   unknown.items.clear();
   EXPECT_TRUE(warnings(small_protocol(), unknown).empty());
+}
+
+std::string with_limits(const std::string& limits) {
+  std::string text = grating_protocol();
+  text.insert(text.find("\"textures\""), "\"device\": {\"limits\": {" + limits + "}}, ");
+  return text;
+}
+
+TEST_F(DeviceRehearsalTest, WarnsOfAnItemOnTheWrongSideOfTheProtocolsLimitWithBothNumbers) {
+  const std::string protocol = with_limits(R"("latency_s": 0.003, "workspace_reached": 0.9)");
+  DeviceProfile device = with(ideal(), "latency_s", 0.003);
+  device = with(device, "workspace_reached", 0.9);
+  EXPECT_TRUE(warnings(protocol, device).empty()) << "at the limit it is kept";
+  const auto late = one(protocol, with(device, "latency_s", 0.0031), "limit_latency_s");
+  ASSERT_TRUE(late);
+  EXPECT_EQ(late->asked, 0.003);
+  EXPECT_EQ(late->device, 0.0031);
+  EXPECT_NE(late->text.english().find("latency_s is at most 0.00300, and it was measured to be "
+                                      "0.00310"),
+            std::string::npos)
+      << late->text.english();
+  const auto small =
+      one(protocol, with(device, "workspace_reached", 0.89), "limit_workspace_reached");
+  ASSERT_TRUE(small);
+  EXPECT_NE(small->text.english().find("at least 0.900, and it was measured to be 0.890"),
+            std::string::npos)
+      << small->text.english();
+}
+
+TEST_F(DeviceRehearsalTest, WarnsOfALimitOnWhatWasNotMeasuredUnlessItIsAResonance) {
+  const std::string protocol = with_limits(R"("latency_s": 0.003, "resonance_Hz": 50)");
+  const auto all = warnings(protocol, ideal());
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all.front().id, "unmeasured_latency_s");
+  EXPECT_NE(all.front().text.english().find("0.00300, and that was not measured"),
+            std::string::npos)
+      << all.front().text.english();
+}
+
+TEST_F(DeviceRehearsalTest, HoldsNoSimulatedDeviceToALimitOfItsTiming) {
+  const std::string protocol = with_limits(R"("lateness_p99_s": 0.0001, "friction_N": 0.1)");
+  DeviceProfile device = with(ideal(), "lateness_p99_s", 0.5);
+  EXPECT_TRUE(one(protocol, device, "limit_lateness_p99_s"));
+  device.is_simulated = true;
+  EXPECT_TRUE(warnings(protocol, device).empty());
+  EXPECT_TRUE(one(protocol, with(device, "friction_N", 0.2), "limit_friction_N"));
+}
+
+// The schema lists by hand what device-test measures; what is exactly zero or not has no limit to choose.
+TEST(ProtocolLimits, AreAnyNumberThatADeviceIsMeasuredByButTheForceOfNothing) {
+  const auto known = nlohmann::json::parse(protocol_schema())
+                         .at("properties")
+                         .at("device")
+                         .at("properties")
+                         .at("limits")
+                         .at("properties");
+  std::set<std::string> measured{};
+  for (const DeviceQuantity& quantity : device_quantities()) {
+    if (std::string(quantity.name) == "force_zero_N") continue;
+    measured.insert(quantity.name);
+    const std::string meaning = known.value(quantity.name, nlohmann::json::object())
+                                    .value("description", std::string("no such key"));
+    const bool at_most = quantity.bound == DeviceItem::Bound::at_most;
+    EXPECT_EQ(meaning.find(at_most ? "At most" : "At least"), 0U)
+        << quantity.name << ": " << meaning;
+  }
+  EXPECT_EQ(known.size(), measured.size());
 }
 
 }  // namespace

@@ -408,6 +408,24 @@ TEST_F(RehearsedChecks, RefuseWhatTheProtocolRefuses) {
   EXPECT_EQ(check("calibration").state, State::fine) << "nobody feels it";
 }
 
+TEST_F(RehearsedChecks, TellWhichLimitsOfTheProtocolTheDeviceDoesNotKeep) {
+  ask_for(R"("limits": {"friction_N": 0.0001, "latency_s": 0.01})");
+  measure(1.0, 0.0002);
+  EXPECT_EQ(check("calibration").text.english(),
+            "Measured a day ago; every stimulus is within what it can do, but it does not keep the "
+            "protocol's limits.");
+  const std::vector<SessionCheck> lines = rehearsed();
+  ASSERT_EQ(lines.size(), 2U) << "each limit is one line";
+  EXPECT_EQ(lines[0].text.english(),
+            "The protocol asks for a device whose friction_N is at most 0.000100, and it was "
+            "measured to be 0.000200.");
+  EXPECT_NE(lines[1].text.english().find("latency_s"), std::string::npos);
+  ask_for(R"("limits": {"friction_N": 0.0001}, "refuse_rehearsal_warnings": true)");
+  EXPECT_EQ(check("calibration").state, State::stop);
+  EXPECT_NE(check("calibration").text.english().find("0.000200"), std::string::npos)
+      << check("calibration").text.english();
+}
+
 TEST_F(RehearsedChecks, CompareAnewOnlyWhereSomethingHasChanged) {
   measure(2.0, 0.9);
   rehearsed();
