@@ -14,6 +14,7 @@ namespace asperity {
 namespace {
 
 constexpr int kCardWidth = 720;
+constexpr const char* kMouseDriver = "mouse";  // has no handle that could be pushed
 
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
@@ -159,6 +160,14 @@ void DevicesPage::add_simulated() {
       grid->addWidget(text, row, 1);
     }
     layout->addLayout(grid);
+    layout->addSpacing(kGrid);
+    layout->addWidget(make_test_button({.device = device.name,
+                                        .handle = device.model,
+                                        .name = tr("Simulated device"),
+                                        .which = {device.name, device.model, device.serial},
+                                        .is_simulated = true},
+                                       card),
+                      0, Qt::AlignLeft);
     cards_->addWidget(card);
   }
 }
@@ -218,12 +227,34 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
   say(driver.survey.found);
   for (const AttachedDevice& device : driver.survey.attached) {
     attached_ += device.is_usable() ? 1 : 0;
-    layout->addWidget(make_text(name_of(device), card));
+    QLabel* name = make_text(name_of(device), card);
+    if (!device.is_usable() || driver.id == kMouseDriver) {
+      layout->addWidget(name);
+    } else {
+      const std::string& tag = device.serial.empty() ? device.place : device.serial;
+      auto* row = new QHBoxLayout();
+      row->addWidget(name, 1);
+      row->addWidget(make_test_button(
+          {.device = driver.id + (tag.empty() ? "" : ":" + tag),
+           .handle = device.model + (tag.empty() ? "" : " " + tag),
+           .name = name_of(device),
+           .which = {driver.id, device.serial.empty() ? device.model : "", device.serial},
+           .remark = device.remark},
+          card));
+      layout->addLayout(row);
+    }
     say(device.remark);
     say(device.hindrance);
   }
   say(driver.survey.hindrance);
   found_->layout()->addWidget(card);
+}
+
+QPushButton* DevicesPage::make_test_button(const TestedDevice& device, QWidget* parent) {
+  QPushButton* button = make_button(tr("Test this device…"), ButtonRole::plain, parent);
+  button->setObjectName("device_test_" + QString::fromStdString(device.device));
+  connect(button, &QPushButton::clicked, this, [this, device] { emit test_wanted(device); });
+  return button;
 }
 
 QString DevicesPage::count() const { return tr("%1 ready").arg(simulated_ + attached_); }

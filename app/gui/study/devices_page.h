@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "app/gui/devices/tested_device.h"
 #include "app/gui/look/background_task.h"
 #include "app/gui/study/study_page.h"
 #include "app/tasks/device_survey.h"
@@ -27,6 +28,9 @@ class DevicesPage final : public StudyPage {
   /// "1 ready"
   QString count() const;
 
+ signals:
+  void test_wanted(const asperity::TestedDevice& device);
+
  protected:
   void showEvent(QShowEvent* event) override;
 
@@ -35,6 +39,7 @@ class DevicesPage final : public StudyPage {
   void look();
   void show_found(const std::vector<SurveyedDriver>& drivers);
   void add_driver(const SurveyedDriver& driver);
+  QPushButton* make_test_button(const TestedDevice& device, QWidget* parent);
 
   Survey survey_{};
   int simulated_ = 0;

@@ -2,6 +2,7 @@
 
 #include "app/gui/data/analysis_page.h"
 #include "app/gui/data/attempt_page.h"
+#include "app/gui/devices/device_test_page.h"
 #include "app/gui/editor/protocol_editor_page.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/study/devices_page.h"
@@ -34,6 +35,8 @@ void StudyWindow::add_pages() {
   add_page("workbench", tr("Workbench"), new WorkbenchPage(*study_));
   add_page("analysis", tr("Analysis"), new AnalysisPage(*study_));
   add_page("devices", tr("Devices"), devices);
+  auto* device_test = new DeviceTestPage(*study_);
+  add_page("device_test", {}, device_test);
 
   for (StudyPage* page :
        std::initializer_list<StudyPage*>{participants, sessions, stimuli, devices}) {
@@ -59,6 +62,12 @@ void StudyWindow::add_pages() {
     trials->show_session(id);
     show_page("trials");
   });
+  connect(devices, &DevicesPage::test_wanted, this,
+          [this, device_test](const TestedDevice& device) {
+            device_test->show_device(device);
+            show_page("device_test");
+          });
+  connect(device_test, &DeviceTestPage::back_wanted, this, [this] { show_page("devices"); });
   connect(trials, &TrialsPage::attempt_opened, this, [this, attempt](qlonglong id) {
     attempt->show_attempt(id);
     show_page("attempt");

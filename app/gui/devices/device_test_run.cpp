@@ -1,0 +1,119 @@
+#include "app/gui/devices/device_test_run.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <utility>
+
+#include <QtCore/QMetaObject>
+
+#include "app/phrase.h"
+#include "app/tasks/study_overview.h"
+#include "results_schema/study.h"
+
+namespace asperity {
+
+namespace {
+
+/// A session has the machine, and perhaps the device, for itself.
+void require_no_session(const std::filesystem::path& folder) {
+  const Study study = Study::open(folder, Access::read_only);
+  for (const SessionRow& row : study.sessions()) {
+    if (!is_running(study, row)) continue;
+    throw PhrasedError(
+        phrase("DeviceTest", "A session of %1 runs; a device is measured while none does.")
+            .with(row.participant));
+  }
+}
+
+}  // namespace
+
+/// What both threads reach.
+struct DeviceTestRun::Talk {
+  std::mutex mutex{};
+  std::condition_variable_any answered{};
+  std::optional<bool> answer{};
+  MotionBins motion{};
+
+  /// False also where the work is to stop.
+  bool wait_for_answer(const std::stop_token& stop) {
+    std::unique_lock lock(mutex);
+    return answered.wait(lock, stop, [this] { return answer.has_value(); }) && *answer;
+  }
+};
+
+DeviceTestRun::DeviceTestRun(QObject* parent) : QObject(parent), talk_(std::make_shared<Talk>()) {}
+
+// The task, which is the last member, is stopped and waited for first.
+DeviceTestRun::~DeviceTestRun() = default;
+
+void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& options,
+                          const std::string& device, const MeasureOrder& order) {
+  talk_ = std::make_shared<Talk>();
+  // The thread is waited for before this goes; what it says is heard on the GUI thread.
+  const auto say = [this](auto signal) {
+    QMetaObject::invokeMethod(this, std::move(signal), Qt::QueuedConnection);
+  };
+  task_.run<std::optional<MeasuredDevice>>(
+      [this, say, talk = talk_, drivers, options, device, order](
+          const std::stop_token& stop,
+          const BackgroundTask::Progress&) -> std::optional<MeasuredDevice> {
+        try {
+          if (order.study) require_no_session(*order.study);
+          VirtualHand hand = hand_to_measure();
+          DriverOptions mine = options;
+          mine.hand = &hand;
+          mine.tell = [this, say](const std::string& sentence) {
+            say([this, sentence] { emit wished(QString::fromStdString(sentence)); });
+          };
+          mine.may_move = [this, say, talk, stop](const std::string& sentence) {
+            say([this, sentence] { emit asked(QString::fromStdString(sentence)); });
+            return talk->wait_for_answer(stop);
+          };
+          const std::unique_ptr<HapticDevice> opened_device = drivers.open(device, mine);
+          if (stop.stop_requested()) return {};
+          say([this, capability = opened_device->capability()] { emit opened(capability); });
+          MeasureOrder told = order;
+          told.test.tell = [this, say, talk](const DeviceTestNews& news) {
+            {
+              const std::lock_guard lock(talk->mutex);
+              talk->motion.begin_stage(news.part);
+            }
+            say([this, news] { emit came_to(news); });
+          };
+          told.test.watch = [talk](std::span<const TickRecord> ticks) {
+            const std::lock_guard lock(talk->mutex);
+            talk->motion.add(ticks);
+          };
+          return measure_device(*opened_device, told, stop);
+        } catch (const std::exception&) {
+          // Whatever it says: it is because of the stop.
+          if (stop.stop_requested()) return {};
+          throw;
+        }
+      },
+      [this](const std::optional<MeasuredDevice>& found) {
+        if (found) {
+          emit measured(*found);
+        } else {
+          emit stopped();
+        }
+      },
+      [this](const QString& sentence) { emit failed(sentence); });
+}
+
+void DeviceTestRun::stop() { task_.cancel(); }
+
+void DeviceTestRun::answer(bool agreed) {
+  const std::lock_guard lock(talk_->mutex);
+  talk_->answer = agreed;
+  talk_->answered.notify_all();
+}
+
+std::vector<MotionBin> DeviceTestRun::take_motion() {
+  const std::lock_guard lock(talk_->mutex);
+  return talk_->motion.take();
+}
+
+}  // namespace asperity

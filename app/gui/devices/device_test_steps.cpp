@@ -1,0 +1,99 @@
+#include "app/gui/devices/device_test_steps.h"
+
+#include <QtWidgets/QBoxLayout>
+#include <QtWidgets/QLabel>
+
+#include "app/gui/look/controls.h"
+#include "app/tasks/measure_device.h"
+
+namespace asperity {
+
+QString what_to_do(DeviceTestPart part, const std::optional<int>& axis) {
+  const QString along = QString("xyz").mid(axis.value_or(0), 1);
+  switch (part) {
+    case DeviceTestPart::timing:
+      return DeviceTestSteps::tr(
+          "Leave the handle alone: it hangs free, and nothing pushes it. The loop is timed, and "
+          "the "
+          "force has to be exactly zero.");
+    case DeviceTestPart::safety:
+      return DeviceTestSteps::tr(
+          "Keep hands away: soft pushes, then a stop, a force that is no number, and silence of "
+          "the "
+          "program. Each has to end in zero force.");
+    case DeviceTestPart::sweeps:
+      return DeviceTestSteps::
+          tr("Keep hands away: the handle is pulled to and fro along %1, slowly and then faster. "
+             "What stands against it is friction and damping.")
+              .arg(along);
+    case DeviceTestPart::pushes:
+      return DeviceTestSteps::
+          tr("Keep hands away: sudden steps of force along %1, to and fro. When the motion begins "
+             "is the latency, how fast it grows the mass.")
+              .arg(along);
+    case DeviceTestPart::tones:
+      return DeviceTestSteps::
+          tr("Keep hands away: the handle hums along %1, from 8 to 200 Hz. Where it answers most "
+             "is its resonance.")
+              .arg(along);
+    case DeviceTestPart::springs:
+      return DeviceTestSteps::tr(
+                 "Keep hands away: ever stiffer springs along %1, each with a small kick. The "
+                 "stiffest on which the handle comes to rest counts.")
+          .arg(along);
+    case DeviceTestPart::small_pushes:
+      return DeviceTestSteps::tr(
+                 "Keep hands away: ever stronger small pushes along %1, until the handle moves.")
+          .arg(along);
+    case DeviceTestPart::workspace:
+      return DeviceTestSteps::
+          tr("Now take the handle, and move it along all borders of its workspace: to both sides, "
+             "away and near, up and down. You have %1 seconds; no force is given.")
+              .arg(kBorders_s, 0, 'f', 0);
+  }
+  return {};
+}
+
+DeviceTestSteps::DeviceTestSteps(QWidget* parent) : QWidget(parent) {
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(kGrid);
+  steps_ = {{DeviceTestPart::timing, tr("Zero force and timing")},
+            {DeviceTestPart::safety, tr("Safety")},
+            {DeviceTestPart::sweeps, tr("Slow sweeps")},
+            {DeviceTestPart::pushes, tr("Steps of force")},
+            {DeviceTestPart::tones, tr("Sweep of tones")},
+            {DeviceTestPart::springs, tr("Stiff springs")},
+            {DeviceTestPart::small_pushes, tr("Weakest force")},
+            {DeviceTestPart::workspace, tr("Workspace")}};
+  for (Step& step : steps_) {
+    step.label = new QLabel(this);
+    rows->addWidget(step.label);
+  }
+  rows->addStretch(1);
+  write();
+}
+
+void DeviceTestSteps::begin(Workspace workspace) {
+  now_.reset();
+  steps_.back().label->setVisible(workspace == Workspace::by_a_person);
+  write();
+}
+
+void DeviceTestSteps::come_to(DeviceTestPart part) {
+  now_ = part;
+  write();
+}
+
+void DeviceTestSteps::write() {
+  for (Step& step : steps_) {
+    const bool is_now = now_ == step.part;
+    const bool is_done = now_ && step.part < *now_;
+    step.label->setText((is_now ? "▶ " : is_done ? shape_of(State::fine) + " " : "· ") + step.name);
+    step.label->setFont(text_font(TextSize::body, is_now));
+    const QColor color = is_now ? theme().text : is_done ? theme().fine : theme().muted;
+    step.label->setStyleSheet("color: " + color.name());
+  }
+}
+
+}  // namespace asperity

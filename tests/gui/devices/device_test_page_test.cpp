@@ -1,0 +1,494 @@
+// Testing a device in the window: nothing moves unasked, a stop is a stop at any moment, and what is measured is
+// what the terminal measures.
+
+#include "app/gui/devices/device_test_page.h"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <semaphore>
+
+#include <QtCore/QRegularExpression>
+#include <QtCore/QSettings>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QProgressBar>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/conductor/clock.h"
+#include "app/gui/devices/motion_picture.h"
+#include "app/gui/devices/response_plot.h"
+#include "app/gui/study/devices_page.h"
+#include "app/gui/study/study_table.h"
+#include "app/gui/study/study_window.h"
+#include "results_schema/atomic_file.h"
+#include "tests/app/small_study.h"
+#include "tests/gui/support/screenshot.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kTestPatience_ms = 60000;
+
+/// What a test knows of the arm on the table, and how it holds the arm's thread.
+struct ArmBench {
+  std::atomic<int> openings{0};
+  std::atomic<bool> is_open{false};
+  std::atomic<double> force_N{0.0};  ///< that its motors were last sent
+  std::atomic<bool> is_held{false};
+  std::counting_semaphore<8> go_on{0};
+  /// It is held once, at a reading after so many, while it is pushed.
+  std::atomic<int> hold_after{0};
+  std::atomic<bool> is_held_on_borders{false};  ///< once, while somebody moves it along them
+  std::atomic<bool> has_lost_its_zero{false};
+};
+
+/// A handle of 80 g on a soft spring, in the place of hardware. Left in peace for long, somebody takes it and
+/// moves it along the borders of its workspace.
+class TestArm final : public HapticDevice {
+ public:
+  explicit TestArm(ArmBench& bench)
+      : HapticDevice({.name = "arm",
+                      .model = "Test arm",
+                      .serial = "7",
+                      .workspace_minimum_m = glm::dvec3(-0.05, -0.04, -0.03),
+                      .workspace_maximum_m = glm::dvec3(0.05, 0.04, 0.03),
+                      .peak_force_N = 5.0,
+                      .continuous_force_N = 5.0},
+                     ForceLimits{}),
+        bench_(bench) {
+    bench_.is_open = true;
+  }
+  ~TestArm() override {
+    zero_force();
+    bench_.is_open = false;
+  }
+
+ private:
+  bool do_read(std::int64_t, ProbeState& state) noexcept override {
+    constexpr double kMass_kg = 0.08;
+    constexpr double kStep_s = 0.001;
+    velocity_m_per_s_ +=
+        kStep_s / kMass_kg * (force_N_ - 200.0 * position_m_ - 4.0 * velocity_m_per_s_);
+    position_m_ += kStep_s * velocity_m_per_s_;
+    if (glm::length(force_N_) > 0.0) quiet_ = 0;
+    constexpr int kPeace = 3000;
+    if (++quiet_ > kPeace) {
+      const double turn = 1e-3 * (quiet_ - kPeace);
+      position_m_ = {0.048 * std::cos(turn), 0.039 * std::sin(turn), 0.028 * std::sin(3.0 * turn)};
+      velocity_m_per_s_ = glm::dvec3(0.0);
+    }
+    if (quiet_ == 4 * kPeace && bench_.is_held_on_borders) {
+      bench_.is_held = true;
+      bench_.go_on.acquire();
+    }
+    state.position_m = position_m_;
+    state.velocity_m_per_s = velocity_m_per_s_;
+    ++reads_;
+    const int hold_after = bench_.hold_after;
+    if (hold_after > 0 && reads_ > hold_after && glm::length(force_N_) > 0.3) {
+      bench_.hold_after = 0;
+      bench_.is_held = true;
+      bench_.go_on.acquire();
+    }
+    return true;
+  }
+  bool do_send(const Wrench& limited) noexcept override {
+    force_N_ = limited.force_N;
+    bench_.force_N = glm::length(force_N_);
+    return true;
+  }
+
+  ArmBench& bench_;
+  glm::dvec3 position_m_{0.0};
+  glm::dvec3 velocity_m_per_s_{0.0};
+  glm::dvec3 force_N_{0.0};
+  int reads_ = 0;
+  int quiet_ = 0;  ///< readings since it was last pushed
+};
+
+class DeviceTests : public testing::Test {
+ protected:
+  DeviceTests() {
+    QSettings().clear();
+    make_small_study(folder);
+    std::filesystem::create_directories(folder / "protocols");
+  }
+  ~DeviceTests() override {
+    bench.go_on.release();  // whatever waits
+    apply_theme(*qApp, ThemeChoice::light);
+  }
+
+  DriverRegistry drivers_with_an_arm() {
+    DriverRegistry registry = built_in_drivers();
+    registry.add({.id = "arm",
+                  .summary = "an arm on the table",
+                  .find =
+                      [](const DriverOptions&) {
+                        return DriverSurvey{.attached = {{.model = "Test arm", .serial = "7"}}};
+                      },
+                  .open = [this](const std::string&,
+                                 const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
+                    if (bench.has_lost_its_zero &&
+                        !(options.may_move && options.may_move("It moves to find its zero."))) {
+                      throw std::runtime_error("nobody agreed that it moves");
+                    }
+                    ++bench.openings;
+                    return std::make_unique<TestArm>(bench);
+                  }});
+    return registry;
+  }
+  static TestedDevice arm() {
+    return {.device = "arm:7",
+            .handle = "Test arm 7",
+            .name = "Test arm, serial number 7",
+            .which = {"arm", "", "7"}};
+  }
+  static TestedDevice simulated() {
+    return {.device = "simulated",
+            .name = "Simulated device",
+            .which = {"simulated", "", ""},
+            .is_simulated = true};
+  }
+  /// On a clock of its own: as fast as the machine can.
+  static MeasureOrder stepped() {
+    MeasureOrder order{};
+    order.test.mechanics = StagePacing::stepped;
+    order.test.timing = StagePacing::stepped;
+    return order;
+  }
+
+  void make_page(const MeasureOrder& order, const TestedDevice& device) {
+    page.reset();
+    study = std::make_unique<OpenStudy>(folder);
+    study->set_drivers(drivers_with_an_arm());
+    page = std::make_unique<DeviceTestPage>(*study, order, nullptr);
+    page->resize(1100, 740);
+    page->show_device(device);
+    page->show();
+    require([this] { return find<QComboBox>("device_test_limits").count() > 0; }, "look");
+  }
+  static void require(const std::function<bool()>& condition, const std::string& what) {
+    if (!QTest::qWaitFor(condition, kTestPatience_ms)) throw std::runtime_error("no " + what);
+  }
+  template <class Widget>
+  Widget& find(const char* name) const {
+    auto* found = page->findChild<Widget*>(name);
+    if (found == nullptr) throw std::runtime_error(std::string("no widget ") + name);
+    return *found;
+  }
+  void click(const char* name) const {
+    ASSERT_TRUE(find<QPushButton>(name).isVisible()) << name;
+    ASSERT_TRUE(find<QPushButton>(name).isEnabled()) << name;
+    QTest::mouseClick(&find<QPushButton>(name), Qt::LeftButton);
+  }
+  std::string shown(const char* label) const {
+    QString text = find<QLabel>(label).text();
+    text.remove(QRegularExpression("<[^>]*>")).replace("&nbsp;", "");
+    return text.toStdString();
+  }
+  std::string news() const { return page->findChild<Banner*>()->text().toStdString(); }
+  void wait_until_it_ended() const {
+    require([this] { return !page->is_measuring() && page->findChild<Banner*>()->isVisible(); },
+            "end");
+  }
+  bool has_profiles() const { return std::filesystem::exists(folder / "profiles"); }
+
+  TemporaryFolder temporary{};
+  std::filesystem::path folder = temporary.path() / "study";
+  ArmBench bench{};
+  std::unique_ptr<OpenStudy> study{};
+  std::unique_ptr<DeviceTestPage> page{};
+};
+
+nlohmann::json without_date(const std::string& profile) {
+  auto json = nlohmann::json::parse(profile);
+  json.erase("measured_utc");
+  return json;
+}
+
+TEST_F(DeviceTests, MeasureInTheWindowWhatTheTerminalDoesAndKeepIt) {
+  make_page(stepped(), simulated());
+  EXPECT_FALSE(find<QPushButton>("device_test_not_now").isVisible()) << "nothing moves";
+  click("device_test_begin");
+  wait_until_it_ended();
+  const std::vector<DeviceProfile> kept = profiles_in(folder, {.name = "simulated"});
+  ASSERT_EQ(kept.size(), 1U) << news();
+
+  VirtualHand hand = hand_to_measure();
+  DriverOptions options{};
+  options.hand = &hand;
+  const auto device = built_in_drivers().open("simulated", options);
+  const DeviceProfile at_terminal = measure_device(*device, stepped(), {}).profile;
+  EXPECT_EQ(without_date(json_text_of(kept.front())), without_date(json_text_of(at_terminal)));
+
+  EXPECT_NE(news().find("kept as profiles/simulated-"), std::string::npos) << news();
+  EXPECT_EQ(find<StudyTable>("device_test_profiles").shown_rows(), 0) << "until it is read again";
+  require([this] { return find<StudyTable>("device_test_profiles").shown_rows() == 1; }, "row");
+  for (const DeviceItem& item : at_terminal.items) {
+    EXPECT_NE(page->findChild<QLabel*>("item_" + QString::fromStdString(item.name)), nullptr)
+        << item.name;
+  }
+  EXPECT_EQ(shown("result_limiter"), "✓ pass");
+  EXPECT_EQ(shown("result_workspace_reached"), "▲ not measured");
+  EXPECT_EQ(shown("result_moving_mass_kg"), "· no limit");
+  EXPECT_EQ(shown("limit_workspace_reached"), "≥ 80 %");
+  const double mass_g =
+      QString::fromStdString(shown("value_moving_mass_kg")).split(' ')[0].toDouble();
+  EXPECT_NEAR(mass_g, 1e3 * at_terminal.value("moving_mass_kg").value(), 0.1);
+  EXPECT_EQ(find<ResponsePlot>("response_plot").points(), 3 * 24);
+  EXPECT_FALSE(find<QPushButton>("device_test_stop").isVisible());
+}
+
+TEST_F(DeviceTests, SayWhatWillMoveAndOpenNothingWhenTheAnswerIsNo) {
+  make_page(stepped(), arm());
+  const std::string told = shown("device_test_what");
+  EXPECT_NE(told.find("Test arm 7 will move by itself"), std::string::npos) << told;
+  EXPECT_NE(told.find("with at most 3.0 N"), std::string::npos) << told;
+  QSignalSpy back(page.get(), &DeviceTestPage::back_wanted);
+  click("device_test_not_now");
+  EXPECT_EQ(back.size(), 1);
+  EXPECT_EQ(bench.openings, 0);
+  EXPECT_FALSE(has_profiles());
+}
+
+TEST_F(DeviceTests, AskOnceMoreBeforeADeviceMovesToFindItsZero) {
+  bench.has_lost_its_zero = true;
+  make_page(stepped(), arm());
+  click("device_test_begin");
+  require([this] { return find<QPushButton>("device_test_no").isVisible(); }, "question");
+  EXPECT_NE(shown("device_test_question").find("moves to find its zero"), std::string::npos);
+  EXPECT_EQ(bench.openings, 0);
+  click("device_test_no");
+  wait_until_it_ended();
+  EXPECT_NE(news().find("nobody agreed"), std::string::npos) << news();
+  EXPECT_EQ(bench.openings, 0);
+
+  click("device_test_begin");
+  require([this] { return find<QPushButton>("device_test_yes").isVisible(); }, "question");
+  bench.hold_after = 5000;
+  click("device_test_yes");
+  require([this] { return bench.is_held.load(); }, "push");
+  EXPECT_EQ(bench.openings, 1);
+  QTest::keyClick(page.get(), Qt::Key_Escape);
+  bench.go_on.release();
+  wait_until_it_ended();
+}
+
+TEST_F(DeviceTests, MayBeLeftWhileTheyAsk) {
+  bench.has_lost_its_zero = true;
+  make_page(stepped(), arm());
+  click("device_test_begin");
+  require([this] { return find<QPushButton>("device_test_yes").isVisible(); }, "question");
+  page.reset();  // waits for the thread, which waits for an answer
+  EXPECT_EQ(bench.openings, 0);
+}
+
+TEST_F(DeviceTests, LeaveZeroForceAndNoProfileWhereTheyAreStopped) {
+  make_page(stepped(), arm());
+  bench.hold_after = 5000;
+  click("device_test_begin");
+  require([this] { return bench.is_held.load(); }, "push");
+  require([this] { return shown("device_test_do_now").find("along x") != std::string::npos; },
+          "words of the sweep");
+  require([this] { return find<MotionPicture>("motion_picture").points() > 100; }, "picture");
+  EXPECT_GT(bench.force_N.load(), 0.3) << "it is being pushed";
+  EXPECT_GT(find<QProgressBar>("device_test_progress").value(), 0);
+  EXPECT_FALSE(page->property("keep").toString().isEmpty());
+  EXPECT_FALSE(find<QPushButton>("device_test_back").isVisible());
+  click("device_test_stop");
+  EXPECT_FALSE(find<QPushButton>("device_test_stop").isEnabled());
+  bench.go_on.release();
+  wait_until_it_ended();
+  EXPECT_EQ(bench.force_N.load(), 0.0);
+  EXPECT_FALSE(bench.is_open);
+  EXPECT_FALSE(has_profiles());
+  EXPECT_NE(news().find("nothing was kept"), std::string::npos) << news();
+  EXPECT_TRUE(page->property("keep").toString().isEmpty());
+  EXPECT_TRUE(find<QPushButton>("device_test_begin").isVisible());
+}
+
+TEST_F(DeviceTests, StopWhenTheirPageGoesOutOfSight) {
+  make_page(stepped(), arm());
+  bench.hold_after = 5000;
+  click("device_test_begin");
+  require([this] { return bench.is_held.load(); }, "push");
+  page->hide();
+  bench.go_on.release();
+  require([this] { return !page->is_measuring(); }, "end");
+  EXPECT_EQ(bench.force_N.load(), 0.0);
+  EXPECT_FALSE(has_profiles());
+}
+
+// On the servo's own thread, in the time that really goes by.
+TEST_F(DeviceTests, LeaveZeroForceWhereTheWindowIsClosed) {
+  make_page({}, arm());
+  click("device_test_begin");
+  require([this] { return bench.force_N > 0.0; }, "push of the safety's checks");
+  page.reset();
+  EXPECT_EQ(bench.force_N.load(), 0.0);
+  EXPECT_FALSE(bench.is_open);
+  EXPECT_FALSE(has_profiles());
+}
+
+TEST_F(DeviceTests, ShowTheBordersThatAPersonReaches) {
+  make_page(stepped(), arm());
+  bench.is_held_on_borders = true;
+  click("device_test_begin");
+  require([this] { return bench.is_held.load(); }, "person at the borders");
+  require([this] { return find<QWidget>("border_plot_above").isVisible(); }, "view from above");
+  EXPECT_NE(shown("device_test_do_now").find("take the handle"), std::string::npos);
+  EXPECT_FALSE(find<QWidget>("motion_plot").isVisible());
+  require([this] { return find<MotionPicture>("motion_picture").path_points() > 100; }, "path");
+  bench.go_on.release();
+  wait_until_it_ended();
+  EXPECT_EQ(shown("result_workspace_reached"), "✓ pass");
+  EXPECT_EQ(shown("value_workspace_reached"), "93.3 %") << "2 · 28 of 60 mm in height";
+}
+
+TEST_F(DeviceTests, GoOnWithTheirDeviceOnAPageThatIsMadeAnew) {
+  make_page(stepped(), arm());
+  page.reset();
+  page = std::make_unique<DeviceTestPage>(*study, stepped(), nullptr);
+  page->show();
+  EXPECT_EQ(shown("device_test_name"), "Test arm, serial number 7");
+  EXPECT_TRUE(find<QPushButton>("device_test_begin").isVisible());
+}
+
+TEST_F(DeviceTests, HoldADeviceToTheLimitsOfAChosenProtocol) {
+  std::string text = small_protocol();
+  text.insert(text.find("\"textures\""),
+              R"("device": {"limits": {"moving_mass_kg": 0.01, "latency_s": 0.05}}, )");
+  write_file(folder / "protocols" / "small.json", text, Overwrite::allow);
+  make_page(stepped(), simulated());
+  auto& limits = find<QComboBox>("device_test_limits");
+  ASSERT_EQ(limits.count(), 2);
+  limits.setCurrentIndex(1);
+  click("device_test_begin");
+  wait_until_it_ended();
+  EXPECT_EQ(shown("result_moving_mass_kg"), "✕ fail");
+  EXPECT_EQ(shown("limit_moving_mass_kg"), "≤ 10 g");
+  EXPECT_EQ(shown("result_latency_s"), "✓ pass");
+  EXPECT_NE(news().find("did not keep every limit: 1 failed"), std::string::npos) << news();
+  EXPECT_EQ(latest_profile(folder, {.name = "simulated"})->item("moving_mass_kg")->limit, 0.01);
+}
+
+TEST_F(DeviceTests, ListEarlierProfilesOfTheDeviceWithTheirAgeAndShowTheOneThatIsChosen) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  const auto keep = [&](int days, const std::string& serial, double friction_N) {
+    const DeviceProfile profile{
+        .name = "arm",
+        .model = "Test arm",
+        .serial = serial,
+        .measured_utc = utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(
+                                     now - std::chrono::hours(days * 24))
+                                     .count()),
+        .rate_Hz = 1000.0,
+        .items = {{.name = "friction_N",
+                   .status = friction_N > 0.2 ? DeviceItem::Status::fail : DeviceItem::Status::pass,
+                   .value = friction_N,
+                   .limit = 0.2}}};
+    std::filesystem::create_directories(folder / "profiles");
+    write_file(profile_path(folder, profile), json_text_of(profile), Overwrite::refuse);
+  };
+  keep(40, "7", 0.3);
+  keep(12, "7", 0.1);
+  keep(3, "8", 0.5);  // another arm
+  make_page(stepped(), arm());
+  auto& table = find<StudyTable>("device_test_profiles");
+  ASSERT_EQ(table.shown_rows(), 2);
+  EXPECT_EQ(table.text_at(0, 1).toStdString(), "12 days") << "the latest first";
+  EXPECT_EQ(table.text_at(1, 1).toStdString(), "40 days");
+  EXPECT_EQ(shown("value_friction_N"), "0.1 N") << "the latest is shown";
+  table.selectRow(1);
+  EXPECT_EQ(shown("value_friction_N"), "0.3 N");
+  EXPECT_EQ(shown("result_friction_N"), "✕ fail");
+  EXPECT_EQ(bench.openings, 0) << "looking opens nothing";
+}
+
+TEST_F(DeviceTests, AreReachedFromTheListOfDevices) {
+  StudyWindow window{};
+  ASSERT_TRUE(window.open_study(folder));
+  window.show();
+  window.show_page("devices");
+  auto* button = window.page("devices")->findChild<QPushButton*>("device_test_simulated");
+  ASSERT_NE(button, nullptr);
+  button->click();
+  EXPECT_EQ(window.shown_page(), "device_test");
+  window.page("device_test")->findChild<QPushButton*>("device_test_back")->click();
+  EXPECT_EQ(window.shown_page(), "devices");
+}
+
+TEST_F(DeviceTests, Pictures) {
+  if (qEnvironmentVariable("ASPERITY_SCREENSHOTS").isEmpty()) GTEST_SKIP() << "nobody looks";
+  std::string text = small_protocol();
+  text.insert(text.find("\"textures\""),
+              R"("device": {"limits": {"moving_mass_kg": 0.05, "latency_s": 0.005}}, )");
+  write_file(folder / "protocols" / "small.json", text, Overwrite::allow);
+  for (const auto theme_choice : {ThemeChoice::light, ThemeChoice::dark}) {
+    apply_theme(*qApp, theme_choice);
+    const QString suffix = theme_choice == ThemeChoice::dark ? "-dark" : "";
+    StudyWindow window{};
+    ASSERT_TRUE(window.open_study(folder));
+    window.study()->set_drivers(drivers_with_an_arm());
+    auto* shown_page = dynamic_cast<DeviceTestPage*>(window.page("device_test"));
+    ASSERT_NE(shown_page, nullptr);
+    const auto pictures = [&](const QString& name) {
+      take_screenshot(window, name + "_1280x800" + suffix, {1280, 800});
+      take_screenshot(window, name + "_880x640" + suffix, {880, 640});
+    };
+    window.resize(1280, 800);
+    const auto button = [&](const char* name) {
+      QTest::mouseClick(shown_page->findChild<QPushButton*>(name), Qt::LeftButton);
+    };
+    window.show_page("devices");
+    window.show();
+    shown_page->show_device(arm());
+    window.show_page("device_test");
+    auto* limits = shown_page->findChild<QComboBox*>("device_test_limits");
+    require([&] { return limits->count() == 2; }, "look");
+    pictures("device-test-before");
+    limits->setCurrentIndex(1);
+    button("device_test_begin");
+    const auto* do_now = shown_page->findChild<QLabel*>("device_test_do_now");
+    require([&] { return do_now->text().contains("along x"); }, "sweep");
+    QTest::qWait(5000);
+    pictures("device-test-course");
+    button("device_test_stop");
+    require([&] { return !shown_page->is_measuring(); }, "end");
+    window.resize(1280, 800);
+    shown_page->show_device(simulated());
+    require([&] { return limits->count() == 2; }, "look");
+    limits->setCurrentIndex(1);
+    button("device_test_begin");
+    require([&] { return !shown_page->is_measuring(); }, "end");
+    QTest::qWait(500);
+    pictures("device-test-result");
+    auto* area = shown_page->findChild<QScrollArea*>();
+    area->verticalScrollBar()->setValue(area->verticalScrollBar()->value() + 500);
+    pictures("device-test-items");
+    make_page(stepped(), arm());
+    bench.is_held = false;
+    bench.is_held_on_borders = true;
+    click("device_test_begin");
+    require([this] { return bench.is_held.load(); }, "person at the borders");
+    QTest::qWait(200);
+    take_screenshot(*page, "device-test-borders" + suffix, {1070, 776});
+    bench.go_on.release();
+    wait_until_it_ended();
+    std::filesystem::remove_all(folder / "profiles");
+  }
+}
+
+}  // namespace
+}  // namespace asperity
