@@ -8,8 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "analysis/random.h"
 #include "protocols/block_rows.h"
 #include "protocols/squares.h"
@@ -155,18 +153,6 @@ TrialQuestion::Form form_of(ProtocolKind kind) {
       return TrialQuestion::Form::number;
   }
   return TrialQuestion::Form::choice;
-}
-
-const char* name_of(TrialQuestion::Form form) {
-  switch (form) {
-    case TrialQuestion::Form::choice:
-      break;
-    case TrialQuestion::Form::assignment:
-      return "assignment";
-    case TrialQuestion::Form::number:
-      return "number";
-  }
-  return "choice";
 }
 
 TrialQuestion question_of(const Protocol& protocol, const Block& block, const Trial& trial,
@@ -461,73 +447,6 @@ int counterbalance_rows(const Protocol& protocol) {
     rows *= square_of(protocol.counterbalance, protocol.factors.at(factor).levels.size()).size();
   }
   return static_cast<int>(rows);
-}
-
-// Part by part, because a list of pairs copies its parts, and a study checks a million plans.
-std::string json_of(const Trial& trial) {
-  using json = nlohmann::ordered_json;
-  const auto level = [](const Level& value) {
-    return std::visit([](const auto& held) { return json(held); }, value);
-  };
-  const auto optional = [](const auto& value) { return value ? json(*value) : json(nullptr); };
-  const auto body = [&optional](const BodyDescription& described) {
-    return json{{"body", described.name},
-                {"mesh", optional(described.mesh)},
-                {"height_field", optional(described.height_field)}};
-  };
-  json factors = json::object();
-  for (const auto& [name, value] : trial.factors) factors[name] = level(value);
-  json presentations = json::array();
-  for (const PlannedPresentation& planned : trial.presentations) {
-    json parameters = json::object();
-    for (const auto& [name, value] : planned.stimulus.parameters) parameters[name] = level(value);
-    json equal = nullptr;
-    if (planned.equal_force) {
-      equal = {{"rms_N", optional(planned.equal_force->rms_N)},
-               {"to_model", planned.equal_force->to_model},
-               {"band_low_Hz", planned.equal_force->band_low_Hz},
-               {"band_high_Hz", planned.equal_force->band_high_Hz}};
-    }
-    json presentation = json::object();
-    presentation["position"] = planned.position;
-    presentation["role"] = planned.role;
-    presentation["item"] = planned.item;
-    presentation["code"] = planned.code;
-    presentation["stimulus"] = planned.stimulus.name;
-    presentation["model"] = planned.stimulus.model;
-    presentation["texture"] = planned.stimulus.texture;
-    presentation["height_field"] = optional(planned.stimulus.height_field);
-    presentation["parameters"] = std::move(parameters);
-    presentation["equal_force"] = std::move(equal);
-    // Only where there are bodies: other plans are compared with what older programs stored.
-    if (planned.stimulus.surface) presentation["surface"] = body(*planned.stimulus.surface);
-    if (planned.stimulus.tool) presentation["tool"] = body(*planned.stimulus.tool);
-    presentations.push_back(std::move(presentation));
-  }
-  json options = json::array();
-  for (const Option& option : trial.question.options) {
-    json one = json::object();
-    one["value"] = option.value;
-    one["label"] = option.label;
-    one["picture"] = optional(option.picture);
-    options.push_back(std::move(one));
-  }
-  json question = json::object();
-  question["name"] = trial.question.name;
-  question["form"] = name_of(trial.question.form);
-  question["standard_picture"] = optional(trial.question.standard_picture);
-  question["options"] = std::move(options);
-  question["correct"] = trial.question.correct;
-  json whole = json::object();
-  whole["ordinal"] = trial.ordinal;
-  whole["block"] = trial.block;
-  whole["block_ordinal"] = trial.block_ordinal;
-  whole["phase"] = text_of(trial.phase);
-  whole["repetition"] = trial.repetition;
-  whole["factors"] = std::move(factors);
-  whole["presentations"] = std::move(presentations);
-  whole["question"] = std::move(question);
-  return whole.dump();
 }
 
 BlockState state_of(const Protocol::Criterion& criterion, const std::vector<bool>& correct) {

@@ -109,6 +109,8 @@ int counterbalance_rows(const Protocol& protocol);
 
 /// JSON of one planned trial, stored before the session starts and compared when it is resumed.
 std::string json_of(const Trial& trial);
+/// JSON of its factors alone, as it stands in that of the trial.
+std::string factors_json_of(const Trial& trial);
 
 /// What a plan amounts to, for `check` and for the person who has to sit through it.
 struct PlanCost {

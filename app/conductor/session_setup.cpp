@@ -14,18 +14,6 @@ namespace asperity {
 
 namespace {
 
-std::string factors_json(const Trial& trial) {
-  nlohmann::ordered_json factors = nlohmann::ordered_json::object();
-  for (const auto& [name, level] : trial.factors) {
-    if (const double* number = std::get_if<double>(&level)) {
-      factors[name] = *number;
-    } else {
-      factors[name] = std::get<std::string>(level);
-    }
-  }
-  return factors.dump();
-}
-
 std::string capability_json(const DeviceCapability& device) {
   const auto corner = [](const glm::dvec3& p) {
     return nlohmann::ordered_json::array({p.x, p.y, p.z});
@@ -67,7 +55,7 @@ std::vector<PlannedTrialRow> rows_of(const Plan& plan) {
     row.block_ordinal = trial.block_ordinal;
     row.phase = text_of(trial.phase);
     row.repetition = trial.repetition;
-    row.factors_json = factors_json(trial);
+    row.factors_json = factors_json_of(trial);
     row.plan_json = json_of(trial);
     rows.push_back(std::move(row));
   }

@@ -416,6 +416,50 @@ TEST(Plan, GivesASurfaceTheTextureOfItsStimulusAndAToolItsOwn) {
       << written;
 }
 
+// What older programs stored was written by nlohmann's `dump`: a plan that is compared with it has to be the
+// same to the byte, whatever stands in it.
+TEST(Plan, IsWrittenAsTheLibraryThatWroteOlderPlansWritesIt) {
+  const auto rewritten = [](const std::string& json) {
+    return nlohmann::ordered_json::parse(json).dump();
+  };
+  for (const LibraryProtocol& each : library_protocols()) {
+    const Plan plan = make_plan(read(std::string(each.text)), {.seed = 3, .counterbalance_row = 1});
+    for (const Trial& trial : plan.trials) {
+      ASSERT_EQ(json_of(trial), rewritten(json_of(trial))) << each.name;
+      ASSERT_EQ(nlohmann::ordered_json::parse(factors_json_of(trial)),
+                nlohmann::ordered_json::parse(json_of(trial)).at("factors"));
+      ASSERT_EQ(factors_json_of(trial), rewritten(factors_json_of(trial)));
+    }
+  }
+  Trial trial = make_plan(read(test::example_bodies()), {1, 0}).trials.front();
+  for (const char* text : {"", "\"", "\\", "a\"b\\c/d", "\b\f\n\r\t", "\x01\x1f\x7f",
+                           "Rauheit: größer, 粗い", "{", "[", ":", ",", "</script>"}) {
+    trial.question.correct.emplace_back(text);
+    trial.factors[text] = text;
+    trial.presentations.front().stimulus.parameters[text] = text;
+  }
+  for (const double number : {0.0, -0.0, 1.0, 0.1, 1.0 / 3.0, -2.5e-7, 1e-5, 1e15, 1e16, 1e17,
+                              6.02214076e23, 5e-324, 1.7976931348623157e308}) {
+    trial.factors["at " + std::to_string(trial.factors.size())] = number;
+    trial.presentations.front().equal_force =
+        EqualForce{.rms_N = number, .band_low_Hz = number, .band_high_Hz = -number};
+    ASSERT_EQ(json_of(trial), rewritten(json_of(trial)));
+  }
+  const auto read_again = nlohmann::ordered_json::parse(json_of(trial));
+  EXPECT_EQ(read_again.at("question").at("correct").get<std::vector<std::string>>(),
+            trial.question.correct);
+  for (const auto& [name, level] : trial.factors) {
+    const nlohmann::ordered_json& written = read_again.at("factors").at(name);
+    if (const double* number = std::get_if<double>(&level)) {
+      EXPECT_EQ(written.get<double>(), *number);
+    } else {
+      EXPECT_EQ(written.get<std::string>(), std::get<std::string>(level));
+    }
+  }
+  trial.question.correct.front() = "\xff";
+  EXPECT_THROW((void)json_of(trial), nlohmann::json::exception);
+}
+
 TEST(Plan, AddingABlockDoesNotMoveTheTrialsOfThoseBeforeIt) {
   const std::string before = test::example_selection();
   const std::string after = with(before, R"({"run": "main", "break_every_trials": 3,)",
