@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fstream>
 #include <unistd.h>
+#include <vector>
 
 #include "results_schema/file_system.h"
 #include "results_schema/study.h"
@@ -67,7 +68,16 @@ std::string read_file(const std::filesystem::path& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) fail_on_file(path, "read", errno != 0 ? errno : EIO);
-  std::string content(std::istreambuf_iterator<char>(file), {});
+  std::string content;
+  // Files of hundreds of megabytes are read too; what is no file of a known size grows as it comes.
+  std::error_code unknown;
+  const std::uintmax_t expected = std::filesystem::file_size(path, unknown);
+  if (!unknown) content.reserve(static_cast<std::size_t>(expected));
+  std::vector<char> piece(std::size_t{1} << 16);
+  do {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    content.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+  } while (file);
   if (file.bad()) fail_on_file(path, "read", EIO);
   return content;
 }

@@ -31,10 +31,11 @@ bool has_decimal_comma(std::string_view cell) {
   return number_in(pointed).has_value();
 }
 
-/// Walks over the text of a file, cell by cell.
+/// Walks over the text of a file from a place in its first line on, cell by cell.
 class CellReader final {
  public:
-  CellReader(std::vector<char>& text, const std::string& name) : text_(text), name_(name) {}
+  CellReader(std::string& text, std::size_t begin, const std::string& name)
+      : text_(text), name_(name), at_(begin) {}
 
   bool at_end() const { return at_ >= text_.size(); }
   std::uint32_t line() const { return line_; }
@@ -88,9 +89,9 @@ class CellReader final {
     return out;
   }
 
-  std::vector<char>& text_;
+  std::string& text_;
   const std::string& name_;
-  std::size_t at_ = 0;
+  std::size_t at_;
   std::uint32_t line_ = 1;
   std::size_t column_ = 0;
 };
@@ -137,7 +138,9 @@ char separator_of(std::string_view header, const std::string& name) {
 
 }  // namespace
 
-TidyTable::TidyTable(std::string_view text, std::string name) : name_(std::move(name)) {
+TidyTable::TidyTable(std::string whole, std::string name)
+    : text_(std::make_unique<std::string>(std::move(whole))), name_(std::move(name)) {
+  std::string_view text = *text_;
   if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF") {
     throw ResultsError(name_ + ":1:1: the file is UTF-16; write it as UTF-8", name_);
   }
@@ -152,8 +155,7 @@ TidyTable::TidyTable(std::string_view text, std::string name) : name_(std::move(
             ": a letter of this line is not UTF-8; save the table in the encoding UTF-8",
         name_);
   }
-  text_.assign(text.begin(), text.end());
-  CellReader reader(text_, name_);
+  CellReader reader(*text_, text_->size() - text.size(), name_);
   const char separator = separator_of(text.substr(0, text.find('\n')), name_);
   if (reader.at_end()) reader.refuse("the line of column names is missing");
   for (bool last = false; !last;) {
@@ -166,6 +168,10 @@ TidyTable::TidyTable(std::string_view text, std::string name) : name_(std::move(
     }
     columns_.emplace_back(cell);
   }
+  // At once: while they grow there would be two of the largest part of a table.
+  const auto most_rows = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  lines_.reserve(most_rows);
+  cells_.reserve(most_rows * columns_.size());
   while (!reader.at_end()) {
     const std::uint32_t line = reader.line();
     const std::size_t begin = cells_.size();

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,8 +32,9 @@ struct LabelColumn {
 /// text where a number belongs, a quote that does not close; "FILE:LINE: …" for what is not UTF-8.
 class TidyTable final {
  public:
-  /// `name` is what messages call the file.
-  TidyTable(std::string_view text, std::string name);
+  /// `name` is what messages call the file. Cells are views into `text`, which is kept: nobody holds a table
+  /// of hundreds of megabytes twice who moves it here.
+  TidyTable(std::string text, std::string name);
   /// Made, not read: named columns with a code for each row, in the place of text. Rows are counted
   /// as lines from 2, as if they stood in a file. Throws std::invalid_argument for columns of
   /// different lengths and for a code beyond its names.
@@ -75,7 +77,8 @@ class TidyTable final {
   LabelColumn made_labels(const LabelColumn& made) const;
   std::string_view cell(std::size_t row, std::size_t column) const;
 
-  std::vector<char> text_{};  // a vector, because the characters of a moved string may move
+  // Behind a pointer, because the characters of a moved string may move.
+  std::unique_ptr<std::string> text_{};
   std::string name_{};
   std::vector<std::string> columns_{};
   std::vector<std::string_view> cells_{};

@@ -128,6 +128,19 @@ TEST(TidyTable, MayBeMovedWithItsCells) {
   EXPECT_EQ(tables.front().texts("a"), (std::vector<std::string_view>{"x"}));
 }
 
+// A table may have hundreds of megabytes.
+TEST(TidyTable, KeepsTheTextThatItIsGivenAndNoOther) {
+  std::string text = "id,k\nfirst,1\n\"sec\"\"ond\",2";
+  const char* const begin = text.data();
+  const TidyTable table(std::move(text), "file.csv");
+  const std::vector<std::string_view> ids = table.texts("id");
+  ASSERT_EQ(ids.size(), 2U);
+  EXPECT_EQ(ids[0], "first");
+  EXPECT_EQ(ids[0].data(), begin + 5);
+  EXPECT_EQ(ids[1], "sec\"ond");
+  EXPECT_EQ(ids[1].data(), begin + 13);
+}
+
 TEST(TidyTable, IsMadeOfColumnsAsIfItHadBeenRead) {
   std::vector<TidyTable::Column> columns{
       {"who", {.names = {"NA", "b", "c"}, .codes = {2, 0, 2}}},
