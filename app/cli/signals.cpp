@@ -2,6 +2,7 @@
 
 #include "app/cli/signals.h"
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <utility>
@@ -14,9 +15,10 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 
-// The only things that a signal handler may touch.
-volatile std::sig_atomic_t interrupts = 0;
-volatile std::sig_atomic_t last_interrupt = SIGINT;
+// The only things that a signal handler may touch: it runs on whichever thread, while the watcher reads.
+static_assert(std::atomic<int>::is_always_lock_free);
+std::atomic<int> interrupts{0};
+std::atomic<int> last_interrupt{SIGINT};
 
 void end_program(int number) noexcept {
   std::signal(number, SIG_DFL);
@@ -24,9 +26,8 @@ void end_program(int number) noexcept {
 }
 
 extern "C" void note_interrupt(int number) {
-  interrupts = interrupts + 1;
   last_interrupt = number;
-  if (interrupts > 2) end_program(number);
+  if (++interrupts > 2) end_program(number);
 }
 
 }  // namespace
