@@ -34,6 +34,15 @@ class ResultsError final : public std::runtime_error {
 
 enum class Access { read_only, read_write };
 
+/// What `Study::verify` looks at. Each part can be looked at by a thread of its own, with a Study of its
+/// own.
+enum class StudyPart {
+  checksum,  ///< of study.sqlite, byte by byte
+  database,  ///< its pages, trees and indices, by SQLite's integrity check
+  files,     ///< hashes of recordings and stimuli
+  rows,      ///< constraints, references, hashes of protocols, rows that contradict each other
+};
+
 /// What is known of the file `study.sqlite` as a whole.
 enum class StudyCondition {
   whole,    ///< its checksum holds; or none is there, and SQLite finds nothing wrong
@@ -188,10 +197,14 @@ class Study final {
   StudyCondition condition() const;
 
   /// Everything that does not hold: constraints, hashes of files and recordings, rows that
-  /// contradict each other. `progress` is told 0 to 1, about as bytes are read; when asked to stop, what
-  /// was found by then, within the moment that SQLite takes for one of its trees.
+  /// contradict each other; part by part, in the order given. `progress` is told 0 to 1 by the caller's
+  /// thread, about as bytes are read; when asked to stop, what was found by then, within the moment that
+  /// SQLite takes for one of its trees.
   std::vector<std::string> verify(const std::function<void(double)>& progress,
-                                  const std::stop_token& stop = {}) const;
+                                  const std::stop_token& stop = {},
+                                  const std::vector<StudyPart>& parts = {
+                                      StudyPart::checksum, StudyPart::database, StudyPart::files,
+                                      StudyPart::rows}) const;
   /// Files that nothing vouches for: what a program that died was writing, the database itself while
   /// it is written to (docs/formats/study.md, "Checksum"). They contradict nothing, and whether they
   /// are of use is for a person to decide.

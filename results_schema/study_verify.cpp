@@ -1,7 +1,9 @@
 // Everything of a study that does not hold.
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <set>
 #include <stop_token>
@@ -30,13 +32,16 @@ struct VouchedFile {
   bool is_recording = false;
 };
 
-void check_database(Database& database, Findings& findings) {
+void check_pages(Database& database, Findings& findings) {
   Statement integrity(database, "PRAGMA integrity_check");
   while (integrity.step()) {
     std::string text;
     integrity.read(text);
     if (text != "ok") findings.push_back("study.sqlite: " + text);
   }
+}
+
+void check_references(Database& database, Findings& findings) {
   Statement keys(database, "PRAGMA foreign_key_check");
   while (keys.step()) {
     std::string table;
@@ -147,26 +152,56 @@ double bytes_of_vouched_files(Database& database) {
   return bytes;
 }
 
-/// While it lives, a statement that takes long ends when asked to, with an error.
-class StopOfStatements final {
+/// While it lives, a statement that takes long ends when asked to, with an error, and `meanwhile` is
+/// called about every millisecond by the thread that it runs on.
+class WatchOfStatements final {
  public:
-  StopOfStatements(Database& database, std::stop_token stop)
-      : database_(database), stop_(std::move(stop)) {
-    constexpr int kInstructions = 10'000;  // of SQLite's machine: about a millisecond
-    sqlite3_progress_handler(database_.handle(), kInstructions, is_asked_to_stop, &stop_);
+  WatchOfStatements(Database& database, std::stop_token stop, std::function<void()> meanwhile = {})
+      : database_(database), stop_(std::move(stop)), meanwhile_(std::move(meanwhile)) {
+    constexpr int kInstructions = 10'000;  // of SQLite's machine
+    sqlite3_progress_handler(database_.handle(), kInstructions, is_asked_to_stop, this);
   }
-  StopOfStatements(const StopOfStatements&) = delete;
-  StopOfStatements& operator=(const StopOfStatements&) = delete;
-  ~StopOfStatements() { sqlite3_progress_handler(database_.handle(), 0, nullptr, nullptr); }
+  WatchOfStatements(const WatchOfStatements&) = delete;
+  WatchOfStatements& operator=(const WatchOfStatements&) = delete;
+  ~WatchOfStatements() { sqlite3_progress_handler(database_.handle(), 0, nullptr, nullptr); }
+
+  /// What `meanwhile` threw, which ends a statement: SQLite lets no exception through.
+  void rethrow_failure() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
 
  private:
-  static int is_asked_to_stop(void* stop) {
-    return static_cast<const std::stop_token*>(stop)->stop_requested() ? 1 : 0;
+  static int is_asked_to_stop(void* watch) noexcept {
+    auto& own = *static_cast<WatchOfStatements*>(watch);
+    try {
+      if (own.meanwhile_) own.meanwhile_();
+    } catch (...) {
+      own.failure_ = std::current_exception();
+      return 1;
+    }
+    return own.stop_.stop_requested() ? 1 : 0;
   }
 
   Database& database_;
   std::stop_token stop_;
+  std::function<void()> meanwhile_;
+  std::exception_ptr failure_{};
 };
+
+double bytes_of_a_page(Database& database) {
+  Statement statement(database, "PRAGMA page_size");
+  double bytes = 0.0;
+  if (statement.step()) statement.read(bytes);
+  return bytes;
+}
+
+/// From the file, through this connection.
+double pages_read(Database& database) {
+  int pages = 0;
+  int highest = 0;
+  sqlite3_db_status(database.handle(), SQLITE_DBSTATUS_CACHE_MISS, &pages, &highest, 0);
+  return pages;
+}
 
 /// After a colon where a recording is damaged, as far as it says so itself.
 std::string place_of_damage(const std::filesystem::path& recording) {
@@ -182,8 +217,12 @@ void check_file(const std::filesystem::path& study, const VouchedFile& file, Fin
   const std::string start = file.path + " (" + file.who + "): ";
   try {
     const std::filesystem::path path = path_in_study(study, file.path);
-    if (!std::filesystem::is_regular_file(path)) {
-      findings.push_back(start + "the file is not there");
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) {
+      const bool is_absent = !error || error == std::errc::no_such_file_or_directory ||
+                             error == std::errc::not_a_directory;
+      findings.push_back(start + (is_absent ? "the file is not there"
+                                            : "the file cannot be read: " + error.message()));
     } else if (sha256_of_file(path) != file.sha256) {
       findings.push_back(start +
                          "it is not what it was when its row was written (its SHA-256 differs)" +
@@ -195,7 +234,7 @@ void check_file(const std::filesystem::path& study, const VouchedFile& file, Fin
 }
 
 bool passes_quick_check(Database& database, const std::stop_token& stop) {
-  const StopOfStatements stop_of_statements(database, stop);
+  const WatchOfStatements watch(database, stop);
   Statement check(database, "PRAGMA quick_check(1)");
   std::string text;
   if (check.step()) check.read(text);
@@ -227,7 +266,8 @@ void Study::begin_condition() const {
     }
     return seal == Seal::broken ? StudyCondition::changed : StudyCondition::whole;
   };
-  store_->condition = std::async(std::launch::async, find).share();
+  // Where the system has no more threads, it is found when somebody wants to know.
+  store_->condition = std::async(std::launch::async | std::launch::deferred, find).share();
 }
 
 StudyCondition Study::condition() const {
@@ -236,44 +276,105 @@ StudyCondition Study::condition() const {
 }
 
 std::vector<std::string> Study::verify(const std::function<void(double)>& progress,
-                                       const std::stop_token& stop) const {
+                                       const std::stop_token& stop,
+                                       const std::vector<StudyPart>& parts) const {
+  const auto has = [&parts](StudyPart part) {
+    return std::find(parts.begin(), parts.end(), part) != parts.end();
+  };
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(database_in(store_->folder), error);
   const double database_bytes = error ? 0.0 : static_cast<double>(size);
-  constexpr double kPasses = 3.0;  // its checksum, and SQLite's checks for as long as two more
-  double bytes = 0.0;
-  const auto tell = [&](double bytes_done) {
-    if (progress && bytes > 0.0) progress(std::min(1.0, bytes_done / bytes));
+  // SQLite reads every page for its trees, and about as many again for what is in them.
+  const double bytes_of_pages = 2.0 * database_bytes;
+  const double bytes_of_files = has(StudyPart::files) ? store_->read(bytes_of_vouched_files) : 0.0;
+  const double bytes = (has(StudyPart::checksum) ? database_bytes : 0.0) +
+                       (has(StudyPart::database) ? bytes_of_pages : 0.0) + bytes_of_files;
+  double bytes_done = 0.0;
+  const auto tell = [&](double more) {
+    if (progress && bytes > 0.0) progress(std::min(1.0, (bytes_done + more) / bytes));
   };
-  Findings findings;
-  const std::vector<VouchedFile> files = store_->read([&](Database& database) {
-    findings.clear();
-    bytes = kPasses * database_bytes + bytes_of_vouched_files(database);
-    tell(0.0);
-    const auto tell_part = [&](double share) { tell(share * database_bytes); };
-    const StopOfStatements stop_of_statements(database, stop);
-    try {
-      check_seal(store_->folder, {.progress = tell_part, .stop = stop}, findings);
-      tell(database_bytes);
-      check_database(database, findings);
-      check_protocols(*this, findings);
-      check_rows(database, findings);
-      return vouched_files(database);
-    } catch (const ResultsError& broken) {
-      // So broken that not even this can be read.
-      if (!stop.stop_requested()) findings.emplace_back(broken.what());
-      return std::vector<VouchedFile>{};
+  Findings all;
+  const auto add = [&all](const Findings& findings) {
+    for (const std::string& finding : findings) {
+      // What is so broken that it cannot be read is told by every part.
+      if (std::find(all.begin(), all.end(), finding) == all.end()) all.push_back(finding);
     }
-  });
-  double bytes_done = kPasses * database_bytes;
-  for (const VouchedFile& file : files) {
-    if (stop.stop_requested()) return findings;
-    tell(bytes_done);
-    check_file(store_->folder, file, findings);
-    bytes_done += static_cast<double>(file.bytes);
+  };
+  const auto look = [&](const std::function<void(Database&, Findings&)>& check) {
+    add(store_->read([&](Database& database) {
+      Findings findings;
+      try {
+        check(database, findings);
+      } catch (const ResultsError& broken) {
+        if (!stop.stop_requested()) findings.emplace_back(broken.what());
+      }
+      return findings;
+    }));
+  };
+  tell(0.0);
+  for (const StudyPart part : parts) {
+    if (stop.stop_requested()) return all;
+    switch (part) {
+      case StudyPart::checksum: {
+        Findings findings;
+        try {
+          const auto tell_share = [&](double share) { tell(share * database_bytes); };
+          check_seal(store_->folder, {.progress = tell_share, .stop = stop}, findings);
+        } catch (const ResultsError& broken) {
+          findings.emplace_back(broken.what());
+        }
+        add(findings);
+        bytes_done += database_bytes;
+        break;
+      }
+      case StudyPart::database:
+        tell(0.0);
+        look([&](Database& database, Findings& findings) {
+          const double pages_before = pages_read(database);
+          const double page_bytes = bytes_of_a_page(database);
+          const WatchOfStatements watch(database, stop, [&] {
+            const double pages = pages_read(database) - pages_before;
+            tell(std::min(bytes_of_pages, pages * page_bytes));
+          });
+          try {
+            check_pages(database, findings);
+          } catch (const ResultsError&) {
+            watch.rethrow_failure();
+            throw;
+          }
+        });
+        bytes_done += bytes_of_pages;
+        break;
+      case StudyPart::files: {
+        std::vector<VouchedFile> files;
+        look([&](Database& database, Findings&) {
+          const WatchOfStatements watch(database, stop);
+          files = vouched_files(database);
+        });
+        double bytes_hashed = 0.0;
+        for (const VouchedFile& file : files) {
+          if (stop.stop_requested()) return all;
+          tell(bytes_hashed);
+          Findings findings;
+          check_file(store_->folder, file, findings);
+          add(findings);
+          bytes_hashed += static_cast<double>(file.bytes);
+        }
+        bytes_done += bytes_of_files;
+        break;
+      }
+      case StudyPart::rows:
+        look([&](Database& database, Findings& findings) {
+          const WatchOfStatements watch(database, stop);
+          check_protocols(*this, findings);
+          check_references(database, findings);
+          check_rows(database, findings);
+        });
+        break;
+    }
   }
-  tell(bytes);
-  return findings;
+  if (!stop.stop_requested()) tell(0.0);
+  return all;
 }
 
 std::vector<std::string> Study::leftovers() const {

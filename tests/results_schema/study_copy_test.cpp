@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <map>
 #include <random>
+#include <stdexcept>
 #include <stop_token>
+#include <thread>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -287,6 +290,87 @@ TEST(StudyVerify, FindsFilesThatAreMissingOrChanged) {
                         HasSubstr("is damaged in chunk 4")),
                   HasSubstr("stimuli/metal.png (a stimulus of session P01/1): the file is not "
                             "there")));
+}
+
+// What cannot be asked after is one finding, and no end of the others.
+TEST(StudyVerify, GoesOnWhereAFileCannotBeAskedAfter) {
+  const TemporaryFolder folder;
+  const auto [study, session_id] = recorded_study(folder / "s");
+  const std::filesystem::path recording = folder / "s" / "recordings/P01/a.asprec";
+  std::filesystem::remove(recording);
+  std::filesystem::create_symlink(recording, recording);
+  std::filesystem::remove(folder / "s" / "stimuli" / "metal.png");
+  EXPECT_THAT(study.verify({}),
+              ElementsAre(AllOf(HasSubstr("recordings/P01/a.asprec (the recording of attempt "
+                                          "P01/1/1/1): "),
+                                HasSubstr("symbolic links")),
+                          HasSubstr("the file is not there")));
+}
+
+/// With so much in it that SQLite takes a while to look at it.
+Study large_study(const std::filesystem::path& folder) {
+  Study study = recorded_study(folder).study;
+  const std::string solution = '"' + std::string(5000, 'x') + '"';
+  for (int i = 0; i < 1000; ++i) study.remember_solution(std::to_string(i), solution);
+  return study;
+}
+
+TEST(StudyVerify, TellsHowFarSQLiteHasCome) {
+  const TemporaryFolder folder;
+  { large_study(folder / "s"); }
+  const Study study = Study::open(folder / "s", Access::read_only);
+  std::vector<double> told;
+  const auto tell = [&told, here = std::this_thread::get_id()](double fraction) {
+    EXPECT_EQ(std::this_thread::get_id(), here);
+    told.push_back(fraction);
+  };
+  EXPECT_THAT(study.verify(tell, {}, {StudyPart::database}), IsEmpty());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.front(), 0.0);
+  EXPECT_EQ(told.back(), 1.0);
+  EXPECT_GT(std::count_if(told.begin(), told.end(),
+                          [](double fraction) { return fraction > 0.2 && fraction < 1.0; }),
+            0);
+}
+
+TEST(StudyVerify, LetsOutWhatTheCallerThrowsWhileSQLiteWorks) {
+  const TemporaryFolder folder;
+  { large_study(folder / "s"); }
+  const Study study = Study::open(folder / "s", Access::read_only);
+  const auto fail = [](double fraction) {
+    if (fraction > 0.0) throw std::range_error("of the caller");
+  };
+  EXPECT_THROW(study.verify(fail, {}, {StudyPart::database}), std::range_error);
+  EXPECT_THAT(study.verify({}), IsEmpty());  // and is as usable as before
+}
+
+TEST(StudyVerify, FindsInItsPartsWhatItFindsAltogether) {
+  const TemporaryFolder folder;
+  { recorded_study(folder / "s"); }
+  sqlite3* handle = nullptr;
+  sqlite3_open((folder / "s" / "study.sqlite").c_str(), &handle);
+  EXPECT_EQ(sqlite3_exec(handle,
+                         "PRAGMA ignore_check_constraints = ON; DROP TRIGGER protocol_no_update;"
+                         "UPDATE protocol SET source = 'x';"
+                         "DROP TRIGGER trial_no_update; UPDATE trial SET plan_json = '{' "
+                         "WHERE trial = 2; DROP TRIGGER attempt_no_delete; DELETE FROM attempt;",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(handle);
+  const Study study = Study::open(folder / "s", Access::read_only);
+  std::vector<std::string> by_part{};
+  std::map<StudyPart, std::size_t> counts{};
+  for (const StudyPart part :
+       {StudyPart::checksum, StudyPart::database, StudyPart::files, StudyPart::rows}) {
+    for (const std::string& finding : study.verify({}, {}, {part})) {
+      by_part.push_back(finding);
+      ++counts[part];
+    }
+  }
+  EXPECT_EQ(counts[StudyPart::checksum], 1U);
+  EXPECT_EQ(counts[StudyPart::files], 0U) << "a recording without its attempt has no name";
+  EXPECT_GT(counts[StudyPart::rows], 2U);
+  EXPECT_EQ(study.verify({}), by_part);
 }
 
 TEST(StudyVerify, FindsWhatACrashLeft) {
