@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -68,6 +69,12 @@ class Statement final {
   void read(Values&... values) {
     column_ = 0;
     (read_next(values), ...);
+  }
+  /// Every column of a row, where only running tells how many there are.
+  template <typename Value>
+  void read_all(std::vector<Value>& values) {
+    column_ = 0;
+    for (Value& value : values) read_next(value);
   }
 
  private:

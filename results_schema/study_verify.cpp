@@ -18,6 +18,7 @@
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
+#include "results_schema/table_rules.h"
 
 namespace asperity {
 namespace {
@@ -38,6 +39,12 @@ void check_pages(Database& database, Findings& findings) {
     std::string text;
     integrity.read(text);
     if (text != "ok") findings.push_back("study.sqlite: " + text);
+  }
+}
+
+void check_constraints(Database& database, Findings& findings) {
+  for (const std::string& broken : broken_checks(database)) {
+    findings.push_back("study.sqlite: " + broken);
   }
 }
 
@@ -367,6 +374,7 @@ std::vector<std::string> Study::verify(const std::function<void(double)>& progre
         look([&](Database& database, Findings& findings) {
           const WatchOfStatements watch(database, stop);
           check_protocols(*this, findings);
+          check_constraints(database, findings);
           check_references(database, findings);
           check_rows(database, findings);
         });

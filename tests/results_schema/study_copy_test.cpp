@@ -19,6 +19,7 @@
 #include "results_schema/seal.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
+#include "results_schema/table_rules.h"
 #include "tests/results_schema/refusal.h"
 #include "tests/results_schema/rows_for_tests.h"
 #include "tests/results_schema/temporary_folder.h"
@@ -342,6 +343,44 @@ TEST(StudyVerify, LetsOutWhatTheCallerThrowsWhileSQLiteWorks) {
   };
   EXPECT_THROW(study.verify(fail, {}, {StudyPart::database}), std::range_error);
   EXPECT_THAT(study.verify({}), IsEmpty());  // and is as usable as before
+}
+
+// Of a database that may only be read SQLite forgets the CHECK constraints. verify reads.
+TEST(StudyVerify, FindsRowsAgainstTheConstraintsInAStudyThatIsOpenForReading) {
+  const TemporaryFolder folder;
+  { recorded_study(folder / "s"); }
+  sqlite3* handle = nullptr;
+  sqlite3_open((folder / "s" / "study.sqlite").c_str(), &handle);
+  EXPECT_EQ(sqlite3_exec(handle,
+                         "PRAGMA ignore_check_constraints = ON;"
+                         "DROP TRIGGER trial_no_update; UPDATE trial SET plan_json = '{';"
+                         "DROP TRIGGER attempt_no_update;"
+                         "UPDATE attempt SET valid = 1, invalid_reason = 'so';"
+                         "DROP TRIGGER presentation_no_update;"
+                         "UPDATE presentation SET surface_sha256 = 'X' WHERE position = 1;",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK)
+      << sqlite3_errmsg(handle);
+  sqlite3_close(handle);
+  for (const Access access : {Access::read_only, Access::read_write}) {
+    const std::vector<std::string> findings = Study::open(folder / "s", access).verify({});
+    EXPECT_THAT(findings, Contains("study.sqlite: 3 rows of trial against the rule CHECK "
+                                   "(json_valid(plan_json))"));
+    EXPECT_THAT(findings, Contains("study.sqlite: 1 row of attempt against the rule CHECK "
+                                   "((valid = 1) = (invalid_reason IS NULL))"));
+    EXPECT_THAT(findings, Contains(AllOf(HasSubstr("1 row of presentation against the rule"),
+                                         HasSubstr("length(surface_sha256) = 64"))));
+  }
+}
+
+TEST(TableRules, AreFoundInWhateverSurroundsThem) {
+  EXPECT_THAT(
+      checks_in(
+          "CREATE TABLE \"check (x)\" (a TEXT CHECK (a <> ')' AND a <> '(''('), -- CHECK (no)\n"
+          "b CHECK(b IN (1, (2))) , /* check (no) */ recheck TEXT, [check (] INT,\n"
+          "cHeCk\n(a GLOB \"it's (\" OR b)) STRICT"),
+      ElementsAre("a <> ')' AND a <> '(''('", "b IN (1, (2))", "a GLOB \"it's (\" OR b"));
+  EXPECT_THAT(checks_in("CREATE TABLE t (a, b)"), IsEmpty());
 }
 
 TEST(StudyVerify, FindsInItsPartsWhatItFindsAltogether) {
