@@ -1,19 +1,25 @@
+// Can this device render what a plan can reach? Every stimulus against a measured profile.
+
 #include "app/conductor/rehearsal.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "analysis/number_text.h"
 #include "app/conductor/attempt_measures.h"
 #include "app/parameter_json.h"
 #include "protocols/plan.h"
+#include "renderers/offline/composed_relief.h"
 #include "renderers/offline/force_matching.h"
+#include "renderers/pd_gradient/finest_wave.h"
 
 namespace asperity {
 namespace {
@@ -61,6 +67,59 @@ TextureWaves waves_of(const PreparedStimulus& stimulus, const ModelRegistry& mod
   }
   if (waves.wavelength_m) *waves.wavelength_m /= stimulus.inputs.patch.motion_scale;
   return waves;
+}
+
+/// Two springs, one behind the other.
+double in_series(double one_N_per_m, std::optional<double> other_N_per_m) {
+  return other_N_per_m ? one_N_per_m * *other_N_per_m / (one_N_per_m + *other_N_per_m)
+                       : one_N_per_m;
+}
+
+/// What a stimulus of two bodies is to the hand: a point on the relief that both make (composed_relief.h), behind
+/// the spring of the virtual coupling where there is one.
+struct BodiesAsRelief {
+  /// The model of a point whose force is −k·δ·∇δ; the stiffness is that of the contact.
+  PreparedStimulus point{};
+  TextureWaves waves{};
+  std::optional<double> coupling_N_per_m{};
+};
+
+BodiesAsRelief as_relief(const PreparedStimulus& bodies, const HandHabits& habits,
+                         const ModelRegistry& models) {
+  const ParameterValues& own = bodies.inputs.parameters;
+  const GainedBody tool{.mesh = *bodies.inputs.tool,
+                        .gain = number_among(own, "tool_texture_gain").value_or(1.0)};
+  const GainedBody surface{.mesh = *bodies.inputs.surface,
+                           .gain = number_among(own, "texture_gain").value_or(1.0)};
+  BodiesAsRelief relief{};
+  relief.point.model = models.find("height_map");
+  if (relief.point.model == nullptr) {
+    throw std::runtime_error("this program has no force model height_map");
+  }
+  RendererInputs& inputs = relief.point.inputs;
+  inputs.material = bodies.inputs.material;
+  inputs.patch = bodies.inputs.patch;
+  const double finest_m =
+      std::min(finest_wave_m(tool.mesh, tool.gain), finest_wave_m(surface.mesh, surface.gain));
+  // A body is straight between texels: differences over fewer of them would be of that.
+  constexpr double kSamplesOfWave = 16.0;
+  inputs.height_field = std::make_shared<const HeightField>(
+      composed_relief(tool, surface,
+                      {.length_m = habits.stroke_length_m,
+                       .direction_rad = habits.direction_rad,
+                       .cell_m = number_among(own, "cell_m").value_or(TipStroke{}.cell_m),
+                       .pitch_m = std::isfinite(finest_m) ? finest_m / kSamplesOfWave : 0.0}));
+  inputs.parameters = complete_values(relief.point.model->declaration,
+                                      {{"lateral_gradient_gain", 1.0}, {"depth_limit_m", 0.05}});
+  if (std::isfinite(finest_m)) {
+    relief.waves = {.amplitude_m = std::numbers::sqrt2 * inputs.height_field->rms_m(),
+                    .wavelength_m = finest_m};
+  }
+  const auto coupling = own.find("coupling");
+  if (coupling != own.end() && coupling->second == ParameterValue(std::string("virtual"))) {
+    relief.coupling_N_per_m = number_among(own, "coupling_stiffness_N_per_m");
+  }
+  return relief;
 }
 
 /// Of a symmetric matrix, by Jacobi's rotations.
@@ -171,9 +230,12 @@ class DeviceRehearsal final {
                                 json_text_of(stimulus.parameters) + '\n' + exploration.name;
         if (!seen.insert(key).second) continue;
         check_workspace(stimulus.patch);
-        if (stimulus.surface || stimulus.tool) continue;
         try {
-          check(planned, exploration);
+          if (stimulus.surface && stimulus.tool) {
+            check_bodies(planned, exploration);
+          } else {
+            check(planned, exploration);
+          }
         } catch (const std::exception& error) {
           warn({.id = "not_rehearsed",
                 .stimulus = stimulus.name,
@@ -236,11 +298,43 @@ class DeviceRehearsal final {
   void check(const PlannedPresentation& planned, const Exploration& exploration) {
     const PreparedStimulus stimulus = builder_.unmatched(planned.stimulus);
     const HandHabits habits = habits_for(exploration, planned.stimulus.patch);
-    check_force(planned, stimulus, habits);
+    check_force(planned.stimulus.name, [&] { return texture_force_N(planned, stimulus, habits); });
     const TextureWaves waves = waves_of(stimulus, builder_.models());
-    check_waves(planned.stimulus.name, waves,
-                exploration.speed_m_per_s.maximum.value_or(habits.speed_m_per_s));
-    check_stiffness(planned.stimulus.name, stimulus, waves);
+    check_waves(planned.stimulus.name, waves, fastest_m_per_s(exploration, habits));
+    check_stiffness(planned.stimulus.name, stimulus, waves, {});
+  }
+
+  void check_bodies(const PlannedPresentation& planned, const Exploration& exploration) {
+    const std::string& name = planned.stimulus.name;
+    const HandHabits habits = habits_for(exploration, planned.stimulus.patch);
+    const BodiesAsRelief relief =
+        as_relief(builder_.unmatched(planned.stimulus), habits, builder_.models());
+    check_stiffness(name, relief.point, relief.waves, relief.coupling_N_per_m);
+    if (!relief.waves.wavelength_m) return;  // neither has a texture that could be lost
+    check_force(name, [&] { return texture_force_N(planned, relief, habits); });
+    check_waves(name, relief.waves, fastest_m_per_s(exploration, habits));
+  }
+
+  static double fastest_m_per_s(const Exploration& exploration, const HandHabits& habits) {
+    return exploration.speed_m_per_s.maximum.value_or(habits.speed_m_per_s);
+  }
+
+  /// Within the strokes, where the relief is: not repeated, whatever lies beyond them.
+  double texture_force_N(const PlannedPresentation& planned, const BodiesAsRelief& relief,
+                         const HandHabits& habits) const {
+    if (planned.equal_force && planned.equal_force->rms_N) return *planned.equal_force->rms_N;
+    constexpr double kCellsOfBorder = 4.0;
+    RendererInputs inputs = relief.point.inputs;
+    inputs.material.stiffness_N_per_m =
+        in_series(inputs.material.stiffness_N_per_m, relief.coupling_N_per_m);
+    const HeightField& field = *inputs.height_field;
+    const double length_m = field.width_m() - kCellsOfBorder * field.grid().pitch_m;
+    return texture_force_rms_N(*relief.point.model, inputs,
+                               {.speed_m_per_s = habits.speed_m_per_s,
+                                .duration_s = length_m / habits.speed_m_per_s,
+                                .dropped_s = 0.0,
+                                .rate_Hz = protocol_.rate_Hz,
+                                .mean_normal_force_N = habits.normal_force_N});
   }
 
   double texture_force_N(const PlannedPresentation& planned, const PreparedStimulus& stimulus,
@@ -257,13 +351,12 @@ class DeviceRehearsal final {
     return texture_force_rms_N(*other.model, other.inputs, path);
   }
 
-  void check_force(const PlannedPresentation& planned, const PreparedStimulus& stimulus,
-                   const HandHabits& habits) {
+  /// Asks for the texture's force only where it is compared.
+  void check_force(const std::string& name, const std::function<double()>& texture_force_N) {
     const std::optional<double> friction_N = profile_.value("friction_N");
     const std::optional<double> resolution_N = profile_.value("force_resolution_N");
     if (!friction_N && !resolution_N) return;
-    const std::string& name = planned.stimulus.name;
-    const double force_N = texture_force_N(planned, stimulus, habits);
+    const double force_N = texture_force_N();
     if (friction_N && force_N < *friction_N) {
       warn({.id = "friction",
             .stimulus = name,
@@ -329,7 +422,7 @@ class DeviceRehearsal final {
   }
 
   void check_stiffness(const std::string& name, const PreparedStimulus& stimulus,
-                       const TextureWaves& waves) {
+                       const TextureWaves& waves, std::optional<double> coupling_N_per_m) {
     std::optional<double> holds_N_per_m{};
     if (const auto damping = profile_.value("damping_N_s_per_m")) {
       holds_N_per_m = 2.0 * *damping * protocol_.rate_Hz;
@@ -350,6 +443,7 @@ class DeviceRehearsal final {
     } else if (waves.amplitude_m && waves.wavelength_m && *waves.wavelength_m > 0.0) {
       stiffest_N_per_m = stiffest_of_wave(waves, stiffness_N_per_m, depth_m);
     }
+    stiffest_N_per_m = in_series(stiffest_N_per_m, coupling_N_per_m);
     if (stiffest_N_per_m <= *holds_N_per_m) return;
     warn(
         {.id = "stiffness",

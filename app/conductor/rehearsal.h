@@ -54,7 +54,11 @@ struct RehearsalCourse {
 /// as if the force were the gradient of its energy; a model whose force points along z only is softer.
 /// Where something was not measured, nothing is said of it.
 ///
-/// Stimuli of two bodies are compared in workspace alone.
+/// Two bodies are compared as the relief that both make under the tool's tip along the stroke, H (composed_relief.h),
+/// with δ = H − z: so a wave of the tool against one of the surface counts as they meet, and a texture that the tool
+/// does not reach does not. The amplitude is √2 times the RMS of H, λ the finest wave of either texture
+/// (finest_wave.h). Behind a virtual coupling of stiffness k_t a stiffness K is K·k_t/(K + k_t) to the hand, and the
+/// texture force that of such a surface. Limits: those of composed_relief; the smooth maximum counts as the hard one.
 ///
 /// Errors: none of a stimulus: what cannot be rendered is a warning. std::bad_alloc.
 ///

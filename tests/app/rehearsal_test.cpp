@@ -7,10 +7,12 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/height_field_files.h"
 #include "protocols/library_protocols.h"
 #include "tests/app/small_study.h"
 
@@ -55,6 +57,46 @@ std::string grating_protocol() {
   return text;
 }
 
+/// A block with a relief on its lower side on a plate with one: gratings along x, of these amplitudes and lengths. The
+/// block's stands out far enough for its rim, which has none, to touch nothing.
+struct TwoGratings {
+  double of_plate_m = 0.0;
+  double plate_wave_m = 2e-3;
+  double of_block_m = 0.0;
+  double block_wave_m = 2e-3;
+  const char* parameters = R"("coupling": "none")";
+};
+
+/// 1 N, 40 mm/s at most, strokes of 8 mm; 500 N/m, force limit 5 N.
+std::string bodies_protocol(const TwoGratings& gratings) {
+  return std::string(R"({
+  "format": "asperity.protocol/1", "kind": "selection", "design": "improved",
+  "name": "bodies", "version": "1.0.0", "title": "Which one is rougher?",
+  "consent": {"version": "1.0", "statement": "I take part of my own free will."},
+  "realism_standard": "memory",
+  "surface": {"extent_m": [0.02, 0.02]},
+  "textures": {"plates": {"height_field": "stimuli/plate.png"},
+               "blocks": {"height_field": "stimuli/block.png"}},
+  "factors": {"held": {"levels": ["block", "same"]}},
+  "bodies": {
+    "plate": {"shape": "plate", "size_m": [0.026, 0.02, 0.006]},
+    "block": {"shape": "box", "size_m": [0.012, 0.012, 0.006], "texture": "blocks"},
+    "same": {"shape": "box", "size_m": [0.012, 0.012, 0.006], "texture": "blocks"}
+  },
+  "stimuli": {"felt": {"model": "pd_gradient", "texture": "plates", "surface": "plate",
+    "tool": {"factor": "held"}, "parameters": {"cell_m": 0.00005, "step_m": 0.00005, )") +
+         gratings.parameters + R"(}}},
+  "explorations": {"short": {"stroke_length_m": {"target": 0.008}, "normal_force_N": {"target": 1.0},
+    "speed_m_per_s": {"target": 0.034, "maximum": 0.04}, "minimum_contact_s": 0.3, "maximum_contact_s": 2}},
+  "blocks": {"main": {
+    "presented": [{"stimulus": "felt", "with": {"held": "block"}, "item": "one"},
+                  {"stimulus": "felt", "with": {"held": "same"}, "item": "other"}],
+    "question": {"name": "rougher", "prompt": "Which one is rougher?"},
+    "exploration": "short"}},
+  "flow": [{"run": "main"}]
+})";
+}
+
 class DeviceRehearsalTest : public testing::Test {
  protected:
   DeviceRehearsalTest() { make_small_study(folder_.path() / "study"); }
@@ -72,6 +114,26 @@ class DeviceRehearsalTest : public testing::Test {
         std::find_if(all.begin(), all.end(), [&](const auto& w) { return w.id == id; });
     if (found == all.end()) return {};
     return *found;
+  }
+
+  /// Puts them into the study.
+  std::string bodies(const TwoGratings& gratings) {
+    const auto save = [this](const char* name, double amplitude_m, double wave_m, double raised_m) {
+      constexpr std::size_t kSamples = 200;
+      constexpr double kPitch_m = 1e-4;
+      std::vector<float> heights_m(kSamples * kSamples);
+      for (std::size_t i = 0; i < heights_m.size(); ++i) {
+        const double x_m = (static_cast<double>(i % kSamples) - 0.5 * (kSamples - 1.0)) * kPitch_m;
+        heights_m[i] = static_cast<float>(
+            raised_m + amplitude_m * std::cos(2.0 * std::numbers::pi * x_m / wave_m));
+      }
+      save_height_field(folder_.path() / "study" / "stimuli" / name,
+                        HeightField({kSamples, kSamples, kPitch_m}, std::move(heights_m)),
+                        {.kind = "sinusoid"}, Overwrite::allow);
+    };
+    save("plate.png", gratings.of_plate_m, gratings.plate_wave_m, 0.0);
+    save("block.png", gratings.of_block_m, gratings.block_wave_m, 2.0 * gratings.of_block_m);
+    return bodies_protocol(gratings);
   }
 
   TemporaryFolder folder_{};
@@ -147,6 +209,77 @@ TEST_F(DeviceRehearsalTest, WarnsOfASurfaceBeyondTheWorkspaceAndBelievesWhatWasR
   small.reached_minimum_m = glm::dvec3(-0.06);
   small.reached_maximum_m = glm::dvec3(0.06);
   EXPECT_FALSE(one(small_protocol(), small, "workspace"));
+}
+
+// Gratings of a and b, both 2π/κ long: H = √(a² + b² + 2ab·cos κx), whose troughs are κ²·ab/(a − b) round. With
+// a = 0.2 mm and b = 0.05 mm that is 658/m, at 5 N 3290 N/m. Either alone would be 2467 or 9870 N/m.
+constexpr TwoGratings kMeeting{.of_plate_m = 2e-4, .of_block_m = 5e-5};
+constexpr double kMeetingPerMetre = 2.0 * std::numbers::pi / 2e-3;
+double meeting_m(double x_m) {
+  return std::sqrt(2e-4 * 2e-4 + 5e-5 * 5e-5 +
+                   2.0 * 2e-4 * 5e-5 * std::cos(kMeetingPerMetre * x_m));
+}
+
+TEST_F(DeviceRehearsalTest, TakesTheStiffnessOfTwoTexturesFromHowTheyMeet) {
+  const double trough_N_per_m =
+      5.0 * kMeetingPerMetre * kMeetingPerMetre * 2e-4 * 5e-5 / (2e-4 - 5e-5);
+  const auto found = one(bodies(kMeeting), with(ideal(), "damping_N_s_per_m", 1.0), "stiffness");
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->asked, trough_N_per_m, 0.05 * trough_N_per_m);
+  EXPECT_FALSE(one(bodies(kMeeting), with(ideal(), "damping_N_s_per_m", 1.9), "stiffness"));
+}
+
+TEST_F(DeviceRehearsalTest, HasTheHandMeetTwoBodiesBehindTheSpringOfTheirCoupling) {
+  TwoGratings coupled = kMeeting;
+  coupled.parameters = R"("coupling": "virtual")";  // of 1000 N/m, unless said otherwise
+  const auto found = one(bodies(coupled), with(ideal(), "damping_N_s_per_m", 0.3), "stiffness");
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->asked, 3290.0 * 1000.0 / 4290.0, 15.0);
+  EXPECT_FALSE(one(bodies(coupled), with(ideal(), "damping_N_s_per_m", 0.5), "stiffness"));
+}
+
+// Over a wave: the normal force is kδ with δ = H − Z and a mean of 1 N, that along the stroke −kδ·H′.
+TEST_F(DeviceRehearsalTest, TakesTheForceAndTheHeightOfTwoTexturesFromHowTheyMeet) {
+  constexpr int kSamples = 1000;
+  constexpr double kStiffness_N_per_m = 500.0;
+  double mean_m = 0.0;
+  for (int i = 0; i < kSamples; ++i) mean_m += meeting_m(2e-3 * i / kSamples) / kSamples;
+  double height2_m2 = 0.0;
+  double force2_N2 = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    const double x_m = 2e-3 * i / kSamples;
+    const double above_m = meeting_m(x_m) - mean_m;
+    const double slope =
+        -2e-4 * 5e-5 * kMeetingPerMetre * std::sin(kMeetingPerMetre * x_m) / meeting_m(x_m);
+    const double normal_N = 1.0 + kStiffness_N_per_m * above_m;
+    height2_m2 += above_m * above_m / kSamples;
+    force2_N2 += (std::pow(normal_N - 1.0, 2) + std::pow(normal_N * slope, 2)) / kSamples;
+  }
+  const auto rubbed = one(bodies(kMeeting), with(ideal(), "friction_N", 5.0), "friction");
+  ASSERT_TRUE(rubbed);
+  EXPECT_NEAR(rubbed->asked, std::sqrt(force2_N2), 0.1 * std::sqrt(force2_N2));
+  const double amplitude_m = std::sqrt(2.0 * height2_m2);
+  const auto coarse =
+      one(bodies(kMeeting), with(ideal(), "position_resolution_m", 1e-4), "position_resolution");
+  ASSERT_TRUE(coarse);
+  EXPECT_NEAR(coarse->asked, amplitude_m, 0.05 * amplitude_m);
+}
+
+// 40 mm/s over waves of 1 mm: 40 of them a second. Those of the plate alone are twice as long.
+TEST_F(DeviceRehearsalTest, TakesTheFinestWavesOfTwoTextures) {
+  TwoGratings finer = kMeeting;
+  finer.block_wave_m = 1e-3;
+  const auto found = one(bodies(finer), with(ideal(), "resonance_Hz", 30.0), "bandwidth");
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->asked, 40.0, 6.0);  // the rim is a little finer
+  EXPECT_TRUE(one(bodies(finer), with(ideal(), "position_resolution_m", 0.7e-3), "wavelength"));
+  EXPECT_FALSE(one(bodies(kMeeting), with(ideal(), "position_resolution_m", 0.7e-3), "wavelength"));
+}
+
+TEST_F(DeviceRehearsalTest, SaysNothingOfTwoBodiesOnADeviceThatCanDoAll) {
+  for (const RehearsalWarning& warning : warnings(bodies(kMeeting), ideal())) {
+    ADD_FAILURE() << warning.id << ": " << warning.text.english();
+  }
 }
 
 TEST_F(DeviceRehearsalTest, SaysNothingOfWhatWasNotMeasured) {
