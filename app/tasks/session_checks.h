@@ -64,8 +64,8 @@ struct CheckInputs {
 ///
 /// In real time the servo loop really runs, for some 0.3 s, on a device that the program has itself. An
 /// attached one is left alone: without `tried` there is no "force_zero" and no "rate", and "device" keeps the
-/// session from starting. `drivers` are those of the session. Where `stop` is requested, the rest is left out. `progress` is told how far the
-/// comparison with the device is, 0 to 1. Never throws for what it finds.
+/// session from starting. `drivers` are those of the session. Where `stop` is requested, the rest is left out.
+/// `progress` is told how far the comparison with the device is, 0 to 1. Never throws for what it finds.
 std::vector<SessionCheck> check_session(const CheckInputs& inputs, const ModelRegistry& models,
                                         const std::stop_token& stop,
                                         const std::function<void(double)>& progress = {},

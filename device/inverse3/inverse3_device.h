@@ -35,7 +35,8 @@ struct Inverse3Patience {
 ///
 /// An update that does not come in time (100 ms) is asked for again, with no force. When the connection ends, the
 /// driver tries twice a second to have it back, and calls again when this device is there again, with the axes and
-/// the origin that it had; the watch over its calls (servo_thread.h) tells of the loss. A force is per message: a service that hears nothing lets go.
+/// the origin that it had; the watch over its calls (servo_thread.h) tells of the loss. A force is per message: a
+/// service that hears nothing lets go.
 ///
 /// What the service does to the force on its way (its filters) stands in the capability's remarks, as it was when
 /// the device was opened. How it spells a force is found out then, with 0.02 N that nobody feels; where the service

@@ -38,13 +38,13 @@ struct TipStroke {
 ///
 /// Between samples the place where they meet first is found by parabolas along and across the stroke. The answer's x
 /// is along the stroke, its origin in the middle; its few rows are as far apart as its columns. Of a long stroke it
-/// is the middle `kMostColumns` samples, and a wide tool is sampled `kMostAcross` times across, further apart than asked.
+/// is the middle `kMostColumns` samples; a wide tool is sampled `kMostAcross` times across, further apart than asked.
 ///
 /// Limits: contacts whose n leans, of a surface that is not level or a tool that is led askew, are others.
 ///
-/// Errors: std::invalid_argument for a length or cell that is not positive, a gain that is negative or no number, a mesh
-/// that is none (contact_geometry.h), and where the tool finds no surface under it in the middle. Where the surface
-/// ends before the stroke does, so does the relief.
+/// Errors: std::invalid_argument for a length or cell that is not positive, a gain that is negative or no number, a
+/// mesh that is none (contact_geometry.h), and where the tool finds no surface under it in the middle. Where the
+/// surface ends before the stroke does, so does the relief.
 HeightField composed_relief(const GainedBody& tool, const GainedBody& surface,
                             const TipStroke& stroke);
 
