@@ -416,6 +416,49 @@ TEST_F(DeviceTests, ListEarlierProfilesOfTheDeviceWithTheirAgeAndShowTheOneThatI
   EXPECT_EQ(bench.openings, 0) << "looking opens nothing";
 }
 
+/// A session of P001 that began and has not ended.
+void begin_a_session(const std::filesystem::path& folder) {
+  Study writing = Study::open(folder, Access::read_write);
+  writing.add_participant({.label = "P001", .created_utc = "2026-03-02T08:00:00Z"});
+  ProtocolRow protocol{};
+  protocol.name = "small";
+  protocol.version = "1.0.0";
+  protocol.kind = "selection";
+  protocol.design = "chapter";
+  protocol.source = small_protocol();
+  SessionRow session{};
+  session.participant = "P001";
+  session.protocol_id = writing.add_protocol(protocol);
+  session.seed = "1";
+  session.generator = "none";
+  session.program_version = "0.1.0";
+  session.program_commit = "none";
+  session.program_build = "test";
+  session.instruction_set = "sse2";
+  session.os = "none";
+  session.device = "simulated";
+  session.device_json = "{}";
+  session.pacing = "real_time";
+  session.scheduling = "other";
+  session.rate_Hz = 1000.0;
+  session.started_utc = "2026-03-02T09:00:00Z";
+  writing.add_session(session, {});
+}
+
+TEST_F(DeviceTests, OpenNothingWhileASessionOfTheStudyRuns) {
+  begin_a_session(folder);
+  auto running = std::make_unique<StudyLock>(folder, Study::session_lock_name("P001"));
+  make_page(stepped(), arm());
+  click("device_test_begin");
+  wait_until_it_ended();
+  EXPECT_NE(news().find("A session of P001 runs"), std::string::npos) << news();
+  EXPECT_EQ(bench.openings, 0);
+  running.reset();  // it was broken off
+  click("device_test_begin");
+  wait_until_it_ended();
+  EXPECT_EQ(bench.openings, 1);
+}
+
 TEST_F(DeviceTests, AreReachedFromTheListOfDevices) {
   StudyWindow window{};
   ASSERT_TRUE(window.open_study(folder));
@@ -475,6 +518,10 @@ TEST_F(DeviceTests, Pictures) {
     QTest::qWait(500);
     pictures("device-test-result");
     auto* area = shown_page->findChild<QScrollArea*>();
+    const int at_result = area->verticalScrollBar()->value();
+    area->verticalScrollBar()->setValue(0);
+    pictures("device-test-again");
+    area->verticalScrollBar()->setValue(at_result);
     area->verticalScrollBar()->setValue(area->verticalScrollBar()->value() + 500);
     pictures("device-test-items");
     make_page(stepped(), arm());

@@ -1,0 +1,68 @@
+// A protocol's limits for its device, all the way: refused where they are wrong, judged by, kept, compared.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/journeys/program.h"
+#include "tests/journeys/small_study.h"
+
+namespace asperity::test {
+namespace {
+
+class DeviceLimits : public testing::Test {
+ protected:
+  void limit(const nlohmann::ordered_json& limits) const {
+    nlohmann::ordered_json protocol = small_selection(1);
+    protocol["device"]["limits"] = limits;
+    write_text(small.selection(), protocol.dump(2));
+  }
+  static Outcome asperity(const std::vector<std::string>& arguments) {
+    Invocation invocation{};
+    invocation.arguments = arguments;
+    return run(invocation);
+  }
+
+  const SmallStudy small{1};
+};
+
+TEST_F(DeviceLimits, AreRefusedByCheckWithTheirPlaceAndWhatWouldBeRight) {
+  limit({{"friction_N", -0.2}, {"fricton_N", 0.2}});
+  const Outcome form = asperity({"check", small.selection()});
+  EXPECT_EQ(form.status, 1);
+  EXPECT_NE(form.err.find("error: -0.2 is too small: it has to be at least 0"), std::string::npos)
+      << form.err;
+  EXPECT_NE(form.err.find("(/device/limits/friction_N)"), std::string::npos) << form.err;
+  EXPECT_NE(form.err.find("did you mean \"friction_N\"?"), std::string::npos) << form.err;
+  limit({{"rate_Hz", 1500}});
+  const Outcome meaning = asperity({"check", small.selection()});
+  EXPECT_EQ(meaning.status, 1);
+  EXPECT_NE(meaning.err.find("at most /device/rate_Hz"), std::string::npos) << meaning.err;
+}
+
+TEST_F(DeviceLimits, JudgeTheDeviceAreKeptWithItAndComparedByCheck) {
+  // The probe of the simulated device weighs 50 g and damps with 5 N·s/m.
+  limit({{"moving_mass_kg", 0.01}, {"damping_N_s_per_m", 2.0}, {"lateness_p99_s", 0.0}});
+  const Outcome test = asperity(
+      {"device-test", "simulated", "--protocol", small.selection(), "--study", small.study()});
+  EXPECT_EQ(test.status, 1) << test.err;
+  const auto line_of = [&test](const std::string& item) {
+    const std::size_t at = test.out.find('\n' + item);
+    return test.out.substr(at + 1, test.out.find('\n', at + 1) - at - 1);
+  };
+  EXPECT_NE(line_of("moving_mass_kg").find("fail"), std::string::npos) << test.out;
+  EXPECT_NE(line_of("moving_mass_kg").find("<= 0.01"), std::string::npos) << test.out;
+  EXPECT_NE(line_of("damping_N_s_per_m").find("pass"), std::string::npos) << test.out;
+  EXPECT_NE(line_of("damping_N_s_per_m").find(">= 2"), std::string::npos) << test.out;
+  EXPECT_EQ(line_of("lateness_p99_s").find("fail"), std::string::npos) << "told, not judged";
+  const Outcome compared =
+      asperity({"check", small.selection(), "--study", small.study(), "--device", "simulated"});
+  EXPECT_EQ(compared.status, 0) << compared.err;
+  EXPECT_NE(compared.err.find("warning: The protocol asks for a device whose moving_mass_kg is at "
+                              "most 0.0100, and it was measured to be 0.0"),
+            std::string::npos)
+      << compared.err;
+  EXPECT_EQ(compared.err.find("lateness_p99_s"), std::string::npos) << compared.err;
+}
+
+}  // namespace
+}  // namespace asperity::test
