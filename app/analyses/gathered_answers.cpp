@@ -5,6 +5,7 @@
 #include <future>
 #include <optional>
 #include <set>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -217,8 +218,12 @@ class AnswersInOrder final {
     const std::size_t own = next_++;
     if (ahead_.valid()) return ahead_.get();
     if (second_ && next_ < sessions_.size()) {
-      ahead_ = std::async(std::launch::async,
-                          [this, id = sessions_[next_].id] { return second_->answers(id); });
+      try {
+        ahead_ = std::async(std::launch::async,
+                            [this, id = sessions_[next_].id] { return second_->answers(id); });
+      } catch (const std::system_error&) {
+        second_.reset();  // the system has no more threads: in one it takes longer
+      }
     }
     return study_.answers(sessions_[own].id);
   }

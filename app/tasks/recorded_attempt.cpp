@@ -1,5 +1,7 @@
 #include "app/tasks/recorded_attempt.h"
 
+#include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
 #include "app/conductor/layout.h"
@@ -14,21 +16,53 @@ std::string natural_key(const SessionRow& session, const AttemptRow& attempt) {
          std::to_string(attempt.trial) + '/' + std::to_string(attempt.attempt);
 }
 
-Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry& models) {
-  const ProtocolRow row = study.protocol(session.protocol_id);
-  const Protocol protocol = read_protocol(row.source, row.name, declarations_of(models));
-  Plan plan = make_plan(protocol, {std::stoull(session.seed), session.counterbalance_row});
-  const std::vector<PlannedTrialRow> stored = study.plan(session.id);
-  bool same = stored.size() == plan.trials.size();
-  for (std::size_t i = 0; same && i < stored.size(); ++i) {
-    same = stored[i].plan_json == json_of(plan.trials[i]);
+namespace {
+
+std::string name_of(const SessionRow& session) {
+  return "session " + std::to_string(session.session) + " of participant " + session.participant;
+}
+
+std::uint64_t seed_of(const SessionRow& session) {
+  std::uint64_t seed = 0;
+  const char* const end = session.seed.data() + session.seed.size();
+  if (const auto read = std::from_chars(session.seed.data(), end, seed);
+      read.ec != std::errc{} || read.ptr != end) {
+    throw std::runtime_error(name_of(session) + ": its seed \"" + session.seed +
+                             "\" is no number from 0 to 2^64 - 1");
   }
-  if (!same) {
+  return seed;
+}
+
+bool is_as_stored(const Trial& trial, const PlannedTrialRow& stored) {
+  return stored.trial == trial.ordinal && stored.block == trial.block &&
+         stored.block_ordinal == trial.block_ordinal && stored.phase == text_of(trial.phase) &&
+         stored.repetition == trial.repetition && stored.factors_json == factors_json_of(trial) &&
+         stored.plan_json == json_of(trial);
+}
+
+}  // namespace
+
+PlansOfSessions::PlansOfSessions(const Study& study, const ModelRegistry& models)
+    : study_(study), declarations_(declarations_of(models)) {}
+
+Plan PlansOfSessions::of(const SessionRow& session) {
+  auto known = protocols_.find(session.protocol_id);
+  if (known == protocols_.end()) {
+    const ProtocolRow row = study_.protocol(session.protocol_id);
+    known = protocols_.emplace(row.id, read_protocol(row.source, row.name, declarations_)).first;
+  }
+  Plan plan = make_plan(known->second, {seed_of(session), session.counterbalance_row});
+  const std::vector<PlannedTrialRow> stored = study_.plan(session.id);
+  if (!std::equal(plan.trials.begin(), plan.trials.end(), stored.begin(), stored.end(),
+                  is_as_stored)) {
     throw std::runtime_error(
-        "session " + std::to_string(session.session) + " of participant " + session.participant +
-        ": its stored plan is not the one that its protocol, seed and row give");
+        name_of(session) + ": its stored plan is not the one that its protocol, seed and row give");
   }
   return plan;
+}
+
+Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry& models) {
+  return PlansOfSessions(study, models).of(session);
 }
 
 RecordedAttempt recorded_attempt(const Study& study, const SessionRow& session, const Trial& trial,

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,10 +28,25 @@ struct RecordedAttempt {
   std::vector<RecordedSurface> surfaces{};
 };
 
-/// The plan that the stored protocol, seed and row of a session give.
+/// The plans that the stored protocols, seeds and rows of sessions give; each protocol is read once.
 ///
-/// Errors: ProtocolError or std::runtime_error when this program does not make the plan that was
-/// stored.
+/// Threads: one at a time, as the study.
+class PlansOfSessions final {
+ public:
+  /// Both are borrowed.
+  PlansOfSessions(const Study& study, const ModelRegistry& models);
+
+  /// Errors: ProtocolError or std::runtime_error when this program does not make the plan that was
+  /// stored, in whatever column.
+  Plan of(const SessionRow& session);
+
+ private:
+  const Study& study_;
+  std::vector<ModelDeclaration> declarations_{};
+  std::map<std::int64_t, Protocol> protocols_{};
+};
+
+/// Of one session.
 Plan plan_of(const Study& study, const SessionRow& session, const ModelRegistry& models);
 
 /// Reads the recording of an attempt, and builds its stimuli with the parameters that are stored of

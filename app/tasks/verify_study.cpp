@@ -1,12 +1,15 @@
 #include "app/tasks/verify_study.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <future>
 #include <iterator>
 #include <optional>
 #include <set>
+#include <span>
+#include <system_error>
 #include <thread>
 
 #include <nlohmann/json.hpp>
@@ -84,6 +87,19 @@ struct SessionFaults {
   bool tolerance_used = false;
 };
 
+/// Surfaces are felt in the planned order, and all of them unless the attempt was broken off.
+bool are_as_planned(std::span<const SessionAnswers::Surface> felt,
+                    const std::vector<std::string>& words, const Trial& planned) {
+  const auto is_as_planned = [&words](const SessionAnswers::Surface& surface,
+                                      const PlannedPresentation& presentation) {
+    return words[surface.item] == presentation.item &&
+           words[surface.model] == presentation.stimulus.model &&
+           words[surface.texture] == presentation.stimulus.texture;
+  };
+  return felt.size() <= planned.presentations.size() &&
+         std::equal(felt.begin(), felt.end(), planned.presentations.begin(), is_as_planned);
+}
+
 /// Every answer has to be one of the options of the planned question, and to be marked as it says.
 void check_answers(const SessionRow& session, const Plan& plan, const SessionAnswers& answers,
                    std::vector<std::string>& problems) {
@@ -97,7 +113,11 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
       problems.push_back(where() + ": the plan of its session has no such trial");
       continue;
     }
-    const TrialQuestion& question = plan.trials[number - 1].question;
+    const Trial& planned = plan.trials[number - 1];
+    if (!are_as_planned(answers.surfaces_of(attempt), answers.words, planned)) {
+      problems.push_back(where() + ": its surfaces are not those of the planned trial");
+    }
+    const TrialQuestion& question = planned.question;
     for (const SessionAnswers::Reply& reply : answers.replies_of(attempt)) {
       const std::string& answer = answers.words[reply.answer];
       const auto item = [&] { return where() + ", item " + std::to_string(reply.item) + ": "; };
@@ -204,6 +224,28 @@ void add_unless_told(const std::string& what, const std::string& before,
   if (std::none_of(problems.begin(), problems.end(), tells)) problems.push_back(before + what);
 }
 
+void add_once(const std::string& problem, std::vector<std::string>& problems) {
+  if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
+    problems.push_back(problem);
+  }
+}
+
+/// Parts of the store that another thread takes before any session, while the caller has SQLite look at
+/// the file, which takes longest.
+constexpr std::array kBeside{StudyPart::checksum, StudyPart::rows};
+
+/// A replay has bodies in memory; a writer's process has no readers that the caller does not know of; an
+/// older schema is a copy in memory for every reader.
+std::size_t threads_for(const Study& study, bool replay_too, std::size_t sessions) {
+  constexpr unsigned kMost = 8;
+  if (replay_too || study.access() != Access::read_only ||
+      study.schema_version() != Study::kSchemaVersion) {
+    return 1;
+  }
+  return std::min<std::size_t>(std::clamp(std::thread::hardware_concurrency(), 1U, kMost),
+                               kBeside.size() + sessions);
+}
+
 /// Adds what `check` throws to the problems.
 void add_failure_of(const std::function<void()>& check, std::vector<std::string>& problems) {
   try {
@@ -219,26 +261,30 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
                           const std::stop_token& stop,
                           const std::function<void(double)>& progress) {
   VerifyResult result{};
-  const double store_share = replay_too ? 0.3 : 0.9;
-  result.problems = study.verify([&](double fraction) { progress(store_share * fraction); }, stop);
-  if (stop.stop_requested()) return result;
-  add_failure_of([&] { result.remarks = study.leftovers(); }, result.problems);
-  add_failure_of([&] { check_protocol_files(study, result); }, result.problems);
   std::vector<SessionRow> sessions{};
-  add_failure_of([&] { sessions = study.sessions(); }, result.problems);
-  const ProgramIdentity program = this_program();
+  std::vector<std::string> failures{};
+  add_failure_of([&] { sessions = study.sessions(); }, failures);
   std::vector<SessionFaults> found(sessions.size());
+  const ProgramIdentity program = this_program();
+  // What several threads share out: parts of the store, then session by session.
+  std::array<std::vector<std::string>, kBeside.size()> beside{};
   std::atomic<std::size_t> next{0};
-  // Each thread takes the next session with a study of its own.
-  const auto check_sessions = [&](const Study& own, const std::function<void(double)>& tell) {
+  // Each thread with a study of its own.
+  const auto take_share = [&](const Study& own, const std::function<void(double)>& tell) {
     StimulusBuilder builder(models, own.folder());
+    PlansOfSessions plans(own, models);
     while (!stop.stop_requested()) {
-      const std::size_t s = next++;
+      const std::size_t place = next++;
+      if (place < kBeside.size()) {
+        add_failure_of([&] { beside[place] = own.verify({}, stop, {kBeside[place]}); },
+                       beside[place]);
+        continue;
+      }
+      const std::size_t s = place - kBeside.size();
       if (s >= sessions.size()) return;
-      tell(store_share +
-           (1.0 - store_share) * static_cast<double>(s) / static_cast<double>(sessions.size()));
+      tell(static_cast<double>(s) / static_cast<double>(sessions.size()));
       try {
-        const Plan plan = plan_of(own, sessions[s], models);
+        const Plan plan = plans.of(sessions[s]);
         check_answers(sessions[s], plan, own.answers(sessions[s].id), found[s].problems);
         if (replay_too) replay_session(own, sessions[s], plan, program, builder, stop, found[s]);
       } catch (const std::exception& error) {
@@ -246,26 +292,45 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
       }
     }
   };
-  // A replay has bodies in memory; a writer's process has no readers that the caller does not know
-  // of; an older schema is a copy in memory for every reader.
-  constexpr unsigned kMostThreads = 8;
-  const bool is_shared = !replay_too && study.access() == Access::read_only &&
-                         study.schema_version() == Study::kSchemaVersion;
-  const std::size_t threads =
-      is_shared
-          ? std::min<std::size_t>(std::clamp(std::thread::hardware_concurrency(), 1U, kMostThreads),
-                                  sessions.size())
-          : 1;
+  const auto take_share_beside = [&] {
+    try {
+      take_share(Study::open(study.folder(), Access::read_only), [](double) {});
+    } catch (const std::exception&) {
+      // It cannot help: what it would have looked at is left to the others, of whom the caller is one.
+    }
+  };
   std::vector<std::future<void>> others{};
-  for (std::size_t i = 1; i < threads; ++i) {
-    others.push_back(std::async(std::launch::async, [&] {
-      check_sessions(Study::open(study.folder(), Access::read_only), [](double) {});
-    }));
+  for (std::size_t i = 1; i < threads_for(study, replay_too, sessions.size()); ++i) {
+    try {
+      others.push_back(std::async(std::launch::async, take_share_beside));
+    } catch (const std::system_error&) {
+      break;  // the system has no more threads
+    }
   }
-  check_sessions(study, progress);
-  for (std::future<void>& other : others) {
-    add_failure_of([&other] { other.get(); }, result.problems);
+  std::vector<StudyPart> parts{StudyPart::database, StudyPart::files};
+  if (others.empty()) {
+    parts = {StudyPart::checksum, StudyPart::database, StudyPart::files, StudyPart::rows};
+    next = kBeside.size();
   }
+  const double store_share = replay_too ? 0.3 : 0.9;
+  std::vector<std::string> by_caller{};
+  add_failure_of(
+      [&] {
+        by_caller =
+            study.verify([&](double fraction) { progress(store_share * fraction); }, stop, parts);
+      },
+      by_caller);
+  take_share(study,
+             [&](double fraction) { progress(store_share + (1.0 - store_share) * fraction); });
+  for (const std::future<void>& other : others) other.wait();
+  // In an order that no thread has a part in.
+  for (const auto* const part : {&beside[0], &by_caller, &beside[1]}) {
+    for (const std::string& problem : *part) add_once(problem, result.problems);
+  }
+  if (stop.stop_requested()) return result;
+  add_failure_of([&] { result.remarks = study.leftovers(); }, result.problems);
+  add_failure_of([&] { check_protocol_files(study, result); }, result.problems);
+  for (const std::string& failure : failures) add_unless_told(failure, "", result.problems);
   bool exact_used = false;
   bool tolerance_used = false;
   for (SessionFaults& faults : found) {

@@ -19,10 +19,15 @@ struct VerifyResult {
   std::vector<std::string> rules{};  ///< how replays were compared, one line per rule applied
 };
 
-/// Constraints, hashes, and that every stored plan is the one its protocol, seed and row give. With
+/// Constraints, hashes, that every stored plan is the one its protocol, seed and row give, and that
+/// surfaces and answers are those of the plan. With
 /// `replay_too`, every recorded hand goes through its renderers again: bit for bit where the
 /// session was run by this build on this kind of machine, within each model's declared tolerance
 /// otherwise.
+///
+/// A study that is open for reading is looked at by as many threads as the machine has, eight at most;
+/// with `replay_too` by the caller's alone. What is found, and in which order, depends on none of them.
+/// `progress` is called by the caller's thread.
 VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay_too,
                           const std::stop_token& stop, const std::function<void(double)>& progress);
 

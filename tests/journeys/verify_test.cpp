@@ -209,6 +209,40 @@ TEST_F(Verify, FindsAChangedByteOfAStoredProtocol) {
   EXPECT_NE(outcome.err.find("protocol"), std::string::npos) << outcome.err;
 }
 
+// Analyses read the columns, not the plan that stands beside them.
+TEST_F(Verify, FindsAColumnThatIsNotAsThePlanHasIt) {
+  const std::string before = text_of(database());
+  const auto expect_found_after = [&](const std::string& sql, const std::string& words) {
+    SCOPED_TRACE(sql);
+    sqlite3* changed = nullptr;
+    ASSERT_EQ(sqlite3_open(database().c_str(), &changed), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(changed, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+        << sqlite3_errmsg(changed);
+    sqlite3_close(changed);
+    const Outcome outcome = verify();
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    write_text(database(), before);
+  };
+  for (const char* change : {"block = 'other'", "block_ordinal = 7", "phase = 'practice'",
+                             "repetition = 9", "factors_json = '{}'", "plan_json = '{}'"}) {
+    expect_found_after("DROP TRIGGER trial_no_update; UPDATE trial SET " + std::string(change) +
+                           " WHERE session_id = 1 AND trial = 2",
+                       "session 1 of participant virtual0001: its stored plan is not the one");
+  }
+  for (const char* change : {"item = 'other'", "model = 'other'", "texture = 'other'"}) {
+    expect_found_after(
+        "DROP TRIGGER presentation_no_update; UPDATE presentation SET " + std::string(change) +
+            " WHERE attempt_id = 2 AND position = 1",
+        "attempt virtual0001/1/2/1: its surfaces are not those of the planned trial");
+  }
+  expect_found_after(
+      "DROP TRIGGER session_only_changes_state; UPDATE session SET seed = "
+      "'99999999999999999999' WHERE id = 1",
+      "its seed \"99999999999999999999\" is no number from 0 to 2^64 - 1");
+  EXPECT_EQ(verify().status, 0);
+}
+
 TEST_F(Verify, FindsAnAnswerWhoseAttemptIsGone) {
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open((study_ / "study.sqlite").c_str(), &database), SQLITE_OK);
