@@ -7,6 +7,7 @@
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QTabBar>
 #include <QtWidgets/QTabWidget>
+#include <nlohmann/json.hpp>
 
 #include "app/gui/data/attempt_words.h"
 #include "app/gui/data/decision_form.h"
@@ -15,15 +16,18 @@
 #include "app/gui/study/sessions_page.h"
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
+#include "results_schema/table.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr int kAnswerWidth = 200;
-constexpr int kAfterContactColumn = 6;
-constexpr int kBeganColumn = 8;
-constexpr int kRoomForAll = 1320;  // of the table
+constexpr int kConditionWidth = 176;
+constexpr int kAfterContactColumn = 7;
+constexpr int kAfterCueColumn = 8;
+constexpr int kBeganColumn = 9;
+constexpr int kRoomForAll = 1480;  // of the table
 
 double since_start_s(const SessionDetail& detail, std::int64_t time_ns) {
   return static_cast<double>(time_ns - detail.overview.row.clock_zero_ns) * 1e-9;
@@ -63,6 +67,19 @@ QString text_of_remarks(const AttemptRow& attempt) {
   return remarks.join("; ");
 }
 
+/// "column 1, texture metal": the levels of the trial's factors, as they are stored.
+QString text_of_condition(const PlannedTrialRow& planned) {
+  QStringList levels{};
+  const auto factors = nlohmann::ordered_json::parse(planned.factors_json, nullptr, false);
+  for (const auto& [name, level] : factors.items()) {
+    const std::string value = level.is_string()   ? level.get<std::string>()
+                              : level.is_number() ? text_of_number(level.get<double>())
+                                                  : level.dump();
+    levels.append(text(name + ' ' + value));
+  }
+  return levels.join(", ");
+}
+
 constexpr const char* kHidden = "▒▒▒";
 
 /// What is known before the session has ended: how far it is.
@@ -74,7 +91,8 @@ StudyTable::Row blind_row_of(const SessionDetail& detail, const TrialOverview& t
   return {attempt ? QString::number(attempt->id) : QString{},
           {number_cell(trial.planned.trial),
            attempt ? number_cell(attempt->attempt) : empty_number_cell(),
-           text_cell(TrialsPage::tr("block %1").arg(trial.planned.block_ordinal)), outcome,
+           text_cell(TrialsPage::tr("block %1").arg(trial.planned.block_ordinal)),
+           hidden_if(!text_of_condition(trial.planned).isEmpty()), outcome,
            hidden_if(attempt && !attempt->responses.empty()), text_cell(QString("–")),
            empty_number_cell(), empty_number_cell(),
            attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell(),
@@ -102,8 +120,9 @@ StudyTable::Row row_of(const SessionDetail& detail, const TrialOverview& trial) 
       attempt ? QString::number(attempt->id) : QString{},
       {number_cell(trial.planned.trial),
        attempt ? number_cell(attempt->attempt) : empty_number_cell(),
-       text_cell(text(trial.planned.block)), outcome, text_cell(text(trial.answer())),
-       text_cell(right), seconds_cell(from_contact_s), seconds_cell(from_cue_s),
+       text_cell(text(trial.planned.block)), text_cell(text_of_condition(trial.planned)), outcome,
+       text_cell(text(trial.answer())), text_cell(right), seconds_cell(from_contact_s),
+       seconds_cell(from_cue_s),
        attempt ? clock_cell(since_start_s(detail, attempt->onset_ns)) : empty_number_cell()}};
   if (attempt && attempt->excluded) strike_through(row.cells);
   row.cells << remark_cell;
@@ -142,6 +161,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
   trials_ = new StudyTable({{tr("Trial"), 80, Align::number},
                             {tr("Attempt"), 96, Align::number},
                             {tr("Block"), 112, Align::text},
+                            {tr("Condition"), kConditionWidth, Align::text},
                             {tr("Outcome"), 160, Align::text},
                             {tr("Answer"), kAnswerWidth, Align::text},
                             {tr("Right"), 64, Align::text},
@@ -151,14 +171,15 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
                             {tr("Remarks"), 0, Align::text}},
                            tabs_);
   trials_->setObjectName("trials_table");
-  AttemptWords::explain_times(*trials_->model(), kAfterContactColumn, kAfterContactColumn + 1);
+  AttemptWords::explain_times(*trials_->model(), kAfterContactColumn, kAfterCueColumn);
   // A matching has an answer per surface: they go on in the next line, and where there is little room
   // what the page of the attempt says as well makes way for them.
   trials_->setWordWrap(true);
   trials_->verticalHeader()->setMinimumSectionSize(kControlHeight);
   trials_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  trials_->hide_when_narrower(kAfterContactColumn, kRoomForAll);
-  trials_->hide_when_narrower(kBeganColumn, kRoomForAll);
+  for (const int column : {kAfterContactColumn, kAfterCueColumn, kBeganColumn}) {
+    trials_->hide_when_narrower(column, kRoomForAll);
+  }
   tabs_->addTab(trials_, tr("Trials"));
   events_ = new StudyTable({{tr("Time"), 88, Align::number},
                             {tr("What"), 200, Align::text},

@@ -87,7 +87,7 @@ TEST_F(SessionInTrouble, TheEmergencyKeyZeroesTheForceAndTheSameTrialIsAskedAgai
   click(*window, "sessions_open");
   auto& trials = child<StudyTable>(*window, "trials_table");
   wait_for("the trials", [&] { return trials.shown_rows() == 3; });
-  EXPECT_EQ(trials.text_at(0, 3), "emergency stop");
+  EXPECT_EQ(trials.text_at(0, 4), "emergency stop");
 
   ASSERT_TRUE(attempts[0].recording);
   const Recording recording = read_recording(folder() / attempts[0].recording->path);

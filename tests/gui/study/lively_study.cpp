@@ -100,6 +100,8 @@ void add_session(Study& study, const MadeUpSession& made) {
     row.block = trial <= 4 ? "practice" : "main";
     row.block_ordinal = trial <= 4 ? 1 : 2;
     row.phase = trial <= 4 ? "practice" : "main";
+    row.factors_json = R"({"column":1.0,"texture":")" +
+                       std::string(kTextures[static_cast<std::size_t>(trial) % 4]) + "\"}";
     plan.push_back(row);
   }
   const std::int64_t id = study.add_session(session, plan);

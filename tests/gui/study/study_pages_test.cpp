@@ -393,9 +393,12 @@ TEST_F(StudyPages, OpenTheTrialsOfASessionWithItsNotes) {
   EXPECT_EQ(window_.shown_page(), "trials");
   const auto& trials = child<StudyTable>(window_, "trials_table");
   ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 12; }));
-  EXPECT_EQ(trials.text_at(0, 3), "answered");
-  EXPECT_EQ(trials.text_at(4, 9), "flagged: speed outside its band for 62 % of the contact");
-  EXPECT_EQ(trials.text_at(7, 3), "to come");
+  EXPECT_EQ(trials.model()->headerData(3, Qt::Horizontal).toString(), "Condition");
+  EXPECT_EQ(trials.text_at(0, 3), "column 1, texture stone");
+  EXPECT_EQ(trials.text_at(7, 3), "column 1, texture metal") << "of what is to come too";
+  EXPECT_EQ(trials.text_at(0, 4), "answered");
+  EXPECT_EQ(trials.text_at(4, 10), "flagged: speed outside its band for 62 % of the contact");
+  EXPECT_EQ(trials.text_at(7, 4), "to come");
   child<StudyTable>(window_, "trials_table").selectRow(4);
   EXPECT_EQ(child<QLabel>(window_, "trials_selected").text(),
             "Trial 5, attempt 1: answered; stone; flagged: speed outside its band for 62 % of the "
@@ -444,7 +447,7 @@ TEST_F(StudyPages, HideWhatWasFeltAndAnsweredWhileARunIsUnderWay) {
     ASSERT_TRUE(eventually([&] { return table.shown_rows() == 12; }));
     table.selectRow(0);
     EXPECT_EQ(told().join("; ").toStdString(), "");
-    EXPECT_EQ(table.text_at(0, 3), "answered") << "how far it is may be known";
+    EXPECT_EQ(table.text_at(0, 4), "answered") << "how far it is may be known";
     EXPECT_FALSE(child<QPushButton>(trials, "trials_open").isEnabled());
     EXPECT_TRUE(child<QLabel>(trials, "trials_standing").isVisible());
     QSignalSpy opened(&trials, &TrialsPage::attempt_opened);
