@@ -21,18 +21,24 @@ void StudyWindow::add_pages() {
   auto* participants = new ParticipantsPage(*study_);
   auto* sessions = new SessionsPage(*study_);
   auto* trials = new TrialsPage(*study_);
-  auto* attempt = new AttemptPage(*study_);
   auto* stimuli = new StimuliPage(*study_);
   auto* devices = new DevicesPage(*study_);
   add_page("protocols", tr("Protocols"), protocols);
-  auto* editor = new ProtocolEditorPage(*study_);
-  add_page("editor", {}, editor);
+  add_page_for_later("editor", {}, [this] {
+    auto* editor = new ProtocolEditorPage(*study_);
+    connect(editor, &ProtocolEditorPage::back_wanted, this, [this] { show_page("protocols"); });
+    return editor;
+  });
   add_page("participants", tr("Participants"), participants);
   add_page("sessions", tr("Sessions"), sessions);
   add_page("trials", {}, trials);
-  add_page("attempt", {}, attempt);
+  add_page_for_later("attempt", {}, [this] {
+    auto* attempt = new AttemptPage(*study_);
+    connect(attempt, &AttemptPage::back_wanted, this, [this] { show_page("trials"); });
+    return attempt;
+  });
   add_page("stimuli", tr("Stimuli"), stimuli);
-  add_page("workbench", tr("Workbench"), new WorkbenchPage(*study_));
+  add_page_for_later("workbench", tr("Workbench"), [this] { return new WorkbenchPage(*study_); });
   add_page("analysis", tr("Analysis"), new AnalysisPage(*study_));
   add_page("devices", tr("Devices"), devices);
   auto* device_test = new DeviceTestPage(*study_);
@@ -52,11 +58,10 @@ void StudyWindow::add_pages() {
   connect(participants, &ParticipantsPage::sessions_wanted, this, show_sessions);
   connect(protocols, &ProtocolsPage::session_wanted, this, &StudyWindow::session_wanted);
   connect(protocols, &ProtocolsPage::sessions_wanted, this, [this] { show_page("sessions"); });
-  connect(protocols, &ProtocolsPage::edit_wanted, this, [this, editor](const QString& file) {
+  connect(protocols, &ProtocolsPage::edit_wanted, this, [this](const QString& file) {
     show_page("editor");
-    editor->open(file.toStdString());
+    editor()->open(file.toStdString());
   });
-  connect(editor, &ProtocolEditorPage::back_wanted, this, [this] { show_page("protocols"); });
   connect(sessions, &SessionsPage::session_wanted, this, &StudyWindow::session_wanted);
   connect(sessions, &SessionsPage::session_opened, this, [this, trials](qlonglong id) {
     trials->show_session(id);
@@ -68,11 +73,10 @@ void StudyWindow::add_pages() {
             show_page("device_test");
           });
   connect(device_test, &DeviceTestPage::back_wanted, this, [this] { show_page("devices"); });
-  connect(trials, &TrialsPage::attempt_opened, this, [this, attempt](qlonglong id) {
-    attempt->show_attempt(id);
+  connect(trials, &TrialsPage::attempt_opened, this, [this](qlonglong id) {
+    qobject_cast<AttemptPage*>(page("attempt"))->show_attempt(id);
     show_page("attempt");
   });
-  connect(attempt, &AttemptPage::back_wanted, this, [this] { show_page("trials"); });
   connect(trials, &TrialsPage::back_wanted, this, [this] { show_page("sessions"); });
 }
 

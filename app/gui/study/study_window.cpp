@@ -67,8 +67,9 @@ StudyWindow::~StudyWindow() {
 void StudyWindow::refill() {
   const QString shown = shown_page();
   const std::filesystem::path edited = editor() == nullptr ? "" : editor()->file();
-  const auto* bench = qobject_cast<WorkbenchPage*>(page("workbench"));
-  const WorkbenchPage::Work work = bench == nullptr ? WorkbenchPage::Work{} : bench->work();
+  const auto* worked_on = qobject_cast<WorkbenchPage*>(made_page("workbench"));
+  const auto work =
+      worked_on == nullptr ? std::nullopt : std::optional<WorkbenchPage::Work>(worked_on->work());
   remove_pages();
   make_menus();
   auto* centre = new QWidget(this);
@@ -109,8 +110,8 @@ void StudyWindow::refill() {
   connect(welcome_, &WelcomePage::open_wanted, this, &StudyWindow::ask_for_study);
   setCentralWidget(centre);  // deletes the one before
   make_pages();
-  if (!edited.empty()) editor()->open(edited);
-  if (auto* again = qobject_cast<WorkbenchPage*>(page("workbench"))) again->resume(work);
+  if (!edited.empty()) qobject_cast<ProtocolEditorPage*>(page("editor"))->open(edited);
+  if (work) qobject_cast<WorkbenchPage*>(page("workbench"))->resume(*work);
   if (!shown.isEmpty() && page(shown) != nullptr) show_page(shown);
 }
 
@@ -151,6 +152,7 @@ void StudyWindow::tell_limits() {
 
 void StudyWindow::remove_pages() {
   if (pages_ == nullptr) return;
+  for_later_.clear();
   navigation_->clear();
   for (int i = pages_->count() - 1; i >= 0; --i) {
     QWidget* widget = pages_->widget(i);
@@ -161,9 +163,19 @@ void StudyWindow::remove_pages() {
 }
 
 void StudyWindow::add_page(const QString& key, const QString& name, QWidget* page) {
+  take_over(key, page);
+  if (!name.isEmpty()) navigation_->add_page(key, name);
+}
+
+void StudyWindow::add_page_for_later(const QString& key, const QString& name,
+                                     std::function<QWidget*()> make) {
+  for_later_[key] = std::move(make);
+  if (!name.isEmpty()) navigation_->add_page(key, name);
+}
+
+void StudyWindow::take_over(const QString& key, QWidget* page) {
   page->setProperty("page", key);
   pages_->addWidget(page);
-  if (!name.isEmpty()) navigation_->add_page(key, name);
 }
 
 void StudyWindow::show_page(const QString& key) {
@@ -178,7 +190,12 @@ QString StudyWindow::shown_page() const {
   return pages_->currentWidget()->property("page").toString();
 }
 
-QWidget* StudyWindow::page(const QString& key) const {
+QWidget* StudyWindow::page(const QString& key) {
+  if (auto make = for_later_.extract(key)) take_over(key, make.mapped()());
+  return made_page(key);
+}
+
+QWidget* StudyWindow::made_page(const QString& key) const {
   for (int i = 0; pages_ != nullptr && i < pages_->count(); ++i) {
     if (pages_->widget(i)->property("page").toString() == key) return pages_->widget(i);
   }
@@ -227,7 +244,7 @@ void StudyWindow::close_study() {
 void StudyWindow::set_busy(const QString& reason) { busy_ = reason; }
 
 ProtocolEditorPage* StudyWindow::editor() const {
-  return pages_ == nullptr ? nullptr : qobject_cast<ProtocolEditorPage*>(page("editor"));
+  return pages_ == nullptr ? nullptr : qobject_cast<ProtocolEditorPage*>(made_page("editor"));
 }
 
 bool StudyWindow::must_stay(std::function<void()> again) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -29,9 +30,10 @@ class WelcomePage;
 ///
 /// What other parts of the program rely on:
 /// - `add_page` puts a page into the navigation; one without a name is reached by `show_page` only.
-/// - After `study_opened` every page is there and belongs to that study; pages are made anew with
-///   every study, theme and language. A page with something half done that would be lost says so in
-///   its property "keep", a sentence: theme and language then stay, and the sentence is shown.
+/// - After `study_opened` every page can be had and belongs to that study; pages are made anew with
+///   every study, theme and language, the large ones when somebody first wants them. A page with
+///   something half done that would be lost says so in its property "keep", a sentence: theme and
+///   language then stay, and the sentence is shown.
 /// - `session_wanted` says that somebody wants to run a session; whoever runs sessions connects it.
 ///   Until then the pages offer no session to start.
 /// - Whatever takes the pages away asks first when the protocol editor has unsaved changes.
@@ -50,10 +52,13 @@ class StudyWindow final : public QMainWindow {
   /// The window takes the page over. `key` is how `show_page` knows it; with an empty `name` it is
   /// not in the navigation.
   void add_page(const QString& key, const QString& name, QWidget* page);
+  /// Likewise, but the page is made by `page` or `show_page`: opening a study need not wait for what takes
+  /// long to make.
+  void add_page_for_later(const QString& key, const QString& name, std::function<QWidget*()> make);
   void show_page(const QString& key);
   QString shown_page() const;
   /// Null when there is none of this key.
-  QWidget* page(const QString& key) const;
+  QWidget* page(const QString& key);
   void set_count(const QString& key, const QString& count);
 
   Banner& banner() noexcept { return *banner_; }
@@ -80,6 +85,8 @@ class StudyWindow final : public QMainWindow {
   void tell_limits();
   void add_pages();  ///< study_pages.cpp
   void remove_pages();
+  QWidget* made_page(const QString& key) const;  ///< null also where it is still to be made
+  void take_over(const QString& key, QWidget* page);
   /// Everything anew in the theme and language of now.
   void refill();
   bool refuse_when_busy();
@@ -101,6 +108,7 @@ class StudyWindow final : public QMainWindow {
   NavigationList* navigation_ = nullptr;
   QFrame* line_ = nullptr;  ///< between navigation and pages
   QStackedWidget* pages_ = nullptr;
+  std::map<QString, std::function<QWidget*()>> for_later_{};  ///< pages that nobody has wanted yet
   WelcomePage* welcome_ = nullptr;
   QAction* close_action_ = nullptr;
   QFileSystemWatcher* watcher_ = nullptr;

@@ -419,7 +419,7 @@ TEST_F(DataView, OpensFromTheTrialsWhichMarkWhatIsExcluded) {
       eventually([&] { return text(page, "attempt_standing").contains("Excluded: Interrupted"); }));
   click(page, "attempt_back");
   EXPECT_EQ(window.shown_page(), "trials");
-  ASSERT_TRUE(eventually([&] { return trials.text_at(1, 9) == "excluded: Interrupted"; }));
+  ASSERT_TRUE(eventually([&] { return trials.text_at(1, 10) == "excluded: Interrupted"; }));
   const auto is_struck = [&trials](int row) {
     return trials.model()->index(row, 3).data(Qt::FontRole).value<QFont>().strikeOut();
   };
@@ -441,13 +441,13 @@ TEST_F(DataView, ExcludesAWholeSessionAndIncludesItAgain) {
   give_reason(page, "It was run to try things out");
   click(page, "decision_write");
   ASSERT_TRUE(eventually([&] { return child<QLabel>(page, "trials_standing").isVisible(); }));
-  EXPECT_EQ(trials.text_at(2, 9), "excluded: It was run to try things out");
+  EXPECT_EQ(trials.text_at(2, 10), "excluded: It was run to try things out");
   EXPECT_EQ(study_->study().session(session_id_).excluded, "It was run to try things out");
   window.show_page("sessions");
   const auto& sessions = child<StudyTable>(window, "sessions_table");
   EXPECT_TRUE(eventually([&] { return sessions.text_at(0, 4) == "✕ excluded"; }));
   // One of its attempts cannot be included without it, and the page says where it can.
-  auto& attempt_page = child<AttemptPage>(window, "attempt_page");
+  auto& attempt_page = *qobject_cast<AttemptPage*>(window.page("attempt"));
   attempt_page.show_attempt(attempt(0).id);
   window.show_page("attempt");
   ASSERT_TRUE(eventually([&] {
@@ -489,23 +489,23 @@ TEST_F(TrialsOfAMatching, ShowEveryAnswerOnASmallScreen) {
   ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 3; }));
   QCoreApplication::processEvents();
   const QString answers = "1 metal, 2 stone, 3 wood, 4 brick, 5 sandpaper, 6 pebbles";
-  ASSERT_EQ(trials.text_at(0, 4), answers);
-  const QRect cell = trials.visualRect(trials.model()->index(0, 4));
+  ASSERT_EQ(trials.text_at(0, 5), answers);
+  const QRect cell = trials.visualRect(trials.model()->index(0, 5));
   constexpr int kPadding = 24;  // of a cell: that of the style sheet, and of the text in it
   const QRect room(0, 0, cell.width() - kPadding, 1000);
   const QRect needed = QFontMetrics(trials.font()).boundingRect(room, Qt::TextWordWrap, answers);
   EXPECT_LE(needed.height() + 8, cell.height()) << cell.width() << " × " << cell.height();
   EXPECT_LE(needed.width(), room.width());
-  const QRect remarks = trials.visualRect(trials.model()->index(0, 9));
+  const QRect remarks = trials.visualRect(trials.model()->index(0, 10));
   EXPECT_GE(remarks.width(), 160);
   EXPECT_LE(remarks.right(), trials.viewport()->width());
   const auto header = [&trials](int column, int role) {
     return trials.model()->headerData(column, Qt::Horizontal, role).toString();
   };
-  EXPECT_EQ(header(6, Qt::DisplayRole), "After contact, s");
-  EXPECT_TRUE(header(6, Qt::ToolTipRole).contains("after the first contact"));
-  EXPECT_EQ(header(7, Qt::DisplayRole), "After cue, s");
-  EXPECT_TRUE(header(7, Qt::ToolTipRole).contains("the question was put first"));
+  EXPECT_EQ(header(7, Qt::DisplayRole), "After contact, s");
+  EXPECT_TRUE(header(7, Qt::ToolTipRole).contains("after the first contact"));
+  EXPECT_EQ(header(8, Qt::DisplayRole), "After cue, s");
+  EXPECT_TRUE(header(8, Qt::ToolTipRole).contains("the question was put first"));
   take_screenshot(window, "data-trials-matching", {1366, 768});
 }
 
@@ -535,7 +535,7 @@ TEST_F(DataView, LooksAsItShould) {
     ASSERT_TRUE(eventually([&] { return trials.shown_rows() == 3; }));
     trials.selectRow(1);
     take_screenshot(window, "data-trials" + theme_name);
-    auto& page = child<AttemptPage>(window, "attempt_page");
+    auto& page = *qobject_cast<AttemptPage*>(window.page("attempt"));
     page.show_attempt(attempt(1).id);
     window.show_page("attempt");
     ASSERT_TRUE(eventually([&] { return shows_recording(page); }));

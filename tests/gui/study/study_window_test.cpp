@@ -22,6 +22,7 @@
 #include <QtWidgets/QTableWidget>
 
 #include "app/gui/look/controls.h"
+#include "app/gui/study/navigation_list.h"
 #include "app/gui/study/settings.h"
 #include "app/gui/study/study_table.h"
 #include "app/gui/workbench/parameter_form.h"
@@ -257,6 +258,28 @@ TEST_F(StudyWindowTest, DoesNotCloseWhileBusyAndSaysWhy) {
   window.set_busy({});
   window.close();
   EXPECT_FALSE(window.isVisible());
+}
+
+// To make them takes longer than everything else of opening a study.
+TEST_F(StudyWindowTest, MakesALargePageWhenItIsFirstWanted) {
+  const std::filesystem::path folder = small_demo_study();
+  StudyWindow window{};
+  window.show();
+  ASSERT_TRUE(window.open_study(folder));
+  EXPECT_EQ(window.findChild<WorkbenchPage*>(), nullptr);
+  EXPECT_EQ(window.shown_page(), "protocols");
+  const auto& list = child<NavigationList>(window, "navigation");
+  EXPECT_EQ(list.count(), 7) << "and is in the navigation all the same";
+  window.show_page("workbench");
+  const QPointer<WorkbenchPage> made = window.findChild<WorkbenchPage*>();
+  ASSERT_FALSE(made.isNull());
+  EXPECT_EQ(window.shown_page(), "workbench");
+  window.show_page("protocols");
+  EXPECT_EQ(window.page("workbench"), made) << "once";
+  EXPECT_EQ(window.page("no such page"), nullptr);
+  ASSERT_TRUE(window.open_study(folder));
+  EXPECT_TRUE(made.isNull());
+  EXPECT_EQ(window.findChild<WorkbenchPage*>(), nullptr);
 }
 
 TEST_F(StudyWindowTest, KeepsTheWorkbenchThroughAChangeOfTheme) {
