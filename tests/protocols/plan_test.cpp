@@ -370,12 +370,12 @@ TEST(Plan, TellsTheExperimenterWhichCodedSampleToPlace) {
   }
 }
 
-TEST(Plan, BindsParametersToFactors) {
+void expect_bound_to_a_factor(const std::string& model, const std::string& parameter) {
   std::string text =
       with(test::example_selection(), R"("texture": {"factor": "texture"},
       "equal_force": {"to_model": "height_map"})",
-           R"("texture": "metal", "parameters": {"height_scale": {"factor": "scale"}})");
-  text = with(text, R"("model": {"factor": "model"})", R"("model": "height_map")");
+           R"("texture": "metal", "parameters": {")" + parameter + R"(": {"factor": "scale"}})");
+  text = with(text, R"("model": {"factor": "model"})", R"("model": ")" + model + '"');
   text = with(text, R"("factors": {)", R"("factors": {"scale": {"levels": [0.5, 1, 2]},)");
   text = with(text, R"("crossed": ["texture"])", R"("crossed": [])");
   EXPECT_THROW(read(text), ProtocolError);  // an empty crossing is a mistake
@@ -388,10 +388,15 @@ TEST(Plan, BindsParametersToFactors) {
   std::set<std::string> items{};
   for (const PlannedPresentation& planned : plan.trials[0].presentations) {
     items.insert(planned.item);
-    const double scale = number_of(planned.stimulus.parameters, "height_scale");
+    const double scale = number_of(planned.stimulus.parameters, parameter);
     EXPECT_EQ(scale, planned.item == "half" ? 0.5 : planned.item == "one" ? 1.0 : 2.0);
   }
   EXPECT_EQ(items.size(), 3U);
+}
+
+TEST(Plan, BindsParametersToFactors) {
+  expect_bound_to_a_factor("height_map", "height_scale");
+  expect_bound_to_a_factor("stochastic", "noise_sd_N");  // a unit's capital is part of a name
 }
 
 TEST(Plan, GivesASurfaceTheTextureOfItsStimulusAndAToolItsOwn) {
