@@ -171,7 +171,12 @@ void Banner::arrange(bool narrow) {
 void Banner::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
   constexpr int kNarrow = 664;
-  if (const bool narrow = width() < kNarrow; narrow != narrow_) arrange(narrow);
+  const bool narrow = width() < kNarrow;
+  if (narrow == narrow_) return;
+  arrange(narrow);
+  // The page has given it the height of the other arrangement, and does not ask again while it gives heights.
+  QMetaObject::invokeMethod(
+      this, [this] { updateGeometry(); }, Qt::QueuedConnection);
 }
 
 void Banner::show_news(State state, const QString& text, const QString& action,
