@@ -1394,6 +1394,149 @@
     </message>
 </context>
 <context>
+    <name>DeviceTest</name>
+    <message>
+        <source>the servo loop took the force away (%1)</source>
+        <translation>die Servoschleife nahm die Kraft weg (%1)</translation>
+    </message>
+    <message>
+        <source>the handle ran farther than %1 mm away, and the force was let go of</source>
+        <translation>der Griff lief weiter als %1 mm weg, und die Kraft wurde losgelassen</translation>
+    </message>
+    <message>
+        <source>along %1 %2</source>
+        <translation>entlang %1 %2</translation>
+    </message>
+    <message>
+        <source>Not measured: %1.</source>
+        <translation>Nicht gemessen: %1.</translation>
+    </message>
+    <message>
+        <source>Of a simulated device: it says something about this computer.</source>
+        <translation>Von einem simulierten Gerät: Es sagt etwas über diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>Nothing was felt.</source>
+        <translation>Nichts war zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The loop did not run: %1</source>
+        <translation>Die Schleife lief nicht: %1</translation>
+    </message>
+    <message>
+        <source>The strongest force with nothing to feel.</source>
+        <translation>Die stärkste Kraft, während nichts zu fühlen war.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the positions of the handle at rest.</source>
+        <translation>Standardabweichung der Positionen des ruhenden Griffs.</translation>
+    </message>
+    <message>
+        <source>there were too few readings</source>
+        <translation>es gab zu wenige Messwerte</translation>
+    </message>
+    <message>
+        <source>It has no motors.</source>
+        <translation>Es hat keine Motoren.</translation>
+    </message>
+    <message>
+        <source>Asked for %1 N at a limit of %2 N, at most %3 N was sent.</source>
+        <translation>Um %1 N gebeten, bei einer Grenze von %2 N, wurden höchstens %3 N gesendet.</translation>
+    </message>
+    <message>
+        <source>Stopped under a force, the device got exactly 0 N from the next tick on.</source>
+        <translation>Unter Kraft angehalten, bekam das Gerät vom nächsten Takt an genau 0 N.</translation>
+    </message>
+    <message>
+        <source>Asked for a force that is no number, the device got exactly 0 N in the same tick.</source>
+        <translation>Statt einer Kraft, die keine Zahl ist, bekam das Gerät im selben Takt genau 0 N.</translation>
+    </message>
+    <message>
+        <source>Without a sign of life from the program the force faded to 0 N (a session waits for %1 s).</source>
+        <translation>Ohne Lebenszeichen des Programms ging die Kraft auf 0 N zurück (eine Sitzung wartet %1 s).</translation>
+    </message>
+    <message>
+        <source>the handle did not follow with %1 N</source>
+        <translation>der Griff folgte mit %1 N nicht</translation>
+    </message>
+    <message>
+        <source>the handle did not move</source>
+        <translation>der Griff bewegte sich nicht</translation>
+    </message>
+    <message>
+        <source>the sweeps say nothing</source>
+        <translation>die langsamen Bewegungen sagen nichts</translation>
+    </message>
+    <message>
+        <source>a push of %1 N did not move the handle</source>
+        <translation>ein Stoß von %1 N bewegte den Griff nicht</translation>
+    </message>
+    <message>
+        <source>From a sudden force to the motion that is read.</source>
+        <translation>Von einer plötzlichen Kraft bis zur gelesenen Bewegung.</translation>
+    </message>
+    <message>
+        <source>Of the handle and what moves with it, from how a sudden force speeds it up.</source>
+        <translation>Des Griffs und dessen, was sich mit ihm bewegt: danach, wie eine plötzliche Kraft ihn beschleunigt.</translation>
+    </message>
+    <message>
+        <source>Coulomb friction, from slow sweeps to and fro at two speeds.</source>
+        <translation>Coulombsche Reibung, aus langsamem Hin und Her mit zwei Geschwindigkeiten.</translation>
+    </message>
+    <message>
+        <source>Growth of that resistance with speed.</source>
+        <translation>Wie dieser Widerstand mit der Geschwindigkeit wächst.</translation>
+    </message>
+    <message>
+        <source>The step of positions that would make the errors found in a slow sweep.</source>
+        <translation>Der Positionsschritt, der die Fehler einer langsamen Bewegung erklären würde.</translation>
+    </message>
+    <message>
+        <source>The lowest frequency at which the handle answers twice as much as its mass.</source>
+        <translation>Die niedrigste Frequenz, bei der der Griff doppelt so stark antwortet wie seine Masse.</translation>
+    </message>
+    <message>
+        <source>there is none from %1 to %2 Hz</source>
+        <translation>von %1 bis %2 Hz gibt es keine</translation>
+    </message>
+    <message>
+        <source>The stiffest spring, up to 8000 N/m, on which the handle came to rest after a kick.</source>
+        <translation>Die steifste Feder, bis 8000 N/m, auf der der Griff nach einem Anstoß zur Ruhe kam.</translation>
+    </message>
+    <message>
+        <source>already a spring of 250 N/m made the handle swing</source>
+        <translation>schon eine Feder von 250 N/m ließ den Griff schwingen</translation>
+    </message>
+    <message>
+        <source>The weakest push, by steps of a factor √2, that moved the handle from rest.</source>
+        <translation>Der schwächste Stoß, in Schritten um den Faktor √2, der den ruhenden Griff bewegte.</translation>
+    </message>
+    <message>
+        <source>no push up to %1 N moved the handle</source>
+        <translation>kein Stoß bis %1 N bewegte den Griff</translation>
+    </message>
+    <message>
+        <source>Nobody moved the handle along the borders of its workspace.</source>
+        <translation>Niemand führte den Griff an den Grenzen seines Arbeitsraums entlang.</translation>
+    </message>
+    <message>
+        <source>There were no readings.</source>
+        <translation>Es gab keine Messwerte.</translation>
+    </message>
+    <message>
+        <source>The least share of the declared workspace that the handle reached.</source>
+        <translation>Der kleinste Anteil des angegebenen Arbeitsraums, den der Griff erreichte.</translation>
+    </message>
+    <message>
+        <source>A session of %1 runs; a device is measured while none does.</source>
+        <translation>Eine Sitzung von %1 läuft; ein Gerät wird gemessen, während keine läuft.</translation>
+    </message>
+    <message>
+        <source>the handle of %1 will move by itself for a minute and a half, by at most 3 cm, with at most %2 N. Let it hang free in the middle of its workspace, keep hands and hair away, and let nobody hold it.</source>
+        <translation>der Griff von %1 wird sich anderthalb Minuten lang von selbst bewegen, um höchstens 3 cm, mit höchstens %2 N. Lassen Sie ihn frei in der Mitte seines Arbeitsraums hängen, halten Sie Hände und Haare fern, und niemand soll ihn halten.</translation>
+    </message>
+</context>
+<context>
     <name>Figures</name>
     <message>
         <source>cannot tell</source>
@@ -2295,6 +2438,141 @@
     </message>
 </context>
 <context>
+    <name>ProfileWords</name>
+    <message>
+        <source>Rate of the loop</source>
+        <translation>Takt der Schleife</translation>
+    </message>
+    <message>
+        <source>Lateness, every other tick</source>
+        <translation>Verspätung, jeder zweite Takt</translation>
+    </message>
+    <message>
+        <source>Lateness, 99 of 100 ticks</source>
+        <translation>Verspätung, 99 von 100 Takten</translation>
+    </message>
+    <message>
+        <source>Lateness, latest tick</source>
+        <translation>Verspätung, spätester Takt</translation>
+    </message>
+    <message>
+        <source>Missed deadlines</source>
+        <translation>Verpasste Fristen</translation>
+    </message>
+    <message>
+        <source>Force with nothing to feel</source>
+        <translation>Kraft, wo nichts zu fühlen ist</translation>
+    </message>
+    <message>
+        <source>Noise of positions at rest</source>
+        <translation>Rauschen der Positionen in Ruhe</translation>
+    </message>
+    <message>
+        <source>Keeps the limit of force</source>
+        <translation>Hält die Kraftgrenze ein</translation>
+    </message>
+    <message>
+        <source>Zero force after a stop</source>
+        <translation>Kraft null nach einem Halt</translation>
+    </message>
+    <message>
+        <source>Zero in place of a force that is no number</source>
+        <translation>Null statt einer Kraft, die keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>Zero force when the program falls silent</source>
+        <translation>Kraft null, wenn das Programm verstummt</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Steps of positions</source>
+        <translation>Positionsschritte</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>Latenz</translation>
+    </message>
+    <message>
+        <source>Moving mass</source>
+        <translation>Bewegte Masse</translation>
+    </message>
+    <message>
+        <source>Lowest resonance</source>
+        <translation>Tiefste Resonanz</translation>
+    </message>
+    <message>
+        <source>Stiffest spring that it holds</source>
+        <translation>Steifste Feder, die es hält</translation>
+    </message>
+    <message>
+        <source>Weakest force that moves it</source>
+        <translation>Schwächste Kraft, die es bewegt</translation>
+    </message>
+    <message>
+        <source>Share of the workspace reached</source>
+        <translation>Erreichter Anteil des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>Zeitverhalten</translation>
+    </message>
+    <message>
+        <source>Mechanics</source>
+        <translation>Mechanik</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 nicht bestanden</translation>
+    </message>
+    <message>
+        <source>%1 passed</source>
+        <translation>%1 bestanden</translation>
+    </message>
+    <message>
+        <source>%1 not measured</source>
+        <translation>%1 nicht gemessen</translation>
+    </message>
+    <message>
+        <source>less than a day</source>
+        <translation>weniger als ein Tag</translation>
+    </message>
+    <message>
+        <source>a day</source>
+        <translation>ein Tag</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 Tage</translation>
+    </message>
+</context>
+<context>
     <name>ProtocolFiles</name>
     <message>
         <source>the protocol&apos;s force_limit_N of %1 N is more than the device &quot;%2&quot; can give, %3 N</source>
@@ -2523,8 +2801,24 @@
         <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das besteht</translation>
     </message>
     <message>
-        <source>the protocol is not for this device, which cannot render it in %1 ways. %2</source>
-        <translation>das Protokoll ist nicht für dieses Gerät, das es in %1 Punkten nicht wiedergeben kann. %2</translation>
+        <source>The protocol asks for a device whose %1 is at most %2, and it was measured to be %3.</source>
+        <translation>Das Protokoll verlangt ein Gerät mit „%1“ höchstens %2; gemessen wurde %3.</translation>
+    </message>
+    <message>
+        <source>The protocol asks for a device whose %1 is at least %2, and it was measured to be %3.</source>
+        <translation>Das Protokoll verlangt ein Gerät mit „%1“ mindestens %2; gemessen wurde %3.</translation>
+    </message>
+    <message>
+        <source>The protocol asks for a device whose %1 is at most %2, and that was not measured of it.</source>
+        <translation>Das Protokoll verlangt ein Gerät mit „%1“ höchstens %2; das wurde an ihm nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>The protocol asks for a device whose %1 is at least %2, and that was not measured of it.</source>
+        <translation>Das Protokoll verlangt ein Gerät mit „%1“ mindestens %2; das wurde an ihm nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>the protocol is not for this device, which falls short of it in %1 ways. %2</source>
+        <translation>das Protokoll ist nicht für dieses Gerät, das ihm in %1 Punkten nicht genügt. %2</translation>
     </message>
 </context>
 <context>
@@ -2979,6 +3273,10 @@
     <message>
         <source>Measure it once, while nobody holds it: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</source>
         <translation>Messen Sie es einmal, während es niemand hält: asperity device-test &quot;%1&quot; --study &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>%1; every stimulus is within what it can do, but it does not keep the protocol&apos;s limits.</source>
+        <translation>%1; jeder Reiz liegt innerhalb dessen, was es kann, aber es hält die Grenzen des Protokolls nicht ein.</translation>
     </message>
 </context>
 <context>
@@ -3920,20 +4218,226 @@
         <translation>Das Gerät wird ausprobiert.</translation>
     </message>
     <message>
-        <source>%1 Keep hands off it until it was tried.</source>
-        <translation>%1 Halten Sie die Hände davon fern, bis es ausprobiert ist.</translation>
-    </message>
-    <message>
-        <source>Open it</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
         <source>It is being opened.</source>
         <translation>Es wird geöffnet.</translation>
     </message>
     <message>
         <source>The file of a Falcon&apos;s firmware</source>
         <translation>Die Datei mit der Firmware eines Falcon</translation>
+    </message>
+    <message>
+        <source>Let it move</source>
+        <translation>Bewegen lassen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::DeviceTestPage</name>
+    <message>
+        <source>Device test</source>
+        <translation>Gerätetest</translation>
+    </message>
+    <message>
+        <source>← All devices</source>
+        <translation>← Alle Geräte</translation>
+    </message>
+    <message>
+        <source>■ Stop: no force (Esc)</source>
+        <translation>■ Halt: keine Kraft (Esc)</translation>
+    </message>
+    <message>
+        <source>Esc, F12 and Pause do the same.</source>
+        <translation>Esc, F12 und Pause tun dasselbe.</translation>
+    </message>
+    <message>
+        <source>No device is chosen</source>
+        <translation>Kein Gerät ist gewählt</translation>
+    </message>
+    <message>
+        <source>The page of devices lists those that can be tested.</source>
+        <translation>Die Seite der Geräte zeigt die, die getestet werden können.</translation>
+    </message>
+    <message>
+        <source>Show devices</source>
+        <translation>Geräte zeigen</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Held to the limits of</source>
+        <translation>An den Grenzen gemessen von</translation>
+    </message>
+    <message>
+        <source>No force above</source>
+        <translation>Keine Kraft über</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Nicht jetzt</translation>
+    </message>
+    <message>
+        <source>Profiles of this device</source>
+        <translation>Profile dieses Geräts</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>It may move</source>
+        <translation>Es darf sich bewegen</translation>
+    </message>
+    <message>
+        <source>Do not move it</source>
+        <translation>Nicht bewegen</translation>
+    </message>
+    <message>
+        <source>Keep hands away: it moves by itself until it has found its zero.</source>
+        <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat.</translation>
+    </message>
+    <message>
+        <source>Stopped: the force is zero, and nothing was kept.</source>
+        <translation>Angehalten: Die Kraft ist null, und nichts wurde behalten.</translation>
+    </message>
+    <message>
+        <source>Nothing was measured: %1</source>
+        <translation>Nichts wurde gemessen: %1</translation>
+    </message>
+    <message>
+        <source>Begin the test</source>
+        <translation>Test beginnen</translation>
+    </message>
+    <message>
+        <source>Begin: the handle moves</source>
+        <translation>Beginnen: Der Griff bewegt sich</translation>
+    </message>
+    <message>
+        <source>This study can only be read here: no profile could be kept.</source>
+        <translation>Diese Studie kann hier nur gelesen werden: Kein Profil könnte behalten werden.</translation>
+    </message>
+    <message>
+        <source>Nothing moves: a virtual hand holds it, and its mechanics are measured faster than time goes by. Its timing says something about this computer.</source>
+        <translation>Nichts bewegt sich: Eine virtuelle Hand hält es, und seine Mechanik wird schneller gemessen, als die Zeit vergeht. Sein Zeitverhalten sagt etwas über diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>Esc, F12 and the red button take the force away at once. At the end you move the handle along the borders of its workspace.</source>
+        <translation>Esc, F12 und der rote Knopf nehmen die Kraft sofort weg. Am Ende führen Sie den Griff an den Grenzen seines Arbeitsraums entlang.</translation>
+    </message>
+    <message>
+        <source>The study has none yet. A session compares its plan with the latest one.</source>
+        <translation>Die Studie hat noch keins. Eine Sitzung vergleicht ihren Plan mit dem neuesten.</translation>
+    </message>
+    <message>
+        <source>Asperity, the usual ones</source>
+        <translation>Asperity, die üblichen</translation>
+    </message>
+    <message>
+        <source>Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms. A protocol of the study that has &quot;limits&quot; in its &quot;device&quot; would be listed here.</source>
+        <translation>Takt mindestens 950 Hz, Verspätung von 99 in 100 Takten höchstens 1 ms. Ein Protokoll der Studie mit „limits“ in seinem „device“ stünde hier.</translation>
+    </message>
+    <message>
+        <source>Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms.</source>
+        <translation>Takt mindestens 950 Hz, Verspätung von 99 in 100 Takten höchstens 1 ms.</translation>
+    </message>
+    <message>
+        <source>At %1 Hz: %2.</source>
+        <translation>Bei %1 Hz: %2.</translation>
+    </message>
+    <message>
+        <source>A device is being measured. Stop that first.</source>
+        <translation>Ein Gerät wird gemessen. Halten Sie das zuerst an.</translation>
+    </message>
+    <message>
+        <source>The device is being opened.</source>
+        <translation>Das Gerät wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Wird angehalten …</translation>
+    </message>
+    <message>
+        <source>The device did not keep every limit: %1. The profile is kept as %2.</source>
+        <translation>Das Gerät hielt nicht jede Grenze ein: %1. Das Profil liegt in %2.</translation>
+    </message>
+    <message>
+        <source>The device kept every limit: %1. The profile is kept as %2.</source>
+        <translation>Das Gerät hielt jede Grenze ein: %1. Das Profil liegt in %2.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::DeviceTestSteps</name>
+    <message>
+        <source>Leave the handle alone: it hangs free, and nothing pushes it. The loop is timed, and the force has to be exactly zero.</source>
+        <translation>Lassen Sie den Griff in Ruhe: Er hängt frei, und nichts drückt ihn. Der Takt der Schleife wird gemessen, und die Kraft muss genau null sein.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: soft pushes, then a stop, a force that is no number, and silence of the program. Each has to end in zero force.</source>
+        <translation>Hände weg: leichte Stöße, dann ein Halt, eine Kraft, die keine Zahl ist, und ein stummes Programm. Jedes muss mit Kraft null enden.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: the handle is pulled to and fro along %1, slowly and then faster. What stands against it is friction and damping.</source>
+        <translation>Hände weg: Der Griff wird entlang %1 hin- und hergezogen, langsam und dann schneller. Was dagegen steht, ist Reibung und Dämpfung.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: sudden steps of force along %1, to and fro. When the motion begins is the latency, how fast it grows the mass.</source>
+        <translation>Hände weg: plötzliche Kraftsprünge entlang %1, hin und her. Wann die Bewegung beginnt, ist die Latenz; wie schnell sie wächst, die Masse.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: the handle hums along %1, from 8 to 200 Hz. Where it answers most is its resonance.</source>
+        <translation>Hände weg: Der Griff summt entlang %1, von 8 bis 200 Hz. Wo er am stärksten antwortet, ist seine Resonanz.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: ever stiffer springs along %1, each with a small kick. The stiffest on which the handle comes to rest counts.</source>
+        <translation>Hände weg: immer steifere Federn entlang %1, jede mit einem kleinen Anstoß. Es zählt die steifste, auf der der Griff zur Ruhe kommt.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: ever stronger small pushes along %1, until the handle moves.</source>
+        <translation>Hände weg: immer stärkere kleine Stöße entlang %1, bis sich der Griff bewegt.</translation>
+    </message>
+    <message>
+        <source>Now take the handle, and move it along all borders of its workspace: to both sides, away and near, up and down. You have %1 seconds; no force is given.</source>
+        <translation>Nehmen Sie jetzt den Griff und führen Sie ihn an allen Grenzen seines Arbeitsraums entlang: zu beiden Seiten, weg und heran, auf und ab. Sie haben %1 Sekunden; es wirkt keine Kraft.</translation>
+    </message>
+    <message>
+        <source>Zero force and timing</source>
+        <translation>Kraft null und Takt</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Slow sweeps</source>
+        <translation>Langsame Bewegungen</translation>
+    </message>
+    <message>
+        <source>Steps of force</source>
+        <translation>Kraftsprünge</translation>
+    </message>
+    <message>
+        <source>Sweep of tones</source>
+        <translation>Tonfolge</translation>
+    </message>
+    <message>
+        <source>Stiff springs</source>
+        <translation>Steife Federn</translation>
+    </message>
+    <message>
+        <source>Weakest force</source>
+        <translation>Schwächste Kraft</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>Arbeitsraum</translation>
     </message>
 </context>
 <context>
@@ -4061,6 +4565,14 @@
     <message>
         <source>Devices could not be looked for: %1</source>
         <translation>Geräte konnten nicht gesucht werden: %1</translation>
+    </message>
+    <message>
+        <source>Simulated device</source>
+        <translation>Simuliertes Gerät</translation>
+    </message>
+    <message>
+        <source>Test this device…</source>
+        <translation>Dieses Gerät testen …</translation>
     </message>
 </context>
 <context>
@@ -4757,6 +5269,29 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     </message>
 </context>
 <context>
+    <name>asperity::MotionPicture</name>
+    <message>
+        <source>MOTION mm</source>
+        <translation>BEWEGUNG mm</translation>
+    </message>
+    <message>
+        <source>FORCE N, as sent</source>
+        <translation>KRAFT N, wie gesendet</translation>
+    </message>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>FROM ABOVE mm</source>
+        <translation>VON OBEN mm</translation>
+    </message>
+    <message>
+        <source>FROM THE FRONT mm</source>
+        <translation>VON VORN mm</translation>
+    </message>
+</context>
+<context>
     <name>asperity::NavigationList</name>
     <message>
         <source>Pages of the study</source>
@@ -5384,6 +5919,37 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     </message>
 </context>
 <context>
+    <name>asperity::ProfileView</name>
+    <message>
+        <source>Measured on %1</source>
+        <translation>Gemessen am %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 Hz, no force above %3 N.</source>
+        <translation>%1 bei %2 Hz, keine Kraft über %3 N.</translation>
+    </message>
+    <message>
+        <source>It is simulated: its timing is told and not judged.</source>
+        <translation>Es ist simuliert: Sein Zeitverhalten wird genannt und nicht beurteilt.</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Along %1.</source>
+        <translation>Entlang %1.</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ProgressCell</name>
     <message>
         <source>%1 of %2</source>
@@ -5899,6 +6465,21 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>Keys answer the trial now</source>
         <translation>Tasten beantworten jetzt den Durchgang</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ResponsePlot</name>
+    <message>
+        <source>frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>RESPONSE mm/N, motion over force</source>
+        <translation>ANTWORT mm/N, Bewegung durch Kraft</translation>
+    </message>
+    <message>
+        <source>No response to tones is stored with this profile.</source>
+        <translation>Mit diesem Profil ist keine Antwort auf Töne gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -7502,6 +8083,10 @@ Die Sitzung kann fortgesetzt werden: jetzt, oder später von der Seite „Sitzun
     <message>
         <source>It is running, and who runs it is blind: until it ends, its own window shows what may be known.</source>
         <translation>Sie läuft, und wer sie leitet, ist verblindet: Bis zum Ende zeigt ihr eigenes Fenster, was bekannt sein darf.</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
     </message>
 </context>
 <context>
