@@ -237,7 +237,8 @@ TEST_F(Verify, FindsAColumnThatIsNotAsThePlanHasIt) {
         "attempt virtual0001/1/2/1: its surfaces are not those of the planned trial");
   }
   expect_found_after(
-      "DROP TRIGGER session_only_changes_state; UPDATE session SET seed = "
+      "DROP TRIGGER session_only_changes_state; DROP TRIGGER session_completed_stays; UPDATE "
+      "session SET seed = "
       "'99999999999999999999' WHERE id = 1",
       "its seed \"99999999999999999999\" is no number from 0 to 2^64 - 1");
   EXPECT_EQ(verify().status, 0);
