@@ -5,9 +5,6 @@
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <mutex>
-
-#include "device/units_in_use.h"
 
 namespace asperity {
 namespace {
@@ -104,7 +101,6 @@ Driver spacemouse_driver() {
           [](const DriverOptions&) {
             DriverSurvey survey{};
             try {
-              const std::lock_guard alone(UnitInUse::looking());
               survey.attached = spacemouse::attached_spacemice(UsbSession());
             } catch (const std::exception& error) {
               survey.hindrance = error.what();
@@ -112,8 +108,6 @@ Driver spacemouse_driver() {
             return survey;
           },
       .open = [](const std::string& which, const DriverOptions&) -> std::unique_ptr<HapticDevice> {
-        // Until it is listed as used: a look from another thread would meet it half open.
-        const std::lock_guard alone(UnitInUse::looking());
         const AttachedDevice found = choose_attached(
             "SpaceMouse of 3Dconnexion", spacemouse::attached_spacemice(UsbSession()), which);
         return std::make_unique<SpaceMouseDevice>(spacemouse::LineSettings{
