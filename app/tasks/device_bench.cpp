@@ -85,12 +85,13 @@ StageRecord DeviceBench::run(const DeviceStage& stage, StagePacing pacing) {
     record.fault = loop.status().fault;
   }
   record.ran_away = ran_away.load();
-  if (stop_.stop_requested()) throw DeviceStageStopped("stopped as asked; the force is zero");
+  // First: of a device that is gone nobody can say that its force is zero.
   if (record.fault == Fault::device_lost) {
     const std::string trouble = device_.complaint();
     throw std::runtime_error("the device was lost while it was measured" +
                              (trouble.empty() ? "" : ": " + trouble));
   }
+  if (stop_.stop_requested()) throw DeviceStageStopped("stopped as asked; the force is zero");
   const auto first = std::find_if(
       record.ticks.begin(), record.ticks.end(),
       [](const TickRecord& tick) { return tick.has(TickFlag::first_of_presentation); });

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include <QtCore/QSignalBlocker>
-#include <QtGui/QShortcut>
+#include <QtGui/QKeyEvent>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDoubleSpinBox>
@@ -61,12 +62,6 @@ DeviceTestPage::DeviceTestPage(OpenStudy& study, MeasureOrder usual, QWidget* pa
   stack_->addWidget(make_overview());
   stack_->addWidget(make_course());
   body().addWidget(stack_, 1);
-  for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_F12, Qt::Key_Pause}) {
-    auto* shortcut = new QShortcut(QKeySequence(key), this);
-    shortcut->setEnabled(false);
-    connect(shortcut, &QShortcut::activated, this, &DeviceTestPage::stop);
-    stop_keys_.push_back(shortcut);
-  }
   connect(back_, &QPushButton::clicked, this, &DeviceTestPage::back_wanted);
   connect(not_now_, &QPushButton::clicked, this, &DeviceTestPage::back_wanted);
   connect(stop_, &QPushButton::clicked, this, &DeviceTestPage::stop);
@@ -249,7 +244,11 @@ QWidget* DeviceTestPage::make_course() {
   columns->addLayout(rows, 1);
   connect(yes, &QPushButton::clicked, this, [this] {
     drop_question();
-    do_now_->setText(tr("Keep hands away: it moves by itself until it has found its zero."));
+    // Its maker's library moves it, and hears of no stop until it has done so.
+    do_now_->setText(
+        tr("Keep hands away: it moves by itself until it has found its zero. Only its power "
+           "switch stops it now."));
+    stop_->setText(tr("■ Stop once it has found its zero (Esc)"));
     run_.answer(true);
   });
   connect(no, &QPushButton::clicked, this, [this] {
@@ -262,7 +261,10 @@ QWidget* DeviceTestPage::make_course() {
 void DeviceTestPage::connect_run() {
   connect(&run_, &DeviceTestRun::wished, do_now_, &QLabel::setText);
   connect(&run_, &DeviceTestRun::asked, this, &DeviceTestPage::ask);
-  connect(&run_, &DeviceTestRun::opened, picture_, &MotionPicture::set_device);
+  connect(&run_, &DeviceTestRun::opened, this, [this](const DeviceCapability& capability) {
+    if (!stop_wanted_) stop_->setText(tr("■ Stop: no force (Esc)"));
+    picture_->set_device(capability);
+  });
   connect(&run_, &DeviceTestRun::came_to, this, &DeviceTestPage::show_news);
   connect(&run_, &DeviceTestRun::measured, this, &DeviceTestPage::show_measured);
   connect(&run_, &DeviceTestRun::stopped, this,
@@ -300,6 +302,10 @@ void DeviceTestPage::show_device(const TestedDevice& device) {
   if (run_.is_running()) return;
   device_ = device;
   found_ = {};
+  {
+    const QSignalBlocker silent(limits_);
+    limits_->clear();  // those of another device's reading are not what it would be held to
+  }
   show_empty(false);
   shown_utc_.clear();
   profile_->parentWidget()->hide();
@@ -412,7 +418,7 @@ void DeviceTestPage::begin() {
   stop_->setText(tr("■ Stop: no force (Esc)"));
   stop_->setEnabled(true);
   stop_->show();
-  for (QShortcut* key : stop_keys_) key->setEnabled(true);
+  qApp->installEventFilter(this);
   setProperty("keep", tr("A device is being measured. Stop that first."));
   using Workspace = DeviceTestSteps::Workspace;
   steps_->begin(device_.is_simulated ? Workspace::left_out : Workspace::by_a_person);
@@ -430,6 +436,7 @@ void DeviceTestPage::stop() {
   if (!run_.is_running()) return;
   run_.stop();
   if (std::exchange(stop_wanted_, true)) return;
+  drop_question();
   stop_->setText(tr("Stopping…"));
   stop_->setEnabled(false);
 }
@@ -461,8 +468,7 @@ void DeviceTestPage::show_measured(const MeasuredDevice& measured) {
   profile_->show_profile(profile);
   profile_->parentWidget()->show();
   const QString file =
-      measured.file ? text_of_path(std::filesystem::relative(*measured.file, study().folder()))
-                    : QString();
+      measured.file ? text_of_path(measured.file->lexically_relative(study().folder())) : QString();
   if (profile.has_failed()) {
     end(State::stop, tr("The device did not keep every limit: %1. The profile is kept as %2.")
                          .arg(verdict_of(profile).words, file));
@@ -483,11 +489,21 @@ void DeviceTestPage::end(State state, const QString& sentence) {
   drop_question();
   stop_->hide();
   back_->show();
-  for (QShortcut* key : stop_keys_) key->setEnabled(false);
+  qApp->removeEventFilter(this);
   setProperty("keep", {});
   stack_->setCurrentIndex(0);
   banner().show_news(state, sentence);
-  begin_->setFocus();
+  // Whoever presses Space to stop it may press it twice: that must not begin it again.
+  back_->setFocus();
+}
+
+// An open menu or dialog has the keys of the window; these stop a moving arm all the same.
+bool DeviceTestPage::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress && run_.is_running()) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape || key == Qt::Key_F12 || key == Qt::Key_Pause) stop();
+  }
+  return StudyPage::eventFilter(watched, event);
 }
 
 // A moving arm needs the button that stops it in sight.

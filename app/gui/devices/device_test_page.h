@@ -18,7 +18,6 @@ class QComboBox;
 class QDoubleSpinBox;
 class QProgressBar;
 class QScrollArea;
-class QShortcut;
 class QStackedWidget;
 
 namespace asperity {
@@ -48,6 +47,7 @@ class DeviceTestPage final : public StudyPage {
   void back_wanted();
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void hideEvent(QHideEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -111,7 +111,6 @@ class DeviceTestPage final : public StudyPage {
   StateLabel* question_text_ = nullptr;
   MotionPicture* picture_ = nullptr;
   QPushButton* stop_ = nullptr;
-  std::vector<QShortcut*> stop_keys_{};
   QTimer frames_{};
   bool stop_wanted_ = false;
   DeviceTestRun run_{};  ///< the last: it is stopped and waited for before anything else goes

@@ -1,6 +1,7 @@
 #include "app/gui/devices/device_test_run.h"
 
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -9,6 +10,7 @@
 #include <QtCore/QMetaObject>
 
 #include "app/phrase.h"
+#include "app/tasks/device_bench.h"
 #include "app/tasks/study_overview.h"
 #include "results_schema/study.h"
 
@@ -34,12 +36,17 @@ struct DeviceTestRun::Talk {
   std::mutex mutex{};
   std::condition_variable_any answered{};
   std::optional<bool> answer{};
+  bool unanswered = false;  ///< because of the stop
   MotionBins motion{};
 
-  /// False also where the work is to stop.
-  bool wait_for_answer(const std::stop_token& stop) {
+  /// Of the question that `ask` puts, and of no other; false also where the work is to stop.
+  bool answer_to(const std::function<void()>& ask, const std::stop_token& stop) {
     std::unique_lock lock(mutex);
-    return answered.wait(lock, stop, [this] { return answer.has_value(); }) && *answer;
+    answer.reset();
+    ask();
+    answered.wait(lock, stop, [this] { return answer.has_value(); });
+    unanswered = stop.stop_requested();
+    return !unanswered && *answer;
   }
 };
 
@@ -68,8 +75,9 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
             say([this, sentence] { emit wished(QString::fromStdString(sentence)); });
           };
           mine.may_move = [this, say, talk, stop](const std::string& sentence) {
-            say([this, sentence] { emit asked(QString::fromStdString(sentence)); });
-            return talk->wait_for_answer(stop);
+            return talk->answer_to(
+                [&] { say([this, sentence] { emit asked(QString::fromStdString(sentence)); }); },
+                stop);
           };
           const std::unique_ptr<HapticDevice> opened_device = drivers.open(device, mine);
           if (stop.stop_requested()) return {};
@@ -87,9 +95,13 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
             talk->motion.add(ticks);
           };
           return measure_device(*opened_device, told, stop);
+        } catch (const DeviceStageStopped&) {
+          return {};
         } catch (const std::exception&) {
-          // Whatever it says: it is because of the stop.
-          if (stop.stop_requested()) return {};
+          // The driver's refusal, because nobody said yes. Whatever else it tells has to be read: that it cannot
+          // let go of an arm, or that the device is gone.
+          const std::lock_guard lock(talk->mutex);
+          if (talk->unanswered) return {};
           throw;
         }
       },

@@ -4301,10 +4301,6 @@
         <translation>Nicht bewegen</translation>
     </message>
     <message>
-        <source>Keep hands away: it moves by itself until it has found its zero.</source>
-        <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat.</translation>
-    </message>
-    <message>
         <source>Stopped: the force is zero, and nothing was kept.</source>
         <translation>Angehalten: Die Kraft ist null, und nichts wurde behalten.</translation>
     </message>
@@ -4371,6 +4367,14 @@
     <message>
         <source>The device kept every limit: %1. The profile is kept as %2.</source>
         <translation>Das Gerät hielt jede Grenze ein: %1. Das Profil liegt in %2.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: it moves by itself until it has found its zero. Only its power switch stops it now.</source>
+        <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat. Jetzt hält es nur sein Netzschalter an.</translation>
+    </message>
+    <message>
+        <source>■ Stop once it has found its zero (Esc)</source>
+        <translation>■ Halt, sobald es seinen Nullpunkt hat (Esc)</translation>
     </message>
 </context>
 <context>

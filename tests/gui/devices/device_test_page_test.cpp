@@ -16,6 +16,7 @@
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QProgressBar>
 #include <QtWidgets/QPushButton>
@@ -316,6 +317,26 @@ TEST_F(DeviceTests, LeaveZeroForceAndNoProfileWhereTheyAreStopped) {
   EXPECT_NE(news().find("nothing was kept"), std::string::npos) << news();
   EXPECT_TRUE(page->property("keep").toString().isEmpty());
   EXPECT_TRUE(find<QPushButton>("device_test_begin").isVisible());
+  EXPECT_EQ(page->focusWidget(), &find<QPushButton>("device_test_back"))
+      << "a second press of Space begins nothing";
+}
+
+TEST_F(DeviceTests, StopByTheirKeysWhereverTheFocusIs) {
+  for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_F12, Qt::Key_Pause}) {
+    make_page(stepped(), arm());
+    bench.is_held = false;
+    bench.hold_after = 5000;
+    click("device_test_begin");
+    require([this] { return bench.is_held.load(); }, "push");
+    QDialog over{};
+    over.show();
+    QTest::keyClick(&over, key);
+    EXPECT_FALSE(find<QPushButton>("device_test_stop").isEnabled());
+    bench.go_on.release();
+    wait_until_it_ended();
+    EXPECT_EQ(bench.force_N.load(), 0.0);
+  }
+  EXPECT_FALSE(has_profiles());
 }
 
 TEST_F(DeviceTests, StopWhenTheirPageGoesOutOfSight) {
