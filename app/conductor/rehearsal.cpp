@@ -37,6 +37,12 @@ std::string in_three_digits(double value) {
 }
 std::string in_um(double value_m) { return in_three_digits(1e6 * value_m); }
 
+/// What tells a body from others of the same stimulus: a factor may choose it.
+std::string name_of(const std::optional<BodyDescription>& body) {
+  if (!body) return {};
+  return body->name + '\t' + body->mesh.value_or("") + '\t' + body->height_field.value_or("");
+}
+
 std::optional<double> number_among(const ParameterValues& values, const char* name) {
   const auto found = values.find(name);
   if (found == values.end()) return {};
@@ -225,9 +231,10 @@ class DeviceRehearsal final {
       const Exploration& exploration = exploration_of(protocol_, trial);
       for (const PlannedPresentation& planned : trial.presentations) {
         const StimulusDescription& stimulus = planned.stimulus;
-        const std::string key = stimulus.name + '\n' + stimulus.model + '\n' +
-                                stimulus.height_field.value_or("") + '\n' +
-                                json_text_of(stimulus.parameters) + '\n' + exploration.name;
+        const std::string key =
+            stimulus.name + '\n' + stimulus.model + '\n' + stimulus.height_field.value_or("") +
+            '\n' + json_text_of(stimulus.parameters) + '\n' + name_of(stimulus.surface) + '\n' +
+            name_of(stimulus.tool) + '\n' + exploration.name;
         if (!seen.insert(key).second) continue;
         check_workspace(stimulus.patch);
         try {

@@ -276,6 +276,16 @@ TEST_F(DeviceRehearsalTest, TakesTheFinestWavesOfTwoTextures) {
   EXPECT_FALSE(one(bodies(kMeeting), with(ideal(), "position_resolution_m", 0.7e-3), "wavelength"));
 }
 
+TEST_F(DeviceRehearsalTest, ComparesEveryToolOfAStimulus) {
+  std::string protocol = bodies({.of_block_m = 1e-4});
+  const std::string textured =
+      R"("block": {"shape": "box", "size_m": [0.012, 0.012, 0.006], "texture": "blocks"})";
+  protocol.replace(protocol.find(textured), textured.size(),
+                   R"("block": {"shape": "box", "size_m": [0.012, 0.012, 0.006]})");
+  EXPECT_TRUE(one(protocol, with(ideal(), "damping_N_s_per_m", 0.3), "stiffness"))
+      << "the first one is smooth, the other is not";
+}
+
 TEST_F(DeviceRehearsalTest, SaysNothingOfTwoBodiesOnADeviceThatCanDoAll) {
   for (const RehearsalWarning& warning : warnings(bodies(kMeeting), ideal())) {
     ADD_FAILURE() << warning.id << ": " << warning.text.english();
