@@ -68,7 +68,8 @@ class Side final {
     const int x = column + half();
     const int y = row + half();
     if (x < 0 || y < 0 || x >= samples_ || y >= samples_) return kNowhere;
-    return heights_m_[static_cast<std::size_t>(y * samples_ + x)];
+    return heights_m_[static_cast<std::size_t>(y) * static_cast<std::size_t>(samples_) +
+                      static_cast<std::size_t>(x)];
   }
   double highest_m() const noexcept {
     double highest_m = -std::numeric_limits<double>::infinity();
@@ -163,7 +164,8 @@ HeightField composed_relief(const GainedBody& tool, const GainedBody& surface,
   for (const glm::dvec3& vertex_m : held.vertices_m) {
     half_width_m = std::max(half_width_m, std::hypot(vertex_m.x, vertex_m.y));
   }
-  const double cell_m = std::max(stroke.cell_m, 2.0 * half_width_m / kMostAcross);
+  const double cell_m = std::max({stroke.cell_m, 2.0 * half_width_m / kMostAcross,
+                                  (stroke.length_m + 2.0 * half_width_m) / kMostAlong});
   const double cells = std::max(1.0, std::round(stroke.pitch_m / cell_m));
   const double pitch_m = cells * cell_m;
   const int most_half_columns =

@@ -38,7 +38,8 @@ struct TipStroke {
 ///
 /// Between samples the place where they meet first is found by parabolas along and across the stroke. The answer's x
 /// is along the stroke, its origin in the middle; its few rows are as far apart as its columns. Of a long stroke it
-/// is the middle `kMostColumns` samples; a wide tool is sampled `kMostAcross` times across, further apart than asked.
+/// is the middle `kMostColumns` samples; a wide tool is sampled `kMostAcross` times across and a
+/// long stroke `kMostAlong` times along, further apart than asked.
 ///
 /// Limits: contacts whose n leans, of a surface that is not level or a tool that is led askew, are others.
 ///
@@ -50,5 +51,6 @@ HeightField composed_relief(const GainedBody& tool, const GainedBody& surface,
 
 inline constexpr int kMostColumns = 1000;
 inline constexpr int kMostAcross = 400;
+inline constexpr int kMostAlong = 4000;
 
 }  // namespace asperity
