@@ -171,7 +171,8 @@ TidyTable::TidyTable(std::string whole, std::string name)
   // At once: while they grow there would be two of the largest part of a table.
   const auto most_rows = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   lines_.reserve(most_rows);
-  cells_.reserve(most_rows * columns_.size());
+  // A cell is a character long at least, whatever the header and empty lines promise.
+  cells_.reserve(std::min(most_rows * columns_.size(), text.size() + 1));
   while (!reader.at_end()) {
     const std::uint32_t line = reader.line();
     const std::size_t begin = cells_.size();
