@@ -23,7 +23,7 @@ namespace asperity {
 namespace {
 
 constexpr int kAnswerWidth = 200;
-constexpr int kConditionWidth = 176;
+constexpr int kConditionWidth = 144;
 constexpr int kAfterContactColumn = 7;
 constexpr int kAfterCueColumn = 8;
 constexpr int kBeganColumn = 9;
