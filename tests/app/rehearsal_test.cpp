@@ -277,13 +277,13 @@ TEST_F(DeviceRehearsalTest, TakesTheFinestWavesOfTwoTextures) {
 }
 
 TEST_F(DeviceRehearsalTest, ComparesEveryToolOfAStimulus) {
-  std::string protocol = bodies({.of_block_m = 1e-4});
+  std::string protocol = bodies(kMeeting);
   const std::string textured =
       R"("block": {"shape": "box", "size_m": [0.012, 0.012, 0.006], "texture": "blocks"})";
   protocol.replace(protocol.find(textured), textured.size(),
                    R"("block": {"shape": "box", "size_m": [0.012, 0.012, 0.006]})");
   EXPECT_TRUE(one(protocol, with(ideal(), "damping_N_s_per_m", 0.3), "stiffness"))
-      << "the first one is smooth, the other is not";
+      << "the first one is flat, and rides over the plate's waves";
 }
 
 TEST_F(DeviceRehearsalTest, SaysNothingOfTwoBodiesOnADeviceThatCanDoAll) {
