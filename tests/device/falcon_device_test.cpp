@@ -368,8 +368,8 @@ TEST_F(Falcon, GetsNoForceOnceTheProcessThatWouldTakeItAwayIsGone) {
   const auto device = open();
   const auto is_pushed = [&] { return emulated.motor_words() != kNoWords; };
   push_until(*device, {0.0, 0.0, 1.0}, is_pushed);
-  const pid_t watchdog = watchdog_process();
-  ASSERT_GT(watchdog, 0);
+  pid_t watchdog = -1;  // it takes its name itself, once it gets to run
+  ASSERT_TRUE(eventually([&] { return (watchdog = watchdog_process()) > 0; }));
   ASSERT_EQ(kill(watchdog, SIGKILL), 0);
   push_until(*device, {0.0, 0.0, 1.0}, [&] {
     return device->complaint().find("should this program die is gone") != std::string::npos;

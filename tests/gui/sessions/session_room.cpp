@@ -396,7 +396,8 @@ void SessionRoom::take_part(const std::function<void(const Scene&)>& answer,
   if (came_to_it) return;
   const SessionSnapshot now = desk->runner() == nullptr ? SessionSnapshot{} : monitor().snapshot();
   throw std::runtime_error(std::string("it stays in phase ") + asperity::text_of(now.phase) +
-                           ", trial " + std::to_string(now.trial));
+                           ", trial " + std::to_string(now.trial) +
+                           (now.trouble ? ": " + now.trouble->what.english() : ""));
 }
 
 void SessionRoom::wait_for_end() {

@@ -162,6 +162,8 @@ TEST_F(SessionInTrouble, ALostDeviceZeroesTheForceAndTheSessionGoesOnOnceItAnswe
     monitor().bins_from(0, bins);
     return !bins.empty() && bins.back().force_maximum_N == 0.0F;
   });
+  // The panel comes with the device's silence, before the session has gone into its phase.
+  wait_for("the fault", [&] { return is_in(SessionPhase::fault); });
   auto& safe = child<QCheckBox>(panel, "fault_safe");
   auto& clear = child<QPushButton>(panel, "fault_clear");
   // As long as it does not answer it is not fit, and the panel comes back.
