@@ -14,20 +14,12 @@
 #include "analysis/random.h"
 #include "device/falcon/falcon_device.h"
 #include "device/simulated_models.h"
+#include "tests/device/complaint.h"
 
 namespace asperity {
 namespace {
 
 using testing::HasSubstr;
-
-std::string complaint_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return {};
-}
 
 TEST(Drivers, OpenTheSimulatedDeviceInTheHandThatIsGiven) {
   VirtualHand hand(HandHabits{}, Random(1));

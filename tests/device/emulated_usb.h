@@ -12,6 +12,8 @@
 #include <string>
 #include <thread>
 
+#include "device/haptic_device.h"
+
 typedef struct _UMockdevTestbed UMockdevTestbed;
 typedef struct _UMockdevIoctlData UMockdevIoctlData;
 
@@ -90,6 +92,13 @@ class UrbQueue final {
   std::deque<Urb> waiting_{};
   std::deque<Urb> finished_{};
 };
+
+/// Whether letting go of a device takes no longer than a busy machine does: a driver that hangs never ends.
+inline bool ends_soon(std::unique_ptr<HapticDevice> device) {
+  const auto began = std::chrono::steady_clock::now();
+  device.reset();
+  return std::chrono::steady_clock::now() - began < std::chrono::seconds(20);
+}
 
 /// Waits for something to become true, up to a minute.
 template <typename Condition>

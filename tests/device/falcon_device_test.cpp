@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include "device/monotonic_clock.h"
+#include "tests/device/complaint.h"
 #include "tests/device/emulated_falcon.h"
 #include "tests/device/falcon_arm_angles.h"
 #include "tests/device/falcon_run.h"
@@ -71,15 +72,6 @@ class Falcon : public testing::Test {
  private:
   std::optional<EmulatedBus> bus_{};
 };
-
-std::string complaint_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return {};
-}
 
 bool answers(FalconDevice& device) { return device.read(monotonic_now_ns()).has_value(); }
 
@@ -636,11 +628,6 @@ TEST_F(Falcon, DeclaresTheRateThatItReallyAnswersAt) {
 
 TEST_F(Falcon, EndsAtOnceWhateverItsDeviceDoes) {
   EmulatedFalcon emulated(bus(), {.firmware = firmware()});
-  const auto ends_soon = [](std::unique_ptr<FalconDevice> device) {
-    const auto began = std::chrono::steady_clock::now();
-    device.reset();
-    return std::chrono::steady_clock::now() - began < std::chrono::seconds(20);
-  };
   auto device = open();
   emulated.fall_silent(true);
   EXPECT_TRUE(ends_soon(std::move(device)));

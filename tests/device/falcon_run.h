@@ -13,18 +13,9 @@
 #include "device/falcon/falcon_device.h"
 #include "renderers/servo_thread.h"
 #include "tests/device/emulated_falcon.h"
+#include "tests/device/steady_push.h"
 
 namespace asperity {
-
-/// Pushes upwards whatever the probe does.
-class SteadyPush final : public ForceRenderer {
- public:
-  static constexpr double kForce_N = 1.0;
-  void reset(const ProbeState&) noexcept override {}
-  RenderedTick tick(const ProbeState&, double) noexcept override {
-    return {.wrench = {.force_N = {0.0, 0.0, kForce_N}}};
-  }
-};
 
 /// What a run's records said, read while it goes on.
 class RunWatch final {

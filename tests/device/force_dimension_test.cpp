@@ -13,6 +13,7 @@
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/small_turn.h"
 #include "device/vendor_library.h"
+#include "tests/device/complaint.h"
 #include "tests/device/vendors/test_dhd.h"
 #include "tests/support/allocation_guard.h"
 
@@ -27,15 +28,6 @@ using testing::IsEmpty;
 using testing::Not;
 
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
-
-std::string complaint_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "none";
-}
 
 class ForceDimension : public testing::Test {
  protected:

@@ -22,7 +22,9 @@
 
 #include "device/monotonic_clock.h"
 #include "renderers/servo_thread.h"
+#include "tests/device/complaint.h"
 #include "tests/device/emulated_spacemouse.h"
+#include "tests/device/steady_push.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
@@ -35,15 +37,6 @@ constexpr int kFull = 350;
 constexpr std::uint16_t kProWireless = 0xc632;
 constexpr std::uint16_t kUniversalReceiver = 0xc652;
 const glm::dvec3 kHome_m = spacemouse::RateControlSettings{}.home_m;
-
-std::string complaint_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return {};
-}
 
 std::vector<AttachedDevice> found() {
   const DriverRegistry drivers = built_in_drivers();
@@ -539,11 +532,6 @@ TEST_F(SpaceMouse, OutlivesErrorsOfTheBusInBursts) {
 
 TEST_F(SpaceMouse, EndsAtOnceWhateverItsDeviceDoes) {
   EmulatedSpaceMouse emulated(bus(), {});
-  const auto ends_soon = [](std::unique_ptr<HapticDevice> device) {
-    const auto began = std::chrono::steady_clock::now();
-    device.reset();
-    return std::chrono::steady_clock::now() - began < std::chrono::seconds(20);
-  };
   EXPECT_TRUE(ends_soon(open()));
   auto device = open();
   emulated.hold({report_of(1, {kFull, 0, 0})});
@@ -572,15 +560,6 @@ TEST_F(SpaceMouse, IsReadWithoutTouchingTheHeap) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-/// Pushes upwards whatever the probe does.
-class UpwardPush final : public ForceRenderer {
- public:
-  void reset(const ProbeState&) noexcept override {}
-  RenderedTick tick(const ProbeState&, double) noexcept override {
-    return {.wrench = {.force_N = {0.0, 0.0, 1.0}}};
-  }
-};
-
 // The whole way: reports, servo thread, records; unplugged, the fault of every lost device; back, somebody goes on.
 TEST_F(SpaceMouse, IsFollowedByAServoThreadThroughAnUnplug) {
   EmulatedSpaceMouse emulated(bus(), {});
@@ -607,7 +586,7 @@ TEST_F(SpaceMouse, IsFollowedByAServoThreadThroughAnUnplug) {
   };
   {
     ServoLoop loop(*device, ring, {.heartbeat_timeout_s = 1e6, .misses_to_fault = 1'000'000});
-    loop.present({.id = 1, .renderer = std::make_unique<UpwardPush>()});
+    loop.present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
     const ServoThread thread(loop, *device, Scheduling::normal);
     const auto reached = [&](const std::function<bool()>& condition) {
       return eventually([&] {
