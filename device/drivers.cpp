@@ -3,6 +3,7 @@
 #include "device/drivers.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <mutex>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/inverse3/inverse3_device.h"
 #include "device/openhaptics/openhaptics_device.h"
+#include "device/pause.h"
 #include "device/pointer_device.h"
 #include "device/replay_device.h"
 #include "device/simulated_models.h"
@@ -51,6 +53,19 @@ Driver simulated_driver() {
                 *options.hand,
                 model.empty() ? options.simulated : as_model(model, options.simulated));
           }};
+}
+
+// The lock under which one looks or opens, once nobody else does.
+std::unique_lock<std::mutex> alone_until(const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds kBetweenTrials(10);
+  std::unique_lock alone(UnitInUse::looking(), std::defer_lock);
+  while (!alone.try_lock()) {
+    if (stop.stop_requested()) {
+      throw OpeningStopped("no device was opened: the opening was stopped, as asked");
+    }
+    pause(stop, kBetweenTrials);
+  }
+  return alone;
 }
 
 // "serial 042 at usb 1-2"
@@ -96,8 +111,16 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
     for (const Driver& one : drivers_) ids += (ids.empty() ? "" : ", ") + one.id;
     throw std::runtime_error("there is no device \"" + id + "\"; this program has: " + ids);
   }
-  const std::lock_guard alone(UnitInUse::looking());
-  return driver->open(colon == std::string::npos ? "" : name.substr(colon + 1), options);
+  std::unique_lock alone = alone_until(options.stop);
+  DriverOptions told = options;
+  told.alone = &alone;
+  std::unique_ptr<HapticDevice> device =
+      driver->open(colon == std::string::npos ? "" : name.substr(colon + 1), told);
+  if (options.stop.stop_requested()) {
+    throw OpeningStopped("the device \"" + name +
+                         "\" was let go of: its opening was stopped, as asked");
+  }
+  return device;
 }
 
 DriverSurvey DriverRegistry::survey(const Driver& driver, const DriverOptions& options) const {

@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +18,11 @@
 #include "device/simulated_device.h"
 
 namespace asperity {
+
+/// Somebody asked to stop while a device was opened. It was let go of.
+class OpeningStopped final : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// What a lab tells the drivers. Each takes what concerns it and ignores the rest.
 struct DriverOptions {
@@ -30,6 +38,11 @@ struct DriverOptions {
   /// who can see it has been told and agrees. Null: nobody can be asked, and a device that has to move first is
   /// refused.
   std::function<bool(const std::string& sentence)> may_move{};
+  /// Asks an opening to end, with OpeningStopped: at once where a driver waits for a person, otherwise when it is
+  /// done with what takes it some seconds at most, and when a device that moves by itself has come to rest.
+  std::stop_token stop{};
+  /// Filled in by DriverRegistry: its lock, which a driver lets go of while it waits for a person (LetOthersLook).
+  std::unique_lock<std::mutex>* alone = nullptr;
   /// Drivers with a thread of their own ask for SCHED_FIFO; refused, they go on without.
   bool wants_fifo = true;
   /// What holds the probe of the simulated device; has to outlive it. Null elsewhere.
@@ -71,7 +84,7 @@ struct Driver {
   /// Never throws for what the machine lacks: that is a hindrance.
   std::function<DriverSurvey(const DriverOptions&)> find{};
   /// Opens the one whose serial or place is `which`; the only one attached when that is empty.
-  /// Errors: std::runtime_error with a sentence: what is wrong, and what would be right.
+  /// Errors: std::runtime_error with a sentence: what is wrong, and what would be right; OpeningStopped.
   std::function<std::unique_ptr<HapticDevice>(const std::string& which, const DriverOptions&)>
       open{};
 };
@@ -79,7 +92,8 @@ struct Driver {
 /// The drivers that a program knows.
 ///
 /// Threads: any. `survey` and `open` wait for each other, whichever registry they are called on: what a driver
-/// looks into (a maker's library, a bus) is one for the process (UnitInUse::looking).
+/// looks into (a maker's library, a bus) is one for the process (UnitInUse::looking). While a driver waits for a
+/// person, others look and open: what it has open then is in use.
 ///
 /// Errors: `add` throws std::invalid_argument for an id that is taken or not `[a-z][a-z0-9_]*`.
 class DriverRegistry final {
@@ -94,7 +108,8 @@ class DriverRegistry final {
   /// What one of its drivers finds.
   DriverSurvey survey(const Driver& driver, const DriverOptions& options) const;
   /// Opens what `--device` names: ID, or ID:SERIAL, or ID:PLACE.
-  /// Errors: std::runtime_error, for an unknown driver with the names of all; as Driver::open does.
+  /// Errors: std::runtime_error, for an unknown driver with the names of all; as Driver::open does; OpeningStopped
+  /// also where the stop comes while another thread looks or opens, or before the driver is done.
   std::unique_ptr<HapticDevice> open(const std::string& name, const DriverOptions& options) const;
 
  private:

@@ -34,4 +34,22 @@ class UnitInUse final {
   static std::mutex& looking();
 };
 
+/// While it lives, other threads may look for devices and open them: a driver waits for a person, who may take
+/// minutes. What the driver has open is in use for the others by then: listed here, or claimed on its bus.
+class LetOthersLook final {
+ public:
+  /// `alone` is DriverOptions::alone: null where nobody holds it.
+  explicit LetOthersLook(std::unique_lock<std::mutex>* alone) : alone_(alone) {
+    if (alone_ != nullptr) alone_->unlock();
+  }
+  ~LetOthersLook() {
+    if (alone_ != nullptr) alone_->lock();
+  }
+  LetOthersLook(const LetOthersLook&) = delete;
+  LetOthersLook& operator=(const LetOthersLook&) = delete;
+
+ private:
+  std::unique_lock<std::mutex>* alone_;
+};
+
 }  // namespace asperity

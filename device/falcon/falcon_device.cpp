@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "device/monotonic_clock.h"
+#include "device/units_in_use.h"
 
 namespace asperity {
 namespace {
@@ -50,7 +51,7 @@ DeviceCapability falcon_capability() {
 
 std::unique_ptr<FalconDevice> FalconDevice::open(const FalconSettings& settings) {
   std::unique_ptr<FalconDevice> device(
-      new FalconDevice(std::make_unique<FalconLine>(settings.line)));
+      new FalconDevice(std::make_unique<FalconLine>(settings.line, settings.stop)));
   device->wait_until_homed(settings);
   return device;
 }
@@ -61,9 +62,12 @@ FalconDevice::FalconDevice(std::unique_ptr<FalconLine> line)
 FalconDevice::~FalconDevice() { zero_force(); }
 
 void FalconDevice::wait_until_homed(const FalconSettings& settings) {
+  // The bus keeps them off this one.
+  const LetOthersLook meanwhile(settings.alone);
   const auto until = std::chrono::steady_clock::now() + settings.homing_patience;
   bool told = false;
   for (;;) {
+    falcon::require_no_stop(settings.stop);
     if (line_->take(reading_)) {
       if (reading_.is_homed) {
         state_.store(State::well, std::memory_order_relaxed);
@@ -135,8 +139,7 @@ std::string FalconDevice::trouble() const {
     case State::not_homed:
       return it +
              " looks for its zero: pull the grip out all the way, then push it in all the way, "
-             "until "
-             "its lamp turns from red to green.";
+             "until its lamp turns from red to green.";
   }
   return {};
 }
@@ -166,7 +169,8 @@ Driver falcon_driver() {
               },
           .open = [](const std::string& which,
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
-            FalconSettings settings{.tell = options.tell};
+            FalconSettings settings{
+                .tell = options.tell, .stop = options.stop, .alone = options.alone};
             {
               const UsbSession usb;
               const AttachedDevice device =

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <stop_token>
 #include <string>
 
 #include "device/drivers.h"
@@ -20,6 +22,8 @@ struct FalconSettings {
   std::chrono::milliseconds homing_patience{60'000};
   /// Told what that person has to do.
   std::function<void(const std::string& sentence)> tell{};
+  std::stop_token stop{};                         ///< DriverOptions::stop
+  std::unique_lock<std::mutex>* alone = nullptr;  ///< DriverOptions::alone
 };
 
 /// What every Falcon declares; one that is attached tells its serial number and its rate besides.
@@ -44,7 +48,8 @@ DeviceCapability falcon_capability();
 /// middle of the workspace, 115 mm in front of the shoulders.
 ///
 /// Errors: `open` throws std::runtime_error with a sentence: no permission, in use, no firmware, loading
-/// failed three times, not homed in time, no watchdog process.
+/// failed three times, not homed in time, no watchdog process. OpeningStopped: while firmware is loaded after the
+/// transfer under way, otherwise at once.
 ///
 /// Real-time: reading and sending do not allocate, lock, wait or throw; the bus has a thread of its own
 /// (falcon/falcon_line.h).

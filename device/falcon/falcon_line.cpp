@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "device/drivers.h"
 #include "device/monotonic_clock.h"
 #include "device/pause.h"
 
@@ -58,10 +59,15 @@ std::array<std::int16_t, 3> unpacked(std::uint64_t bits) noexcept {
 
 }  // namespace
 
-FalconLine::FalconLine(LineSettings settings)
+void require_no_stop(const std::stop_token& stop) {
+  if (!stop.stop_requested()) return;
+  throw OpeningStopped("the Novint Falcon was let go of: its opening was stopped, as asked");
+}
+
+FalconLine::FalconLine(LineSettings settings, const std::stop_token& stop)
     : settings_(std::move(settings)), answers_(settings_.velocity) {
-  open();
-  thread_ = std::jthread([this](const std::stop_token& stop) { converse(stop); });
+  open(stop);
+  thread_ = std::jthread([this](const std::stop_token& ended) { converse(ended); });
 }
 
 FalconLine::~FalconLine() = default;  // the thread is the last member: stopped and joined first
@@ -71,10 +77,11 @@ void FalconLine::command(const std::array<std::int16_t, 3>& motor_words) noexcep
   commanded_ns_.store(monotonic_now_ns(), std::memory_order_release);
 }
 
-void FalconLine::open() {
+void FalconLine::open(const std::stop_token& stop) {
   was_alone_ = attached_falcons(usb_).size() == 1;
   auto port = std::make_unique<FalconPort>(usb_, settings_.place);
-  make_ready(*port, {});
+  make_ready(*port, stop);
+  require_no_stop(stop);
   port_ = std::move(port);
   begin_watch();
   heard_ns_ = exchanged_ns_ = monotonic_now_ns();
@@ -98,6 +105,7 @@ void FalconLine::begin_watch() {
 
 void FalconLine::make_ready(FalconPort& port, const std::stop_token& stop) const {
   if (port.begin_frames() == Transfer::done && speaks_frames(port, stop)) return;
+  if (stop.stop_requested()) return;  // what it has not said yet is not known
   if (settings_.firmware.empty()) {
     throw std::runtime_error(no_firmware_sentence(settings_.place));
   }

@@ -19,6 +19,9 @@
 
 namespace asperity::falcon {
 
+/// Throws OpeningStopped where `stop` asks for it.
+void require_no_stop(const std::stop_token& stop);
+
 struct LineSettings {
   std::string place{};   ///< "usb 1-2"
   std::string serial{};  ///< empty where the device tells none
@@ -42,7 +45,7 @@ struct LineSettings {
 ///   one to the frame before it.
 ///
 /// Errors: the constructor opens the device, loads its firmware where none runs, and throws
-/// std::runtime_error with a sentence where that fails.
+/// std::runtime_error with a sentence where that fails; OpeningStopped where `stop` asks for it.
 ///
 /// Threads: owns one, at SCHED_FIFO only while it exchanges frames, not while it looks for a device.
 /// `take` and `command` belong to one other. The destructor waits for the transfer under way and does
@@ -55,7 +58,7 @@ class FalconLine final {
  public:
   static constexpr std::int64_t kForceLasts_ns = 100'000'000;
 
-  explicit FalconLine(LineSettings settings);
+  explicit FalconLine(LineSettings settings, const std::stop_token& stop = {});
   ~FalconLine();
   FalconLine(const FalconLine&) = delete;
   FalconLine& operator=(const FalconLine&) = delete;
@@ -72,7 +75,7 @@ class FalconLine final {
   bool is_watched() const noexcept { return watched_.load(std::memory_order_acquire); }
 
  private:
-  void open();
+  void open(const std::stop_token& stop);
   bool reopen(const std::stop_token& stop);
   bool is_reopened(const std::stop_token& stop);
   void make_ready(FalconPort& port, const std::stop_token& stop) const;

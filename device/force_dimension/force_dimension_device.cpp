@@ -153,6 +153,10 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
         "\", which asks before anything moves, or calibrate the device as its maker's manual "
         "says.");
   }
+  // Others may look for devices while somebody thinks.
+  const UnitInUse asked_about(
+      kForceDimension,
+      {.model = model, .serial = identity.serial, .place = place_of(identity.index)});
   if (!may_move("the handle of " + who +
                 " will move by itself, through its workspace and for some seconds, to find its "
                 "zero.\n  Let it hang free, keep hands and hair away, and let nobody hold it. "
@@ -488,12 +492,19 @@ Driver force_dimension_driver() {
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             auto sdk = std::make_shared<const DhdFunctions>(options.library);
             const std::vector<AttachedDevice> attached = survey_of(*sdk).attached;
+            ForceDimensionDevice::MayMove may_move{};
+            if (options.may_move) {
+              may_move = [&options](const std::string& sentence) {
+                const LetOthersLook meanwhile(options.alone);
+                return options.may_move(sentence);
+              };
+            }
             const std::string place =
                 choose_attached("device of Force Dimension", attached, which).place;
             for (std::size_t index = 0; index < attached.size(); ++index) {
               if (attached[index].place != place) continue;
               return std::make_unique<ForceDimensionDevice>(std::move(sdk), static_cast<int>(index),
-                                                            options.may_move);
+                                                            may_move);
             }
             throw std::logic_error("the chosen device is not among those attached");
           }};

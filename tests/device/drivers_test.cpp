@@ -6,6 +6,7 @@
 #include <atomic>
 #include <semaphore>
 #include <stdexcept>
+#include <stop_token>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -147,6 +148,39 @@ TEST(Drivers, AreAskedOneThingAtATimeWhicheverRegistryAsks) {
   looking.join();
   EXPECT_TRUE(has_looked);
   EXPECT_FALSE(was_opening);
+}
+
+TEST(Drivers, AreOpenedNoMoreWhereSomebodyStopsWhileAnotherLooks) {
+  std::stop_source stop;
+  bool is_opened = false;
+  DriverRegistry opens;
+  opens.add({.id = "one", .open = [&](const std::string&, const DriverOptions&) {
+               is_opened = true;
+               return std::unique_ptr<HapticDevice>();
+             }});
+  DriverRegistry looks;
+  looks.add({.id = "other", .find = [&](const DriverOptions&) {
+               std::jthread opening([&] {
+                 EXPECT_THROW(opens.open("one", {.stop = stop.get_token()}), OpeningStopped);
+               });
+               stop.request_stop();
+               opening.join();  // which the look would wait for in vain
+               return DriverSurvey{};
+             }});
+  looks.survey(looks.drivers().front(), {});
+  EXPECT_FALSE(is_opened);
+}
+
+// A driver that hears of no stop is done with its work all the same; nobody wants the device any more.
+TEST(Drivers, LetGoOfADeviceThatIsOpenWhenTheStopHasCome) {
+  VirtualHand hand(HandHabits{}, Random(1));
+  std::stop_source stop;
+  DriverRegistry drivers;
+  drivers.add({.id = "slow", .open = [&](const std::string&, const DriverOptions&) {
+                 stop.request_stop();
+                 return std::make_unique<SimulatedDevice>(hand, SimulatedDeviceSettings{});
+               }});
+  EXPECT_THROW(drivers.open("slow", {.stop = stop.get_token()}), OpeningStopped);
 }
 
 TEST(ChooseAttached, TakesTheOnlyOneOrTheOneThatIsNamed) {

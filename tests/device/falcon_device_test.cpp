@@ -2,15 +2,17 @@
 
 #include "device/falcon/falcon_device.h"
 
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sched.h>
-#include <stdexcept>
+#include <stop_token>
 #include <sys/syscall.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 #include <dlfcn.h>
@@ -248,6 +250,54 @@ TEST_F(Falcon, GivesUpWhenNobodyHomesIt) {
   wanted.homing_patience = std::chrono::milliseconds(500);
   EXPECT_THAT(complaint_of([&] { FalconDevice::open(wanted); }),
               HasSubstr("was not homed in time"));
+}
+
+TEST_F(Falcon, IsLetGoOfWhereSomebodyStopsWhileItIsHomed) {
+  EmulatedFalcon emulated(bus(), {.is_homed = false});
+  std::stop_source stop;
+  const DriverOptions options{.tell = [&](const std::string&) { stop.request_stop(); },
+                              .stop = stop.get_token(),
+                              .wants_fifo = false};
+  EXPECT_THROW(built_in_drivers().open("falcon", options), OpeningStopped);
+  EXPECT_FALSE(emulated.is_held());
+  EXPECT_EQ(emulated.motor_words(), kNoWords);
+}
+
+TEST_F(Falcon, IsLetGoOfWhereSomebodyStopsBeforeItsFirmwareIsLoaded) {
+  EmulatedFalcon emulated(bus(), {.runs_firmware = false, .firmware = firmware()});
+  std::stop_source stop;
+  FalconSettings wanted = settings();
+  wanted.stop = stop.get_token();
+  stop.request_stop();
+  EXPECT_THROW(FalconDevice::open(wanted), OpeningStopped) << "and not: it has no firmware";
+  wanted.line.firmware = firmware();
+  EXPECT_THROW(FalconDevice::open(wanted), OpeningStopped);
+  EXPECT_FALSE(emulated.is_held());
+  EXPECT_EQ(emulated.loads(), 0);
+}
+
+// Somebody takes a minute for it, and others have devices to look for.
+TEST_F(Falcon, KeepsNobodyFromLookingWhileItIsHomed) {
+  EmulatedFalcon emulated(bus(), {.is_homed = false});
+  const DriverRegistry drivers = built_in_drivers();
+  std::atomic<bool> has_looked{false};
+  std::vector<AttachedDevice> found;
+  std::jthread looking;
+  const DriverOptions options{.tell =
+                                  [&](const std::string&) {
+                                    looking = std::jthread([&] {
+                                      found = drivers.survey(*drivers.find("falcon"), {}).attached;
+                                      has_looked = true;
+                                    });
+                                    EXPECT_TRUE(eventually([&] { return has_looked.load(); }));
+                                    emulated.home();
+                                  },
+                              .wants_fifo = false};
+  const auto device = drivers.open("falcon", options);
+  looking.join();
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found.front().hindrance, HasSubstr("is used by another program or session"));
+  EXPECT_TRUE(eventually([&] { return device->read(monotonic_now_ns()).has_value(); }));
 }
 
 TEST_F(Falcon, TellsWhereTheGripIsInTheHandsFrame) {

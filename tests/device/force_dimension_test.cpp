@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
+#include <future>
 #include <thread>
 
 #include <glm/geometric.hpp>
@@ -171,6 +171,43 @@ TEST_F(ForceDimension, IsNotMovedWhereNobodyWasAskedOrSomebodySaidNo) {
               AllOf(HasSubstr("was not moved"), HasSubstr("nobody agreed")));
   EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
   EXPECT_FALSE(bench->units[0].is_open);
+}
+
+// Somebody may take minutes to answer. A look that opened the device to ask its name would close it under the question.
+TEST_F(ForceDimension, KeepsNobodyFromLookingWhileItAsksAndIsNotTouchedByTheLook) {
+  attach(33, 101).knows_its_zero = false;
+  attach(33, 202);
+  DriverRegistry drivers;
+  drivers.add(driver);
+  std::vector<AttachedDevice> found;
+  std::string refusal;
+  bool has_looked = false;
+  std::thread other;
+  DriverOptions asks = options;
+  asks.may_move = [&](const std::string&) {
+    bench->calls.push_back("asked");
+    std::packaged_task<void()> look([&] {
+      found = drivers.survey(driver, options).attached;
+      refusal = complaint_of([&] { drivers.open("force_dimension:101", options); });
+    });
+    std::future<void> looked = look.get_future();
+    std::thread(std::move(look)).swap(other);
+    has_looked = looked.wait_for(std::chrono::seconds(60)) == std::future_status::ready;
+    bench->calls.push_back("answered");
+    return true;
+  };
+  const auto device = drivers.open("force_dimension:101", asks);
+  other.join();
+  EXPECT_TRUE(has_looked);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_THAT(found[0].hindrance, HasSubstr("uses it now"));
+  EXPECT_THAT(found[1].hindrance, HasSubstr("is in use"));
+  EXPECT_THAT(refusal, HasSubstr("uses it now"));
+  const std::vector<std::string> calls = bench->calls;
+  const auto asked = std::find(calls.begin(), calls.end(), "asked");
+  ASSERT_NE(asked, calls.end());
+  EXPECT_EQ(*(asked + 1), "answered") << "nothing was asked of the SDK in between";
+  EXPECT_TRUE(bench->units[0].knows_its_zero);
 }
 
 TEST_F(ForceDimension, RefusesADeviceThatTheSdkDoesNotLetGoOf) {
