@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <unistd.h>
@@ -13,12 +14,14 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <poll.h>
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
 #include "app/cli/driver_options.h"
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
+#include "app/device_kind.h"
 #include "app/tasks/measure_device.h"
 #include "app/tasks/protocol_files.h"
 #include "device/drivers.h"
@@ -48,8 +51,20 @@ std::string in_four_digits(double value) {
   return {text.data(), end.ptr};
 }
 
+/// A line that somebody types; nothing where a stop or the end of the input comes first.
+std::optional<std::string> typed_line(const std::stop_token& stop) {
+  constexpr int kBetweenLooks_ms = 50;
+  while (!stop.stop_requested()) {
+    pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+    if (::poll(&input, 1, kBetweenLooks_ms) <= 0) continue;
+    std::string line{};
+    return std::getline(std::cin, line) ? std::optional(line) : std::nullopt;
+  }
+  return {};
+}
+
 /// Says what will happen and whether somebody agrees to it; `is_agreed` where they said so beforehand.
-bool agrees(const std::string& what, bool is_agreed) {
+bool agrees(const std::string& what, bool is_agreed, const std::stop_token& stop) {
   say("asperity: " + what);
   if (is_agreed) return true;
   if (isatty(STDIN_FILENO) == 0) {
@@ -58,19 +73,18 @@ bool agrees(const std::string& what, bool is_agreed) {
         "where somebody is beside it");
   }
   say("Type yes and press Enter to begin:");
-  std::string answer{};
-  return std::getline(std::cin, answer) && answer == "yes";
+  return typed_line(stop) == "yes";
 }
 
 /// What a person has to know, and a yes, before a real device is measured.
 void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& options,
-                         bool is_agreed) {
+                         bool is_agreed, const std::stop_token& stop) {
   const DeviceCapability& capability = device.capability();
   const std::string what =
       what_measuring_does(capability.model + ' ' + capability.serial, options.force_N).english();
-  if (!agrees(what + "\n  Ctrl-C takes the force away at once.", is_agreed)) {
-    throw std::runtime_error("nothing was measured: the answer was not yes");
-  }
+  if (agrees(what + "\n  Ctrl-C takes the force away at once.", is_agreed, stop)) return;
+  throw std::runtime_error(stop.stop_requested() ? "nothing was measured: it was stopped, as asked"
+                                                 : "nothing was measured: the answer was not yes");
 }
 
 Table table_of(const DeviceProfile& profile) {
@@ -136,16 +150,18 @@ void add_device_test(CLI::App& program, Job& job) {
         if (!has_rate) order.test.rate_Hz = protocol.rate_Hz;
       }
       VirtualHand hand = hand_to_measure();
+      // Before the device: one that is homed, or moves to find its zero, is not left by a process that just dies.
+      const InterruptWatch interrupt("asperity: stopping, the force goes to zero");
       options->drivers.tell = [](const std::string& sentence) { say(sentence); };
-      options->drivers.may_move = [&options](const std::string& what) {
-        return agrees(what, options->agreed);
+      options->drivers.stop = interrupt.token();
+      options->drivers.may_move = [&](const std::string& what) {
+        return agrees(what, options->agreed, interrupt.token());
       };
       options->drivers.hand = &hand;
       const std::unique_ptr<HapticDevice> device =
           built_in_drivers().open(options->device, options->drivers);
-      const InterruptWatch interrupt("asperity: stopping, the force goes to zero");
-      if (device->capability().name != "simulated") {
-        ask_before_it_moves(*device, order.test, options->agreed);
+      if (kind_of_device(options->device) != DeviceKind::simulated) {
+        ask_before_it_moves(*device, order.test, options->agreed, interrupt.token());
         if (isatty(STDIN_FILENO) != 0) order.borders_s = kBorders_s;
       }
       order.test.tell = [](const DeviceTestNews& news) {

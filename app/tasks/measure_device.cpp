@@ -1,6 +1,7 @@
 #include "app/tasks/measure_device.h"
 
 #include "analysis/number_text.h"
+#include "app/device_kind.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
@@ -8,7 +9,7 @@ namespace asperity {
 MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
                               const std::stop_token& stop) {
   DeviceTestOptions test = order.test;
-  test.is_simulated = device.capability().name == "simulated";
+  test.is_simulated = kind_of_device(device.capability().name) == DeviceKind::simulated;
   if (test.is_simulated) {
     // Nobody feels it, and its mechanics know only the times that it is read at.
     test.mechanics = StagePacing::stepped;

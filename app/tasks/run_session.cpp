@@ -98,13 +98,14 @@ std::int64_t free_hour(const Study& study) {
 
 std::unique_ptr<Rig> make_rig(const RunInputs& inputs, const Protocol& protocol, const Study& study,
                               const std::optional<SessionRow>& unfinished,
-                              const DriverRegistry& drivers) {
+                              const DriverRegistry& drivers, const std::stop_token& stop) {
   const RigSettings settings = rig_settings_for(protocol, inputs.faults, inputs.device);
   const std::int64_t not_before_ns = unfinished ? last_time_ns(study, *unfinished) : 0;
   if (inputs.pacing == RunPacing::real_time) {
     const std::uint64_t seed = unfinished ? std::stoull(unfinished->seed) : inputs.seed;
-    return open_rig({.name = inputs.device, .options = inputs.driver_options}, drivers, settings,
-                    Random(seed).split("hand"), not_before_ns);
+    NamedDevice device{.name = inputs.device, .options = inputs.driver_options};
+    device.options.stop = stop;
+    return open_rig(device, drivers, settings, Random(seed).split("hand"), not_before_ns);
   }
   auto rig = std::make_unique<SteppedRig>(
       settings, unfinished ? unfinished->clock_zero_ns / kHour_ns : free_hour(study));
@@ -190,7 +191,8 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   sitting.seed = inputs.seed;
   if (!inputs.resume && !inputs.is_virtual) check_may_begin(study, inputs, protocol);
   if (inputs.resume) sitting.unfinished = unfinished_session(study, inputs, protocol);
-  const std::unique_ptr<Rig> rig = make_rig(inputs, protocol, study, sitting.unfinished, drivers);
+  const std::unique_ptr<Rig> rig =
+      make_rig(inputs, protocol, study, sitting.unfinished, drivers, stop);
   if (inputs.ready) inputs.ready(protocol);
 
   const Wait wait = sleep_until_stopped(stop, links);

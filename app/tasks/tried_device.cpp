@@ -53,7 +53,8 @@ TriedDevice try_device(const std::string& device, const Protocol& protocol,
     tried = {.device = device,
              .rate_Hz = protocol.rate_Hz,
              .failure = phrase_of(error).as_sentence(),
-             .wants_to_move = unanswered};
+             .wants_to_move = unanswered,
+             .was_stopped = dynamic_cast<const OpeningStopped*>(&error) != nullptr};
   }
   return tried;
 }

@@ -22,6 +22,7 @@ struct TriedDevice {
   /// What it has to do by itself before it can be used, in its driver's own words; it was not moved, because
   /// nobody has agreed to that. Empty otherwise.
   std::string wants_to_move{};
+  bool was_stopped = false;  ///< by DriverOptions::stop, while it was opened
   DeviceCapability capability{};
   ServoQualityRow quality{};
   double strongest_N = 0.0;

@@ -1,5 +1,7 @@
 // A device that has to move by itself before it can be used: nobody's arm moves unasked.
 
+#include <csignal>
+
 #include <gtest/gtest.h>
 
 #include "tests/journeys/program.h"
@@ -74,6 +76,20 @@ TEST_F(MovingDevice, IsNotMovedByATestThatIsToldNo) {
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_NE(outcome.err.find("nobody agreed"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(has_moved());
+}
+
+TEST_F(MovingDevice, IsLetGoOfWhereSomebodyStopsInsteadOfAnswering) {
+  Invocation asked = invocation({"device-test", "force_dimension"});
+  asked.on_terminal = true;
+  Program program(asked);
+  EXPECT_TRUE(program.read_until([](const std::string&, const std::string& err) {
+    return err.find("Type yes") != std::string::npos;
+  })) << program.err();
+  program.send(SIGINT);
+  const Outcome outcome = program.finish();
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(said().find("dhdClose"), std::string::npos) << said();
   EXPECT_FALSE(has_moved());
 }
 

@@ -71,6 +71,7 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
           VirtualHand hand = hand_to_measure();
           DriverOptions mine = options;
           mine.hand = &hand;
+          mine.stop = stop;
           mine.tell = [this, say](const std::string& sentence) {
             say([this, sentence] { emit wished(QString::fromStdString(sentence)); });
           };
@@ -80,7 +81,6 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
                 stop);
           };
           const std::unique_ptr<HapticDevice> opened_device = drivers.open(device, mine);
-          if (stop.stop_requested()) return {};
           say([this, capability = opened_device->capability()] { emit opened(capability); });
           MeasureOrder told = order;
           told.test.tell = [this, say, talk](const DeviceTestNews& news) {
@@ -96,6 +96,8 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
           };
           return measure_device(*opened_device, told, stop);
         } catch (const DeviceStageStopped&) {
+          return {};
+        } catch (const OpeningStopped&) {
           return {};
         } catch (const std::exception&) {
           // The driver's refusal, because nobody said yes. Whatever else it tells has to be read: that it cannot

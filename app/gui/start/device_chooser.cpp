@@ -136,7 +136,13 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
     emit changed();
   });
   connect(again_, &QPushButton::clicked, this, &DeviceChooser::look);
-  connect(try_, &QPushButton::clicked, this, [this] { try_now(); });
+  connect(try_, &QPushButton::clicked, this, [this] {
+    if (try_task_.is_running()) {
+      try_task_.cancel();
+    } else {
+      try_now();
+    }
+  });
   connect(firmware_, &QPushButton::clicked, this, &DeviceChooser::choose_firmware);
   connect(why_, &QPushButton::toggled, why_text_, &QWidget::setVisible);
   connect(yes_, &QPushButton::clicked, this, [this] {
@@ -265,8 +271,9 @@ void DeviceChooser::show_chosen() {
   firmware_->setEnabled(!is_looking && !is_trying);
   devices_->setEnabled(whom_ != For::virtual_participants && !is_trying);
   try_->setVisible(is_attached && whom_ == For::people);
-  try_->setEnabled(now.is_usable() && has_looked_ && !is_looking && !is_trying &&
-                   protocol_ != nullptr && !question_->isVisibleTo(this));
+  try_->setText(is_trying ? tr("Stop trying") : tr("Try this device"));
+  try_->setEnabled(is_trying || (now.is_usable() && has_looked_ && !is_looking &&
+                                 protocol_ != nullptr && !question_->isVisibleTo(this)));
   QString said = remark_of_choice(now);
   if (is_attached && !now.is_usable()) said = has_looked_ ? text(now.hindrance) : QString();
   if (whom_ == For::virtual_participants) {
@@ -324,8 +331,10 @@ void DeviceChooser::try_now(const std::string& agreed) {
   };
   try_task_.run<TriedDevice>(
       [device = device(), protocol = protocol_, drivers = study_.drivers(), options, agreed](
-          const std::stop_token&, const BackgroundTask::Progress&) {
-        return try_device(device, *protocol, drivers, options, agreed);
+          const std::stop_token& stop, const BackgroundTask::Progress&) {
+        DriverOptions mine = options;
+        mine.stop = stop;
+        return try_device(device, *protocol, drivers, mine, agreed);
       },
       [this](const TriedDevice& found) { show_try(found); },
       [this](const QString& what) {
@@ -341,7 +350,7 @@ void DeviceChooser::try_now(const std::string& agreed) {
 
 void DeviceChooser::show_try(const TriedDevice& found) {
   const bool is_asked = !found.wants_to_move.empty();
-  if (!is_asked) tried_ = std::make_shared<const TriedDevice>(found);
+  if (!is_asked && !found.was_stopped) tried_ = std::make_shared<const TriedDevice>(found);
   show_chosen();
   // Somebody may have turned to virtual participants meanwhile.
   if (is_asked && whom_ == For::people && found.device == device()) {

@@ -73,7 +73,14 @@ class TheDeviceChooser : public testing::Test {
       options.library = ASPERITY_TEST_DRD;
       ++openings;
       options.tell("Pull the grip out.");
-      EXPECT_TRUE(let_it_open.try_acquire_for(std::chrono::seconds(20)));
+      const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+      bool may_open = false;
+      while (!may_open && !options.stop.stop_requested() &&
+             std::chrono::steady_clock::now() < until) {
+        may_open = let_it_open.try_acquire_for(std::chrono::milliseconds(5));
+      }
+      if (options.stop.stop_requested()) throw OpeningStopped("it was let go of");
+      EXPECT_TRUE(may_open);
       return open(which, options);
     };
     registry.add(driver);
@@ -202,6 +209,25 @@ TEST_F(TheDeviceChooser, OpensAnAttachedDeviceOnlyWhenSomebodyWantsItAndTellsWha
       << "as the driver tells of an omega.3";
   EXPECT_TRUE(has_line("check_calibration", "no profile of this device"));
   EXPECT_FALSE(bench->units.front().is_open) << "it is let go of for the session";
+}
+
+TEST_F(TheDeviceChooser, StopsTryingWhereSomebodyStopsOrLeaves) {
+  make_page();
+  pick(kDevice);
+  require([this] { return has_reason("has not been tried yet"); }, "reason");
+  click("device_try");
+  require([this] { return shown("device_state").contains("Pull the grip out."); }, "wish");
+  EXPECT_EQ(find<QPushButton>("device_try").text(), "Stop trying");
+  click("device_try");
+  require([this] { return shown("device_state").contains("Not tried yet"); }, "end");
+  EXPECT_EQ(find<QPushButton>("device_try").text(), "Try this device");
+  EXPECT_TRUE(has_reason("has not been tried yet"));
+
+  click("device_try");
+  require([this] { return shown("device_state").contains("Pull the grip out."); }, "wish");
+  page.reset();  // waits for the driver, which waits for a person
+  EXPECT_EQ(openings, 2);
+  EXPECT_FALSE(bench->units.front().is_open);
 }
 
 TEST_F(TheDeviceChooser, LetsAnArmMoveByAYesToItsDriversOwnWordsAlone) {
