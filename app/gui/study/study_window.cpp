@@ -152,6 +152,8 @@ void StudyWindow::tell_limits() {
 
 void StudyWindow::remove_pages() {
   if (pages_ == nullptr) return;
+  // Otherwise each page would show the one before it as it goes, which would begin to look for devices, or to read.
+  pages_->setCurrentWidget(welcome_);
   for_later_.clear();
   navigation_->clear();
   for (int i = pages_->count() - 1; i >= 0; --i) {

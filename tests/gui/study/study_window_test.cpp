@@ -282,6 +282,41 @@ TEST_F(StudyWindowTest, MakesALargePageWhenItIsFirstWanted) {
   EXPECT_EQ(window.findChild<WorkbenchPage*>(), nullptr);
 }
 
+/// Counts how often it came into sight and went out of it.
+class CountingPage final : public QWidget {
+ public:
+  struct Counts {
+    int shown = 0;
+    int hidden = 0;
+  };
+  explicit CountingPage(Counts& counts) : counts_(counts) {}
+
+ protected:
+  void showEvent(QShowEvent*) override { ++counts_.shown; }
+  void hideEvent(QHideEvent*) override { ++counts_.hidden; }
+
+ private:
+  Counts& counts_;
+};
+
+// A page that is shown begins to work: to read the study, to look for devices.
+TEST_F(StudyWindowTest, ShowsNoPageOnTheWayWhenItIsClosed) {
+  const std::filesystem::path folder = home() / "study";
+  new_study(folder);
+  CountingPage::Counts other{};
+  CountingPage::Counts last{};
+  StudyWindow window{};
+  ASSERT_TRUE(window.open_study(folder));
+  window.add_page("other", {}, new CountingPage(other));
+  window.add_page("last", {}, new CountingPage(last));
+  window.show_page("last");
+  window.show();
+  ASSERT_EQ(last.shown, 1);
+  window.close_study();
+  EXPECT_EQ(last.hidden, 1) << "it heard of its end";
+  EXPECT_EQ(other.shown, 0);
+}
+
 TEST_F(StudyWindowTest, KeepsTheWorkbenchThroughAChangeOfTheme) {
   const std::filesystem::path folder = small_demo_study();
   StudyWindow window{};
