@@ -26,7 +26,6 @@
 #include "app/tasks/protocol_files.h"
 #include "device/drivers.h"
 #include "device/virtual_hand.h"
-#include "results_schema/study.h"
 
 namespace asperity {
 
@@ -143,7 +142,8 @@ void add_device_test(CLI::App& program, Job& job) {
       MeasureOrder& order = options->order;
       for (const std::string& limit : options->limits) order.test.limits.insert(item_limit(limit));
       // Before a minute of measuring is lost for a folder that is no study.
-      if (order.study) (void)Study::open(*order.study, Access::read_only);
+      std::optional<MeasuringLock> measuring{};
+      if (order.study) measuring.emplace(*order.study);
       if (options->protocol) {
         const Protocol protocol = load_protocol(*options->protocol, built_in_models(), order.study);
         order.protocol_limits = protocol.device_limits;

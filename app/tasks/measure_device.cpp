@@ -5,6 +5,33 @@
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
+namespace {
+
+constexpr const char* kLock = "device-test";
+
+}  // namespace
+
+MeasuringLock::MeasuringLock(const std::filesystem::path& study) {
+  (void)Study::open(study, Access::read_only);  // nothing is written into what is none
+  lock_.emplace(study, kLock);
+  // Their locks, and not the sessions that are stored: one is stored only when its device is open.
+  const std::string of_session = Study::session_lock_name({});
+  for (const auto& entry : std::filesystem::directory_iterator(study / "locks")) {
+    const std::string name = entry.path().stem().string();
+    if (!name.starts_with(of_session) || !StudyLock::holder(study, name)) continue;
+    throw PhrasedError(
+        phrase("DeviceTest", "A session of %1 runs; a device is measured while none does.")
+            .with(name.substr(of_session.size())));
+  }
+}
+
+void require_nothing_measured(const std::filesystem::path& study) {
+  if (!StudyLock::holder(study, kLock)) return;
+  throw PhrasedError(
+      phrase("DeviceTest",
+             "A device is being measured for this study: stop that or let it end, then begin the "
+             "session."));
+}
 
 MeasuredDevice measure_device(HapticDevice& device, const MeasureOrder& order,
                               const std::stop_token& stop) {

@@ -13,6 +13,7 @@
 #include "app/tasks/device_test.h"
 #include "device/haptic_device.h"
 #include "device/virtual_hand.h"
+#include "results_schema/study.h"
 
 namespace asperity {
 
@@ -31,9 +32,25 @@ struct MeasuredDevice {
   std::optional<std::filesystem::path> file{};  ///< that the study has it in
 };
 
+/// While it lives a device is measured for this study: sessions in real time do not begin, in whichever process.
+///
+/// Errors: PhrasedError where a session of the study runs or is about to; ResultsError where a device is measured for
+/// it already, and where the folder is no study.
+class MeasuringLock final {
+ public:
+  explicit MeasuringLock(const std::filesystem::path& study);
+
+ private:
+  std::optional<StudyLock> lock_{};
+};
+/// For a session that holds its own lock already, so that of both one sees the other.
+/// Errors: PhrasedError where a device is measured for this study now.
+void require_nothing_measured(const std::filesystem::path& study);
+
 /// Measures an open device: see `test_device`. Of a simulated one, which nobody feels, the mechanics are
 /// stepped, and a protocol's limits on timing are left out: timing is told and not judged. Whoever asks for a
-/// real one has told somebody beside it what it will do, and has been told yes.
+/// real one has told somebody beside it what it will do, and has been told yes; from before it is opened there is
+/// a MeasuringLock of `order.study`.
 ///
 /// Errors: as `test_device`, DeviceStageStopped also where the stop comes after the last force: nothing is
 /// kept then. ResultsError where the profile cannot be written.

@@ -13,6 +13,7 @@
 #include "app/conductor/reason.h"
 #include "app/conductor/virtual_participant.h"
 #include "app/device_kind.h"
+#include "app/tasks/measure_device.h"
 #include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
@@ -177,6 +178,7 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   Study study = Study::open(inputs.study, Access::read_write);
   study.mark_crashed_sessions();
   const StudyLock lock(inputs.study, Study::session_lock_name(inputs.participant));
+  if (inputs.pacing == RunPacing::real_time) require_nothing_measured(inputs.study);
   const std::optional<ParticipantRow> known = study.participant(inputs.participant);
   if (known && known->is_virtual != inputs.is_virtual) {
     throw PhrasedError(

@@ -17,6 +17,7 @@
 
 #include "app/conductor/recording_columns.h"
 #include "app/conductor/session_requests.h"
+#include "app/tasks/measure_device.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/run_session.h"
 #include "results_schema/atomic_file.h"
@@ -224,6 +225,36 @@ TEST(NamedDevice, RunsTheSessionAndIsStoredWithIt) {
   const Study study = Study::open(inputs.study, Access::read_only);
   const SessionRow session = study.sessions().at(0);
   EXPECT_NE(session.device.find("swinging"), std::string::npos) << session.device;
+}
+
+TEST(NamedDevice, IsNotOpenedForASessionWhileADeviceIsMeasuredForTheStudy) {
+  const TemporaryFolder folder{};
+  RunInputs inputs{};
+  inputs.study = folder.path() / "study";
+  make_small_study(inputs.study);
+  inputs.protocol = folder.path() / "small.json";
+  write_file(inputs.protocol, quick_protocol(), Overwrite::refuse);
+  inputs.participant = "standin1";
+  inputs.pacing = RunPacing::real_time;
+  inputs.device = "swinging";
+  int openings = 0;
+  DriverRegistry drivers;
+  drivers.add({.id = "swinging", .open = [&](const std::string&, const DriverOptions&) {
+                 ++openings;
+                 return std::make_unique<SwingingDevice>();
+               }});
+  const ModelRegistry models = built_in_models();
+  QuickPerson person{};
+  const MeasuringLock measuring(inputs.study);
+  try {
+    run_session(inputs, models, &person, {}, {}, {}, drivers);
+    ADD_FAILURE() << "it began";
+  } catch (const PhrasedError& error) {
+    EXPECT_NE(std::string(error.what()).find("A device is being measured"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(openings, 0);
+  EXPECT_TRUE(Study::open(inputs.study, Access::read_only).sessions().empty());
 }
 
 TEST(RecordedHand, MovesInASessionAsItOnceMovedAndFeelsNothing) {

@@ -9,27 +9,9 @@
 
 #include <QtCore/QMetaObject>
 
-#include "app/phrase.h"
 #include "app/tasks/device_bench.h"
-#include "app/tasks/study_overview.h"
-#include "results_schema/study.h"
 
 namespace asperity {
-
-namespace {
-
-/// A session has the machine, and perhaps the device, for itself.
-void require_no_session(const std::filesystem::path& folder) {
-  const Study study = Study::open(folder, Access::read_only);
-  for (const SessionRow& row : study.sessions()) {
-    if (!is_running(study, row)) continue;
-    throw PhrasedError(
-        phrase("DeviceTest", "A session of %1 runs; a device is measured while none does.")
-            .with(row.participant));
-  }
-}
-
-}  // namespace
 
 /// What both threads reach.
 struct DeviceTestRun::Talk {
@@ -67,7 +49,8 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
           const std::stop_token& stop,
           const BackgroundTask::Progress&) -> std::optional<MeasuredDevice> {
         try {
-          if (order.study) require_no_session(*order.study);
+          std::optional<MeasuringLock> measuring{};
+          if (order.study) measuring.emplace(*order.study);
           VirtualHand hand = hand_to_measure();
           DriverOptions mine = options;
           mine.hand = &hand;
