@@ -23,6 +23,7 @@
 #include "app/gui/devices/profile_view.h"
 #include "app/gui/devices/profile_words.h"
 #include "app/gui/look/words.h"
+#include "app/gui/session/session_keys.h"
 #include "app/gui/start/question_form.h"
 #include "app/gui/study/settings.h"
 #include "app/gui/study/shown_text.h"
@@ -55,7 +56,7 @@ DeviceTestPage::DeviceTestPage(OpenStudy& study, MeasureOrder usual, QWidget* pa
   back_->setObjectName("device_test_back");
   stop_ = make_button(tr("■ Stop: no force (Esc)"), ButtonRole::danger, this);
   stop_->setObjectName("device_test_stop");
-  stop_->setToolTip(tr("Esc, F12 and Pause do the same."));
+  stop_->setToolTip(tr("Esc, F12, Pause and Ctrl+Space do the same."));
   head().addWidget(back_);
   head().addWidget(stop_);
   stack_ = new QStackedWidget(this);
@@ -419,7 +420,9 @@ void DeviceTestPage::begin() {
   stop_->setEnabled(true);
   stop_->show();
   qApp->installEventFilter(this);
-  setProperty("keep", tr("A device is being measured. Stop that first."));
+  const QString reason = tr("A device is being measured. Stop that first.");
+  setProperty("keep", reason);
+  setProperty("uncovered", reason);
   using Workspace = DeviceTestSteps::Workspace;
   steps_->begin(device_.is_simulated ? Workspace::left_out : Workspace::by_a_person);
   do_now_->setText(tr("The device is being opened."));
@@ -491,6 +494,7 @@ void DeviceTestPage::end(State state, const QString& sentence) {
   back_->show();
   qApp->removeEventFilter(this);
   setProperty("keep", {});
+  setProperty("uncovered", {});
   stack_->setCurrentIndex(0);
   banner().show_news(state, sentence);
   // Whoever presses Space to stop it may press it twice: that must not begin it again.
@@ -500,8 +504,12 @@ void DeviceTestPage::end(State state, const QString& sentence) {
 // An open menu or dialog has the keys of the window; these stop a moving arm all the same.
 bool DeviceTestPage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress && run_.is_running()) {
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Escape || key == Qt::Key_F12 || key == Qt::Key_Pause) stop();
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    if (key.key() == Qt::Key_Escape) stop();
+    if (is_emergency(key)) {
+      stop();
+      return true;  // Ctrl+Space would press the button that has the focus, which may be a yes
+    }
   }
   return StudyPage::eventFilter(watched, event);
 }

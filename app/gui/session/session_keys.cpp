@@ -16,11 +16,6 @@ Qt::KeyboardModifiers modifiers_of(const QKeyEvent& key) {
          (Qt::ControlModifier | Qt::ShiftModifier | Qt::AltModifier | Qt::MetaModifier);
 }
 
-bool is_emergency(const QKeyEvent& key) {
-  return key.key() == Qt::Key_F12 || key.key() == Qt::Key_Pause ||
-         (key.key() == Qt::Key_Space && modifiers_of(key) == Qt::ControlModifier);
-}
-
 std::optional<SessionVerb> verb_of(const QKeyEvent& key) {
   const bool dialog_is_open =
       QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr;
@@ -58,6 +53,11 @@ std::optional<SessionVerb> verb_of(const QKeyEvent& key) {
 }
 
 }  // namespace
+
+bool is_emergency(const QKeyEvent& key) {
+  return key.key() == Qt::Key_F12 || key.key() == Qt::Key_Pause ||
+         (key.key() == Qt::Key_Space && modifiers_of(key) == Qt::ControlModifier);
+}
 
 SessionKeys::SessionKeys(QObject* parent) : QObject(parent) {
   QCoreApplication::instance()->installEventFilter(this);

@@ -21,6 +21,9 @@ enum class SessionVerb {
   show_participant,  ///< F9: their window comes back to its place, in front
 };
 
+/// F12, Pause/Break and Ctrl+Space, wherever a device may be pushing: no force, now.
+bool is_emergency(const QKeyEvent& key);
+
 /// An event filter of the application rather than shortcuts: a shortcut sleeps while a dialog is
 /// open, and the emergency stop must not.
 ///

@@ -262,10 +262,13 @@ bool StudyWindow::refuse_when_busy() {
   return true;
 }
 
-bool StudyWindow::refuse_to_refill() {
-  if (refuse_when_busy()) return true;
+bool StudyWindow::refuse_to_refill() { return refuse_when_busy() || refuse_for_a_page("keep"); }
+
+bool StudyWindow::refuse_to_cover() { return refuse_when_busy() || refuse_for_a_page("uncovered"); }
+
+bool StudyWindow::refuse_for_a_page(const char* property) {
   for (int i = 0; i < pages_->count(); ++i) {
-    const QString reason = pages_->widget(i)->property("keep").toString();
+    const QString reason = pages_->widget(i)->property(property).toString();
     if (reason.isEmpty()) continue;
     banner_->show_news(State::look, reason);
     return true;
@@ -374,7 +377,9 @@ void StudyWindow::make_help_menu() {
   menu->addAction(tr("&About Asperity"), this, &StudyWindow::show_about);
 }
 
-void StudyWindow::show_about() { (new AboutDialog(this))->open(); }
+void StudyWindow::show_about() {
+  if (!refuse_to_cover()) (new AboutDialog(this))->open();
+}
 
 // Menus, pages and the banner are made anew: not while one of them is still at work.
 void StudyWindow::choose_theme(ThemeChoice choice) {
@@ -392,7 +397,7 @@ void StudyWindow::choose_language(const QString& code) {
 }
 
 void StudyWindow::ask_for_new_study() {
-  if (refuse_when_busy()) return;
+  if (refuse_to_cover()) return;
   auto* dialog = new NewStudyDialog(place_of_studies(), this);
   connect(dialog, &NewStudyDialog::wanted, this, &StudyWindow::make_new_study);
   dialog->open();
@@ -412,7 +417,7 @@ void StudyWindow::make_new_study(const std::filesystem::path& folder) {
 }
 
 void StudyWindow::ask_for_study() {
-  if (refuse_when_busy()) return;
+  if (refuse_to_cover()) return;
   const std::filesystem::path place = place_of_studies();
   auto* chooser = new QFileDialog(
       this, tr("Open the folder of a study"),

@@ -33,7 +33,8 @@ class WelcomePage;
 /// - After `study_opened` every page can be had and belongs to that study; pages are made anew with
 ///   every study, theme and language, the large ones when somebody first wants them. A page with
 ///   something half done that would be lost says so in its property "keep", a sentence: theme and
-///   language then stay, and the sentence is shown.
+///   language then stay, and the sentence is shown. One whose buttons have to stay in reach says so in
+///   its property "uncovered": the window's menus open no dialog over it then.
 /// - `session_wanted` says that somebody wants to run a session; whoever runs sessions connects it.
 ///   Until then the pages offer no session to start.
 /// - Whatever takes the pages away asks first when the protocol editor has unsaved changes.
@@ -94,6 +95,8 @@ class StudyWindow final : public QMainWindow {
   bool must_stay(std::function<void()> again);
   ProtocolEditorPage* editor() const;
   bool refuse_to_refill();
+  bool refuse_to_cover();
+  bool refuse_for_a_page(const char* property);
   void choose_theme(ThemeChoice choice);
   void choose_language(const QString& code);
   void ask_for_new_study();

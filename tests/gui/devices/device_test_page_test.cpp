@@ -339,6 +339,48 @@ TEST_F(DeviceTests, StopByTheirKeysWhereverTheFocusIs) {
   EXPECT_FALSE(has_profiles());
 }
 
+TEST_F(DeviceTests, StopByCtrlSpaceWhichAgreesToNothing) {
+  bench.has_lost_its_zero = true;
+  make_page(stepped(), arm());
+  click("device_test_begin");
+  require([this] { return find<QPushButton>("device_test_yes").isVisible(); }, "question");
+  auto& yes = find<QPushButton>("device_test_yes");
+  yes.setFocus();
+  QTest::keyClick(&yes, Qt::Key_Space, Qt::ControlModifier);
+  wait_until_it_ended();
+  EXPECT_EQ(bench.openings, 0);
+  EXPECT_NE(news().find("nothing was kept"), std::string::npos) << news();
+}
+
+// A dialog would take the button that stops the arm out of reach.
+TEST_F(DeviceTests, LetTheWindowOpenNoDialogOverThem) {
+  StudyWindow window{};
+  ASSERT_TRUE(window.open_study(folder));
+  window.study()->set_drivers(drivers_with_an_arm());
+  auto* shown_page = qobject_cast<DeviceTestPage*>(window.page("device_test"));
+  shown_page->show_device(arm());
+  window.show_page("device_test");
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  bench.hold_after = 1;
+  shown_page->findChild<QPushButton*>("device_test_begin")->click();
+  require([this] { return bench.is_held.load(); }, "push");
+  for (const Qt::Key key : {Qt::Key_N, Qt::Key_O}) {
+    QTest::keyClick(&window, key, Qt::ControlModifier);
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr)
+        << QKeySequence(key).toString().toStdString();
+    delete QApplication::activeModalWidget();
+    EXPECT_NE(window.banner().text().toStdString().find("is being measured"), std::string::npos);
+    window.banner().hide();
+  }
+  EXPECT_TRUE(shown_page->is_measuring());
+  bench.go_on.release();
+  window.show_page("devices");  // which stops it
+  require([&] { return !shown_page->is_measuring(); }, "end");
+  QTest::keyClick(&window, Qt::Key_N, Qt::ControlModifier);
+  EXPECT_NE(QApplication::activeModalWidget(), nullptr);
+}
+
 TEST_F(DeviceTests, StopWhenTheirPageGoesOutOfSight) {
   make_page(stepped(), arm());
   bench.hold_after = 5000;
