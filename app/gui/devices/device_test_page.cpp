@@ -54,7 +54,7 @@ DeviceTestPage::DeviceTestPage(OpenStudy& study, MeasureOrder usual, QWidget* pa
   usual_.borders_s = kBorders_s;
   back_ = make_button(tr("← All devices"), ButtonRole::link, this);
   back_->setObjectName("device_test_back");
-  stop_ = make_button(tr("■ Stop: no force (Esc)"), ButtonRole::danger, this);
+  stop_ = make_button({}, ButtonRole::danger, this);
   stop_->setObjectName("device_test_stop");
   stop_->setToolTip(tr("Esc, F12, Pause and Ctrl+Space do the same."));
   head().addWidget(back_);
@@ -263,7 +263,7 @@ void DeviceTestPage::connect_run() {
   connect(&run_, &DeviceTestRun::wished, do_now_, &QLabel::setText);
   connect(&run_, &DeviceTestRun::asked, this, &DeviceTestPage::ask);
   connect(&run_, &DeviceTestRun::opened, this, [this](const DeviceCapability& capability) {
-    if (!stop_wanted_) stop_->setText(tr("■ Stop: no force (Esc)"));
+    if (!stop_wanted_) offer_stop();
     picture_->set_device(capability);
   });
   connect(&run_, &DeviceTestRun::came_to, this, &DeviceTestPage::show_news);
@@ -379,26 +379,30 @@ void DeviceTestPage::show_found(const Found& found) {
   show_limits();
 }
 
+const DeviceTestPage::Limits* DeviceTestPage::chosen_limits() const {
+  const int chosen = limits_->currentIndex() - 1;  // the first are the usual ones
+  const bool is_one = chosen >= 0 && chosen < static_cast<int>(found_.limits.size());
+  return is_one ? &found_.limits[static_cast<std::size_t>(chosen)] : nullptr;
+}
+
 void DeviceTestPage::show_limits() {
-  const int chosen = limits_->currentIndex() - 1;
-  if (chosen < 0 || chosen >= static_cast<int>(found_.limits.size())) {
+  const Limits* const chosen = chosen_limits();
+  if (chosen == nullptr) {
     limits_text_->setText(
         found_.limits.empty()
             ? tr("Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms. A protocol of "
-                 "the "
-                 "study that has \"limits\" in its \"device\" would be listed here.")
+                 "the study that has \"limits\" in its \"device\" would be listed here.")
             : tr("Rate at least 950 Hz, lateness of 99 in 100 ticks at most 1 ms."));
     return;
   }
-  const Limits& limits = found_.limits[static_cast<std::size_t>(chosen)];
   QStringList parts{};
-  for (const auto& [name, limit] : limits.limits) {
+  for (const auto& [name, limit] : chosen->limits) {
     const DeviceQuantity* const quantity = device_quantity(name);
     if (quantity == nullptr) continue;
     parts << title_of_item(name) + ' ' +
                  limit_in_words({.name = name, .limit = limit, .bound = quantity->bound});
   }
-  limits_text_->setText(tr("At %1 Hz: %2.").arg(limits.rate_Hz, 0, 'f', 0).arg(parts.join(", ")));
+  limits_text_->setText(tr("At %1 Hz: %2.").arg(chosen->rate_Hz, 0, 'f', 0).arg(parts.join(", ")));
 }
 
 // --- while it is measured ------------------------------------------------------------------------
@@ -407,18 +411,14 @@ void DeviceTestPage::begin() {
   if (run_.is_running() || device_.device.empty()) return;
   MeasureOrder order = usual_;
   order.test.force_N = force_->value();
-  const int chosen = limits_->currentIndex() - 1;
-  if (chosen >= 0 && chosen < static_cast<int>(found_.limits.size())) {
-    const Limits& limits = found_.limits[static_cast<std::size_t>(chosen)];
-    order.protocol_limits = limits.limits;
-    order.test.rate_Hz = limits.rate_Hz;
+  if (const Limits* const chosen = chosen_limits()) {
+    order.protocol_limits = chosen->limits;
+    order.test.rate_Hz = chosen->rate_Hz;
   }
   banner().hide();
   stop_wanted_ = false;
   back_->hide();
-  stop_->setText(tr("■ Stop: no force (Esc)"));
-  stop_->setEnabled(true);
-  stop_->show();
+  offer_stop();
   qApp->installEventFilter(this);
   const QString reason = tr("A device is being measured. Stop that first.");
   setProperty("keep", reason);
@@ -433,6 +433,12 @@ void DeviceTestPage::begin() {
   stop_->setFocus();
   frames_.start();
   run_.begin(study().drivers(), driver_options(), device_.device, order);
+}
+
+void DeviceTestPage::offer_stop() {
+  stop_->setText(tr("■ Stop: no force (Esc)"));
+  stop_->setEnabled(true);
+  stop_->show();
 }
 
 void DeviceTestPage::stop() {

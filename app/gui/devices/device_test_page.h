@@ -72,9 +72,12 @@ class DeviceTestPage final : public StudyPage {
   QWidget* make_course();
   void connect_run();
   void show_found(const Found& found);
+  /// Null where those are the usual ones.
+  const Limits* chosen_limits() const;
   void show_limits();
   void write_what_it_does();
   void begin();
+  void offer_stop();
   void stop();
   void ask(const QString& sentence);
   void drop_question();

@@ -14,13 +14,11 @@ QString what_to_do(DeviceTestPart part, const std::optional<int>& axis) {
     case DeviceTestPart::timing:
       return DeviceTestSteps::tr(
           "Leave the handle alone: it hangs free, and nothing pushes it. The loop is timed, and "
-          "the "
-          "force has to be exactly zero.");
+          "the force has to be exactly zero.");
     case DeviceTestPart::safety:
       return DeviceTestSteps::tr(
           "Keep hands away: soft pushes, then a stop, a force that is no number, and silence of "
-          "the "
-          "program. Each has to end in zero force.");
+          "the program. Each has to end in zero force.");
     case DeviceTestPart::sweeps:
       return DeviceTestSteps::
           tr("Keep hands away: the handle is pulled to and fro along %1, slowly and then faster. "
