@@ -81,6 +81,8 @@ struct DriverSurvey {
 struct Driver {
   std::string id{};       ///< `[a-z][a-z0-9_]*`, the name in `--device` and in DeviceCapability
   std::string summary{};  ///< one sentence
+  /// False for one whose devices only tell where the hand is: nobody need be asked before they are measured.
+  bool has_motors = true;
   /// Never throws for what the machine lacks: that is a hindrance.
   std::function<DriverSurvey(const DriverOptions&)> find{};
   /// Opens the one whose serial or place is `which`; the only one attached when that is empty.

@@ -77,6 +77,7 @@ Driver replay_driver() {
   return {
       .id = "replay",
       .summary = "A recorded hand: moves as somebody once moved, and gives no force.",
+      .has_motors = false,
       .find =
           [](const DriverOptions&) {
             return DriverSurvey{.hindrance =

@@ -79,6 +79,10 @@ bool agrees(const std::string& what, bool is_agreed, const std::stop_token& stop
 void ask_before_it_moves(const HapticDevice& device, const DeviceTestOptions& options,
                          bool is_agreed, const std::stop_token& stop) {
   const DeviceCapability& capability = device.capability();
+  if (capability.actuated_degrees_of_freedom == 0) {
+    say("asperity: " + capability.model + " has no motors: nothing moves by itself");
+    return;
+  }
   const std::string what =
       what_measuring_does(capability.model + ' ' + capability.serial, options.force_N).english();
   if (agrees(what + "\n  Ctrl-C takes the force away at once.", is_agreed, stop)) return;

@@ -8,8 +8,10 @@ std::vector<SurveyedDriver> survey_devices(const DriverRegistry& drivers,
                                            const DriverOptions& options) {
   std::vector<SurveyedDriver> surveyed{};
   for (const Driver& driver : drivers.drivers()) {
-    surveyed.push_back(
-        {.id = driver.id, .summary = driver.summary, .survey = drivers.survey(driver, options)});
+    surveyed.push_back({.id = driver.id,
+                        .summary = driver.summary,
+                        .has_motors = driver.has_motors,
+                        .survey = drivers.survey(driver, options)});
   }
   return surveyed;
 }

@@ -12,6 +12,7 @@ namespace asperity {
 struct SurveyedDriver {
   std::string id{};
   std::string summary{};
+  bool has_motors = true;  ///< Driver::has_motors
   DriverSurvey survey{};
 };
 

@@ -97,6 +97,7 @@ Driver spacemouse_driver() {
   return {
       .id = spacemouse::kSpaceMouse,
       .summary = "SpaceMouse of 3Dconnexion: moves and turns the probe, and gives no force.",
+      .has_motors = false,
       .find =
           [](const DriverOptions&) {
             DriverSurvey survey{};

@@ -74,6 +74,26 @@ TEST(SimulatedModels, AreNamedAfterTheSimulatedDeviceOnly) {
   EXPECT_THROW(simulated_settings("simulated:"), std::runtime_error);
 }
 
+// What is said before one is opened has to be so once it is.
+TEST(Drivers, KnowWhetherTheirDevicesHaveMotors) {
+  VirtualHand hand(HandHabits{}, Random(1));
+  LatestValue<PointerSample> pointer{};
+  const DriverOptions options{
+      .hand = &hand,
+      .recorded_hand =
+          [](const std::filesystem::path&) {
+            return std::vector<ProbeState>{{.time_ns = 0}, {.time_ns = 1'000'000}};
+          },
+      .pointer = &pointer};
+  const DriverRegistry drivers = built_in_drivers();
+  for (const char* name : {"simulated", "mouse", "replay:some.ahr"}) {
+    const auto device = drivers.open(name, options);
+    EXPECT_EQ(drivers.find(device->capability().name)->has_motors,
+              device->capability().actuated_degrees_of_freedom > 0)
+        << name;
+  }
+}
+
 TEST(Drivers, FindTheSimulatedDeviceEverywhere) {
   const DriverRegistry drivers = built_in_drivers();
   const DriverSurvey survey = drivers.drivers().front().find({});

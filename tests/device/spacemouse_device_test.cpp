@@ -225,6 +225,7 @@ TEST_F(SpaceMouse, DeclaresThatNobodyFeelsIt) {
   EXPECT_EQ(capability.model, "3Dconnexion SpaceMouse Compact");
   EXPECT_EQ(capability.sensed_degrees_of_freedom, 6);
   EXPECT_EQ(capability.actuated_degrees_of_freedom, 0);
+  EXPECT_FALSE(spacemouse_driver().has_motors);
   EXPECT_EQ(capability.peak_force_N, 0.0);
   EXPECT_EQ(capability.buttons, 1);
   EXPECT_THAT(capability.remarks, HasSubstr("up to 0.1 m/s and turns at up to 1 rad/s"));

@@ -313,7 +313,9 @@ void DeviceTestPage::show_device(const TestedDevice& device) {
   banner().hide();
   device_name_->setText(device.name);
   const bool can_be_kept = study().can_be_written();
-  begin_->setText(device.is_simulated ? tr("Begin the test") : tr("Begin: the handle moves"));
+  const bool moves = device.has_motors && !device.is_simulated;
+  begin_->setText(moves ? tr("Begin: the handle moves") : tr("Begin the test"));
+  force_->setEnabled(device.has_motors);
   begin_->setEnabled(can_be_kept);
   not_now_->setVisible(!device.is_simulated);
   reason_->setText(can_be_kept ? QString()
@@ -336,6 +338,13 @@ void DeviceTestPage::write_what_it_does() {
         State::fine,
         tr("Nothing moves: a virtual hand holds it, and its mechanics are measured "
            "faster than time goes by. Its timing says something about this computer."));
+    return;
+  }
+  if (!device_.has_motors) {
+    what_->set_state(State::fine,
+                     tr("It has no motors: nothing moves by itself, and no force is given. The "
+                        "loop is timed; then you move the probe along the borders of its "
+                        "workspace."));
     return;
   }
   QString said =
@@ -423,8 +432,7 @@ void DeviceTestPage::begin() {
   const QString reason = tr("A device is being measured. Stop that first.");
   setProperty("keep", reason);
   setProperty("uncovered", reason);
-  using Workspace = DeviceTestSteps::Workspace;
-  steps_->begin(device_.is_simulated ? Workspace::left_out : Workspace::by_a_person);
+  steps_->begin({.by_motors = device_.has_motors, .by_a_person = !device_.is_simulated});
   do_now_->setText(tr("The device is being opened."));
   progress_->setValue(0);
   drop_question();

@@ -72,9 +72,14 @@ DeviceTestSteps::DeviceTestSteps(QWidget* parent) : QWidget(parent) {
   write();
 }
 
-void DeviceTestSteps::begin(Workspace workspace) {
+void DeviceTestSteps::begin(const Parts& parts) {
   now_.reset();
-  steps_.back().label->setVisible(workspace == Workspace::by_a_person);
+  for (const Step& step : steps_) {
+    const bool is_timing = step.part == DeviceTestPart::timing;
+    const bool is_workspace = step.part == DeviceTestPart::workspace;
+    const bool is_there = is_workspace ? parts.by_a_person : parts.by_motors;
+    step.label->setVisible(is_timing || is_there);
+  }
   write();
 }
 

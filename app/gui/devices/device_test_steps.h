@@ -22,10 +22,14 @@ class DeviceTestSteps final : public QWidget {
  public:
   explicit DeviceTestSteps(QWidget* parent = nullptr);
 
-  /// Somebody moves the handle of a real device along its borders, at the end.
-  enum class Workspace { by_a_person, left_out };
+  /// What there is beside the timing of the loop.
+  struct Parts {
+    bool by_motors = true;
+    bool by_a_person =
+        true;  ///< who moves the handle of a real device along its borders, at the end
+  };
   /// Everything is to come.
-  void begin(Workspace workspace);
+  void begin(const Parts& parts);
   void come_to(DeviceTestPart part);
 
  private:

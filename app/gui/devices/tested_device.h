@@ -17,6 +17,7 @@ struct TestedDevice {
   WhichDevice which{};        ///< whose profiles are its own
   std::string remark{};       ///< a sentence of its driver that people should know, or empty
   bool is_simulated = false;  ///< nothing moves, and nobody has to be asked
+  bool has_motors = true;     ///< otherwise nothing moves by itself, and there is no force
 };
 
 }  // namespace asperity

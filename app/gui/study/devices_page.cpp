@@ -239,7 +239,8 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
            .handle = device.model + (tag.empty() ? "" : " " + tag),
            .name = name_of(device),
            .which = {driver.id, device.serial.empty() ? device.model : "", device.serial},
-           .remark = device.remark},
+           .remark = device.remark,
+           .has_motors = driver.has_motors},
           card));
       layout->addLayout(row);
     }

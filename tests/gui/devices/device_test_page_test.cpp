@@ -263,6 +263,27 @@ TEST_F(DeviceTests, SayWhatWillMoveAndOpenNothingWhenTheAnswerIsNo) {
   EXPECT_FALSE(has_profiles());
 }
 
+TEST_F(DeviceTests, PromiseNoMotionOfADeviceWithoutMotors) {
+  TestedDevice device = arm();
+  device.has_motors = false;
+  make_page(stepped(), device);
+  EXPECT_NE(shown("device_test_what").find("has no motors"), std::string::npos);
+  EXPECT_EQ(shown("device_test_what").find("will move"), std::string::npos);
+  EXPECT_EQ(find<QPushButton>("device_test_begin").text(), "Begin the test");
+  bench.hold_after = 5000;
+  click("device_test_begin");
+  const auto step = [this](const QString& name) {
+    for (const QLabel* label : page->findChildren<QLabel*>()) {
+      if (label->text().endsWith(name)) return label->isVisible();
+    }
+    throw std::runtime_error("no step " + name.toStdString());
+  };
+  EXPECT_TRUE(step("Zero force and timing"));
+  EXPECT_TRUE(step("Workspace"));
+  EXPECT_FALSE(step("Safety"));
+  EXPECT_FALSE(step("Weakest force"));
+}
+
 TEST_F(DeviceTests, AskOnceMoreBeforeADeviceMovesToFindItsZero) {
   bench.has_lost_its_zero = true;
   make_page(stepped(), arm());
