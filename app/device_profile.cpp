@@ -263,35 +263,41 @@ std::filesystem::path profile_path(const std::filesystem::path& study,
   return study / "profiles" / (for_file_name(profile.name) + serial + '-' + when + ".json");
 }
 
-std::vector<DeviceProfile> profiles_in(const std::filesystem::path& study,
-                                       const WhichDevice& device) {
+KeptProfiles profiles_in(const std::filesystem::path& study, const WhichDevice& device) {
   const std::filesystem::path folder = study / "profiles";
-  std::vector<DeviceProfile> profiles{};
-  if (!std::filesystem::is_directory(folder)) return profiles;
+  KeptProfiles kept{};
+  if (!std::filesystem::is_directory(folder)) return kept;
+  const auto differs = [](const std::string& wanted, const std::string& found) {
+    return !wanted.empty() && !found.empty() && wanted != found;
+  };
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
-    DeviceProfile profile = profile_from_json(read_file(entry.path()), entry.path().string());
-    const auto differs = [](const std::string& wanted, const std::string& found) {
-      return !wanted.empty() && !found.empty() && wanted != found;
-    };
-    if (differs(device.name, profile.name) || differs(device.model, profile.model) ||
-        differs(device.serial, profile.serial)) {
-      continue;
+    try {
+      DeviceProfile profile = profile_from_json(read_file(entry.path()), entry.path().string());
+      if (differs(device.name, profile.name) || differs(device.model, profile.model) ||
+          differs(device.serial, profile.serial)) {
+        continue;
+      }
+      kept.profiles.push_back(std::move(profile));
+    } catch (const std::exception& error) {
+      kept.complaints.push_back(error.what());
     }
-    profiles.push_back(std::move(profile));
   }
+  std::sort(kept.complaints.begin(), kept.complaints.end());
   // Dates of this form sort as text.
-  std::sort(profiles.begin(), profiles.end(), [](const DeviceProfile& a, const DeviceProfile& b) {
-    return a.measured_utc > b.measured_utc;
-  });
-  return profiles;
+  std::sort(kept.profiles.begin(), kept.profiles.end(),
+            [](const DeviceProfile& a, const DeviceProfile& b) {
+              return a.measured_utc > b.measured_utc;
+            });
+  return kept;
 }
 
 std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
                                             const WhichDevice& device) {
-  std::vector<DeviceProfile> profiles = profiles_in(study, device);
-  if (profiles.empty()) return {};
-  return std::move(profiles.front());
+  KeptProfiles kept = profiles_in(study, device);
+  if (!kept.complaints.empty()) throw std::runtime_error(kept.complaints.front());
+  if (kept.profiles.empty()) return {};
+  return std::move(kept.profiles.front());
 }
 
 double age_days(const DeviceProfile& profile, const std::string& now_utc) {

@@ -97,12 +97,18 @@ struct WhichDevice {
   std::string model{};
   std::string serial{};
 };
-/// The profiles that the study has of this device, the latest first. A profile without serial is that of
-/// every device of its driver and model.
-/// Errors: as profile_from_json for a file that is none.
-std::vector<DeviceProfile> profiles_in(const std::filesystem::path& study,
-                                       const WhichDevice& device);
-/// The first of them; nothing where there is none. Errors: as profiles_in.
+/// What the study's folder of profiles has.
+struct KeptProfiles {
+  std::vector<DeviceProfile> profiles{};  ///< of this device, the latest first
+  std::vector<std::string>
+      complaints{};  ///< a sentence for each file that cannot be read, of whatever device
+};
+/// The profiles that the study has of this device. A profile without serial is that of every device of its
+/// driver and model.
+KeptProfiles profiles_in(const std::filesystem::path& study, const WhichDevice& device);
+/// The first of them; nothing where there is none.
+/// Errors: std::runtime_error with the first complaint: a file that cannot be read may be the latest of this device,
+/// and no session is compared with an older one unsaid.
 std::optional<DeviceProfile> latest_profile(const std::filesystem::path& study,
                                             const WhichDevice& device);
 

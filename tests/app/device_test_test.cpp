@@ -382,6 +382,14 @@ TEST(DeviceProfile, IsFoundAgainInItsStudyTheLatestOfTheSameDevice) {
   EXPECT_EQ(found->rate_Hz, 2.0);
   EXPECT_NEAR(age_days(*found, "2026-04-01T09:00:00.000Z"), 30.0, 1e-9);
   EXPECT_FALSE(latest_profile(folder.path(), {.name = "delta"}).has_value());
+  // It may be the latest of this device.
+  write_file(folder.path() / "profiles" / "broken.json", "{", Overwrite::refuse);
+  const KeptProfiles kept = profiles_in(folder.path(), {.name = "falcon", .serial = "1"});
+  EXPECT_EQ(kept.profiles.size(), 2U);
+  ASSERT_EQ(kept.complaints.size(), 1U);
+  EXPECT_NE(kept.complaints.front().find("broken.json"), std::string::npos);
+  EXPECT_THROW(latest_profile(folder.path(), {.name = "falcon", .serial = "1"}),
+               std::runtime_error);
 }
 
 }  // namespace

@@ -177,9 +177,9 @@ QWidget* DeviceTestPage::make_profiles_card(QWidget* parent) {
   QVBoxLayout* layout = nullptr;
   QFrame* card = make_card(parent, layout);
   layout->addWidget(make_heading(tr("Profiles of this device"), card));
-  no_profiles_ = make_text({}, card, true);
-  no_profiles_->setObjectName("device_test_no_profiles");
-  layout->addWidget(no_profiles_, 1, Qt::AlignTop);
+  beside_profiles_ = make_text({}, card, true);
+  beside_profiles_->setObjectName("device_test_beside_profiles");
+  layout->addWidget(beside_profiles_, 0, Qt::AlignTop);
   using Align = StudyTable::Align;
   profiles_ = new StudyTable({{tr("Measured"), 144, Align::text},
                               {tr("Age"), 112, Align::text},
@@ -191,9 +191,9 @@ QWidget* DeviceTestPage::make_profiles_card(QWidget* parent) {
   layout->addWidget(profiles_, 1);
   connect(profiles_, &StudyTable::row_selected, this, [this](const QString& key) {
     const auto found =
-        std::find_if(found_.profiles.begin(), found_.profiles.end(),
+        std::find_if(found_.kept.profiles.begin(), found_.kept.profiles.end(),
                      [&key](const DeviceProfile& one) { return text(one.measured_utc) == key; });
-    if (found == found_.profiles.end() || found->measured_utc == shown_utc_) return;
+    if (found == found_.kept.profiles.end() || found->measured_utc == shown_utc_) return;
     shown_utc_ = found->measured_utc;
     profile_->show_profile(*found);
     profile_->parentWidget()->show();
@@ -278,7 +278,7 @@ void DeviceTestPage::connect_run() {
 // --- before --------------------------------------------------------------------------------------
 
 DeviceTestPage::Found DeviceTestPage::look_into(const Study& study, const WhichDevice& device) {
-  Found found{.profiles = profiles_in(study.folder(), device), .now_utc = SystemClock(0).utc()};
+  Found found{.kept = profiles_in(study.folder(), device), .now_utc = SystemClock(0).utc()};
   const std::filesystem::path folder = study.folder() / "protocols";
   if (!std::filesystem::is_directory(folder)) return found;
   const ModelRegistry models = built_in_models();
@@ -358,7 +358,7 @@ void DeviceTestPage::write_what_it_does() {
 void DeviceTestPage::show_found(const Found& found) {
   found_ = found;
   std::vector<StudyTable::Row> rows{};
-  for (const DeviceProfile& profile : found.profiles) {
+  for (const DeviceProfile& profile : found.kept.profiles) {
     const ItemResult verdict = short_verdict_of(profile);
     QStandardItem* result = text_cell(shape_of(verdict.state) + ' ' + verdict.words);
     result->setForeground(color_of(verdict.state));
@@ -373,11 +373,17 @@ void DeviceTestPage::show_found(const Found& found) {
     if (!shown_utc_.empty()) profiles_->select(text(shown_utc_));
   }
   profiles_->setVisible(!rows.empty());
-  no_profiles_->setVisible(rows.empty());
-  no_profiles_->setText(
-      tr("The study has none yet. A session compares its plan with the latest one."));
-  if (shown_utc_.empty() && !found.profiles.empty()) {
-    profiles_->select(text(found.profiles.front().measured_utc));
+  QStringList beside{};
+  if (rows.empty()) {
+    beside << tr("The study has none yet. A session compares its plan with the latest one.");
+  }
+  for (const std::string& complaint : found.kept.complaints) {
+    beside << tr("Not listed: %1").arg(text(complaint));
+  }
+  beside_profiles_->setVisible(!beside.isEmpty());
+  beside_profiles_->setText(beside.join('\n'));
+  if (shown_utc_.empty() && !found.kept.profiles.empty()) {
+    profiles_->select(text(found.kept.profiles.front().measured_utc));
   }
   const QSignalBlocker silent(limits_);
   const QString chosen = limits_->currentText();

@@ -60,7 +60,7 @@ class DeviceTestPage final : public StudyPage {
   };
   /// What the study has for this device.
   struct Found {
-    std::vector<DeviceProfile> profiles{};
+    KeptProfiles kept{};
     std::vector<Limits> limits{};
     std::string now_utc{};
   };
@@ -104,7 +104,7 @@ class DeviceTestPage final : public StudyPage {
   QPushButton* not_now_ = nullptr;
   QLabel* reason_ = nullptr;
   StudyTable* profiles_ = nullptr;
-  QLabel* no_profiles_ = nullptr;
+  QLabel* beside_profiles_ = nullptr;  ///< there are none, or some cannot be read
   ProfileView* profile_ = nullptr;
 
   DeviceTestSteps* steps_ = nullptr;

@@ -223,7 +223,7 @@ TEST_F(DeviceTests, MeasureInTheWindowWhatTheTerminalDoesAndKeepIt) {
   EXPECT_FALSE(find<QPushButton>("device_test_not_now").isVisible()) << "nothing moves";
   click("device_test_begin");
   wait_until_it_ended();
-  const std::vector<DeviceProfile> kept = profiles_in(folder, {.name = "simulated"});
+  const std::vector<DeviceProfile> kept = profiles_in(folder, {.name = "simulated"}).profiles;
   ASSERT_EQ(kept.size(), 1U) << news();
 
   VirtualHand hand = hand_to_measure();
@@ -488,6 +488,7 @@ TEST_F(DeviceTests, ListEarlierProfilesOfTheDeviceWithTheirAgeAndShowTheOneThatI
   keep(40, "7", 0.3);
   keep(12, "7", 0.1);
   keep(3, "8", 0.5);  // another arm
+  write_file(folder / "profiles" / "arm-9.json", "{\"format\":", Overwrite::refuse);
   make_page(stepped(), arm());
   auto& table = find<StudyTable>("device_test_profiles");
   ASSERT_EQ(table.shown_rows(), 2);
@@ -498,6 +499,8 @@ TEST_F(DeviceTests, ListEarlierProfilesOfTheDeviceWithTheirAgeAndShowTheOneThatI
   EXPECT_EQ(shown("value_friction_N"), "0.3 N");
   EXPECT_EQ(shown("result_friction_N"), "✕ fail");
   EXPECT_EQ(bench.openings, 0) << "looking opens nothing";
+  EXPECT_NE(shown("device_test_beside_profiles").find("arm-9.json"), std::string::npos)
+      << "one that cannot be read is told, and hides no other";
 }
 
 /// A session of P001 that began and has not ended.
