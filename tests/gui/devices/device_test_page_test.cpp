@@ -52,6 +52,7 @@ struct ArmBench {
   std::atomic<int> hold_after{0};
   std::atomic<bool> is_held_on_borders{false};  ///< once, while somebody moves it along them
   std::atomic<bool> has_lost_its_zero{false};
+  std::atomic<bool> does_not_let_go{false};  ///< when it is opened; first it waits for the test
 };
 
 /// A handle of 80 g on a soft spring, in the place of hardware. Left in peace for long, somebody takes it and
@@ -145,6 +146,11 @@ class DeviceTests : public testing::Test {
                       throw std::runtime_error("nobody agreed that it moves");
                     }
                     ++bench.openings;
+                    if (bench.does_not_let_go) {
+                      bench.is_held = true;
+                      bench.go_on.acquire();
+                      throw std::runtime_error("It may still move: switch it off.");
+                    }
                     return std::make_unique<TestArm>(bench);
                   }});
     return registry;
@@ -314,6 +320,18 @@ TEST_F(DeviceTests, MayBeLeftWhileTheyAsk) {
   require([this] { return find<QPushButton>("device_test_yes").isVisible(); }, "question");
   page.reset();  // waits for the thread, which waits for an answer
   EXPECT_EQ(bench.openings, 0);
+}
+
+// Whoever has stopped has to know that the arm did not.
+TEST_F(DeviceTests, TellWhatADeviceRefusesAlsoAfterTheStop) {
+  bench.does_not_let_go = true;
+  make_page(stepped(), arm());
+  click("device_test_begin");
+  require([this] { return bench.is_held.load(); }, "opening");
+  click("device_test_stop");
+  bench.go_on.release();
+  wait_until_it_ended();
+  EXPECT_NE(news().find("It may still move: switch it off."), std::string::npos) << news();
 }
 
 TEST_F(DeviceTests, LeaveZeroForceAndNoProfileWhereTheyAreStopped) {
