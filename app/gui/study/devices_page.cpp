@@ -7,6 +7,7 @@
 #include <QtWidgets/QScrollArea>
 
 #include "app/gui/study/settings.h"
+#include "app/tasks/device_choice.h"
 #include "app/tasks/study_overview.h"
 
 namespace asperity {
@@ -170,6 +171,32 @@ void DevicesPage::add_simulated() {
                       0, Qt::AlignLeft);
     cards_->addWidget(card);
   }
+  add_models();
+}
+
+void DevicesPage::add_models() {
+  QVBoxLayout* layout = nullptr;
+  QFrame* card = make_card(this, layout);
+  card->setObjectName("device_models");
+  layout->addWidget(make_heading(tr("In place of a real device"), card));
+  layout->addWidget(make_text(
+      tr("The simulated device with the workspace, forces, latency and steps of a real one, as far "
+         "as they are known: to rehearse a protocol before the device is there."),
+      card, true));
+  for (const DeviceChoice& choice : devices_without_hardware()) {
+    if (choice.kind != DeviceKind::simulated || choice.model.empty()) continue;
+    const QString model = QString::fromStdString(choice.model);
+    auto* row = new QHBoxLayout();
+    row->addWidget(make_text(model, card), 1);
+    row->addWidget(make_test_button({.device = choice.device,
+                                     .handle = choice.model,
+                                     .name = tr("Simulated: %1").arg(model),
+                                     .which = which_device(choice.device),
+                                     .is_simulated = true},
+                                    card));
+    layout->addLayout(row);
+  }
+  cards_->addWidget(card);
 }
 
 void DevicesPage::showEvent(QShowEvent* event) {

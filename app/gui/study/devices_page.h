@@ -36,6 +36,7 @@ class DevicesPage final : public StudyPage {
 
  private:
   void add_simulated();
+  void add_models();  ///< what the simulated device can stand for
   void look();
   void show_found(const std::vector<SurveyedDriver>& drivers);
   void add_driver(const SurveyedDriver& driver);

@@ -592,6 +592,14 @@ TEST_F(StudyPages, SayOfEveryDeviceWhatWouldMakeItUsableAndLookAgain) {
   EXPECT_TRUE(texts_of("device_falcon").contains("not usable yet"));
   EXPECT_TRUE(texts_of("device_openhaptics").contains("OpenHaptics is not installed."));
   EXPECT_EQ(page.findChild<QFrame*>("device_simulated"), nullptr) << "it has its card already";
+  EXPECT_TRUE(texts_of("device_models").contains("delta.3"));
+  TestedDevice wanted{};
+  QObject::connect(&page, &DevicesPage::test_wanted,
+                   [&wanted](const TestedDevice& device) { wanted = device; });
+  page.findChild<QPushButton*>("device_test_simulated:falcon")->click();
+  EXPECT_EQ(wanted.device, "simulated:falcon");
+  EXPECT_EQ(wanted.which.model, "in place of Novint Falcon") << "whose profiles it has";
+  EXPECT_TRUE(wanted.is_simulated);
 
   has_firmware = true;
   page.findChild<QPushButton*>("devices_look")->click();
