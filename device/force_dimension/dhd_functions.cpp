@@ -30,6 +30,7 @@ DhdFunctions::DhdFunctions(const std::filesystem::path& library)
   library_.find("dhdGetPosition", dhdGetPosition);
   library_.find("dhdGetPositionAndOrientationFrame", dhdGetPositionAndOrientationFrame);
   library_.find("dhdGetButtonMask", dhdGetButtonMask);
+  library_.find_if_there("dhdGetGripperAngleRad", dhdGetGripperAngleRad);
   library_.find("dhdSetForceAndTorqueAndGripperForce", dhdSetForceAndTorqueAndGripperForce);
   library_.find("dhdErrorGetLastStr", dhdErrorGetLastStr);
 

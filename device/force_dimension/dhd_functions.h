@@ -53,6 +53,7 @@ class DhdFunctions final {
   int (*dhdGetPositionAndOrientationFrame)(double*, double*, double*, double (*)[3],
                                            char) = nullptr;
   unsigned int (*dhdGetButtonMask)(char) = nullptr;
+  int (*dhdGetGripperAngleRad)(double*, char) = nullptr;  ///< null in old versions
   int (*dhdSetForceAndTorqueAndGripperForce)(double, double, double, double, double, double, double,
                                              char) = nullptr;
   const char* (*dhdErrorGetLastStr)() = nullptr;

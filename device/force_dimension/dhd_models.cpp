@@ -8,6 +8,7 @@ namespace asperity {
 namespace {
 
 enum class Turns { no, sensed, actuated };
+enum class Gripper { no, yes };
 
 struct Figures {
   const char* model = "";
@@ -18,7 +19,8 @@ struct Figures {
 // With orders that reach the device when they are sent, 4 kHz is what the SDK's pages call the limit.
 constexpr double kFastest_Hz = 4000.0;
 
-DhdModel model_of(const Figures& figures, Turns turns, const std::string& more = {}) {
+DhdModel model_of(const Figures& figures, Turns turns, Gripper gripper,
+                  const std::string& more = {}) {
   DhdModel model;
   DeviceCapability& capability = model.capability;
   capability.name = "force_dimension";
@@ -29,13 +31,14 @@ DhdModel model_of(const Figures& figures, Turns turns, const std::string& more =
   capability.workspace_maximum_m = glm::dvec3(figures.radius_m);
   capability.peak_force_N = figures.force_N;
   capability.maximum_rate_Hz = kFastest_Hz;
-  capability.buttons = 1;
+  capability.buttons = gripper == Gripper::yes ? 2 : 1;
   capability.remarks =
       "Force and workspace are CHAI3D's figures for this model, not measured; resolution and "
-      "continuous force "
-      "are not told. The maker's software adds what holds the handle's own weight." +
+      "continuous force are not told. The maker's software adds what holds the handle's own "
+      "weight." +
       more;
   model.has_wrist = turns != Turns::no;
+  model.has_gripper = gripper == Gripper::yes;
   return model;
 }
 
@@ -44,30 +47,30 @@ DhdModel model_of(const Figures& figures, Turns turns, const std::string& more =
 std::optional<DhdModel> dhd_model_of(int system_type) {
   switch (system_type) {
     case 63:
-      return model_of({"delta.3", 20.0, 0.15}, Turns::no);
+      return model_of({"delta.3", 20.0, 0.15}, Turns::no, Gripper::no);
     case 64:
-      return model_of({"delta.6", 20.0, 0.15}, Turns::actuated);
+      return model_of({"delta.6", 20.0, 0.15}, Turns::actuated, Gripper::no);
     case 33:
-      return model_of({"omega.3", 12.0, 0.075}, Turns::no);
+      return model_of({"omega.3", 12.0, 0.075}, Turns::no, Gripper::no);
     case 34:
     case 36:
-      return model_of({"omega.6", 12.0, 0.075}, Turns::sensed);
+      return model_of({"omega.6", 12.0, 0.075}, Turns::sensed, Gripper::no);
     case 35:
     case 37:
-      return model_of({"omega.7", 12.0, 0.075}, Turns::sensed);
+      return model_of({"omega.7", 12.0, 0.075}, Turns::sensed, Gripper::yes);
     case 104:
     case 105:
-      return model_of({"sigma.7", 12.0, 0.075}, Turns::actuated);
+      return model_of({"sigma.7", 12.0, 0.075}, Turns::actuated, Gripper::yes);
     case 106:
     case 107:
-      return model_of({"sigma.6+", 12.0, 0.09}, Turns::actuated);
+      return model_of({"sigma.6+", 12.0, 0.09}, Turns::actuated, Gripper::no);
     case 108:
     case 109:
       return model_of(
-          {"lambda.7", 12.0, 0.075}, Turns::actuated,
+          {"lambda.7", 12.0, 0.075}, Turns::actuated, Gripper::yes,
           " No figures for lambda.7 were at hand: it is driven within those of sigma.7.");
     case 60:
-      return model_of({"Falcon", 8.0, 0.04}, Turns::no);
+      return model_of({"Falcon", 8.0, 0.04}, Turns::no, Gripper::no);
     default:
       return std::nullopt;
   }

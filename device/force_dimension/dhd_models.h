@@ -17,6 +17,7 @@ namespace asperity {
 struct DhdModel {
   DeviceCapability capability{};
   bool has_wrist = false;  ///< senses orientation
+  bool has_gripper = false;
 };
 std::optional<DhdModel> dhd_model_of(int system_type);
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -24,6 +26,9 @@ constexpr std::chrono::milliseconds kBetweenTrials(250);
 // How many pushes in full it takes before motors that were saturated are no news any more: two seconds' worth.
 constexpr int kPushesToForget = 2000;
 constexpr const char* kForceDimension = "force_dimension";
+constexpr double kGripped_rad = 10.0 * std::numbers::pi / 180.0;
+constexpr double kLetGo_rad = 15.0 * std::numbers::pi / 180.0;
+constexpr std::uint32_t kGripperButton = 2;  // the bit
 
 // The SDK's x is towards the participant and its y to their right; ours are their right and away from them.
 glm::dvec3 ours_from(const glm::dvec3& theirs) noexcept { return {theirs.y, -theirs.x, theirs.z}; }
@@ -213,9 +218,10 @@ ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> s
 ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk,
                                            const Opened& opened)
     : HapticDevice(
-          [&opened] {
+          [&opened, &sdk] {
             DeviceCapability capability = opened.model.capability;
             capability.serial = opened.identity.serial;
+            if (sdk->dhdGetGripperAngleRad == nullptr) capability.buttons = 1;
             return capability;
           }(),
           ForceLimits{}),
@@ -224,6 +230,7 @@ ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> s
       is_robotic_(opened.identity.is_robotic),
       type_(opened.identity.type),
       has_wrist_(opened.model.has_wrist),
+      has_gripper_(opened.model.has_gripper && sdk_->dhdGetGripperAngleRad != nullptr),
       in_use_(kForceDimension, {.model = capability().model,
                                 .serial = capability().serial,
                                 .place = place_of(opened.identity.index)}) {
@@ -334,6 +341,16 @@ void ForceDimensionDevice::look_at_status() noexcept {
                          std::memory_order_relaxed);
 }
 
+// Of a device for the left hand the angle counts the other way.
+void ForceDimensionDevice::look_at_gripper(ProbeState& state) noexcept {
+  double angle_rad = 0.0;
+  if (sdk_->dhdGetGripperAngleRad(&angle_rad, id_) >= 0) {
+    if (std::abs(angle_rad) < kGripped_rad) is_gripped_ = true;
+    if (std::abs(angle_rad) > kLetGo_rad) is_gripped_ = false;
+  }
+  state.buttons = (state.buttons & ~kGripperButton) | (is_gripped_ ? kGripperButton : 0);
+}
+
 // Gives the device up when this has gone on for too long.
 void ForceDimensionDevice::fail_at(std::int64_t now_ns) noexcept {
   if (!failing_since_ns_) failing_since_ns_ = now_ns;
@@ -380,6 +397,7 @@ bool ForceDimensionDevice::do_read(std::int64_t now_ns, ProbeState& state) noexc
     state.angular_velocity_rad_per_s = angular_velocity_.add(now_ns, turned_rad_);
   }
   state.buttons = sdk_->dhdGetButtonMask(id_);
+  if (has_gripper_) look_at_gripper(state);
   last_ = state;
   return true;
 }

@@ -41,7 +41,8 @@ namespace asperity {
 /// as long as the SDK takes to open a device.
 ///
 /// Frame: ours, x to the participant's right, y away from them, z up; origin the device's.
-/// The gripper is held open by nobody: it gets no force, and is not read.
+/// A gripper is the second button: pressed once its parts are less than 10° apart, until they are more than 15° apart,
+/// whichever hand the device is for. It gets no force, and its angle is not recorded. The angles are ours.
 ///
 /// Errors: the constructor throws std::runtime_error with a sentence when the device cannot be opened, is of
 /// a kind that we do not know, or has lost its zero and may not or cannot find it.
@@ -78,12 +79,14 @@ class ForceDimensionDevice final : public HapticDevice {
   std::optional<char> find_again();
   bool reopen();
   void look_at_status() noexcept;
+  void look_at_gripper(ProbeState& state) noexcept;
 
   std::shared_ptr<const DhdFunctions> sdk_;
   char id_ = 0;
   bool is_robotic_ = false;  ///< opened by libdrd as well
   int type_ = -1;
   bool has_wrist_ = false;
+  bool has_gripper_ = false;
   UnitInUse in_use_;
 
   // The servo's thread, and while the device is given up the keeper's: `is_given_up_` hands `id_` over.
@@ -101,6 +104,7 @@ class ForceDimensionDevice final : public HapticDevice {
   std::optional<std::int64_t> failing_since_ns_{};
   std::int64_t last_new_ns_ = 0;
   bool force_is_on_ = true;
+  bool is_gripped_ = false;
   VelocityEstimator velocity_{kWindow};
   VelocityEstimator angular_velocity_{kWindow};
   int pushes_since_saturated_ = 0;

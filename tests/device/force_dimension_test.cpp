@@ -275,6 +275,39 @@ TEST_F(ForceDimension, TellsThePoseInOurFrame) {
       1e-12);
 }
 
+TEST_F(ForceDimension, TakesItsGrippersSqueezeForTheSecondButtonAndGivesItNoForce) {
+  attach(35, 7).buttons = 3;  // what the SDK may say in the gripper's place does not count
+  const auto device = open();
+  EXPECT_EQ(device->capability().buttons, 2);
+  std::int64_t now_ns = 0;
+  const auto buttons_at = [&](double angle_rad) {
+    bench->units[0].gripper_rad = angle_rad;
+    now_ns += kMillisecond_ns;
+    return device->read(now_ns).value().buttons;
+  };
+  EXPECT_EQ(buttons_at(0.50), 1U) << "open";
+  EXPECT_EQ(buttons_at(0.20), 1U) << "11.5 degrees: not yet";
+  EXPECT_EQ(buttons_at(0.17), 3U) << "9.7 degrees";
+  EXPECT_EQ(buttons_at(0.25), 3U) << "14.3 degrees: still";
+  EXPECT_EQ(buttons_at(0.27), 1U) << "15.5 degrees";
+  EXPECT_EQ(buttons_at(-0.17), 3U) << "for the left hand";
+  EXPECT_EQ(buttons_at(std::nan("")), 3U) << "as it was";
+  device->push({.force_N = {1.0, 0.0, 0.0}}, 1e-3);
+  EXPECT_EQ(bench->units[0].sent[6], 0.0);
+  EXPECT_FALSE(dhd_model_of(34).value().has_gripper);
+}
+
+TEST_F(ForceDimension, HasNoGripperWhereTheLibraryTellsOfNone) {
+  const VendorLibrary library("the stand-in", {ASPERITY_TEST_DHD});
+  TestDhdBench bench_of = nullptr;
+  library.find("test_dhd_bench", bench_of);
+  *bench_of() = test_dhd::Bench{};
+  bench_of()->units.push_back({.type = 35, .serial = 7, .buttons = 1});
+  const auto device = driver.open("", {.library = ASPERITY_TEST_DHD});
+  EXPECT_EQ(device->capability().buttons, 1);
+  EXPECT_EQ(device->read(0).value().buttons, 1U);
+}
+
 TEST_F(ForceDimension, EstimatesVelocitiesItself) {
   attach(34, 1);
   const auto device = open();

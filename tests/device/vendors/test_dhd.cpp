@@ -186,6 +186,15 @@ unsigned int dhdGetButtonMask(char id) {
   const Unit* unit = unit_of(id);
   return unit == nullptr ? 0 : unit->buttons;
 }
+#ifndef ASPERITY_TEST_DHD_WITHOUT_DRD
+int dhdGetGripperAngleRad(double* angle_rad, char id) {
+  const std::lock_guard held(the_lock);
+  const Unit* unit = unit_of(id);
+  if (unit == nullptr) return -1;
+  *angle_rad = unit->gripper_rad;
+  return 0;
+}
+#endif
 #ifndef ASPERITY_TEST_DHD_IS_OLD
 int dhdSetForceAndTorqueAndGripperForce(double fx, double fy, double fz, double tx, double ty,
                                         double tz, double gripper, char id) {

@@ -18,6 +18,7 @@ struct Unit {
   double position_m[3] = {0.0, 0.0, 0.0};
   double frame[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   unsigned int buttons = 0;
+  double gripper_rad = 0.5;                              ///< open
   double sent[7] = {9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0};  ///< force, torque, gripper
   bool force_is_on = false;
   int force_off_cause = 0;
