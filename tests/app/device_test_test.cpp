@@ -3,10 +3,12 @@
 #include "app/tasks/device_test.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -73,6 +75,25 @@ class StuckDevice final : public HapticDevice {
  private:
   bool do_read(std::int64_t, ProbeState&) noexcept override { return reads_until_lost-- != 0; }
   bool do_send(const Wrench&) noexcept override { return true; }
+};
+
+/// Keeps whoever asks waiting for 5 ms.
+class DeviceAt200Hz final : public HapticDevice {
+ public:
+  DeviceAt200Hz() : HapticDevice({.name = "slow", .peak_force_N = 5.0}, ForceLimits{}) {}
+  ~DeviceAt200Hz() override { zero_force(); }
+  bool is_slow = true;
+  double force_N = 0.0;  ///< that it was last sent
+
+ private:
+  bool do_read(std::int64_t, ProbeState&) noexcept override {
+    if (is_slow) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return true;
+  }
+  bool do_send(const Wrench& limited) noexcept override {
+    force_N = glm::length(limited.force_N);
+    return true;
+  }
 };
 
 // The hand of the simulated device: 50 g on 300 N/m with 5 N·s/m along the surface and 10 across it.
@@ -327,6 +348,21 @@ TEST(DeviceTest, TimesARealThread) {
   EXPECT_GT(profile.value("rate_Hz").value(), 0.0);
   EXPECT_GE(profile.value("lateness_p99_s").value(), profile.value("lateness_p50_s").value());
   EXPECT_NE(profile.scheduling, "none");
+}
+
+TEST(DeviceTest, SaysThatALoopOf1000HzDoesNotRunOnADeviceThatAnswersAt200) {
+  DeviceAt200Hz device{};
+  DeviceTestOptions options{.mechanics = StagePacing::stepped};
+  options.tell = [&device](const DeviceTestNews& news) {
+    if (news.part != DeviceTestPart::sweeps) return;
+    device.is_slow = false;  // the rest is stepped, and says nothing here
+    EXPECT_EQ(device.force_N, 0.0);
+  };
+  const DeviceProfile profile = test_device(device, options, {});
+  const DeviceItem& rate = item(profile, "rate_Hz");
+  EXPECT_NE(rate.status, DeviceItem::Status::pass);
+  EXPECT_NE(rate.text.english().find("missed"), std::string::npos) << rate.text.english();
+  EXPECT_TRUE(profile.has_failed()) << "it does not do what safety asks for at that rate";
 }
 
 TEST(DeviceProfile, IsReadAsItWasWritten) {
