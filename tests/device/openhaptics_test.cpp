@@ -15,6 +15,7 @@
 
 #include "device/openhaptics/openhaptics_device.h"
 #include "device/vendor_library.h"
+#include "tests/device/complaint.h"
 #include "tests/device/long_tick.h"
 #include "tests/device/servo_stand_in.h"
 #include "tests/device/vendors/test_hd.h"
@@ -32,15 +33,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-std::string openhaptics_complaint(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "none";
-}
 
 class OpenHaptics : public testing::Test {
  protected:
@@ -105,16 +97,16 @@ TEST_F(OpenHaptics, OpensByConfiguredNameOrBySerialNumber) {
   driver.open("Left Device", options);
   EXPECT_THAT(calls(), Contains("hdInitDevice Left Device"));
   EXPECT_EQ(driver.open("T-17", options)->capability().serial, "T-17");
-  EXPECT_THAT(openhaptics_complaint([&] { driver.open("Right Device", options); }),
+  EXPECT_THAT(complaint_of([&] { driver.open("Right Device", options); }),
               HasSubstr("\"Right Device\""));
 }
 
 TEST_F(OpenHaptics, RefusesADeviceWithoutLimitOrCalibrationAndClosesIt) {
   bench->peak_force_N = 0.0;
-  EXPECT_THAT(openhaptics_complaint([&] { open(); }), HasSubstr("peak force"));
+  EXPECT_THAT(complaint_of([&] { open(); }), HasSubstr("peak force"));
   bench->peak_force_N = 3.3;
   bench->calibration = 0x5002;
-  EXPECT_THAT(openhaptics_complaint([&] { open(); }), HasSubstr("inkwell"));
+  EXPECT_THAT(complaint_of([&] { open(); }), HasSubstr("inkwell"));
   EXPECT_THAT(calls(), ElementsAre("hdInitDevice default", "hdDisableDevice",
                                    "hdInitDevice default", "hdDisableDevice"));
   bench->calibration = 0x5001;
@@ -122,7 +114,7 @@ TEST_F(OpenHaptics, RefusesADeviceWithoutLimitOrCalibrationAndClosesIt) {
   EXPECT_THAT(calls(), Contains("hdUpdateCalibration 4"));
   bench->calibration = 0x5001;
   bench->calibrates = false;
-  EXPECT_THAT(openhaptics_complaint([&] { open(); }), HasSubstr("not calibrated"));
+  EXPECT_THAT(complaint_of([&] { open(); }), HasSubstr("not calibrated"));
   EXPECT_EQ(calls().back(), "hdDisableDevice");
 }
 
@@ -134,7 +126,7 @@ TEST_F(OpenHaptics, LeavesADeviceThatThisProgramUsesAlone) {
   ASSERT_EQ(survey.attached.size(), 1U);
   EXPECT_EQ(survey.attached[0].serial, "T-17");
   EXPECT_THAT(survey.attached[0].hindrance, HasSubstr("This program uses it"));
-  EXPECT_THAT(openhaptics_complaint([&] { driver.open("Left Device", options); }),
+  EXPECT_THAT(complaint_of([&] { driver.open("Left Device", options); }),
               HasSubstr("uses Touch T-17 already"));
   EXPECT_THAT(calls(), IsEmpty());
   EXPECT_EQ(bench->made_current, made_current);
@@ -308,7 +300,7 @@ TEST_F(OpenHaptics, DoesNotAnswerWhenTheDeviceIsGoneAndDoesAgainAfterwards) {
 TEST_F(OpenHaptics, AsksForTheRateOrSaysThatItCannotBeHad) {
   const auto device = open();
   ReadAndPush servo{device.get()};
-  EXPECT_THAT(openhaptics_complaint([&] {
+  EXPECT_THAT(complaint_of([&] {
                 device->start_calls(
                     {.function = &ReadAndPush::tick, .argument = &servo, .rate_Hz = 2000.0});
               }),
@@ -326,7 +318,7 @@ TEST_F(OpenHaptics, IsAsBeforeWhenItsSchedulerDoesNotStart) {
   const auto device = open();
   ReadAndPush servo{device.get()};
   bench->refuses_to_start = true;
-  EXPECT_THAT(openhaptics_complaint([&] { servo.start(500.0); }), HasSubstr("HD_TIMER_ERROR"));
+  EXPECT_THAT(complaint_of([&] { servo.start(500.0); }), HasSubstr("HD_TIMER_ERROR"));
   EXPECT_FALSE(bench->gives_force);
   EXPECT_EQ(bench->rate_Hz, 1000U);
   EXPECT_EQ(device->trouble(), "");
@@ -394,7 +386,7 @@ TEST_F(OpenHaptics, LeavesAThreadThatHangsBehind) {
   asking.join();
   EXPECT_THAT(device->trouble(), HasSubstr("hangs"));
   EXPECT_FALSE(device->read(0).has_value());
-  EXPECT_THAT(openhaptics_complaint([&] { servo.start(); }), HasSubstr("hangs"));
+  EXPECT_THAT(complaint_of([&] { servo.start(); }), HasSubstr("hangs"));
   servo.device = nullptr;
   device.reset();
   EXPECT_THAT(calls(),
