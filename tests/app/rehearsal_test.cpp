@@ -164,6 +164,18 @@ TEST_F(DeviceRehearsalTest, WarnsOfFrictionAboveTheForceOfATextureWithBothNumber
   }
 }
 
+TEST_F(DeviceRehearsalTest, WarnsOfAForceThatIsTooWeakToMoveTheDeviceWithBothNumbers) {
+  const auto found =
+      one(small_protocol(), with(ideal(), "force_resolution_N", 0.8), "force_resolution");
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->asked, 0.8);
+  EXPECT_GT(found->asked, 0.0);
+  EXPECT_EQ(found->device, 0.8);
+  EXPECT_NE(found->text.english().find("0.800 N"), std::string::npos) << found->text.english();
+  EXPECT_FALSE(
+      one(grating_protocol(), with(ideal(), "force_resolution_N", 0.01), "force_resolution"));
+}
+
 TEST_F(DeviceRehearsalTest, WarnsOfPositionsInStepsAboveATexture) {
   const auto high = one(grating_protocol(), with(ideal(), "position_resolution_m", 0.6e-3),
                         "position_resolution");
