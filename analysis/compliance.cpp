@@ -2,9 +2,11 @@
 
 #include "analysis/compliance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace asperity {
 
@@ -106,6 +108,13 @@ void HandStrokes::take(double along_m, std::int64_t time_ns) {
     lengths_m_.push_back(std::abs(ended->length_m));
     speeds_m_per_s_.push_back(ended->speed_m_per_s());
     last_ = ended;
+    last_progress_ = std::exchange(progress_, {});
+  }
+  const auto stroke = cutter_.under_way();
+  if (!stroke) return;
+  const double length_m = std::abs(stroke->length_m);
+  if (progress_.empty() || length_m > progress_.back().length_m) {
+    progress_.push_back({length_m, stroke->duration_s});
   }
 }
 
@@ -114,6 +123,8 @@ void HandStrokes::lift() {
   speeds_m_per_s_ = speeds_m_per_s();
   cutter_ = StrokeCutter();
   last_.reset();
+  last_progress_.clear();
+  progress_.clear();
 }
 
 std::vector<double> HandStrokes::lengths_m() const {
@@ -132,11 +143,16 @@ std::vector<double> HandStrokes::speeds_m_per_s() const {
 std::optional<double> HandStrokes::speed_to_tell_m_per_s() const noexcept {
   if (static_cast<double>(now_ns_ - cutter_.reached_ns()) * 1e-9 > kTurn_s) return 0.0;
   const double half_m = 0.5 * (last_ ? std::abs(last_->length_m) : usual_length_m_);
-  if (const auto stroke = cutter_.under_way(); stroke && std::abs(stroke->length_m) >= half_m) {
-    return stroke->speed_m_per_s();
+  const auto stroke = cutter_.under_way();
+  const double length_m = stroke ? std::abs(stroke->length_m) : 0.0;
+  if (!stroke || length_m < half_m) {
+    return last_ ? std::optional(last_->speed_m_per_s()) : std::nullopt;
   }
-  if (last_) return last_->speed_m_per_s();
-  return std::nullopt;
+  const auto then = std::lower_bound(
+      last_progress_.begin(), last_progress_.end(), length_m,
+      [](const Progress& one, double so_far_m) { return one.length_m < so_far_m; });
+  if (then == last_progress_.end() || stroke->duration_s <= 0.0) return stroke->speed_m_per_s();
+  return last_->speed_m_per_s() * then->duration_s / stroke->duration_s;
 }
 
 double tangential_speed_m_per_s(const std::array<double, 3>& velocity_m_per_s,

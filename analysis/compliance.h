@@ -144,15 +144,30 @@ class HandStrokes final {
 
   /// What is to be told of the speed now: 0 where the hand rests, and nothing while it has not
   /// stroked far enough to say. Until the half of a stroke the last one is told of, and from there on
-  /// the stroke under way: whoever speeds up and slows down alike has by then the mean of the whole,
-  /// and is from there on at most a fifth above it (minimum jerk; a sinusoid a seventh).
+  /// the stroke under way, as if it went on as the last one did:
+  ///
+  ///   v′ · t′(l) / t
+  ///
+  /// l how far it has come in the time t, t′(l) the time in which the last one had come so far, v′ the
+  /// speed of the last one. So a hand is told the mean of a stroke from its half on, however it speeds
+  /// up and slows down, if it does so every time. A stroke that has no last one in its contact, or is
+  /// longer than that, is told as l / t: half-way the mean of the whole, and then up to a fifth above
+  /// it (minimum jerk; a sinusoid a seventh).
   std::optional<double> speed_to_tell_m_per_s() const noexcept;
 
  private:
+  /// How far a stroke had come in a time, wherever it came farther than before.
+  struct Progress {
+    double length_m = 0.0;
+    double duration_s = 0.0;
+  };
+
   double usual_length_m_ = 0.0;
   std::vector<double> lengths_m_{};
   std::vector<double> speeds_m_per_s_{};
   std::optional<StrokePassage> last_{};  ///< that turned round, of this contact
+  std::vector<Progress> last_progress_{};
+  std::vector<Progress> progress_{};  ///< of the stroke under way
   StrokeCutter cutter_{};
   std::int64_t now_ns_ = 0;
 };
