@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -202,23 +203,40 @@ TEST(HandStrokes, TellAHandThatSlowsDownAtItsTurnsNothingElseThanTheirMean) {
   }
 }
 
-// As the last stroke, in half the time: twice as fast from its half on, and no less at its end. A stroke
-// that goes on where the last one turned is told as it is.
+// As the last stroke, in half the time: twice as fast from its half on, and no less at its end.
 TEST(HandStrokes, TellAHandThatChangesItsPaceFromTheHalfOfAStrokeOn) {
   HandStrokes strokes(0.05);
   const auto way = [](double u) { return u * u * u * (10.0 - 15.0 * u + 6.0 * u * u); };
   std::int64_t time_ns = 0;
   for (int i = 0; i <= 1000; ++i) strokes.take(0.05 * way(1e-3 * i), time_ns += 1'000'000);
-  for (int i = 1; i <= 500; ++i) {
-    strokes.take(0.05 - 0.05 * way(2e-3 * i), time_ns += 1'000'000);
-    const double told = strokes.speed_to_tell_m_per_s().value();
+  for (int i = 1; i <= 1000; ++i) {  // back and forth
+    strokes.take(0.05 * way(i <= 500 ? 1.0 - 2e-3 * i : 2e-3 * i - 1.0), time_ns += 1'000'000);
     if (i == 250) continue;  // half-way
-    EXPECT_NEAR(told, i < 250 ? 0.05 : 0.1, 0.001) << i;
+    EXPECT_NEAR(strokes.speed_to_tell_m_per_s().value(), i < 250 ? 0.05 : 0.1, 0.001) << i;
   }
+}
+
+// A stroke is told as what it is where the last one says nothing of it: farther than that went, and in
+// another contact.
+TEST(HandStrokes, TellAHandThatGoesOnAsNeverBeforeWhatItDoes) {
+  HandStrokes strokes(0.05);
+  std::int64_t time_ns = 0;
+  for (int i = 0; i <= 500; ++i)
+    strokes.take(2e-7 * i * i, time_ns += 1'000'000);  // faster and faster
   for (int i = 1; i <= 800; ++i) {
-    strokes.take(1e-4 * i, time_ns += 1'000'000);
+    strokes.take(0.05 - 1e-4 * i, time_ns += 1'000'000);
     if (i > 500) {
       EXPECT_NEAR(strokes.speed_to_tell_m_per_s().value(), 0.1, 1e-3) << i;
+    }
+  }
+  strokes.lift();
+  for (int i = 0; i <= 400; ++i) {
+    strokes.take(1e-4 * i, time_ns += 1'000'000);
+    const std::optional<double> told = strokes.speed_to_tell_m_per_s();
+    if (i == 250) continue;  // half of what is usual
+    EXPECT_EQ(told.has_value(), i > 250) << i;
+    if (told) {
+      EXPECT_NEAR(*told, 0.1, 1e-9) << i;
     }
   }
 }
