@@ -265,31 +265,52 @@ TEST(RoughnessStroke, PeaksWhereTheProbeDropsBetween) {
   }
 }
 
+// Measured at 0.5 mm: 4.78, 2.37 and 1.60 m/s², at 1 mm: 7.6, 4.3 and 3.0; at 8 mm: 2.02 to 1.89.
 TEST(RoughnessStroke, IsSmootherForLargerProbesOnFineTexturesAndAlikeOnCoarse) {
-  RoughnessStroke small = stroke_of("pd_gradient");
-  small.tip.diameter_m = 0.001;
-  RoughnessStroke large = small;
-  large.tip.diameter_m = 0.003;
-  // Measured: 4.78 and 1.59 m/s²; 2.02 and 1.89.
-  EXPECT_GT(greatest_m_per_s2(small, 0.0005), 2.5 * greatest_m_per_s2(large, 0.0005));
-  EXPECT_NEAR(greatest_m_per_s2(large, 0.008) / greatest_m_per_s2(small, 0.008), 1.0, 0.10);
+  RoughnessStroke stroke = stroke_of("pd_gradient");
+  const auto by_diameter = [&stroke](double spacing_m) {
+    std::vector<double> greatest{};
+    for (const double diameter_m : {0.001, 0.002, 0.003}) {
+      stroke.tip.diameter_m = diameter_m;
+      greatest.push_back(greatest_m_per_s2(stroke, spacing_m));
+    }
+    return greatest;
+  };
+  for (const double spacing_m : {0.0005, 0.0007, 0.001}) {
+    const std::vector<double> greatest = by_diameter(spacing_m);
+    EXPECT_GT(greatest[0], 1.3 * greatest[1]) << spacing_m;
+    EXPECT_GT(greatest[1], 1.3 * greatest[2]) << spacing_m;
+  }
+  for (const double spacing_m : {0.0065, 0.008}) {
+    const std::vector<double> greatest = by_diameter(spacing_m);
+    EXPECT_NEAR(greatest[1] / greatest[0], 1.0, 0.10) << spacing_m;
+    EXPECT_NEAR(greatest[2] / greatest[0], 1.0, 0.10) << spacing_m;
+  }
 }
 
+// At the forty spacings of a sweep. From 4.2 to 6 mm the tool of 2 N is caught in the valleys, which is
+// flagged; it is shaken the more for it.
 TEST(RoughnessStroke, GrowsWithForceAtEverySpacing) {
-  for (const double spacing_m : {0.0005, 0.0014, 0.0028, 0.0056, 0.008}) {
+  constexpr int kSpacings = 40;
+  int caught = 0;
+  for (int i = 0; i < kSpacings; ++i) {
+    const double spacing_m = 0.0005 * std::pow(16.0, static_cast<double>(i) / (kSpacings - 1));
     RoughnessStroke stroke = stroke_of("pd_gradient");
     double softer = 0.0;
     for (const double force_N : {0.25, 0.5, 1.0, 2.0}) {
       stroke.force_N = force_N;
       const DragResult result = result_of(stroke, spacing_m);
-      // At 5.6 mm and 2 N the tool is caught in the valleys: flagged, and not compared.
-      if (result.status == DragStatus::stick_slip) continue;
-      ASSERT_EQ(result.status, DragStatus::ok) << spacing_m << ' ' << force_N;
-      EXPECT_GT(result.roughness->max_accel_m_per_s2, softer) << spacing_m << ' ' << force_N;
+      if (result.status == DragStatus::stick_slip) {
+        ++caught;
+        EXPECT_EQ(force_N, 2.0) << spacing_m;
+      } else {
+        ASSERT_EQ(result.status, DragStatus::ok) << spacing_m << ' ' << force_N;
+      }
+      EXPECT_GT(result.roughness->max_accel_m_per_s2, 1.5 * softer) << spacing_m << ' ' << force_N;
       softer = result.roughness->max_accel_m_per_s2;
     }
-    EXPECT_GT(softer, 0.0);
   }
+  EXPECT_LT(caught, 10);
 }
 
 // Measured at 1.5 mm: 5.77 and 5.17, 15.3 and 13.8, 1.44 and 1.27 m/s²; at 8 mm: 1.22 and 1.95, 2.29
