@@ -126,36 +126,56 @@ TEST(LibraryProtocols, HoldForceAndSpeedByBandsThatDoNotMeet) {
   }
 }
 
-TEST(LibraryProtocols, PractiseTheExtremesOfWaveAndHandAndHoldTheHandWithinABlock) {
-  for (const char* const name : {"roughness_force", "roughness_speed"}) {
+TEST(LibraryProtocols, PractiseTheExtremesAndHoldTipAndHandWithinABlock) {
+  for (const char* const name : {"roughness_diameter", "roughness_force", "roughness_speed"}) {
     const Protocol read = library_protocol(name);
     const std::string& factor = read.estimation->condition;
     const std::vector<Level>& levels = read.factors.at(factor).levels;
+    const bool is_of_hand = factor != "tip";
     std::set<std::pair<std::string, std::string>> practised{};
-    std::map<int, std::set<std::string>> in_block{};
-    std::map<int, int> first_repetition{};
-    std::set<std::string> first_conditions{};
+    std::set<std::pair<std::size_t, std::string>> places{};  // of a condition among the blocks
     for (int row = 0; row < static_cast<int>(levels.size()); ++row) {
-      in_block.clear();
-      first_repetition.clear();
+      std::map<int, std::set<std::string>> in_block{};
+      std::map<int, int> first_repetition{};
+      // By block and repetition, without the anchor.
+      std::map<std::pair<int, int>, std::vector<std::string>> waves{};
       const Plan plan = make_plan(read, {.seed = 1, .counterbalance_row = row});
       for (const Trial& trial : plan.trials) {
         const std::string condition = text_of(trial.factors.at(factor));
-        EXPECT_EQ(exploration_of(read, trial).name, condition);
+        const std::string wave = text_of(trial.factors.at("texture"));
+        if (is_of_hand) {
+          EXPECT_EQ(exploration_of(read, trial).name, condition);
+        }
         if (trial.phase != Phase::main) {
-          practised.emplace(text_of(trial.factors.at("texture")), condition);
+          practised.emplace(wave, condition);
           continue;
         }
-        if (in_block.empty()) first_conditions.insert(condition);
-        in_block[trial.block_ordinal].insert(condition);
+        if (in_block[trial.block_ordinal].insert(condition).second) {
+          places.emplace(in_block.size(), condition);
+        }
         first_repetition.emplace(trial.block_ordinal, trial.repetition);
+        if (trial.repetition > 0) {
+          waves[{trial.block_ordinal, trial.repetition}].push_back(wave);
+        }
       }
       EXPECT_EQ(in_block.size(), levels.size());
       for (const auto& [block, conditions] : in_block) EXPECT_EQ(conditions.size(), 1U);
       for (const auto& [block, repetition] : first_repetition) EXPECT_EQ(repetition, 0);  // anchor
+      std::set<std::vector<std::string>> orders{};
+      for (const auto& [where, order] : waves) {
+        EXPECT_EQ(std::set<std::string>(order.begin(), order.end()).size(), 7U);
+        EXPECT_EQ(order.size(), 7U) << "each wave once in a repetition";
+        orders.insert(order);
+      }
+      EXPECT_EQ(waves.size(), 3 * levels.size());
+      EXPECT_EQ(orders.size(), waves.size()) << "shuffled anew";
     }
-    EXPECT_EQ(first_conditions.size(), levels.size()) << "each comes first in a row of the square";
+    EXPECT_EQ(places.size(), levels.size() * levels.size()) << "each in each place of the square";
     for (const char* const wave : {"spacing_05", "spacing_40"}) {
+      if (!is_of_hand) {
+        EXPECT_TRUE(practised.contains({wave, "sphere_2mm"})) << wave;
+        continue;
+      }
       for (const Level& level : {levels.front(), levels.back()}) {
         EXPECT_TRUE(practised.contains({wave, text_of(level)})) << name << ' ' << wave;
       }
