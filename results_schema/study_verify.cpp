@@ -48,6 +48,15 @@ void check_constraints(Database& database, Findings& findings) {
   }
 }
 
+/// Whoever may write can drop a trigger, and then change what the trigger kept.
+void check_objects(Database& database, Findings& findings) {
+  Database made(database.folder(), "", Database::Mode::in_memory);
+  migrate(made, 0);
+  for (const std::string& changed : changed_objects(database, made)) {
+    findings.push_back("study.sqlite: " + changed);
+  }
+}
+
 void check_references(Database& database, Findings& findings) {
   Statement keys(database, "PRAGMA foreign_key_check");
   while (keys.step()) {
@@ -374,6 +383,7 @@ std::vector<std::string> Study::verify(const std::function<void(double)>& progre
         look([&](Database& database, Findings& findings) {
           const WatchOfStatements watch(database, stop);
           check_protocols(*this, findings);
+          check_objects(database, findings);
           check_constraints(database, findings);
           check_references(database, findings);
           check_rows(database, findings);

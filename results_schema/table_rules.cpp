@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <utility>
 
 namespace asperity {
@@ -52,6 +53,41 @@ bool is_check(std::string_view word) {
   constexpr std::string_view kCheck = "check";
   return std::equal(word.begin(), word.end(), kCheck.begin(), kCheck.end(),
                     [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/// A statement without its comments, with one blank wherever there were some.
+std::string bare_statement(std::string_view sql) {
+  std::string bare;
+  for (std::size_t at = 0; at < sql.size();) {
+    const std::size_t past = past_quoted(sql, at);
+    if (past != at && sql[at] != '-' && sql[at] != '/') {
+      bare += sql.substr(at, past - at);
+    } else if (past != at || is_blank(sql[at])) {
+      if (!bare.empty() && bare.back() != ' ') bare += ' ';
+    } else {
+      bare += sql[at];
+    }
+    at = std::max(past, at + 1);
+  }
+  while (!bare.empty() && bare.back() == ' ') bare.pop_back();
+  return bare;
+}
+
+/// The statements that made them, by "table NAME" and so on.
+std::map<std::string, std::string> objects_of(Database& database) {
+  std::map<std::string, std::string> objects;
+  Statement statement(database,
+                      "SELECT type || ' ' || name, sql FROM sqlite_schema WHERE sql NOT NULL "
+                      "AND name NOT LIKE 'sqlite\\_%' ESCAPE '\\'");
+  while (statement.step()) {
+    std::string name;
+    std::string sql;
+    statement.read(name, sql);
+    objects[name] = bare_statement(sql);
+  }
+  return objects;
 }
 
 }  // namespace
@@ -113,6 +149,24 @@ std::vector<std::string> broken_checks(Database& database) {
     }
   }
   return broken;
+}
+
+std::vector<std::string> changed_objects(Database& database, Database& made) {
+  const std::map<std::string, std::string> has = objects_of(database);
+  const std::map<std::string, std::string> should = objects_of(made);
+  std::vector<std::string> changed;
+  for (const auto& [name, sql] : should) {
+    const auto found = has.find(name);
+    if (found == has.end()) {
+      changed.push_back("the " + name + " of every study is not there");
+    } else if (found->second != sql) {
+      changed.push_back("the " + name + " is not as Asperity makes it: " + found->second);
+    }
+  }
+  for (const auto& [name, sql] : has) {
+    if (!should.contains(name)) changed.push_back("the " + name + " is none of Asperity's: " + sql);
+  }
+  return changed;
 }
 
 }  // namespace asperity

@@ -1,4 +1,5 @@
-// The CHECK constraints of a database's tables, and the rows that break them. Seen by this folder only.
+// The rules that stand in a database: its CHECK constraints with the rows that break them, and whether its tables,
+// indices, triggers and views are still the program's. Seen by this folder only.
 
 #pragma once
 
@@ -20,5 +21,12 @@ std::vector<std::string> checks_in(std::string_view create_table);
 ///
 /// Errors: ResultsError.
 std::vector<std::string> broken_checks(Database& database);
+
+/// A sentence for each table, index, trigger and view that `database` lacks, has in another form, or has
+/// beyond those of `made`: without them it no longer refuses what it should, or is read otherwise. Comments
+/// and blanks make no difference, nor does what SQLite keeps for itself.
+///
+/// Errors: ResultsError.
+std::vector<std::string> changed_objects(Database& database, Database& made);
 
 }  // namespace asperity

@@ -373,6 +373,64 @@ TEST(StudyVerify, FindsRowsAgainstTheConstraintsInAStudyThatIsOpenForReading) {
   }
 }
 
+// Without its triggers and indices a study takes what it should refuse.
+TEST(StudyVerify, FindsRulesThatAreGoneOrAreNotTheProgramsOwn) {
+  const TemporaryFolder folder;
+  { recorded_study(folder / "s"); }
+  const std::filesystem::path file = folder / "s" / "study.sqlite";
+  const std::string before = read_file(file);
+  const auto findings_after = [&](const char* sql) {
+    write_file(file, before, Overwrite::allow);
+    sqlite3* handle = nullptr;
+    sqlite3_open(file.c_str(), &handle);
+    EXPECT_EQ(sqlite3_exec(handle, sql, nullptr, nullptr, nullptr), SQLITE_OK)
+        << sqlite3_errmsg(handle);
+    sqlite3_close(handle);
+    return Study::open(folder / "s", Access::read_only).verify({}, {}, {StudyPart::rows});
+  };
+  EXPECT_THAT(findings_after("SELECT 1"), IsEmpty());
+  EXPECT_THAT(findings_after("ANALYZE"), IsEmpty()) << "what SQLite keeps for itself";
+  EXPECT_THAT(
+      findings_after("DROP TRIGGER attempt_no_update"),
+      ElementsAre("study.sqlite: the trigger attempt_no_update of every study is not there"));
+  EXPECT_THAT(findings_after("DROP INDEX decision_attempt"),
+              ElementsAre("study.sqlite: the index decision_attempt of every study is not there"));
+  EXPECT_THAT(findings_after("DROP VIEW tidy_response"),
+              ElementsAre("study.sqlite: the view tidy_response of every study is not there"));
+  EXPECT_THAT(
+      findings_after("DROP TRIGGER attempt_no_update; CREATE TRIGGER attempt_no_update "
+                     "BEFORE UPDATE ON attempt WHEN 0 BEGIN SELECT 1; END"),
+      ElementsAre(HasSubstr("the trigger attempt_no_update is not as Asperity makes it: "
+                            "CREATE TRIGGER attempt_no_update BEFORE UPDATE ON attempt WHEN "
+                            "0 ")));
+  EXPECT_THAT(findings_after("ALTER TABLE attempt ADD COLUMN mood TEXT"),
+              ElementsAre(AllOf(HasSubstr("the table attempt is not as Asperity makes it"),
+                                HasSubstr("mood TEXT"))));
+  EXPECT_THAT(
+      findings_after("CREATE TRIGGER more AFTER INSERT ON event BEGIN SELECT 1; END"),
+      ElementsAre("study.sqlite: the trigger more is none of Asperity's: CREATE TRIGGER more "
+                  "AFTER INSERT ON event BEGIN SELECT 1; END"));
+}
+
+TEST(StudyVerify, ComparesRulesWithoutTheirCommentsAndBlanks) {
+  const TemporaryFolder folder;
+  { recorded_study(folder / "s"); }
+  sqlite3* handle = nullptr;
+  sqlite3_open((folder / "s" / "study.sqlite").c_str(), &handle);
+  EXPECT_EQ(
+      sqlite3_exec(handle,
+                   "DROP TRIGGER attempt_no_update; CREATE TRIGGER attempt_no_update  -- as was\n"
+                   "BEFORE UPDATE /* of all */ ON attempt\nBEGIN SELECT RAISE(ABORT, "
+                   "'an attempt is append-only'); END;"
+                   "DROP TRIGGER event_no_update; CREATE TRIGGER event_no_update BEFORE UPDATE "
+                   "ON event BEGIN SELECT RAISE(ABORT, 'an event  is append-only'); END;",
+                   nullptr, nullptr, nullptr),
+      SQLITE_OK);
+  sqlite3_close(handle);
+  EXPECT_THAT(Study::open(folder / "s", Access::read_only).verify({}, {}, {StudyPart::rows}),
+              ElementsAre(HasSubstr("the trigger event_no_update is not as Asperity makes it")));
+}
+
 TEST(TableRules, AreFoundInWhateverSurroundsThem) {
   EXPECT_THAT(
       checks_in(
