@@ -155,6 +155,12 @@ TidyTable::TidyTable(std::string whole, std::string name)
             ": a letter of this line is not UTF-8; save the table in the encoding UTF-8",
         name_);
   }
+  if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos) {
+    throw ResultsError(name_ +
+                           ":1:1: the lines end with carriage returns alone; write the table with "
+                           "line feeds (LF or CRLF)",
+                       name_);
+  }
   CellReader reader(*text_, text_->size() - text.size(), name_);
   const char separator = separator_of(text.substr(0, text.find('\n')), name_);
   if (reader.at_end()) reader.refuse("the line of column names is missing");

@@ -27,6 +27,18 @@ std::string refusal_of(const std::string& text) {
   return refusal_of(text, [](const TidyTable&) {});
 }
 
+TEST(TidyTable, RefusesLinesThatEndWithCarriageReturnsAlone) {
+  try {
+    TidyTable("a,b\r1,2\r", "file.csv");
+    ADD_FAILURE();
+  } catch (const ResultsError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "file.csv:1:1: the lines end with carriage returns alone; write the table with line "
+        "feeds (LF or CRLF)");
+  }
+}
+
 TEST(TidyTable, ReadsByteOrderMarksLineEndsOfWindowsAndEmptyLines) {
   const TidyTable table = table_of("\xEF\xBB\xBFid,k\r\na,1\r\n\r\nb,2");
   EXPECT_EQ(table.rows(), 2U);
