@@ -19,6 +19,9 @@ inline constexpr const char* kConfusion = "confusion";
 
 /// The findings and the table of estimates by spacing and condition.
 inline constexpr const char* kRoughness = "roughness";
+/// The table of each participant's estimates in every cell: person, condition, spacing, answers, raw and
+/// normalised.
+inline constexpr const char* kEstimatesOfPersons = "estimates";
 
 /// A table for people and programs: column names are fixed words with units, numbers have all their
 /// digits, missing is missing. Where `x_low` and `x_high` stand, they are one interval.

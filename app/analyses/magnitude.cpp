@@ -163,7 +163,7 @@ void add_estimates(const GatheredAnswers& gathered, const std::vector<Estimated>
              "participants as they count. left out: those of the persons who are in raw alone, "
              "because somewhere they have no estimate and so no scale that could be taken out.")};
   NamedTable persons{
-      "estimates",
+      kEstimatesOfPersons,
       phrase("Analysis", "Estimates of each participant"),
       {{"person", "condition", "spacing_m", "answers", "raw", "normalised"}, {}},
       phrase("Analysis",

@@ -517,6 +517,16 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
                      "because it was ten times an earlier one for the same stimulus, or a tenth; "
                      "the answer is the second one",
                      [](const Place& at) { return optional_cell(at.doubted_estimate); })));
+  add(missing(
+      "the answer is no estimate of a magnitude, or the participant lacks one in some cell",
+      column("normalised_estimate", "number", "",
+             "the estimate of a magnitude with the participant's own scale taken out: times "
+             "the geometric mean of all participants over the participant's own, of this "
+             "protocol, version and kind of session, anchors and practice not counted",
+             [](const Place& at) -> Cell {
+               if (!at.own_scale || !at.response->answer_number) return {};
+               return *at.own_scale * *at.response->answer_number;
+             })));
   return columns;
 }
 

@@ -31,6 +31,8 @@ struct ExportPlace {
   bool response_is_withheld = false;  ///< from the public: an answer to a questionnaire
   /// The number that the answer of the attempt took the place of, when it was asked for once more.
   std::optional<double> doubted_estimate{};
+  /// What takes the participant's own scale out of the answer, where it is an estimate (OwnScales).
+  std::optional<double> own_scale{};
   /// The JSON of those rows, read once.
   const nlohmann::json* answers = nullptr;     ///< of the participant
   const nlohmann::json* factors = nullptr;     ///< of the trial

@@ -13,6 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/analyses/own_scales.h"
 #include "app/exports/bids.h"
 #include "app/exports/import_scripts.h"
 #include "app/exports/psych_ds.h"
@@ -120,7 +121,7 @@ std::string folder_of(Group group) {
   return "";
 }
 
-Group group_of(const ParticipantRow& participant, const SessionRow& session) {
+Group folder_group_of(const ParticipantRow& participant, const SessionRow& session) {
   if (participant.is_virtual || session.mode == SessionMode::simulate) return Group::virtual_people;
   return session.mode == SessionMode::pilot ? Group::pilot : Group::run;
 }
@@ -272,8 +273,9 @@ class ReadJson final {
 class StudyExport final {
  public:
   StudyExport(const Study& study, const ModelRegistry& models, ExportFolder& folder,
-              const ExportOptions& options)
+              const ExportOptions& options, const OwnScales& own_scales)
       : study_(study),
+        own_scales_(own_scales),
         folder_(folder),
         options_(options),
         vocabulary_(vocabulary_of(study, models)),
@@ -321,7 +323,7 @@ class StudyExport final {
       for (const SessionRow* session : own) {
         if (stop.stop_requested()) return false;
         if (progress) progress(static_cast<double>(done++) / static_cast<double>(sessions.size()));
-        const Group group = group_of(participant, *session);
+        const Group group = folder_group_of(participant, *session);
         if (begun.insert(group).second) files_of(group).begin_participant(at);
         ExportPlace here = at;
         here.session = session;
@@ -402,6 +404,7 @@ class StudyExport final {
       files.add_session_answer(here);
     }
     doubts_.clear();
+    own_scale_ = own_scales_.of(*at.participant, *at.session, *at.protocol);
     if (at.protocol->kind == text_of(ProtocolKind::magnitude)) {
       for (const EventRow& event : study_.events(at.session->id)) {
         if (event.kind == "estimate_doubted") doubts_.push_back(event);
@@ -432,6 +435,7 @@ class StudyExport final {
   void add_attempt(ExportPlace at, AttemptRow& attempt, GroupFiles& files) {
     at.attempt = &attempt;
     at.doubted_estimate = doubted_in(attempt);
+    at.own_scale = own_scale_;
     add("attempts", at);
     for (const PresentationRow& presentation : attempt.presentations) {
       ExportPlace here = at;
@@ -465,7 +469,9 @@ class StudyExport final {
   }
 
   const Study& study_;
-  std::vector<EventRow> doubts_{};  ///< of the session
+  const OwnScales& own_scales_;
+  std::vector<EventRow> doubts_{};     ///< of the session
+  std::optional<double> own_scale_{};  ///< likewise
   ExportFolder& folder_;
   ExportOptions options_;
   StudyVocabulary vocabulary_;
@@ -549,11 +555,13 @@ std::vector<ExportedFile> export_study(const Study& study, const ModelRegistry& 
                                        const std::stop_token& stop,
                                        const std::function<void(double)>& progress) {
   ExportFolder making(folder, options.overwrite);
+  const OwnScales own_scales(study, stop);
+  if (stop.stop_requested()) return {};
   bool stopped = false;
   read_unless_broken(
       study,
       [&] {
-        StudyExport walk(study, models, making, options);
+        StudyExport walk(study, models, making, options, own_scales);
         stopped = !walk.walk(stop, progress);
         if (!stopped) walk.finish();
       },

@@ -1,6 +1,7 @@
 // What leaves a study as tables.
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <stop_token>
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/number_text.h"
 #include "results_schema/sha256.h"
 #include "results_schema/table.h"
 #include "tests/app/exported_study.h"
@@ -272,6 +274,49 @@ TEST(Export, TellsTheNumberThatAnEstimateTookThePlaceOf) {
               HasSubstr("answers,answers_flagged,answers_left_out,answers_doubted,"));
   EXPECT_THAT(read_file(out / "wide.csv"), HasSubstr(",2,0,0,1,7,2"));
   EXPECT_THAT(read_file(out / "codebook.tsv"), HasSubstr("\tdoubted_estimate\t"));
+}
+
+// Ben's numbers are ten times Anna's: on one scale, √10 times hers and his over √10. Carl has no numbers for two of
+// the waves.
+TEST(Export, TakesTheOwnScaleOfAPersonOutOfTheirEstimates) {
+  MadeUpStudy made;
+  const std::int64_t protocol = made.add_protocol("rough", "magnitude", R"({
+      "estimation": {"spacing": "spacing"}, "factors": {"spacing": {"levels": [0.001, 0.002, 0.004]}}})");
+  const auto trial_of = [](double spacing_m, double number) {
+    MadeUpTrial trial{};
+    trial.surfaces = {surface_of("s", "sinusoid", "s")};
+    trial.factors_json = R"({"spacing": )" + number_text(spacing_m) + "}";
+    trial.answers = {number_text(number)};
+    trial.number = number;
+    return trial;
+  };
+  MadeUpTrial anchor = trial_of(0.001, 100.0);
+  anchor.repetition = 0;
+  for (const auto& [label, unit] : {std::pair("anna", 1.0), std::pair("ben", 10.0)}) {
+    made.add_person(label, "F");
+    made.add_session(label, protocol,
+                     {anchor, trial_of(0.001, 0.5 * unit), trial_of(0.001, 2.0 * unit),
+                      trial_of(0.002, 10.0 * unit), trial_of(0.004, 7.0 * unit)});
+  }
+  made.add_person("carl", "M");
+  made.add_session("carl", protocol, {trial_of(0.001, 3.0)});
+  const std::filesystem::path out = made.beside("out");
+  export_to(made, out, tables_only());
+  const Table responses = table_in(out, "responses.tsv");
+  ASSERT_EQ(responses.rows.size(), 11U);
+  const auto normalised = [&responses](std::size_t row) {
+    return number_in(std::get<std::string>(cell_of(responses, row, "normalised_estimate"))).value();
+  };
+  const double root = std::sqrt(10.0);
+  const std::vector<double> of_both{0.5 * root, 2.0 * root, 10.0 * root, 7.0 * root};
+  for (std::size_t i = 0; i < of_both.size(); ++i) {
+    EXPECT_NEAR(normalised(1 + i), of_both[i], 1e-9) << i;
+    EXPECT_NEAR(normalised(6 + i), of_both[i], 1e-9) << i;
+  }
+  EXPECT_NEAR(normalised(0), 100.0 * root, 1e-9) << "an anchor makes no scale, and has one";
+  EXPECT_NEAR(normalised(5), 100.0 / root, 1e-9);
+  EXPECT_EQ(cell_of(responses, 10, "normalised_estimate"), Cell{});
+  EXPECT_EQ(cell_of(responses, 10, "answer_number"), Cell{"3"});
 }
 
 // Textures have names; what roughness is drawn over is how far apart their elements are.
