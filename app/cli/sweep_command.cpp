@@ -262,36 +262,94 @@ struct StudyBeside {
   std::vector<std::string> conditions{};  ///< by the levels of the sweep
 };
 
-/// Of a study with estimates by several protocols, which of them has to be said.
+/// What `--protocol` names: every version of a protocol, or one of them.
+struct NamedProtocol {
+  std::string name{};
+  std::optional<std::string> version{};
+};
+
+std::optional<NamedProtocol> named_protocol(const std::optional<std::string>& text) {
+  if (!text) return {};
+  const std::size_t at = text->find('@');
+  if (at == std::string::npos) return NamedProtocol{*text, {}};
+  return NamedProtocol{text->substr(0, at), text->substr(at + 1)};
+}
+
+bool estimates_roughness(const AnalysisOutcome& outcome) {
+  return outcome.kind == text_of(ProtocolKind::magnitude) && outcome.answers > 0;
+}
+
+/// Of a study with estimates by several protocols, or by several versions of one, which of them has to be
+/// said: a sweep stands beside one experiment.
 void require_one_protocol(const std::string& folder, const std::vector<AnalysisOutcome>& outcomes) {
-  std::set<std::string> names{};
+  std::map<std::string, std::set<std::string>> versions{};
   for (const AnalysisOutcome& outcome : outcomes) {
-    if (outcome.kind == text_of(ProtocolKind::magnitude)) names.insert(outcome.protocol);
+    if (estimates_roughness(outcome)) versions[outcome.protocol].insert(outcome.version);
   }
-  if (names.size() < 2) return;
+  std::vector<std::string> choices{};
+  for (const auto& [name, of_name] : versions) {
+    for (const std::string& version : of_name) {
+      choices.push_back(of_name.size() == 1 ? name : name + '@' + version);
+    }
+  }
+  if (choices.size() < 2) return;
   std::string said{};
-  for (const std::string& name : names) said += (said.empty() ? "" : ", ") + name;
+  for (const std::string& choice : choices) said += (said.empty() ? "" : ", ") + choice;
   throw std::runtime_error("the study " + folder + " has estimates of roughness by " +
-                           std::to_string(names.size()) + " protocols: say which by --protocol, " +
-                           said);
+                           (versions.size() > 1 ? std::to_string(versions.size()) + " protocols"
+                                                : std::to_string(choices.size()) + " versions of " +
+                                                      versions.begin()->first) +
+                           ": say which by --protocol, " + said);
+}
+
+/// The outcomes that `--protocol` leaves.
+std::vector<AnalysisOutcome> outcomes_beside(const Study& study, const SweepOptions& options) {
+  const std::optional<NamedProtocol> named = named_protocol(options.protocol);
+  std::vector<AnalysisOutcome> outcomes =
+      analyze_study(study, named ? std::optional(named->name) : std::nullopt);
+  if (named && named->version) {
+    std::set<std::string> versions{};
+    for (const AnalysisOutcome& outcome : outcomes) versions.insert(outcome.version);
+    std::erase_if(outcomes, [&named](const AnalysisOutcome& outcome) {
+      return outcome.version != *named->version;
+    });
+    if (outcomes.empty()) {
+      std::string said{};
+      for (const std::string& version : versions) said += (said.empty() ? "" : ", ") + version;
+      throw std::runtime_error("the study " + options.beside + " has no session of " + named->name +
+                               " of the version " + *named->version + "; it has " + said);
+    }
+  }
+  require_one_protocol(options.beside, outcomes);
+  return outcomes;
 }
 
 Protocol protocol_of(const Study& study, const AnalysisOutcome& outcome,
                      const ModelRegistry& models) {
-  for (const ProtocolRow& row : study.protocols()) {
+  const ProtocolRow* found = nullptr;
+  const std::vector<ProtocolRow> rows = study.protocols();
+  std::size_t alike = 0;
+  for (const ProtocolRow& row : rows) {
     if (row.name != outcome.protocol || row.version != outcome.version) continue;
-    return read_protocol(row.source, row.name, declarations_of(models));
+    if (found == nullptr) found = &row;
+    ++alike;
   }
-  throw std::runtime_error("the study has lost the protocol " + outcome.protocol + ' ' +
-                           outcome.version + "; asperity verify says more");
+  if (found == nullptr) {
+    throw std::runtime_error("the study has lost the protocol " + outcome.protocol + ' ' +
+                             outcome.version + "; asperity verify says more");
+  }
+  if (alike > 1) {
+    say("asperity: warning: " + std::to_string(alike) + " different files are " + outcome.protocol +
+        ' ' + outcome.version +
+        ", and their answers are counted together; the sweep is held against the first of them");
+  }
+  return read_protocol(found->source, found->name, declarations_of(models));
 }
 
 /// The first estimates of roughness in the order of `analyze`: of people before others.
 StudyBeside study_beside(const SweepOptions& options, const ModelRegistry& models) {
   const Study study = Study::open(options.beside, Access::read_only);
-  const std::vector<AnalysisOutcome> outcomes = analyze_study(study, options.protocol);
-  if (!options.protocol) require_one_protocol(options.beside, outcomes);
-  for (const AnalysisOutcome& outcome : outcomes) {
+  for (const AnalysisOutcome& outcome : outcomes_beside(study, options)) {
     for (Figure& figure : figures_of(outcome)) {
       if (figure.name != "roughness") continue;
       if (!figure.is_drawn()) throw std::runtime_error(figure.instead.english());
@@ -470,9 +528,10 @@ void add_sweep(CLI::App& program, Job& job) {
               "its protocol's conditions, which differ in what is varied")
           ->needs(plot);
   command
-      ->add_option(
-          "--protocol", options->protocol,
-          "Of the study, the protocol of this name; needed where several estimate roughness")
+      ->add_option("--protocol", options->protocol,
+                   "NAME[@VERSION] of the study; needed where several protocols, or several "
+                   "versions of one, "
+                   "estimate roughness")
       ->needs(beside);
 #endif
   command->add_flag("--force", options->force, "Replace what is there of another sweep");

@@ -83,14 +83,15 @@ MadeUpStudy::~MadeUpStudy() {
 }
 
 std::int64_t MadeUpStudy::add_protocol(const std::string& name, const std::string& kind,
-                                       const std::string& source) {
+                                       const std::string& source, const std::string& version) {
   ProtocolRow protocol{};
   protocol.name = name;
-  protocol.version = "1";
+  protocol.version = version;
   protocol.kind = kind;
   protocol.design = "chapter";
   nlohmann::json text = nlohmann::json::parse(source);
   text["name"] = name;  // no two protocols are the same file
+  if (version != "1") text["version"] = version;
   protocol.source = text.dump();
   return study_->add_protocol(protocol);
 }

@@ -46,7 +46,7 @@ class MadeUpStudy final {
   std::filesystem::path beside(const std::string& name) const { return folder_ / name; }
 
   std::int64_t add_protocol(const std::string& name, const std::string& kind,
-                            const std::string& source = "{}");
+                            const std::string& source = "{}", const std::string& version = "1");
   void add_person(const std::string& label, const std::string& sex);
   void add_virtual(const std::string& label, const std::string& sex);
 

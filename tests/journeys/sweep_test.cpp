@@ -221,12 +221,13 @@ TEST(Sweep, StandsBesideEstimatesOnlyInAFigureAndOfAStudyThatHasThem) {
 
 /// Three people who gave numbers under every condition of a library protocol.
 void add_estimates(MadeUpStudy& made, const std::string& name, const std::string& factor,
-                   const std::vector<std::string>& conditions) {
+                   const std::vector<std::string>& conditions, const std::string& version = "1") {
   const auto library = library_protocols();
   const auto found = std::find_if(library.begin(), library.end(),
                                   [&](const LibraryProtocol& one) { return one.name == name; });
   ASSERT_NE(found, library.end());
-  const std::int64_t protocol = made.add_protocol(name, "magnitude", std::string(found->text));
+  const std::int64_t protocol =
+      made.add_protocol(name, "magnitude", std::string(found->text), version);
   for (int person = 0; person < 3; ++person) {
     const std::string label = "P" + std::to_string(protocol) + std::to_string(person);
     made.add_person(label, "F");
@@ -282,6 +283,23 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
   EXPECT_THAT(unnamed.err, HasSubstr("say which by --protocol, roughness_force, roughness_speed"));
   again.insert(again.end(), {"--protocol", "roughness_force"});
   EXPECT_EQ(outcome(again).status, 0);
+
+  // Another version is another experiment, which nobody chooses by accident.
+  add_estimates(made, "roughness_force", "force", {"light", "medium", "firm"}, "1.1.0");
+  const Outcome either = outcome(again);
+  EXPECT_EQ(either.status, 1);
+  EXPECT_THAT(either.err, HasSubstr("2 versions of roughness_force: say which by --protocol, "
+                                    "roughness_force@1, roughness_force@1.1.0"));
+  for (const char* version : {"1", "1.1.0"}) {
+    again.back() = std::string("roughness_force@") + version;
+    const Outcome one = outcome(again);
+    EXPECT_EQ(one.status, 0) << one.err;
+    EXPECT_THAT(one.err,
+                HasSubstr(std::string("beside it: roughness_force ") + version + ", people, 36"));
+  }
+  again.back() = "roughness_force@2.0.0";
+  EXPECT_THAT(outcome(again).err,
+              HasSubstr("no session of roughness_force of the version 2.0.0; it has 1, 1.1.0"));
 }
 #endif
 
