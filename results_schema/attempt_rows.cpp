@@ -15,8 +15,6 @@ namespace {
 constexpr std::array kOutcomes{AttemptOutcome::answered,      AttemptOutcome::timed_out,
                                AttemptOutcome::not_compliant, AttemptOutcome::aborted,
                                AttemptOutcome::device_fault,  AttemptOutcome::skipped};
-constexpr std::array kVerdicts{Verdict::set_aside, Verdict::flag, Verdict::exclude,
-                               Verdict::include};
 
 /// What was decided about attempts, or about their session, in the order of deciding.
 void apply_decisions(Database& database, const std::string& which, std::int64_t key,

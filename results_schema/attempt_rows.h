@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,6 +12,10 @@
 #include "results_schema/sqlite.h"
 
 namespace asperity {
+
+/// All that can be decided about an attempt.
+inline constexpr std::array kVerdicts{Verdict::set_aside, Verdict::flag, Verdict::exclude,
+                                      Verdict::include};
 
 /// Attempts in the order of their ids, so that what hangs on them can be told to them by bisection.
 class Attempts {

@@ -112,6 +112,13 @@ std::string network_file_system_at(const std::filesystem::path& path) {
   return network_file_system_of(static_cast<long>(status.f_type));
 }
 
+struct flock lock_of_whole_file(short type) noexcept {
+  struct flock lock {};
+  lock.l_type = type;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
 std::filesystem::path path_in_study(const std::filesystem::path& study, const std::string& path) {
   const std::filesystem::path relative(path);
   bool inside = !path.empty() && relative.is_relative() && relative.has_filename();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <fcntl.h>
 #include <filesystem>
 #include <string>
 
@@ -37,6 +38,11 @@ bool rename_to_free_name(const std::filesystem::path& from, const std::filesyste
 /// Throws ResultsError: "the file … cannot be …: …" with what the error number means.
 [[noreturn]] void fail_on_file(const std::filesystem::path& path, const std::string& what,
                                int error_number);
+
+/// What F_OFD_SETLK takes and F_OFD_GETLK asks, of the type F_RDLCK or F_WRLCK. Such a lock is of the open
+/// file rather than of the process: two threads exclude each other too, and closing another descriptor of
+/// the same file does not let go of it.
+struct flock lock_of_whole_file(short type) noexcept;
 
 /// The name of a network file system by the number that statfs gives it; empty for a local one.
 std::string network_file_system_of(long type) noexcept;

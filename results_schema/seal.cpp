@@ -75,18 +75,11 @@ void give_mode_of_database(const std::filesystem::path& study, const std::filesy
   if (!error) std::filesystem::permissions(file, status.permissions(), error);
 }
 
-struct flock whole_file(short type) {
-  struct flock lock {};
-  lock.l_type = type;
-  lock.l_whence = SEEK_SET;
-  return lock;
-}
-
 /// Waits for whoever is sealing, but not for ever: a program that was stopped holds its lock.
 bool lock_shared(int file) {
   constexpr int kTries = 600;
   constexpr auto kPause = std::chrono::milliseconds(50);
-  struct flock shared = whole_file(F_RDLCK);
+  struct flock shared = lock_of_whole_file(F_RDLCK);
   for (int i = 0; i < kTries; ++i) {
     if (::fcntl(file, F_OFD_SETLK, &shared) == 0) return true;
     if (errno != EINTR && errno != EAGAIN && errno != EACCES) return false;
@@ -119,7 +112,7 @@ bool has_seal(const std::filesystem::path& study) {
 bool is_being_written(const std::filesystem::path& study) noexcept {
   const int file = ::open(lock_of_writers(study).c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
-  struct flock lock = whole_file(F_WRLCK);
+  struct flock lock = lock_of_whole_file(F_WRLCK);
   const bool asked = ::fcntl(file, F_OFD_GETLK, &lock) == 0;
   ::close(file);
   return asked && lock.l_type != F_UNLCK;
@@ -164,7 +157,7 @@ void SealBreaker::seal_again(Database& database) noexcept {
     std::filesystem::remove(beside_database(study_, ".sha256"), error);
     return;
   }
-  struct flock alone = whole_file(F_WRLCK);
+  struct flock alone = lock_of_whole_file(F_WRLCK);
   if (::fcntl(lock_, F_OFD_SETLK, &alone) != 0) return;  // the next to close will
   try {
     const std::filesystem::path seal = beside_database(study_, ".sha256");

@@ -42,7 +42,7 @@ std::string copy_and_hash(const std::filesystem::path& from, const std::filesyst
 
 /// The files that rows name, with the SHA-256 that they must have. A stimulus that was changed
 /// between two sessions has two, of which one can be there; `verify` says so.
-std::map<std::string, std::set<std::string>> vouched_files(Database& database) {
+std::map<std::string, std::set<std::string>> checksums_by_path(Database& database) {
   std::map<std::string, std::set<std::string>> files;
   Statement statement(database,
                       "SELECT path, sha256 FROM recording "
@@ -69,7 +69,7 @@ void copy_files(const std::filesystem::path& from, const std::filesystem::path& 
   std::map<std::string, std::set<std::string>> vouched;
   {
     Database copy(to, database_in(to), Database::Mode::read_write);
-    vouched = vouched_files(copy);
+    vouched = checksums_by_path(copy);
   }
   for (const auto& [path, sha256] : vouched) {
     if (!sha256.contains(copy_and_hash(path_in_study(from, path), path_in_study(to, path)))) {

@@ -1,18 +1,10 @@
 // What people decided about the data of a study.
 
-#include <array>
-
+#include "results_schema/attempt_rows.h"
 #include "results_schema/study.h"
 #include "results_schema/study_store.h"
 
 namespace asperity {
-namespace {
-
-constexpr std::array kVerdicts{Verdict::set_aside, Verdict::flag, Verdict::exclude,
-                               Verdict::include};
-
-}  // namespace
-
 void Study::add_decision(std::int64_t session_id, const DecisionRow& decision) {
   Statement(store_->writable(),
             "INSERT INTO decision (session_id, trial, attempt, verdict, reason, decided_by, "

@@ -26,15 +26,6 @@ std::filesystem::path lock_path(const std::filesystem::path& study, const std::s
   return study / "locks" / (name + ".lock");
 }
 
-/// A lock of the open file rather than of the process: two threads exclude each other too, and
-/// closing another descriptor of the same file does not let go of it.
-struct flock whole_file(short type) {
-  struct flock lock {};
-  lock.l_type = type;
-  lock.l_whence = SEEK_SET;
-  return lock;
-}
-
 /// When this process was started, as UTC: the kernel dates /proc/self so.
 std::string process_start_utc() {
   struct stat status {};
@@ -77,7 +68,7 @@ StudyLock::StudyLock(const std::filesystem::path& study, const std::string& name
   std::filesystem::create_directory(path_.parent_path(), error);
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail_on_file(path_, "opened", errno);
-  struct flock lock = whole_file(F_WRLCK);
+  struct flock lock = lock_of_whole_file(F_WRLCK);
   if (::fcntl(descriptor_, F_OFD_SETLK, &lock) != 0) {
     const int error_number = errno;
     const std::string holder = content_of(descriptor_);
@@ -114,7 +105,7 @@ std::optional<std::string> StudyLock::holder(const std::filesystem::path& study,
     if (errno == ENOENT) return std::nullopt;
     fail_on_file(path, "opened", errno);
   }
-  struct flock lock = whole_file(F_RDLCK);
+  struct flock lock = lock_of_whole_file(F_RDLCK);
   const int result = ::fcntl(descriptor, F_OFD_GETLK, &lock);
   const int error_number = errno;
   std::string text = content_of(descriptor);

@@ -8,12 +8,10 @@
 #include <set>
 
 #include "results_schema/study.h"
+#include "results_schema/table_words.h"
 
 namespace asperity {
 namespace {
-
-constexpr std::string_view kMissing = "n/a";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// Appends `text` with what would break a row turned into spaces. Returns whether it changed.
 bool append_cell(std::string& line, std::string_view text) {
@@ -60,9 +58,9 @@ std::string tsv_of(const Table& table, std::size_t* replaced) {
       } else if (const auto* number = std::get_if<double>(&cells[i])) {
         text += text_of_number(*number);
       } else if (const auto* words = std::get_if<std::string>(&cells[i])) {
-        if (append_cell(text, *words) || *words == kMissing) ++changed_cells;
+        if (append_cell(text, *words) || *words == kMissingCell) ++changed_cells;
       } else {
-        text += kMissing;
+        text += kMissingCell;
       }
     }
     text += '\n';
@@ -109,7 +107,7 @@ Table read_tsv(std::string_view text, const std::string& file_name) {
     }
     std::vector<Cell>& row = table.rows.emplace_back();
     for (const std::string_view cell : cells) {
-      row.push_back(cell == kMissing ? Cell{} : Cell{std::string(cell)});
+      row.push_back(cell == kMissingCell ? Cell{} : Cell{std::string(cell)});
     }
   }
   return table;

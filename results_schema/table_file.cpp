@@ -7,16 +7,17 @@
 
 #include "results_schema/file_system.h"
 #include "results_schema/sha256_stream.h"
+#include "results_schema/table_words.h"
 
 namespace asperity {
 namespace {
 
 constexpr std::size_t kBuffer_bytes = std::size_t{1} << 18;
-constexpr std::string_view kMissing = "n/a";
 
 bool needs_mark(std::string_view text) {
-  return text == kMissing || (!text.empty() && std::string_view("=+-@'\t\r\n").find(text.front()) !=
-                                                   std::string_view::npos);
+  return text == kMissingCell ||
+         (!text.empty() &&
+          std::string_view("=+-@'\t\r\n").find(text.front()) != std::string_view::npos);
 }
 
 template <typename Number>
@@ -117,7 +118,7 @@ struct TableFile::State {
     } else if (const auto* text = std::get_if<std::string>(&cell)) {
       add_text(*text);
     } else if (format != Format::csv) {
-      buffer += kMissing;
+      buffer += kMissingCell;
     }
   }
 

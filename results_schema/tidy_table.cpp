@@ -9,13 +9,14 @@
 
 #include "results_schema/study.h"
 #include "results_schema/table.h"
+#include "results_schema/table_words.h"
 
 namespace asperity {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-bool is_missing(std::string_view cell) { return cell.empty() || cell == "NA" || cell == "n/a"; }
+bool is_missing(std::string_view cell) {
+  return cell.empty() || cell == "NA" || cell == kMissingCell;
+}
 
 std::string_view without_blanks(std::string_view cell) {
   while (!cell.empty() && (cell.front() == ' ' || cell.front() == '\t')) cell.remove_prefix(1);

@@ -15,6 +15,7 @@
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
+#include "tests/results_schema/refusal.h"
 #include "tests/results_schema/temporary_folder.h"
 
 namespace asperity {
@@ -41,13 +42,8 @@ RecordingRow write(const std::filesystem::path& study, int records,
   return writer.finish();
 }
 
-std::string message_of(const std::filesystem::path& path) {
-  try {
-    read_recording(path);
-  } catch (const ResultsError& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal_to_read(const std::filesystem::path& path) {
+  return refusal([&] { read_recording(path); });
 }
 
 void put(const std::filesystem::path& path, const std::string& content) {
@@ -114,7 +110,7 @@ TEST(Recording, IsAPartUntilItIsFinished) {
   }
   EXPECT_FALSE(std::filesystem::exists(study / "recordings/a.asprec"));
   // All that was appended is there: only the end is missing, after two chunks.
-  EXPECT_THAT(message_of(study / "recordings/a.asprec.part"), HasSubstr("chunk 3"));
+  EXPECT_THAT(refusal_to_read(study / "recordings/a.asprec.part"), HasSubstr("chunk 3"));
 }
 
 TEST(Recording, TakesTheNextNameWhereACrashLeftOne) {
@@ -160,14 +156,14 @@ TEST(Recording, NoticesEveryTruncation) {
   put(study / "cut", whole);
   for (std::size_t length = whole.size(); length-- > 0;) {
     std::filesystem::resize_file(study / "cut", length);
-    ASSERT_NE(message_of(study / "cut"), "") << length;
+    ASSERT_NE(refusal_to_read(study / "cut"), "") << length;
   }
   put(study / "cut", whole.substr(0, whole.size() - 1));
-  EXPECT_THAT(message_of(study / "cut"),
+  EXPECT_THAT(refusal_to_read(study / "cut"),
               HasSubstr("chunk 4, at byte " + std::to_string(whole.size() - 24) +
                         ": the file ends inside the chunk"));
   put(study / "cut", whole + "x");
-  EXPECT_THAT(message_of(study / "cut"), HasSubstr("something follows"));
+  EXPECT_THAT(refusal_to_read(study / "cut"), HasSubstr("something follows"));
 }
 
 TEST(Recording, NoticesEveryFlippedByte) {
@@ -180,10 +176,10 @@ TEST(Recording, NoticesEveryFlippedByte) {
   };
   for (std::size_t at = 0; at < whole.size(); ++at) {
     set_byte(at, whole[at] ^ 0x10);
-    ASSERT_NE(message_of(study / "flipped"), "") << at;
+    ASSERT_NE(refusal_to_read(study / "flipped"), "") << at;
     set_byte(at, whole[at]);
   }
-  EXPECT_EQ(message_of(study / "flipped"), "");
+  EXPECT_EQ(refusal_to_read(study / "flipped"), "");
 }
 
 TEST(Recording, SaysInWhichChunkItIsDamaged) {
@@ -195,7 +191,7 @@ TEST(Recording, SaysInWhichChunkItIsDamaged) {
   const std::size_t second = text + 16 + first_bytes;
   content[second + 20] = static_cast<char>(content[second + 20] ^ 1);
   put(study / "damaged", content);
-  EXPECT_THAT(message_of(study / "damaged"),
+  EXPECT_THAT(refusal_to_read(study / "damaged"),
               HasSubstr("damaged in chunk 2, at byte " + std::to_string(second) +
                         ": the checksum does not hold"));
 }
@@ -203,10 +199,10 @@ TEST(Recording, SaysInWhichChunkItIsDamaged) {
 TEST(Recording, IsRefusedInAnotherFormat) {
   const TemporaryFolder study;
   put(study / "a", "{\"format\":\"asperity.recording/2\"}\n\n");
-  EXPECT_THAT(message_of(study / "a"), HasSubstr("asperity.recording/2"));
+  EXPECT_THAT(refusal_to_read(study / "a"), HasSubstr("asperity.recording/2"));
   put(study / "b", "PNG\n\n");
-  EXPECT_THAT(message_of(study / "b"), HasSubstr("is none"));
-  EXPECT_THAT(message_of(study / "absent"), HasSubstr("No such file"));
+  EXPECT_THAT(refusal_to_read(study / "b"), HasSubstr("is none"));
+  EXPECT_THAT(refusal_to_read(study / "absent"), HasSubstr("No such file"));
 }
 
 TEST(Recording, DoesNotFinishAfterTheDiskWasFull) {

@@ -42,6 +42,16 @@ RecordingRow record(const std::filesystem::path& study, const std::string& path)
   return writer.finish();
 }
 
+/// Changes a study by hand, past its constraints.
+void execute_against_rules(const std::filesystem::path& study, const std::string& sql) {
+  sqlite3* handle = nullptr;
+  sqlite3_open((study / "study.sqlite").c_str(), &handle);
+  const std::string unruled = "PRAGMA ignore_check_constraints = ON;" + sql;
+  EXPECT_EQ(sqlite3_exec(handle, unruled.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+      << sqlite3_errmsg(handle);
+  sqlite3_close(handle);
+}
+
 /// A study with a stimulus and a recorded attempt.
 StudyWithSession recorded_study(const std::filesystem::path& folder) {
   Study study = Study::create(folder, "some study");
@@ -349,19 +359,12 @@ TEST(StudyVerify, LetsOutWhatTheCallerThrowsWhileSQLiteWorks) {
 TEST(StudyVerify, FindsRowsAgainstTheConstraintsInAStudyThatIsOpenForReading) {
   const TemporaryFolder folder;
   { recorded_study(folder / "s"); }
-  sqlite3* handle = nullptr;
-  sqlite3_open((folder / "s" / "study.sqlite").c_str(), &handle);
-  EXPECT_EQ(sqlite3_exec(handle,
-                         "PRAGMA ignore_check_constraints = ON;"
-                         "DROP TRIGGER trial_no_update; UPDATE trial SET plan_json = '{';"
-                         "DROP TRIGGER attempt_no_update;"
-                         "UPDATE attempt SET valid = 1, invalid_reason = 'so';"
-                         "DROP TRIGGER presentation_no_update;"
-                         "UPDATE presentation SET surface_sha256 = 'X' WHERE position = 1;",
-                         nullptr, nullptr, nullptr),
-            SQLITE_OK)
-      << sqlite3_errmsg(handle);
-  sqlite3_close(handle);
+  execute_against_rules(folder / "s",
+                        "DROP TRIGGER trial_no_update; UPDATE trial SET plan_json = '{';"
+                        "DROP TRIGGER attempt_no_update;"
+                        "UPDATE attempt SET valid = 1, invalid_reason = 'so';"
+                        "DROP TRIGGER presentation_no_update;"
+                        "UPDATE presentation SET surface_sha256 = 'X' WHERE position = 1;");
   for (const Access access : {Access::read_only, Access::read_write}) {
     const std::vector<std::string> findings = Study::open(folder / "s", access).verify({});
     EXPECT_THAT(findings, Contains("study.sqlite: 3 rows of trial against the rule CHECK "
@@ -444,16 +447,11 @@ TEST(TableRules, AreFoundInWhateverSurroundsThem) {
 TEST(StudyVerify, FindsInItsPartsWhatItFindsAltogether) {
   const TemporaryFolder folder;
   { recorded_study(folder / "s"); }
-  sqlite3* handle = nullptr;
-  sqlite3_open((folder / "s" / "study.sqlite").c_str(), &handle);
-  EXPECT_EQ(sqlite3_exec(handle,
-                         "PRAGMA ignore_check_constraints = ON; DROP TRIGGER protocol_no_update;"
-                         "UPDATE protocol SET source = 'x';"
-                         "DROP TRIGGER trial_no_update; UPDATE trial SET plan_json = '{' "
-                         "WHERE trial = 2; DROP TRIGGER attempt_no_delete; DELETE FROM attempt;",
-                         nullptr, nullptr, nullptr),
-            SQLITE_OK);
-  sqlite3_close(handle);
+  execute_against_rules(folder / "s",
+                        "DROP TRIGGER protocol_no_update;"
+                        "UPDATE protocol SET source = 'x';"
+                        "DROP TRIGGER trial_no_update; UPDATE trial SET plan_json = '{' "
+                        "WHERE trial = 2; DROP TRIGGER attempt_no_delete; DELETE FROM attempt;");
   const Study study = Study::open(folder / "s", Access::read_only);
   std::vector<std::string> by_part{};
   std::map<StudyPart, std::size_t> counts{};
@@ -507,14 +505,9 @@ TEST(StudyVerify, FindsRowsThatContradictEachOther) {
 TEST(StudyVerify, FindsWhatWasChangedByHand) {
   const TemporaryFolder folder;
   const auto [study, session_id] = recorded_study(folder / "s");
-  sqlite3* handle = nullptr;
-  sqlite3_open((folder / "s" / "study.sqlite").c_str(), &handle);
-  EXPECT_EQ(sqlite3_exec(handle,
-                         "DROP TRIGGER protocol_no_update; UPDATE protocol SET source = 'x';"
-                         "DROP TRIGGER attempt_no_delete; DELETE FROM attempt;",
-                         nullptr, nullptr, nullptr),
-            SQLITE_OK);
-  sqlite3_close(handle);
+  execute_against_rules(folder / "s",
+                        "DROP TRIGGER protocol_no_update; UPDATE protocol SET source = 'x';"
+                        "DROP TRIGGER attempt_no_delete; DELETE FROM attempt;");
   const std::vector<std::string> findings = study.verify({});
   EXPECT_THAT(findings, Contains(HasSubstr("its source does not have its SHA-256")));
   EXPECT_THAT(findings, Contains(HasSubstr("a row of response refers to a row of attempt that is "

@@ -14,18 +14,14 @@
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "results_schema/table_file.h"
+#include "tests/results_schema/refusal.h"
 #include "tests/results_schema/temporary_folder.h"
 
 namespace asperity {
 namespace {
 
-std::string message_of(std::string_view text) {
-  try {
-    read_tsv(text, "file.tsv");
-  } catch (const ResultsError& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal_of_tsv(std::string_view text) {
+  return refusal([&] { read_tsv(text, "file.tsv"); });
 }
 
 TEST(Table, IsWrittenAsTabsWithMissingCellsNamed) {
@@ -66,13 +62,13 @@ TEST(Table, ReadsLineEndsAndByteOrderMarksOfOtherTools) {
 }
 
 TEST(Table, SaysWhereItIsWrong) {
-  EXPECT_EQ(message_of("a\tb\n1\t2\n3\n"),
+  EXPECT_EQ(refusal_of_tsv("a\tb\n1\t2\n3\n"),
             "file.tsv:3:2: the row has 1 cells, the header names 2 columns");
-  EXPECT_EQ(message_of("a\n1\t2\n"),
+  EXPECT_EQ(refusal_of_tsv("a\n1\t2\n"),
             "file.tsv:2:2: the row has 2 cells, the header names 1 columns");
-  EXPECT_EQ(message_of("a\tb\ta\n"), "file.tsv:1:3: the column name \"a\" stands twice");
-  EXPECT_EQ(message_of("a\t\n"), "file.tsv:1:2: the column has no name");
-  EXPECT_EQ(message_of(""), "file.tsv:1:1: the line of column names is missing");
+  EXPECT_EQ(refusal_of_tsv("a\tb\ta\n"), "file.tsv:1:3: the column name \"a\" stands twice");
+  EXPECT_EQ(refusal_of_tsv("a\t\n"), "file.tsv:1:2: the column has no name");
+  EXPECT_EQ(refusal_of_tsv(""), "file.tsv:1:1: the line of column names is missing");
 }
 
 TEST(Table, RefusesARowOfAnotherLength) {
