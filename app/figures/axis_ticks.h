@@ -9,6 +9,11 @@
 
 namespace asperity {
 
+/// Lengths are stored in metres and drawn in millimetres.
+inline constexpr double kMillimetresPerMetre = 1e3;
+/// How far a logarithmic axis goes beyond the outermost marks, as a factor.
+inline constexpr double kBeyondMarks = 1.12;
+
 struct AxisTick {
   double value = 0.0;
   Phrase label{};  ///< empty: a tick between those that are labelled

@@ -17,14 +17,14 @@ struct Confusions {
   std::vector<std::vector<double>> counts{};  ///< by felt, then by chosen
 };
 
-std::size_t place_in(std::vector<std::string>& names, const std::string& name) {
+std::size_t place_of_name(std::vector<std::string>& names, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   names.push_back(name);
   return names.size() - 1;
 }
 
-Phrase word_of(const std::string& name) {
+Phrase word_of_name(const std::string& name) {
   return name == kCannotTell ? phrase("Figures", "cannot tell") : Phrase(name);
 }
 
@@ -39,7 +39,7 @@ Figure figure_of(const Confusions& confusions) {
   double all = 0.0;
   figure.x.name = phrase("Figures", "chosen");
   figure.y.name = phrase("Figures", "felt");
-  for (const std::string& name : confusions.chosen) figure.x.places.push_back(word_of(name));
+  for (const std::string& name : confusions.chosen) figure.x.places.push_back(word_of_name(name));
   for (std::size_t row = 0; row < confusions.felt.size(); ++row) {
     figure.y.places.push_back(confusions.felt[row]);
     double sum = 0.0;
@@ -68,8 +68,8 @@ Figure confusion_figure(const FoundNumbers& found) {
   for (const Finding* one : found.all("confusion")) {
     const std::vector<std::string> parts = parts_of(one->key);
     if (parts.size() != 2) continue;
-    const std::size_t row = place_in(confusions.felt, parts[0]);
-    const std::size_t column = place_in(confusions.chosen, parts[1]);
+    const std::size_t row = place_of_name(confusions.felt, parts[0]);
+    const std::size_t column = place_of_name(confusions.chosen, parts[1]);
     confusions.counts.resize(confusions.felt.size());
     std::vector<double>& counts = confusions.counts[row];
     counts.resize(std::max(counts.size(), column + 1));

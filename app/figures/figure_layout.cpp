@@ -13,7 +13,7 @@ namespace asperity {
 namespace {
 
 // In sizes of letters.
-constexpr double kMargin = 0.5;
+constexpr double kMarginOfFigure = 0.5;
 constexpr double kGap = 0.5;            // between a tick and its label, between labels and a name
 constexpr double kTick = 0.35;          // its length
 constexpr double kRow = 1.9;            // the least height of a row
@@ -90,7 +90,7 @@ Phrase name_of(const FigureAxis& axis) {
 
 FigureLayout::FigureLayout(const Figure& figure, double width, const FigureLook& look)
     : figure_(figure), look_(look), width_(width), letters_(look.letters), font_(font_of(look)) {
-  const double margin = kMargin * letters_;
+  const double margin = kMarginOfFigure * letters_;
   if (!figure.is_drawn()) {
     sentence_ = broken(words(figure.instead), width - 2.0 * margin);
     height_ = sentence_.height + 2.0 * margin;
@@ -136,7 +136,7 @@ void FigureLayout::lay_key() {
   if (names.size() < 2) return;
   const QFontMetricsF metrics(font_);
   const double line = metrics.height() * 1.2;
-  const double left = kMargin * letters_;
+  const double left = kMarginOfFigure * letters_;
   QPointF at(left, left + line / 2.0);
   for (std::size_t i = 0; i < figure_.series.size(); ++i) {
     const QString name = words(figure_.series[i].name);
@@ -150,7 +150,7 @@ void FigureLayout::lay_key() {
     key_.push_back({.series = i, .at = at, .name = name});
     at.rx() += length;
   }
-  key_height_ = at.y() + line / 2.0 + kGap * letters_ - kMargin * letters_;
+  key_height_ = at.y() + line / 2.0 + kGap * letters_ - kMarginOfFigure * letters_;
 }
 
 void FigureLayout::lay_labels() {
@@ -165,9 +165,9 @@ void FigureLayout::lay_labels() {
   }
   // Beside the labels stands the name, turned: as broad as a line is high, if it is one.
   const double name_breadth = figure_.y.name.empty() ? 0.0 : metrics.height() + kGap * letters_;
-  const double left = kMargin * letters_ + name_breadth + widest_of(y_ticks_) +
+  const double left = kMarginOfFigure * letters_ + name_breadth + widest_of(y_ticks_) +
                       (y_ticks_.empty() ? 0.0 : kGap * letters_) + kTick * letters_;
-  double right = kMargin * letters_ + letters_;
+  double right = kMarginOfFigure * letters_ + letters_;
   double breadth = width_ - left - right;
   if (figure_.shape == FigureShape::square && !cells) {
     breadth = std::min(breadth, kGreatestSquare * letters_);
@@ -178,7 +178,8 @@ void FigureLayout::lay_labels() {
   }
   // What a line down the rows is stands above them.
   const bool named_line = !figure_.y.places.empty() && !figure_.references.empty();
-  const double top = kMargin * letters_ + key_height_ + (named_line ? metrics.height() : 0.0);
+  const double top =
+      kMarginOfFigure * letters_ + key_height_ + (named_line ? metrics.height() : 0.0);
   plot_ = QRectF(left, top, std::max(breadth, letters_), 0.0);
 
   if (!figure_.x.places.empty()) {
@@ -251,7 +252,7 @@ void FigureLayout::lay_names() {
                std::min(kShades * letters_, width_ - plot_.left() - letters_), 0.7 * letters_);
     bottom = shades_.bottom() + kGap * letters_ * 0.5 + metrics.height();
   }
-  height_ = bottom + kMargin * letters_;
+  height_ = bottom + kMarginOfFigure * letters_;
 }
 
 void FigureLayout::place_ticks() {

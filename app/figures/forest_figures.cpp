@@ -80,7 +80,7 @@ void add_rows(const std::vector<ForestRow>& rows, const std::vector<ForestKind>&
 }
 
 /// The program's own words among the names of a table.
-Phrase word_of(const Cell& cell) {
+Phrase word_of_cell(const Cell& cell) {
   if (const auto* number = std::get_if<std::int64_t>(&cell)) return std::to_string(*number);
   const auto* text = std::get_if<std::string>(&cell);
   if (text == nullptr) return "–";
@@ -97,7 +97,7 @@ Phrase label_of_row(const std::vector<std::string>& columns, const std::vector<C
                     std::size_t keys) {
   Phrase label{};
   for (std::size_t i = 0; i < keys; ++i) {
-    Phrase word = word_of(cells[i]);
+    Phrase word = word_of_cell(cells[i]);
     const bool is_level = columns[i] == "column" && cells[i] != Cell{"all"};
     if (is_level) word = phrase("Figures", "column %1").with(word);
     if (columns[i] == "position") word = phrase("Figures", "position %1").with(word);
@@ -131,7 +131,7 @@ const std::vector<ForestKind>& pooled_and_people() {
 }
 
 /// The column of a table of shares about persons; its number of columns where there is none.
-std::size_t place_in(const NamedTable& table, const char* name) {
+std::size_t column_of(const NamedTable& table, const char* name) {
   const std::vector<std::string>& columns = table.table.columns;
   return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
                                   columns.begin());
@@ -139,19 +139,20 @@ std::size_t place_in(const NamedTable& table, const char* name) {
 
 /// A row for each mean of the persons' own shares, or none. `with_name`: of what it is a mean.
 std::vector<ForestRow> rows_of_persons(const NamedTable& table, bool with_name) {
-  const std::size_t persons = place_in(table, "persons");
-  const std::size_t mean = place_in(table, "mean");
-  const std::size_t low = place_in(table, "mean_low");
-  const std::size_t high = place_in(table, "mean_high");
+  const std::size_t persons = column_of(table, "persons");
+  const std::size_t mean = column_of(table, "mean");
+  const std::size_t low = column_of(table, "mean_low");
+  const std::size_t high = column_of(table, "mean_high");
   std::vector<ForestRow> rows{};
   if (persons == 0 || std::max({persons, mean, low, high}) >= table.table.columns.size())
     return rows;
   for (const std::vector<Cell>& cells : table.table.rows) {
     const auto people = static_cast<std::size_t>(number_of(cells[persons]).value_or(0.0));
     const Phrase of = mean_of(people);
-    ForestRow row{
-        .label = with_name ? phrase("Figures", "%1 · %2").with(word_of(cells.front()), of) : of,
-        .share = number_of(cells[mean])};
+    ForestRow row{.label = with_name
+                               ? phrase("Figures", "%1 · %2").with(word_of_cell(cells.front()), of)
+                               : of,
+                  .share = number_of(cells[mean])};
     const auto from = number_of(cells[low]);
     const auto to = number_of(cells[high]);
     if (from && to) row.interval = FigureSpan{.low = *from, .high = *to};
@@ -248,7 +249,7 @@ std::optional<Figure> people_forest(const NamedTable& table, std::optional<doubl
 
 /// That all rows of a table of shares have, or nothing.
 std::optional<double> one_chance(const NamedTable& table) {
-  const std::size_t place = place_in(table, "chance");
+  const std::size_t place = column_of(table, "chance");
   std::set<double> chances{};
   for (const std::vector<Cell>& cells : table.table.rows) {
     if (place >= cells.size()) return {};

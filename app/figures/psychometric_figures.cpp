@@ -11,8 +11,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSteps = 100;     // of a fitted curve
-constexpr double kRoom = 0.06;  // beyond the outermost levels, as a share of their range
+constexpr int kStepsOfCurve = 100;  // of a fitted curve
+constexpr double kRoomBesideLevels =
+    0.06;  // beyond the outermost levels, as a share of their range
 
 std::optional<PsychometricShape> shape_of(const std::string& name) {
   if (name == "logistic") return PsychometricShape::logistic;
@@ -65,7 +66,7 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
     figure.instead = phrase("Figures", "No level has trials: there is nothing to show.");
     return figure;
   }
-  const double room = high > low ? kRoom * (high - low) : 0.5;
+  const double room = high > low ? kRoomBesideLevels * (high - low) : 0.5;
   // Levels of magnitudes do not go below nothing.
   const double from = low >= 0.0 ? std::max(0.0, low - room) : low - room;
   const double to = high + room;
@@ -85,8 +86,8 @@ Figure psychometric_figure(const TidyInput& input, const FoundNumbers& found,
     const auto function = function_of(input, found, name);
     if (!function) continue;
     std::vector<FigurePlace>& curve = series.lines.emplace_back();
-    for (int step = 0; step <= kSteps; ++step) {
-      const double x = std::lerp(from, to, static_cast<double>(step) / kSteps);
+    for (int step = 0; step <= kStepsOfCurve; ++step) {
+      const double x = std::lerp(from, to, static_cast<double>(step) / kStepsOfCurve);
       curve.push_back({.x = x, .y = function->value(x)});
     }
     const Finding* threshold = found.find("threshold", name);

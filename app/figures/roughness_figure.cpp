@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/figures/axis_ticks.h"
 #include "app/figures/figure_kinds.h"
 #include "results_schema/table.h"
 
@@ -10,9 +11,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSteps = 60;      // of a fitted curve
-constexpr double kRoom = 1.12;  // beyond the outermost marks, as a factor
-constexpr double kMillimetres = 1e3;
+constexpr int kStepsOfParabola = 60;  // of a fitted curve
 
 struct Range {
   double low = 0.0;
@@ -36,7 +35,7 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
                                "spacings, with intervals by the delta method.")
                             .with(percent_of(found.all("geomean")))};
   // Textures are read in millimetres: 0.5 and not 5e-04.
-  const double scale = unit == "m" ? kMillimetres : 1.0;
+  const double scale = unit == "m" ? kMillimetresPerMetre : 1.0;
   Range x{};
   Range y{};
   std::vector<std::string> probes{};
@@ -81,8 +80,8 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
     const auto c = found.value("quad.coef", probes[i] + "|c");
     if (!a || !b || !c) continue;
     std::vector<FigurePlace>& curve = figure.series[i].lines.emplace_back();
-    for (int step = 0; step <= kSteps; ++step) {
-      const double at = std::lerp(first, last, static_cast<double>(step) / kSteps);
+    for (int step = 0; step <= kStepsOfParabola; ++step) {
+      const double at = std::lerp(first, last, static_cast<double>(step) / kStepsOfParabola);
       const double roughness = std::pow(10.0, *a + *b * at + *c * at * at);
       curve.push_back({.x = scale * std::pow(10.0, at), .y = roughness});
       y.hold(roughness);
@@ -109,12 +108,12 @@ Figure roughness_figure(const FoundNumbers& found, const std::string& unit, Curv
                                    : phrase("Figures", "spacing"),
               .unit = unit == "m" ? "mm" : unit,
               .scale = AxisScale::log10,
-              .low = scale * x.low / kRoom,
-              .high = scale * x.high * kRoom};
+              .low = scale * x.low / kBeyondMarks,
+              .high = scale * x.high * kBeyondMarks};
   figure.y = {.name = phrase("Figures", "roughness, normalised estimate"),
               .scale = AxisScale::log10,
-              .low = y.low / kRoom,
-              .high = y.high * kRoom};
+              .low = y.low / kBeyondMarks,
+              .high = y.high * kBeyondMarks};
   return figure;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/figures/axis_ticks.h"
 #include "results_schema/table.h"
 
 namespace asperity {
@@ -17,19 +18,17 @@ namespace asperity {
 namespace {
 
 constexpr int kCurveSteps = 60;
-constexpr double kMargin = 1.12;  // beyond the outermost marks, as a factor
 constexpr double kMargin_dB = 1.0;
 constexpr double kSmall = 0.6;
-constexpr double kMillimetres = 1e3;
 
 Phrase level_name(VariedQuantity varied, double value) {
   switch (varied) {
     case VariedQuantity::probe_diameter:
-      return phrase("Figures", "probe %1 mm").with(text_of_number(kMillimetres * value));
+      return phrase("Figures", "probe %1 mm").with(text_of_number(kMillimetresPerMetre * value));
     case VariedQuantity::applied_force:
       return phrase("Figures", "force %1 N").with(text_of_number(value));
     case VariedQuantity::exploratory_speed:
-      return phrase("Figures", "speed %1 mm/s").with(text_of_number(kMillimetres * value));
+      return phrase("Figures", "speed %1 mm/s").with(text_of_number(kMillimetresPerMetre * value));
   }
   return {};
 }
@@ -161,11 +160,11 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
       all.begin(), all.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   const auto [bottom, top] = std::minmax_element(
       all.begin(), all.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
-  figure.x.low = left->x / kMargin;
-  figure.x.high = right->x * kMargin;
+  figure.x.low = left->x / kBeyondMarks;
+  figure.x.high = right->x * kBeyondMarks;
   if (figure.y.scale == AxisScale::log10) {
-    figure.y.low = bottom->y / kMargin;
-    figure.y.high = top->y * kMargin;
+    figure.y.low = bottom->y / kBeyondMarks;
+    figure.y.high = top->y * kBeyondMarks;
   } else {
     figure.y.low = bottom->y - kMargin_dB;
     figure.y.high = top->y + kMargin_dB;
@@ -211,7 +210,7 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
     FigureSeries& marks =
         predicted.emplace_back(FigureSeries{.style = condition.style, .hollow = true});
     for (const SweepRow& row : curves[i].fitted) {
-      const double spacing_mm = kMillimetres * row.spacing_m;
+      const double spacing_mm = kMillimetresPerMetre * row.spacing_m;
       if (spacing_mm < shortest_mm * (1.0 - kRounding) ||
           spacing_mm > longest_mm * (1.0 + kRounding)) {
         continue;
@@ -237,8 +236,8 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
   for (FigureSeries& marks : predicted) {
     for (FigurePoint& mark : marks.points) {
       mark.y *= factor;
-      estimates.y.low = std::min(estimates.y.low, mark.y / kMargin);
-      estimates.y.high = std::max(estimates.y.high, mark.y * kMargin);
+      estimates.y.low = std::min(estimates.y.low, mark.y / kBeyondMarks);
+      estimates.y.high = std::max(estimates.y.high, mark.y * kBeyondMarks);
     }
     estimates.series.push_back(std::move(marks));
   }

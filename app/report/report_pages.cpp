@@ -33,7 +33,7 @@ constexpr int kTextPixels = 190;
 constexpr int kCaptionPixels = 170;
 constexpr int kNotePixels = 150;
 constexpr int kSmallPixels = 150;
-constexpr double kLeading = 1.38;
+constexpr double kLeadingOfText = 1.38;
 
 constexpr double kLargestMovedTable = 0.45;  // of a page: smaller ones are kept in one piece
 constexpr std::size_t kLeastRows = 3;        // of a table at the end of a page
@@ -45,7 +45,7 @@ const QColor kAmber(0xff, 0xd4, 0x7a);
 const QColor kViolet(0x5b, 0x3a, 0x8e);
 const QColor kNotice(0xb3, 0x6b, 0x00);
 
-double line_height(const QFont& font) { return kLeading * font.pixelSize(); }
+double line_height(const QFont& font) { return kLeadingOfText * font.pixelSize(); }
 
 double figure_width(const Figure& figure) {
   const double whole = ReportPages::text_area().width();

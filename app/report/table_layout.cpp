@@ -14,7 +14,7 @@ namespace {
 constexpr double kGap = 200.0;        // between columns: 10 points
 constexpr double kNarrowGap = 120.0;  // where that saves a line
 constexpr double kTolerance = 8.0;  // of a column: letters in a line are not as wide as one by one
-constexpr double kLeading = 1.3;
+constexpr double kLeadingOfTable = 1.3;
 
 struct Wish {
   double least = 0.0;  ///< the longest word
@@ -148,7 +148,7 @@ LaidOutTable lay_out(const ReportTable& table, const QString& family, double wid
     if (size + 1 < kSizes.size()) continue;
     for (const Wish& wish : wishes) widths.push_back(wish.least * room / least);
   }
-  made.line_height = kLeading * static_cast<double>(made.font.pixelSize());
+  made.line_height = kLeadingOfTable * static_cast<double>(made.font.pixelSize());
   made.padding = 0.18 * static_cast<double>(made.font.pixelSize());
   double x = 0.0;
   for (const double column : widths) {
