@@ -71,8 +71,8 @@ std::string attached_serial(const std::string& driver_id) {
 /// The device that protocols are compared with.
 struct ComparedDevice {
   WhichDevice which{};
-  bool is_found =
-      false;  ///< its serial number is that of the one that is attached, and was not said
+  /// Its serial number is that of the one that is attached, and was not said.
+  bool is_found = false;
 };
 
 /// The one that is said, or else the one that is attached, which is looked for.
@@ -133,8 +133,8 @@ void add_check(CLI::App& program, Job& job) {
       nlohmann::ordered_json json{{"format", "asperity.check/1"},
                                   {"protocols", nlohmann::ordered_json::array()}};
       bool acceptable = true;
-      std::optional<ComparedDevice>
-          device{};  // looked for once, for the first to be compared with it
+      // Looked for once, for the first to be compared with it.
+      std::optional<ComparedDevice> device{};
       for (const std::string& file : options->files) {
         ProtocolCheck check = check_protocol(file, models, options->study, options->device);
         if (options->study && check.protocol && check.diagnostics.empty()) {

@@ -22,8 +22,8 @@ SpaceMouseLine::SpaceMouseLine(LineSettings settings) : settings_(std::move(sett
   thread_ = std::jthread([this](const std::stop_token& stop) { listen(stop); });
 }
 
-SpaceMouseLine::~SpaceMouseLine() =
-    default;  // the thread is the last member: stopped and joined first
+// The thread is the last member: stopped and joined first.
+SpaceMouseLine::~SpaceMouseLine() = default;
 
 std::vector<AttachedDevice> SpaceMouseLine::attached() const {
   std::vector<AttachedDevice> attached = attached_spacemice(usb_);
