@@ -35,11 +35,10 @@
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
-
-constexpr int kTestPatience_ms = 60000;
 
 /// What a test knows of the arm on the table, and how it holds the arm's thread.
 struct ArmBench {
@@ -185,14 +184,9 @@ class DeviceTests : public testing::Test {
     page->show();
     require([this] { return find<QComboBox>("device_test_limits").count() > 0; }, "look");
   }
-  static void require(const std::function<bool()>& condition, const std::string& what) {
-    if (!QTest::qWaitFor(condition, kTestPatience_ms)) throw std::runtime_error("no " + what);
-  }
   template <class Widget>
   Widget& find(const char* name) const {
-    auto* found = page->findChild<Widget*>(name);
-    if (found == nullptr) throw std::runtime_error(std::string("no widget ") + name);
-    return *found;
+    return child<Widget>(*page, name);
   }
   void click(const char* name) const {
     ASSERT_TRUE(find<QPushButton>(name).isVisible()) << name;

@@ -14,6 +14,7 @@
 #include "app/conductor/recorder.h"
 #include "app/conductor/rig.h"
 #include "tests/gui/session/filled_monitor.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -28,9 +29,7 @@ class SessionKeysTest : public testing::Test {
 
   template <class Widget>
   Widget& find(const char* name) {
-    auto* widget = window_->findChild<Widget*>(name);
-    if (widget == nullptr) throw std::invalid_argument(name);
-    return *widget;
+    return child<Widget>(*window_, name);
   }
   SessionRequests::Pending pending() const { return session_.requests.pending(); }
 

@@ -28,16 +28,10 @@
 #include "app/gui/session/plan_table.h"
 #include "app/gui/study/settings.h"
 #include "tests/gui/session/filled_monitor.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
-
-template <class Widget>
-Widget& find(const QWidget& window, const char* name) {
-  auto* widget = window.findChild<Widget*>(name);
-  if (widget == nullptr) throw std::invalid_argument(name);
-  return *widget;
-}
 
 /// Everything that a person can read in a window, tool tips included.
 QStringList texts_of(const QWidget& window) {
@@ -90,8 +84,8 @@ QStringList names_shown(const QWidget& window, const FilledMonitor& session) {
 }
 
 void give_reason(const QWidget& window, const QString& reason) {
-  find<QLineEdit>(window, "reason").setText(reason);
-  find<QPushButton>(window, "reason_given").click();
+  child<QLineEdit>(window, "reason").setText(reason);
+  child<QPushButton>(window, "reason_given").click();
 }
 
 std::vector<std::string> kinds(const std::vector<SessionRequests::Remark>& remarks) {
@@ -105,15 +99,15 @@ TEST(SessionWindow, SaysWhichSessionItIsAndHowFarItIs) {
   session.answer_up_to(16);
   session.set_phase(SessionPhase::contact);
   const auto window = session.window();
-  EXPECT_TRUE(find<QLabel>(*window, "session_title").text().startsWith("Session 13 · P013 · "));
-  EXPECT_TRUE(find<QLabel>(*window, "session_title").text().endsWith(" · RUN"));
-  EXPECT_EQ(find<QLabel>(*window, "block").text(), "Block 2 of 3");
-  EXPECT_EQ(find<QLabel>(*window, "trial").text(), "trial 17 of 60");
-  EXPECT_EQ(find<QLabel>(*window, "elapsed").text(), "18:42 elapsed");
-  EXPECT_EQ(find<QLabel>(*window, "left").text(), "about 23 min left");
-  EXPECT_EQ(find<QLabel>(*window, "now").text(), "Trial 17: feeling S2, 6.2 s");
-  EXPECT_TRUE(find<QLabel>(*window, "health").text().contains("1000 Hz · p99 31 µs late"));
-  EXPECT_TRUE(find<QLabel>(*window, "stored").text().contains("attempts stored: 18"));
+  EXPECT_TRUE(child<QLabel>(*window, "session_title").text().startsWith("Session 13 · P013 · "));
+  EXPECT_TRUE(child<QLabel>(*window, "session_title").text().endsWith(" · RUN"));
+  EXPECT_EQ(child<QLabel>(*window, "block").text(), "Block 2 of 3");
+  EXPECT_EQ(child<QLabel>(*window, "trial").text(), "trial 17 of 60");
+  EXPECT_EQ(child<QLabel>(*window, "elapsed").text(), "18:42 elapsed");
+  EXPECT_EQ(child<QLabel>(*window, "left").text(), "about 23 min left");
+  EXPECT_EQ(child<QLabel>(*window, "now").text(), "Trial 17: feeling S2, 6.2 s");
+  EXPECT_TRUE(child<QLabel>(*window, "health").text().contains("1000 Hz · p99 31 µs late"));
+  EXPECT_TRUE(child<QLabel>(*window, "stored").text().contains("attempts stored: 18"));
 }
 
 TEST(SessionWindow, SaysAtWhatTimeOfDayTheSessionIsExpectedToEnd) {
@@ -129,7 +123,7 @@ TEST(SessionWindow, SaysAtWhatTimeOfDayTheSessionIsExpectedToEnd) {
   session.monitor.update([](SessionSnapshot& s) { s.expected_left_s = 725.0; });
   const QTime before = QTime::currentTime();
   const auto window = session.window();
-  const QString left = find<QLabel>(*window, "left").text();
+  const QString left = child<QLabel>(*window, "left").text();
   const QTime after = QTime::currentTime();
   const QString words = "about 12 min, until %1";
   EXPECT_TRUE(left == words.arg(before.addSecs(725).toString("HH:mm")) ||
@@ -142,7 +136,7 @@ TEST(SessionWindow, ShowsTheWholeNumberOfTheTrialUnderWay) {
   session.answer_up_to(16);
   session.set_phase(SessionPhase::contact);
   const auto window = session.window();
-  const auto& plan = find<QTableView>(*window, "plan");
+  const auto& plan = child<QTableView>(*window, "plan");
   const QFontMetrics letters(text_font(TextSize::body, true));
   constexpr int kCellPadding = 24;
   EXPECT_GE(plan.columnWidth(0), letters.horizontalAdvance("▶ 17") + kCellPadding);
@@ -166,11 +160,11 @@ TEST(SessionWindow, ShowsNoNameAnywhereWhileItIsBlind) {
     EXPECT_EQ(names_shown(*window, session).join(' ').toStdString(), "") << protocol;
     EXPECT_FALSE(texts_of(*window).filter("refused").isEmpty()) << "the rest of it is said";
 
-    find<QPushButton>(*window, "unblind").click();
+    child<QPushButton>(*window, "unblind").click();
     give_reason(*window, "a surface feels wrong");
     EXPECT_FALSE(names_shown(*window, session).isEmpty())
         << "otherwise this test would not see a name if there was one";
-    find<QPushButton>(*window, "unblind").click();
+    child<QPushButton>(*window, "unblind").click();
     EXPECT_EQ(names_shown(*window, session).join(' ').toStdString(), "") << "blind again";
   }
 }
@@ -179,19 +173,19 @@ TEST(SessionWindow, UnblindsForAReasonThatIsStoredAndStaysMarked) {
   FilledMonitor session{};
   session.answer_up_to(3);
   const auto window = session.window();
-  find<QPushButton>(*window, "unblind").click();
+  child<QPushButton>(*window, "unblind").click();
   EXPECT_TRUE(window->is_blind());
-  EXPECT_FALSE(find<QPushButton>(*window, "reason_given").isEnabled());
+  EXPECT_FALSE(child<QPushButton>(*window, "reason_given").isEnabled());
   give_reason(*window, "a surface feels wrong");
   EXPECT_FALSE(window->is_blind());
-  EXPECT_TRUE(find<QLabel>(*window, "blindness").text().contains("UNBLINDED at"));
+  EXPECT_TRUE(child<QLabel>(*window, "blindness").text().contains("UNBLINDED at"));
   const auto remarks = session.requests.take_remarks();
   ASSERT_EQ(kinds(remarks), std::vector<std::string>{"unblinded"});
   EXPECT_EQ(remarks.back().text, "a surface feels wrong");
 
-  find<QPushButton>(*window, "unblind").click();
+  child<QPushButton>(*window, "unblind").click();
   EXPECT_TRUE(window->is_blind());
-  EXPECT_TRUE(find<QLabel>(*window, "blindness").text().contains("UNBLINDED at"));
+  EXPECT_TRUE(child<QLabel>(*window, "blindness").text().contains("UNBLINDED at"));
   EXPECT_EQ(kinds(session.requests.take_remarks()), std::vector<std::string>{"blinded_again"});
 }
 
@@ -201,7 +195,7 @@ TEST(SessionWindow, ShowsTheNamesOfAPilotAtOnce) {
     session.answer_up_to(3);
     const auto window = session.window();
     EXPECT_TRUE(names_shown(*window, session).isEmpty());
-    find<QPushButton>(*window, "unblind").click();
+    child<QPushButton>(*window, "unblind").click();
     EXPECT_FALSE(names_shown(*window, session).isEmpty());
     EXPECT_TRUE(kinds(session.requests.take_remarks()).empty());
   }
@@ -215,10 +209,10 @@ TEST(SessionWindow, DrawsThePressingForceAloneWhileItIsBlind) {
   const auto* plots = window->findChild<LivePlots*>();
   EXPECT_GT(plots->pressing_points(), 590);
   EXPECT_EQ(plots->sent_force_points(), 0);
-  find<QPushButton>(*window, "unblind").click();
+  child<QPushButton>(*window, "unblind").click();
   give_reason(*window, "a surface feels wrong");
   EXPECT_GT(plots->sent_force_points(), 590);
-  find<QPushButton>(*window, "unblind").click();
+  child<QPushButton>(*window, "unblind").click();
   EXPECT_EQ(plots->sent_force_points(), 0);
 }
 
@@ -243,8 +237,8 @@ TEST(SessionWindow, SaysHowMuchOfTheContactLayInTheBands) {
   session.answer_up_to(16);
   feel(session);
   const auto window = session.window();
-  EXPECT_TRUE(find<QLabel>(*window, "force_compliance").text().contains("in band 75 %"));
-  EXPECT_TRUE(find<QLabel>(*window, "speed_compliance").text().contains("in band 80 %"));
+  EXPECT_TRUE(child<QLabel>(*window, "force_compliance").text().contains("in band 75 %"));
+  EXPECT_TRUE(child<QLabel>(*window, "speed_compliance").text().contains("in band 80 %"));
 }
 
 // The trial that comes may be asked otherwise, and after the last one none comes.
@@ -257,7 +251,7 @@ TEST(SessionWindow, HoldsAContactToItsOwnBandsUntilTheNextTrialBegins) {
   session.monitor.update([](SessionSnapshot& s) { s.trial = 0; });
   session.set_phase(SessionPhase::feedback);
   window->refresh();
-  EXPECT_TRUE(find<QLabel>(*window, "force_compliance").text().contains("in band 75 %"));
+  EXPECT_TRUE(child<QLabel>(*window, "force_compliance").text().contains("in band 75 %"));
 }
 
 TEST(SessionWindow, HidesRightAndWrongWhileBlindButWhereTheParticipantIsTold) {
@@ -270,8 +264,8 @@ TEST(SessionWindow, HidesRightAndWrongWhileBlindButWhereTheParticipantIsTold) {
   };
   EXPECT_TRUE(outcome(11).contains("right")) << outcome(11).toStdString();
   EXPECT_EQ(outcome(32), "✓ answered 5");
-  EXPECT_FALSE(find<QLabel>(*window, "last_answer").text().contains("right"));
-  find<QPushButton>(*window, "unblind").click();
+  EXPECT_FALSE(child<QLabel>(*window, "last_answer").text().contains("right"));
+  child<QPushButton>(*window, "unblind").click();
   give_reason(*window, "a surface feels wrong");
   EXPECT_EQ(outcome(32), "✓ answered 5, right");
 }
@@ -325,7 +319,7 @@ TEST(SessionWindow, MarksTheTrialThatComesInEveryPhaseBetweenTrials) {
   EXPECT_EQ(in(SessionPhase::contact), QStringList{"17: feeling 6.2 s"});
   session.set_phase(SessionPhase::feedback);
   window->refresh();
-  EXPECT_EQ(find<QLabel>(*window, "now").text(), "Trial 16: feedback");
+  EXPECT_EQ(child<QLabel>(*window, "now").text(), "Trial 16: feedback");
 }
 
 TEST(SessionWindow, MarksNoTrialWhereNoneComes) {
@@ -337,7 +331,7 @@ TEST(SessionWindow, MarksNoTrialWhereNoneComes) {
     session.set_phase(phase);
     EXPECT_EQ(marked(*window), QStringList{}) << text_of(phase);
   }
-  EXPECT_EQ(find<QLabel>(*window, "trial").text(), "trials: 60");
+  EXPECT_EQ(child<QLabel>(*window, "trial").text(), "trials: 60");
 }
 
 TEST(SessionWindow, MarksWhatTheExperimenterHasAskedFor) {
@@ -355,7 +349,7 @@ TEST(SessionWindow, MarksWhatTheExperimenterHasAskedFor) {
   session.requests.stop_after(StopAfter::block);
   session.set_phase(SessionPhase::iti);
   EXPECT_EQ(marked(*window), QStringList{"17: next"}) << "of the same block";
-  const auto& header = find<QLabel>(*window, "now");
+  const auto& header = child<QLabel>(*window, "now");
   EXPECT_EQ(header.text(), "Between trials, next is trial 17");
   session.monitor.update([](SessionSnapshot& s) { s.block = 1; });
   EXPECT_EQ(marked(*window), QStringList{}) << "the block is over";
@@ -369,7 +363,7 @@ TEST(SessionWindow, SaysOfTheMaskingNoiseWhatIsAndNothingWhereThereIsNone) {
   const auto health = [&](MaskingState masking) {
     session.monitor.update([masking](SessionSnapshot& s) { s.masking = masking; });
     const auto window = session.window();
-    return find<QLabel>(*window, "health").text();
+    return child<QLabel>(*window, "health").text();
   };
   EXPECT_TRUE(health(MaskingState::on).endsWith("0 saturated · masking noise on"));
   EXPECT_TRUE(health(MaskingState::off).endsWith("0 saturated · masking noise off"));
@@ -384,7 +378,7 @@ TEST(SessionWindow, SaysFromWhenTheTimeOfAnAnswerCounts) {
   FilledMonitor session{};
   session.answer_up_to(16);
   const auto window = session.window();
-  const auto& last = find<QLabel>(*window, "last_answer");
+  const auto& last = child<QLabel>(*window, "last_answer");
   EXPECT_TRUE(last.text().endsWith("3.5 s after the cue")) << last.text().toStdString();
   EXPECT_LE(last.sizeHint().width(), last.width()) << "nothing of it is cut off";
 }
@@ -409,7 +403,7 @@ TEST(SessionWindow, KeepsTheTrialUnderWayInSightUntilThePersonScrolls) {
   session.answer_up_to(1);
   const auto window = session.window();
   auto& plan = *window->findChild<PlanTable*>();
-  auto& view = find<QTableView>(*window, "plan");
+  auto& view = child<QTableView>(*window, "plan");
   const auto in_sight = [&](int trial) {
     return view.viewport()->rect().contains(
         view.visualRect(plan.model().index(plan.model().row_of(trial), 0)));
@@ -422,7 +416,7 @@ TEST(SessionWindow, KeepsTheTrialUnderWayInSightUntilThePersonScrolls) {
   window->refresh();
   EXPECT_FALSE(plan.is_following());
   EXPECT_FALSE(in_sight(52));
-  find<QPushButton>(*window, "plan_follow").click();
+  child<QPushButton>(*window, "plan_follow").click();
   EXPECT_TRUE(in_sight(52));
 }
 
@@ -430,7 +424,7 @@ TEST(SessionWindow, GreysTheNoteWhileKeysAnswerTheTrialAndSaysSo) {
   FilledMonitor session{};
   session.answer_up_to(16);
   const auto window = session.window();
-  auto& note = find<QLineEdit>(*window, "note");
+  auto& note = child<QLineEdit>(*window, "note");
   note.setFocus();
   ASSERT_TRUE(note.hasFocus());
   note.setText("half");
@@ -438,12 +432,12 @@ TEST(SessionWindow, GreysTheNoteWhileKeysAnswerTheTrialAndSaysSo) {
   window->refresh();
   EXPECT_FALSE(note.isEnabled());
   EXPECT_EQ(note.text(), "half");
-  EXPECT_EQ(find<QLabel>(*window, "note_locked").text(), "Keys answer the trial now");
+  EXPECT_EQ(child<QLabel>(*window, "note_locked").text(), "Keys answer the trial now");
   const QWidget* focus = QApplication::focusWidget();
   EXPECT_EQ(qobject_cast<const QPushButton*>(focus), nullptr)
       << "the participant's Space would press it";
 
-  auto& phrase = find<QPushButton>(*window, "phrase");
+  auto& phrase = child<QPushButton>(*window, "phrase");
   QTest::mouseClick(&phrase, Qt::LeftButton);
   EXPECT_FALSE(phrase.hasFocus());
   EXPECT_EQ(kinds(session.requests.take_remarks()), std::vector<std::string>{"note"});
@@ -461,7 +455,7 @@ TEST(SessionWindow, LeavesTheNoteOpenToWhoHasAKeyboardOfTheirOwn) {
   window->set_own_keyboard(true);
   session.open_response(true);
   window->refresh();
-  EXPECT_TRUE(find<QLineEdit>(*window, "note").isEnabled());
+  EXPECT_TRUE(child<QLineEdit>(*window, "note").isEnabled());
 }
 
 TEST(SessionWindow, KeepsPhrasesOfOnesOwnForLaterSessions) {
@@ -478,9 +472,9 @@ TEST(SessionWindow, KeepsPhrasesOfOnesOwnForLaterSessions) {
   {
     const auto window = session.window();
     EXPECT_FALSE(phrases_of(*window).contains("Glove worn"));
-    auto& keep = find<QPushButton>(*window, "keep_phrase");
+    auto& keep = child<QPushButton>(*window, "keep_phrase");
     EXPECT_FALSE(keep.isVisible());
-    find<QLineEdit>(*window, "note").setText("Glove worn");
+    child<QLineEdit>(*window, "note").setText("Glove worn");
     QTest::mouseClick(&keep, Qt::LeftButton);
     EXPECT_TRUE(kinds(session.requests.take_remarks()).empty()) << "kept, not noted";
   }
@@ -527,8 +521,8 @@ TEST(SessionWindow, LetsTheOldestPhraseOfOnesOwnGo) {
   remember_note_phrases({"one", "two", "three"});
   FilledMonitor session{};
   const auto window = session.window();
-  find<QLineEdit>(*window, "note").setText("four");
-  find<QPushButton>(*window, "keep_phrase").click();
+  child<QLineEdit>(*window, "note").setText("four");
+  child<QPushButton>(*window, "keep_phrase").click();
   EXPECT_EQ(note_phrases(), (QStringList{"two", "three", "four"}));
   remember_note_phrases({});
 }
@@ -538,15 +532,15 @@ TEST(SessionWindow, AsksWhyATrialIsSkippedAndTakesAReasonByMouse) {
   session.answer_up_to(16);
   session.open_response(true);
   const auto window = session.window();
-  find<QPushButton>(*window, "skip").click();
-  EXPECT_FALSE(find<QLineEdit>(*window, "reason").isEnabled());
+  child<QPushButton>(*window, "skip").click();
+  EXPECT_FALSE(child<QLineEdit>(*window, "reason").isEnabled());
   const auto buttons = window->findChild<QWidget*>("reason_form")->findChildren<QPushButton*>();
   const auto ready = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
     return button->text() == "Technical problem";
   });
   ASSERT_NE(ready, buttons.end());
   QTest::mouseClick(*ready, Qt::LeftButton);
-  find<QPushButton>(*window, "reason_given").click();
+  child<QPushButton>(*window, "reason_given").click();
   EXPECT_EQ(session.requests.take_skip(), "Technical problem");
 }
 
@@ -555,14 +549,14 @@ TEST(SessionWindow, HandsTheFocusOfWhatGoesAwayToNoButton) {
   session.answer_up_to(16);
   session.set_phase(SessionPhase::contact);
   const auto window = session.window();
-  find<QPushButton>(*window, "skip").click();
-  ASSERT_TRUE(find<QLineEdit>(*window, "reason").hasFocus());
-  QTest::keyClicks(&find<QLineEdit>(*window, "reason"), "unwell");
-  QTest::keyClick(&find<QLineEdit>(*window, "reason"), Qt::Key_Return);
+  child<QPushButton>(*window, "skip").click();
+  ASSERT_TRUE(child<QLineEdit>(*window, "reason").hasFocus());
+  QTest::keyClicks(&child<QLineEdit>(*window, "reason"), "unwell");
+  QTest::keyClick(&child<QLineEdit>(*window, "reason"), Qt::Key_Return);
   EXPECT_EQ(session.requests.take_skip(), "unwell");
   EXPECT_EQ(QApplication::focusWidget(), window.get());
 
-  auto& skip = find<QPushButton>(*window, "skip");
+  auto& skip = child<QPushButton>(*window, "skip");
   skip.setFocus();
   ASSERT_TRUE(skip.hasFocus());
   session.set_phase(SessionPhase::iti);  // no trial to be skipped any more
@@ -578,9 +572,9 @@ TEST(SessionWindow, SaysBesideTheButtonsWhyOneCannotBePressed) {
   FilledMonitor session{};
   session.set_phase(SessionPhase::iti);
   const auto window = session.window();
-  EXPECT_FALSE(find<QPushButton>(*window, "repeat_last").isEnabled());
-  EXPECT_FALSE(find<QPushButton>(*window, "skip").isEnabled());
-  const QString why = find<QLabel>(*window, "why_disabled").text();
+  EXPECT_FALSE(child<QPushButton>(*window, "repeat_last").isEnabled());
+  EXPECT_FALSE(child<QPushButton>(*window, "skip").isEnabled());
+  const QString why = child<QLabel>(*window, "why_disabled").text();
   EXPECT_TRUE(why.contains("no trial is finished yet"));
   EXPECT_TRUE(why.contains("no trial is under way"));
 }
@@ -596,7 +590,7 @@ TEST(SessionWindow, ShowsATroubleWithTheButtonThatHelps) {
                                .remedy = SessionTrouble::Remedy::resume};
   });
   const auto window = session.window();
-  const auto& banner = find<QWidget>(*window, "trouble");
+  const auto& banner = child<QWidget>(*window, "trouble");
   ASSERT_TRUE(banner.isVisible());
   const auto buttons = banner.findChildren<QPushButton*>();
   const auto resume = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
@@ -611,13 +605,13 @@ TEST(SessionWindow, ShowsWhatTheDeviceComplainsOfUntilItIsOver) {
   FilledMonitor session{};
   session.answer_up_to(4);
   const auto window = session.window();
-  EXPECT_FALSE(find<QWidget>(*window, "device_trouble").isVisible());
+  EXPECT_FALSE(child<QWidget>(*window, "device_trouble").isVisible());
   const auto complain = [&](const std::string& complaint) {
     session.monitor.update([&](SessionSnapshot& s) { s.device_complaint = complaint; });
     window->refresh();
   };
   complain("Its motors are warm.");
-  const auto& banner = find<QWidget>(*window, "device_trouble");
+  const auto& banner = child<QWidget>(*window, "device_trouble");
   EXPECT_TRUE(banner.isVisible());
   EXPECT_TRUE(texts_of(banner).filter("The device reports: Its motors are warm.").size() > 0);
   complain("");
@@ -631,10 +625,10 @@ TEST(SessionWindow, HidesTheBannerOnceTheTroubleIsOver) {
     s.trouble = SessionTrouble{.what = "The disk is nearly full.", .time_ns = s.now_ns};
   });
   const auto window = session.window();
-  ASSERT_TRUE(find<QWidget>(*window, "trouble").isVisible());
+  ASSERT_TRUE(child<QWidget>(*window, "trouble").isVisible());
   session.monitor.update([](SessionSnapshot& s) { s.trouble.reset(); });
   window->refresh();
-  EXPECT_FALSE(find<QWidget>(*window, "trouble").isVisible());
+  EXPECT_FALSE(child<QWidget>(*window, "trouble").isVisible());
 }
 
 TEST(SessionWindow, OffersNoWayOnAfterAFaultThatCannotBeCleared) {
@@ -646,8 +640,8 @@ TEST(SessionWindow, OffersNoWayOnAfterAFaultThatCannotBeCleared) {
     s.trouble = SessionTrouble{.what = "The device does not answer.", .time_ns = s.now_ns};
   });
   const auto window = session.window();
-  EXPECT_TRUE(find<QLabel>(*window, "fault_text").text().contains("The device does not answer."));
-  EXPECT_FALSE(find<QPushButton>(*window, "fault_clear").isVisible());
+  EXPECT_TRUE(child<QLabel>(*window, "fault_text").text().contains("The device does not answer."));
+  EXPECT_FALSE(child<QPushButton>(*window, "fault_clear").isVisible());
 }
 
 TEST(SessionWindow, SumsUpASessionThatHasEnded) {
@@ -655,20 +649,20 @@ TEST(SessionWindow, SumsUpASessionThatHasEnded) {
   session.answer_up_to(static_cast<int>(session.plan->trials.size()));
   session.set_phase(SessionPhase::ended);
   const auto window = session.window();
-  EXPECT_TRUE(find<QLabel>(*window, "end_title").isVisible());
-  EXPECT_TRUE(find<QLabel>(*window, "end_title").text().contains("complete"));
-  EXPECT_TRUE(find<QLabel>(*window, "end_text").text().contains("60 of 60 trials are done"));
-  EXPECT_TRUE(find<QLabel>(*window, "end_text").text().contains("7 are flagged"));
+  EXPECT_TRUE(child<QLabel>(*window, "end_title").isVisible());
+  EXPECT_TRUE(child<QLabel>(*window, "end_title").text().contains("complete"));
+  EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("60 of 60 trials are done"));
+  EXPECT_TRUE(child<QLabel>(*window, "end_text").text().contains("7 are flagged"));
   EXPECT_TRUE(
-      find<QLabel>(*window, "end_place").text().contains("/data/rough-surfaces/study.sqlite"));
+      child<QLabel>(*window, "end_place").text().contains("/data/rough-surfaces/study.sqlite"));
   QSignalSpy trials(window.get(), &SessionWindow::trials_wanted);
   QSignalSpy results(window.get(), &SessionWindow::results_wanted);
   QSignalSpy closed(window.get(), &SessionWindow::closed);
-  find<QPushButton>(*window, "see_trials").click();
-  find<QPushButton>(*window, "see_table").click();
+  child<QPushButton>(*window, "see_trials").click();
+  child<QPushButton>(*window, "see_table").click();
   EXPECT_EQ(trials.count(), 1);
   EXPECT_EQ(results.count(), 1);
-  find<QPushButton>(*window, "close").click();
+  child<QPushButton>(*window, "close").click();
   EXPECT_EQ(closed.count(), 1);
   EXPECT_FALSE(window->isVisible());
 }
@@ -679,8 +673,8 @@ TEST(SessionWindow, SaysWhatStoppedASessionEarly) {
   session.set_phase(SessionPhase::ended);
   const auto window = session.window();
   window->show_end({.state = SessionState::stopped, .reason = "as asked, after the block"});
-  EXPECT_TRUE(find<QLabel>(*window, "end_title").text().contains("stopped"));
-  const QString text = find<QLabel>(*window, "end_text").text();
+  EXPECT_TRUE(child<QLabel>(*window, "end_title").text().contains("stopped"));
+  const QString text = child<QLabel>(*window, "end_text").text();
   EXPECT_TRUE(text.contains("as asked, after the block"));
   EXPECT_TRUE(text.contains("can be gone on with"));
 }
@@ -693,15 +687,15 @@ TEST(SessionWindow, AsksBeforeItClosesInASession) {
   QSignalSpy closed(window.get(), &SessionWindow::closed);
   window->close();
   EXPECT_TRUE(window->isVisible());
-  ASSERT_TRUE(find<QDialog>(*window, "close_dialog").isVisible());
-  find<QPushButton>(*window, "close_keep").click();
+  ASSERT_TRUE(child<QDialog>(*window, "close_dialog").isVisible());
+  child<QPushButton>(*window, "close_keep").click();
   EXPECT_TRUE(window->isVisible());
   EXPECT_FALSE(session.requests.pending().stop.has_value());
   EXPECT_EQ(closed.count(), 0);
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 
   EXPECT_FALSE(window->may_close());
-  find<QPushButton>(*window, "close_stop").click();
+  child<QPushButton>(*window, "close_stop").click();
   EXPECT_EQ(session.requests.pending().stop, StopAfter::trial);
   EXPECT_TRUE(window->isVisible()) << "until the session has ended";
   session.set_phase(SessionPhase::ended);
@@ -720,7 +714,7 @@ TEST(SessionWindow, AsksAlsoWhileTheSessionIsStillBeingPrepared) {
   window.close();
   EXPECT_EQ(closed.count(), 0);
   EXPECT_TRUE(window.isVisible());
-  find<QPushButton>(window, "close_abort").click();
+  child<QPushButton>(window, "close_abort").click();
   EXPECT_TRUE(requests.take_abort().has_value());
 }
 
@@ -730,7 +724,7 @@ TEST(SessionWindow, AbortsASessionWhoseWindowIsToGoAtOnce) {
   session.set_phase(SessionPhase::contact);
   const auto window = session.window();
   window->close();
-  find<QPushButton>(*window, "close_abort").click();
+  child<QPushButton>(*window, "close_abort").click();
   EXPECT_TRUE(session.requests.take_abort().has_value());
 }
 
@@ -739,7 +733,7 @@ TEST(SessionWindow, ClosesAfterAFailureWithoutAQuestion) {
   session.answer_up_to(2);
   const auto window = session.window();
   window->show_failure("The disk is full: study.sqlite could not be written.", AfterFailure::go_on);
-  EXPECT_TRUE(find<QWidget>(*window, "news").isVisible());
+  EXPECT_TRUE(child<QWidget>(*window, "news").isVisible());
   EXPECT_TRUE(window->may_close());
 }
 
@@ -757,8 +751,8 @@ TEST(SessionWindow, OffersWhatHelpsAfterAFailure) {
     const auto window = session.window();
     QSignalSpy wanted(window.get(), &SessionWindow::way_on_wanted);
     window->show_failure("It broke off.", each.way);
-    EXPECT_EQ(find<Banner>(*window, "news").text(), "It broke off.");
-    const auto buttons = find<QWidget>(*window, "news").findChildren<QPushButton*>();
+    EXPECT_EQ(child<Banner>(*window, "news").text(), "It broke off.");
+    const auto buttons = child<QWidget>(*window, "news").findChildren<QPushButton*>();
     const auto helps = std::find_if(buttons.begin(), buttons.end(), [&](const QPushButton* button) {
       return button->text() == each.verb;
     });
@@ -777,13 +771,13 @@ TEST(SessionWindow, OffersToTryAndToCheckAgainWhereNothingHasBegun) {
   monitor.update([](SessionSnapshot& s) { s.phase = SessionPhase::ended; });
   window.refresh();
   window.show_failure("The study is in use by process 7.", AfterFailure::start_again);
-  EXPECT_TRUE(find<QLabel>(window, "end_title").text().contains("did not begin"));
-  EXPECT_EQ(find<QLabel>(window, "now").text(), "The session did not begin");
-  EXPECT_FALSE(find<QPushButton>(window, "go_on").isVisible());
-  EXPECT_FALSE(find<QPushButton>(window, "see_table").isVisible());
+  EXPECT_TRUE(child<QLabel>(window, "end_title").text().contains("did not begin"));
+  EXPECT_EQ(child<QLabel>(window, "now").text(), "The session did not begin");
+  EXPECT_FALSE(child<QPushButton>(window, "go_on").isVisible());
+  EXPECT_FALSE(child<QPushButton>(window, "see_table").isVisible());
   QSignalSpy wanted(&window, &SessionWindow::way_on_wanted);
-  QTest::mouseClick(&find<QPushButton>(window, "start_again"), Qt::LeftButton);
-  QTest::mouseClick(&find<QPushButton>(window, "check_everything_again"), Qt::LeftButton);
+  QTest::mouseClick(&child<QPushButton>(window, "start_again"), Qt::LeftButton);
+  QTest::mouseClick(&child<QPushButton>(window, "check_everything_again"), Qt::LeftButton);
   ASSERT_EQ(wanted.count(), 2);
   EXPECT_EQ(wanted.at(0).first().value<AfterFailure>(), AfterFailure::start_again);
   EXPECT_EQ(wanted.at(1).first().value<AfterFailure>(), AfterFailure::check_again);
@@ -805,13 +799,13 @@ TEST(SessionWindow, OffersToGoOnWithWhatWasStoppedButNotWithWhatIsOver) {
     session.set_phase(SessionPhase::ended);
     const auto window = session.window();
     window->show_end(each.end);
-    auto& go_on = find<QPushButton>(*window, "go_on");
+    auto& go_on = child<QPushButton>(*window, "go_on");
     EXPECT_EQ(go_on.isVisible(), each.goes_on) << each.end.reason;
-    EXPECT_EQ(find<QLabel>(*window, "end_text").text().contains("can be gone on with"),
+    EXPECT_EQ(child<QLabel>(*window, "end_text").text().contains("can be gone on with"),
               each.goes_on);
     // One filled button on the page.
     EXPECT_EQ(go_on.property("role").toString(), each.goes_on ? "primary" : "plain");
-    EXPECT_EQ(find<QPushButton>(*window, "see_table").property("role").toString(),
+    EXPECT_EQ(child<QPushButton>(*window, "see_table").property("role").toString(),
               each.goes_on ? "plain" : "primary");
     if (!each.goes_on) continue;
     QSignalSpy wanted(window.get(), &SessionWindow::way_on_wanted);
@@ -825,7 +819,7 @@ TEST(SessionWindow, OffersToGoOnWithWhatWasStoppedButNotWithWhatIsOver) {
 QStringList parts_shown(const QWidget& window) {
   QStringList shown{};
   for (const char* const name : {"plan", "force_plot", "last_answer", "note", "show_plan"}) {
-    if (find<QWidget>(window, name).isVisible()) shown += name;
+    if (child<QWidget>(window, name).isVisible()) shown += name;
   }
   return shown;
 }
@@ -841,11 +835,11 @@ TEST(SessionWindow, ShowsItsPartsSideBySideOrOneAtATimeAsItsWidthAllows) {
     EXPECT_EQ(parts_shown(*window), narrow ? (QStringList{"plan", "show_plan"}) : all) << width;
   }
   // By mouse, and by Tab and Space.
-  QTest::mouseClick(&find<QPushButton>(*window, "show_plots"), Qt::LeftButton);
+  QTest::mouseClick(&child<QPushButton>(*window, "show_plots"), Qt::LeftButton);
   EXPECT_EQ(parts_shown(*window), (QStringList{"force_plot", "show_plan"}));
-  EXPECT_FALSE(find<QPushButton>(*window, "show_plots").hasFocus())
+  EXPECT_FALSE(child<QPushButton>(*window, "show_plots").hasFocus())
       << "it would hear the participant's Space";
-  auto& notes = find<QPushButton>(*window, "show_notes");
+  auto& notes = child<QPushButton>(*window, "show_notes");
   for (int i = 0; i < 30 && !notes.hasFocus(); ++i) {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
   }
@@ -859,9 +853,9 @@ TEST(SessionWindow, BringsTheNotesForwardWhereSomebodyIsToTypeOne) {
   session.answer_up_to(16);
   const auto window = session.window();
   window->resize(683, 700);
-  ASSERT_FALSE(find<QLineEdit>(*window, "note").isVisible());
+  ASSERT_FALSE(child<QLineEdit>(*window, "note").isVisible());
   QTest::keyClick(window.get(), Qt::Key_F2);
-  EXPECT_TRUE(find<QLineEdit>(*window, "note").hasFocus());
+  EXPECT_TRUE(child<QLineEdit>(*window, "note").hasFocus());
 }
 
 TEST(SessionWindow, KeepsItsSizeWhateverStandsInIt) {
@@ -883,10 +877,10 @@ TEST(SessionWindow, KeepsItsSizeWhateverStandsInIt) {
     });
     window->refresh();
     window->tell_screen_lost(QString(80, 'W'), ScreenLoss::force_stopped);
-    find<QPushButton>(*window, "skip").click();
+    child<QPushButton>(*window, "skip").click();
     QTest::qWait(0);
     EXPECT_EQ(window->size(), size);
-    EXPECT_TRUE(window->rect().contains(find<QPushButton>(*window, "emergency_stop").geometry()));
+    EXPECT_TRUE(window->rect().contains(child<QPushButton>(*window, "emergency_stop").geometry()));
     session.requests.go_on();
   }
   EXPECT_LE(window->minimumWidth(), 683);
@@ -897,7 +891,7 @@ TEST(SessionWindow, BringsTheParticipantsWindowBackByButtonAndKeyWhereThereIsOne
   FilledMonitor session{};
   session.answer_up_to(4);
   const auto window = session.window();
-  auto& button = find<QPushButton>(*window, "their_window");
+  auto& button = child<QPushButton>(*window, "their_window");
   EXPECT_FALSE(button.isVisible()) << "a virtual participant has none";
   window->set_participant_window(true);
   for (const int width : {1366, 960, 683}) {
@@ -930,7 +924,7 @@ TEST(SessionWindow, SaysWhatWasDoneForALostScreenAndTakesTheWindowBack) {
   FilledMonitor session{};
   session.answer_up_to(2);
   const auto window = session.window();
-  auto& news = find<Banner>(*window, "news");
+  auto& news = child<Banner>(*window, "news");
   window->tell_screen_lost("HDMI-1", ScreenLoss::force_stopped);
   EXPECT_TRUE(news.text().contains("“HDMI-1” is gone")) << news.text().toStdString();
   EXPECT_TRUE(news.text().contains("the force is zero"));
@@ -952,7 +946,7 @@ TEST(SessionWindow, SaysThatAScreenWasUnpluggedAndOffersAPause) {
   session.answer_up_to(2);
   const auto window = session.window();
   emit qGuiApp->screenRemoved(QGuiApplication::primaryScreen());
-  auto& banner = find<QWidget>(*window, "news");
+  auto& banner = child<QWidget>(*window, "news");
   ASSERT_TRUE(banner.isVisible());
   const auto buttons = banner.findChildren<QPushButton*>();
   const auto pause = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
@@ -990,7 +984,7 @@ TEST(SessionWindow, FitsTheSmallestScreenWithoutScrollingWhateverIsOpen) {
     s.trouble = SessionTrouble{.what = "The disk is nearly full.", .time_ns = s.now_ns};
   });
   const auto window = session.window();
-  find<QPushButton>(*window, "skip").click();
+  child<QPushButton>(*window, "skip").click();
   QTest::qWait(1);
   EXPECT_LE(window->minimumSizeHint().width(), 1366);
   EXPECT_LE(window->minimumSizeHint().height(), 768);
@@ -1005,7 +999,7 @@ TEST(SessionWindow, DrawsAFrameWithNewBins) {
   session.set_phase(SessionPhase::contact);
   session.stroke(12.0);
   const auto window = session.window();
-  find<QPushButton>(*window, "unblind").click();
+  child<QPushButton>(*window, "unblind").click();
   give_reason(*window, "the dearest frame has the envelope of the force");
   QTest::qWait(20);
   std::vector<double> frames_ms{};

@@ -17,6 +17,7 @@
 #include "app/gui/look/theme.h"
 #include "tests/gui/sound/fake_card.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -28,19 +29,12 @@ MaskingNoise declared_noise() {
   return noise;
 }
 
-template <class Control>
-Control& control(const QWidget& page, const char* name) {
-  auto* found = page.findChild<Control*>(name);
-  EXPECT_NE(found, nullptr) << name;
-  return *found;
-}
-
 TEST(NoiseCheck, PlaysTheNoiseUntilItIsStoppedOrHidden) {
   FakeCard card{};
   NoiseCheck check(declared_noise(), output_of(card));
   check.show();
   EXPECT_EQ(card.opened, 0) << "the card is left alone until it is needed";
-  auto& play = control<QPushButton>(check, "play_noise");
+  auto& play = child<QPushButton>(check, "play_noise");
   QTest::mouseClick(&play, Qt::LeftButton);
   EXPECT_EQ(play.text(), "Stop noise");
   EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.1; }));
@@ -57,7 +51,7 @@ TEST(NoiseCheck, PlaysACueWithoutNoise) {
   FakeCard card{};
   NoiseCheck check(declared_noise(), output_of(card));
   check.show();
-  QTest::mouseClick(&control<QPushButton>(check, "play_cue"), Qt::LeftButton);
+  QTest::mouseClick(&child<QPushButton>(check, "play_cue"), Qt::LeftButton);
   EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.1; }));
   EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak == 0.0; }));
 }
@@ -71,9 +65,9 @@ TEST(NoiseCheck, TheGainIsHeardAtOnceAndMakesAMeasurementVoid) {
   check.show();
   EXPECT_EQ(check.reservation(), "");
   QSignalSpy changed(&check, &NoiseCheck::changed);
-  QTest::mouseClick(&control<QPushButton>(check, "play_noise"), Qt::LeftButton);
+  QTest::mouseClick(&child<QPushButton>(check, "play_noise"), Qt::LeftButton);
   EXPECT_TRUE(QTest::qWaitFor([&] { return card.peak > 0.2; }));
-  auto& gain = control<QSlider>(check, "noise_gain");
+  auto& gain = child<QSlider>(check, "noise_gain");
   gain.setFocus();
   for (int i = 0; i < 8; ++i) QTest::keyClick(&gain, Qt::Key_PageDown);  // 8 times 3 dB
   EXPECT_NEAR(check.value().gain, 0.1 * std::pow(10.0, -24.0 / 20.0), 1e-9);
@@ -87,10 +81,10 @@ TEST(NoiseCheck, KeepsItsLevelsUnderTheWheel) {
   FakeCard card{};
   NoiseCheck check(declared_noise(), output_of(card));
   check.show();
-  control<QDoubleSpinBox>(check, "measured_level").setValue(64.0);
+  child<QDoubleSpinBox>(check, "measured_level").setValue(64.0);
   const double gain = check.value().gain;
   for (const char* name : {"noise_gain", "measured_level"}) {
-    auto& field = control<QWidget>(check, name);
+    auto& field = child<QWidget>(check, name);
     field.setFocus();
     const QPointF middle(field.rect().center());
     QWheelEvent turned(middle, field.mapToGlobal(middle), {}, {0, 240}, Qt::NoButton,
@@ -106,13 +100,13 @@ TEST(NoiseCheck, TakesDownWhatWasMeasuredByWhom) {
   FakeCard card{};
   NoiseCheck check(declared_noise(), output_of(card));
   EXPECT_TRUE(check.reservation().contains("was not measured"));
-  control<QDoubleSpinBox>(check, "measured_level").setValue(71.0);
+  child<QDoubleSpinBox>(check, "measured_level").setValue(71.0);
   EXPECT_TRUE(check.reservation().contains("measured at 71.0 dB(A), the protocol wants 65.0"));
-  control<QDoubleSpinBox>(check, "measured_level").setValue(86.0);
+  child<QDoubleSpinBox>(check, "measured_level").setValue(86.0);
   EXPECT_TRUE(check.reservation().contains("harms hearing"));
-  control<QDoubleSpinBox>(check, "measured_level").setValue(64.0);
+  child<QDoubleSpinBox>(check, "measured_level").setValue(64.0);
   EXPECT_TRUE(check.reservation().contains("Who measured"));
-  QTest::keyClicks(&control<QLineEdit>(check, "verified_by"), "M. Weber ");
+  QTest::keyClicks(&child<QLineEdit>(check, "verified_by"), "M. Weber ");
   EXPECT_EQ(check.reservation(), "");
   EXPECT_EQ(check.value().measured_dBA, 64.0);
   EXPECT_EQ(check.value().verified_by, "M. Weber");
@@ -123,9 +117,9 @@ TEST(NoiseCheck, TakesDownWhatWasMeasuredByWhom) {
 TEST(NoiseCheck, WithoutASoundCardItSaysSoAndPlaysNothing) {
   NoiseCheck check(declared_noise(), null_output());
   EXPECT_EQ(check.reservation(), "No sound card: noise and cues are not heard.");
-  EXPECT_FALSE(control<QPushButton>(check, "play_noise").isEnabled());
-  EXPECT_FALSE(control<QPushButton>(check, "play_cue").isEnabled());
-  EXPECT_TRUE(control<StateLabel>(check, "noise_state").text().contains("No sound card"));
+  EXPECT_FALSE(child<QPushButton>(check, "play_noise").isEnabled());
+  EXPECT_FALSE(child<QPushButton>(check, "play_cue").isEnabled());
+  EXPECT_TRUE(child<StateLabel>(check, "noise_state").text().contains("No sound card"));
 }
 
 TEST(NoiseCheck, SaysThatACardDoesNotPlayUntilItDoes) {
@@ -137,10 +131,9 @@ TEST(NoiseCheck, SaysThatACardDoesNotPlayUntilItDoes) {
   NoiseCheck check(noise, output_of(card));
   check.show();
   EXPECT_EQ(check.reservation(), "");
-  QTest::mouseClick(&control<QPushButton>(check, "play_noise"), Qt::LeftButton);
+  QTest::mouseClick(&child<QPushButton>(check, "play_noise"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !check.reservation().isEmpty(); }, 20000));
-  EXPECT_TRUE(
-      control<StateLabel>(check, "noise_state").text().contains("Headphones does not play"));
+  EXPECT_TRUE(child<StateLabel>(check, "noise_state").text().contains("Headphones does not play"));
   card.hangs = false;
   EXPECT_TRUE(QTest::qWaitFor([&] { return check.reservation().isEmpty(); }, 20000));
 }
@@ -149,9 +142,9 @@ TEST(NoiseCheck, AProtocolWithoutNoiseStillHasCues) {
   FakeCard card{};
   NoiseCheck check({}, output_of(card));
   check.show();
-  EXPECT_FALSE(control<QPushButton>(check, "play_noise").isVisible());
-  EXPECT_FALSE(control<QDoubleSpinBox>(check, "measured_level").isVisible());
-  EXPECT_TRUE(control<QPushButton>(check, "play_cue").isEnabled());
+  EXPECT_FALSE(child<QPushButton>(check, "play_noise").isVisible());
+  EXPECT_FALSE(child<QDoubleSpinBox>(check, "measured_level").isVisible());
+  EXPECT_TRUE(child<QPushButton>(check, "play_cue").isEnabled());
   EXPECT_EQ(check.reservation(), "");
 }
 

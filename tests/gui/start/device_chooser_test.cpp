@@ -30,11 +30,11 @@
 #include "tests/app/small_study.h"
 #include "tests/device/vendors/test_dhd.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
 
-constexpr int kChooserPatience_ms = 20000;
 constexpr const char* kDevice = "force_dimension:42";
 constexpr int kUnknownType = 9999;
 
@@ -99,14 +99,9 @@ class TheDeviceChooser : public testing::Test {
     require([this] { return find<QPushButton>("device_look").isEnabled(); }, "a survey");
   }
 
-  static void require(const std::function<bool()>& condition, const std::string& what) {
-    if (!QTest::qWaitFor(condition, kChooserPatience_ms)) throw std::runtime_error("no " + what);
-  }
   template <class Widget>
   Widget& find(const char* name) const {
-    auto* found = page->findChild<Widget*>(name);
-    if (found == nullptr) throw std::runtime_error(std::string("no widget ") + name);
-    return *found;
+    return child<Widget>(*page, name);
   }
   void click(const char* name) const {
     ASSERT_TRUE(find<QPushButton>(name).isEnabled()) << name;

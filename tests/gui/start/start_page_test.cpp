@@ -28,6 +28,7 @@
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -72,9 +73,7 @@ class TheStartPage : public testing::Test {
 
   template <class Widget>
   Widget& find(const char* name) const {
-    auto* found = page->findChild<Widget*>(name);
-    if (found == nullptr) throw std::runtime_error(std::string("no widget ") + name);
-    return *found;
+    return child<Widget>(*page, name);
   }
   void click(const char* name) const {
     QTest::mouseClick(&find<QPushButton>(name), Qt::LeftButton);

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include <QtCore/QSettings>
-#include <QtTest/QTest>
 
 #include "app/height_field_files.h"
 #include "protocols/library_protocols.h"
@@ -56,10 +55,6 @@ std::filesystem::path QuietHome::small_demo_study() const {
     save_height_field(file.string() + ".png", field, {.kind = "photograph"}, Overwrite::refuse);
   }
   return folder;
-}
-
-bool eventually(const std::function<bool()>& condition) {
-  return QTest::qWaitFor(condition, 20000);
 }
 
 }  // namespace asperity

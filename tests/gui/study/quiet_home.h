@@ -3,12 +3,11 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 
 #include <QtCore/QTemporaryDir>
 #include <gtest/gtest.h>
 
-class QWidget;
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 
@@ -28,20 +27,4 @@ class QuietHome : public testing::Test {
   QByteArray former_home_{};
 };
 
-/// Waits, with events going on, until it holds; false after 20 s.
-bool eventually(const std::function<bool()>& condition);
-
-/// The child of that object name; fails the test where there is none.
-template <class Widget>
-Widget& child(QWidget& parent, const char* name);
-
 }  // namespace asperity
-
-#include <QtWidgets/QWidget>
-
-template <class Widget>
-Widget& asperity::child(QWidget& parent, const char* name) {
-  auto* found = parent.findChild<Widget*>(name);
-  if (found == nullptr) throw std::runtime_error(std::string("no widget ") + name);
-  return *found;
-}

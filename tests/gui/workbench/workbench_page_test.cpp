@@ -37,6 +37,7 @@
 #include "stimuli/synthetic_surface.h"
 #include "tests/gui/sound/fake_card.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/gui/support/widgets.h"
 
 namespace asperity {
 namespace {
@@ -134,9 +135,7 @@ class Workbench : public testing::Test {
 
   template <class Widget>
   Widget& find(const char* name) {
-    auto* widget = page_->findChild<Widget*>(name);
-    if (widget == nullptr) throw std::runtime_error(std::string("no widget ") + name);
-    return *widget;
+    return child<Widget>(*page_, name);
   }
 
   void type(const char* field_name, const char* text) {

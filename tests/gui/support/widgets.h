@@ -1,0 +1,27 @@
+// Finding a window's widgets, and waiting for what they will show.
+
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include <QtWidgets/QWidget>
+
+namespace asperity {
+
+/// The child of that object name; fails the test where there is none.
+template <class Widget>
+Widget& child(const QWidget& parent, const char* name) {
+  auto* found = parent.findChild<Widget*>(name);
+  if (found == nullptr) throw std::runtime_error(std::string("no widget ") + name);
+  return *found;
+}
+
+/// Waits, with events going on, until it holds; false after 20 s.
+bool eventually(const std::function<bool()>& condition);
+
+/// Waits likewise, for 60 s; fails the test with "no `what`" where it never holds.
+void require(const std::function<bool()>& condition, const std::string& what);
+
+}  // namespace asperity
