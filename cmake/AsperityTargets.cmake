@@ -60,19 +60,41 @@ function(asperity_optimise_lightly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O1>)
 endfunction()
 
-# asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <word>…])
+# asperity_share_headers(<name> HEADERS <header>… LIBRARIES <target>…): headers that test programs include again and
+# again, compiled once for all that name them (asperity_add_tests(… HEADERS <name>)). A compiler takes them only if
+# every macro of <name>'s command line is the same on its own, so <name> defines nothing but what its libraries do.
+function(asperity_share_headers name)
+  cmake_parse_arguments(ARG "" "" "HEADERS;LIBRARIES" ${ARGN})
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  file(CONFIGURE OUTPUT "${source}" CONTENT "// Nothing: CMake wants a source beside the headers.\n")
+  add_library(${name} STATIC "${source}")
+  asperity_configure(${name})
+  asperity_compile_as_test(${name})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES})
+  target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
+endfunction()
+
+# asperity_compile_as_test(<target>): a test's own code runs for moments; optimising it would take longer than it saves.
+function(asperity_compile_as_test target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
+endfunction()
+
+# asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <word>…]
+#   [HEADERS <name>])
 # Tests are discovered when ctest runs, so that building never runs a test program. The label "long" keeps
 # them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo, realtime or window.
 function(asperity_add_tests folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;LABELS;LAUNCHER" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS" "SOURCES;LIBRARIES;LABELS;LAUNCHER" ${ARGN})
+  if(NOT ARG_HEADERS)
+    set(ARG_HEADERS asperity_test_headers)
+  endif()
   set(program asperity_${folder}_tests)
   add_executable(${program} ${ARG_SOURCES})
   asperity_configure(${program})
   target_include_directories(${program} PRIVATE "${CMAKE_SOURCE_DIR}")
   target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main)
-  target_precompile_headers(${program} PRIVATE <gtest/gtest.h> <string> <vector>)
-  # A test's own code runs for moments: optimising it would take longer than it saves.
-  target_compile_options(${program} PRIVATE $<$<CONFIG:Debug>:-O0>)
+  target_precompile_headers(${program} REUSE_FROM ${ARG_HEADERS})
+  asperity_compile_as_test(${program})
   target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   if(ARG_LAUNCHER)
     # What starts it, in the words of CMake.
