@@ -80,13 +80,17 @@ function(asperity_compile_as_test target)
 endfunction()
 
 # asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <word>…]
-#   [HEADERS <name>])
+#   [HEADERS <name>] [COST <number>])
 # Tests are discovered when ctest runs, so that building never runs a test program. The label "long" keeps
 # them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo, realtime or window.
+# COST, about the seconds of its longest tests, has ctest begin with them: a test run ends with many short ones.
 function(asperity_add_tests folder)
-  cmake_parse_arguments(ARG "" "HEADERS" "SOURCES;LIBRARIES;LABELS;LAUNCHER" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER" ${ARGN})
   if(NOT ARG_HEADERS)
     set(ARG_HEADERS asperity_test_headers)
+  endif()
+  if(NOT ARG_COST)
+    set(ARG_COST 0)
   endif()
   set(program asperity_${folder}_tests)
   add_executable(${program} ${ARG_SOURCES})
@@ -112,7 +116,7 @@ function(asperity_add_tests folder)
   set(labels_file "${CMAKE_CURRENT_BINARY_DIR}/${program}_labels.cmake")
   file(CONFIGURE OUTPUT "${labels_file}" @ONLY CONTENT [[
 foreach(test IN LISTS @program@)
-  set_tests_properties("${test}" PROPERTIES LABELS "@folder@;@ARG_LABELS@")
+  set_tests_properties("${test}" PROPERTIES LABELS "@folder@;@ARG_LABELS@" COST @ARG_COST@)
 endforeach()
 ]])
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${labels_file}")
