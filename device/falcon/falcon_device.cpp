@@ -38,15 +38,23 @@ constexpr glm::dvec3 kOrigin_m{0.0, 0.0, kMiddle_m};
 }  // namespace
 
 DeviceCapability falcon_capability() {
-  constexpr double kHalf_m = 0.0508;  // 4 inches each way, as published
-  return {.name = "falcon",
-          .model = "Novint Falcon",
-          .workspace_minimum_m = glm::dvec3(-kHalf_m),
-          .workspace_maximum_m = glm::dvec3(kHalf_m),
-          .peak_force_N = 8.9,  // 2 lbf, as published; less where the motors are at their limit
-          .position_resolution_m = 38e-6,
-          .maximum_rate_Hz = kFullRate_Hz,
-          .buttons = 4};
+  // From its lengths and its motors' words (falcon/falcon_kinematics.h), as every pose can be reached and every
+  // direction be pushed; it is sold as 4 by 4 by 4 inches and 2 lbf.
+  constexpr double kHalf_m = 0.040;
+  constexpr double kAnyDirectionInTheMiddle_N = 6.6;
+  return {
+      .name = "falcon",
+      .model = "Novint Falcon",
+      .workspace_minimum_m = glm::dvec3(-kHalf_m),
+      .workspace_maximum_m = glm::dvec3(kHalf_m),
+      .peak_force_N = kAnyDirectionInTheMiddle_N,
+      .position_resolution_m = 38e-6,
+      .maximum_rate_Hz = kFullRate_Hz,
+      .buttons = 4,
+      .remarks =
+          "Workspace and force follow from the lengths and the motor constant that free drivers "
+          "use: the largest cube that its legs fill, and what any direction has in the middle; at "
+          "the corners of the cube that is 3.8 N. It is sold as ±51 mm and 8.9 N."};
 }
 
 std::unique_ptr<FalconDevice> FalconDevice::open(const FalconSettings& settings) {

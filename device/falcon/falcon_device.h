@@ -26,7 +26,8 @@ struct FalconSettings {
   std::unique_lock<std::mutex>* alone = nullptr;  ///< DriverOptions::alone
 };
 
-/// What every Falcon declares; one that is attached tells its serial number and its rate besides.
+/// What every Falcon declares; one that is attached tells its serial number and its rate besides. Workspace and force
+/// are those of its kinematics, and smaller than what it is sold as; no unit was measured.
 DeviceCapability falcon_capability();
 
 /// A Falcon: its place from three encoders, three motors, four buttons, no torque.

@@ -336,18 +336,29 @@ TEST_F(Falcon, PutsAForceIntoTheWordsOfThreeMotors) {
 TEST_F(Falcon, SaysWhatTheMotorsCouldGive) {
   EmulatedFalcon emulated(bus(), {});
   const auto device = open();
-  device->set_limits({.force_N = 8.9, .slew_N_per_s = 1e6});
+  const double peak_N = device->capability().peak_force_N;
+  device->set_limits({.force_N = peak_N, .slew_N_per_s = 1e6});
+  // At a corner of its workspace the motors have less along x than anywhere in the middle.
+  const double half_m = device->capability().workspace_maximum_m.x;
+  const glm::dvec3 corner_m(half_m, half_m, 0.115 + half_m);
+  emulated.put_grip(corner_m);
+  const auto angles = falcon::angles_at(falcon::counts_at(corner_m));
+  const double part =
+      falcon::words_for(
+          falcon::torques_N_m(angles, falcon::position_m(angles).value(), {peak_N, 0.0, 0.0})
+              .value())
+          .part;
+  ASSERT_LT(part, 0.95);
   std::optional<LimitedWrench> sent;
   EXPECT_TRUE(eventually([&] {
     device->read(monotonic_now_ns());
-    sent = device->push({.force_N = {8.9, 0.0, 0.0}}, kDt_s);
-    return sent.has_value();
+    sent = device->push({.force_N = {peak_N, 0.0, 0.0}}, kDt_s);
+    return sent.has_value() && sent->wrench.force_N.x < 0.95 * peak_N;
   }));
   EXPECT_TRUE(sent->has(LimitReason::force));
-  EXPECT_LT(sent->wrench.force_N.x, 8.0);
-  EXPECT_GT(sent->wrench.force_N.x, 6.0);
+  EXPECT_NEAR(sent->wrench.force_N.x, part * peak_N, 1e-9);
   EXPECT_EQ(sent->wrench.force_N.y, 0.0);
-  push_until(*device, {8.9, 0.0, 0.0},
+  push_until(*device, {peak_N, 0.0, 0.0},
              [&] { return emulated.take_strongest_word() == falcon::kLargestWord; });
 }
 

@@ -10,21 +10,23 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "device/falcon/falcon_device.h"
 #include "tests/device/falcon_arm_angles.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity::falcon {
 namespace {
 
-// The largest cube that the legs fill.
 constexpr double kMiddle_m = 0.115;
-constexpr double kHalf_m = 0.040;
+
+/// All over the workspace that the driver declares: the largest cube that the legs fill.
 
 void for_each_place(const std::function<void(const glm::dvec3&)>& act) {
+  const double half_m = falcon_capability().workspace_maximum_m.x;
   for (int x = -4; x <= 4; ++x) {
     for (int y = -4; y <= 4; ++y) {
       for (int z = -4; z <= 4; ++z) {
-        act(glm::dvec3(0.0, 0.0, kMiddle_m) + kHalf_m / 4.0 * glm::dvec3(x, y, z));
+        act(glm::dvec3(0.0, 0.0, kMiddle_m) + half_m / 4.0 * glm::dvec3(x, y, z));
       }
     }
   }
@@ -226,8 +228,9 @@ double weakest_N(const glm::dvec3& p) {
 }
 
 TEST(FalconKinematics, IsStrongestInTheMiddle) {
-  // What docs/falcon.md says about it.
+  // What docs/falcon.md and the driver say about it.
   EXPECT_NEAR(weakest_N({0.0, 0.0, kMiddle_m}), 6.6, 0.05);
+  EXPECT_NEAR(weakest_N({0.0, 0.0, kMiddle_m}), falcon_capability().peak_force_N, 0.05);
   double anywhere_N = std::numeric_limits<double>::infinity();
   for_each_place([&](const glm::dvec3& p) { anywhere_N = std::min(anywhere_N, weakest_N(p)); });
   EXPECT_NEAR(anywhere_N, 3.8, 0.05);
