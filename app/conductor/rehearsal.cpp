@@ -3,7 +3,6 @@
 #include "app/conductor/rehearsal.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "app/parameter_json.h"
 #include "protocols/plan.h"
 #include "renderers/offline/composed_relief.h"
+#include "renderers/offline/felt_stiffness.h"
 #include "renderers/offline/force_matching.h"
 #include "renderers/pd_gradient/finest_wave.h"
 
@@ -56,12 +56,18 @@ struct TextureWaves {
   std::optional<double> wavelength_m{};
 };
 
+/// Of a texture that is nowhere in particular (noise in time) or has no height: none.
 TextureWaves waves_of(const PreparedStimulus& stimulus, const ModelRegistry& models) {
-  ParameterValues suggested{};
+  const ModelDeclaration& declaration = stimulus.model->declaration;
   const ParameterValues& own = stimulus.inputs.parameters;
+  if (declaration.amplitude_parameter &&
+      number_among(own, declaration.amplitude_parameter->c_str()) == 0.0) {
+    return {};
+  }
+  ParameterValues suggested{};
   if (number_among(own, "amplitude_m") && number_among(own, "wavelength_m")) {
     suggested = own;
-  } else if (stimulus.inputs.height_field) {
+  } else if (declaration.needs_height_field && stimulus.inputs.height_field) {
     const ForceModel* const sinusoid = models.find("sinusoid");
     if (sinusoid == nullptr || !sinusoid->suggested_by) return {};
     suggested = sinusoid->suggested_by(*stimulus.inputs.height_field, stimulus.inputs.material);
@@ -128,90 +134,13 @@ BodiesAsRelief as_relief(const PreparedStimulus& bodies, const HandHabits& habit
   return relief;
 }
 
-/// Of a symmetric matrix, by Jacobi's rotations.
-double largest_eigenvalue(std::array<std::array<double, 3>, 3> m) {
-  for (int round = 0; round < 8; ++round) {
-    for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
-      if (m[p][q] == 0.0) continue;
-      const double theta = 0.5 * std::atan2(2.0 * m[p][q], m[q][q] - m[p][p]);
-      const double c = std::cos(theta);
-      const double s = std::sin(theta);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double ip = m[i][p];
-        const double iq = m[i][q];
-        m[i][p] = c * ip - s * iq;
-        m[i][q] = s * ip + c * iq;
-      }
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double pi = m[p][i];
-        const double qi = m[q][i];
-        m[p][i] = c * pi - s * qi;
-        m[q][i] = s * pi + c * qi;
-      }
-    }
-  }
-  return std::max({m[0][0], m[1][1], m[2][2]});
-}
-
-struct LocalShape {
-  double slope_x = 0.0;
-  double slope_y = 0.0;
-  double bend_xx_per_m = 0.0;
-  double bend_xy_per_m = 0.0;
-  double bend_yy_per_m = 0.0;
-};
-
-/// k(∇δ∇δᵀ + δ∇∇δ) where δ = h(x, y) − z: with p = ∇h and S = ∇∇h it is k[[ppᵀ + δS, −p], [−pᵀ, 1]].
-double stiffness_at(const LocalShape& at, double stiffness_N_per_m, double depth_m) {
-  const double sx = at.slope_x;
-  const double sy = at.slope_y;
-  return stiffness_N_per_m *
-         largest_eigenvalue(
-             {{{sx * sx + depth_m * at.bend_xx_per_m, sx * sy + depth_m * at.bend_xy_per_m, -sx},
-               {sx * sy + depth_m * at.bend_xy_per_m, sy * sy + depth_m * at.bend_yy_per_m, -sy},
-               {-sx, -sy, 1.0}}});
-}
-
-double stiffest_of_field(const HeightField& field, double scale, double motion,
-                         double stiffness_N_per_m, double depth_m) {
-  constexpr std::size_t kSamplesAcross = 256;  // enough to meet the steepest of a texture
-  const auto [rows, columns, pitch_m] = field.grid();
-  const std::vector<float>& heights_m = field.heights_m();
-  const auto at = [&, columns = columns](std::size_t row, std::size_t column) {
-    return scale * static_cast<double>(heights_m[row * columns + column]);
-  };
-  const double step_m = pitch_m / motion;
-  const std::size_t row_step = std::max<std::size_t>(1, rows / kSamplesAcross);
-  const std::size_t column_step = std::max<std::size_t>(1, columns / kSamplesAcross);
-  double stiffest = stiffness_N_per_m;
-  for (std::size_t r = 1; r + 1 < rows; r += row_step) {
-    for (std::size_t c = 1; c + 1 < columns; c += column_step) {
-      const double here_m = at(r, c);
-      const LocalShape shape{
-          .slope_x = (at(r, c + 1) - at(r, c - 1)) / (2.0 * step_m),
-          .slope_y = (at(r + 1, c) - at(r - 1, c)) / (2.0 * step_m),
-          .bend_xx_per_m = (at(r, c + 1) - 2.0 * here_m + at(r, c - 1)) / (step_m * step_m),
-          .bend_xy_per_m =
-              (at(r + 1, c + 1) - at(r + 1, c - 1) - at(r - 1, c + 1) + at(r - 1, c - 1)) /
-              (4.0 * step_m * step_m),
-          .bend_yy_per_m = (at(r + 1, c) - 2.0 * here_m + at(r - 1, c)) / (step_m * step_m)};
-      stiffest = std::max(stiffest, stiffness_at(shape, stiffness_N_per_m, depth_m));
-    }
-  }
-  return stiffest;
-}
-
-double stiffest_of_wave(const TextureWaves& waves, double stiffness_N_per_m, double depth_m) {
-  constexpr int kSamples = 256;
-  const double per_m = 2.0 * std::numbers::pi / *waves.wavelength_m;
-  double stiffest = stiffness_N_per_m;
-  for (int i = 0; i < kSamples; ++i) {
-    const double phase = 2.0 * std::numbers::pi * i / kSamples;
-    const LocalShape shape{.slope_x = *waves.amplitude_m * per_m * std::cos(phase),
-                           .bend_xx_per_m = -*waves.amplitude_m * per_m * per_m * std::sin(phase)};
-    stiffest = std::max(stiffest, stiffness_at(shape, stiffness_N_per_m, depth_m));
-  }
-  return stiffest;
+/// Along the relief. Its samples are the model, and not what is between them: over one of them, differences are those
+/// of three.
+StiffnessSearch along(const HeightField& relief) {
+  constexpr double kCellsOfBorder = 4.0;
+  const double pitch_m = relief.grid().pitch_m;
+  return {.extent_m = glm::dvec2(std::max(relief.width_m() - kCellsOfBorder * pitch_m, 0.0), 0.0),
+          .step_m = 0.5 * pitch_m};
 }
 
 class DeviceRehearsal final {
@@ -308,7 +237,7 @@ class DeviceRehearsal final {
     check_force(planned.stimulus.name, [&] { return texture_force_N(planned, stimulus, habits); });
     const TextureWaves waves = waves_of(stimulus, builder_.models());
     check_waves(planned.stimulus.name, waves, fastest_m_per_s(exploration, habits));
-    check_stiffness(planned.stimulus.name, stimulus, waves, {});
+    check_stiffness(planned.stimulus.name, stimulus, {}, {});
   }
 
   void check_bodies(const PlannedPresentation& planned, const Exploration& exploration) {
@@ -316,7 +245,8 @@ class DeviceRehearsal final {
     const HandHabits habits = habits_for(exploration, planned.stimulus.patch);
     const BodiesAsRelief relief =
         as_relief(builder_.unmatched(planned.stimulus), habits, builder_.models());
-    check_stiffness(name, relief.point, relief.waves, relief.coupling_N_per_m);
+    check_stiffness(name, relief.point, along(*relief.point.inputs.height_field),
+                    relief.coupling_N_per_m);
     if (!relief.waves.wavelength_m) return;  // neither has a texture that could be lost
     check_force(name, [&] { return texture_force_N(planned, relief, habits); });
     check_waves(name, relief.waves, fastest_m_per_s(exploration, habits));
@@ -389,14 +319,16 @@ class DeviceRehearsal final {
     const std::optional<double> resolution_m = profile_.value("position_resolution_m");
     if (resolution_m && waves.amplitude_m && *waves.amplitude_m > 0.0 &&
         *waves.amplitude_m < *resolution_m) {
-      warn({.id = "position_resolution",
-            .stimulus = name,
-            .asked = *waves.amplitude_m,
-            .device = *resolution_m,
-            .text = phrase("Rehearsal",
-                           "The texture of \"%1\" is %2 µm high, and the device reads positions in "
-                           "steps of %3 µm.")
-                        .with(name, in_um(*waves.amplitude_m), in_um(*resolution_m))});
+      warn(
+          {.id = "position_resolution",
+           .stimulus = name,
+           .asked = *waves.amplitude_m,
+           .device = *resolution_m,
+           .text =
+               phrase("Rehearsal",
+                      "The texture of \"%1\" has an amplitude of %2 µm (√2 times its RMS), and the "
+                      "device reads positions in steps of %3 µm.")
+                   .with(name, in_um(*waves.amplitude_m), in_um(*resolution_m))});
     }
     if (!waves.wavelength_m) return;
     if (resolution_m && *waves.wavelength_m < 2.0 * *resolution_m) {
@@ -410,7 +342,7 @@ class DeviceRehearsal final {
                           "of %3 µm: a wave needs two.")
                        .with(name, in_um(*waves.wavelength_m), in_um(*resolution_m))});
     }
-    double bandwidth_Hz = 0.5 * profile_.rate_Hz;
+    double bandwidth_Hz = 0.5 * protocol_.rate_Hz;
     if (const auto resonance_Hz = profile_.value(kResonance)) {
       bandwidth_Hz = std::min(bandwidth_Hz, *resonance_Hz);
     }
@@ -428,40 +360,46 @@ class DeviceRehearsal final {
     }
   }
 
-  void check_stiffness(const std::string& name, const PreparedStimulus& stimulus,
-                       const TextureWaves& waves, std::optional<double> coupling_N_per_m) {
-    std::optional<double> holds_N_per_m{};
+  /// The stiffest spring that the device holds in a loop of the protocol's rate, as far as that was measured.
+  std::optional<double> holds_N_per_m() const {
+    std::optional<double> holds{};
     if (const auto damping = profile_.value("damping_N_s_per_m")) {
-      holds_N_per_m = 2.0 * *damping * protocol_.rate_Hz;
+      holds = 2.0 * *damping * protocol_.rate_Hz;
     }
-    const auto held_N_per_m = profile_.value("stiffness_N_per_m");
-    if (held_N_per_m && *held_N_per_m < 0.99 * kStiffestTried_N_per_m) {
-      holds_N_per_m = std::min(holds_N_per_m.value_or(*held_N_per_m), *held_N_per_m);
+    const auto held = profile_.value("stiffness_N_per_m");
+    if (held && *held < 0.99 * kStiffestTried_N_per_m) {
+      // A slower loop holds less: of what was held in a faster one, as of 2b/T, the share of the rates.
+      const double share = profile_.rate_Hz > 0.0 ? protocol_.rate_Hz / profile_.rate_Hz : 1.0;
+      const double held_N_per_m = *held * std::min(share, 1.0);
+      holds = std::min(holds.value_or(held_N_per_m), held_N_per_m);
     }
-    if (!holds_N_per_m) return;
-    const double stiffness_N_per_m = stimulus.inputs.material.stiffness_N_per_m;
-    const double depth_m = protocol_.force_limit_N / stiffness_N_per_m;
-    double stiffest_N_per_m = stiffness_N_per_m;
-    if (stimulus.model->declaration.needs_height_field && stimulus.inputs.height_field) {
-      const double scale = number_among(stimulus.inputs.parameters, "height_scale").value_or(1.0);
-      stiffest_N_per_m =
-          stiffest_of_field(*stimulus.inputs.height_field, scale,
-                            stimulus.inputs.patch.motion_scale, stiffness_N_per_m, depth_m);
-    } else if (waves.amplitude_m && waves.wavelength_m && *waves.wavelength_m > 0.0) {
-      stiffest_N_per_m = stiffest_of_wave(waves, stiffness_N_per_m, depth_m);
-    }
-    stiffest_N_per_m = in_series(stiffest_N_per_m, coupling_N_per_m);
-    if (stiffest_N_per_m <= *holds_N_per_m) return;
-    warn(
-        {.id = "stiffness",
-         .stimulus = name,
-         .asked = stiffest_N_per_m,
-         .device = *holds_N_per_m,
-         .text = phrase("Rehearsal",
-                        "At the force limit of %2 N \"%1\" is as stiff as %3 N/m where its texture "
-                        "is steepest, and the device holds %4 N/m without swinging.")
-                     .with(name, in_three_digits(protocol_.force_limit_N),
-                           in_three_digits(stiffest_N_per_m), in_three_digits(*holds_N_per_m))});
+    return holds;
+  }
+
+  void check_stiffness(const std::string& name, const PreparedStimulus& stimulus,
+                       StiffnessSearch search, std::optional<double> coupling_N_per_m) {
+    const std::optional<double> holds = holds_N_per_m();
+    if (!holds) return;
+    search.force_limit_N = protocol_.force_limit_N;
+    const FeltStiffness felt = felt_stiffness(*stimulus.model, stimulus.inputs, search);
+    const double stiffest_N_per_m = in_series(felt.stiffness_N_per_m, coupling_N_per_m);
+    if (stiffest_N_per_m <= *holds) return;
+    const Phrase text =
+        felt.force_N >= protocol_.force_limit_N
+            ? phrase(
+                  "Rehearsal",
+                  "At the force limit of %2 N \"%1\" is as stiff as %3 N/m where it is stiffest, "
+                  "and the device holds %4 N/m without swinging.")
+            : phrase(
+                  "Rehearsal",
+                  "At the greatest force that it gives there, %2 N, \"%1\" is as stiff as %3 N/m "
+                  "where it is stiffest, and the device holds %4 N/m without swinging.");
+    warn({.id = "stiffness",
+          .stimulus = name,
+          .asked = stiffest_N_per_m,
+          .device = *holds,
+          .text = text.with(name, in_three_digits(felt.force_N), in_three_digits(stiffest_N_per_m),
+                            in_three_digits(*holds))});
   }
 
   void check_workspace(const SurfacePatch& patch) {

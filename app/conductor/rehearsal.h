@@ -42,21 +42,23 @@ struct RehearsalCourse {
 ///   force_resolution     likewise ≥ force_resolution_N, where friction is not the reason
 ///   position_resolution  amplitude ≥ position_resolution_m
 ///   wavelength           λ ≥ 2 · position_resolution_m
-///   bandwidth            v/λ ≤ half the rate, and the resonance where one was found
-///   stiffness            largest eigenvalue of k(∇δ∇δᵀ + δ∇∇δ) at the force limit, kδ = F_max,
-///                        ≤ 2b/T [Colgate 1997], and the stiffest spring that it was seen to hold
+///   bandwidth            v/λ ≤ half the protocol's rate, and the resonance where one was found
+///   stiffness            largest eigenvalue of the symmetric part of −∂F/∂x at the force limit (felt_stiffness.h)
+///                        ≤ 2b/T [Colgate 1997], and the stiffest spring that it was seen to hold; T of the protocol,
+///                        for a loop slower than the one that held it by the share of the rates
 ///   workspace            the patch inside what a person reached, or else what the driver tells
 ///
 /// The texture force is that of `texture_force_rms_N` at the force and the speed that a hand aims at which
 /// explores as asked; of a stimulus whose force is made equal to another's it is the other's. A
-/// texture's amplitude and λ are those of the sinusoid that it suggests, on the device: λ over the
-/// motion scale. δ is the depth below the surface along z, ∇δ and ∇∇δ are taken at every sample of the texture,
-/// as if the force were the gradient of its energy; a model whose force points along z only is softer.
-/// Where something was not measured, nothing is said of it.
+/// texture's amplitude (√2 times the RMS of its heights) and λ are those of the sinusoid that it suggests, on the
+/// device: λ over the motion scale; noise in time and a texture at amplitude 0 have none. F is the force of the
+/// stimulus's own model and parameters; one that is made as strong as another counts with the amplitude that its
+/// sample suggests. Where something was not measured, nothing is said of it.
 ///
 /// Two bodies are compared as the relief that both make under the tool's tip along the stroke, H (composed_relief.h),
 /// with δ = H − z: so a wave of the tool against one of the surface counts as they meet, and a texture that the tool
-/// does not reach does not. The amplitude is √2 times the RMS of H, λ the finest wave of either texture
+/// does not reach does not. The stiffness is that of F = −kδ∇δ, pd_gradient's law: of k(∇δ∇δᵀ + δ∇∇δ) with kδ the force
+/// limit, by differences over one sample of H. The amplitude is √2 times the RMS of H, λ the finest wave of either texture
 /// (finest_wave.h). Behind a virtual coupling of stiffness k_t a stiffness K is K·k_t/(K + k_t) to the hand, and the
 /// texture force that of such a surface. Limits: those of composed_relief; the smooth maximum counts as the hard one.
 ///

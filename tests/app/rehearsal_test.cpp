@@ -7,12 +7,14 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "app/height_field_files.h"
+#include "app/tasks/new_study.h"
 #include "protocols/library_protocols.h"
 #include "tests/app/small_study.h"
 
@@ -26,7 +28,7 @@ DeviceItem numbered(const std::string& name, double value) {
 /// Better than any texture asks for.
 DeviceProfile ideal() {
   return {.name = "ideal",
-          .rate_Hz = 1e5,
+          .rate_Hz = 1000.0,
           .workspace_minimum_m = glm::dvec3(-1.0),
           .workspace_maximum_m = glm::dvec3(1.0),
           .items = {numbered("friction_N", 0.0), numbered("force_resolution_N", 0.0),
@@ -39,22 +41,40 @@ DeviceProfile with(DeviceProfile profile, const std::string& name, double value)
   return profile;
 }
 
-/// One grating of 0.5 mm amplitude and 2 mm wavelength, 500 N/m, force limit 5 N.
-std::string grating_protocol() {
-  std::string text = small_protocol("", R"(, "speed_m_per_s": {"target": 0.1, "maximum": 0.2})");
-  const auto replace = [&text](const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
-      text.replace(at, from.size(), to);
-      at += to.size();
-    }
-  };
-  replace(R"("rendered": {"model": {"factor": "model"}, "texture": "grain"})",
-          R"("rendered": {"model": {"factor": "model"}, "texture": "grain", "parameters": )"
-          R"({"amplitude_m": 0.0005, "wavelength_m": 0.002}})");
-  replace(R"({"levels": ["height_map", "stochastic"]})", R"({"levels": ["sinusoid"]})");
-  replace(R"("with": {"model": "height_map"})", R"("item": "one", "with": {"model": "sinusoid"})");
-  replace(R"("with": {"model": "stochastic"})", R"("item": "two", "with": {"model": "sinusoid"})");
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  EXPECT_NE(text.find(from), std::string::npos) << from;
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    text.replace(at, from.size(), to);
+    at += to.size();
+  }
   return text;
+}
+
+/// Twice one stimulus of the texture, 500 N/m, force limit 5 N, at up to 0.2 m/s; `device` for members of the
+/// protocol's.
+std::string one_stimulus(const std::string& model, const std::string& parameters,
+                         const std::string& device = "") {
+  std::string text = small_protocol("", R"(, "speed_m_per_s": {"target": 0.1, "maximum": 0.2})");
+  text =
+      replaced(text, R"("rendered": {"model": {"factor": "model"}, "texture": "grain"})",
+               R"("rendered": {"model": {"factor": "model"}, "texture": "grain", "parameters": {)" +
+                   parameters + "}}");
+  text = replaced(text, R"({"levels": ["height_map", "stochastic"]})",
+                  R"({"levels": [")" + model + R"("]})");
+  for (const auto& [item, from] : {std::pair{"one", "height_map"}, {"two", "stochastic"}}) {
+    const std::string stimulus = R"({"stimulus": "rendered", )";
+    text =
+        replaced(text, stimulus + R"("with": {"model": ")" + from + R"("}})",
+                 stimulus + R"("item": ")" + item + R"(", "with": {"model": ")" + model + R"("}})");
+  }
+  return replaced(text, R"("textures")", R"("device": {)" + device + R"(}, "textures")");
+}
+
+/// One grating of 0.5 mm amplitude and 2 mm wavelength that pushes along its normal.
+std::string grating_protocol(const std::string& device = "") {
+  return one_stimulus(
+      "sinusoid",
+      R"("amplitude_m": 0.0005, "wavelength_m": 0.002, "force_direction": "local_normal")", device);
 }
 
 /// A block with a relief on its lower side on a plate with one: gratings along x, of these amplitudes and lengths. The
@@ -181,22 +201,43 @@ TEST_F(DeviceRehearsalTest, WarnsOfPositionsInStepsAboveATexture) {
                         "position_resolution");
   ASSERT_TRUE(high);
   EXPECT_NEAR(high->asked, 0.5e-3, 1e-12);
+  EXPECT_NE(high->text.english().find("an amplitude of 500 µm (√2 times its RMS)"),
+            std::string::npos)
+      << high->text.english() << ": from trough to crest it is 1000 µm high";
   EXPECT_TRUE(
       one(grating_protocol(), with(ideal(), "position_resolution_m", 1.1e-3), "wavelength"));
   EXPECT_FALSE(
       one(grating_protocol(), with(ideal(), "position_resolution_m", 0.9e-3), "wavelength"));
 }
 
-// 0.2 m/s over waves of 2 mm: 100 of them a second.
-TEST_F(DeviceRehearsalTest, WarnsOfWavesFasterThanHalfTheRateOrTheResonance) {
-  DeviceProfile slow = ideal();
-  slow.rate_Hz = 190.0;
-  const auto found = one(grating_protocol(), slow, "bandwidth");
-  ASSERT_TRUE(found);
-  EXPECT_NEAR(found->asked, 100.0, 1e-9);
-  EXPECT_NEAR(found->device, 95.0, 1e-9);
+// 0.2 m/s over waves of 2 mm: 100 of them a second. At what rate the device was measured does not matter.
+TEST_F(DeviceRehearsalTest, WarnsOfWavesFasterThanHalfTheProtocolsRateOrTheResonance) {
+  for (const double measured_Hz : {100.0, 1000.0, 8000.0}) {
+    DeviceProfile device = ideal();
+    device.rate_Hz = measured_Hz;
+    const auto found = one(grating_protocol(R"("rate_Hz": 190)"), device, "bandwidth");
+    ASSERT_TRUE(found) << measured_Hz;
+    EXPECT_NEAR(found->asked, 100.0, 1e-9);
+    EXPECT_NEAR(found->device, 95.0, 1e-9);
+    EXPECT_FALSE(one(grating_protocol(R"("rate_Hz": 210)"), device, "bandwidth")) << measured_Hz;
+  }
   EXPECT_TRUE(one(grating_protocol(), with(ideal(), "resonance_Hz", 80.0), "bandwidth"));
   EXPECT_FALSE(one(grating_protocol(), with(ideal(), "resonance_Hz", 120.0), "bandwidth"));
+}
+
+TEST_F(DeviceRehearsalTest, SaysNothingOfWavesWhereThereAreNone) {
+  DeviceProfile coarse = with(ideal(), "position_resolution_m", 1.0);
+  coarse = with(coarse, "resonance_Hz", 1e-3);
+  const auto waves = [&](const std::string& protocol) {
+    std::string ids{};
+    for (const RehearsalWarning& warning : warnings(protocol, coarse)) ids += warning.id + ' ';
+    return ids;
+  };
+  EXPECT_EQ(waves(one_stimulus("height_map", "")), "position_resolution wavelength bandwidth ");
+  EXPECT_EQ(waves(one_stimulus("stochastic", "")), "") << "noise is in time";
+  EXPECT_EQ(waves(one_stimulus("height_map", R"("height_scale": 0)")), "") << "flat";
+  EXPECT_EQ(waves(one_stimulus("sinusoid", R"("amplitude_m": 0)")), "") << "flat";
+  EXPECT_EQ(waves(one_stimulus("lateral_gradient", R"("gain_N": 0)")), "") << "flat";
 }
 
 // In a trough, where the slope is 0, δ∇∇δ·k = F_max·A·(2π/λ)² = 5 N · 0.5 mm · (3142 / m)² = 24.7 kN/m; a plain
@@ -207,8 +248,77 @@ TEST_F(DeviceRehearsalTest, WarnsOfATextureThatIsStifferThanTheDeviceHolds) {
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->asked, trough_N_per_m, 0.01 * trough_N_per_m);
   EXPECT_NEAR(found->device, 2.0 * 5.0 * 1000.0, 1e-6);
+  EXPECT_NE(found->text.english().find("At the force limit of 5.00 N"), std::string::npos)
+      << found->text.english();
   EXPECT_TRUE(one(grating_protocol(), with(ideal(), "stiffness_N_per_m", 2000.0), "stiffness"));
   EXPECT_FALSE(one(grating_protocol(), with(ideal(), "damping_N_s_per_m", 13.0), "stiffness"));
+}
+
+/// What it is called stiff, by a device that holds nothing.
+TEST_F(DeviceRehearsalTest, TakesTheStiffnessOfEveryModelFromItsOwnForces) {
+  const DeviceProfile weak = with(ideal(), "damping_N_s_per_m", 1e-6);
+  const auto stiffness = [&](const std::string& model, const std::string& parameters) {
+    const auto found = one(one_stimulus(model, parameters), weak, "stiffness");
+    return found ? found->asked : 0.0;
+  };
+  const double upright_N_per_m =
+      250.0 * (1.0 + std::sqrt(1.0 + std::pow(2.0 * std::numbers::pi * 0.5 / 2.0, 2)));
+  EXPECT_NEAR(stiffness("sinusoid", R"("amplitude_m": 0.0005, "wavelength_m": 0.002)"),
+              upright_N_per_m, 0.002 * upright_N_per_m)
+      << "it pushes up whatever its slope";
+  EXPECT_NEAR(stiffness("stochastic", R"("noise_sd_N": 0.05)"), 500.0, 0.1) << "a plate";
+  EXPECT_NEAR(stiffness("height_map", R"("height_scale": 0)"), 500.0, 0.1) << "a plate";
+  const double half = stiffness("lateral_gradient", R"("gain_N": 25)");
+  EXPECT_NEAR(half, 0.5 * stiffness("lateral_gradient", R"("gain_N": 50)"), 0.01 * half);
+}
+
+TEST_F(DeviceRehearsalTest, NamesTheForceOfAStimulusThatNeverReachesTheLimit) {
+  const DeviceProfile weak = with(ideal(), "damping_N_s_per_m", 1e-6);
+  const auto found =
+      one(one_stimulus("height_map", R"("lateral_gradient_gain": 1)"), weak, "stiffness");
+  ASSERT_TRUE(found);  // 500 N/m and no deeper than 3 mm
+  EXPECT_NE(found->text.english().find("At the greatest force that it gives there, 1.50 N"),
+            std::string::npos)
+      << found->text.english();
+  const auto deep =
+      one(one_stimulus("height_map", R"("lateral_gradient_gain": 1, "depth_limit_m": 0.05)"), weak,
+          "stiffness");
+  ASSERT_TRUE(deep);
+  EXPECT_NEAR(deep->asked, found->asked * 5.0 / 1.5, 0.02 * deep->asked);
+}
+
+// 24.7 kN/m. Held at 1000 Hz: at more as well, at less the share.
+TEST_F(DeviceRehearsalTest, TakesTheStiffestSpringForALoopOfTheProtocolsRate) {
+  const DeviceProfile device = with(ideal(), "stiffness_N_per_m", 4000.0);
+  for (const auto& [rate, holds_N_per_m] :
+       {std::pair{"500", 2000.0}, {"1000", 4000.0}, {"2000", 4000.0}}) {
+    const auto found =
+        one(grating_protocol(std::string(R"("rate_Hz": )") + rate), device, "stiffness");
+    ASSERT_TRUE(found) << rate;
+    EXPECT_NEAR(found->device, holds_N_per_m, 1e-6) << rate;
+  }
+}
+
+// What device-test finds of the simulated device: friction and steps of nothing, the damping of the virtual hand.
+TEST(LibraryProtocols, OfTheChapterAreNotTooMuchForTheSimulatedDevice) {
+  const TemporaryFolder folder{};
+  const std::filesystem::path study = folder.path() / "study";
+  new_demo_study(study, [](double) {});
+  const ModelRegistry models = built_in_models();
+  StimulusBuilder builder(models, study);
+  DeviceProfile device = with(ideal(), "damping_N_s_per_m", 5.17);
+  device.is_simulated = true;
+  int compared = 0;
+  for (const LibraryProtocol& library : library_protocols()) {
+    const std::string name(library.name);
+    if (!name.starts_with("chapter_") && name != "improved_selection_blindfold") continue;
+    ++compared;
+    const Protocol protocol = read_small_protocol(models, std::string(library.text));
+    for (const RehearsalWarning& warning : rehearse_on_device(protocol, device, builder)) {
+      ADD_FAILURE() << name << ": " << warning.text.english();
+    }
+  }
+  EXPECT_EQ(compared, 4);
 }
 
 TEST_F(DeviceRehearsalTest, WarnsOfASurfaceBeyondTheWorkspaceAndBelievesWhatWasReached) {
@@ -239,6 +349,41 @@ TEST_F(DeviceRehearsalTest, TakesTheStiffnessOfTwoTexturesFromHowTheyMeet) {
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->asked, trough_N_per_m, 0.05 * trough_N_per_m);
   EXPECT_FALSE(one(bodies(kMeeting), with(ideal(), "damping_N_s_per_m", 1.9), "stiffness"));
+}
+
+// The model itself: 0.3 mm to either side of a trough it pushes back as −kδ·H′, whose slope in the trough is told. (The
+// model's samples are 50 µm apart: its slopes are good to a few hundredths, and nearer by that is all of them.)
+TEST_F(DeviceRehearsalTest, AgreesWithTheForceOfTwoBodiesThemselves) {
+  const std::string protocol = replaced(bodies(kMeeting), R"("realism_standard")",
+                                        R"("device": {"force_limit_N": 1}, "realism_standard")");
+  const Protocol read = read_small_protocol(models_, protocol);
+  StimulusBuilder builder(models_, folder_.path() / "study");
+  const PreparedStimulus felt =
+      builder.unmatched(possible_trials(read).at(0).presentations.at(0).stimulus);
+  const auto renderer = make_renderer(*felt.model, felt.inputs);
+  constexpr double kTrough_m = 1e-3;
+  constexpr double kBeside_m = 3e-4;
+  constexpr double kRaised_m = 1e-4;  // of the block's relief, towards the plate
+  constexpr double kDepth_m = 2e-3;   // 1 N
+  const auto force_N = [&](double x_m) {
+    ProbeState probe{.position_m = felt.inputs.patch.centre_m};
+    probe.position_m.x += x_m;
+    probe.position_m.z += meeting_m(kTrough_m) + kRaised_m - kDepth_m;
+    renderer->reset(probe);
+    return renderer->tick(probe, 1e-3).wrench.force_N;
+  };
+  EXPECT_NEAR(force_N(kTrough_m).z, 1.0, 0.01);
+  const double model_N = force_N(kTrough_m - kBeside_m).x - force_N(kTrough_m + kBeside_m).x;
+  const double beside_m = kTrough_m + kBeside_m;
+  const double slope =
+      -2e-4 * 5e-5 * kMeetingPerMetre * std::sin(kMeetingPerMetre * beside_m) / meeting_m(beside_m);
+  const double depth_m = kDepth_m + meeting_m(beside_m) - meeting_m(kTrough_m);
+  EXPECT_NEAR(model_N, 2.0 * 500.0 * depth_m * slope, 0.08 * model_N);
+  const auto told = one(protocol, with(ideal(), "damping_N_s_per_m", 1e-6), "stiffness");
+  ASSERT_TRUE(told);
+  const double trough_N_per_m =
+      1.0 * kMeetingPerMetre * kMeetingPerMetre * 2e-4 * 5e-5 / (2e-4 - 5e-5);
+  EXPECT_NEAR(told->asked, trough_N_per_m, 0.03 * trough_N_per_m);
 }
 
 TEST_F(DeviceRehearsalTest, HasTheHandMeetTwoBodiesBehindTheSpringOfTheirCoupling) {
@@ -311,9 +456,7 @@ TEST_F(DeviceRehearsalTest, SaysNothingOfWhatWasNotMeasured) {
 }
 
 std::string with_limits(const std::string& limits) {
-  std::string text = grating_protocol();
-  text.insert(text.find("\"textures\""), "\"device\": {\"limits\": {" + limits + "}}, ");
-  return text;
+  return grating_protocol("\"limits\": {" + limits + "}");
 }
 
 TEST_F(DeviceRehearsalTest, WarnsOfAnItemOnTheWrongSideOfTheProtocolsLimitWithBothNumbers) {

@@ -23,7 +23,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kStiffness_N_per_m = 500.0;
+constexpr double kPlate_N_per_m = 500.0;
 
 std::shared_ptr<const HeightField> surface_of(
     const std::function<double(double x_m, double y_m)>& height_m, std::size_t samples = 512,
@@ -42,28 +42,29 @@ std::shared_ptr<const HeightField> surface_of(
 }
 
 /// 128 samples a wave: with fewer, the cubics between them are bent by more than half a per cent else.
-constexpr double kAmplitude_m = 1e-4;
-constexpr double kPerMetre = 2.0 * std::numbers::pi / 3.2e-3;
-std::shared_ptr<const HeightField> grating() {
-  return surface_of([](double x_m, double) { return kAmplitude_m * std::sin(kPerMetre * x_m); });
+constexpr double kGratingAmplitude_m = 1e-4;
+constexpr double kGratingPerMetre = 2.0 * std::numbers::pi / 3.2e-3;
+std::shared_ptr<const HeightField> fine_grating() {
+  return surface_of(
+      [](double x_m, double) { return kGratingAmplitude_m * std::sin(kGratingPerMetre * x_m); });
 }
 
-FeltStiffness stiffness_of(const ForceModel& model, const ParameterValues& parameters,
-                           std::shared_ptr<const HeightField> field = {},
-                           double force_limit_N = 5.0, double motion_scale = 1.0) {
+FeltStiffness felt_stiffness_of(const ForceModel& model, const ParameterValues& parameters,
+                                std::shared_ptr<const HeightField> field = {},
+                                double force_limit_N = 5.0, double motion_scale = 1.0) {
   RendererInputs inputs{.parameters = parameters, .height_field = std::move(field)};
-  inputs.material = {.stiffness_N_per_m = kStiffness_N_per_m, .friction = 0.4};
+  inputs.material = {.stiffness_N_per_m = kPlate_N_per_m, .friction = 0.4};
   inputs.patch.motion_scale = motion_scale;
   return felt_stiffness(model, inputs, {.force_limit_N = force_limit_N});
 }
 double largest_N_per_m(const ForceModel& model, const ParameterValues& parameters,
                        std::shared_ptr<const HeightField> field = {}, double force_limit_N = 5.0) {
-  return stiffness_of(model, parameters, std::move(field), force_limit_N).stiffness_N_per_m;
+  return felt_stiffness_of(model, parameters, std::move(field), force_limit_N).stiffness_N_per_m;
 }
 
 /// Where the force points up whatever the slope: the symmetric part has k and −k·slope/2 in it.
 double upright_N_per_m(double slope) {
-  return 0.5 * kStiffness_N_per_m * (1.0 + std::sqrt(1.0 + slope * slope));
+  return 0.5 * kPlate_N_per_m * (1.0 + std::sqrt(1.0 + slope * slope));
 }
 
 TEST(FeltStiffness, OfAPlateWithNoiseIsThePlates) {
@@ -71,7 +72,7 @@ TEST(FeltStiffness, OfAPlateWithNoiseIsThePlates) {
     EXPECT_NEAR(
         largest_N_per_m(stochastic_model(),
                         {{"noise_sd_N", 0.5}, {"velocity_threshold_m_per_s", threshold_m_per_s}}),
-        kStiffness_N_per_m, 1e-3)
+        kPlate_N_per_m, 1e-3)
         << threshold_m_per_s;
   }
 }
@@ -93,42 +94,45 @@ TEST(FeltStiffness, OfAGratingThatPushesAlongItsNormalIsThatOfItsTroughs) {
 }
 
 TEST(FeltStiffness, OfForceAlongTheSurfaceIsItsGainTimesTheBendAtAnyForce) {
-  const double bend_per_m = kAmplitude_m * kPerMetre * kPerMetre;
+  const double bend_per_m = kGratingAmplitude_m * kGratingPerMetre * kGratingPerMetre;
   for (const double gain_N : {2.0, 20.0}) {
     for (const double limit_N : {1.0, 5.0}) {
-      const double expected_N_per_m = std::max(gain_N * bend_per_m, kStiffness_N_per_m);
+      const double expected_N_per_m = std::max(gain_N * bend_per_m, kPlate_N_per_m);
       EXPECT_NEAR(
-          largest_N_per_m(lateral_gradient_model(), {{"gain_N", gain_N}}, grating(), limit_N),
+          largest_N_per_m(lateral_gradient_model(), {{"gain_N", gain_N}}, fine_grating(), limit_N),
           expected_N_per_m, 0.01 * expected_N_per_m);
     }
   }
 }
 
 TEST(FeltStiffness, OfAHeightMapIsItsSlopesUnlessItPushesSidewaysToo) {
-  const double upright = upright_N_per_m(kAmplitude_m * kPerMetre);
-  EXPECT_NEAR(largest_N_per_m(height_map_model(), {}, grating()), upright, 0.005 * upright);
-  EXPECT_NEAR(largest_N_per_m(height_map_model(), {{"law", std::string("literal")}}, grating()),
-              upright, 0.005 * upright);
+  const double upright = upright_N_per_m(kGratingAmplitude_m * kGratingPerMetre);
+  EXPECT_NEAR(largest_N_per_m(height_map_model(), {}, fine_grating()), upright, 0.005 * upright);
+  EXPECT_NEAR(
+      largest_N_per_m(height_map_model(), {{"law", std::string("literal")}}, fine_grating()),
+      upright, 0.005 * upright);
 }
 
 // k(∇δ∇δᵀ + δ∇∇δ) of waves along x and y, at its largest: with p = ∇h and S = ∇∇h it is
 // k[[ppᵀ + δS, −p], [−pᵀ, 1]].
 TEST(FeltStiffness, OfTheGradientOfADepthIsTheFormulas) {
-  constexpr double kAcross_per_m = 1.5 * kPerMetre;
+  constexpr double kAcross_per_m = 1.5 * kGratingPerMetre;
   for (const double limit_N : {0.1, 1.0, 5.0}) {
     double formula_N_per_m = 0.0;
-    const double depth_m = limit_N / kStiffness_N_per_m;
+    const double depth_m = limit_N / kPlate_N_per_m;
     constexpr int kPlaces = 160;
     for (int i = 0; i < kPlaces; ++i) {
       for (int j = 0; j < kPlaces; ++j) {
         const double u = 2.0 * std::numbers::pi * i / kPlaces;
         const double v = 2.0 * std::numbers::pi * j / kPlaces;
-        const double px = kAmplitude_m * kPerMetre * std::cos(u) * std::cos(v);
-        const double py = -kAmplitude_m * kAcross_per_m * std::sin(u) * std::sin(v);
-        const double sxx = -kAmplitude_m * kPerMetre * kPerMetre * std::sin(u) * std::cos(v);
+        const double px = kGratingAmplitude_m * kGratingPerMetre * std::cos(u) * std::cos(v);
+        const double py = -kGratingAmplitude_m * kAcross_per_m * std::sin(u) * std::sin(v);
+        const double sxx =
+            -kGratingAmplitude_m * kGratingPerMetre * kGratingPerMetre * std::sin(u) * std::cos(v);
         const double syy =
-            -kAmplitude_m * kAcross_per_m * kAcross_per_m * std::sin(u) * std::cos(v);
-        const double sxy = -kAmplitude_m * kPerMetre * kAcross_per_m * std::cos(u) * std::sin(v);
+            -kGratingAmplitude_m * kAcross_per_m * kAcross_per_m * std::sin(u) * std::cos(v);
+        const double sxy =
+            -kGratingAmplitude_m * kGratingPerMetre * kAcross_per_m * std::cos(u) * std::sin(v);
         // The largest eigenvalue by powers, shifted to be the largest in size too.
         const double shift = 1.0 + px * px + py * py + depth_m * (std::abs(sxx) + std::abs(syy));
         double m[3][3] = {{px * px + depth_m * sxx, px * py + depth_m * sxy, -px},
@@ -145,11 +149,11 @@ TEST(FeltStiffness, OfTheGradientOfADepthIsTheFormulas) {
           length = std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
           for (int r = 0; r < 3; ++r) e[r] = f[r] / length;
         }
-        formula_N_per_m = std::max(formula_N_per_m, kStiffness_N_per_m * (length - shift));
+        formula_N_per_m = std::max(formula_N_per_m, kPlate_N_per_m * (length - shift));
       }
     }
     const auto waves = surface_of([](double x_m, double y_m) {
-      return kAmplitude_m * std::sin(kPerMetre * x_m) * std::cos(kAcross_per_m * y_m);
+      return kGratingAmplitude_m * std::sin(kGratingPerMetre * x_m) * std::cos(kAcross_per_m * y_m);
     });
     EXPECT_NEAR(
         largest_N_per_m(height_map_model(),
@@ -161,19 +165,20 @@ TEST(FeltStiffness, OfTheGradientOfADepthIsTheFormulas) {
 
 TEST(FeltStiffness, IsTakenAtTheGreatestForceWhereTheLimitIsNeverReached) {
   const FeltStiffness felt =
-      stiffness_of(height_map_model(), {{"lateral_gradient_gain", 1.0}}, grating());
+      felt_stiffness_of(height_map_model(), {{"lateral_gradient_gain", 1.0}}, fine_grating());
   EXPECT_NEAR(felt.force_N, 1.5, 0.01) << "500 N/m and no deeper than 3 mm";
-  const double trough_N_per_m = 1.5 * kAmplitude_m * kPerMetre * kPerMetre;
+  const double trough_N_per_m = 1.5 * kGratingAmplitude_m * kGratingPerMetre * kGratingPerMetre;
   EXPECT_NEAR(felt.stiffness_N_per_m, trough_N_per_m, 0.01 * trough_N_per_m);
-  EXPECT_EQ(stiffness_of(height_map_model(), {}, grating(), 1.0).force_N, 1.0);
+  EXPECT_EQ(felt_stiffness_of(height_map_model(), {}, fine_grating(), 1.0).force_N, 1.0);
 }
 
 TEST(FeltStiffness, IsOfTheDevicesMotion) {
   const ParameterValues sideways{{"gain_N", 20.0}};
   const double plain =
-      stiffness_of(lateral_gradient_model(), sideways, grating()).stiffness_N_per_m;
+      felt_stiffness_of(lateral_gradient_model(), sideways, fine_grating()).stiffness_N_per_m;
   const double doubled =
-      stiffness_of(lateral_gradient_model(), sideways, grating(), 5.0, 2.0).stiffness_N_per_m;
+      felt_stiffness_of(lateral_gradient_model(), sideways, fine_grating(), 5.0, 2.0)
+          .stiffness_N_per_m;
   EXPECT_NEAR(doubled, 4.0 * plain, 0.01 * doubled);
 }
 
@@ -197,7 +202,7 @@ class Steps final : public ForceRenderer {
     const double depth_m = -probe.position_m.z;
     if (!(depth_m > 0.0)) return {};
     const bool is_higher = std::sin(1e3 * std::numbers::pi * probe.position_m.x) > 0.0;
-    const double force_N = kStiffness_N_per_m * depth_m + (is_higher ? 0.5 : 0.0);
+    const double force_N = kPlate_N_per_m * depth_m + (is_higher ? 0.5 : 0.0);
     return {.wrench = {.force_N = {0.0, 0.0, force_N}}, .penetration_m = depth_m};
   }
 };
@@ -207,9 +212,9 @@ TEST(FeltStiffness, TakesNoJumpOfTheForceForStiffness) {
   steps.declaration = {.id = "steps", .version = "1", .parameters = {friction_speed_parameter()}};
   steps.make = [](const RendererInputs&) { return std::make_unique<Steps>(); };
   RendererInputs inputs{};
-  inputs.material.stiffness_N_per_m = kStiffness_N_per_m;
+  inputs.material.stiffness_N_per_m = kPlate_N_per_m;
   const FeltStiffness felt = felt_stiffness(steps, inputs, {.step_m = 2e-5});
-  EXPECT_NEAR(felt.stiffness_N_per_m, kStiffness_N_per_m, 0.01);
+  EXPECT_NEAR(felt.stiffness_N_per_m, kPlate_N_per_m, 0.01);
 }
 
 }  // namespace
