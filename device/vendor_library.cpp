@@ -123,6 +123,11 @@ VendorLibrary::VendorLibrary(std::string product, const std::vector<std::filesys
     if (name.has_parent_path() && std::filesystem::exists(name)) {
       throw std::runtime_error(refusal_of(product_, name, words) + ".");
     }
+    // Somebody named this one; whoever named none is told below that they can.
+    if (name.has_parent_path()) {
+      throw std::runtime_error(product_ + " is not installed at " + name.string() +
+                               ": there is no such file.");
+    }
     // Otherwise the loader found something else amiss: a file that it cannot use, or one that itself needs another.
     const std::string not_found = name.string() + ": cannot open shared object file: No such file";
     if (words.compare(0, not_found.size(), not_found) != 0) {
