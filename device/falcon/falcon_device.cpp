@@ -158,6 +158,16 @@ Driver falcon_driver() {
           .find =
               [](const DriverOptions& options) {
                 DriverSurvey survey{};
+                std::string unfit{};  // why the firmware that was named cannot be loaded
+                try {
+                  if (!options.firmware.empty()) {
+                    const std::size_t bytes = falcon::read_firmware(options.firmware).size();
+                    survey.found = "firmware of " + std::to_string(bytes) + " bytes in " +
+                                   options.firmware.string();
+                  }
+                } catch (const std::exception& error) {
+                  unfit = error.what();
+                }
                 try {
                   const UsbSession usb;
                   survey.attached = falcon::attached_falcons(usb);
@@ -165,6 +175,8 @@ Driver falcon_driver() {
                     if (one.is_usable() && !falcon::runs_firmware(usb, one.place)) {
                       if (options.firmware.empty()) {
                         one.hindrance = falcon::no_firmware_sentence(one.place);
+                      } else if (!unfit.empty()) {
+                        one.hindrance = unfit;
                       } else {
                         one.remark = "Its firmware is loaded when it is opened.";
                       }
@@ -173,6 +185,8 @@ Driver falcon_driver() {
                 } catch (const std::exception& error) {
                   survey.hindrance = error.what();
                 }
+                // Told before there is one to load it into: whoever prepares a study has time to mend it.
+                if (survey.attached.empty() && survey.hindrance.empty()) survey.hindrance = unfit;
                 return survey;
               },
           .open = [](const std::string& which,

@@ -110,6 +110,12 @@ Firmware read_firmware(const std::filesystem::path& file) {
     throw std::runtime_error(file.string() + " has " + std::to_string(firmware.size()) +
                              " bytes and is no firmware of a Falcon, which has about 8000");
   }
+  const auto is_of_text = [](std::uint8_t byte) {
+    return (byte >= 0x20 && byte < 0x7f) || byte == '\n' || byte == '\r' || byte == '\t';
+  };
+  if (std::all_of(firmware.begin(), firmware.end(), is_of_text)) {
+    throw std::runtime_error(file.string() + " is text and no firmware of a Falcon");
+  }
   return firmware;
 }
 

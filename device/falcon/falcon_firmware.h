@@ -17,8 +17,8 @@ using Firmware = std::vector<std::uint8_t>;
 
 /// The bytes of a file that somebody points at; nothing of it comes with this program.
 ///
-/// Errors: std::runtime_error naming the file, when it cannot be read, is empty, or is far larger than any
-/// firmware of a Falcon.
+/// Errors: std::runtime_error naming the file, when it cannot be read, is empty, is text, or is far larger
+/// than any firmware of a Falcon.
 Firmware read_firmware(const std::filesystem::path& file);
 
 /// Whether firmware runs: the device answers a frame that asks for nothing. False, too, when `stop` asks for it.

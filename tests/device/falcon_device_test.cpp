@@ -46,6 +46,21 @@ using testing::HasSubstr;
 constexpr double kDt_s = 1e-3;
 constexpr std::array<std::int16_t, 3> kNoWords{};
 
+class TemporaryFile final {
+ public:
+  TemporaryFile(const std::string& name, const std::string& content)
+      : path_(std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + '-' + name)) {
+    std::ofstream(path_, std::ios::binary) << content;
+  }
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_{};
+};
+
 class Falcon : public testing::Test {
  protected:
   void SetUp() override {
@@ -169,11 +184,26 @@ TEST_F(Falcon, SaysThatItNeedsFirmware) {
   const DriverRegistry drivers = built_in_drivers();
   const Driver& driver = *drivers.find("falcon");
   EXPECT_THAT(driver.find({}).attached.at(0).hindrance, HasSubstr("--firmware FILE"));
-  const DriverSurvey survey = driver.find({.firmware = "falcon.bin"});
+  EXPECT_THAT(driver.find({.firmware = "/no/such/file"}).attached.at(0).hindrance,
+              HasSubstr("/no/such/file cannot be read"));
+  const TemporaryFile file("falcon.bin", std::string(8000, '\x81'));
+  const DriverSurvey survey = driver.find({.firmware = file.path()});
+  EXPECT_THAT(survey.found, HasSubstr("firmware of 8000 bytes"));
   EXPECT_TRUE(survey.attached.at(0).is_usable());
   EXPECT_THAT(survey.attached.at(0).remark, HasSubstr("loaded when it is opened"));
   EXPECT_THAT(complaint_of([&] { driver.open("", {.firmware = "/no/such/file"}); }),
               HasSubstr("/no/such/file cannot be read"));
+}
+
+TEST_F(Falcon, SaysThatAFileIsNoFirmwareBeforeOneIsAttached) {
+  const DriverRegistry drivers = built_in_drivers();
+  const auto hindrance = [&](const std::filesystem::path& file) {
+    return drivers.find("falcon")->find({.firmware = file}).hindrance;
+  };
+  EXPECT_THAT(hindrance("/no/such/file"), HasSubstr("cannot be read"));
+  EXPECT_THAT(hindrance(TemporaryFile("empty.bin", "").path()), HasSubstr("has 0 bytes"));
+  EXPECT_THAT(hindrance(TemporaryFile("text.bin", "nonsense\n").path()), HasSubstr("is text"));
+  EXPECT_EQ(hindrance(TemporaryFile("falcon.bin", std::string(8000, '\x81')).path()), "");
 }
 
 TEST_F(Falcon, IsSetUpByteForByte) {
