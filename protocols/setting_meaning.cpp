@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocols/device_limit.h"
 #include "protocols/meaning_checks.h"
 
 namespace asperity {
@@ -36,12 +37,10 @@ void Meaning::check_head() {
 
 void Meaning::check_device_limits() {
   const auto rate_Hz = protocol_.device_limits.find("rate_Hz");
-  if (rate_Hz == protocol_.device_limits.end() || rate_Hz->second <= protocol_.rate_Hz) return;
-  report(
-      "/device/limits/rate_Hz",
-      "no loop that is to run at " + digits(protocol_.rate_Hz) + " Hz reaches " +
-          digits(rate_Hz->second) +
-          " Hz: the limit has to be at most /device/rate_Hz, which is the rate that is asked for");
+  if (rate_Hz == protocol_.device_limits.end()) return;
+  if (const auto complaint = complaint_about_rate_limit(rate_Hz->second, protocol_.rate_Hz)) {
+    report("/device/limits/rate_Hz", *complaint);
+  }
 }
 
 void Meaning::check_path(const std::optional<std::string>& path, const std::string& pointer) {
