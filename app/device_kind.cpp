@@ -11,4 +11,8 @@ DeviceKind kind_of_device(const std::string& device) {
   return device == "mouse" ? DeviceKind::pointer : DeviceKind::attached;
 }
 
+std::string called(const DeviceCapability& device) {
+  return device.model.starts_with(kInPlaceOf) ? device.name + ' ' + device.model : device.name;
+}
+
 }  // namespace asperity

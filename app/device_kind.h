@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "device/device_capability.h"
+
 namespace asperity {
 
 enum class DeviceKind {
@@ -14,5 +16,8 @@ enum class DeviceKind {
 
 /// Of what `RunInputs::device` names. Errors: std::runtime_error for a "simulated:MODEL" that there is not.
 DeviceKind kind_of_device(const std::string& device);
+
+/// As people tell it from others: its driver's name, and "simulated in place of Novint Falcon".
+std::string called(const DeviceCapability& device);
 
 }  // namespace asperity

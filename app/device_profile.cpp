@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/device_remarks.h"
+#include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
 
 namespace asperity {
@@ -16,22 +17,27 @@ namespace {
 constexpr const char* kProfileFormat = "asperity.device_profile/1";
 
 using Bound = DeviceItem::Bound;
-constexpr std::array<DeviceQuantity, 16> kQuantities{{{"rate_Hz", Bound::at_least, true},
-                                                      {"lateness_p50_s", Bound::at_most, true},
-                                                      {"lateness_p99_s", Bound::at_most, true},
-                                                      {"lateness_max_s", Bound::at_most, true},
-                                                      {"missed_deadlines", Bound::at_most, true},
-                                                      {"force_zero_N"},
-                                                      {"position_noise_m"},
-                                                      {"friction_N"},
-                                                      {"damping_N_s_per_m", Bound::at_least},
-                                                      {"position_resolution_m"},
-                                                      {"latency_s"},
-                                                      {"moving_mass_kg"},
-                                                      {"resonance_Hz", Bound::at_least},
-                                                      {"stiffness_N_per_m", Bound::at_least},
-                                                      {"force_resolution_N"},
-                                                      {"workspace_reached", Bound::at_least}}};
+constexpr std::array<DeviceQuantity, 16> kQuantities{
+    {{"rate_Hz", Bound::at_least, true},
+     {"lateness_p50_s", Bound::at_most, true},
+     {"lateness_p99_s", Bound::at_most, true},
+     {"lateness_max_s", Bound::at_most, true},
+     {"missed_deadlines", Bound::at_most, true},
+     {"force_zero_N", Bound::at_most, false, false},
+     {"position_noise_m"},
+     {"friction_N"},
+     {"damping_N_s_per_m", Bound::at_least},
+     {"position_resolution_m"},
+     {"latency_s"},
+     {"moving_mass_kg"},
+     {"resonance_Hz", Bound::at_least},
+     {"stiffness_N_per_m", Bound::at_least},
+     {"force_resolution_N"},
+     {"workspace_reached", Bound::at_least}}};
+
+/// What has no number.
+constexpr std::array<std::string_view, 4> kDoneOrNot{
+    "limiter", "zero_after_stop", "zero_after_not_finite", "zero_without_heartbeat"};
 
 nlohmann::ordered_json or_null(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
@@ -87,6 +93,17 @@ DeviceItem item_from(const nlohmann::json& json) {
   item.name = json.at("name").get<std::string>();
   item.status = status_from(json.at("status").get<std::string>());
   item.value = number_or_nothing(json, "value");
+  const bool is_done_or_not =
+      std::find(kDoneOrNot.begin(), kDoneOrNot.end(), item.name) != kDoneOrNot.end();
+  if (!is_done_or_not && device_quantity(item.name) == nullptr) {
+    throw std::runtime_error("it has an item \"" + item.name +
+                             "\", which this program does not know, and nothing would be compared "
+                             "with it; the items stand in docs/formats/device_profile.md");
+  }
+  if (item.value && *item.value < 0.0) {
+    throw std::runtime_error("its item " + item.name + " is " + std::to_string(*item.value) +
+                             "; none is less than 0");
+  }
   item.limit = number_or_nothing(json, "limit");
   if (json.value("bound", "at_most") == "at_least") item.bound = DeviceItem::Bound::at_least;
   item.by_axis = json.value("by_axis", std::vector<double>{});
@@ -177,6 +194,16 @@ const DeviceQuantity* device_quantity(std::string_view name) noexcept {
   return found == kQuantities.end() ? nullptr : &*found;
 }
 
+std::optional<double> UsualLimits::of(std::string_view item) const noexcept {
+  constexpr double kSlowest = 0.95;  // of the rate that was asked for
+  if (item == "force_zero_N") return 0.0;
+  if (item == "workspace_reached") return 0.8;
+  if (is_simulated) return {};  // its timing says something about the computer
+  if (item == "rate_Hz") return kSlowest * rate_Hz;
+  if (item == "lateness_p99_s") return 1.0 / rate_Hz;
+  return {};
+}
+
 bool keeps(double value, DeviceItem::Bound bound, double limit) noexcept {
   return bound == DeviceItem::Bound::at_most ? value <= limit : value >= limit;
 }
@@ -239,6 +266,10 @@ DeviceProfile profile_from_json(const std::string& text, const std::string& orig
     profile.program_version = json.at("program_version").get<std::string>();
     profile.program_commit = json.at("program_commit").get<std::string>();
     profile.rate_Hz = json.at("rate_Hz").get<double>();
+    if (!(profile.rate_Hz > 0.0)) {
+      throw std::runtime_error("rate_Hz is " + json.at("rate_Hz").dump() +
+                               "; it has to be more than 0");
+    }
     profile.scheduling = json.at("scheduling").get<std::string>();
     profile.force_N = json.at("force_N").get<double>();
     profile.workspace_minimum_m = corner_in(json.at("workspace_minimum_m"));
@@ -259,8 +290,12 @@ std::filesystem::path profile_path(const std::filesystem::path& study,
                                    const DeviceProfile& profile) {
   std::string when = profile.measured_utc.substr(0, 19) + 'Z';
   std::erase_if(when, [](char c) { return c == '-' || c == ':'; });
+  // Stand-ins of one driver are told apart by what they stand for.
+  const std::string model = profile.model.starts_with(kInPlaceOf)
+                                ? '-' + for_file_name(profile.model.substr(kInPlaceOf.size()))
+                                : "";
   const std::string serial = profile.serial.empty() ? "" : '-' + for_file_name(profile.serial);
-  return study / "profiles" / (for_file_name(profile.name) + serial + '-' + when + ".json");
+  return study / "profiles" / (for_file_name(profile.name) + model + serial + '-' + when + ".json");
 }
 
 KeptProfiles profiles_in(const std::filesystem::path& study, const WhichDevice& device) {

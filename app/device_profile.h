@@ -29,6 +29,9 @@ struct DeviceItem {
   std::optional<double> limit{};
   Bound bound = Bound::at_most;
   Phrase text{};  ///< a sentence: what was done, or why nothing could be
+
+  /// Measured and held to nothing, which is said as "no limit": neither good nor bad.
+  bool is_only_told() const noexcept { return status == Status::pass && value && !limit; }
 };
 
 /// As it stands in a profile.
@@ -40,11 +43,19 @@ struct DeviceQuantity {
   DeviceItem::Bound bound = DeviceItem::Bound::at_most;
   /// Says as much about the computer as about the device: of a simulated one it is told and not judged.
   bool is_timing = false;
+  bool takes_limit = true;  ///< false: it is kept or not, and nobody sets how well
 };
 /// All there are, in the order of a profile.
 std::span<const DeviceQuantity> device_quantities() noexcept;
 /// Null where no item with a number is called so.
 const DeviceQuantity* device_quantity(std::string_view name) noexcept;
+/// What items are held to where nobody says anything else.
+struct UsualLimits {
+  double rate_Hz = 1000.0;  ///< that was asked for
+  bool is_simulated = false;
+  /// Nothing where a number is told and not judged.
+  std::optional<double> of(std::string_view item) const noexcept;
+};
 /// Whether a number is on its side of a limit.
 bool keeps(double value, DeviceItem::Bound bound, double limit) noexcept;
 
@@ -87,7 +98,7 @@ std::string json_text_of(const DeviceProfile& profile);
 DeviceProfile profile_from_json(const std::string& text, const std::string& origin);
 
 /// The study's profiles lie in its folder `profiles`, one file each:
-/// "falcon-042-20260101T101500Z.json".
+/// "falcon-042-20260101T101500Z.json", "simulated-Novint_Falcon-20260101T101500Z.json".
 std::filesystem::path profile_path(const std::filesystem::path& study,
                                    const DeviceProfile& profile);
 

@@ -68,7 +68,7 @@ SimulatedDeviceSettings as_model(std::string_view name, SimulatedDeviceSettings 
     names += (names.empty() ? "" : ", ") + model.name;
     if (model.name != name) continue;
     settings.stands_for = model.capability;
-    settings.stands_for->model = "in place of " + model.capability.model;
+    settings.stands_for->model = std::string(kInPlaceOf) + model.capability.model;
     settings.stands_for->remarks = model.remarks;
     settings.peak_force_N = model.capability.peak_force_N;
     settings.sensor.latency_s = model.latency_s;

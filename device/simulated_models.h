@@ -11,6 +11,9 @@
 
 namespace asperity {
 
+/// How the model of a simulated device begins that stands for a real one: "in place of Novint Falcon".
+inline constexpr std::string_view kInPlaceOf = "in place of ";
+
 /// What `simulated:MODEL` may name: "falcon", and Force Dimension's models as its driver calls them,
 /// "delta.3", "omega.3".
 std::vector<std::string> simulated_models();

@@ -93,6 +93,11 @@ void add_run(CLI::App& program, Job& job) {
       // Before the protocol's files are missed in what is no study.
       (void)Study::open(inputs.study, Access::read_only);
       const ModelRegistry models = built_in_models();
+      inputs.rehearsed = [](const RehearsedDevice& device) {
+        for (const RehearsalWarning& warning : device.warnings) {
+          say("asperity: warning: " + warning.text.english());
+        }
+      };
       inputs.ready = [&inputs](const Protocol& protocol) {
         if (inputs.is_virtual || !guides_participants(protocol)) return;
         say("asperity: the protocol guides the participant's hand by bars, a target or tones; a "

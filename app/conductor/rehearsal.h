@@ -88,23 +88,4 @@ class RehearsalMemory final {
   std::vector<RehearsalWarning> warnings_{};
 };
 
-/// A device before a session: what it was last measured to be, and what of the plan is beyond that.
-struct RehearsedDevice {
-  std::optional<DeviceProfile> profile{};
-  std::vector<RehearsalWarning> warnings{};
-};
-/// With the latest profile that the study has of the device; without one there is nothing to compare.
-///
-/// Errors: PhrasedError with a sentence where the protocol asks for a profile and there is none, it is too old
-/// at `now_utc`, or an item of it failed; and where it refuses warnings, with the first and how many there
-/// are. As `latest_profile`.
-RehearsedDevice rehearsed_device(const Protocol& protocol, const WhichDevice& device,
-                                 const std::filesystem::path& study, const std::string& now_utc,
-                                 StimulusBuilder& builder);
-/// The same, the comparison being made by `rehearse`.
-using Rehearse = std::function<std::vector<RehearsalWarning>(const DeviceProfile&)>;
-RehearsedDevice rehearsed_device(const Protocol& protocol, const WhichDevice& device,
-                                 const std::filesystem::path& study, const std::string& now_utc,
-                                 const Rehearse& rehearse);
-
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "app/tasks/device_choice.h"
 
+#include "app/shell_word.h"
 #include "device/simulated_models.h"
 
 namespace asperity {
@@ -44,6 +45,17 @@ std::vector<DeviceChoice> device_choices(const std::vector<SurveyedDriver>& surv
     }
   }
   return choices;
+}
+
+std::string as_command_options(const DriverOptions& options) {
+  std::string words{};
+  const auto add = [&words](const char* option, const std::string& value) {
+    if (!value.empty()) words += ' ' + std::string(option) + ' ' + shell_word(value);
+  };
+  add("--firmware", options.firmware.string());
+  add("--library", options.library.string());
+  add("--service", options.service);
+  return words;
 }
 
 WhichDevice which_device(const std::string& device) {

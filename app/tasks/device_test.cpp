@@ -82,7 +82,10 @@ Phrase hindrance_of(const StageRecord& record, const DeviceStage& stage) {
 class DeviceTest final {
  public:
   DeviceTest(HapticDevice& device, const DeviceTestOptions& options, const std::stop_token& stop)
-      : device_(device), options_(options), bench_(device, options.rate_Hz, stop, options.watch) {
+      : device_(device),
+        options_(options),
+        usual_{.rate_Hz = options.rate_Hz, .is_simulated = options.is_simulated},
+        bench_(device, options.rate_Hz, stop, options.watch) {
     const DeviceCapability& capability = device.capability();
     has_motors_ = capability.actuated_degrees_of_freedom > 0;
     force_N_ = options.force_N;
@@ -123,11 +126,11 @@ class DeviceTest final {
   // --- items -------------------------------------------------------------------------------------
 
   void judge(const std::string& name, std::optional<double> value, const Phrase& text,
-             std::optional<double> usual_limit = {}, std::vector<double> by_axis = {}) {
+             std::vector<double> by_axis = {}) {
     DeviceItem item{.name = name, .value = value, .by_axis = std::move(by_axis), .text = text};
     item.bound = device_quantity(name)->bound;
     const auto given = options_.limits.find(name);
-    item.limit = given != options_.limits.end() ? given->second : usual_limit;
+    item.limit = given != options_.limits.end() ? given->second : usual_.of(name);
     if (value) {
       const bool is_kept = !item.limit || keeps(*value, item.bound, *item.limit);
       item.status = is_kept ? Status::pass : Status::fail;
@@ -153,7 +156,7 @@ class DeviceTest final {
     }
     if (by_axis.size() != kAxes) by_axis.clear();
     judge(name, worst,
-          missing.empty() ? found.text : phrase_of(DeviceRemark::not_measured).with(missing), {},
+          missing.empty() ? found.text : phrase_of(DeviceRemark::not_measured).with(missing),
           std::move(by_axis));
   }
 
@@ -191,9 +194,6 @@ class DeviceTest final {
       }
     }
     std::sort(lateness_s.begin(), lateness_s.end());
-    const auto timing_limit = [this](double limit) {
-      return options_.is_simulated ? std::nullopt : std::optional(limit);
-    };
     const Phrase told = options_.is_simulated ? phrase_of(DeviceRemark::of_this_computer)
                                               : phrase_of(DeviceRemark::nothing_felt);
     const bool ticked = time_s.size() >= 2 && record.fault == Fault::none;
@@ -204,13 +204,12 @@ class DeviceTest final {
         ticked ? told : phrase_of(DeviceRemark::did_not_run).with(phrase_of(record.fault));
     const auto at = [&](double p) { return ticked ? quantile(lateness_s, p) : 0.0; };
     const double lasted_s = ticked ? time_s.back() - time_s.front() : 1.0;
-    judge("rate_Hz", if_ticked(static_cast<double>(time_s.size() - 1) / lasted_s), why,
-          timing_limit(0.95 * options_.rate_Hz));
+    judge("rate_Hz", if_ticked(static_cast<double>(time_s.size() - 1) / lasted_s), why);
     judge("lateness_p50_s", if_ticked(at(0.5)), why);
-    judge("lateness_p99_s", if_ticked(at(0.99)), why, timing_limit(1.0 / options_.rate_Hz));
+    judge("lateness_p99_s", if_ticked(at(0.99)), why);
     judge("lateness_max_s", if_ticked(at(1.0)), why);
     judge("missed_deadlines", if_ticked(missed), why);
-    judge("force_zero_N", if_ticked(strongest_N), phrase_of(DeviceRemark::force_of_nothing), 0.0);
+    judge("force_zero_N", if_ticked(strongest_N), phrase_of(DeviceRemark::force_of_nothing));
     ByAxis noise{.text = phrase_of(DeviceRemark::noise)};
     for (int axis = 0; axis < kAxes; ++axis) {
       SweepLeg rest{};
@@ -728,9 +727,8 @@ class DeviceTest final {
   }
 
   void measure_workspace() {
-    constexpr double kUsualReach = 0.8;
     if (!(options_.workspace_s > 0.0)) {
-      judge(kWorkspace, {}, phrase_of(DeviceRemark::nobody_moved_it), kUsualReach);
+      judge(kWorkspace, {}, phrase_of(DeviceRemark::nobody_moved_it));
       return;
     }
     tell(DeviceTestPart::workspace,
@@ -739,7 +737,7 @@ class DeviceTest final {
          0.99);
     const StageRecord record = bench_.run({.duration_s = options_.workspace_s}, options_.mechanics);
     if (record.ticks.empty()) {
-      judge(kWorkspace, {}, phrase_of(DeviceRemark::no_readings), kUsualReach);
+      judge(kWorkspace, {}, phrase_of(DeviceRemark::no_readings));
       return;
     }
     glm::dvec3 low_m = record.ticks.front().probe.position_m;
@@ -754,13 +752,14 @@ class DeviceTest final {
     const glm::dvec3 share =
         (high_m - low_m) / (capability.workspace_maximum_m - capability.workspace_minimum_m);
     judge(kWorkspace, std::min({share.x, share.y, share.z}), phrase_of(DeviceRemark::share_reached),
-          kUsualReach, {share.x, share.y, share.z});
+          {share.x, share.y, share.z});
   }
 
   static constexpr double kSoftHold_N_per_m = 100.0;
 
   HapticDevice& device_;
   const DeviceTestOptions& options_;
+  UsualLimits usual_;
   DeviceBench bench_;
   bool has_motors_ = true;
   double force_N_ = 0.0;
@@ -778,9 +777,11 @@ DeviceProfile test_device(HapticDevice& device, const DeviceTestOptions& options
   require_positive("rate_Hz", options.rate_Hz);
   require_positive("force_N", options.force_N);
   for (const auto& [name, limit] : options.limits) {
-    if (device_quantity(name) == nullptr) {
+    const DeviceQuantity* const quantity = device_quantity(name);
+    if (quantity == nullptr || !quantity->takes_limit) {
       std::string all{};
       for (const DeviceQuantity& one : device_quantities()) {
+        if (!one.takes_limit) continue;
         all += (all.empty() ? "" : ", ") + std::string(one.name);
       }
       throw std::invalid_argument("there is no item \"" + name +

@@ -19,6 +19,8 @@
 #include "analysis/random.h"
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/trial_attempt.h"
+#include "app/device_kind.h"
+#include "app/device_kind.h"
 #include "app/parameter_json.h"
 #include "app/tasks/new_study.h"
 #include "device/drivers.h"
@@ -380,14 +382,14 @@ std::vector<Phrase> complaints_about_device(const Protocol& protocol,
     complaints.push_back(
         phrase("ProtocolFiles",
                "the protocol's force_limit_N of %1 N is more than the device \"%2\" can give, %3 N")
-            .with(text_of_number(protocol.force_limit_N), device.name,
+            .with(text_of_number(protocol.force_limit_N), called(device),
                   text_of_number(device.peak_force_N)));
   }
   if (protocol.rate_Hz > device.maximum_rate_Hz) {
     complaints.push_back(
         phrase("ProtocolFiles",
                "the protocol's rate_Hz of %1 Hz is more than the device \"%2\" can do, %3 Hz")
-            .with(text_of_number(protocol.rate_Hz), device.name,
+            .with(text_of_number(protocol.rate_Hz), called(device),
                   text_of_number(device.maximum_rate_Hz)));
   }
   return complaints;

@@ -13,6 +13,7 @@
 #include "app/conductor/reason.h"
 #include "app/conductor/virtual_participant.h"
 #include "app/device_kind.h"
+#include "app/tasks/device_choice.h"
 #include "app/tasks/measure_device.h"
 #include "app/tasks/participant_answers.h"
 #include "app/tasks/protocol_files.h"
@@ -86,6 +87,26 @@ ParticipantRow new_person(const RunInputs& inputs, const Protocol& protocol, Res
   }
   if (person.created_utc.empty()) person.created_utc = clock.utc();
   return person;
+}
+
+/// A person's device: what the study knows of it, and what of the plan is beyond it.
+/// Errors: PhrasedError where the protocol does not take it.
+RehearsedDevice taken_device(const RunInputs& inputs, const Protocol& protocol,
+                             const DeviceCapability& capability, const std::string& now_utc,
+                             StimulusBuilder& builder) {
+  const WantedDevice wanted{.which = {capability.name, capability.model, capability.serial},
+                            .asked = inputs.device,
+                            .options = as_command_options(inputs.driver_options),
+                            .has_motors = capability.actuated_degrees_of_freedom > 0};
+  RehearsedDevice device = profiled_device(protocol, wanted, inputs.study, now_utc);
+  if (device.refusal.empty()) {
+    compare(device, protocol, [&](const DeviceProfile& profile) {
+      return rehearse_on_device(protocol, profile, builder);
+    });
+    if (inputs.rehearsed) inputs.rehearsed(device);
+  }
+  if (!device.refusal.empty()) throw PhrasedError(device.refusal);
+  return device;
 }
 
 /// The first hour of the simulated calendar that no session lies in.
@@ -195,6 +216,11 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   if (inputs.resume) sitting.unfinished = unfinished_session(study, inputs, protocol);
   const std::unique_ptr<Rig> rig =
       make_rig(inputs, protocol, study, sitting.unfinished, drivers, stop);
+  const std::vector<Phrase> complaints = complaints_about_device(protocol, rig->capability());
+  if (!complaints.empty()) throw PhrasedError(complaints.front());
+  if (!inputs.is_virtual) {
+    sitting.device = taken_device(inputs, protocol, rig->capability(), rig->clock().utc(), builder);
+  }
   if (inputs.ready) inputs.ready(protocol);
 
   const Wait wait = sleep_until_stopped(stop, links);

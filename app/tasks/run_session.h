@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/conductor/conductor.h"
+#include "app/conductor/rehearsed_device.h"
 #include "app/conductor/session_links.h"
 #include "device/drivers.h"
 #include "device/simulated_device.h"
@@ -40,7 +41,9 @@ struct RunInputs {
   /// Somebody who is new and was already asked the protocol's questions (the label is
   /// `participant`); otherwise the respondent is asked.
   std::optional<ParticipantRow> new_person{};
-  /// Told once the device is there, before anybody is asked anything.
+  /// Told what of the plan is beyond a person's device, before the session is refused for it.
+  std::function<void(const RehearsedDevice&)> rehearsed{};
+  /// Told once the device is there and the protocol takes it, before anybody is asked anything.
   std::function<void(const Protocol&)> ready{};
   /// The person has agreed to the protocol's statement; otherwise the respondent is asked.
   bool has_consented = false;
@@ -48,12 +51,14 @@ struct RunInputs {
 
 /// Runs it. `respondent` is null for a virtual participant.
 ///
-/// The participant is added when new: a person is asked to agree to the protocol's statement and
-/// then its questions, before anything is stored. `stop` asks the session to end after the trial
+/// The device comes first: it is opened, and compared with the protocol and with the study's profile of it, so that
+/// nobody is asked anything for a session that is refused. Then the participant is added when new: a person is asked to
+/// agree to the protocol's statement and then its questions, before anything is stored. `stop` asks the session to end after the trial
 /// under way.
 ///
 /// Errors: ProtocolError; ResultsError; std::runtime_error for a label that is not acceptable, no
-/// consent, a session that cannot be gone on with, a device that cannot be opened.
+/// consent, a session that cannot be gone on with, a device that cannot be opened or that the protocol does not take
+/// (rehearsed_device.h).
 SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Respondent* respondent,
                        const std::stop_token& stop,
                        const std::function<void(const AttemptDone&)>& done,

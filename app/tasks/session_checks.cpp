@@ -290,7 +290,7 @@ SessionCheck device_check(const CheckInputs& inputs, const Protocol& protocol) {
     check.text =
         phrase("SessionChecks",
                "\"%1\" gives %2 N at up to %3 Hz; the protocol asks for %4 N at %5 Hz.")
-            .with(device->name, fixed(device->peak_force_N, 1), fixed(device->maximum_rate_Hz, 0),
+            .with(called(*device), fixed(device->peak_force_N, 1), fixed(device->maximum_rate_Hz, 0),
                   fixed(protocol.force_limit_N, 1), fixed(protocol.rate_Hz, 0));
   }
   const std::string before = other_device_before(inputs, protocol, device->name);
@@ -373,9 +373,12 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   if (inputs.mode == SessionMode::simulate) {
     return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
   }
-  WhichDevice which = which_device(inputs.device);
+  WantedDevice wanted{.which = which_device(inputs.device), .asked = inputs.device};
   const std::optional<DeviceCapability> device = capability_of(inputs, protocol);
-  if (device) which = {device->name, device->model, device->serial};
+  if (device) {
+    wanted.which = {device->name, device->model, device->serial};
+    wanted.has_motors = has_motors(*device);
+  }
   StimulusBuilder builder(models, inputs.study);
   const Rehearse rehearse = [&](const DeviceProfile& profile) {
     const auto compare = [&] {
@@ -385,7 +388,7 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
     return inputs.rehearsal->recall(rehearsal_key(inputs, protocol, profile), stop, compare);
   };
   const std::string now_utc = SystemClock(0).utc();
-  const RehearsedDevice found = rehearsed_device(protocol, which, inputs.study, now_utc, rehearse);
+  const RehearsedDevice found = rehearsed_device(protocol, wanted, inputs.study, now_utc, rehearse);
   if (!found.profile) {
     if (kind_of_device(inputs.device) == DeviceKind::simulated) {
       return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
@@ -419,7 +422,7 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
     profile.text =
         phrase("SessionChecks", "%1; every stimulus is within what it can do.").with(age);
   }
-  if (found.profile->has_failed()) {
+  if (!breaks_limits && failed_item(*found.profile, protocol) != nullptr) {
     profile.state = State::look;
     profile.text =
         phrase("SessionChecks", "%1 It failed an item of the measurement.").with(profile.text);

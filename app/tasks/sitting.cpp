@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/conductor/rehearsal.h"
 #include "app/conductor/virtual_participant.h"
 #include "app/tasks/protocol_files.h"
 #include "device/simulated_models.h"
@@ -101,12 +100,6 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
                const SessionLinks& links) {
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig.capability());
   if (!complaints.empty()) throw PhrasedError(complaints.front());
-  RehearsedDevice device{};
-  if (person != nullptr) {
-    const DeviceCapability& capability = rig.capability();
-    device = rehearsed_device(protocol, {capability.name, capability.model, capability.serial},
-                              study.folder(), rig.clock().utc(), builder);
-  }
   OpenSession session{};
   if (sitting.unfinished) {
     session = reopen(study, protocol, *sitting.unfinished);
@@ -125,7 +118,7 @@ SessionEnd sit(Study& study, const Protocol& protocol, StimulusBuilder& builder,
     if (person == nullptr) conditions.observer_json = observer_json(protocol);
     session = begin_session(study, protocol, sitting.participant.label, conditions, program);
   }
-  store(device, study, session.row.id, rig.clock().now_ns());
+  store(sitting.device, study, session.row.id, rig.clock().now_ns());
   std::unique_ptr<VirtualParticipant> stand_in{};
   if (person == nullptr) {
     const Random random = Random(std::stoull(session.row.seed)).split("participant");

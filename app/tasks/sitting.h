@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/conductor/conductor.h"
+#include "app/conductor/rehearsed_device.h"
 #include "app/program.h"
 
 namespace asperity {
@@ -21,6 +22,8 @@ struct Sitting {
   std::optional<int> counterbalance_row{};
   std::optional<std::string> consent_utc{};
   bool mirrored = false;  ///< of a new session
+  /// What the study knows of a person's device, and what of the plan is beyond it: stored with the session.
+  RehearsedDevice device{};
   bool record = true;
 };
 

@@ -126,6 +126,40 @@ TEST_F(RunSession, NeedsADeviceThatWasMeasuredLatelyWhereTheProtocolSaysSoAndSto
   EXPECT_EQ(study().sessions().size(), 1U);
 }
 
+TEST_F(RunSession, AsksNobodyAnythingWhereTheProtocolDoesNotTakeTheDevice) {
+  for (const char* const refused :
+       {R"("profile_maximum_age_days": 30)", R"("refuse_rehearsal_warnings": true)",
+        R"("force_limit_N": 19)"}) {
+    std::string text = small_protocol();
+    text.insert(text.find("\"textures\""), std::string("\"device\": {") + refused + "}, ");
+    write_file(inputs_.protocol, text, Overwrite::allow);
+    inputs_.device = "simulated:falcon";
+    EXPECT_THROW(run(), PhrasedError) << refused;
+    EXPECT_THAT(person_.questions, testing::IsEmpty()) << refused;
+    EXPECT_TRUE(study().participants().empty()) << refused;
+  }
+}
+
+TEST_F(RunSession, TellsEveryWarningBeforeAnybodyIsAsked) {
+  const DeviceProfile profile{
+      .name = "simulated",
+      .measured_utc = "2025-12-20T10:00:00.000Z",
+      .rate_Hz = 1000.0,
+      .workspace_minimum_m = glm::dvec3(-1.0),
+      .workspace_maximum_m = glm::dvec3(1.0),
+      .items = {{.name = "friction_N", .status = DeviceItem::Status::pass, .value = 0.9}}};
+  std::filesystem::create_directories(inputs_.study / "profiles");
+  write_file(profile_path(inputs_.study, profile), json_text_of(profile), Overwrite::refuse);
+  std::size_t told = 0;
+  inputs_.rehearsed = [&](const RehearsedDevice& device) {
+    told = device.warnings.size();
+    EXPECT_THAT(person_.questions, testing::IsEmpty());
+  };
+  EXPECT_EQ(run().state, SessionState::completed);
+  EXPECT_GT(told, 0U);
+  EXPECT_THAT(person_.questions, testing::Not(testing::IsEmpty()));
+}
+
 TEST_F(RunSession, AsksForConsentUnlessThePersonHasGivenIt) {
   run();
   EXPECT_THAT(person_.questions, testing::Contains("consent"));
