@@ -13,10 +13,10 @@
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
+#include "app/cli/driver_options.h"
 #include "app/cli/terminal.h"
-#include "app/conductor/rehearsal.h"
-#include "app/device_profile.h"
-#include "app/tasks/device_choice.h"
+#include "app/conductor/clock.h"
+#include "app/tasks/compared_device.h"
 #include "app/tasks/protocol_files.h"
 #include "device/drivers.h"
 #include "protocols/doubts.h"
@@ -33,6 +33,15 @@ nlohmann::ordered_json json_of(const std::vector<Diagnostic>& diagnostics) {
                     {"pointer", diagnostic.pointer},
                     {"message", diagnostic.message}});
   }
+  return json;
+}
+
+/// With what a device was compared, as a program reads it.
+nlohmann::ordered_json json_of(const std::string& device, const DeviceComparison& comparison) {
+  nlohmann::ordered_json json{
+      {"name", device}, {"compared", nullptr}, {"profile_measured_utc", nullptr}};
+  if (!comparison.compared.empty()) json["compared"] = comparison.compared;
+  if (comparison.profile) json["profile_measured_utc"] = comparison.profile->measured_utc;
   return json;
 }
 
@@ -58,54 +67,6 @@ std::string warning_of(const Diagnostic& doubt) {
          ": warning: " + doubt.message + " (" + doubt.pointer + ')';
 }
 
-/// The serial number of the one device that this driver has attached now; nothing where there are none or
-/// several, or it tells none.
-std::string attached_serial(const std::string& driver_id) {
-  const DriverRegistry drivers = built_in_drivers();
-  const Driver* driver = drivers.find(driver_id);
-  if (driver == nullptr) return {};
-  const std::vector<AttachedDevice> attached = drivers.survey(*driver, {}).attached;
-  return attached.size() == 1 ? attached.front().serial : std::string();
-}
-
-/// The device that protocols are compared with.
-struct ComparedDevice {
-  WhichDevice which{};
-  /// Its serial number is that of the one that is attached, and was not said.
-  bool is_found = false;
-};
-
-/// The one that is said, or else the one that is attached, which is looked for.
-ComparedDevice compared_device(const std::string& device) {
-  ComparedDevice compared{.which = which_device(device)};
-  if (device.find(':') != std::string::npos) return compared;
-  compared.which.serial = attached_serial(compared.which.name);
-  compared.is_found = !compared.which.serial.empty();
-  return compared;
-}
-
-/// What the device cannot render, as the study's profile of it says; nothing without a profile.
-std::vector<Diagnostic> device_warnings(const ProtocolCheck& check,
-                                        const std::filesystem::path& study,
-                                        const ComparedDevice& device, const ModelRegistry& models) {
-  const WhichDevice& which = device.which;
-  std::vector<Diagnostic> warnings{};
-  const std::optional<DeviceProfile> profile = latest_profile(study, which);
-  if (!profile && device.is_found) {
-    warnings.push_back({check.file, 1, 1, "",
-                        "the study has no profile of the attached device " + which.name + " " +
-                            which.serial +
-                            ", and it is compared with none; measure it: asperity device-test " +
-                            which.name + " --study " + study.string()});
-  }
-  if (!profile) return warnings;
-  StimulusBuilder builder(models, study);
-  for (const RehearsalWarning& warning : rehearse_on_device(*check.protocol, *profile, builder)) {
-    warnings.push_back({check.file, 1, 1, "", warning.text.english()});
-  }
-  return warnings;
-}
-
 }  // namespace
 
 void add_check(CLI::App& program, Job& job) {
@@ -113,6 +74,7 @@ void add_check(CLI::App& program, Job& job) {
     std::vector<std::string> files{};
     std::optional<std::string> study{};
     std::optional<std::string> device{};
+    DriverOptions drivers{};
     bool json = false;
   };
   auto options = std::make_shared<Options>();
@@ -120,7 +82,10 @@ void add_check(CLI::App& program, Job& job) {
       "check", "Check protocols: every problem, or what the plan amounts to.");
   command->add_option("FILE", options->files, "Protocol files")->required();
   command->add_option("--study", options->study, "Look also for the files that the protocols name");
-  command->add_option("--device", options->device, "Compare with this device");
+  command->add_option("--device", options->device,
+                      "Compare with this device: a name of asperity devices, simulated:MODEL, "
+                      "replay:FILE; where there are several NAME:SERIAL");
+  add_driver_options(*command, options->drivers);
   command->add_flag("--json", options->json, "Print one JSON document");
   command->callback([options, &job] {
     job = [options] {
@@ -134,27 +99,37 @@ void add_check(CLI::App& program, Job& job) {
                                   {"protocols", nlohmann::ordered_json::array()}};
       bool acceptable = true;
       // Looked for once, for the first to be compared with it.
-      std::optional<ComparedDevice> device{};
+      std::optional<SoughtDevice> device{};
+      const std::string now_utc = SystemClock(0).utc();
       for (const std::string& file : options->files) {
         ProtocolCheck check = check_protocol(file, models, options->study, options->device);
         if (options->study && check.protocol && check.diagnostics.empty()) {
           StimulusBuilder builder(models, *options->study);
           check.diagnostics = rehearse(*check.protocol, check.file, builder);
         }
-        acceptable = acceptable && check.diagnostics.empty();
-        for (const Diagnostic& diagnostic : check.diagnostics) say(text_of(diagnostic));
         std::vector<Diagnostic> doubts{};
         if (check.protocol) doubts = doubts_about(*check.protocol, check.file);
-        if (options->study && options->device && check.protocol && check.diagnostics.empty()) {
-          if (!device) device = compared_device(*options->device);
-          for (const Diagnostic& warning :
-               device_warnings(check, *options->study, *device, models)) {
-            doubts.push_back(warning);
+        DeviceComparison comparison{};
+        if (options->device && check.protocol && check.diagnostics.empty()) {
+          if (!device) {
+            device = sought_device(*options->device, options->drivers, built_in_drivers());
+          }
+          comparison = compare_with(*device, *check.protocol, options->study, now_utc, models);
+          for (const std::string& warning : comparison.warnings) {
+            doubts.push_back({check.file, 1, 1, "/device", warning});
+          }
+          if (!comparison.refusal.empty()) {
+            check.diagnostics.push_back({check.file, 1, 1, "/device", comparison.refusal});
           }
         }
+        acceptable = acceptable && check.diagnostics.empty();
+        for (const Diagnostic& diagnostic : check.diagnostics) say(text_of(diagnostic));
         for (const Diagnostic& doubt : doubts) say(warning_of(doubt));
         if (options->json) {
           json["protocols"].push_back(json_of(check, doubts));
+          if (options->device) {
+            json["protocols"].back()["device"] = json_of(*options->device, comparison);
+          }
         } else if (check.diagnostics.empty()) {
           std::cout << check.file << ": " << check.protocol->name << ' ' << check.protocol->version
                     << ": " << counted(check.cost.trials, "trial") << ", "
@@ -163,6 +138,9 @@ void add_check(CLI::App& program, Job& job) {
                     << fixed(check.cost.total_s / 60.0, 0) << " min in all, at most "
                     << fixed(check.cost.longest_without_break_s / 60.0, 1)
                     << " min without a break\n";
+          if (!comparison.compared.empty()) {
+            std::cout << check.file << ": " << comparison.compared << '\n';
+          }
         }
       }
       if (options->json) std::cout << json.dump(2) << '\n';

@@ -1,0 +1,170 @@
+// A device that protocols are checked against: sought once, compared with each.
+
+#include "app/tasks/compared_device.h"
+
+#include <array>
+#include <exception>
+
+#include "analysis/number_text.h"
+#include "app/conductor/recorded_hand.h"
+#include "app/device_kind.h"
+#include "app/tasks/device_choice.h"
+#include "device/simulated_device.h"
+#include "device/simulated_models.h"
+#include "device/virtual_hand.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char* kReplay = "replay";
+
+/// The items that stimuli are compared with; beside them rate and workspace, which every profile has.
+constexpr std::array kComparedItems{"friction_N", "force_resolution_N", "position_resolution_m",
+                                    "damping_N_s_per_m", "stiffness_N_per_m"};
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string all{};
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
+std::string in_quotation_marks(const std::string& word) { return '"' + word + '"'; }
+
+/// What the simulated device is, stand-in or not: its model tells one profile from another.
+WhichDevice which_simulated(const SimulatedDeviceSettings& settings) {
+  VirtualHand hand(HandHabits{}, Random(0));
+  const DeviceCapability capability = SimulatedDevice(hand, settings).capability();
+  return {capability.name, capability.model, capability.serial};
+}
+
+void look_for(const Driver& driver, const std::string& which, const DriverOptions& options,
+              const DriverRegistry& drivers, SoughtDevice& sought) {
+  const DriverSurvey survey = drivers.survey(driver, options);
+  if (!survey.hindrance.empty()) {
+    sought.absence = survey.hindrance;
+    return;
+  }
+  try {
+    const AttachedDevice found = choose_attached(driver.id, survey.attached, which);
+    sought.wanted.which.serial = found.serial;
+    sought.is_attached = true;
+  } catch (const std::exception& error) {
+    sought.absence = error.what();
+  }
+}
+
+std::string words_for(const SoughtDevice& device) {
+  const WhichDevice& which = device.wanted.which;
+  if (!device.is_attached) return in_quotation_marks(name_of(device.wanted));
+  return "the attached device " + which.name + (which.serial.empty() ? "" : ' ' + which.serial);
+}
+
+/// What the profile leaves open.
+void add_gaps(const DeviceProfile& profile, const Protocol& protocol, const std::string& now_utc,
+              std::vector<std::string>& warnings) {
+  std::vector<std::string> missing{};
+  for (const char* const item : kComparedItems) {
+    if (!profile.value(item)) missing.emplace_back(item);
+  }
+  if (!missing.empty()) {
+    warnings.push_back("the profile has no number for " + joined(missing) +
+                       ", and no stimulus was compared with what these would tell");
+  }
+  if (age_days(profile, now_utc) < 0.0 && !protocol.profile_maximum_age_days) {
+    warnings.push_back("the profile is dated " + profile.measured_utc + ", which is still to come");
+  }
+}
+
+}  // namespace
+
+SoughtDevice sought_device(const std::string& device, const DriverOptions& options,
+                           const DriverRegistry& drivers) {
+  SoughtDevice sought{.wanted = {.which = which_device(device),
+                                 .asked = device,
+                                 .options = as_command_options(options)}};
+  if (const auto settings = simulated_settings(device)) {
+    sought.wanted.which = which_simulated(*settings);
+    return sought;
+  }
+  const std::size_t colon = device.find(':');
+  const std::string which = colon == std::string::npos ? "" : device.substr(colon + 1);
+  const Driver* const driver = drivers.find(device.substr(0, colon));
+  if (driver == nullptr) {
+    sought.absence = "there is no device " + in_quotation_marks(device);
+    return sought;
+  }
+  sought.wanted.has_motors = driver->has_motors;
+  if (driver->id == kReplay) {
+    try {
+      DriverOptions with_reader = options;
+      with_reader.recorded_hand = recorded_hand;
+      (void)driver->open(which, with_reader);
+    } catch (const std::exception& error) {
+      sought.refusal = error.what();
+    }
+    return sought;
+  }
+  // The mouse is there wherever a window is.
+  if (kind_of_device(device) == DeviceKind::attached) {
+    look_for(*driver, which, options, drivers, sought);
+  }
+  return sought;
+}
+
+DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protocol,
+                              const std::optional<std::filesystem::path>& study,
+                              const std::string& now_utc, const ModelRegistry& models) {
+  DeviceComparison comparison{.refusal = device.refusal};
+  const std::string name = in_quotation_marks(name_of(device.wanted));
+  const bool is_simulated = kind_of_device(name_of(device.wanted)) == DeviceKind::simulated;
+  if (!device.absence.empty()) {
+    comparison.warnings.push_back("no session can begin on " + name +
+                                  " here and now: " + device.absence);
+  }
+  if (!comparison.refusal.empty()) return comparison;
+  const std::string of_itself = "the force and the rate that " + name + " gives";
+  if (is_simulated) comparison.compared = "compared with " + of_itself;
+  if (!study) {
+    if (device.wanted.has_motors) {
+      comparison.warnings.push_back(
+          "nothing that is felt was compared with " + name +
+          ": what it was measured to do lies with a study, which --study DIR names");
+    }
+  } else {
+    try {
+      RehearsedDevice found = profiled_device(protocol, device.wanted, *study, now_utc);
+      StimulusBuilder builder(models, *study);
+      compare(found, protocol, [&](const DeviceProfile& profile) {
+        return rehearse_on_device(protocol, profile, builder);
+      });
+      for (const RehearsalWarning& warning : found.warnings) {
+        comparison.warnings.push_back(warning.text.english());
+      }
+      if (found.profile) {
+        comparison.compared =
+            "compared with what " + name + " was measured to do on " + found.profile->measured_utc +
+            (found.profile->serial.empty() ? "" : ", serial " + found.profile->serial) +
+            (is_simulated ? ", and with " + of_itself
+                          : "; with the force and the rate that it gives a session does that opens "
+                            "it");
+        add_gaps(*found.profile, protocol, now_utc, comparison.warnings);
+      } else if (device.wanted.has_motors) {
+        comparison.warnings.push_back(
+            "the study has no profile of " + words_for(device) +
+            ": no stimulus and no limit of the protocol was compared with it; measure it by " +
+            command_to_measure(device.wanted, *study));
+      }
+      comparison.profile = std::move(found.profile);
+      comparison.refusal = found.refusal.english();
+    } catch (const std::exception& error) {
+      comparison.refusal = error.what();
+    }
+  }
+  if (!device.wanted.has_motors) {
+    comparison.warnings.push_back(name +
+                                  " gives no force: nothing that is felt was compared with it");
+  }
+  return comparison;
+}
+
+}  // namespace asperity

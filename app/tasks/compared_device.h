@@ -1,0 +1,42 @@
+// A device that protocols are checked against: sought once, compared with each, and what was not compared is said.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/conductor/rehearsed_device.h"
+#include "device/drivers.h"
+
+namespace asperity {
+
+/// What was found of the device that somebody named.
+struct SoughtDevice {
+  WantedDevice wanted{};
+  bool is_attached = false;  ///< its driver sees it
+  /// A sentence: why no session could begin on it now, on this computer; empty where nothing is known against it.
+  std::string absence{};
+  /// A sentence: why none could on any (a recording that cannot be read); empty where one could.
+  std::string refusal{};
+};
+/// Looks for what --device names, and opens nothing. Errors: std::runtime_error for a "simulated:MODEL" that there
+/// is not; a driver that there is not is an absence.
+SoughtDevice sought_device(const std::string& device, const DriverOptions& options,
+                           const DriverRegistry& drivers);
+
+/// What check has to say about a protocol and a device.
+struct DeviceComparison {
+  std::string compared{};               ///< with what; empty: with nothing
+  std::vector<std::string> warnings{};  ///< what falls short, what was not compared, and why
+  std::string refusal{};                ///< why no person's session begins; empty: one does
+  std::optional<DeviceProfile> profile{};
+};
+/// Compares them as a session would at `now_utc`; without a study nothing is known of the device but what the simulated
+/// one tells of itself. Never throws for what it finds.
+DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protocol,
+                              const std::optional<std::filesystem::path>& study,
+                              const std::string& now_utc, const ModelRegistry& models);
+
+}  // namespace asperity

@@ -1,0 +1,204 @@
+// What check says of a device: with what it was compared, what was not and why, and what a session would refuse.
+
+#include "app/tasks/compared_device.h"
+
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/device_profile.h"
+#include "app/tasks/protocol_files.h"
+#include "results_schema/atomic_file.h"
+#include "tests/app/small_study.h"
+
+namespace asperity {
+namespace {
+
+using testing::Contains;
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+using Status = DeviceItem::Status;
+
+constexpr const char* kNow = "2026-01-31T10:00:00.000Z";
+constexpr const char* kYesterday = "2026-01-30T10:00:00.000Z";
+
+/// Drivers with one kind of device, of which these are attached.
+DriverRegistry drivers_with(const std::vector<AttachedDevice>& attached) {
+  DriverRegistry drivers{};
+  drivers.add({.id = "arm", .find = [attached](const DriverOptions&) {
+                 return DriverSurvey{.attached = attached};
+               }});
+  return drivers;
+}
+
+class ComparedDevice : public testing::Test {
+ protected:
+  ComparedDevice() { make_small_study(study); }
+
+  void ask_for(const std::string& of_device) {
+    std::string text = small_protocol();
+    text.insert(text.find("\"textures\""), "\"device\": {" + of_device + "}, ");
+    protocol = read_small_protocol(models, text);
+  }
+  void keep(DeviceProfile profile) const {
+    if (profile.measured_utc.empty()) profile.measured_utc = kYesterday;
+    std::filesystem::create_directories(study / "profiles");
+    write_file(profile_path(study, profile), json_text_of(profile), Overwrite::allow);
+  }
+  /// Of a device that is better than the stimuli ask for.
+  static DeviceProfile good(const std::string& model = "in place of Novint Falcon") {
+    return {.name = "simulated",
+            .model = model,
+            .is_simulated = true,
+            .rate_Hz = 1e5,
+            .workspace_minimum_m = glm::dvec3(-1.0),
+            .workspace_maximum_m = glm::dvec3(1.0),
+            .items = {{.name = "friction_N", .status = Status::pass, .value = 0.0}}};
+  }
+  DeviceComparison compared(const std::string& device,
+                            const DriverRegistry& drivers = built_in_drivers()) const {
+    return compare_with(sought_device(device, {}, drivers), protocol, study, kNow, models);
+  }
+
+  TemporaryFolder folder{};
+  std::filesystem::path study = folder.path() / "study";
+  ModelRegistry models = built_in_models();
+  Protocol protocol = read_small_protocol(models, small_protocol());
+};
+
+TEST_F(ComparedDevice, IsSaidToHaveNoProfileAndHowItGetsOneAsItWasNamed) {
+  const std::string command =
+      "measure it by asperity device-test simulated:falcon --study " + study.string();
+  EXPECT_THAT(compared("simulated:falcon").warnings, Contains(HasSubstr(command)));
+  EXPECT_TRUE(compared("simulated:falcon").refusal.empty()) << "nothing asks for one";
+  keep(good());
+  EXPECT_THAT(compared("simulated:falcon").warnings, Each(Not(HasSubstr("no profile"))));
+  EXPECT_THAT(compared("simulated:falcon").compared,
+              HasSubstr("\"simulated:falcon\" was measured to do on 2026-01-30"));
+  EXPECT_THAT(compared("simulated").warnings, Contains(HasSubstr("no profile")))
+      << "that of a stand-in is not that of the ideal device";
+  const DeviceComparison nowhere = compare_with(sought_device("simulated", {}, built_in_drivers()),
+                                                protocol, std::nullopt, kNow, models);
+  EXPECT_THAT(nowhere.warnings, Contains(HasSubstr("--study")));
+}
+
+TEST_F(ComparedDevice, IsSaidNotToBeThere) {
+  EXPECT_THAT(compared("arm", drivers_with({})).warnings,
+              Contains(HasSubstr("no arm is attached")));
+  const DriverRegistry two =
+      drivers_with({{.model = "arm", .serial = "7"}, {.model = "arm", .serial = "8"}});
+  EXPECT_THAT(compared("arm:9", two).warnings, Contains(HasSubstr("no arm is \"9\"")));
+  EXPECT_THAT(compared("arm", two).warnings, Contains(HasSubstr("there are 2 of arm")));
+  EXPECT_THAT(compared("arm:8", two).warnings, Each(Not(HasSubstr("no session"))));
+  EXPECT_THAT(compared("arm:8", two).warnings,
+              Contains(HasSubstr("no profile of the attached device arm 8")));
+}
+
+TEST_F(ComparedDevice, ThatGivesNoForceIsSaidToBeComparedWithNothing) {
+  EXPECT_THAT(compared("mouse").warnings, Contains(HasSubstr("gives no force")));
+  EXPECT_THAT(compared("mouse").warnings, Each(Not(HasSubstr("device-test"))));
+  EXPECT_THAT(compared("replay:" + (study / "nofile").string()).refusal, HasSubstr("nofile"));
+}
+
+TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
+  keep(good());
+  EXPECT_THAT(compared("simulated:falcon").warnings,
+              Contains(HasSubstr("no number for force_resolution_N, position_resolution_m, "
+                                 "damping_N_s_per_m, stiffness_N_per_m")));
+}
+
+TEST_F(ComparedDevice, IsRefusedAsASessionRefusesIt) {
+  ask_for(R"("profile_maximum_age_days": 30)");
+  EXPECT_THAT(compared("simulated:falcon").refusal,
+              HasSubstr("device-test simulated:falcon --study"));
+  DeviceProfile profile = good();
+  profile.measured_utc = "2025-12-01T10:00:00.000Z";
+  keep(profile);
+  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("61.0 days old"));
+  keep(good());
+  EXPECT_EQ(compared("simulated:falcon").refusal, "");
+  profile.measured_utc = "2031-01-01T10:00:00.000Z";
+  keep(profile);
+  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("still to come"));
+}
+
+TEST_F(ComparedDevice, IsRefusedWithoutAProfileWhereWarningsAreRefused) {
+  ask_for(R"("refuse_rehearsal_warnings": true)");
+  EXPECT_THAT(compared("simulated:falcon").refusal,
+              HasSubstr("no profile in the study to tell by"));
+  EXPECT_EQ(compared("mouse").refusal, "") << "whoever chooses it knows that nothing is felt";
+  keep(good());
+  EXPECT_EQ(compared("simulated:falcon").refusal, "");
+  DeviceProfile sticky = good();
+  sticky.items.front().value = 0.9;
+  keep(sticky);
+  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("falls short of it in"));
+  EXPECT_THAT(compared("simulated:falcon").warnings, Contains(HasSubstr("0.900 N")));
+}
+
+// Another protocol held it to another limit.
+TEST_F(ComparedDevice, IsHeldToTheLimitsOfThisProtocol) {
+  DeviceProfile profile = good();
+  profile.items.push_back(
+      {.name = "damping_N_s_per_m", .status = Status::fail, .value = 5.0, .limit = 6.0});
+  keep(profile);
+  ask_for(R"("profile_maximum_age_days": 30)");
+  EXPECT_EQ(compared("simulated:falcon").refusal, "");
+  ask_for(R"("profile_maximum_age_days": 30, "limits": {"damping_N_s_per_m": 5.5})");
+  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("failed damping_N_s_per_m"));
+  ask_for(R"("profile_maximum_age_days": 30)");
+  profile.items.push_back(
+      {.name = "force_zero_N", .status = Status::pass, .value = 0.5, .limit = 1.0});
+  keep(profile);
+  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("failed force_zero_N"))
+      << "no limit excuses a push";
+  profile.items.back() = {.name = "zero_after_stop", .status = Status::fail};
+  keep(profile);
+  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("failed zero_after_stop"));
+}
+
+TEST(KeptProfile, HasWhatItStandsForInItsName) {
+  DeviceProfile profile{.name = "simulated",
+                        .model = "in place of delta.3",
+                        .measured_utc = "2026-01-30T10:00:00.000Z"};
+  EXPECT_EQ(profile_path("", profile), "profiles/simulated-delta_3-20260130T100000Z.json");
+  profile.model = "hand and probe";
+  EXPECT_EQ(profile_path("", profile), "profiles/simulated-20260130T100000Z.json");
+}
+
+TEST(KeptProfile, IsRefusedWithNumbersThatNoMeasurementGives) {
+  DeviceProfile profile{
+      .name = "arm",
+      .measured_utc = kYesterday,
+      .rate_Hz = 1000.0,
+      .items = {{.name = "stiffness_N_per_m", .status = Status::pass, .value = -5.0}}};
+  const auto complaint = [&]() -> std::string {
+    try {
+      (void)profile_from_json(json_text_of(profile), "arm.json");
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "it was read";
+  };
+  EXPECT_THAT(complaint(), HasSubstr("stiffness_N_per_m is -5"));
+  profile.items.front() = {.name = "stifness_N_per_m", .status = Status::pass, .value = 5.0};
+  EXPECT_THAT(complaint(), HasSubstr("stifness_N_per_m\", which this program does not know"));
+  profile.items.clear();
+  profile.rate_Hz = 0.0;
+  EXPECT_THAT(complaint(), HasSubstr("rate_Hz is 0"));
+}
+
+TEST(WantedDevice, IsMeasuredByACommandThatAShellTakes) {
+  EXPECT_EQ(command_to_measure({.asked = "falcon:usb 1-2", .options = " --firmware f.bin"},
+                               "/home/a b/study"),
+            "asperity device-test \"falcon:usb 1-2\" --firmware f.bin --study \"/home/a b/study\"");
+  EXPECT_EQ(command_to_measure({.which = {.name = "arm", .serial = "7"}}, "s"),
+            "asperity device-test arm:7 --study s");
+}
+
+}  // namespace
+}  // namespace asperity
