@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/plan.h"
+#include "protocols/shown_options.h"
 
 namespace asperity {
 
@@ -192,6 +193,14 @@ std::string json_of(const Trial& trial) {
 std::string factors_json_of(const Trial& trial) {
   JsonLine line{};
   line.levels(trial.factors);
+  return std::move(line).take();
+}
+
+std::string options_json_of(const Trial& trial) {
+  JsonLine line{};
+  line.open('[');
+  for (const Option& option : trial.question.options) line.add(option.value);
+  line.close(']');
   return std::move(line).take();
 }
 

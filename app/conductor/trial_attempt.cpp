@@ -14,6 +14,7 @@
 #include "app/conductor/reason.h"
 #include "app/conductor/recording_columns.h"
 #include "app/parameter_json.h"
+#include "protocols/shown_options.h"
 #include "renderers/offline/recorded_force.h"
 
 namespace asperity {
@@ -29,12 +30,6 @@ constexpr double kLifting_s = 0.3;
 constexpr double kPatience_s = 5.0;
 // Between two numbers for one stimulus: more is a slip of the key, or has to be meant.
 constexpr double kDoubtfulRatio = 10.0;
-
-std::string options_json(const TrialQuestion& question) {
-  nlohmann::ordered_json options = nlohmann::ordered_json::array();
-  for (const Option& option : question.options) options.push_back(option.value);
-  return options.dump();
-}
 
 double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   return static_cast<double>(to_ns - from_ns) * 1e-9;
@@ -353,7 +348,7 @@ void TrialAttempt::answer() {
   if (!reply_.is_answer()) row_.outcome = AttemptOutcome::timed_out;
   const auto add = [this](ResponseRow response) {
     response.question = trial_.question.name;
-    response.options_json = options_json(trial_.question);
+    response.options_json = options_json_of(trial_);
     response.time_ns = answer_ns_;
     response.from_cue_s = seconds_between(cue_ns_.value(), answer_ns_);
     if (const auto contact_ns = row_.presentations.front().contact_ns) {

@@ -4,11 +4,13 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <future>
 #include <iterator>
 #include <optional>
 #include <set>
 #include <span>
+#include <stop_token>
 #include <system_error>
 #include <thread>
 
@@ -16,6 +18,7 @@
 
 #include "app/program.h"
 #include "app/tasks/recorded_attempt.h"
+#include "protocols/shown_options.h"
 #include "renderers/offline/replay.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/table.h"
@@ -100,7 +103,8 @@ bool are_as_planned(std::span<const SessionAnswers::Surface> felt,
          std::equal(felt.begin(), felt.end(), planned.presentations.begin(), is_as_planned);
 }
 
-/// Every answer has to be one of the options of the planned question, and to be marked as it says.
+/// Every answer has to be one of the options of the planned question, beside all of them, and to be marked
+/// as it says.
 void check_answers(const SessionRow& session, const Plan& plan, const SessionAnswers& answers,
                    std::vector<std::string>& problems) {
   AttemptRow at{};  // for the sentences: those of a trial stand in order, numbered from 1
@@ -118,9 +122,14 @@ void check_answers(const SessionRow& session, const Plan& plan, const SessionAns
       problems.push_back(where() + ": its surfaces are not those of the planned trial");
     }
     const TrialQuestion& question = planned.question;
+    const std::string options_json = options_json_of(planned);
     for (const SessionAnswers::Reply& reply : answers.replies_of(attempt)) {
       const std::string& answer = answers.words[reply.answer];
       const auto item = [&] { return where() + ", item " + std::to_string(reply.item) + ": "; };
+      if (answers.words[reply.options_json] != options_json) {
+        problems.push_back(item() +
+                           "the options beside the answer are not those of the planned trial");
+      }
       if (question.form == TrialQuestion::Form::number) {
         const std::optional<double> stored = number_in(answer);
         if (!stored || !(*stored > 0.0) || stored != reply.number) {
@@ -246,6 +255,31 @@ std::size_t threads_for(const Study& study, bool replay_too, std::size_t session
                                kBeside.size() + sessions);
 }
 
+/// Passes progress on until that throws, which is then what ends the work: nothing that it stands in takes
+/// it for a fault of the study.
+class ProgressToCaller final {
+ public:
+  ProgressToCaller(const std::function<void(double)>& progress, std::stop_source& end)
+      : progress_(progress), end_(end) {}
+  void tell(double fraction) {
+    if (failure_) return;
+    try {
+      progress_(fraction);
+    } catch (...) {
+      failure_ = std::current_exception();
+      end_.request_stop();
+    }
+  }
+  void rethrow_failure() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  const std::function<void(double)>& progress_;
+  std::stop_source& end_;
+  std::exception_ptr failure_{};
+};
+
 /// Adds what `check` throws to the problems.
 void add_failure_of(const std::function<void()>& check, std::vector<std::string>& problems) {
   try {
@@ -258,9 +292,13 @@ void add_failure_of(const std::function<void()>& check, std::vector<std::string>
 }  // namespace
 
 VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay_too,
-                          const std::stop_token& stop,
+                          const std::stop_token& asked_to_stop,
                           const std::function<void(double)>& progress) {
   VerifyResult result{};
+  std::stop_source end{};
+  const std::stop_callback end_when_asked(asked_to_stop, [&end] { end.request_stop(); });
+  const std::stop_token stop = end.get_token();
+  ProgressToCaller to_caller(progress, end);
   std::vector<SessionRow> sessions{};
   std::vector<std::string> failures{};
   add_failure_of([&] { sessions = study.sessions(); }, failures);
@@ -317,12 +355,13 @@ VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay
   add_failure_of(
       [&] {
         by_caller =
-            study.verify([&](double fraction) { progress(store_share * fraction); }, stop, parts);
+            study.verify([&](double share) { to_caller.tell(store_share * share); }, stop, parts);
       },
       by_caller);
   take_share(study,
-             [&](double fraction) { progress(store_share + (1.0 - store_share) * fraction); });
+             [&](double share) { to_caller.tell(store_share + (1.0 - store_share) * share); });
   for (const std::future<void>& other : others) other.wait();
+  to_caller.rethrow_failure();
   // In an order that no thread has a part in.
   for (const auto* const part : {&beside[0], &by_caller, &beside[1]}) {
     for (const std::string& problem : *part) add_once(problem, result.problems);

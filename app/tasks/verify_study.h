@@ -19,16 +19,17 @@ struct VerifyResult {
   std::vector<std::string> rules{};  ///< how replays were compared, one line per rule applied
 };
 
-/// Constraints, hashes, that every stored plan is the one its protocol, seed and row give, and that
-/// surfaces and answers are those of the plan. With
+/// Constraints and what else the schema refuses by, hashes, that every stored plan is the one its protocol,
+/// seed and row give, and that surfaces, answers and the options beside them are those of the plan. With
 /// `replay_too`, every recorded hand goes through its renderers again: bit for bit where the
 /// session was run by this build on this kind of machine, within each model's declared tolerance
 /// otherwise.
 ///
 /// A study that is open for reading is looked at by as many threads as the machine has, eight at most;
 /// with `replay_too` by the caller's alone. What is found, and in which order, depends on none of them.
-/// `progress` is called by the caller's thread.
+/// `progress` is called by the caller's thread; what it throws ends the work and comes out of here.
 VerifyResult verify_study(Study& study, const ModelRegistry& models, bool replay_too,
-                          const std::stop_token& stop, const std::function<void(double)>& progress);
+                          const std::stop_token& asked_to_stop,
+                          const std::function<void(double)>& progress);
 
 }  // namespace asperity

@@ -75,6 +75,33 @@ TEST(VerifyStudy, TellsItsCallersThreadHowFarItIs) {
   EXPECT_LE(told.back(), 1.0);
 }
 
+// A window that is closed meanwhile says so by throwing: that is no fault of the study.
+TEST(VerifyStudy, EndsWithWhatItsCallerThrows) {
+  MadeUpStudy made;
+  fill(made);
+  const auto run = [&made](int throw_at) {
+    Study study = Study::open(made.folder(), Access::read_only);
+    int calls = 0;
+    (void)verify_study(study, built_in_models(), false, {}, [&](double) {
+      if (++calls == throw_at) throw ResultsError("of the caller", "");
+    });
+    return calls;
+  };
+  const auto expect_thrown = [&run](int throw_at) {
+    try {
+      run(throw_at);
+      ADD_FAILURE() << "nothing came out of call " << throw_at;
+    } catch (const ResultsError& error) {
+      EXPECT_STREQ(error.what(), "of the caller") << throw_at;
+    }
+  };
+  for (int i = 1; i <= 3; ++i) expect_thrown(i);
+  const NoMoreThreads none;  // and one thread tells of every session
+  const int calls = run(0);
+  ASSERT_GT(calls, kPeople);
+  for (const int i : {1, 2, 3, calls - kPeople, calls - 1, calls}) expect_thrown(i);
+}
+
 // Every other session of an analysis is read by a second thread, where there can be one.
 TEST(VerifyStudy, AStudyIsReadWithoutASecondThreadToo) {
   MadeUpStudy made;

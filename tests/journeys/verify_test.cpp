@@ -236,6 +236,13 @@ TEST_F(Verify, FindsAColumnThatIsNotAsThePlanHasIt) {
             " WHERE attempt_id = 2 AND position = 1",
         "attempt virtual0001/1/2/1: its surfaces are not those of the planned trial");
   }
+  for (const char* options : {"[]", "{}", "[\"other\"]"}) {
+    expect_found_after(
+        "DROP TRIGGER response_no_update; UPDATE response SET options_json = '" +
+            std::string(options) + "' WHERE attempt_id = 2",
+        "attempt virtual0001/1/2/1, item 1: the options beside the answer are not those of the "
+        "planned trial");
+  }
   expect_found_after(
       "DROP TRIGGER session_only_changes_state; DROP TRIGGER session_completed_stays; UPDATE "
       "session SET seed = "
