@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -26,6 +27,7 @@
 #include "app/tasks/protocol_files.h"
 #include "device/drivers.h"
 #include "device/virtual_hand.h"
+#include "protocols/device_limit.h"
 
 namespace asperity {
 
@@ -40,6 +42,21 @@ std::pair<std::string, double> item_limit(const std::string& text) {
     }
   }
   throw WrongUsage("--limit is \"" + text + "\"; it has to be NAME=NUMBER, like friction_N=0.2");
+}
+
+/// Those of the options, none of which a protocol would refuse.
+std::map<std::string, double> given_limits(const std::vector<std::string>& texts, double rate_Hz) {
+  std::map<std::string, double> limits{};
+  for (const std::string& text : texts) {
+    const auto [item, limit] = item_limit(text);
+    if (const auto complaint = complaint_about({.item = item, .limit = limit}, rate_Hz)) {
+      throw WrongUsage("--limit " + text + " is none that a protocol could have: " + *complaint);
+    }
+    if (!limits.emplace(item, limit).second) {
+      throw WrongUsage("--limit gives " + item + " twice; which one is meant?");
+    }
+  }
+  return limits;
 }
 
 /// Four digits are more than any of these is good for.
@@ -100,6 +117,7 @@ Table table_of(const DeviceProfile& profile) {
     }
     std::string result = text_of(item.status);
     if (item.status == DeviceItem::Status::not_measured) result = "not measured";
+    if (item.is_only_told()) result = "no limit";
     table.rows.push_back({item.name, result, item.value ? in_four_digits(*item.value) : "n/a",
                           limit, item.text.english()});
   }
@@ -144,7 +162,6 @@ void add_device_test(CLI::App& program, Job& job) {
     const bool has_rate = rate->count() > 0;
     job = [options, has_rate]() -> int {
       MeasureOrder& order = options->order;
-      for (const std::string& limit : options->limits) order.test.limits.insert(item_limit(limit));
       // Before a minute of measuring is lost for a folder that is no study.
       std::optional<MeasuringLock> measuring{};
       if (order.study) measuring.emplace(*order.study);
@@ -153,6 +170,7 @@ void add_device_test(CLI::App& program, Job& job) {
         order.protocol_limits = protocol.device_limits;
         if (!has_rate) order.test.rate_Hz = protocol.rate_Hz;
       }
+      order.test.limits = given_limits(options->limits, order.test.rate_Hz);
       VirtualHand hand = hand_to_measure();
       // Before the device: one that is homed, or moves to find its zero, is not left by a process that just dies.
       const InterruptWatch interrupt("asperity: stopping, the force goes to zero");

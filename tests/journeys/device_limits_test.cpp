@@ -64,5 +64,63 @@ TEST_F(DeviceLimits, JudgeTheDeviceAreKeptWithItAndComparedByCheck) {
   EXPECT_EQ(compared.err.find("lateness_p99_s"), std::string::npos) << compared.err;
 }
 
+TEST_F(DeviceLimits, OfTheCommandLineAreOnesThatAProtocolCouldHave) {
+  for (const char* const none : {"force_zero_N=1", "friction_N=nan", "friction_N=inf",
+                                 "friction_N=-1", "friction=0.1", "resonance_Hz=99999"}) {
+    const Outcome outcome = asperity({"device-test", "simulated", "--limit", none});
+    EXPECT_EQ(outcome.status, 2) << none;
+    EXPECT_NE(outcome.err.find(none), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "") << none;
+  }
+}
+
+TEST_F(DeviceLimits, AreToldAsNoneWhereThereIsNone) {
+  const Outcome test = asperity({"device-test", "simulated"});
+  const std::size_t rate = test.out.find("\nlateness_p50_s");
+  ASSERT_NE(rate, std::string::npos) << test.out;
+  EXPECT_NE(test.out.substr(rate, 60).find("no limit"), std::string::npos) << test.out;
+}
+
+class CheckedDevice : public DeviceLimits {
+ protected:
+  void ask_for(const std::string& key, const nlohmann::ordered_json& value) const {
+    nlohmann::ordered_json protocol = small_selection(1);
+    protocol["device"][key] = value;
+    write_text(small.selection(), protocol.dump(2));
+  }
+  Outcome checked(const std::string& device) const {
+    return asperity({"check", small.selection(), "--study", small.study(), "--device", device});
+  }
+};
+
+TEST_F(CheckedDevice, IsRefusedAsARunRefusesItWithACommandThatHelps) {
+  ask_for("profile_maximum_age_days", 30);
+  const Outcome before = checked("simulated:falcon");
+  EXPECT_EQ(before.status, 1);
+  const std::string command = "asperity device-test simulated:falcon --study " + small.study().string();
+  EXPECT_NE(before.err.find("error: the protocol asks for a device that was measured"),
+            std::string::npos)
+      << before.err;
+  EXPECT_NE(before.err.find(command), std::string::npos) << before.err;
+  EXPECT_EQ(asperity({"device-test", "simulated:falcon", "--study", small.study()}).status, 0);
+  const Outcome after = checked("simulated:falcon");
+  EXPECT_EQ(after.status, 0) << after.err;
+  EXPECT_NE(after.out.find("compared with what \"simulated:falcon\" was measured to do on"),
+            std::string::npos)
+      << after.out;
+}
+
+TEST_F(CheckedDevice, IsSaidNotToBeComparedAndTakesTheOptionsOfItsDriver) {
+  ask_for("rate_Hz", 1000);
+  const Outcome absent = checked("falcon");
+  EXPECT_EQ(absent.status, 0) << absent.err;
+  EXPECT_NE(absent.err.find("no profile of \"falcon\""), std::string::npos) << absent.err;
+  EXPECT_EQ(checked("replay:nofile").status, 1);
+  const Outcome named = asperity({"check", small.selection(), "--device", "force_dimension",
+                                  "--library", "/no/such/libdhd.so", "--study", small.study()});
+  EXPECT_EQ(named.status, 0) << named.err;
+  EXPECT_NE(named.err.find("/no/such/libdhd.so"), std::string::npos) << named.err;
+}
+
 }  // namespace
 }  // namespace asperity::test
