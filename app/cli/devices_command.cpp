@@ -1,5 +1,6 @@
 // asperity devices: the drivers, what each finds attached, and what would make it usable.
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -35,6 +36,19 @@ nlohmann::ordered_json json_of(const SurveyedDriver& driver) {
           {"attached", std::move(attached)}};
 }
 
+constexpr const char* kUdevRule = "70-asperity.rules";
+
+/// Whether udev finds the program's rule, in the folders that it reads.
+bool has_udev_rule() {
+  for (const char* const folder :
+       {"/etc/udev/rules.d", "/run/udev/rules.d", "/usr/local/lib/udev/rules.d",
+        "/usr/lib/udev/rules.d", "/lib/udev/rules.d"}) {
+    std::error_code unseen{};
+    if (std::filesystem::exists(std::filesystem::path(folder) / kUdevRule, unseen)) return true;
+  }
+  return false;
+}
+
 void print(const SurveyedDriver& driver) {
   std::cout << driver.id << "\n  " << driver.summary << '\n';
   if (!driver.survey.found.empty()) std::cout << "  found: " << driver.survey.found << '\n';
@@ -52,7 +66,9 @@ void print(const SurveyedDriver& driver) {
   if (!driver.survey.hindrance.empty()) {
     std::cout << "  not usable: " << driver.survey.hindrance << '\n';
   } else if (driver.survey.attached.empty()) {
-    std::cout << "  none attached\n";
+    std::cout
+        << "  none attached: plug one in and see that it has power; what it needs beside (a udev "
+           "rule, firmware) stands in docs/devices.md\n";
   }
 }
 
@@ -80,6 +96,11 @@ void add_devices(CLI::App& program, Job& job) {
         std::cout << document.dump(2) << '\n';
       } else {
         for (const SurveyedDriver& driver : surveyed) print(driver);
+        if (!has_udev_rule()) {
+          std::cout << "No " << kUdevRule
+                    << " in a folder of udev: devices on USB are open to root alone; copy it into "
+                       "/etc/udev/rules.d and plug the device in anew (docs/devices.md)\n";
+        }
       }
       return 0;
     };
