@@ -485,6 +485,21 @@ void DeviceTestPage::show_news(const DeviceTestNews& news) {
 
 // --- afterwards ----------------------------------------------------------------------------------
 
+namespace {
+
+/// The items with a limit of which nobody knows whether it is kept.
+QString open_limits(const DeviceProfile& profile) {
+  QStringList titles{};
+  for (const DeviceItem& item : profile.items) {
+    if (item.limit && item.status == DeviceItem::Status::not_measured) {
+      titles << title_of_item(item.name);
+    }
+  }
+  return titles.join(", ");
+}
+
+}  // namespace
+
 void DeviceTestPage::show_measured(const MeasuredDevice& measured) {
   const DeviceProfile& profile = measured.profile;
   shown_utc_ = profile.measured_utc;
@@ -495,6 +510,11 @@ void DeviceTestPage::show_measured(const MeasuredDevice& measured) {
   if (profile.has_failed()) {
     end(State::stop, tr("The device did not keep every limit: %1. The profile is kept as %2.")
                          .arg(verdict_of(profile).words, file));
+  } else if (const QString open = open_limits(profile); !open.isEmpty()) {
+    end(State::look,
+        tr("The device kept every limit that it was measured against: %1. Not measured, "
+           "though limited: %3. The profile is kept as %2.")
+            .arg(verdict_of(profile).words, file, open));
   } else {
     end(State::fine, tr("The device kept every limit: %1. The profile is kept as %2.")
                          .arg(verdict_of(profile).words, file));

@@ -107,8 +107,7 @@ QString limit_in_words(const DeviceItem& item) {
 ItemResult result_of(const DeviceItem& item) {
   switch (item.status) {
     case DeviceItem::Status::pass:
-      // Measured and held to nothing: neither good nor bad.
-      if (item.value && !item.limit) return {State::unknown, ProfileWords::tr("no limit")};
+      if (item.is_only_told()) return {State::unknown, ProfileWords::tr("no limit")};
       return {State::fine, ProfileWords::tr("pass")};
     case DeviceItem::Status::fail:
       return {State::stop, ProfileWords::tr("fail")};

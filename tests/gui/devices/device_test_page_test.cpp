@@ -234,6 +234,9 @@ TEST_F(DeviceTests, MeasureInTheWindowWhatTheTerminalDoesAndKeepIt) {
   EXPECT_EQ(without_date(json_text_of(kept.front())), without_date(json_text_of(at_terminal)));
 
   EXPECT_NE(news().find("kept as profiles/simulated-"), std::string::npos) << news();
+  EXPECT_NE(news().find("Not measured, though limited: Share of the workspace reached"),
+            std::string::npos)
+      << news();
   EXPECT_EQ(find<StudyTable>("device_test_profiles").shown_rows(), 0) << "until it is read again";
   require([this] { return find<StudyTable>("device_test_profiles").shown_rows() == 1; }, "row");
   for (const DeviceItem& item : at_terminal.items) {
