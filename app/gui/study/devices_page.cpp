@@ -1,5 +1,6 @@
 #include "app/gui/study/devices_page.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QtWidgets/QGridLayout>
@@ -64,6 +65,16 @@ FoundState state_of(const DriverSurvey& survey) {
   if (!survey.attached.empty()) return {State::look, DevicesPage::tr("not usable yet")};
   if (!survey.hindrance.empty()) return {State::unknown, DevicesPage::tr("not set up")};
   return {State::unknown, DevicesPage::tr("none attached")};
+}
+
+/// Whether what is advised can be done at a terminal only.
+bool names_an_option(const DriverSurvey& survey) {
+  const auto names_one = [](const std::string& sentence) {
+    return sentence.find("--") != std::string::npos;
+  };
+  return names_one(survey.hindrance) ||
+         std::any_of(survey.attached.begin(), survey.attached.end(),
+                     [&](const AttachedDevice& device) { return names_one(device.hindrance); });
 }
 
 QString name_of(const AttachedDevice& device) {
@@ -275,6 +286,13 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
     say(device.hindrance);
   }
   say(driver.survey.hindrance);
+  if (names_an_option(driver.survey)) {
+    auto* note = make_text(tr("What begins with -- is an option of the commands asperity devices, "
+                              "device-test, check and run; the window has none of them."),
+                           card, true);
+    note->setObjectName("device_options_" + QString::fromStdString(driver.id));
+    layout->addWidget(note);
+  }
   found_->layout()->addWidget(card);
 }
 
