@@ -1,6 +1,8 @@
 #include "tests/gui/support/screenshot.h"
 
+#include <QtCore/QCoreApplication>
 #include <QtCore/QDir>
+#include <QtGui/QImage>
 #include <QtTest/QTest>
 #include <QtWidgets/QWidget>
 
@@ -17,7 +19,18 @@ void take_screenshot(QWidget& widget, const QString& name, QSize size) {
   QDir().mkpath(folder);
   widget.resize(size);
   widget.show();
-  QTest::qWait(50);
+  // Words in scrolled cards find their height in several rounds of layout: the picture is taken when two are alike.
+  constexpr int kBetween_ms = 50;
+  constexpr int kMostRounds = 40;
+  QTest::qWait(kBetween_ms);
+  QImage before{};
+  for (int round = 0; round < kMostRounds; ++round) {
+    QCoreApplication::sendPostedEvents();
+    QTest::qWait(kBetween_ms);
+    const QImage now = widget.grab().toImage();
+    if (now == before) break;
+    before = now;
+  }
   widget.grab().save(folder + "/" + name + ".png");
 }
 
