@@ -101,15 +101,56 @@ TEST(TableFindings, StandWithKeysDownAndQuantitiesAcross) {
 
 TEST(TableFindings, TellWhatIsLeftOutOfRatings) {
   EXPECT_THAT(reading_text_of(ratings()), testing::Not(HasSubstr("left out")));
-  const TidyInput input =
-      input_of("subject,item,score\nx,new,3\nx,old,1\nx,new,9\ny,new,2\nz,old,\n",
-               R"({"items": ["new", "old"]})");
+  const TidyInput input = input_of("subject,item,score\nx,new,3\nx,old,1\ny,new,2\nz,old,\n",
+                                   R"({"items": ["new", "old"]})");
   const std::string text =
       reading_text_of(TableFindings{.kind = "rating", .findings = rating_findings(input)});
   EXPECT_THAT(text, testing::ContainsRegex("n\\.complete +1\n"));
   EXPECT_THAT(text, testing::ContainsRegex("n\\.incomplete +2\n"));
-  EXPECT_THAT(text, testing::ContainsRegex("scores\\.repeated +1\n"));
-  EXPECT_THAT(text, HasSubstr("left out: the first counts"));
+}
+
+std::string text_of(const std::string& family, const TidyInput& input) {
+  return reading_text_of(
+      TableFindings{.kind = family, .findings = tidy_family(family).findings(input)});
+}
+
+constexpr const char* kTips = R"({"within": {"tip": ["a", "b", "c"]}})";
+constexpr const char* kTipRows =
+    "subject,tip,y\nA,a,1\nA,b,2\nA,c,4\nB,a,3\nB,b,7\nB,c,5\nC,a,2\nC,b,4\nC,c,9\n";
+
+TEST(TableFindings, TellWhichRowsAreAveraged) {
+  const std::string single = text_of("rmanova", input_of(kTipRows, kTips));
+  EXPECT_THAT(single, testing::ContainsRegex("key  cells\\.with\\.k\n1    9\n"));
+  EXPECT_THAT(single, testing::ContainsRegex("replicates +none\n"));
+  const std::string stray = text_of("rmanova", input_of(kTipRows + std::string("B,c,1\n"), kTips));
+  EXPECT_THAT(stray, testing::ContainsRegex("key  cells\\.with\\.k\n1    8\n2    1\n"));
+  EXPECT_THAT(stray,
+              HasSubstr("! unequal: B has 2 rows in the cell c, while 8 of 9 cells have 1 "
+                        "row. The rows of a cell are averaged: see whether one stands twice"));
+  std::string twice = kTipRows;
+  for (const char* row :
+       {"A,a,2", "A,b,1", "A,c,4", "B,a,4", "B,b,4", "B,c,5", "C,a,1", "C,b,4", "C,c,8"}) {
+    twice += std::string(row) + '\n';
+  }
+  const std::string equal = text_of("rmanova", input_of(twice, kTips));
+  EXPECT_THAT(equal, testing::ContainsRegex("key  cells\\.with\\.k\n2    9\n"));
+  EXPECT_THAT(equal, testing::ContainsRegex("replicates +equal\n"));
+  EXPECT_THAT(equal, testing::Not(HasSubstr("! ")));
+  const std::string estimates = text_of(
+      "magnitude",
+      input_of("subject,probe,spacing,estimate\nA,p,1,2\nA,p,2,5\nA,p,4,3\nA,p,4,4\nB,p,1,1\n"
+               "B,p,2,3\nB,p,4,2\nB,p,4,3\nB,p,1,2\nB,p,2,3\nA,p,1,2\n",
+               R"({"zero_rule": "exclude", "normalisation": "geomean"})"));
+  EXPECT_THAT(estimates,
+              HasSubstr("! unequal: A has 1 row in the cell p|2, while 5 of 6 cells have "
+                        "2 rows."));
+}
+
+TEST(TableFindings, CountTheChoicesThatCochransTestLeavesOut) {
+  const std::string text =
+      text_of("selection", input_of("subject,sample,choice\nx,1,a\nx,2,b\nx,1,b\ny,1,a\ny,2,a\n",
+                                    R"({"renderers": ["a", "b"], "target": "a"})"));
+  EXPECT_THAT(text, HasSubstr("cochran.repeated"));
 }
 
 TEST(TableFindings, StopWhereNobodyReadsOnAndSayHowManyThereAre) {

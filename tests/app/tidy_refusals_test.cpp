@@ -63,6 +63,42 @@ TEST(TidyRefusals, NameTheLineAndTheColumn) {
               HasSubstr("there is no kind of plan \"luck\""));
 }
 
+// None of these can be told from a table that was pasted twice, and each would be an n too large.
+TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
+  EXPECT_EQ(
+      refusal_of("rating", "subject,item,score\nA,a,6\nA,b,2\nA,a,1\n", R"({"items": ["a", "b"]})"),
+      "t.csv:4:2: A has a row with \"a\" already; a participant scores an item once");
+  const std::string once = "; there is one row per participant, who is in one group";
+  EXPECT_EQ(
+      refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,a,0,4\n", kGroups),
+      "t.csv:4:1: \"A\" stands a second time" + once);
+  EXPECT_EQ(
+      refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,b,0,4\n", kGroups),
+      "t.csv:4:1: \"A\" stands a second time" + once);
+  EXPECT_THAT(refusal_of("proportion", "id,k,n,p0\nx,1,2,0.5\ny,1,2,0.5\nx,1,2,0.5\n", "[]"),
+              HasSubstr("t.csv:4:1: \"x\" stands a second time"));
+  EXPECT_THAT(
+      refusal_of("power", "id,kind,n,alpha,d\nx,paired_t,9,0.05,1\nx,paired_t,8,0.05,1\n", "[]"),
+      HasSubstr("t.csv:3:1: \"x\" stands a second time"));
+  EXPECT_EQ(refusal_of("magnitude",
+                       "subject,probe,spacing,rep,estimate\nA,1,0.5,1,2\nA,1,0.5,2,3\n"
+                       "A,1,0.50,1,4\n",
+                       kMagnitude),
+            "t.csv:4:4: A has repetition 1 of probe 1, spacing 0.5 already");
+  EXPECT_EQ(refusal_of("matching",
+                       "subject,trial,stimulus,response,group\nA,1,x,x,F\nA,1,y,y,F\n"
+                       "A,2,x,x,M\nA,2,y,y,M\n",
+                       "[]"),
+            "t.csv:4:5: A stands in two groups");
+  const std::string times = "the rows of a trial must stand for as many trials";
+  EXPECT_EQ(
+      refusal_of("matching", "subject,trial,stimulus,response,times\nA,1,x,x,2\nA,1,y,y,3\n", "[]"),
+      "t.csv:3:5: " + times);
+  EXPECT_EQ(refusal_of("ranking", "subject,trial,item,rank,times\nA,1,a,1,2\nA,1,b,2,3\n",
+                       R"({"items": ["a", "b"]})"),
+            "t.csv:3:5: " + times);
+}
+
 TEST(TidyRefusals, SayWhichOptionIsWrong) {
   EXPECT_THAT(refusal_of("psyfit", "condition,x,n,k\nc,1,4,2\n",
                          R"({"shape": "cauchy", "gamma": 0, "lambda": 0, "pt": 0.5})"),

@@ -24,8 +24,7 @@ Finding& FindingList::add(std::string quantity, std::string key, Basis&& basis) 
 }
 
 void FindingList::number(std::string quantity, std::string key, double value, Basis basis) {
-  std::string why = basis.undefined.empty() ? "this number is not defined for these data"
-                                            : std::move(basis.undefined);
+  std::string why = basis.undefined.empty() ? kNotDefined : std::move(basis.undefined);
   Finding& finding = add(std::move(quantity), std::move(key), std::move(basis));
   if (std::isnan(value)) {
     finding.word = "NA";
@@ -83,7 +82,7 @@ void add_mean_of_group(const std::string& quantity, const std::string& key,
                        std::span<const double> of_participants, const GroupScale& scale,
                        FindingList& findings) {
   const OneSampleT t = one_sample_t(of_participants, {.confidence = scale.confidence});
-  Basis basis{.n = t.n, .method = "mean of the group's participants; t interval"};
+  Basis basis{.n = t.n, .method = scale.of + "; t interval"};
   if (scale.possible) basis.method += ", cut where no mean can be";
   if (t.test) {
     basis.interval = scale.possible ? within(*scale.possible, t.test->interval) : t.test->interval;

@@ -22,6 +22,9 @@ inline std::string both(const std::string& a, const std::string& b) { return a +
 /// A number that is not defined for these data.
 inline constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
+/// Why there is no number, where nothing more is known about it.
+inline constexpr const char* kNotDefined = "this number is not defined for these data";
+
 /// What a number rests on.
 struct Basis {
   std::size_t n = 0;                             ///< independent units
@@ -68,6 +71,7 @@ void add_mean_share(const std::string& key, const OneSampleT& t, const std::stri
 struct GroupScale {
   double confidence = 0.95;
   std::optional<ConfidenceInterval> possible{};
+  std::string of = "mean of the group's participants";  ///< what a mean is, for its method
 };
 /// The mean of a group's participants with Student's interval, where there is one.
 void add_mean_of_group(const std::string& quantity, const std::string& key,

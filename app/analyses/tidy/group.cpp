@@ -10,6 +10,7 @@
 #include "analysis/two_by_two.h"
 #include "analysis/two_samples.h"
 #include "app/analyses/tidy/finding_list.h"
+#include "app/analyses/tidy/repeated_rows.h"
 #include "app/analyses/tidy/tidy_families.h"
 
 namespace asperity {
@@ -30,6 +31,7 @@ Groups read_groups(const TidyInput& input) {
                              " groups; it needs two");
   }
   const TidyTable& table = input.table();
+  refuse_repeated(table, "subject", "one row per participant, who is in one group");
   const LabelColumn group = table.labels("group", groups.names);
   const std::vector<std::uint64_t> hits = table.counts("correct");
   const std::vector<std::uint64_t> trials = table.counts("trials");

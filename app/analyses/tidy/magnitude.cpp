@@ -7,8 +7,11 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,6 +19,7 @@
 #include "analysis/repeated_measures.h"
 #include "analysis/summary.h"
 #include "app/analyses/tidy/finding_list.h"
+#include "app/analyses/tidy/repeated_rows.h"
 #include "app/analyses/tidy/tidy_families.h"
 
 namespace asperity {
@@ -48,11 +52,31 @@ std::string name_of(std::string_view text) {
   }
 }
 
+/// A repetition of a cell has one row.
+void refuse_repeated_estimates(const TidyTable& table, const LabelColumn& subjects,
+                               const LabelColumn& probes, std::span<const double> spacings) {
+  if (!table.has("rep")) return;
+  const LabelColumn repetitions = table.labels("rep");
+  std::set<std::tuple<std::size_t, std::string, double, std::size_t>> seen{};
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (repetitions.codes[row] == LabelColumn::kMissing) continue;
+    const std::string probe = name_of(probes.names[probes.codes[row]]);
+    if (seen.emplace(subjects.codes[row], probe, spacings[row], repetitions.codes[row]).second) {
+      continue;
+    }
+    table.refuse(row, "rep",
+                 subjects.names[subjects.codes[row]] + " has repetition " +
+                     repetitions.names[repetitions.codes[row]] + " of probe " + probe +
+                     ", spacing " + number_text(spacings[row]) + " already");
+  }
+}
+
 Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
   const LabelColumn subjects = table.all_labels("subject");
   const LabelColumn probes = table.all_labels("probe");
   const std::vector<double> spacings = table.all_numbers("spacing");
   const std::vector<std::optional<double>> values = table.numbers("estimate");
+  refuse_repeated_estimates(table, subjects, probes, spacings);
   Estimates read{};
   std::vector<double> levels = spacings;
   std::sort(levels.begin(), levels.end());
@@ -189,11 +213,32 @@ class MagnitudeList final {
     n_ = cells.complete.size();
     for (const std::size_t one : cells.complete) names_.push_back(read_.participants[one]);
     list_.count("n.subjects", "", n_, basis("participants with all cells"));
+    replicates(cells);
     const Eigen::VectorXd own = participant_means(cells);
     for (std::size_t i = 0; i < n_; ++i) {
       number("subject.geomean", names_[i], std::pow(10.0, own(static_cast<Eigen::Index>(i))),
              "geometric mean of the participant's cells");
     }
+  }
+
+  void replicates(const MagnitudeCells& cells) {
+    const std::size_t probes = read_.probes.size();
+    const std::size_t spacings = read_.spacings.size();
+    std::vector<std::size_t> estimates(read_.participants.size() * probes * spacings);
+    for (const MagnitudeEstimate& one : read_.positive) {
+      ++estimates[(one.participant * probes + one.condition) * spacings + one.level];
+    }
+    std::vector<CellRows> rows{};
+    for (const std::size_t one : cells.complete) {
+      for (std::size_t probe = 0; probe < probes; ++probe) {
+        for (std::size_t level = 0; level < spacings; ++level) {
+          rows.push_back({.participant = read_.participants[one],
+                          .cell = cell_key(probe, level),
+                          .rows = estimates[(one * probes + probe) * spacings + level]});
+        }
+      }
+    }
+    add_replicates(rows, n_, list_);
   }
 
   std::vector<Eigen::MatrixXd> normalise(const MagnitudeCells& cells) {
@@ -258,6 +303,8 @@ class MagnitudeList final {
         number("geomean.ci.lower", key, ends.low, "t interval of logarithms");
         number("geomean.ci.upper", key, ends.high, "t interval of logarithms");
         if (normalisation_ == Normalisation::grand_mean) {
+          number("geomean.ci.lower.morey", key, std::pow(10.0, mean - half * morey),
+                 "widened by √(J/(J−1)) for J cells (Cousineau and Morey)");
           number("geomean.ci.upper.morey", key, std::pow(10.0, mean + half * morey),
                  "widened by √(J/(J−1)) for J cells (Cousineau and Morey)");
         }

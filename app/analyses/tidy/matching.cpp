@@ -98,6 +98,9 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
     Trial& trial = read.trials[trial_of[row]];
     MatchedItem& item = read.matched[trial.first_item + trial.items++];
     item.felt = felt.codes[row];
+    if (trial.items > 1 && trial.times != times[row]) {
+      table.refuse(row, "times", "the rows of a trial must stand for as many trials");
+    }
     trial.times = times[row];
     if (chosen.codes[row] != LabelColumn::kMissing) item.chosen = label_of[chosen.codes[row]];
   }
@@ -107,6 +110,10 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
   for (std::size_t row = 0; row < table.rows(); ++row) {
     std::string& group = read.groups[participants.codes[row]];
     if (group.empty()) group = groups[row];
+    if (!groups[row].empty() && groups[row] != group) {
+      table.refuse(row, "group",
+                   participants.names[participants.codes[row]] + " stands in two groups");
+    }
   }
 }
 

@@ -13,6 +13,7 @@
 #include "analysis/forced_choice.h"
 #include "analysis/number_text.h"
 #include "app/analyses/tidy/finding_list.h"
+#include "app/analyses/tidy/repeated_rows.h"
 #include "app/analyses/tidy/tidy_families.h"
 
 namespace asperity {
@@ -195,6 +196,7 @@ void plan_findings(const Scenario& plan, const std::string& kind, PowerList& lis
 
 std::vector<Finding> power_findings(const TidyInput& input) {
   const TidyTable& table = input.table();
+  refuse_repeated(table, "id", "one row per plan");
   const std::vector<std::string_view> ids = table.texts("id");
   const std::vector<std::string_view> kinds = table.texts("kind");
   Columns columns{};

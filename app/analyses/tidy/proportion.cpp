@@ -8,6 +8,7 @@
 #include "analysis/multiplicity.h"
 #include "analysis/number_text.h"
 #include "app/analyses/tidy/finding_list.h"
+#include "app/analyses/tidy/repeated_rows.h"
 #include "app/analyses/tidy/tidy_families.h"
 
 namespace asperity {
@@ -33,6 +34,7 @@ void refuse_wrong(const TidyTable& table, std::size_t row, const HitCount& count
 
 std::vector<Finding> proportion_findings(const TidyInput& input) {
   const TidyTable& table = input.table();
+  refuse_repeated(table, "id", "one row per count of hits");
   const std::vector<std::string_view> ids = table.texts("id");
   const std::vector<std::uint64_t> hits = table.counts("k");
   const std::vector<std::uint64_t> trials = table.counts("n");

@@ -79,6 +79,10 @@ Rankings rankings_in(const TidyInput& input) {
     read.rankings.push_back(ranking_of(table, offered));
     read.rankings.back().participant = participant;
     read.rankings.back().times = times[offered.front().row];
+    for (const OfferedItem& one : offered) {
+      if (times[one.row] == read.rankings.back().times) continue;
+      table.refuse(one.row, "times", "the rows of a trial must stand for as many trials");
+    }
     trials_in_all += read.rankings.back().times;
     whole = whole && read.rankings.back().ranked.size() == read.items.size();
   }

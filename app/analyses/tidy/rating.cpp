@@ -18,7 +18,6 @@ namespace {
 struct Scores {
   Eigen::MatrixXd complete{};  ///< a row per participant who scored every item
   std::size_t incomplete = 0;  ///< participants who did not
-  std::size_t repeated = 0;    ///< further scores of an item by one participant: the first counts
 };
 
 Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) {
@@ -34,8 +33,9 @@ Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) 
     const std::size_t person = participants.codes[row];
     const std::size_t item = codes.codes[row];
     if (seen[person][item]) {
-      ++made.repeated;
-      continue;
+      table.refuse(row, "item",
+                   participants.names[person] + " has a row with \"" + items[item] +
+                       "\" already; a participant scores an item once");
     }
     all[person][item] = scores[row];
     seen[person][item] = true;
@@ -63,12 +63,6 @@ void add_left_out(const Scores& scores, FindingList& findings) {
     findings.count("n.incomplete", "", scores.incomplete,
                    {.n = scores.incomplete,
                     .method = "participants without a score of every item, who are left out"});
-  }
-  if (scores.repeated > 0) {
-    findings.count("scores.repeated", "", scores.repeated,
-                   {.n = scores.repeated,
-                    .method = "further scores of an item by the same participant, which are left "
-                              "out: the first counts"});
   }
 }
 
@@ -125,7 +119,8 @@ std::vector<Finding> rating_findings(const TidyInput& input) {
   for (std::size_t i = 0; i < items.size() && n > 0; ++i) {
     const Eigen::VectorXd own = scores.col(static_cast<Eigen::Index>(i));
     add_mean_of_group("mean.score", items[i], std::span(own.data(), n),
-                      {.confidence = input.options.confidence(), .possible = {}}, findings);
+                      {.confidence = input.options.confidence(), .of = "mean of the participants"},
+                      findings);
   }
   for (std::size_t i = 0; i < items.size(); ++i) {
     findings.number("mean.rank", items[i], test.mean_rank[i],

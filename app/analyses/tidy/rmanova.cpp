@@ -13,6 +13,7 @@
 #include "analysis/repeated_measures.h"
 #include "analysis/t_test.h"
 #include "app/analyses/tidy/finding_list.h"
+#include "app/analyses/tidy/repeated_rows.h"
 #include "app/analyses/tidy/tidy_families.h"
 
 namespace asperity {
@@ -26,6 +27,7 @@ struct Design {
   std::vector<std::string> cells{};
   std::vector<std::string> participants{};  ///< with all cells
   std::vector<std::string> dropped{};
+  std::vector<CellRows> rows{};  ///< of the participants with all cells
   RepeatedMeasures data{};
 };
 
@@ -104,7 +106,7 @@ Design read_design(const TidyInput& input) {
   // Participants without any number are not there at all.
   struct Person {
     std::vector<double> sums{};
-    std::vector<double> counts{};
+    std::vector<std::size_t> counts{};
     std::size_t group = 0;
   };
   std::vector<Person> people(subjects.names.size());
@@ -114,7 +116,7 @@ Design read_design(const TidyInput& input) {
     Person& person = people[subjects.codes[row]];
     if (person.sums.empty()) {
       person.sums.assign(design.cells.size(), 0.0);
-      person.counts.assign(design.cells.size(), 0.0);
+      person.counts.assign(design.cells.size(), 0);
       person.group = groups[row];
       order.push_back(subjects.codes[row]);
     }
@@ -123,12 +125,12 @@ Design read_design(const TidyInput& input) {
                    subjects.names[subjects.codes[row]] + " stands in two groups");
     }
     person.sums[cells[row]] += *values[row];
-    person.counts[cells[row]] += 1.0;
+    ++person.counts[cells[row]];
   }
   std::vector<std::size_t> complete{};
   for (const std::size_t one : order) {
     const bool has_all = std::all_of(people[one].counts.begin(), people[one].counts.end(),
-                                     [](double count) { return count > 0.0; });
+                                     [](std::size_t count) { return count > 0; });
     if (has_all) {
       complete.push_back(one);
       design.participants.push_back(subjects.names[one]);
@@ -142,7 +144,10 @@ Design read_design(const TidyInput& input) {
     const Person& person = people[complete[i]];
     for (std::size_t cell = 0; cell < design.cells.size(); ++cell) {
       design.data.y(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(cell)) =
-          person.sums[cell] / person.counts[cell];
+          person.sums[cell] / static_cast<double>(person.counts[cell]);
+      design.rows.push_back({.participant = design.participants[i],
+                             .cell = design.cells[cell],
+                             .rows = person.counts[cell]});
     }
     design.data.group.push_back(person.group);
   }
@@ -173,6 +178,7 @@ class AnovaList final {
                basis("participants left out"));
     list_.count("n.subjects", "", design_.participants.size(),
                 basis("participants with all cells"));
+    add_replicates(design_.rows, design_.participants.size(), list_);
     if (design_.participants.size() <= design_.data.groups) {
       list_.word("status", "", "too_few_participants",
                  "an error needs more participants with all cells than groups: run more",

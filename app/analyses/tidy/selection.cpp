@@ -259,12 +259,12 @@ void add_cochran(const Choices& read, FindingList& findings) {
   std::vector<std::vector<std::size_t>> first(
       read.participants.names.size(), std::vector<std::size_t>(samples, LabelColumn::kMissing));
   std::vector<std::vector<bool>> seen(read.participants.names.size(), std::vector<bool>(samples));
-  bool repeated = false;
+  std::size_t repeated = 0;
   for (std::size_t row = 0; row < read.choices.codes.size(); ++row) {
     const std::size_t person = read.participants.codes[row];
     const std::size_t sample = read.samples.codes[row];
     if (seen[person][sample]) {
-      repeated = true;
+      ++repeated;
       continue;
     }
     seen[person][sample] = true;
@@ -284,11 +284,17 @@ void add_cochran(const Choices& read, FindingList& findings) {
   const std::string& target = read.renderers[read.target];
   // It takes one choice of everybody with each sample; a relabelling takes them all.
   const std::string first_only =
-      repeated ? ", of several choices with a sample the first one alone" : "";
+      repeated > 0 ? ", of several choices with a sample the first one alone" : "";
   const Basis basis{
       .n = first.size(),
       .method = "Cochran's Q over samples, participants who answered all" + first_only};
   findings.count("cochran.n.complete", target, first.size(), basis);
+  if (repeated > 0) {
+    findings.count("cochran.repeated", target, repeated,
+                   {.n = first.size(),
+                    .method = "further choices of a participant with a sample, which Cochran's Q "
+                              "alone leaves out"});
+  }
   if (samples == 0) return;
   const CochranTest test = cochran_test(answers);
   findings.number("cochran.Q", target, test.q, basis);

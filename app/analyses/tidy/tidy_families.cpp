@@ -18,8 +18,9 @@ constexpr std::array kFamilies{
     TidyFamily{"group", "subject,group,correct,trials: one participant per row",
                "groups: two names, in order; conf", group_findings, "groups,conf"},
     TidyFamily{"magnitude",
-               "subject,probe,spacing,rep,estimate: one estimate per row, empty where there is "
-               "none; and b,s1,s2,...: resampled participants",
+               "subject,probe,spacing,estimate and perhaps rep: one estimate per row, empty where "
+               "there is none, those of a cell averaged as logarithms; and b,s1,s2,...: resampled "
+               "participants",
                "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
                "standard_spacing; modulus; conf",
                magnitude_findings, "zero_rule,normalisation,standard_spacing,modulus,conf"},
@@ -33,10 +34,11 @@ constexpr std::array kFamilies{
                "subject,first,second,winner: the item that was put before the other, or tie, empty "
                "where nothing was judged; and, where rows stand for several judgements, times",
                "items (all that were compared), conf", paired_findings, "items,conf"},
-    TidyFamily{"power",
-               "id,kind,n,k,p0,p1,alpha,theta,d,f,rho,eps,probs: one plan per row; the columns "
-               "that its kind needs",
-               "", power_findings, ""},
+    TidyFamily{
+        "power",
+        "id,kind,n,k,p0,p1,alpha,theta,d,f,rho,eps,probs: one plan per row, with id, kind, n, "
+        "alpha and the columns that its kind needs",
+        "", power_findings, ""},
     TidyFamily{"proportion",
                "id,k,n,p0: hits k of n trials each, chance p0; and, where rows differ in it, conf",
                "conf, where there is no such column", proportion_findings, "conf"},
@@ -51,14 +53,20 @@ constexpr std::array kFamilies{
                "stands behind all that were ranked; an item that was not offered has no row; and, "
                "where a trial stands for several, times",
                "items (all that were offered anywhere), conf", ranking_findings, "items,conf"},
-    TidyFamily{"rating", "subject,item,score: the larger the better, ties allowed",
-               "items (all that were scored), conf", rating_findings, "items,conf"},
+    TidyFamily{
+        "rating",
+        "subject,item,score: one score per subject and item, the larger the better, ties allowed",
+        "items (all that were scored), conf", rating_findings, "items,conf"},
     TidyFamily{"recognition", "subject,stimulus,response: one trial per row; empty: no answer",
                "labels: of the stimuli, in order; conf", recognition_findings, "labels,conf"},
-    TidyFamily{"rmanova", "subject,y and one column per factor: one measurement per row",
-               "within: factors with their levels; between: none or one; type: 2, 3; trend: a "
-               "factor; trend_scale: linear, log10; conf",
-               rmanova_findings, "within,between,type,trend,trend_scale,conf"},
+    TidyFamily{
+        "rmanova",
+        "subject,y and one column per factor: one measurement per row; several of a participant in "
+        "a cell are averaged, and told",
+        "within: factors with their levels, as {\"spacing\": [1, 2, 4]}; between: none or one, as "
+        "{\"group\": [\"a\", \"b\"]}; type: 2, 3; trend: a "
+        "factor; trend_scale: linear, log10; conf",
+        rmanova_findings, "within,between,type,trend,trend_scale,conf"},
     TidyFamily{"seedpaper",
                "three tables of margins: exp,renderer,count; exp,sex,correct,n of matching; "
                "exp,sex,correct,n of recognition",
