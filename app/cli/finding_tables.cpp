@@ -1,7 +1,9 @@
 // Findings of tables as a person reads them: keys down, quantities across.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -17,6 +19,7 @@ namespace {
 constexpr std::size_t kTableWidth = 100;
 constexpr std::size_t kMostRows = 200;  // of one table: nobody reads more
 constexpr std::size_t kRowsOfLonger = 100;
+constexpr const char* kInterval = " interval";
 
 /// Student's interval of a mean share stands as it stands everywhere: as far as a share can go. Uncut
 /// it is a finding of its own, for programs that compare it.
@@ -36,31 +39,105 @@ struct Column {
   std::string name{};
   std::vector<std::string> keys{};
   std::vector<std::string> values{};
+  std::vector<std::string> intervals{};  ///< of the values themselves; empty where there is none
 };
 
+/// "peak.delta.lower" is the lower end of "peak.delta interval", "ci.upper.wide" the upper one of
+/// "ci.wide interval".
+struct EndOfInterval {
+  bool is_lower = false;
+  std::string interval{};
+};
+
+std::optional<EndOfInterval> end_in(const std::string& quantity) {
+  for (const std::string_view part : {".lower", ".upper"}) {
+    const std::size_t at = quantity.rfind(part);
+    if (at == std::string::npos) continue;
+    const std::size_t end = at + part.size();
+    if (end < quantity.size() && quantity[end] != '.') continue;
+    return EndOfInterval{.is_lower = part == ".lower",
+                         .interval = quantity.substr(0, at) + quantity.substr(end) + kInterval};
+  }
+  return std::nullopt;
+}
+
+/// The intervals of which both ends are findings: the least possible of a number is no interval.
+std::set<std::string> whole_intervals(std::span<const Finding> findings) {
+  std::map<std::string, std::set<bool>> ends{};
+  for (const Finding& finding : findings) {
+    if (const auto end = end_in(finding.quantity)) ends[end->interval].insert(end->is_lower);
+  }
+  std::set<std::string> whole{};
+  for (const auto& [interval, own] : ends) {
+    if (own.size() == 2) whole.insert(interval);
+  }
+  return whole;
+}
+
+std::string reading_end(double end) {
+  if (std::isnan(end)) return "NA";
+  if (std::isinf(end)) return end > 0.0 ? "Inf" : "-Inf";
+  return reading_number(end);
+}
+
+std::string interval_of(const Finding& finding) {
+  if (!finding.low || !finding.high) return {};
+  return '[' + reading_end(*finding.low) + ", " + reading_end(*finding.high) + ']';
+}
+
+/// Whether a column of intervals says what the intervals of `column` say.
+bool is_said_by(const Column& other, const Column& column) {
+  std::map<std::string_view, std::string_view> said{};
+  for (std::size_t i = 0; i < other.keys.size(); ++i) said[other.keys[i]] = other.values[i];
+  for (std::size_t i = 0; i < column.keys.size(); ++i) {
+    if (column.intervals[i].empty()) continue;
+    const auto same = said.find(column.keys[i]);
+    if (same == said.end() || same->second != column.intervals[i]) return false;
+  }
+  return true;
+}
+
+/// Each number's own interval beside it, where none of the columns says it.
+std::vector<Column> with_intervals(const std::vector<Column>& columns) {
+  std::vector<Column> all{};
+  for (const Column& column : columns) {
+    all.push_back(column);
+    const bool has_some = std::any_of(column.intervals.begin(), column.intervals.end(),
+                                      [](const std::string& one) { return !one.empty(); });
+    if (!has_some) continue;
+    const bool is_said = std::any_of(columns.begin(), columns.end(), [&](const Column& other) {
+      return other.name.ends_with(kInterval) && is_said_by(other, column);
+    });
+    if (is_said) continue;
+    Column own{.name = column.name + kInterval, .keys = column.keys, .values = column.intervals};
+    std::replace(own.values.begin(), own.values.end(), std::string(), std::string("–"));
+    all.push_back(std::move(own));
+  }
+  return all;
+}
+
 std::vector<Column> columns_of(std::span<const Finding> findings) {
-  constexpr std::string_view kLower = ".lower";
-  constexpr std::string_view kUpper = ".upper";
   const FoundNumbers found(findings);
+  const std::set<std::string> whole = whole_intervals(findings);
   std::vector<Column> columns{};
   std::map<std::string, std::size_t> place{};
   for (const Finding& finding : findings) {
-    std::string name = finding.quantity;
-    const bool lower = name.ends_with(kLower);
-    const bool upper = name.ends_with(kUpper);
-    if (lower || upper) name.resize(name.size() - kLower.size());
-    if (lower || upper) name += " interval";
+    const auto end = end_in(finding.quantity);
+    const bool is_end = end && whole.contains(end->interval);
+    const std::string& name = is_end ? end->interval : finding.quantity;
     const auto [known, first] = place.emplace(name, columns.size());
-    if (first) columns.push_back({name, {}, {}});
+    if (first) columns.push_back({.name = name});
     Column& column = columns[known->second];
-    if (upper && !column.keys.empty() && column.keys.back() == finding.key) {
-      column.values.back() += ", " + reading_value(finding, found) + ']';
+    const std::string value = reading_value(finding, found);
+    if (is_end && !end->is_lower && !column.keys.empty() && column.keys.back() == finding.key) {
+      column.values.back() += ", " + value + ']';
       continue;
     }
     column.keys.push_back(finding.key);
-    column.values.push_back((lower ? "[" : "") + reading_value(finding, found));
+    column.values.push_back((is_end ? "[" : "") + value);
+    column.intervals.push_back(is_end ? "" : interval_of(finding));
   }
-  return columns;
+  return with_intervals(columns);
 }
 
 std::string table_of(std::span<const Column* const> columns, const std::string& key_name) {

@@ -92,9 +92,8 @@ TableFindings ratings() {
 TEST(TableFindings, StandWithKeysDownAndQuantitiesAcross) {
   const std::string text = reading_text_of(ratings());
   EXPECT_THAT(text, HasSubstr("rating: table.csv\n"));
-  EXPECT_THAT(
-      text,
-      HasSubstr("key  mean.score  mean.rank\nnew  2.5         1.75\nold  1.5         1.25\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("key  mean\\.score  mean\\.score interval  mean\\.rank\n"
+                                           "new  2\\.5         \\[-3\\.853, 8\\.853\\] +1\\.75\n"));
   EXPECT_THAT(text, HasSubstr("friedman.chisq    1\n"));
   EXPECT_THAT(text, HasSubstr("friedman.chisq, friedman.df, friedman.p: Friedman's test"));
 }
@@ -151,6 +150,41 @@ TEST(TableFindings, CountTheChoicesThatCochransTestLeavesOut) {
       text_of("selection", input_of("subject,sample,choice\nx,1,a\nx,2,b\nx,1,b\ny,1,a\ny,2,a\n",
                                     R"({"renderers": ["a", "b"], "target": "a"})"));
   EXPECT_THAT(text, HasSubstr("cochran.repeated"));
+}
+
+// The least possible epsilon is no interval, and an interval has both its ends.
+TEST(TableFindings, CallAnIntervalWhatHasBothEnds) {
+  const std::string anova = text_of("rmanova", input_of(kTipRows, kTips));
+  EXPECT_THAT(anova, HasSubstr("eps.lower"));
+  EXPECT_THAT(anova, HasSubstr("p.lower"));
+  EXPECT_THAT(anova, testing::Not(HasSubstr("eps interval")));
+  EXPECT_THAT(anova, testing::Not(HasSubstr("p interval")));
+  EXPECT_THAT(anova, testing::Not(testing::ContainsRegex("\\[[-.0-9e]+( |\n)")));
+  EXPECT_THAT(anova, HasSubstr("cell.mean interval"));
+  const std::string estimates = text_of(
+      "magnitude", input_of("subject,probe,spacing,estimate\nA,p,1,2\nA,p,2,5\nB,p,1,1\nB,p,2,4\n",
+                            R"({"zero_rule": "exclude", "normalisation": "geomean"})"));
+  EXPECT_THAT(estimates, HasSubstr("geomean.ci interval"));
+  EXPECT_THAT(estimates, HasSubstr("geomean.ci.morey interval"));
+  EXPECT_THAT(estimates, testing::Not(HasSubstr("upper.morey ")));
+  EXPECT_THAT(estimates, testing::Not(HasSubstr("geomean interval"))) << "said by geomean.ci";
+}
+
+TEST(TableFindings, HaveTheIntervalsThatTheirMethodsPromise) {
+  const std::string groups = text_of(
+      "group", input_of("subject,group,correct,trials\nA,f,6,10\nB,f,8,10\nC,m,5,10\nD,m,4,10\n",
+                        R"({"groups": ["f", "m"]})"));
+  EXPECT_THAT(groups, testing::ContainsRegex("f .* 0\\.7 +\\[0, 1\\]"));
+  EXPECT_THAT(groups,
+              testing::ContainsRegex("subj\\.diff interval +\\[-0\\.[0-9]+, 0\\.[0-9]+\\]\n"));
+  const std::string ratings =
+      text_of("rating", input_of("subject,item,score\nx,new,3\nx,old,1\ny,new,2\ny,old,2\n",
+                                 R"({"items": ["new", "old"]})"));
+  EXPECT_THAT(ratings, HasSubstr("mean.score: mean of the participants; t interval"));
+  const std::string pairs = text_of(
+      "paired", input_of("subject,first,second,winner\nx,a,b,a\nx,b,a,b\ny,a,b,a\ny,b,a,a\n",
+                         R"({"items": ["a", "b"]})"));
+  EXPECT_THAT(pairs, HasSubstr("bt.ability interval"));
 }
 
 TEST(TableFindings, StopWhereNobodyReadsOnAndSayHowManyThereAre) {
