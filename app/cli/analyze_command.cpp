@@ -143,8 +143,10 @@ void add_analyze(CLI::App& program, Job& job) {
       command->add_option("--as", options->kind, "What the tables hold: " + family_names());
   auto* file = command->add_option("--options", options->options_file,
                                    "Options of that analysis (JSON, an object)");
-  auto* option = command->add_option("--option", options->options,
-                                     "Options of that analysis, NAME=VALUE; a,b,c is a list");
+  auto* option = command->add_option(
+      "--option", options->options,
+      "Options of that analysis, NAME=VALUE; a,b,c is a list, and a VALUE in JSON is "
+      "taken as such: 'within={\"spacing\":[1,2,4]}'");
 #ifdef ASPERITY_WITH_WINDOWS
   auto* figures = command->add_option("--figures", options->figures,
                                       "Also the figures of that analysis, as SVG in this folder");

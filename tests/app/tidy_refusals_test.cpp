@@ -100,6 +100,9 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
 }
 
 TEST(TidyRefusals, SayWhichOptionIsWrong) {
+  EXPECT_THAT(refusal_of("rmanova", "subject,s,y\nA,a,1\n", R"({"within": "s"})"),
+              HasSubstr("\"within\" must be an object of factors with their levels, like "
+                        "{\"spacing\": [1, 2, 4]}"));
   EXPECT_THAT(refusal_of("psyfit", "condition,x,n,k\nc,1,4,2\n",
                          R"({"shape": "cauchy", "gamma": 0, "lambda": 0, "pt": 0.5})"),
               HasSubstr("\"shape\" is \"cauchy\""));

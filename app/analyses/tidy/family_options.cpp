@@ -164,7 +164,12 @@ std::vector<std::pair<std::string, std::vector<std::string>>> FamilyOptions::lev
   const OptionValue* option = find(name);
   if (option == nullptr) return factors;
   const auto* object = std::get_if<OptionValue::Object>(&option->value);
-  if (object == nullptr) refuse(name, "must be an object of factors with their levels");
+  if (object == nullptr) {
+    refuse(name,
+           "must be an object of factors with their levels, like {\"" +
+               std::string(name == "between" ? "group\": [\"a\", \"b\"]" : "spacing\": [1, 2, 4]") +
+               "}");
+  }
   for (const auto& [factor, levels] : *object) {
     factors.emplace_back(factor, list_of(levels, name + '.' + factor, option_text));
   }
