@@ -625,6 +625,14 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   test_textures(selection, tests, outcome);
 
   add_positions(counts, outcome);
+  if (same_size) {
+    std::vector<PersonsRow> places{};
+    for (const std::string& place : numbers_up_to(selection.positions)) {
+      places.push_back({place, place});
+    }
+    add_persons(found_position, places, "position", "share_of_position", outcome,
+                "persons_by_position");
+  }
   const std::vector<Finding> scale =
       selection.two_offered ? analysis_of("scale", "paired", comparisons_of(selection))
                             : analysis_of("scale", "ranking", first_places_of(selection));

@@ -324,9 +324,9 @@ void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOu
 
 void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
                  const std::string& key_column, const std::string& quantity,
-                 AnalysisOutcome& outcome) {
+                 AnalysisOutcome& outcome, const char* name) {
   NamedTable made{
-      "persons",
+      name,
       phrase("Analysis", "The person as the unit: each person's own share, over the persons"),
       {{key_column, "persons", "mean", "mean_low", "mean_high", "sd", "minimum", "median",
         "maximum"},

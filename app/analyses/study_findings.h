@@ -113,7 +113,7 @@ struct SexesComparison {
 /// Whether women and men differ; nothing where there are not both.
 void ask_sexes(const SexesComparison& sexes, const StudyTests& tests, AnalysisOutcome& outcome);
 
-/// The table `persons` from subj.mean, subj.sd, subj.minimum, subj.median and subj.maximum of these
+/// The table `name` from subj.mean, subj.sd, subj.minimum, subj.median and subj.maximum of these
 /// keys, with the same as findings `mean_of_persons_QUANTITY`.
 struct PersonsRow {
   std::string name{};  ///< in the table
@@ -121,7 +121,7 @@ struct PersonsRow {
 };
 void add_persons(const FoundNumbers& found, std::span<const PersonsRow> rows,
                  const std::string& key_column, const std::string& quantity,
-                 AnalysisOutcome& outcome);
+                 AnalysisOutcome& outcome, const char* name = "persons");
 
 /// A row per measure: value and interval, where they are numbers.
 struct Measure {

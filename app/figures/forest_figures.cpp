@@ -149,10 +149,12 @@ std::vector<ForestRow> rows_of_persons(const NamedTable& table, bool with_name) 
   for (const std::vector<Cell>& cells : table.table.rows) {
     const auto people = static_cast<std::size_t>(number_of(cells[persons]).value_or(0.0));
     const Phrase of = mean_of(people);
-    ForestRow row{.label = with_name
-                               ? phrase("Figures", "%1 · %2").with(word_of_cell(cells.front()), of)
-                               : of,
-                  .share = number_of(cells[mean])};
+    ForestRow row{
+        .label =
+            with_name
+                ? phrase("Figures", "%1 · %2").with(label_of_row(table.table.columns, cells, 1), of)
+                : of,
+        .share = number_of(cells[mean])};
     const auto from = number_of(cells[low]);
     const auto to = number_of(cells[high]);
     if (from && to) row.interval = FigureSpan{.low = *from, .high = *to};
@@ -164,9 +166,10 @@ std::vector<ForestRow> rows_of_persons(const NamedTable& table, bool with_name) 
 /// The means of persons that say of the same what this table of shares says, where there are some.
 std::vector<ForestRow> means_beside(const NamedTable& table, const NamedTable* persons) {
   if (persons == nullptr || persons->table.columns.empty()) return {};
-  const bool of_items = persons->table.columns.front() == "item";
-  const bool belongs = table.name == "shares" || (table.name == "shares_by_texture" && !of_items);
-  return belongs ? rows_of_persons(*persons, of_items) : std::vector<ForestRow>{};
+  const bool of_all = persons->table.columns.front() == "answers";
+  const bool belongs = table.name == "shares" || table.name == "positions" ||
+                       (table.name == "shares_by_texture" && of_all);
+  return belongs ? rows_of_persons(*persons, !of_all) : std::vector<ForestRow>{};
 }
 
 std::optional<Figure> table_forest(const NamedTable& table, const NamedTable* persons) {
@@ -300,10 +303,12 @@ std::vector<Figure> table_forests(const std::vector<NamedTable>& tables) {
     return found == tables.end() ? nullptr : &*found;
   };
   const NamedTable* persons = named("persons");
+  const NamedTable* by_position = named("persons_by_position");
   const NamedTable* shares = named("shares");
   std::vector<Figure> figures{};
   for (const NamedTable& table : tables) {
-    if (std::optional<Figure> figure = table_forest(table, persons)) {
+    if (std::optional<Figure> figure =
+            table_forest(table, table.name == "positions" ? by_position : persons)) {
       figures.push_back(std::move(*figure));
     }
     // One mean alone stands beside the shares that it is a mean of.

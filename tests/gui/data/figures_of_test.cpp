@@ -340,6 +340,36 @@ TEST(FiguresOf, SetTheMeanOfPersonsBesideTheSharesOfTheirAnswers) {
   ASSERT_EQ(figure.references.size(), 1U);
 }
 
+// What the sentence beside the figure says: an interval of the pooled choices alone excludes chance
+// where that of the participants does not.
+TEST(FiguresOf, SetTheMeansOfPersonsBesideTheSharesOfPositions) {
+  AnalysisOutcome outcome{};
+  outcome.tables = {{.name = "positions",
+                     .table = {{"position", "chosen", "of", "persons", "share", "wilson_low",
+                                "wilson_high", "chance"},
+                               {{std::string("1"), std::int64_t{27}, std::int64_t{40},
+                                 std::int64_t{4}, 0.675, 0.52, 0.8, 0.5},
+                                {std::string("2"), std::int64_t{13}, std::int64_t{40},
+                                 std::int64_t{4}, 0.325, 0.2, 0.48, 0.5}}}},
+                    {.name = "persons",
+                     .table = {{"item", "persons", "mean", "mean_low", "mean_high"},
+                               {{std::string("sinusoid"), std::int64_t{4}, 0.5, 0.4, 0.6}}}},
+                    {.name = "persons_by_position",
+                     .table = {{"position", "persons", "mean", "mean_low", "mean_high"},
+                               {{std::string("1"), std::int64_t{4}, 0.68, 0.34, 1.0},
+                                {std::string("2"), std::int64_t{4}, 0.32, 0.0, 0.66}}}}};
+  outcome.questions.push_back({.name = "position"});
+  const std::vector<Figure> figures = figures_of(outcome);
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_EQ(figures.front().question, "position");
+  EXPECT_EQ(places_of(figures.front().y),
+            (std::vector<std::string>{"position 1 (27 of 40)", "position 2 (13 of 40)",
+                                      "position 1 · mean of 4 participants",
+                                      "position 2 · mean of 4 participants"}));
+  ASSERT_EQ(figures.front().series.size(), 2U);
+  EXPECT_EQ(figures.front().series[1].points.front().x_interval->low, 0.34);
+}
+
 TEST(FiguresOf, ShowBothGroupsAndTheirDifference) {
   const Analysed all = analysed("group_01");
   const std::vector<std::string> groups = all.read.input.options.texts("groups");
