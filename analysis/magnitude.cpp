@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -73,12 +74,25 @@ struct MeanFit {
   Eigen::MatrixXd covariance{};  // of the coefficients, from the residuals
 };
 
+/// The coefficients of each row, counted from its first level: of a row that is level they are 0 but for the
+/// first, without a rounding that looks like a slope.
+Eigen::MatrixXd coefficients_by_row(const LeastSquares& fit, const Eigen::MatrixXd& rows) {
+  const Eigen::MatrixXd from_first = rows.colwise() - rows.col(0);
+  Eigen::MatrixXd coefficients = fit.solver.solve(from_first.transpose()).transpose();
+  coefficients.col(0) += rows.col(0);
+  return coefficients;
+}
+
 MeanFit mean_fit(const MagnitudeCurves& curves, const LeastSquares& fit) {
   const Eigen::VectorXd means = curves.log10.colwise().mean();
-  MeanFit answer{.coefficients = fit.solver.solve(means)};
-  answer.residual_squares = (means - fit.powers * answer.coefficients).squaredNorm();
-  const double squares = (means.array() - means.mean()).square().sum();
-  answer.r2 = 1.0 - answer.residual_squares / squares;
+  MeanFit answer{.coefficients = coefficients_by_row(fit, means.transpose()).transpose()};
+  const Eigen::VectorXd from_first = means.array() - means(0);
+  Eigen::VectorXd of_first = answer.coefficients;
+  of_first(0) -= means(0);
+  answer.residual_squares = (from_first - fit.powers * of_first).squaredNorm();
+  const double squares = (from_first.array() - from_first.mean()).square().sum();
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  answer.r2 = squares > 0.0 ? 1.0 - answer.residual_squares / squares : kNaN;
   answer.df = static_cast<double>(fit.powers.rows() - fit.powers.cols());
   answer.covariance =
       answer.residual_squares / answer.df * (fit.powers.transpose() * fit.powers).inverse();
@@ -319,7 +333,7 @@ std::vector<Eigen::MatrixXd> normalised_to_standard(const MagnitudeCells& cells,
 
 PowerLaw power_law(const MagnitudeCurves& curves) {
   const LeastSquares fit = least_squares(curves, 2);
-  const Eigen::MatrixXd lines = fit.solver.solve(curves.log10.transpose()).transpose();
+  const Eigen::MatrixXd lines = coefficients_by_row(fit, curves.log10);
   PowerLaw law{.exponents = column(lines, 1)};
   law.exponent = one_sample_t(law.exponents, {.confidence = curves.confidence});
   law.intercept = lines.col(0).mean();
@@ -343,7 +357,7 @@ std::optional<double> Quadratic::peak() const noexcept {
 
 QuadraticFit quadratic_fit(const MagnitudeCurves& curves) {
   const LeastSquares fit = least_squares(curves, 3);
-  const Eigen::MatrixXd rows = fit.solver.solve(curves.log10.transpose()).transpose();
+  const Eigen::MatrixXd rows = coefficients_by_row(fit, curves.log10);
   QuadraticFit answer;
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     answer.participants.push_back(quadratic_of(rows.row(i)));
@@ -355,7 +369,7 @@ QuadraticFit quadratic_fit(const MagnitudeCurves& curves) {
   const MeanFit line = mean_fit(curves, least_squares(curves, 2));
   const MeanFit curve = mean_fit(curves, fit);
   answer.pooled_r2 = curve.r2;
-  if (curve.df > 0.0) {
+  if (curve.df > 0.0 && curve.residual_squares > 0.0) {
     answer.F =
         (line.residual_squares - curve.residual_squares) / (curve.residual_squares / curve.df);
     answer.p = upper_tail(FStatistic{.value = *answer.F, .df1 = 1.0, .df2 = curve.df});

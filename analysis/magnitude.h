@@ -84,7 +84,7 @@ struct PowerLaw {
   double intercept = 0.0;
   double pooled_slope = 0.0;
   double pooled_slope_se = 0.0;
-  double pooled_r2 = 0.0;
+  double pooled_r2 = 0.0;  ///< NaN where the means are all the same
 };
 PowerLaw power_law(const MagnitudeCurves& curves);
 
@@ -144,8 +144,8 @@ struct QuadraticFit {
   Quadratic mean{};
   Eigen::Matrix3d covariance{};  ///< of the mean coefficients a, b, c between participants
   OneSampleT curvature{};        ///< c over participants, against 0
-  double pooled_r2 = 0.0;        ///< of the curve through the means
-  std::optional<double> F{};     ///< of the curve against the line, through the means
+  double pooled_r2 = 0.0;     ///< of the curve through the means; NaN where these are all the same
+  std::optional<double> F{};  ///< of the curve against the line, through the means
   std::optional<double> p{};
   std::array<EndSlope, 2> ends{};  ///< rising at the lowest x, falling at the highest
 

@@ -178,6 +178,18 @@ UniformPower uniform_power(const UniformPlan& plan) {
     throw std::invalid_argument("truth: the probabilities add up to " + number_text(sum) +
                                 "; of all alternatives they must add up to 1");
   }
+  // C(n + K − 1, K − 1) of them.
+  const auto choices = static_cast<double>(plan.choices);
+  const auto places = static_cast<double>(plan.truth.size());
+  const double counts =
+      std::exp(std::lgamma(choices + places) - std::lgamma(places) - std::lgamma(choices + 1.0));
+  constexpr double kMostCounts = 2e7;  // some seconds
+  if (counts > kMostCounts) {
+    throw std::invalid_argument("choices is " + std::to_string(plan.choices) + " among " +
+                                std::to_string(plan.truth.size()) +
+                                " alternatives: more outcomes than can be counted one by one; plan "
+                                "fewer of either");
+  }
   Enumeration enumeration{.plan = plan};
   const double ways = std::lgamma(static_cast<double>(plan.choices) + 1.0);
   enumeration.walk(0, plan.choices, ways, ways, 0.0);

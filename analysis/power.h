@@ -30,7 +30,7 @@ ExactPower binomial_power(const BinomialPlan& plan);            ///< more hits t
 ExactPower binomial_two_sided_power(const BinomialPlan& plan);  ///< as `binomial_test`
 
 /// Pearson's X² of n choices against equal probabilities, with the χ² of K − 1 degrees of freedom
-/// as its null: enumerated over all counts, and by the noncentral χ² with n·K·Σ(p − 1/K)².
+/// as its null: enumerated over all counts (refused where there are more than 2·10⁷), and by the noncentral χ² with n·K·Σ(p − 1/K)².
 struct UniformPlan {
   std::size_t choices = 1;
   std::vector<double> truth{};  ///< probability of each alternative; their sum is 1

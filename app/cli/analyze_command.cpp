@@ -42,7 +42,9 @@ struct Options {
 
 int analyze_case(const Options& options) {
   const ReferenceCase read = read_reference_case(options.reference_case);
-  write_file(options.out, case_csv_of(tidy_family(read.family).findings(read.input)),
+  const TidyFamily& family = tidy_family(read.family);
+  refuse_further_tables(family, read.input);
+  write_file(options.out, case_csv_of(family.findings(read.input)),
              options.force ? Overwrite::allow : Overwrite::refuse);
   return 0;
 }
@@ -95,6 +97,7 @@ int analyze_tables(const Options& options) {
                              ": below the line of column names there is no row: there is nothing "
                              "to analyse");
   }
+  refuse_further_tables(family, input);
   const TableFindings findings{
       .kind = options.kind, .files = options.tables, .findings = family.findings(input)};
   for (const std::string& name : input.options.never_asked_for()) refuse_unused(input, name);

@@ -171,6 +171,158 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
             "NA: it was never presented");
 }
 
+// Two columns of the same name in the options are two things with one name: every number of them is wrong.
+TEST(TidyRefusals, TakeNoNameTwice) {
+  EXPECT_EQ(refusal_of("selection", "subject,sample,choice\nA,1,a\n",
+                       R"({"renderers": ["a", "b", "a"], "target": "a"})"),
+            "the option \"renderers\" names \"a\" twice");
+  EXPECT_EQ(refusal_of("recognition", "subject,stimulus,response\nA,x,x\n",
+                       R"({"labels": ["x", "x", "y"]})"),
+            "the option \"labels\" names \"x\" twice");
+  EXPECT_EQ(
+      refusal_of("group", "subject,group,correct,trials\nA,a,3,4\n", R"({"groups": ["a", "a"]})"),
+      "the option \"groups\" names \"a\" twice");
+  EXPECT_EQ(refusal_of("rmanova", "subject,s,y\nA,a,1\n", R"({"within": {"s": ["a", "b", "a"]}})"),
+            "the option \"within.s\" names \"a\" twice");
+  for (const char* family : {"paired", "ranking", "rating"}) {
+    EXPECT_EQ(refusal_of(family, "subject,first,second,winner,trial,item,rank,score\n",
+                         R"({"items": [1, 1, 2]})"),
+              "the option \"items\" names \"1\" twice");
+  }
+  EXPECT_THAT(refusal_of("paired", "subject,first,second,winner\nA,a,tie,tie\n",
+                         R"({"items": ["a", "tie"]})"),
+              HasSubstr("names \"tie\""));
+  EXPECT_THAT(refusal_of("recognition", "subject,stimulus,response\nA,x,x\n", R"({"labels": "x"})"),
+              HasSubstr("two stimuli at least"));
+}
+
+// A participant is the unit: one that stands twice would count as two.
+TEST(TidyRefusals, TakeNoRowTwiceThatNamesItsNumbers) {
+  EXPECT_EQ(
+      refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,b,2,4\n", kGroups),
+      "t.csv:4:1: A stands twice; a participant is one row, and in one group");
+  EXPECT_EQ(refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nA,a,2,4\n", kGroups),
+            "t.csv:3:1: A stands twice; a participant is one row, and in one group");
+  EXPECT_EQ(refusal_of("proportion", "id,k,n,p0\na,1,2,0.5\nb,1,2,0.5\na,2,2,0.5\n", "[]"),
+            "t.csv:4:1: \"a\" stands twice; it names the numbers of its row");
+  EXPECT_EQ(refusal_of("power",
+                       "id,kind,n,alpha,p0,p1\na,binom_two,9,0.05,0.5,0.9\n"
+                       "a,binom_two,8,0.05,0.5,0.9\n",
+                       "[]"),
+            "t.csv:3:1: \"a\" stands twice; it names the numbers of its row");
+}
+
+TEST(TidyRefusals, TakeWholeRanksFromOne) {
+  const char* items = R"({"items": ["a", "b"]})";
+  for (const char* rank : {"0", "-1", "1.5"}) {
+    EXPECT_THAT(
+        refusal_of("ranking", "subject,trial,item,rank\nA,1,a,2\nA,1,b," + std::string(rank) + '\n',
+                   items),
+        HasSubstr("t.csv:3:4: rank is " + std::string(rank) + "; it must be a whole number"));
+  }
+}
+
+TEST(TidyRefusals, CountNoMoreOutcomesThanCanBeCounted) {
+  const std::string head = "id,kind,n,alpha,probs\n";
+  EXPECT_THAT(
+      refusal_of("power", head + "one,chisq_uniform_exact,1000,0.05,0.2;0.2;0.2;0.2;0.2\n", "[]"),
+      HasSubstr("t.csv:2:2: choices is 1000 among 5 alternatives: more outcomes"));
+  EXPECT_EQ(
+      refusal_of("power", head + "one,chisq_uniform_exact,60,0.05,0.25;0.25;0.25;0.25\n", "[]"),
+      "");
+}
+
+TEST(TidyRefusals, SayNothingOfASampleInWhichNothingWasChosen) {
+  const char* choices = R"({"renderers": ["a", "b"], "target": "a"})";
+  const std::vector<Finding> one =
+      findings_of("selection", "subject,sample,choice\nA,1,\nB,1,\nA,2,a\nB,2,b\n", choices);
+  EXPECT_EQ(word_of(one, "status"), "no_data");
+  for (const Finding& finding : one) {
+    if (finding.key != "1" && !finding.key.starts_with("1|")) continue;
+    EXPECT_THAT(finding.quantity,
+                testing::AnyOf("n.valid", "status", "mcnemar.b", "mcnemar.c", "mcnemar.exact.p"));
+  }
+  const std::vector<Finding> none =
+      findings_of("selection", "subject,sample,choice\nA,1,\nB,1,\n", choices);
+  for (const Finding& finding : none) {
+    EXPECT_THAT(finding.quantity, testing::AnyOf("n.valid", "status", "subj.n"));
+  }
+}
+
+TEST(TidyRefusals, CountSeveralChoicesOfAParticipantWithASample) {
+  const char* choices = R"({"renderers": ["a", "b"], "target": "a"})";
+  const auto repeated = [choices](const std::string& rows) {
+    for (const Finding& finding :
+         findings_of("selection", "subject,sample,choice\n" + rows, choices)) {
+      if (finding.quantity == "choices.repeated") return finding.value.value_or(-1.0);
+    }
+    return 0.0;
+  };
+  EXPECT_EQ(repeated("A,1,a\nA,2,a\nB,1,b\nB,2,a\n"), 0.0);
+  EXPECT_EQ(repeated("A,1,a\nA,1,\nB,1,b\n"), 0.0) << "one of them was not made";
+  EXPECT_EQ(repeated("A,1,a\nA,1,b\nA,1,a\nB,1,b\n"), 2.0);
+}
+
+// A line that fits answers which rise nowhere tells of no threshold.
+TEST(TidyRefusals, SayWhereAThresholdIsNotAmongTheLevels) {
+  const char* options = R"({"shape": "logistic", "gamma": 0.5, "lambda": 0.02, "pt": 0.75})";
+  const std::string head = "condition,x,n,k\n";
+  EXPECT_EQ(word_of(findings_of("psyfit", head + "c,1,10,9\nc,2,10,7\nc,3,10,5\n", options),
+                    "threshold.status"),
+            "outside_range");
+  EXPECT_EQ(word_of(findings_of("psyfit", head + "c,1,10,5\nc,2,10,5\nc,3,10,5\n", options),
+                    "threshold.status"),
+            "outside_range");
+  EXPECT_EQ(
+      word_of(findings_of("psyfit", head + "c,1,10,5\nc,2,10,7\nc,3,10,10\nc,9,0,0\n", options),
+              "threshold.status"),
+      "(absent)");
+}
+
+TEST(TidyRefusals, FindNoCurveWhereAllEstimatesAreTheSame) {
+  std::string rows = "subject,probe,spacing,estimate\n";
+  for (const char* person : {"A", "B", "C"}) {
+    for (const char* spacing : {"0.5", "1", "2", "4"}) {
+      rows += std::string(person) + ",1," + spacing + ",5\n";
+    }
+  }
+  for (const Finding& finding : findings_of("magnitude", rows, kMagnitude)) {
+    if (finding.quantity.starts_with("exponent.subject") ||
+        finding.quantity == "pooled.linear.slope" || finding.quantity == "quad.cov") {
+      EXPECT_EQ(finding.value, 0.0) << finding.quantity;
+    }
+    if (finding.quantity.ends_with(".r2") || finding.quantity.starts_with("pooled.quad.vs")) {
+      EXPECT_EQ(finding.word, "NA") << finding.quantity;
+    }
+    if (finding.quantity == "peak.status") {
+      EXPECT_EQ(finding.word, "no_maximum");
+    }
+  }
+}
+
+TEST(TidyFamilies, RefuseTablesThatTheyWouldNotRead) {
+  const auto refusal = [](const std::string& family, std::size_t tables) {
+    TidyInput input{};
+    for (std::size_t i = 0; i < tables; ++i) {
+      input.tables.emplace_back("a\n1\n", "t" + std::to_string(i) + ".csv");
+    }
+    try {
+      refuse_further_tables(tidy_family(family), input);
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const auto& [family, most] :
+       {std::pair{"selection", 1}, std::pair{"group", 1}, std::pair{"magnitude", 2},
+        std::pair{"psyfit", 2}, std::pair{"seedpaper", 3}}) {
+    const auto tables = static_cast<std::size_t>(most);
+    EXPECT_EQ(refusal(family, tables), "");
+    EXPECT_THAT(refusal(family, tables + 1),
+                testing::StartsWith("t" + std::to_string(most) + ".csv: " + family + " takes "));
+  }
+}
+
 TEST(TidyFamilies, RefuseAnOptionThatTheyDoNotHaveAndSayWhichIsMeant) {
   const auto refusal = [](const std::string& family, const std::string& option) {
     FamilyOptions options{};

@@ -3,7 +3,9 @@
 #include "app/analyses/tidy/family_options.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -57,6 +59,16 @@ auto list_of(const OptionValue& option, const std::string& name, Item item) {
     list.push_back(item(option, name));
   }
   return list;
+}
+
+/// A list of names; one that stands twice would be two with the same numbers.
+std::vector<std::string> names_of(const OptionValue& option, const std::string& name) {
+  std::vector<std::string> names = list_of(option, name, option_text);
+  std::set<std::string_view> seen{};
+  for (const std::string& one : names) {
+    if (!seen.insert(one).second) refuse(name, "names \"" + one + "\" twice");
+  }
+  return names;
 }
 
 }  // namespace
@@ -151,7 +163,7 @@ std::string FamilyOptions::text_or(const std::string& name, const std::string& o
 }
 
 std::vector<std::string> FamilyOptions::texts(const std::string& name) const {
-  return list_of(at(name), name, option_text);
+  return names_of(at(name), name);
 }
 
 std::vector<double> FamilyOptions::numbers(const std::string& name) const {
@@ -171,7 +183,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> FamilyOptions::lev
                "}");
   }
   for (const auto& [factor, levels] : *object) {
-    factors.emplace_back(factor, list_of(levels, name + '.' + factor, option_text));
+    factors.emplace_back(factor, names_of(levels, name + '.' + factor));
   }
   return factors;
 }

@@ -23,7 +23,7 @@ struct OptionValue {
 /// null is the same as absent.
 ///
 /// Errors: every function throws std::runtime_error naming the option: absent where there is no
-/// default, or of another type.
+/// default, of another type, or a list in which a name stands twice.
 class FamilyOptions final {
  public:
   FamilyOptions() = default;

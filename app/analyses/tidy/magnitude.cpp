@@ -300,13 +300,20 @@ class MagnitudeList final {
           shown.confidence = confidence_;
         }
         list_.number("geomean", key, std::pow(10.0, mean), shown);
-        number("geomean.ci.lower", key, ends.low, "t interval of logarithms");
-        number("geomean.ci.upper", key, ends.high, "t interval of logarithms");
+        const auto limit = [&](const char* quantity, double value, std::string method) {
+          Basis of_limit = basis(std::move(method));
+          of_limit.undefined =
+              cell.half_width ? "with a single cell all normalised estimates are the grand mean"
+                              : "one participant has no spread: run more";
+          list_.number(quantity, key, value, of_limit);
+        };
+        limit("geomean.ci.lower", ends.low, "t interval of logarithms");
+        limit("geomean.ci.upper", ends.high, "t interval of logarithms");
         if (normalisation_ == Normalisation::grand_mean) {
-          number("geomean.ci.lower.morey", key, std::pow(10.0, mean - half * morey),
-                 "widened by √(J/(J−1)) for J cells (Cousineau and Morey)");
-          number("geomean.ci.upper.morey", key, std::pow(10.0, mean + half * morey),
-                 "widened by √(J/(J−1)) for J cells (Cousineau and Morey)");
+          limit("geomean.ci.lower.morey", std::pow(10.0, mean - half * morey),
+                "widened by √(J/(J−1)) for J cells (Cousineau and Morey)");
+          limit("geomean.ci.upper.morey", std::pow(10.0, mean + half * morey),
+                "widened by √(J/(J−1)) for J cells (Cousineau and Morey)");
         }
       }
     }

@@ -32,8 +32,11 @@ struct Paired {
 Paired paired_in(const TidyInput& input) {
   const TidyTable& table = input.table();
   Paired read{.items = input.options.texts("items")};
-  if (std::set<std::string>(read.items.begin(), read.items.end()).size() < 2) {
+  if (read.items.size() < 2) {
     throw std::runtime_error("the option \"items\" must name two items at least");
+  }
+  if (std::find(read.items.begin(), read.items.end(), kTie) != read.items.end()) {
+    throw std::runtime_error("the option \"items\" names \"tie\", which as a winner means neither");
   }
   const LabelColumn participants = table.all_labels("subject");
   const LabelColumn first = table.labels("first", read.items);

@@ -1,6 +1,7 @@
 // Psychometric functions of conditions: right answers by level.
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -114,6 +115,7 @@ class PsychometricList final {
     const PsychometricFit fit = fit_psychometric(condition.blocks, question_);
     parameters(fit);
     threshold(fit);
+    say_where_outside(fit.threshold, condition.blocks);
     return fit;
   }
 
@@ -213,6 +215,23 @@ class PsychometricList final {
           .shape = shape, .alpha = fit.function.alpha, .beta = fit.function.beta};
       number("jnd", 0.5 * (plain.inverse(0.75) - plain.inverse(0.25)), "(x75 − x25)/2 of F");
     }
+  }
+
+  /// A threshold that no level is beyond rests on the form of the function alone.
+  void say_where_outside(double threshold, const Blocks& blocks) {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    for (const PsychometricBlock& block : blocks) {
+      if (block.trials == 0) continue;
+      lowest = std::min(lowest, block.x);
+      highest = std::max(highest, block.x);
+    }
+    if (threshold != threshold || (threshold >= lowest && threshold <= highest)) return;
+    list_.word(
+        "threshold.status", key_, "outside_range",
+        "the threshold is not among the tested levels, and rests on the form of the function "
+        "alone: present levels around it, and see whether more is more often right",
+        basis("whether the levels tell of the threshold"));
   }
 
   PsychometricQuestion question_{};

@@ -1,6 +1,7 @@
 // Each trial ranks some or all of the items that it offers.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "analysis/comparison_graph.h"
+#include "analysis/number_text.h"
 #include "analysis/plackett_luce.h"
 #include "analysis/tail_probabilities.h"
 #include "app/analyses/tidy/scale_findings.h"
@@ -53,7 +55,7 @@ Ranking ranking_of(const TidyTable& table, std::vector<OfferedItem>& offered) {
 Rankings rankings_in(const TidyInput& input) {
   const TidyTable& table = input.table();
   Rankings read{.items = input.options.texts("items")};
-  if (std::set<std::string>(read.items.begin(), read.items.end()).size() < 2) {
+  if (read.items.size() < 2) {
     throw std::runtime_error("the option \"items\" must name two items at least");
   }
   read.confidence = input.options.confidence();
@@ -68,6 +70,11 @@ Rankings rankings_in(const TidyInput& input) {
   std::vector<std::pair<std::size_t, std::vector<OfferedItem>>> offers{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (items.codes[row] == LabelColumn::kMissing) table.refuse(row, "item", "item is missing");
+    if (ranks[row] && (*ranks[row] < 1.0 || *ranks[row] != std::round(*ranks[row]))) {
+      table.refuse(row, "rank",
+                   "rank is " + number_text(*ranks[row]) +
+                       "; it must be a whole number from 1, and empty for what stands behind");
+    }
     const std::pair name{participants.codes[row], trials.codes[row]};
     const auto [found, first] = place.emplace(name, offers.size());
     if (first) offers.emplace_back(name.first, std::vector<OfferedItem>{});

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -101,7 +100,7 @@ void add_pairs(const std::vector<std::string>& items, const Eigen::MatrixXd& sco
 
 std::vector<Finding> rating_findings(const TidyInput& input) {
   const std::vector<std::string> items = input.options.texts("items");
-  if (std::set<std::string>(items.begin(), items.end()).size() < 2) {
+  if (items.size() < 2) {
     throw std::runtime_error("the option \"items\" must name two items at least");
   }
   const Scores given = scores_of(input.table(), items);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct Trials {
 
 Trials read_trials(const TidyInput& input) {
   Trials trials{.labels = input.options.texts("labels")};
+  if (trials.labels.size() < 2) {
+    throw std::runtime_error("the option \"labels\" must name two stimuli at least");
+  }
   const TidyTable& table = input.table();
   const LabelColumn subjects = table.all_labels("subject");
   const LabelColumn stimuli = table.labels("stimulus", trials.labels);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,21 +60,22 @@ double add_block(const Choices& read, const std::string& block,
     findings.number(quantity, key, value, {.n = n, .method = method});
   };
   findings.count("n.valid", block, n, {.n = n, .method = "choices that were made"});
+  if (n == 0) {
+    findings.word("status", block, "no_data", "nothing was chosen here: nothing can be said");
+    return kNone;
+  }
   const std::string independent =
       pooled ? ", as if the choices of a participant were independent" : "";
   for (std::size_t j = 0; j < counts.size(); ++j) {
     const std::string key = both(block, read.renderers[j]);
     const HitCount count{.hits = counts[j], .trials = n};
-    const ConfidenceInterval none{.low = kNone, .high = kNone};
-    const ConfidenceInterval wilson = n > 0 ? wilson_interval(count, read.confidence) : none;
-    const ConfidenceInterval cp = n > 0 ? clopper_pearson_interval(count, read.confidence) : none;
+    const ConfidenceInterval wilson = wilson_interval(count, read.confidence);
+    const ConfidenceInterval cp = clopper_pearson_interval(count, read.confidence);
     findings.count("count", key, counts[j], {.n = n});
     Basis basis{.n = n, .method = "chosen of all choices; interval of Wilson" + independent};
-    if (n > 0) {
-      basis.interval = wilson;
-      basis.confidence = read.confidence;
-    }
-    findings.number("prop", key, n > 0 ? proportion(count) : kNone, basis);
+    basis.interval = wilson;
+    basis.confidence = read.confidence;
+    findings.number("prop", key, proportion(count), basis);
     number("wilson.lower", key, wilson.low, "interval of Wilson" + independent);
     number("wilson.upper", key, wilson.high, "interval of Wilson" + independent);
     number("cp.lower", key, cp.low, "interval of Clopper and Pearson" + independent);
@@ -103,9 +103,8 @@ double add_block(const Choices& read, const std::string& block,
     number("multinom.chisqorder.p", block, exact.counted ? exact.by_chi_squared : kNone,
            "exact multinomial test against equal shares, in the order of Pearson's X²");
   }
-  const double p = n > 0 ? binomial_upper_tail({.hits = counts[read.target], .trials = n},
-                                               1.0 / static_cast<double>(counts.size()))
-                         : kNone;
+  const double p = binomial_upper_tail({.hits = counts[read.target], .trials = n},
+                                       1.0 / static_cast<double>(counts.size()));
   number(
       "target.p.greater", block, p,
       "exact binomial, one-sided against chance 1/" + std::to_string(counts.size()) + independent);
@@ -253,6 +252,25 @@ void add_label_tests(const Choices& read, const CountMatrix& counts, FindingList
                              " relabelling within participants, sum of squared totals"});
 }
 
+/// Where the counts of a sample hold several choices of one participant.
+void add_repeated(const Choices& read, FindingList& findings) {
+  const std::size_t samples = read.samples.names.size();
+  std::vector<bool> seen(read.participants.names.size() * samples);
+  std::uint64_t repeated = 0;
+  for (std::size_t row = 0; row < read.choices.codes.size(); ++row) {
+    if (!read.made(row)) continue;
+    const std::size_t place = read.participants.codes[row] * samples + read.samples.codes[row];
+    repeated += seen[place] ? 1 : 0;
+    seen[place] = true;
+  }
+  if (repeated == 0) return;
+  findings.count(
+      "choices.repeated", "", repeated,
+      {.n = read.participants.names.size(),
+       .method = "further choices of a participant with the same sample, which the tests "
+                 "of a sample take as independent and those over participants do not"});
+}
+
 /// Whether choosing the target depends on the sample, among those who answered all samples.
 void add_cochran(const Choices& read, FindingList& findings) {
   const std::size_t samples = read.samples.names.size();
@@ -332,6 +350,8 @@ std::vector<Finding> selection_findings(const TidyInput& input) {
   findings.count(
       "subj.n", "", static_cast<std::uint64_t>(counts.rows()),
       {.n = static_cast<std::size_t>(counts.rows()), .method = "participants who chose at all"});
+  add_repeated(read, findings);
+  if (counts.rows() == 0) return findings.take();
   for (std::size_t j = 0; j < read.renderers.size(); ++j) {
     add_person_shares(read, counts, j, findings);
   }

@@ -23,7 +23,7 @@ constexpr std::array kFamilies{
                "participants",
                "zero_rule: exclude, halfmin; normalisation: geomean, standard; "
                "standard_spacing; modulus; conf",
-               magnitude_findings, "zero_rule,normalisation,standard_spacing,modulus,conf"},
+               magnitude_findings, "zero_rule,normalisation,standard_spacing,modulus,conf", 2},
     TidyFamily{
         "matching",
         "subject,trial,stimulus,response and, where there are groups, group: one row per "
@@ -47,7 +47,7 @@ constexpr std::array kFamilies{
                "the first condition",
                "shape: logistic, normal, gumbel, weibull; gamma, lambda: a rate or free; "
                "lambda_max; pt: performance at the threshold; conf",
-               psyfit_findings, "shape,gamma,lambda,lambda_max,pt,conf"},
+               psyfit_findings, "shape,gamma,lambda,lambda_max,pt,conf", 2},
     TidyFamily{"ranking",
                "subject,trial,item,rank: 1 for the best, empty for an item that was offered and "
                "stands behind all that were ranked; an item that was not offered has no row; and, "
@@ -70,7 +70,7 @@ constexpr std::array kFamilies{
     TidyFamily{"seedpaper",
                "three tables of margins: exp,renderer,count; exp,sex,correct,n of matching; "
                "exp,sex,correct,n of recognition",
-               "", seedpaper_findings, ""},
+               "", seedpaper_findings, "", 3},
     TidyFamily{"selection",
                "subject,sample,choice: the best of several, empty where none was chosen",
                "renderers (all that can be chosen), target (one of them), conf", selection_findings,
@@ -91,6 +91,16 @@ void refuse_unknown_options(const TidyFamily& family, const FamilyOptions& optio
                               : meant.empty() ? "; it has: " + std::string(family.options)
                                               : meant));
   }
+}
+
+void refuse_further_tables(const TidyFamily& family, const TidyInput& input) {
+  if (input.tables.size() <= family.most_tables) return;
+  const std::string tables = family.most_tables == 1
+                                 ? "one table"
+                                 : std::to_string(family.most_tables) + " tables at most";
+  throw std::runtime_error(
+      input.tables[family.most_tables].name() + ": " + std::string(family.name) + " takes " +
+      tables + ": " + std::string(family.tables) + "; put what belongs together into one table");
 }
 
 const TidyTable& TidyInput::table(std::size_t index) const {

@@ -47,10 +47,13 @@ struct TidyFamily {
   std::string_view options{};  ///< with what they take; for people
   std::vector<Finding> (*findings)(const TidyInput&) = nullptr;
   std::string_view option_names{};  ///< those names alone, a comma between
+  std::size_t most_tables = 1;
 };
 
 /// Throws std::runtime_error naming an option that the family does not have, and what may be meant.
 void refuse_unknown_options(const TidyFamily& family, const FamilyOptions& options);
+/// Throws std::runtime_error naming the first of more tables than the family takes: nothing would come of it.
+void refuse_further_tables(const TidyFamily& family, const TidyInput& input);
 
 std::span<const TidyFamily> tidy_families();
 
