@@ -8,9 +8,11 @@
 #include "app/analyses/cell_words.h"
 #include "app/analyses/reading_number.h"
 #include "app/analyses/reading_table.h"
+#include "app/analyses/tidy/finding_list.h"
 #include "app/tasks/report_numbers.h"
 #include "app/tasks/report_sections.h"
 #include "app/tasks/report_tests.h"
+#include "results_schema/table.h"
 
 namespace asperity {
 
@@ -177,22 +179,77 @@ ReportTable table_of(const NamedTable& named) {
   return table;
 }
 
-/// "share chosen of column 1, height_map"
+/// What a finding is about that can have no answer; the words of its name where it has no others.
+std::string words_of_unanswered(const std::string& quantity) {
+  static const std::map<std::string, std::string> kWords{
+      {"bt.firth.status", "the scale of preference with Firth’s correction"},
+      {"bt.order.status", "whether the first of two is preferred, on the scale of preference"},
+      {"bt.status", "the scale of preference (Bradley–Terry)"},
+      {"cochran.Q", "Cochran’s Q"},
+      {"dprime", "d′"},
+      {"dprime.se", "the standard error of d′"},
+      {"exponent.t", "the test of the exponent"},
+      {"friedman.chisq", "Friedman’s test"},
+      {"glm.status", "the logistic regression"},
+      {"mallows.theta", "Mallows’ θ"},
+      {"peak.status", "the peak of the curve"},
+      {"pl.status", "the scale of preference (Plackett–Luce)"},
+      {"pooled.deff", "the design effect of pooling"},
+      {"pooled.se.cluster", "the standard error of the pooled share, by participant"},
+      {"precision", "how often an answer was right"},
+      {"quad.c.t", "the test of the curvature"},
+      {"recall", "how often it was recognised"},
+      {"scm.status", "the model of similar choices"},
+      {"status", "a part of the analysis"},
+      {"subj.ci.lower", "the interval of the mean share"},
+      {"subj.ci.upper", "the interval of the mean share"},
+      {"subj.mean", "the mean share"},
+      {"subj.sd", "the spread of the participants’ shares"},
+      {"subj.t", "the test of the mean share"},
+      {"subj.t.p.two", "the test of the mean share"},
+      {"trend.t", "the test of the trend"},
+      {"welch.t", "Welch’s test"}};
+  const auto known = kWords.find(quantity);
+  return known == kWords.end() ? "" : known->second;
+}
+
+/// "the test of the mean share of height_map", or nothing for what is only a step of a computation.
 std::string subject_of(const Finding& finding) {
-  const std::string about = words_of_key(finding.key);
-  return words_of_quantity(finding.quantity) + (about.empty() ? "" : " of " + about);
+  std::string words = words_of_unanswered(finding.quantity);
+  if (words.empty()) return {};
+  const bool is_place = finding.analysis == "position" && number_in(finding.key);
+  const std::string about = is_place ? "position " + finding.key : words_of_key(finding.key);
+  const bool says_whole = finding.quantity == "bt.order.status";
+  return about.empty() || says_whole ? words : words + " of " + about;
+}
+
+/// Whether a remark has said it: something was left out or averaged, and nothing is unanswered.
+bool is_said_in_remarks(const Finding& finding) {
+  return finding.quantity == "replicates" || finding.quantity == "subjects.incomplete" ||
+         finding.quantity == "subjects.dropped";
 }
 
 /// What the analysis could not answer, a sentence for each reason.
 std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
   std::vector<std::string> reasons{};
   std::map<std::string, std::vector<std::string>> subjects{};
+  std::size_t further = 0;
   for (const Finding& finding : outcome.findings) {
-    if (finding.status == "ok") continue;
+    if (finding.status == "ok" || is_said_in_remarks(finding)) continue;
+    std::string subject = subject_of(finding);
+    if (subject.empty() && finding.status == kNotDefined) {
+      ++further;
+      continue;
+    }
+    if (subject.empty()) {  // a reason of its own is told whatever it is about
+      const std::string about = words_of_key(finding.key);
+      subject = words_of_quantity(finding.quantity) + (about.empty() ? "" : " of " + about);
+    }
     std::vector<std::string>& same = subjects[finding.status];
     if (same.empty()) reasons.push_back(finding.status);
-    const std::string subject = subject_of(finding);
-    if (same.empty() || same.back() != subject) same.push_back(subject);
+    if (std::find(same.begin(), same.end(), subject) == same.end()) {
+      same.push_back(std::move(subject));
+    }
   }
   std::vector<std::string> sentences{};
   for (const std::string& reason : reasons) {
@@ -203,6 +260,13 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
       same.push_back(reading_count(more) + " more");
     }
     sentences.push_back(stopped(capitalised(listed(same)) + ": " + reason));
+  }
+  if (further > 0) {
+    sentences.push_back((further == 1 ? "One number of the appendix or of a table is"
+                                      : reading_count(further) + " numbers of the appendix or of "
+                                                                 "tables are") +
+                        std::string(" not defined for these data; asperity analyze STUDY --json "
+                                    "has each by its name."));
   }
   return sentences;
 }

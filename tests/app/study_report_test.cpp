@@ -530,6 +530,33 @@ TEST(ReportResults, SaysRefusalsAsSentences) {
                 "wrong."));
 }
 
+TEST(ReportResults, NamesWhatHasNoAnswerInWordsAndCountsTheStepsOfComputations) {
+  const auto without = [](const char* quantity, const char* key, const char* analysis,
+                          const char* status) {
+    Finding finding{};
+    finding.quantity = quantity;
+    finding.key = key;
+    finding.analysis = analysis;
+    finding.status = status;
+    return finding;
+  };
+  const char* undefined = "this number is not defined for these data";
+  AnalysisOutcome outcome{};
+  outcome.findings = {without("pooled.quad.vs.linear.F", "s1", "roughness", undefined),
+                      without("peak.se.log10.pooledOLS", "s3", "roughness", undefined),
+                      without("bt.order.status", "first", "scale", "nobody felt both orders"),
+                      without("cochran.Q", "1", "position", "nobody differs"),
+                      without("replicates", "", "anova", "A has 2 rows")};
+  const std::string words = words_of(results_section(outcome, {}));
+  EXPECT_THAT(words, HasSubstr("Whether the first of two is preferred, on the scale of preference: "
+                               "nobody felt both orders.\n"));
+  EXPECT_THAT(words, HasSubstr("Cochran’s Q of position 1: nobody differs.\n"));
+  EXPECT_THAT(words, HasSubstr("2 numbers of the appendix or of tables are not defined for these "
+                               "data; asperity analyze STUDY --json has each by its name.\n"));
+  EXPECT_THAT(words, Not(HasSubstr("pooledOLS")));
+  EXPECT_THAT(words, Not(HasSubstr("A has 2 rows")));
+}
+
 TEST(ReportResults, AnswersTheQuestionsOfAnAnalysisFirst) {
   AnalysisOutcome outcome{};
   outcome.questions.push_back({"preference",
