@@ -138,10 +138,11 @@ std::vector<ExportColumn> BidsDataset::participant_columns(const StudyVocabulary
 
 BidsDataset::BidsDataset(ExportFolder& folder, std::string root, const std::string& study_name,
                          const StudyVocabulary& vocabulary, ExportAudience audience,
-                         Recordings recordings)
+                         Recordings recordings, const MadeBy& made_by)
     : folder_(folder),
       root_(std::move(root)),
       study_name_(study_name),
+      made_by_(made_by),
       audience_(audience),
       recordings_(recordings),
       columns_(beh_columns(vocabulary, audience, recordings, left_out_)),
@@ -269,7 +270,7 @@ void BidsDataset::finish() {
   folder_.add(root_ + "participants.tsv", participants.finish(), participants_left_out_);
   folder_.write(root_ + "participants.json", text_of(sidecar));
   Json description{};
-  description["Name"] = study_name_;
+  description["Name"] = study_name_ + made_by_.in_title;
   description["BIDSVersion"] = kBidsVersion;
   description["DatasetType"] = "raw";
   description["GeneratedBy"] =
@@ -277,12 +278,13 @@ void BidsDataset::finish() {
   folder_.write(root_ + "dataset_description.json", text_of(description));
   folder_.write(
       root_ + "README",
-      "Answers about haptic textures, by session (_beh.tsv), with the meaning of every "
-      "column in the .json file beside it.\n\n"
-      "Rows say whether they count: an analysis uses phase \"main\", valid 1, excluded 0; "
-      "flagged 1 counts, but is worth a look.\n"
-      "A text that a spreadsheet would take for a formula has an apostrophe before it, "
-      "and so has a text that begins with an apostrophe: take one away.\n");
+      (made_by_.sentence.empty() ? "" : made_by_.sentence + "\n\n") +
+          "Answers about haptic textures, by session (_beh.tsv), with the meaning of every "
+          "column in the .json file beside it.\n\n"
+          "Rows say whether they count: an analysis uses phase \"main\", valid 1, excluded 0; "
+          "flagged 1 counts, but is worth a look.\n"
+          "A text that a spreadsheet would take for a formula has an apostrophe before it, "
+          "and so has a text that begins with an apostrophe: take one away.\n");
 }
 
 }  // namespace asperity

@@ -9,6 +9,7 @@
 
 #include "app/exports/columns.h"
 #include "app/exports/export_folder.h"
+#include "app/exports/made_by.h"
 #include "results_schema/study.h"
 
 namespace asperity {
@@ -28,8 +29,10 @@ class BidsDataset final {
  public:
   enum class Recordings { left_out, written };
 
+  /// `made_by`: who gave the answers, where they do not count as people's.
   BidsDataset(ExportFolder& folder, std::string root, const std::string& study_name,
-              const StudyVocabulary& vocabulary, ExportAudience audience, Recordings recordings);
+              const StudyVocabulary& vocabulary, ExportAudience audience, Recordings recordings,
+              const MadeBy& made_by);
 
   /// The columns of `_beh.tsv`, for the codebook: those of an answered trial, and `run`.
   static std::vector<ExportColumn> beh_columns(const StudyVocabulary& vocabulary,
@@ -56,6 +59,7 @@ class BidsDataset final {
   ExportFolder& folder_;
   std::string root_{};
   std::string study_name_{};
+  MadeBy made_by_{};
   ExportAudience audience_;
   Recordings recordings_;
   std::vector<std::string> left_out_{};

@@ -22,10 +22,12 @@ std::string plain(const std::string& text) {
 }  // namespace
 
 PsychDataset::PsychDataset(ExportFolder& folder, std::string root, const std::string& study_name,
-                           const StudyVocabulary& vocabulary, ExportAudience audience)
+                           const StudyVocabulary& vocabulary, ExportAudience audience,
+                           const MadeBy& made_by)
     : folder_(folder),
       root_(std::move(root)),
       study_name_(study_name),
+      made_by_(made_by),
       columns_(columns_for(audience, answered_trial_columns(vocabulary), left_out_)) {}
 
 void PsychDataset::begin_session(const ExportPlace& at) {
@@ -59,11 +61,14 @@ void PsychDataset::finish() {
   const Json description{
       {"@context", "https://schema.org/"},
       {"@type", "Dataset"},
-      {"name", study_name_},
+      {"name", study_name_ + made_by_.in_title},
       {"description",
-       "Answers about haptic textures, one file per session, one row per answer. Empty is missing; "
-       "an analysis uses phase main, valid 1, excluded 0. A text that a spreadsheet would take for "
-       "a formula has an apostrophe before it, and so has a text that begins with one."},
+       (made_by_.sentence.empty() ? "" : made_by_.sentence + " ") +
+           "Answers about haptic textures, one file per session, one row per answer. Empty is "
+           "missing; "
+           "an analysis uses phase main, valid 1, excluded 0. A text that a spreadsheet would take "
+           "for "
+           "a formula has an apostrophe before it, and so has a text that begins with one."},
       {"variableMeasured", std::move(variables)}};
   folder_.write(root_ + "dataset_description.json", description.dump(2) + "\n");
 }

@@ -8,6 +8,7 @@
 
 #include "app/exports/columns.h"
 #include "app/exports/export_folder.h"
+#include "app/exports/made_by.h"
 
 namespace asperity {
 
@@ -16,7 +17,7 @@ namespace asperity {
 class PsychDataset final {
  public:
   PsychDataset(ExportFolder& folder, std::string root, const std::string& study_name,
-               const StudyVocabulary& vocabulary, ExportAudience audience);
+               const StudyVocabulary& vocabulary, ExportAudience audience, const MadeBy& made_by);
 
   void begin_session(const ExportPlace& at);
   /// The cells of answered_trial_columns, as this audience gets them.
@@ -28,6 +29,7 @@ class PsychDataset final {
   ExportFolder& folder_;
   std::string root_{};
   std::string study_name_{};
+  MadeBy made_by_{};
   std::vector<std::string> left_out_{};
   std::vector<ExportColumn> columns_{};
   std::string file_{};

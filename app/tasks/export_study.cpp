@@ -121,6 +121,23 @@ std::string folder_of(Group group) {
   return "";
 }
 
+/// Whoever gets one of these datasets alone, without the folder that it was in, is told by itself.
+MadeBy made_by(Group group) {
+  switch (group) {
+    case Group::run:
+      return {};
+    case Group::pilot:
+      return {" (pilot sessions)",
+              "These are pilot sessions: they were run to try the experiment out, and are no part "
+              "of its data."};
+    case Group::virtual_people:
+      return {" (virtual participants)",
+              "The participants are virtual: a program simulated all answers, and no person gave "
+              "any of them."};
+  }
+  return {};
+}
+
 Group folder_group_of(const ParticipantRow& participant, const SessionRow& session) {
   if (participant.is_virtual || session.mode == SessionMode::simulate) return Group::virtual_people;
   return session.mode == SessionMode::pilot ? Group::pilot : Group::run;
@@ -141,10 +158,12 @@ class GroupFiles final {
     recordings_ = wants(ExportFormat::physio) ? BidsDataset::Recordings::written
                                               : BidsDataset::Recordings::left_out;
     if (wants(ExportFormat::bids) || wants(ExportFormat::physio)) {
-      bids_.emplace(folder, root_ + "bids/", study_name, vocabulary, options.audience, recordings_);
+      bids_.emplace(folder, root_ + "bids/", study_name, vocabulary, options.audience, recordings_,
+                    made_by(group));
     }
     if (wants(ExportFormat::psychds)) {
-      psych_.emplace(folder, root_ + "psychds/", study_name, vocabulary, options.audience);
+      psych_.emplace(folder, root_ + "psychds/", study_name, vocabulary, options.audience,
+                     made_by(group));
     }
   }
 

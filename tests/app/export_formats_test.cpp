@@ -463,6 +463,14 @@ TEST_F(ExportFormats, FollowTheRulesOfBids) {
     const std::filesystem::path bids = out_ / root;
     const nlohmann::json description = json_in(bids / "dataset_description.json");
     EXPECT_TRUE(description.at("Name").is_string());
+    const std::string name_and_readme =
+        description.at("Name").get<std::string>() + '\n' + read_file(bids / "README");
+    for (const char* const whom : {"virtual", "pilot"}) {
+      EXPECT_EQ(std::regex_search(name_and_readme,
+                                  std::regex(std::string("\\(") + whom + " [a-z]+\\)\n.*" + whom)),
+                std::string(root).starts_with(whom))
+          << root << ": whoever has this folder alone is told whose answers these are";
+    }
     EXPECT_EQ(description.at("BIDSVersion"), "1.8.0");
     EXPECT_EQ(description.at("DatasetType"), "raw");
     const Table participants = table_in(bids, "participants.tsv");
@@ -604,6 +612,13 @@ TEST_F(ExportFormats, FollowTheRulesOfPsychDs) {
     EXPECT_EQ(description.at("@type"), "Dataset");
     EXPECT_TRUE(description.at("name").is_string());
     EXPECT_TRUE(description.at("description").is_string());
+    for (const char* const whom : {"virtual", "pilot"}) {
+      for (const char* const field : {"name", "description"}) {
+        EXPECT_EQ(description.at(field).get<std::string>().find(whom) != std::string::npos,
+                  std::string(root).starts_with(whom))
+            << root << ' ' << field;
+      }
+    }
     std::set<std::string> measured{};
     for (const nlohmann::json& variable : description.at("variableMeasured")) {
       EXPECT_EQ(variable.at("@type"), "PropertyValue");
