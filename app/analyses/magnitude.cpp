@@ -16,6 +16,7 @@
 #include "app/analyses/families.h"
 #include "app/analyses/reading_number.h"
 #include "app/analyses/study_findings.h"
+#include "app/analyses/tidy/finding_list.h"
 
 namespace asperity {
 
@@ -302,23 +303,77 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
   if (!table.table.rows.empty()) outcome.tables.push_back(std::move(table));
 }
 
+/// Which of the levels of a factor was felt as the roughest and which as the least rough, by the
+/// participants' mean logarithms; of two levels with the interval of their ratio. Nothing where they
+/// are equal.
+Phrase roughest_of(const char* factor, const std::vector<std::string>& levels,
+                   const FoundNumbers& found) {
+  const Finding* most = nullptr;
+  std::pair<std::string, std::string> names{};
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    for (std::size_t j = i + 1; j < levels.size(); ++j) {
+      const Finding* one = found.find("pair.diff", both(factor, both(levels[i], levels[j])));
+      if (one == nullptr || !one->value) continue;
+      if (most != nullptr && std::abs(*one->value) <= std::abs(*most->value)) continue;
+      most = one;
+      names = {levels[i], levels[j]};
+    }
+  }
+  if (most == nullptr || *most->value == 0.0) return {};
+  const bool is_turned = *most->value < 0.0;
+  if (is_turned) std::swap(names.first, names.second);
+  if (std::string_view(factor) == "spacing") {
+    for (std::string* name : {&names.first, &names.second}) {
+      if (const auto spacing_m = number_in(*name)) *name = reading_quantity(*spacing_m, "m");
+    }
+  }
+  const std::string ratio = fixed(std::pow(10.0, std::abs(*most->value)), 2);
+  if (levels.size() > 2) {
+    return phrase("Analysis", "roughest was %1, and %2 the least rough, by a factor of %3")
+        .with(names.first, names.second, ratio);
+  }
+  if (!most->low || !most->high) {
+    return phrase("Analysis", "%1 was rougher than %2 by a factor of %3")
+        .with(names.first, names.second, ratio);
+  }
+  const double low = std::pow(10.0, is_turned ? -*most->high : *most->low);
+  const double high = std::pow(10.0, is_turned ? -*most->low : *most->high);
+  return phrase("Analysis", "%1 was rougher than %2 by a factor of %3 (95 % interval %4 to %5)")
+      .with(names.first, names.second, ratio, fixed(low, 2), fixed(high, 2));
+}
+
+/// "F(1, 3) = 20.30, partial η² = 0.87, p = .020 after Holm"
+Phrase effect_in_numbers(const std::string& effect, const FoundNumbers& found,
+                         const StudyTests::Test& test) {
+  return phrase("Analysis", "F(%1, %2) = %3, partial η² = %4, %5")
+      .with(fixed(found.value("df1", effect).value_or(0.0), 0),
+            fixed(found.value("df2", effect).value_or(0.0), 0),
+            fixed(found.value("F", effect).value_or(0.0), 2),
+            fixed(found.value("pes", effect).value_or(0.0), 2), p_text(test));
+}
+
+/// `levels`: of the factor, whose order of roughness is told; none where there is none.
 void ask_effect(const char* name, const Phrase& question, const char* table,
-                const FoundNumbers& found, const StudyTests& tests, AnalysisOutcome& outcome) {
+                const std::vector<std::string>& levels, const FoundNumbers& found,
+                const StudyTests& tests, AnalysisOutcome& outcome) {
   const StudyTests::Test* test = tests.find(name);
   if (test == nullptr || !test->p) return;
   const std::string effect =
       std::string_view(name) == "interaction" ? "condition:spacing" : std::string(name);
-  const auto filled = [&](const Phrase& text) {
-    return text.with(fixed(found.value("F", effect).value_or(0.0), 2), p_text(*test));
-  };
-  const Sayings sayings{filled(phrase("Analysis", "It does: F = %1, %2.")),
-                        filled(phrase("Analysis", "Nothing shows that it does: F = %1, %2.")),
-                        filled(phrase("Analysis", "F = %1, %2."))};
-  add_question(outcome, name, question, said_of(*test, sayings),
-               phrase("Analysis",
-                      "Analysis of variance of the logarithms with repeated measures, corrected by "
-                      "epsilon of Greenhouse and Geisser."),
-               table, found.find("F", effect));
+  Phrase numbers = effect_in_numbers(effect, found, *test);
+  const Phrase roughest = roughest_of(name, levels, found);
+  if (!roughest.empty()) numbers = phrase("Analysis", "%1; %2").with(numbers, roughest);
+  const Sayings sayings{phrase("Analysis", "It does: %1.").with(numbers),
+                        phrase("Analysis", "Nothing shows that it does: %1.").with(numbers),
+                        phrase("Analysis", "%1.").with(numbers)};
+  add_question(
+      outcome, name, question, said_of(*test, sayings),
+      phrase("Analysis",
+             "Analysis of variance of the logarithms with repeated measures, corrected by "
+             "epsilon of Greenhouse and Geisser. Factors of roughness by the participants' "
+             "mean logarithms; the interval of one between two is Student's, and between "
+             "the ends of several there is none."),
+      table, found.find("F", effect));
 }
 
 void ask_peaks(const std::vector<std::string>& conditions, const std::vector<std::string>& spacings,
@@ -414,6 +469,21 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
                "tests: %1.")
             .with(names));
   }
+  if (const Finding* replicates = found_anova.find("replicates");
+      replicates != nullptr && replicates->word == "unequal") {
+    std::size_t least = 0;
+    std::size_t greatest = 0;
+    for (const Finding* cells : found_anova.all("cells.with.k")) {
+      const auto k = static_cast<std::size_t>(number_in(cells->key).value_or(0.0));
+      least = least == 0 ? k : std::min(least, k);
+      greatest = std::max(greatest, k);
+    }
+    outcome.remarks.push_back(
+        phrase("Analysis",
+               "The cells of the participants have %1 to %2 estimates; each is averaged first, "
+               "so that all weigh the same.")
+            .with(std::to_string(least), std::to_string(greatest)));
+  }
   StudyTests tests(gathered);
   const Finding* no_anova = found_anova.find("status");
   for (const auto& [name, effect] : kEffects) {
@@ -424,12 +494,12 @@ void analyze_magnitude(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   for (const Finding* ratio : found.all("peakratio.p")) tests.add("peaks", ratio->key, ratio);
   tests.finish(outcome);
   ask_effect("spacing", phrase("Analysis", "Does roughness depend on the spacing?"), kRoughness,
-             found_anova, tests, outcome);
+             spacings, found_anova, tests, outcome);
   ask_effect("condition", phrase("Analysis", "Does roughness depend on the condition?"), kAnova,
-             found_anova, tests, outcome);
+             conditions, found_anova, tests, outcome);
   ask_effect("interaction",
              phrase("Analysis", "Does the curve over spacings depend on the condition?"), kAnova,
-             found_anova, tests, outcome);
+             {}, found_anova, tests, outcome);
   ask_peaks(conditions, spacings, found, outcome);
   ask_types(conditions, found, outcome);
   keep_findings(roughness, outcome);

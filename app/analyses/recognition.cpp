@@ -365,10 +365,60 @@ std::vector<ConfusedPair> most_confused(const GatheredAnswers& gathered,
   return most;
 }
 
+/// One texture that was called by the name of one other picture, felt or not.
+struct Confusion {
+  std::string felt{};
+  std::string called{};
+  std::size_t times = 0;
+  std::size_t answers = 0;  ///< to the felt one
+
+  double share() const { return static_cast<double>(times) / static_cast<double>(answers); }
+};
+
+/// The one whose share is the largest; of equal ones the first by name.
+Confusion largest_confusion(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
+                            const Pictures& pictures) {
+  ConfusionTally confusions{};
+  std::vector<std::size_t> answers(gathered.words.size());
+  for (const Judged& one : judged) {
+    confusions.count(one.felt, one.chosen);
+    ++answers[one.felt];
+  }
+  Confusion most{};
+  for (const std::string& felt : pictures.felt) {
+    for (const std::string& called : pictures.all) {
+      const auto a = gathered.words.find(felt);
+      const auto b = gathered.words.find(called);
+      if (felt == called || !a || !b) continue;
+      const std::size_t times = confusions.at(*a, *b);
+      if (times * std::max<std::size_t>(most.answers, 1) <= most.times * answers[*a]) continue;
+      most = {.felt = felt, .called = called, .times = times, .answers = answers[*a]};
+    }
+  }
+  return most;
+}
+
+/// What the pairs do not show: a confusion in one direction that is larger than theirs.
+Phrase with_larger_confusion(const Phrase& answer, const std::vector<ConfusedPair>& pairs,
+                             const Confusion& largest) {
+  const bool is_told =
+      std::any_of(pairs.begin(), pairs.end(), [&largest](const ConfusedPair& pair) {
+        return pair.key == largest.felt + '|' + largest.called ||
+               pair.key == largest.called + '|' + largest.felt;
+      });
+  if (largest.times == 0 || is_told || largest.share() <= pairs.front().share()) return answer;
+  return phrase(
+             "Analysis",
+             "%1 Counted in one direction only, %2 was called %3 more often still: %4 times in %5 "
+             "answers.")
+      .with(answer, largest.felt, largest.called, std::to_string(largest.times),
+            std::to_string(largest.answers));
+}
+
 void ask_confusions(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
-                    const std::vector<std::string>& felt, AnalysisOutcome& outcome) {
+                    const Pictures& pictures, AnalysisOutcome& outcome) {
   constexpr std::size_t kMostNamed = 3;  // more pairs are read in the table
-  const std::vector<ConfusedPair> most = most_confused(gathered, judged, felt);
+  const std::vector<ConfusedPair> most = most_confused(gathered, judged, pictures.felt);
   if (most.empty()) return;
   const ConfusedPair& first = most.front();
   Finding finding{};
@@ -402,7 +452,7 @@ void ask_confusions(const GatheredAnswers& gathered, const std::vector<Judged>& 
                  .with(std::to_string(most.size()), percent(first.share()));
   }
   add_question(outcome, "confusions", phrase("Analysis", "Which textures feel alike?"),
-               std::move(answer),
+               with_larger_confusion(answer, most, largest_confusion(gathered, judged, pictures)),
                phrase("Analysis",
                       "Of the answers to either of two textures, those that name the other one. "
                       "There is no interval: it is the largest of several."),
@@ -485,7 +535,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   tests.finish(outcome);
   ask_right(labels.size(), found, tests, outcome);
   ask_information(found, outcome);
-  if (!findings.empty()) ask_confusions(gathered, judged, pictures.felt, outcome);
+  if (!findings.empty()) ask_confusions(gathered, judged, pictures, outcome);
   const auto of_sexes = [&](const char* quantity, const char* key) {
     const Finding* finding = found_sexes.find(quantity, key);
     return finding == nullptr ? std::nullopt : std::optional(*finding);

@@ -739,6 +739,30 @@ TEST(Recognition, NamesAllPairsThatAreConfusedEquallyOften) {
             "the answers to each.");
 }
 
+// The sentence about positions has the mean of the persons, and so has a table for its figure.
+TEST(Selection, GivesTheMeansOfPersonsByPosition) {
+  const AnalysisOutcome& outcome = selections_of_the_chapter();
+  const Table& places = table_of(outcome, "persons_by_position").table;
+  EXPECT_EQ(number(places, {"1"}, "persons"), 20);
+  EXPECT_NEAR(number(places, {"1"}, "mean"),
+              finding_of(outcome, "position", "subj.mean", "1").value.value(), 1e-12);
+}
+
+// A pair is told by both its directions; the commonest mistake of all may be another.
+TEST(Recognition, TellsAConfusionInOneDirectionThatIsLargerThanThatOfEveryPair) {
+  const AnalysisOutcome outcome = analyze_answers({{"stone", "metal"},
+                                                   {"stone", "stone"},
+                                                   {"metal", "metal"},
+                                                   {"metal", "metal"},
+                                                   {"brick", "gravel"},
+                                                   {"brick", "gravel"},
+                                                   {"brick", "brick"}});
+  EXPECT_EQ(question_of(outcome, "confusions").answer.english(),
+            "Most alike are metal / stone: one was taken for the other 1 times in 4 answers. "
+            "Counted in one direction only, brick was called gravel more often still: 2 times in 3 "
+            "answers.");
+}
+
 // Of every texture everything is taken for something else: no pair is told by its letters.
 TEST(Recognition, CountsThePairsWhereTooManyAreConfusedEquallyOften) {
   std::vector<std::pair<std::string, std::string>> answers{};
@@ -1057,7 +1081,15 @@ TEST(Magnitudes, AreTestedInTheDeclaredFamily) {
   EXPECT_TRUE(std::holds_alternative<std::monostate>(row_of(tests, {"condition"})[5]));
   ASSERT_FALSE(outcome.questions.empty());
   EXPECT_EQ(outcome.questions[0].name, "spacing");
-  EXPECT_THAT(outcome.questions[0].answer, says("It does: F = "));
+  // Degrees of freedom, size and direction beside F: a reader of the sentence needs no table.
+  EXPECT_THAT(outcome.questions[0].answer.english(),
+              testing::ContainsRegex(
+                  "It does: F\\(4, [0-9]+\\) = [0-9.]+, partial η² = [01]\\.[0-9]+, p .*; "
+                  "roughest was .* mm, and .* mm the least rough, by a factor "
+                  "of [0-9.]+\\."));
+  EXPECT_THAT(question_of(outcome, "condition").answer.english(),
+              testing::ContainsRegex("F\\(1, [0-9]+\\) = .*; .* was rougher than .* by a factor of "
+                                     "[0-9.]+ \\(95 % interval [0-9.]+ to [0-9.]+\\)\\."));
   EXPECT_THAT(outcome.remarks, testing::Contains(says("Numbers given to anchors")));
 }
 
