@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/number_text.h"
 #include "stimuli/surface_makers.h"
@@ -19,7 +20,105 @@ std::vector<SurfaceMaker> all_makers() {
   return makers;
 }
 
+constexpr double kFewestSamples = 8.0;  // of a wave; of fewer the crests lie between them
+constexpr double kWholeWaves = 1e-3;    // of a wave: less of a seam is rounding
+
+/// Without the last bits that a division leaves.
+std::string length_text(double length_m) {
+  constexpr double kNanometres_per_m = 1e9;
+  return number_text(std::round(length_m * kNanometres_per_m) / kNanometres_per_m) + " m";
+}
+
+/// What repeats at equal distances along an axis of the canvas.
+struct RegularRepeat {
+  double length_m = 0.0;
+  std::string words{};  ///< "waves of 0.002 m (spacing_m)"
+  const char* axis = "";
+};
+
+/// The complete values of a kind that is there; nothing where `make_surface` would refuse.
+std::optional<ParameterValues> values_of_kind(std::string_view kind,
+                                              const ParameterValues& values) {
+  for (const SurfaceMaker& maker : all_makers()) {
+    if (maker.declaration.kind != kind) continue;
+    try {
+      return complete_values(maker.declaration.kind, maker.declaration.parameters, values);
+    } catch (const std::invalid_argument&) {
+      return {};
+    }
+  }
+  return {};
+}
+
+std::vector<RegularRepeat> repeats_of(std::string_view kind, const ParameterValues& values) {
+  const auto spacings = [&values](const char* axis, double share = 1.0) {
+    const double length_m = number_of(values, "spacing_m") / share;
+    return RegularRepeat{length_m,
+                         "spacings of " + length_text(length_m) +
+                             (share == 1.0 ? " (spacing_m)" : " (spacing_m over its angle)"),
+                         axis};
+  };
+  if (kind == "sinusoid") {
+    std::vector<RegularRepeat> repeats{};
+    const double angle_rad = number_of(values, "angle_rad");
+    for (const auto& [axis, share] : {std::pair{"x", std::abs(std::cos(angle_rad))},
+                                      std::pair{"y", std::abs(std::sin(angle_rad))}}) {
+      if (share > kWholeWaves) repeats.push_back(spacings(axis, share));
+    }
+    return repeats;
+  }
+  if (kind == "grating" || kind == "wood") return {spacings("x")};
+  if (kind == "cones") return {spacings("x"), spacings("y")};
+  if (kind == "brick") {
+    const double length_m = number_of(values, "brick_length_m");
+    const double courses_m = 2.0 * number_of(values, "course_height_m");
+    return {{length_m, "bricks of " + length_text(length_m) + " (brick_length_m)", "x"},
+            {courses_m, "pairs of courses of " + length_text(courses_m) + " (2 · course_height_m)",
+             "y"}};
+  }
+  return {};
+}
+
 }  // namespace
+
+std::optional<std::string> seam_of(std::string_view kind, const ParameterValues& values,
+                                   const SurfaceCanvas& canvas) {
+  const std::optional<ParameterValues> complete = values_of_kind(kind, values);
+  if (!complete) return {};
+  for (const RegularRepeat& repeat : repeats_of(kind, *complete)) {
+    const double count = canvas.width_m / repeat.length_m;
+    if (std::abs(count - std::round(count)) <= kWholeWaves) continue;
+    constexpr double kHundredth = 100.0;
+    const std::string more_m = length_text(std::ceil(count) * repeat.length_m);
+    return length_text(canvas.width_m) + " along " + repeat.axis + " hold " +
+           number_text(std::round(count * kHundredth) / kHundredth) + ' ' + repeat.words +
+           ", and where the surface is repeated the last one is cut: a step that nobody asked "
+           "for; " +
+           (count > 1.0 ? length_text(std::floor(count) * repeat.length_m) + " or " + more_m
+                        : more_m) +
+           " hold whole ones (--width-m)";
+  }
+  return {};
+}
+
+std::optional<std::string> coarse_samples_of(std::string_view kind, const ParameterValues& values,
+                                             const SurfaceCanvas& canvas) {
+  const std::optional<ParameterValues> complete = values_of_kind(kind, values);
+  if (!complete || repeats_of(kind, *complete).empty() || !complete->contains("spacing_m")) {
+    return {};
+  }
+  const double spacing_m = number_of(*complete, "spacing_m");
+  const double samples = spacing_m / pitch_of(canvas);
+  constexpr double kRounding = 1e-6;
+  if (samples >= kFewestSamples * (1.0 - kRounding)) return {};
+  constexpr double kTenth = 10.0;
+  return "spacing_m is " + length_text(spacing_m) + ", and the samples are " +
+         length_text(pitch_of(canvas)) +
+         " apart: " + number_text(std::round(samples * kTenth) / kTenth) +
+         " for each spacing, so that heights and shape are not those that were asked for; " +
+         number_text(std::ceil(kFewestSamples * canvas.width_m / spacing_m - kRounding)) +
+         " samples a side or more (--pixels) have eight for each";
+}
 
 std::vector<SurfaceDeclaration> synthetic_surfaces() {
   std::vector<SurfaceDeclaration> declarations;

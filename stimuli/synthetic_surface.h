@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,5 +44,18 @@ struct SurfaceCanvas {
 /// more than 8192 pixels, and a detail that is too fine for the pixels (under two of them).
 HeightField make_surface(std::string_view kind, const ParameterValues& values,
                          const SurfaceCanvas& canvas);
+
+/// Where a surface that is repeated would show a seam: a sentence with the width, how many of the
+/// regular spacings it holds and the widths that hold whole ones. Nothing for a surface without a
+/// regular spacing, and for a kind or values that `make_surface` refuses.
+std::optional<std::string> seam_of(std::string_view kind, const ParameterValues& values,
+                                   const SurfaceCanvas& canvas);
+
+/// Fewer than eight samples for a regular spacing (`spacing_m`), where what lies between the samples
+/// is no longer the surface that was asked for: of a wave of four the crests may be 0.71 of the
+/// amplitude, of two they may be anything from nothing to 1. A sentence with the samples that there
+/// are and the pixels that would be right; nothing as above.
+std::optional<std::string> coarse_samples_of(std::string_view kind, const ParameterValues& values,
+                                             const SurfaceCanvas& canvas);
 
 }  // namespace asperity

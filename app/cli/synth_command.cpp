@@ -100,6 +100,10 @@ void add_synth(CLI::App& program, Job& job) {
                 << " µm, height " << fixed(field.minimum_m() * 1e6, 1) << " to "
                 << fixed(field.maximum_m() * 1e6, 1) << " µm, RMS " << fixed(field.rms_m() * 1e6, 1)
                 << " µm\n";
+      for (const auto& doubt : {seam_of(surface->kind, values, options->canvas),
+                                coarse_samples_of(surface->kind, values, options->canvas)}) {
+        if (doubt) say("asperity: warning: " + options->out.string() + ": " + *doubt);
+      }
       return 0;
     };
   });

@@ -78,6 +78,53 @@ TEST(SyntheticSurface, RepeatsWithoutASeam) {
   }
 }
 
+std::string seam_said(const std::string& kind, const ParameterValues& values, double width_m) {
+  return seam_of(kind, values, {.width_m = width_m, .pixels = 400}).value_or("closed");
+}
+
+TEST(SyntheticSurface, SaysWhereItsSeamShowsAndWhichWidthsHaveNone) {
+  EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.02),
+            "0.02 m along x hold 12.5 spacings of 0.0016 m (spacing_m), and where the surface is "
+            "repeated the last one is cut: a step that nobody asked for; 0.0192 m or 0.0208 m hold "
+            "whole ones (--width-m)");
+  EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0016}}, 0.016), "closed");
+  EXPECT_EQ(seam_said("sinusoid", {{"spacing_m", 0.0014}}, 0.028), "closed");  // of doubles, nearly
+  EXPECT_THAT(seam_said("sinusoid", {{"spacing_m", 0.03}}, 0.02), HasSubstr("; 0.03 m hold"));
+  // Across its crests nothing changes, so nothing is cut there.
+  EXPECT_THAT(
+      seam_said("sinusoid", {{"spacing_m", 0.0016}, {"angle_rad", std::numbers::pi / 2.0}}, 0.02),
+      HasSubstr("along y hold 12.5"));
+  EXPECT_EQ(
+      seam_said("sinusoid", {{"spacing_m", 0.002}, {"angle_rad", std::numbers::pi / 2.0}}, 0.02),
+      "closed");
+  EXPECT_THAT(seam_said("grating", {{"spacing_m", 0.003}}, 0.02), HasSubstr("hold 6.67 spacings"));
+  EXPECT_THAT(seam_said("cones", {{"spacing_m", 0.003}}, 0.02), HasSubstr("hold 6.67 spacings"));
+  EXPECT_THAT(seam_said("brick", {}, 0.05), HasSubstr("hold 2.5 bricks of 0.02 m"));
+  for (const SurfaceDeclaration& declaration : synthetic_surfaces()) {
+    EXPECT_EQ(seam_said(declaration.kind, {}, 0.1), "closed") << declaration.kind;
+  }
+  EXPECT_EQ(seam_said("noise", {}, 0.0123), "closed");
+  EXPECT_EQ(seam_said("velvet", {}, 0.0123), "closed");
+}
+
+TEST(SyntheticSurface, SaysWhenItsSamplesAreTooFewForItsShape) {
+  const auto said = [](double spacing_m, std::size_t pixels) {
+    return coarse_samples_of("sinusoid", {{"spacing_m", spacing_m}},
+                             {.width_m = 0.02, .pixels = pixels})
+        .value_or("enough");
+  };
+  EXPECT_EQ(
+      said(0.001, 80),
+      "spacing_m is 0.001 m, and the samples are 0.00025 m apart: 4 for each spacing, so that "
+      "heights and shape are not those that were asked for; 160 samples a side or more "
+      "(--pixels) have eight for each");
+  EXPECT_THAT(said(0.0005, 80), HasSubstr(": 2 for each spacing"));
+  EXPECT_EQ(said(0.001, 160), "enough");
+  for (const SurfaceDeclaration& declaration : synthetic_surfaces()) {
+    EXPECT_FALSE(coarse_samples_of(declaration.kind, {}, {})) << declaration.kind;
+  }
+}
+
 // h = A sin(2πx/L): amplitude A, RMS A/√2, steepest slope 2πA/L.
 TEST(Sinusoid, IsTheFormula) {
   const HeightField field = make_surface("sinusoid", {{"amplitude_m", 1e-4}, {"spacing_m", 0.005}},
