@@ -20,6 +20,30 @@ std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+struct FilesRead {
+  StoredHeightField stored;
+  std::string sidecar{};
+};
+
+FilesRead read_files(const std::filesystem::path& png) {
+  const std::string content = read_file(png);
+  const std::filesystem::path beside = sidecar_of(png);
+  if (!std::filesystem::exists(beside)) {
+    throw ResultsError(png.string() + " is a picture, not a height field: there is no " +
+                           beside.string() +
+                           ", which would say how high it is; asperity texture makes a height "
+                           "field of a photograph",
+                       png);
+  }
+  const std::string sidecar = read_file(beside);
+  StoredHeightField stored = decode_height_field(bytes_of(content), sidecar, png.string());
+  if (sha256_of(content) != stored.sha256) {
+    throw std::runtime_error(png.string() + " is not the picture that its sidecar " +
+                             beside.string() + " describes: the SHA-256 differs; make both again");
+  }
+  return {std::move(stored), sidecar};
+}
+
 }  // namespace
 
 std::filesystem::path sidecar_of(const std::filesystem::path& png) {
@@ -38,25 +62,13 @@ void refuse_existing(const std::vector<std::filesystem::path>& files, Overwrite 
 }
 
 LoadedHeightField load_height_field(const std::filesystem::path& png) {
-  const std::string content = read_file(png);
-  if (!std::filesystem::exists(sidecar_of(png))) {
-    throw ResultsError(png.string() + " is a picture, not a height field: there is no " +
-                           sidecar_of(png).string() +
-                           ", which would say how high it is; asperity texture makes a height "
-                           "field of a photograph",
-                       png);
-  }
-  const std::string sidecar = read_file(sidecar_of(png));
-  StoredHeightField stored = decode_height_field(bytes_of(content), sidecar, png.string());
-  LoadedHeightField loaded{};
-  if (sha256_of(content) != stored.sha256) {
-    throw std::runtime_error(png.string() + " is not the picture that its sidecar " +
-                             sidecar_of(png).string() +
-                             " describes: the SHA-256 differs; make both again");
-  }
-  loaded.sha256 = sha256_of(sidecar);
-  loaded.field = std::make_shared<const HeightField>(std::move(stored.field));
-  return loaded;
+  FilesRead read = read_files(png);
+  return {.field = std::make_shared<const HeightField>(std::move(read.stored.field)),
+          .sha256 = sha256_of(read.sidecar)};
+}
+
+HeightFieldProvenance provenance_of(const std::filesystem::path& png) {
+  return read_files(png).stored.provenance;
 }
 
 void save_height_field(const std::filesystem::path& png, const HeightField& field,

@@ -28,6 +28,9 @@ struct LoadedHeightField {
 /// Errors: ResultsError or std::invalid_argument, naming the file.
 LoadedHeightField load_height_field(const std::filesystem::path& png);
 
+/// What the sidecar says of how a height field came about. Errors: as `load_height_field`.
+HeightFieldProvenance provenance_of(const std::filesystem::path& png);
+
 std::filesystem::path sidecar_of(const std::filesystem::path& png);
 
 /// Before the first of several files is written: refuses when one of them is there already.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -18,6 +19,7 @@
 #include "app/conductor/clock.h"
 #include "app/tasks/compared_device.h"
 #include "app/tasks/protocol_files.h"
+#include "app/tasks/texture_doubts.h"
 #include "device/drivers.h"
 #include "protocols/doubts.h"
 
@@ -67,6 +69,18 @@ std::string warning_of(const Diagnostic& doubt) {
          ": warning: " + doubt.message + " (" + doubt.pointer + ')';
 }
 
+/// The problems of a rehearsal, and what of the study's files and stimuli may not be meant.
+void doubts_of_study(ProtocolCheck& check, const std::filesystem::path& study,
+                     const ModelRegistry& models, std::vector<Diagnostic>& doubts) {
+  StimulusBuilder builder(models, study);
+  RehearsedStimuli rehearsed = rehearse_with_doubts(*check.protocol, check.file, builder);
+  check.diagnostics = std::move(rehearsed.problems);
+  for (Diagnostic& doubt : doubts_about_textures(*check.protocol, check.file, study)) {
+    doubts.push_back(std::move(doubt));
+  }
+  for (Diagnostic& doubt : rehearsed.doubts) doubts.push_back(std::move(doubt));
+}
+
 }  // namespace
 
 void add_check(CLI::App& program, Job& job) {
@@ -103,12 +117,11 @@ void add_check(CLI::App& program, Job& job) {
       const std::string now_utc = SystemClock(0).utc();
       for (const std::string& file : options->files) {
         ProtocolCheck check = check_protocol(file, models, options->study, options->device);
-        if (options->study && check.protocol && check.diagnostics.empty()) {
-          StimulusBuilder builder(models, *options->study);
-          check.diagnostics = rehearse(*check.protocol, check.file, builder);
-        }
         std::vector<Diagnostic> doubts{};
         if (check.protocol) doubts = doubts_about(*check.protocol, check.file);
+        if (options->study && check.protocol && check.diagnostics.empty()) {
+          doubts_of_study(check, *options->study, models, doubts);
+        }
         DeviceComparison comparison{};
         if (options->device && check.protocol && check.diagnostics.empty()) {
           if (!device) {

@@ -26,6 +26,7 @@
 #include "device/drivers.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
+#include "renderers/pd_gradient/finest_wave.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
@@ -142,20 +143,26 @@ enum class FirstTouch { from_outside, never, never_outside };
 
 /// How the simulated device's hand, which strokes to and fro, comes upon the surface. Nothing pushes
 /// it until then, so that no servo loop is needed. As in a session a tool that begins inside has to
-/// come out first.
-FirstTouch first_touch(ForceRenderer& renderer, const HandHabits& habits, double rate_Hz) {
+/// come out first. Then it strokes on for `beyond_s`, for what the model counts there.
+FirstTouch first_touch(ForceRenderer& renderer, const HandHabits& habits, double rate_Hz,
+                       double beyond_s) {
   constexpr double kSeveralStrokes_s = 10.0;
   VirtualHand hand(habits, Random(0));
   SimulatedDevice device(hand, {});
   hand.stroke();
   bool has_been_free = false;
+  std::optional<int> last_tick{};
   for (int tick = 0; tick < kSeveralStrokes_s * rate_Hz; ++tick) {
     const ProbeState probe = device.read(std::llround(1e9 * tick / rate_Hz)).value();
     if (tick == 0) renderer.reset(probe);
     const bool is_free = renderer.tick(probe, 1.0 / rate_Hz).penetration_m == 0.0;
-    if (has_been_free && !is_free) return FirstTouch::from_outside;
+    if (has_been_free && !is_free && !last_tick) {
+      last_tick = tick + static_cast<int>(beyond_s * rate_Hz);
+    }
+    if (last_tick && tick >= *last_tick) return FirstTouch::from_outside;
     has_been_free = has_been_free || is_free;
   }
+  if (last_tick) return FirstTouch::from_outside;
   return has_been_free ? FirstTouch::never : FirstTouch::never_outside;
 }
 
@@ -208,6 +215,56 @@ std::string never_touched(const StimulusDescription& stimulus, const TexturedMes
   return sentence;
 }
 
+std::string micrometres_text(double length_m) {
+  constexpr double kMicrometres_per_m = 1e6;
+  return fixed(kMicrometres_per_m * length_m, 0) + " µm";
+}
+
+/// Both numbers of a texture that is finer than the samples of a contact, and what would be right;
+/// nothing where the cause is another one, such as a contact that is too wide.
+std::string why_too_fine(const PreparedStimulus& stimulus) {
+  constexpr double kSamplesPerWave = 8.0;  // as pd_gradient counts
+  const ParameterValues& own = stimulus.inputs.parameters;
+  const double finest_m =
+      std::min(finest_wave_m(*stimulus.inputs.tool, number_of(own, "tool_texture_gain")),
+               finest_wave_m(*stimulus.inputs.surface, number_of(own, "texture_gain")));
+  const double cell_m = number_of(own, "cell_m");
+  if (!(kSamplesPerWave * cell_m > finest_m)) return {};
+  return ": its finest waves are " + micrometres_text(finest_m) + " long, and samples of " +
+         micrometres_text(cell_m) + " (cell_m) hold waves of " +
+         micrometres_text(kSamplesPerWave * cell_m) +
+         " and longer; a texture without finer waves would be right, or a cell_m of " +
+         micrometres_text(finest_m / kSamplesPerWave) +
+         " or less, which takes longer to render. A step where a tile that is repeated does not "
+         "close is the finest wave of all";
+}
+
+/// What the model counted in half of the contact or more; the first count is the contact.
+std::vector<std::string> limits_beyond(const StimulusDescription& described,
+                                       const PreparedStimulus& stimulus,
+                                       const ForceRenderer& renderer) {
+  std::vector<std::string> doubts{};
+  const std::span<const NamedCount> counts = renderer.limits();
+  if (counts.empty() || counts.front().name != "contact") return doubts;
+  const std::uint64_t contact = counts.front().ticks;
+  for (const NamedCount& count : counts.subspan(1)) {
+    if (contact == 0 || 2 * count.ticks < contact) continue;
+    std::string sentence = "the stimulus \"" + described.name + '"';
+    if (!described.texture.empty()) {
+      sentence += " with the texture \"" + described.texture + '"';
+      if (described.height_field) sentence += " (" + *described.height_field + ')';
+    }
+    if (described.tool) sentence += " under the tool \"" + described.tool->name + '"';
+    sentence += " is beyond the limit " + std::string(count.name) + " of " + described.model +
+                " in " + std::to_string(count.ticks) + " of " + std::to_string(contact) +
+                " ticks of contact, where its force is not what the model promises";
+    const bool has_bodies = stimulus.inputs.tool && stimulus.inputs.surface;
+    if (count.name == "fine_detail" && has_bodies) sentence += why_too_fine(stimulus);
+    doubts.push_back(std::move(sentence));
+  }
+  return doubts;
+}
+
 std::vector<Diagnostic> problems_of_files(const Protocol& protocol, const std::string& file_name,
                                           const std::filesystem::path& study,
                                           StimulusBuilder& builder) {
@@ -248,35 +305,64 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
   return protocol;
 }
 
-std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
-                                 StimulusBuilder& builder) {
+namespace {
+
+/// `beyond_s` of contact are watched for doubts.
+RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& file_name,
+                                   StimulusBuilder& builder, double beyond_s) {
   std::set<std::string> made{};
   std::set<std::string> untouched{};
-  std::vector<Diagnostic> problems{};
+  std::set<std::string> said{};
+  RehearsedStimuli found{};
   for (const Trial& trial : possible_trials(protocol)) {
     for (const PlannedPresentation& planned : trial.presentations) {
       const StimulusDescription& stimulus = planned.stimulus;
       if (!stimulus.surface || !stimulus.tool) continue;
       const Exploration& exploration = exploration_of(protocol, trial);
       if (!made.insert(name_of_making(stimulus) + ' ' + exploration.name).second) continue;
+      const auto add = [&](std::vector<Diagnostic>& list, std::string message) {
+        list.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
+        list.back().message = std::move(message);
+      };
       try {
         const PreparedStimulus prepared = builder.unmatched(stimulus);
         const HandHabits habits = habits_for(exploration, stimulus.patch);
         const auto renderer = make_renderer(*prepared.model, prepared.inputs);
         if (untouched.contains(stimulus.surface->name)) continue;  // said, with another tool
-        const FirstTouch touch = first_touch(*renderer, habits, protocol.rate_Hz);
-        if (touch == FirstTouch::from_outside) continue;
+        const FirstTouch touch = first_touch(*renderer, habits, protocol.rate_Hz, beyond_s);
+        if (touch == FirstTouch::from_outside) {
+          if (beyond_s <= 0.0) continue;
+          for (std::string& doubt : limits_beyond(stimulus, prepared, *renderer)) {
+            // As the tool comes down on it by another exploration, some ticks more or fewer.
+            const std::string what = name_of_making(stimulus) + doubt.substr(0, doubt.find(" in "));
+            if (said.insert(what).second) add(found.doubts, std::move(doubt));
+          }
+          continue;
+        }
         untouched.insert(stimulus.surface->name);
-        problems.push_back(place_of_body(protocol, file_name, stimulus.surface->name));
-        problems.back().message = never_touched(stimulus, *prepared.inputs.surface, habits, touch);
+        found.problems.push_back(place_of_body(protocol, file_name, stimulus.surface->name));
+        found.problems.back().message =
+            never_touched(stimulus, *prepared.inputs.surface, habits, touch);
       } catch (const std::exception& error) {
-        problems.push_back(place_of_stimulus(protocol, file_name, planned.stimulus_template));
-        problems.back().message =
-            "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + error.what();
+        add(found.problems,
+            "the stimulus \"" + stimulus.name + "\" cannot be rendered: " + error.what());
       }
     }
   }
-  return problems;
+  return found;
+}
+
+}  // namespace
+
+std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
+                                 StimulusBuilder& builder) {
+  return rehearsed_stimuli(protocol, file_name, builder, 0.0).problems;
+}
+
+RehearsedStimuli rehearse_with_doubts(const Protocol& protocol, const std::string& file_name,
+                                      StimulusBuilder& builder) {
+  constexpr double kWatched_s = 0.02;
+  return rehearsed_stimuli(protocol, file_name, builder, kWatched_s);
 }
 
 namespace {

@@ -43,6 +43,17 @@ Protocol load_protocol_to_run(const std::filesystem::path& file, const std::file
 std::vector<Diagnostic> rehearse(const Protocol& protocol, const std::string& file_name,
                                  StimulusBuilder& builder);
 
+/// The same, and what is rendered otherwise than the model promises: of every stimulus that the hand
+/// touches, a doubt for each limit of the model that counts half of the contact or more, with the
+/// texture and, of `fine_detail`, both numbers. The hand strokes on for 20 ms: what a stimulus is beyond
+/// in other places or under a hand that presses is not told.
+struct RehearsedStimuli {
+  std::vector<Diagnostic> problems{};
+  std::vector<Diagnostic> doubts{};
+};
+RehearsedStimuli rehearse_with_doubts(const Protocol& protocol, const std::string& file_name,
+                                      StimulusBuilder& builder);
+
 /// Every problem of one file, and what its plan amounts to when there is none.
 struct ProtocolCheck {
   std::string file{};

@@ -9,16 +9,19 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/height_field_files.h"
 #include "app/tasks/export_study.h"
 #include "app/tasks/new_study.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/simulation.h"
 #include "app/tasks/study_overview.h"
+#include "app/tasks/texture_doubts.h"
 #include "app/tasks/verify_study.h"
 #include "app/textured_mesh_files.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "stimuli/solid_body.h"
+#include "stimuli/synthetic_surface.h"
 #include "tests/app/small_study.h"
 
 namespace asperity {
@@ -212,6 +215,74 @@ TEST_F(Bodies, WhoseSurfaceLiesNowhereUnderTheToolAreRefusedBeforeASession) {
   EXPECT_THAT(of_its_own_frame[0].message,
               HasSubstr("the tool \"ball\" begins inside the surface \"plate\""));
   EXPECT_THAT(of_its_own_frame[0].message, HasSubstr("has its highest point in that plane"));
+}
+
+/// A wave of 1.6 mm, 0.2 mm high, on a tile of that width, in the place of the grain.
+void save_wave(const std::filesystem::path& study, double width_m) {
+  const ParameterValues values{{"spacing_m", 0.0016}, {"amplitude_m", 1e-4}};
+  const SurfaceCanvas canvas{.width_m = width_m, .pixels = 160};
+  save_height_field(study / "stimuli" / "grain.png", make_surface("sinusoid", values, canvas),
+                    {.kind = "sinusoid", .parameters = values}, Overwrite::allow);
+}
+
+// Ten whole waves are rendered as they are; of 12.5 the step at the seam counts as the texture's finest
+// waves, which no sample of a contact holds, wherever the hand is.
+TEST_F(Bodies, WithATileThatDoesNotCloseAreDoubtedWithBothNumbersAndWhatWouldBeRight) {
+  replace_in_protocol(R"(, "texture": "grain")", "");  // of the roll
+  const auto doubts = [this] {
+    StimulusBuilder builder(models_, study_);
+    const Protocol protocol = load_protocol(protocol_, models_, study_);
+    RehearsedStimuli found = rehearse_with_doubts(protocol, protocol_.string(), builder);
+    EXPECT_THAT(found.problems, IsEmpty());
+    for (Diagnostic& doubt : doubts_about_textures(protocol, protocol_.string(), study_)) {
+      found.doubts.push_back(std::move(doubt));
+    }
+    return found.doubts;
+  };
+  save_wave(study_, 0.016);
+  EXPECT_THAT(doubts(), IsEmpty());
+
+  save_wave(study_, 0.02);
+  const std::vector<Diagnostic> found = doubts();
+  ASSERT_EQ(found.size(), 4U);  // each tool, and the texture
+  EXPECT_EQ(found[0].pointer, "/stimuli/felt");
+  for (const char* said :
+       {"the stimulus \"felt_grain_pd_gradient_ball\" with the texture \"grain\" "
+        "(stimuli/grain.png)",
+        "under the tool \"ball\"", "the limit fine_detail of pd_gradient in ",
+        "samples of 100 µm (cell_m) hold waves of 800 µm and longer", "a cell_m of"}) {
+    EXPECT_THAT(found[0].message, HasSubstr(said));
+  }
+  EXPECT_EQ(found[3].pointer, "/textures/grain");
+  EXPECT_THAT(found[3].message,
+              HasSubstr("felt in \"felt_grain_pd_gradient_ball\", \"felt_grain_pd_gradient_rasp\", "
+                        "\"felt_grain_pd_gradient_roll\": "
+                        "0.02 m along x hold 12.5 spacings of 0.0016 m"));
+  EXPECT_THAT(found[3].message, HasSubstr("0.0192 m or 0.0208 m"));
+
+  // On a plate that shows less than one tile there is no seam to feel.
+  replace_in_protocol("[0.04, 0.02, 0.01]", "[0.0198, 0.0198, 0.01]");
+  replace_in_protocol(R"("target": 0.02})", R"("target": 0.01})");
+  EXPECT_THAT(doubts(), IsEmpty());
+}
+
+TEST_F(Bodies, WhoseTextureHasAnotherSpacingThanItsFileAreDoubted) {
+  save_wave(study_, 0.016);
+  const auto said = [this] {
+    std::string all{};
+    for (const Diagnostic& doubt : doubts_about_textures(load_protocol(protocol_, models_, study_),
+                                                         protocol_.string(), study_)) {
+      all += doubt.pointer + ' ' + doubt.message + '\n';
+    }
+    return all;
+  };
+  replace_in_protocol(R"("stimuli/grain.png"})", R"("stimuli/grain.png", "spacing_m": 0.0016})");
+  EXPECT_EQ(said(), "");
+  replace_in_protocol(R"("spacing_m": 0.0016)", R"("spacing_m": 0.003)");
+  EXPECT_THAT(said(), HasSubstr("/textures/grain/spacing_m the texture \"grain\""));
+  EXPECT_THAT(said(),
+              HasSubstr("a spacing of 0.003 m, and the file's sidecar that it was made with "
+                        "0.0016 m; a spacing_m of 0.0016 or another file"));
 }
 
 TEST_F(Bodies, OfTheSameMakingAreOneMeshAndOthersAreNot) {

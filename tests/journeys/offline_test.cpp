@@ -288,6 +288,33 @@ TEST(Check, SaysWhereFilesOfTheDemonstrationComeFrom) {
   EXPECT_NE(outcome.err.find("asperity new DIR --demo makes it"), std::string::npos);
 }
 
+// Of a wave whose tile does not close, when it is made and when it is about to be felt.
+TEST(Check, WarnsOfATileThatDoesNotClose) {
+  const SmallStudy small{};
+  const auto made = [&small](const char* width_m) {
+    return asperity({"synth", "sinusoid", "--param", "spacing_m=0.0016", "--width-m", width_m,
+                     "--pixels", "400", "--force", "--out",
+                     small.study() / "stimuli" / "walnut.png"});
+  };
+  const auto checked = [&small] {
+    return asperity({"check", small.selection(), "--study", small.study(), "--json"});
+  };
+  const Outcome closed = made("0.016");
+  EXPECT_EQ(closed.status, 0);
+  EXPECT_EQ(closed.err, "");
+  EXPECT_EQ(nlohmann::json::parse(checked().out)["protocols"][0]["warnings"].size(), 0U);
+  const Outcome cut = made("0.02");
+  EXPECT_EQ(cut.status, 0);
+  EXPECT_NE(cut.err.find("warning: "), std::string::npos);
+  EXPECT_NE(cut.err.find("0.02 m along x hold 12.5 spacings of 0.0016 m"), std::string::npos);
+  const Outcome warned = checked();
+  EXPECT_EQ(warned.status, 0) << warned.err;
+  EXPECT_NE(warned.err.find("the texture \"walnut\" (stimuli/walnut.png), felt in "),
+            std::string::npos)
+      << warned.err;
+  EXPECT_NE(warned.err.find("0.0192 m or 0.0208 m hold whole ones"), std::string::npos);
+}
+
 TEST(Check, AcceptsEveryProtocolOfTheLibrary) {
   std::vector<std::string> arguments{"check"};
   for (const fs::directory_entry& file :

@@ -1,0 +1,136 @@
+#include "app/tasks/texture_doubts.h"
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
+#include "analysis/number_text.h"
+#include "app/height_field_files.h"
+#include "protocols/json_document.h"
+#include "protocols/plan.h"
+#include "stimuli/synthetic_surface.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kSameSpacing = 0.01;
+
+/// How a texture is felt.
+struct TextureUse {
+  std::string height_field{};
+  std::set<std::string> stimuli{};
+  glm::dvec2 widest_m{0.0};  ///< what one surface shows of it
+  double motion_scale = 1.0;
+};
+
+/// How much of a field a body shows along x and y; without end around a cylinder or a sphere.
+glm::dvec2 shown_m(const Shape& shape) {
+  constexpr double kWithoutEnd_m = 1e3;
+  if (const auto* const plate = std::get_if<PlateShape>(&shape)) return glm::dvec2(plate->size_m);
+  if (const auto* const box = std::get_if<BoxShape>(&shape)) return glm::dvec2(box->size_m);
+  if (const auto* const cylinder = std::get_if<CylinderShape>(&shape)) {
+    return {kWithoutEnd_m, cylinder->length_m};
+  }
+  return {kWithoutEnd_m, kWithoutEnd_m};
+}
+
+std::map<std::string, TextureUse> uses_of(const Protocol& protocol) {
+  std::map<std::string, TextureUse> uses{};
+  const auto use = [&uses](const std::string& texture, const std::optional<std::string>& field,
+                           const StimulusDescription& stimulus, const glm::dvec2& widest_m) {
+    if (texture.empty() || !field) return;
+    TextureUse& of = uses[texture];
+    of.height_field = *field;
+    of.stimuli.insert(stimulus.name);
+    of.motion_scale = stimulus.patch.motion_scale;
+    of.widest_m = glm::max(of.widest_m, widest_m);
+  };
+  for (const Trial& trial : possible_trials(protocol)) {
+    for (const PlannedPresentation& planned : trial.presentations) {
+      const StimulusDescription& stimulus = planned.stimulus;
+      if (!stimulus.surface) {
+        const bool is_repeated = stimulus.patch.tiling == Tiling::repeat;
+        use(stimulus.texture, stimulus.height_field, stimulus,
+            is_repeated ? stimulus.patch.motion_scale * stimulus.patch.extent_m : glm::dvec2(0.0));
+      }
+      for (const auto* const body : {&stimulus.surface, &stimulus.tool}) {
+        if (!*body || !(*body)->shape) continue;
+        const std::string texture = (*body)->texture.value_or(stimulus.texture);
+        use(texture, (*body)->height_field, stimulus, shown_m(*(*body)->shape));
+      }
+    }
+  }
+  return uses;
+}
+
+std::string enumerated_in_quotes(const std::set<std::string>& names) {
+  std::string text{};
+  for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + '"';
+  return text;
+}
+
+std::optional<double> spacing_among(const HeightFieldProvenance& made) {
+  const auto found = made.parameters.find("spacing_m");
+  if (found == made.parameters.end()) return {};
+  const double* const number = std::get_if<double>(&found->second);
+  return number == nullptr ? std::nullopt : std::optional(*number);
+}
+
+bool is_at_an_angle(const HeightFieldProvenance& made) {
+  const auto angle = made.parameters.find("angle_rad");
+  return angle != made.parameters.end() && angle->second != ParameterValue(0.0);
+}
+
+}  // namespace
+
+std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
+                                              const std::string& file_name,
+                                              const std::filesystem::path& study) {
+  const JsonDocument document(protocol.source, file_name);
+  std::vector<Diagnostic> doubts{};
+  for (const auto& [name, use] : uses_of(protocol)) {
+    const std::filesystem::path file = study / use.height_field;
+    const HeightFieldProvenance made = provenance_of(file);
+    const std::string place = pointer_to("/textures", name);
+    const std::string whose = "the texture \"" + name + "\" (" + use.height_field + "), felt in " +
+                              enumerated_in_quotes(use.stimuli) + ": ";
+    const auto texture = protocol.textures.find(name);
+    const std::optional<double> spacing_m = spacing_among(made);
+    if (texture != protocol.textures.end() && texture->second.spacing_m && spacing_m &&
+        !is_at_an_angle(made)) {
+      const double said_m = *texture->second.spacing_m;
+      const double felt_m = *spacing_m / use.motion_scale;
+      if (std::abs(said_m - felt_m) > kSameSpacing * felt_m) {
+        doubts.push_back(document.at(
+            place + "/spacing_m",
+            whose + "the protocol says a spacing of " + number_text(said_m) +
+                " m, and the file's sidecar that it was made with " + number_text(*spacing_m) +
+                " m" +
+                (use.motion_scale == 1.0
+                     ? std::string()
+                     : ", which a motion scale of " + number_text(use.motion_scale) + " makes " +
+                           number_text(felt_m) + " m") +
+                "; a spacing_m of " + number_text(felt_m) + " or another file would be right"));
+      }
+    }
+    const HeightField::Grid grid = load_height_field(file).field->grid();
+    const SurfaceCanvas canvas{.width_m = static_cast<double>(grid.columns) * grid.pitch_m,
+                               .pixels = grid.columns};
+    const double once_m = canvas.width_m * (1.0 + kSameSpacing);
+    const bool is_repeated = use.widest_m.x > once_m || use.widest_m.y > once_m;
+    const auto seam = seam_of(made.kind, made.parameters, canvas);
+    if (seam && is_repeated) doubts.push_back(document.at(place, whose + *seam));
+    const auto coarse = coarse_samples_of(made.kind, made.parameters, canvas);
+    if (coarse) doubts.push_back(document.at(place, whose + *coarse));
+  }
+  return doubts;
+}
+
+}  // namespace asperity
