@@ -65,7 +65,8 @@ void count_attempt(const AttemptRow& attempt, bool is_main, ReportFacts& facts) 
     facts.models.insert(surface.model + ' ' + surface.model_version);
     for (const ModelLimitRow& limit : surface.limits) {
       if (limit.kind == kAllContact) continue;
-      facts.limits[{surface.model, limit.kind}].add(limit.ticks);
+      const std::string& felt = surface.texture.empty() ? surface.stimulus : surface.texture;
+      facts.limits[{surface.model, limit.kind, felt}].add(limit.ticks);
     }
   }
   if (attempt.outcome == AttemptOutcome::answered) {

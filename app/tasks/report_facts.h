@@ -77,8 +77,9 @@ struct ReportFacts {
   std::map<std::string, ReasonCounts> not_counted{};  ///< by fate, then reason
   ReasonCounts flagged{};                             ///< of those that count
 
-  ReportedServo servo{};                                                  ///< of every attempt
-  std::map<std::pair<std::string, std::string>, ReportedCount> limits{};  ///< (model, kind) → ticks
+  ReportedServo servo{};  ///< of every attempt
+  /// (model, kind, texture or else stimulus) → ticks
+  std::map<std::tuple<std::string, std::string, std::string>, ReportedCount> limits{};
   /// (quantity, minimum, maximum) →
   std::map<std::tuple<std::string, std::optional<double>, std::optional<double>>, ReportedBand>
       bands{};

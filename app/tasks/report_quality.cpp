@@ -158,10 +158,11 @@ ReportTable counts_table(const ReportFacts& facts) {
                 count_row("change of force slowed", servo.slew_limited, "attempts"),
                 count_row("force that was no number", servo.not_finite, "attempts")};
   for (const auto& [limit, count] : facts.limits) {
-    std::string kind = limit.second;
+    const auto& [model, name, felt] = limit;
+    std::string kind = name;
     std::replace(kind.begin(), kind.end(), '_', ' ');
     table.rows.push_back(
-        count_row("beyond a limit of " + limit.first + ": " + kind, count, "surfaces"));
+        count_row("beyond a limit of " + model + ": " + kind + ", " + felt, count, "surfaces"));
   }
   // What never happened has been said.
   std::erase_if(table.rows, [](const Row& row) { return row[1] == "0"; });

@@ -298,7 +298,10 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
     PresentationRow surface = surface_of("a", "pd_gradient", "brick");
     surface.position = 1;
     surface.limits = {{"too_deep", i == 0 ? 7 : 0}};
-    attempt.presentations = {surface};
+    PresentationRow other = surface_of("b", "pd_gradient", "wave");
+    other.position = 2;
+    other.limits = {{"too_deep", 0}, {"fine_detail", 5}};
+    attempt.presentations = {surface, other};
     ServoQualityRow servo{};
     servo.rate_Hz = 1000.0;
     servo.ticks = 6000;
@@ -324,8 +327,12 @@ TEST(StudyReport, CountsWhatDidNotComeAsItWasMeant) {
               HasSubstr("3 deadlines were missed in one attempt and no tick record was lost."));
   EXPECT_THAT(words, HasSubstr("The limiter shortened the force in 12 ticks of one attempt."));
   EXPECT_THAT(words, HasSubstr("missed deadlines | 3 | 1 of 2 attempts | 3 |"));
+  EXPECT_THAT(
+      words,
+      HasSubstr("beyond a limit of pd_gradient: too deep, brick | 7 | 1 of 2 surfaces | 7 |"));
   EXPECT_THAT(words,
-              HasSubstr("beyond a limit of pd_gradient: too deep | 7 | 1 of 2 surfaces | 7 |"));
+              HasSubstr("beyond a limit of pd_gradient: fine detail, wave | 10 | 2 of 2 surfaces"));
+  EXPECT_THAT(words, Not(HasSubstr("too deep, wave")));
   const std::string hands = words_of(section(report.chapters.at(1), "Exploration"));
   EXPECT_THAT(hands, HasSubstr("normal force (0.5 N to 1.5 N) on 1 of 2 surfaces (50 %)"));
   EXPECT_THAT(hands, HasSubstr("normal force | 0.5 N to 1.5 N | 2 | 1.5 N |"));
