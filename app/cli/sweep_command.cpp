@@ -229,14 +229,62 @@ Table summary_table(const Sweep& sweep, SweepMeasure measure) {
   return table;
 }
 
+/// "the probe diameter", as what a model may not depend on.
+const char* words_of_varied(VariedQuantity varied) {
+  switch (varied) {
+    case VariedQuantity::probe_diameter:
+      return "the probe diameter";
+    case VariedQuantity::applied_force:
+      return "the applied force";
+    case VariedQuantity::exploratory_speed:
+      return "the exploratory speed";
+  }
+  return "";
+}
+
+/// The curves of levels that are one and the same stroke.
+void say_what_has_no_effect(const Sweep& sweep) {
+  const bool is_so = std::any_of(sweep.rows.begin(), sweep.rows.end(), [](const SweepRow& row) {
+    return row.status == kNoEffectByConstruction;
+  });
+  if (!is_so) return;
+  say(std::string(kNoEffectByConstruction) + ": " + sweep.order.stroke.model->declaration.id +
+      " cannot depend on " + words_of_varied(sweep.order.varied) +
+      "; one stroke of a spacing stands for all values, and their curves are the same");
+}
+
+/// Rows without a measure to fit though nothing went wrong with their stroke: nothing moved the tool.
+void say_where_nothing_moved(const Sweep& sweep, SweepMeasure measure, std::size_t unmoved) {
+  const RoughnessStroke& stroke = sweep.order.stroke;
+  std::string why = "the acceleration has no power in that band";
+  if (measure == SweepMeasure::max_accel || measure == SweepMeasure::rms_accel) {
+    why = "nothing accelerated the tool";
+    if (stroke.mode == DragMode::constant_height) {
+      why += ", which at constant height only a force along the stroke does, and " +
+             stroke.model->declaration.id +
+             " as it is here has none: --drag constant_force lets the texture lift the tool";
+    }
+  }
+  say("not fitted: " + counted(unmoved, "row") + " whose stroke went well and whose " +
+      text_of(measure) + " is 0: " + why);
+}
+
 /// Why a column of the summary has no number; a sentence for each reason that there is.
 void say_why_absent(const Sweep& sweep, SweepMeasure measure) {
   bool is_short = false;
   bool is_at_end = false;
   bool has_no_top = false;
+  std::map<double, std::size_t> unmoved{};  // by level
+  std::size_t all_unmoved = 0;
+  for (const SweepRow& row : sweep.rows) {
+    if (!row.roughness || log10_of(row, measure)) continue;
+    ++unmoved[row.value];
+    ++all_unmoved;
+  }
+  if (all_unmoved > 0) say_where_nothing_moved(sweep, measure, all_unmoved);
   for (const SweepCurve& curve : curves_of(sweep, measure)) {
     if (!curve.fit) {
-      is_short = true;
+      is_short = is_short || !unmoved.contains(curve.value);
       continue;
     }
     is_at_end = is_at_end || !curve.greatest_at_m;
@@ -260,6 +308,7 @@ void say_why_absent(const Sweep& sweep, SweepMeasure measure) {
 struct StudyBeside {
   Figure estimates{};
   std::vector<std::string> conditions{};  ///< by the levels of the sweep
+  AnswerGroup group = AnswerGroup::people;
 };
 
 /// What `--protocol` names: every version of a protocol, or one of them.
@@ -361,7 +410,8 @@ StudyBeside study_beside(const SweepOptions& options, const ModelRegistry& model
       for (const std::string& remark : beside.remarks) {
         say("asperity: warning: " + remark);
       }
-      return {.estimates = std::move(figure), .conditions = beside.conditions};
+      return {
+          .estimates = std::move(figure), .conditions = beside.conditions, .group = outcome.group};
     }
   }
   throw std::runtime_error("the study " + options.beside + " has no estimates of roughness");
@@ -431,13 +481,15 @@ int run_sweep(SweepOptions options) {
   std::cout << options.out << ": " << counted(sweep.rows.size(), "row") << ", "
             << text_of(order.stroke.mode) << ", " << text_of(options.measure) << '\n'
             << aligned(summary_table(sweep, options.measure));
+  say_what_has_no_effect(sweep);
   say_why_absent(sweep, options.measure);
 #ifdef ASPERITY_WITH_WINDOWS
   if (!plot.empty()) {
     const LettersWithoutWindows letters;
-    const Figure figure = beside ? beside_prediction(std::move(beside->estimates), sweep,
-                                                     beside->conditions, options.measure)
-                                 : sweep_figure(sweep, options.measure);
+    const Figure figure =
+        beside ? beside_prediction(of_group(std::move(beside->estimates), beside->group), sweep,
+                                   beside->conditions, options.measure)
+               : sweep_figure(sweep, options.measure);
     write_figure(plot, figure, {}, file.overwrite);
   }
 #endif

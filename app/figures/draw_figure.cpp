@@ -396,7 +396,9 @@ class FigureDrawing final {
         painter_.drawLine(item.at, item.at + QPointF(length, 0.0));
       }
       if (!series.points.empty()) {
-        mark(series, item.at + QPointF(length / 2.0, 0.0), 0.34 * letters());
+        // Outlined marks differ from others of their style by their size, too.
+        mark(series, item.at + QPointF(length / 2.0, 0.0),
+             series.hollow ? half_width(series.points.front()) : 0.34 * letters());
       }
       text(item.name, item.at + QPointF(length + 0.5 * letters(), 0.0), Across::left, Along::middle,
            look_.colors.text);

@@ -44,8 +44,8 @@ struct FigurePlace {
 };
 
 /// Marks of one thing. `style` is its colour, the shape of its points and the strokes of its lines at
-/// once, so that nothing rests on colour alone. Series of one style are one in the key, which names
-/// all styles where there is more than one name.
+/// once, so that nothing rests on colour alone. The key has an entry for every name, where there is more
+/// than one; series without a name belong to the one of their style.
 struct FigureSeries {
   Phrase name{};
   int style = 0;

@@ -33,6 +33,15 @@ Phrase level_name(VariedQuantity varied, double value) {
   return {};
 }
 
+/// That all levels are one curve has to be seen, or one would be taken for the others' absence.
+Phrase curve_name(const Sweep& sweep, const SweepCurve& curve) {
+  const Phrase level = level_name(sweep.order.varied, curve.value);
+  const bool has_none =
+      std::any_of(curve.fitted.begin(), curve.fitted.end(),
+                  [](const SweepRow& row) { return row.status == kNoEffectByConstruction; });
+  return has_none ? phrase("Figures", "%1 (no effect by construction)").with(level) : level;
+}
+
 Phrase sweep_title(VariedQuantity varied) {
   switch (varied) {
     case VariedQuantity::probe_diameter:
@@ -116,7 +125,7 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const SweepCurve& curve = curves[i];
     const int style = static_cast<int>(i);
-    FigureSeries counted{.name = level_name(sweep.order.varied, curve.value), .style = style};
+    FigureSeries counted{.name = curve_name(sweep, curve), .style = style};
     FigureSeries excluded{.style = style, .hollow = true};
     for (const SweepRow& row : sweep.rows) {
       const std::optional<double> log10 = log10_of(row, measure);
@@ -176,6 +185,15 @@ void require_estimates(const Figure& estimates, const std::vector<std::string>& 
   for (const std::string& condition : conditions) (void)series_of_condition(estimates, condition);
 }
 
+Figure of_group(Figure estimates, AnswerGroup group) {
+  if (group == AnswerGroup::virtual_participants) {
+    estimates.y.name = phrase("Figures", "%1 of virtual participants").with(estimates.y.name);
+  } else if (group == AnswerGroup::pilot) {
+    estimates.y.name = phrase("Figures", "%1 in pilot sessions").with(estimates.y.name);
+  }
+  return estimates;
+}
+
 Figure beside_prediction(Figure estimates, const Sweep& sweep,
                          const std::vector<std::string>& conditions, SweepMeasure measure) {
   const std::vector<SweepCurve> curves = curves_of(sweep, measure);
@@ -201,14 +219,19 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
       count += 1.0;
     }
   }
+  const std::string model =
+      sweep.order.stroke.model == nullptr ? "" : sweep.order.stroke.model->declaration.id;
   constexpr double kRounding = 1e-9;  // of the spacings at the ends
   std::vector<FigureSeries> predicted{};
   double predicted_sum = 0.0;
   double predicted_count = 0.0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     FigureSeries& condition = estimates.series[places[i]];
-    FigureSeries& marks =
-        predicted.emplace_back(FigureSeries{.style = condition.style, .hollow = true});
+    const Phrase level = curve_name(sweep, curves[i]);
+    FigureSeries& marks = predicted.emplace_back(
+        FigureSeries{.name = phrase("Figures", "%1 predicts: %2").with(model, level),
+                     .style = condition.style,
+                     .hollow = true});
     for (const SweepRow& row : curves[i].fitted) {
       const double spacing_mm = kMillimetresPerMetre * row.spacing_m;
       if (spacing_mm < shortest_mm * (1.0 - kRounding) ||
@@ -221,11 +244,7 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
       predicted_sum += std::log(marks.points.back().y);
       predicted_count += 1.0;
     }
-    // One style is one entry of the key.
-    const Phrase level = level_name(sweep.order.varied, curves[i].value);
-    condition.name = condition.name.empty()
-                         ? level
-                         : phrase("Figures", "%1; predicted: %2").with(condition.name, level);
+    if (condition.name.empty()) condition.name = phrase("Figures", "estimates");
   }
   if (predicted_count == 0.0) {
     throw std::runtime_error("nothing of the sweep is within the spacings that were estimated, " +
@@ -242,9 +261,9 @@ Figure beside_prediction(Figure estimates, const Sweep& sweep,
     estimates.series.push_back(std::move(marks));
   }
   estimates.note = phrase("Figures",
-                          "%1 Small outlined marks: the %2 that a sweep predicts, all times one "
-                          "factor.")
-                       .with(estimates.note, measure_axis(measure).name);
+                          "%1 Small outlined marks: the %2 that a sweep of %3 predicts, all times "
+                          "one factor.")
+                       .with(estimates.note, measure_axis(measure).name, model);
   return estimates;
 }
 

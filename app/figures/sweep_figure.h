@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/analyses/gathered_answers.h"
 #include "app/figures/figure.h"
 #include "app/tasks/sweep.h"
 
@@ -20,9 +21,14 @@ Figure sweep_figure(const Sweep& sweep, SweepMeasure measure = SweepMeasure::max
 /// Errors: std::runtime_error that names the condition without any.
 void require_estimates(const Figure& estimates, const std::vector<std::string>& conditions);
 
+/// The figure `roughness` of a study with whose estimates they are at its axis, where they are not those
+/// of people: what is simulated says so wherever the figure goes.
+Figure of_group(Figure estimates, AnswerGroup group);
+
 /// The figure `roughness` of a study (figures_of.h), whose spacings are in millimetres, and beside its
 /// estimates what a sweep predicts: a measure of its strokes as small outlined marks, each level in the
-/// style of its condition, within the study's range of spacings. `conditions` are by the sweep's levels
+/// style of its condition and with a name of their own in the key, which says the model, within the study's
+/// range of spacings. `conditions` are by the sweep's levels
 /// (SweepBeside). An estimate has no unit, so all of the measure is multiplied by one factor: both have
 /// the same geometric mean.
 ///

@@ -23,7 +23,6 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kNoEffect = "no_effect_by_construction";
 constexpr auto kBetweenWrites = std::chrono::seconds(1);
 
 const char* text_of_tip(TipForm form) noexcept {
@@ -132,7 +131,7 @@ class SweepWork final {
     if (!has_effect(order_)) {
       const std::optional<DragResult> result = dragged(order_.stroke, texture, stop_);
       if (!result) return;
-      SweepRow row{.spacing_m = spacing_m, .status = kNoEffect};
+      SweepRow row{.spacing_m = spacing_m, .status = kNoEffectByConstruction};
       if (result->status == DragStatus::ok) row.roughness = result->roughness;
       for (const std::size_t value : missing) {
         row.value = order_.values[value];
@@ -288,7 +287,7 @@ std::vector<SweepCurve> curves_of(const Sweep& sweep, SweepMeasure measure) {
     std::vector<double> y{};
     for (const SweepRow& row : sweep.rows) {
       const std::optional<double> log10 = log10_of(row, measure);
-      const bool counts = row.status == "ok" || row.status == kNoEffect;
+      const bool counts = row.status == "ok" || row.status == kNoEffectByConstruction;
       if (row.value != value || !counts || !log10) continue;
       curve.fitted.push_back(row);
       x.push_back(log10_frequency(row));

@@ -28,6 +28,9 @@ struct SweepOrder {
   std::string tool_sha256{};    ///< of the stroke's tool, where it is a mesh
 };
 
+/// The status of a row whose level the model cannot depend on.
+inline constexpr const char* kNoEffectByConstruction = "no_effect_by_construction";
+
 /// One cell: a level of what is varied over one spacing.
 struct SweepRow {
   double value = 0.0;

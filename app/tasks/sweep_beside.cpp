@@ -393,6 +393,23 @@ void compare_material(const SweepOrder& order, const Protocol& protocol,
   }
 }
 
+/// By what the surfaces of the main trials were felt.
+void compare_models(const SweepOrder& order, const Protocol& protocol,
+                    std::vector<std::string>& remarks) {
+  if (order.stroke.model == nullptr) return;
+  const std::string& here = order.stroke.model->declaration.id;
+  std::set<std::string> felt{};
+  for (const Trial& trial : possible_trials(protocol)) {
+    if (trial.phase != Phase::main) continue;
+    for (const PlannedPresentation& planned : trial.presentations) {
+      felt.insert(planned.stimulus.model);
+    }
+  }
+  if (felt.empty() || felt == std::set<std::string>{here}) return;
+  remarks.push_back("the sweep predicts by the force model " + here + " (--model), and " +
+                    protocol.name + " is felt with " + enumerated({felt.begin(), felt.end()}));
+}
+
 /// Of what neither of the two varies.
 void compare_levels(const SweepOrder& order, const Protocol& protocol,
                     std::vector<std::string>& remarks) {
@@ -426,6 +443,7 @@ SweepBeside sweep_beside(const SweepOrder& order, const Protocol& protocol,
     refuse_beside(protocol, "asks for no estimates by spacing");
   }
   SweepBeside beside{.conditions = conditions_of_levels(order, protocol)};
+  compare_models(order, protocol, beside.remarks);
   compare_spacings(order, protocol, beside.remarks);
   compare_heights(order, protocol, study, beside.remarks);
   compare_material(order, protocol, beside.remarks);

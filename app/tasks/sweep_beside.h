@@ -16,7 +16,7 @@ struct SweepBeside {
   /// By the sweep's levels, in their order: the condition that each is compared with, as the protocol
   /// calls it. Empty texts where the protocol has no conditions.
   std::vector<std::string> conditions{};
-  /// A sentence for each thing in which the sweep is another experiment than the protocol: amplitude,
+  /// A sentence for each thing in which the sweep is another experiment than the protocol: model, amplitude,
   /// stiffness, friction, spacings, and what neither varies.
   std::vector<std::string> remarks{};
 };

@@ -173,6 +173,10 @@ TEST_F(SweepBesideTest, SaysInWhichThingsItIsAnotherExperiment) {
               HasSubstr("the sweep has 1 mm (--probe-diameter-m), and roughness_force 2 mm"));
   EXPECT_THAT(remark([](SweepOrder& order) { order.stroke.speed_m_per_s = 0.1; }),
               HasSubstr("100 mm/s (--exploratory-speed-m-per-s), and roughness_force 60 mm/s"));
+  EXPECT_THAT(
+      remark([](SweepOrder& order) { order.stroke.model = all_models().find("height_map"); }),
+      HasSubstr("by the force model height_map (--model), and roughness_force is felt with "
+                "pd_gradient"));
   std::filesystem::remove(folder_.path() / "stimuli" / "wave_20.png");
   EXPECT_THAT(remark([](SweepOrder&) {}), HasSubstr("wave_20.png"));
 }

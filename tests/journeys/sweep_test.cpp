@@ -114,11 +114,12 @@ TEST(Sweep, KeepsWholeRowsWhenItIsInterruptedAndGoesOnWithThem) {
 
 TEST(Sweep, SaysWhatCannotHaveAnEffect) {
   const TemporaryFolder place{};
-  ASSERT_EQ(
+  const Outcome outcome =
       asperity(sweep_into(place / "sweep.tsv", {"--model", "lateral_gradient", "--vary",
-                                                "probe_diameter", "--spacings", "0.002:0.004:2"}))
-          .status,
-      0);
+                                                "probe_diameter", "--spacings", "0.002:0.004:2"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("no_effect_by_construction: lateral_gradient cannot depend on "
+                                     "the probe diameter"));
   const Tsv table = tsv(text_of(place / "sweep.tsv"));
   ASSERT_EQ(table.rows.size(), 6U);
   EXPECT_THAT(table.column("status"), Each("no_effect_by_construction"));
@@ -272,8 +273,8 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
   EXPECT_THAT(drawn.err, HasSubstr("warning: the surface of the sweep has 1000 N/m"));
   EXPECT_THAT(drawn.err, testing::Not(HasSubstr("--friction")));
   const std::string svg = text_of(place / "sweep.svg");
-  EXPECT_THAT(svg, HasSubstr("light; predicted: force 0.5 N"));
-  EXPECT_THAT(svg, HasSubstr("firm; predicted: force 2 N"));
+  EXPECT_THAT(svg, HasSubstr("pd_gradient predicts: force 0.5 N"));
+  EXPECT_THAT(svg, HasSubstr("pd_gradient predicts: force 2 N"));
 
   add_estimates(made, "roughness_speed", "speed", {"slow", "fast"});
   std::vector<std::string> again = right;
@@ -311,6 +312,20 @@ TEST(Sweep, SaysWhyANumberIsMissing) {
   EXPECT_EQ(two.status, 0) << two.err;
   EXPECT_THAT(two.out, HasSubstr("n/a"));
   EXPECT_THAT(two.err, HasSubstr("need three spacings at least"));
+}
+
+TEST(Sweep, SaysThatNothingMovedTheToolWhereEveryStrokeWentWell) {
+  const TemporaryFolder place{};
+  std::vector<std::string> order = sweep_into(
+      place / "sweep.tsv", {"--model", "height_map", "--vary", "applied_force", "--values", "0.5",
+                            "--spacings", "0.001:0.004:3", "--drag", "constant_height"});
+  const Outcome still = asperity(order);
+  EXPECT_EQ(still.status, 0) << still.err;
+  EXPECT_THAT(tsv(text_of(place / "sweep.tsv")).column("status"), Each("ok"));
+  EXPECT_THAT(still.err, HasSubstr("not fitted: 3 rows whose stroke went well and whose max_accel "
+                                   "is 0: nothing accelerated the tool"));
+  EXPECT_THAT(still.err, HasSubstr("height_map as it is here has none: --drag constant_force"));
+  EXPECT_THAT(still.err, testing::Not(HasSubstr("see the column status")));
 }
 
 // Each measure has its own peak: of the same strokes the power over the threshold of touch, whose

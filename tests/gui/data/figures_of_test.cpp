@@ -198,7 +198,9 @@ TEST(FiguresOf, OrderAScaleFromTheTopDown) {
 
 /// Two tips over four spacings, the second half as rough.
 Sweep two_tips() {
+  static const ModelRegistry kModels = built_in_models();
   Sweep sweep{};
+  sweep.order.stroke.model = kModels.find("pd_gradient");
   sweep.order.values = {0.001, 0.002};
   sweep.order.spacings_m = {0.0005, 0.001, 0.002, 0.004};
   for (const double tip_m : sweep.order.values) {
@@ -227,7 +229,9 @@ TEST(BesidePrediction, HasTheGeometricMeanOfTheEstimatesAndNothingBeyondTheirSpa
 
   const Figure both = beside_prediction(estimates, two_tips(), {"small", "large"});
   ASSERT_EQ(both.series.size(), 5U);
-  EXPECT_EQ(both.series[0].name.english(), "small; predicted: probe 1 mm");
+  EXPECT_EQ(both.series[0].name.english(), "small");
+  EXPECT_EQ(both.series[3].name.english(), "pd_gradient predicts: probe 1 mm");
+  EXPECT_NE(both.note.english().find("that a sweep of pd_gradient predicts"), std::string::npos);
   double product = 1.0;
   for (std::size_t tip = 0; tip < 2; ++tip) {
     const FigureSeries& marks = both.series[3 + tip];
@@ -244,7 +248,7 @@ TEST(BesidePrediction, HasTheGeometricMeanOfTheEstimatesAndNothingBeyondTheirSpa
 
   // A level goes where its condition is, in whatever order the study has them.
   const Figure turned = beside_prediction(estimates, two_tips(), {"large", "small"});
-  EXPECT_EQ(turned.series[0].name.english(), "small; predicted: probe 2 mm");
+  EXPECT_EQ(turned.series[3].name.english(), "pd_gradient predicts: probe 1 mm");
   EXPECT_EQ(turned.series[3].style, 1);
 
   EXPECT_THROW(beside_prediction(estimates, two_tips(), {"small"}), std::runtime_error);
@@ -252,6 +256,29 @@ TEST(BesidePrediction, HasTheGeometricMeanOfTheEstimatesAndNothingBeyondTheirSpa
   EXPECT_THROW(require_estimates(estimates, {"small", "large"}), std::runtime_error);
   EXPECT_NO_THROW(require_estimates(estimates, {"large"}));
   EXPECT_THROW(beside_prediction(estimates, two_tips(), {"small", "large"}), std::runtime_error);
+}
+
+TEST(BesidePrediction, SaysInTheDrawingWhoseEstimatesTheyAreAndWhatHasNoEffect) {
+  Figure estimates{};
+  estimates.y = {.name = Phrase("roughness"), .scale = AxisScale::log10, .low = 7.0, .high = 9.0};
+  FigureSeries& all = estimates.series.emplace_back();
+  all.points = {{.x = 1.0, .y = 8.0}, {.x = 4.0, .y = 8.0}};
+  EXPECT_EQ(of_group(estimates, AnswerGroup::people).y.name.english(), "roughness");
+  EXPECT_EQ(of_group(estimates, AnswerGroup::pilot).y.name.english(),
+            "roughness in pilot sessions");
+  estimates = of_group(estimates, AnswerGroup::virtual_participants);
+  EXPECT_EQ(estimates.y.name.english(), "roughness of virtual participants");
+  Sweep sweep = two_tips();
+  sweep.order.values = {0.001};
+  std::erase_if(sweep.rows, [](const SweepRow& row) { return row.value != 0.001; });
+  for (SweepRow& row : sweep.rows) row.status = kNoEffectByConstruction;
+  const Figure beside = beside_prediction(estimates, sweep, {""});
+  EXPECT_EQ(beside.y.name.english(), "roughness of virtual participants");
+  // A key has two names at least: the marks are told from the estimates.
+  EXPECT_EQ(beside.series[0].name.english(), "estimates");
+  EXPECT_EQ(beside.series[1].name.english(),
+            "pd_gradient predicts: probe 1 mm (no effect by construction)");
+  EXPECT_EQ(sweep_figure(sweep).series[0].name.english(), "probe 1 mm (no effect by construction)");
 }
 
 TEST(FiguresOf, DrawRoughnessByProbeWithItsCurveAndPeak) {
