@@ -652,22 +652,6 @@
         <translation>Alle Versuchspersonen in jeder Zelle, Wiederholungen gemittelt. p: F mit Epsilon nach Greenhouse und Geisser, wo ein Effekt mehr als einen Freiheitsgrad hat.</translation>
     </message>
     <message>
-        <source>It does: F = %1, %2.</source>
-        <translation>Ja: F = %1, %2.</translation>
-    </message>
-    <message>
-        <source>Nothing shows that it does: F = %1, %2.</source>
-        <translation>Nichts zeigt das: F = %1, %2.</translation>
-    </message>
-    <message>
-        <source>F = %1, %2.</source>
-        <translation>F = %1, %2.</translation>
-    </message>
-    <message>
-        <source>Analysis of variance of the logarithms with repeated measures, corrected by epsilon of Greenhouse and Geisser.</source>
-        <translation>Varianzanalyse der Logarithmen mit Messwiederholung, mit Epsilon nach Greenhouse und Geisser.</translation>
-    </message>
-    <message>
         <source>%1; %2</source>
         <translation>%1; %2</translation>
     </message>
@@ -782,6 +766,46 @@
     <message>
         <source>%1 cannot be told, because with %2 participants its interval is wider than the tested spacings</source>
         <translation>%1 ist nicht zu sagen: Bei %2 Versuchspersonen ist das Intervall weiter als die geprüften Abstände</translation>
+    </message>
+    <message>
+        <source>roughest was %1, and %2 the least rough, by a factor of %3</source>
+        <translation>am rauesten war %1, am wenigsten rau %2, um den Faktor %3</translation>
+    </message>
+    <message>
+        <source>%1 was rougher than %2 by a factor of %3</source>
+        <translation>%1 war um den Faktor %3 rauer als %2</translation>
+    </message>
+    <message>
+        <source>%1 was rougher than %2 by a factor of %3 (95 % interval %4 to %5)</source>
+        <translation>%1 war um den Faktor %3 rauer als %2 (95-%-Intervall %4 bis %5)</translation>
+    </message>
+    <message>
+        <source>F(%1, %2) = %3, partial η² = %4, %5</source>
+        <translation>F(%1, %2) = %3, partielles η² = %4, %5</translation>
+    </message>
+    <message>
+        <source>It does: %1.</source>
+        <translation>Ja: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing shows that it does: %1.</source>
+        <translation>Nichts zeigt das: %1.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>Analysis of variance of the logarithms with repeated measures, corrected by epsilon of Greenhouse and Geisser. Factors of roughness by the participants&apos; mean logarithms; the interval of one between two is Student&apos;s, and between the ends of several there is none.</source>
+        <translation>Varianzanalyse der Logarithmen mit Messwiederholung, mit Epsilon nach Greenhouse und Geisser. Faktoren der Rauheit aus den mittleren Logarithmen der Versuchspersonen; das Intervall eines Faktors zwischen zweien ist das von Student, zwischen den äußersten von mehreren gibt es keines.</translation>
+    </message>
+    <message>
+        <source>The cells of the participants have %1 to %2 estimates; each is averaged first, so that all weigh the same.</source>
+        <translation>Die Zellen der Versuchspersonen haben %1 bis %2 Schätzungen; jede wird zuerst gemittelt, sodass alle gleich viel wiegen.</translation>
+    </message>
+    <message>
+        <source>%1 Counted in one direction only, %2 was called %3 more often still: %4 times in %5 answers.</source>
+        <translation>%1 Nur in einer Richtung gezählt, wurde %2 noch öfter %3 genannt: %4-mal in %5 Antworten.</translation>
     </message>
 </context>
 <context>
@@ -1535,6 +1559,10 @@
         <source>the handle of %1 will move by itself for a minute and a half, by at most 3 cm, with at most %2 N. Let it hang free in the middle of its workspace, keep hands and hair away, and let nobody hold it.</source>
         <translation>der Griff von %1 wird sich anderthalb Minuten lang von selbst bewegen, um höchstens 3 cm, mit höchstens %2 N. Lassen Sie ihn frei in der Mitte seines Arbeitsraums hängen, halten Sie Hände und Haare fern, und niemand soll ihn halten.</translation>
     </message>
+    <message>
+        <source>A device is being measured for this study: stop that or let it end, then begin the session.</source>
+        <translation>Für diese Studie wird gerade ein Gerät gemessen: Halten Sie das an oder lassen Sie es enden, dann beginnen Sie die Sitzung.</translation>
+    </message>
 </context>
 <context>
     <name>Figures</name>
@@ -2007,10 +2035,6 @@
         <translation>Es gibt keine Kurve: Nichts hat das Werkzeug bewegt.</translation>
     </message>
     <message>
-        <source>%1; predicted: %2</source>
-        <translation>%1; vorhergesagt: %2</translation>
-    </message>
-    <message>
         <source>one participant</source>
         <translation>eine Versuchsperson</translation>
     </message>
@@ -2055,8 +2079,28 @@
         <translation>Volle Zeichen: Striche des gehaltenen Werkzeugs; kleine umrandete: Striche, die ein Status ausschließt. Kurven: Parabeln der Logarithmen. Große umrandete Zeichen: ihre Gipfel im Bereich, mit 95-%-Fieller-Intervallen der Anpassung.</translation>
     </message>
     <message>
-        <source>%1 Small outlined marks: the %2 that a sweep predicts, all times one factor.</source>
-        <translation>%1 Kleine umrandete Zeichen: %2, wie ein Durchlauf von „sweep“ sie vorhersagt, alle mal denselben Faktor.</translation>
+        <source>%1 (no effect by construction)</source>
+        <translation>%1 (ohne Wirkung, so gebaut)</translation>
+    </message>
+    <message>
+        <source>%1 of virtual participants</source>
+        <translation>%1 virtueller Versuchspersonen</translation>
+    </message>
+    <message>
+        <source>%1 in pilot sessions</source>
+        <translation>%1 in Pilotsitzungen</translation>
+    </message>
+    <message>
+        <source>%1 predicts: %2</source>
+        <translation>%1 sagt vorher: %2</translation>
+    </message>
+    <message>
+        <source>estimates</source>
+        <translation>Schätzungen</translation>
+    </message>
+    <message>
+        <source>%1 Small outlined marks: the %2 that a sweep of %3 predicts, all times one factor.</source>
+        <translation>%1 Kleine umrandete Zeichen: %2, wie ein Durchlauf von „sweep“ mit %3 sie vorhersagt, alle mal denselben Faktor.</translation>
     </message>
 </context>
 <context>
@@ -2769,10 +2813,6 @@
         <translation>Die Textur von „%1“ ist eine Kraft von %2 N (RMS), und die schwächste Kraft, die das Gerät bewegt, beträgt %3 N.</translation>
     </message>
     <message>
-        <source>The texture of &quot;%1&quot; is %2 µm high, and the device reads positions in steps of %3 µm.</source>
-        <translation>Die Textur von „%1“ ist %2 µm hoch, und das Gerät liest Positionen in Schritten von %3 µm.</translation>
-    </message>
-    <message>
         <source>A wave of &quot;%1&quot; is %2 µm long, and the device reads positions in steps of %3 µm: a wave needs two.</source>
         <translation>Eine Welle von „%1“ ist %2 µm lang, und das Gerät liest Positionen in Schritten von %3 µm: Eine Welle braucht zwei.</translation>
     </message>
@@ -2781,24 +2821,8 @@
         <translation>Eine Hand, die „%1“ mit %2 mm/s streicht, trifft auf %3 Wellen in der Sekunde, und das Gerät folgt bis %4 Hz.</translation>
     </message>
     <message>
-        <source>At the force limit of %2 N &quot;%1&quot; is as stiff as %3 N/m where its texture is steepest, and the device holds %4 N/m without swinging.</source>
-        <translation>An der Kraftgrenze von %2 N ist „%1“, wo die Textur am steilsten ist, so steif wie %3 N/m, und das Gerät hält %4 N/m, ohne zu schwingen.</translation>
-    </message>
-    <message>
         <source>The surface lies from %1 to %2 mm along %3, and the handle reaches from %4 to %5 mm.</source>
         <translation>Die Oberfläche liegt entlang %3 von %1 bis %2 mm, und der Griff reicht von %4 bis %5 mm.</translation>
-    </message>
-    <message>
-        <source>the protocol asks for a device that was measured within %1 days, and of &quot;%2&quot; there is no profile in the study; measure it by asperity device-test %2 --study %3</source>
-        <translation>das Protokoll verlangt ein Gerät, das in den letzten %1 Tagen gemessen wurde, und von „%2“ gibt es kein Profil in der Studie; messen Sie es mit asperity device-test %2 --study %3</translation>
-    </message>
-    <message>
-        <source>the profile of &quot;%1&quot; is %2 days old, and the protocol allows %3; measure it again by asperity device-test %1 --study %4</source>
-        <translation>das Profil von „%1“ ist %2 Tage alt, und das Protokoll erlaubt %3; messen Sie es erneut mit asperity device-test %1 --study %4</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; failed %2 when it was measured on %3, and the protocol asks for a device that did not</source>
-        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das besteht</translation>
     </message>
     <message>
         <source>The protocol asks for a device whose %1 is at most %2, and it was measured to be %3.</source>
@@ -2819,6 +2843,38 @@
     <message>
         <source>the protocol is not for this device, which falls short of it in %1 ways. %2</source>
         <translation>das Protokoll ist nicht für dieses Gerät, das ihm in %1 Punkten nicht genügt. %2</translation>
+    </message>
+    <message>
+        <source>The texture of &quot;%1&quot; has an amplitude of %2 µm (√2 times its RMS), and the device reads positions in steps of %3 µm.</source>
+        <translation>Die Textur von „%1“ hat eine Amplitude von %2 µm (√2-mal ihr Effektivwert), und das Gerät liest Positionen in Schritten von %3 µm.</translation>
+    </message>
+    <message>
+        <source>At the force limit of %2 N &quot;%1&quot; is as stiff as %3 N/m where it is stiffest, and the device holds %4 N/m without swinging.</source>
+        <translation>An der Kraftgrenze von %2 N ist „%1“ an der steifsten Stelle so steif wie %3 N/m, und das Gerät hält %4 N/m, ohne zu schwingen.</translation>
+    </message>
+    <message>
+        <source>At the greatest force that it gives there, %2 N, &quot;%1&quot; is as stiff as %3 N/m where it is stiffest, and the device holds %4 N/m without swinging.</source>
+        <translation>Bei der größten Kraft, die es dort gibt, %2 N, ist „%1“ an der steifsten Stelle so steif wie %3 N/m, und das Gerät hält %4 N/m, ohne zu schwingen.</translation>
+    </message>
+    <message>
+        <source>the protocol refuses a device that falls short of it, and of &quot;%1&quot; there is no profile in the study to tell by; measure it by %2</source>
+        <translation>das Protokoll weist ein Gerät ab, das ihm nicht genügt, und von „%1“ gibt es kein Profil in der Studie, an dem das zu sehen wäre; messen Sie es mit %2</translation>
+    </message>
+    <message>
+        <source>the protocol asks for a device that was measured within %1 days, and of &quot;%2&quot; there is no profile in the study; measure it by %3</source>
+        <translation>das Protokoll verlangt ein Gerät, das in den letzten %1 Tagen gemessen wurde, und von „%2“ gibt es kein Profil in der Studie; messen Sie es mit %3</translation>
+    </message>
+    <message>
+        <source>the profile of &quot;%1&quot; is %2 days old, and the protocol allows %3; measure it again by %4</source>
+        <translation>das Profil von „%1“ ist %2 Tage alt, und das Protokoll erlaubt %3; messen Sie es erneut mit %4</translation>
+    </message>
+    <message>
+        <source>the profile of &quot;%1&quot; is dated %2, which is still to come: set the clock of the computer that is wrong, and measure it again by %3</source>
+        <translation>das Profil von „%1“ trägt das Datum %2, das noch kommt: Stellen Sie die Uhr des Rechners, die falsch geht, und messen Sie es erneut mit %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; failed %2 when it was measured on %3, and the protocol asks for a device that did not; mend it, and measure it again by %4</source>
+        <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das besteht; beheben Sie das, und messen Sie es erneut mit %4</translation>
     </message>
 </context>
 <context>
@@ -4229,6 +4285,10 @@
         <source>Let it move</source>
         <translation>Bewegen lassen</translation>
     </message>
+    <message>
+        <source>Stop trying</source>
+        <translation>Versuch anhalten</translation>
+    </message>
 </context>
 <context>
     <name>asperity::DeviceTestPage</name>
@@ -4243,10 +4303,6 @@
     <message>
         <source>■ Stop: no force (Esc)</source>
         <translation>■ Halt: keine Kraft (Esc)</translation>
-    </message>
-    <message>
-        <source>Esc, F12 and Pause do the same.</source>
-        <translation>Esc, F12 und Pause tun dasselbe.</translation>
     </message>
     <message>
         <source>No device is chosen</source>
@@ -4375,6 +4431,22 @@
     <message>
         <source>■ Stop once it has found its zero (Esc)</source>
         <translation>■ Halt, sobald es seinen Nullpunkt hat (Esc)</translation>
+    </message>
+    <message>
+        <source>Esc, F12, Pause and Ctrl+Space do the same.</source>
+        <translation>Esc, F12, Pause und Strg+Leertaste tun dasselbe.</translation>
+    </message>
+    <message>
+        <source>It has no motors: nothing moves by itself, and no force is given. The loop is timed; then you move the probe along the borders of its workspace.</source>
+        <translation>Es hat keine Motoren: Nichts bewegt sich von selbst, und es gibt keine Kraft. Der Takt wird gemessen; dann bewegen Sie die Sonde an den Grenzen ihres Arbeitsraums entlang.</translation>
+    </message>
+    <message>
+        <source>Not listed: %1</source>
+        <translation>Nicht aufgeführt: %1</translation>
+    </message>
+    <message>
+        <source>The device kept every limit that it was measured against: %1. Not measured, though limited: %3. The profile is kept as %2.</source>
+        <translation>Das Gerät hält jede Grenze, an der es gemessen wurde: %1. Nicht gemessen, obwohl begrenzt: %3. Das Profil ist gespeichert als %2.</translation>
     </message>
 </context>
 <context>
@@ -4577,6 +4649,22 @@
     <message>
         <source>Test this device…</source>
         <translation>Dieses Gerät testen …</translation>
+    </message>
+    <message>
+        <source>In place of a real device</source>
+        <translation>An Stelle eines wirklichen Geräts</translation>
+    </message>
+    <message>
+        <source>The simulated device with the workspace, forces, latency and steps of a real one, as far as they are known: to rehearse a protocol before the device is there.</source>
+        <translation>Das simulierte Gerät mit Arbeitsraum, Kräften, Verzögerung und Schritten eines wirklichen, soweit sie bekannt sind: um ein Protokoll zu proben, bevor das Gerät da ist.</translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation>Simuliert: %1</translation>
+    </message>
+    <message>
+        <source>What begins with -- is an option of the commands asperity devices, device-test, check and run; the window has none of them.</source>
+        <translation>Was mit -- beginnt, ist eine Option der Befehle asperity devices, device-test, check und run; das Fenster hat sie nicht.</translation>
     </message>
 </context>
 <context>
