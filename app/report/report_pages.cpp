@@ -37,7 +37,8 @@ constexpr double kLeadingOfText = 1.38;
 
 constexpr double kLargestMovedTable = 0.45;  // of a page: smaller ones are kept in one piece
 constexpr std::size_t kLeastRows = 3;        // of a table at the end of a page
-constexpr double kHeadingsHeight = 1600.0;   // of a chapter and a section, which may stand above
+constexpr double kLeastFigure = 0.7;  // of its width, where it then stands with what it belongs to
+constexpr double kHeadingsHeight = 1600.0;  // of a chapter and a section, which may stand above
 
 const QColor kInk(0x1a, 0x1a, 0x1a);
 const QColor kGrey(0x55, 0x55, 0x55);
@@ -212,7 +213,7 @@ class PageMaker final {
     if (text->tone != ReportText::Tone::lead) return alone;
     for (std::size_t i = from + 1; i < section.parts.size(); ++i) {
       if (const auto* figure = std::get_if<ReportFigure>(&section.parts[i])) {
-        height += height_of(*figure);
+        height += least_height_of(*figure);
         return height <= area_.height() - kHeadingsHeight ? height : alone;
       }
       const auto* further = std::get_if<ReportText>(&section.parts[i]);
@@ -224,7 +225,7 @@ class PageMaker final {
 
   double least_height(const ReportPart& part) {
     if (const auto* table = std::get_if<ReportTable>(&part)) return least_height_of(*table);
-    if (const auto* figure = std::get_if<ReportFigure>(&part)) return height_of(*figure);
+    if (const auto* figure = std::get_if<ReportFigure>(&part)) return least_height_of(*figure);
     return 2.0 * line_height(font(kTextPixels));
   }
 
@@ -369,18 +370,40 @@ class PageMaker final {
     return {width, std::min(height, 0.85 * area_.height())};
   }
 
-  double height_of(const ReportFigure& part) {
+  /// The largest size at which it is no higher than `room`; the least one where none is. What is in rows is
+  /// as high as they are.
+  QSizeF size_within(const Figure& figure, double room) const {
+    const QSizeF whole = size_of(figure);
+    if (figure.shape == FigureShape::rows) return whole;
+    constexpr int kSteps = 12;
+    QSizeF size = whole;
+    for (int step = 1; step <= kSteps && size.height() > room; ++step) {
+      const double share = 1.0 - (1.0 - kLeastFigure) * step / kSteps;
+      const double width = share * whole.width();
+      size = {width, std::min(figure_height(figure, width, look_), 0.85 * area_.height())};
+    }
+    return size;
+  }
+
+  double caption_height(const ReportFigure& part) const {
     const double lines = static_cast<double>(
         broken_lines(caption_of(part), font(kCaptionPixels), area_.width()).size());
-    const double caption = lines * line_height(font(kCaptionPixels)) + 60.0;
-    return part.figure.is_drawn() ? 100.0 + size_of(part.figure).height() + caption : caption;
+    return lines * line_height(font(kCaptionPixels)) + 60.0;
+  }
+
+  /// At its least size.
+  double least_height_of(const ReportFigure& part) {
+    const double caption = caption_height(part);
+    return part.figure.is_drawn() ? 100.0 + size_within(part.figure, 0.0).height() + caption
+                                  : caption;
   }
 
   void place(const ReportFigure& part) {
-    need(height_of(part));
+    need(least_height_of(part));
     if (part.figure.is_drawn()) {
       y_ += 100.0;
-      const QRectF into({area_.left(), y_}, size_of(part.figure));
+      const double room = area_.bottom() - y_ - caption_height(part);
+      const QRectF into({area_.left(), y_}, size_within(part.figure, room));
       pages_.back().emplace_back(PageFigure{into, &part.figure});
       y_ += into.height() + 60.0;
     }

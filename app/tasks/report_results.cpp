@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "app/analyses/cell_words.h"
@@ -179,6 +180,17 @@ ReportTable table_of(const NamedTable& named) {
   return table;
 }
 
+/// What has no other words; both ends of an interval are one thing that is missing.
+std::string refused_quantity(std::string quantity) {
+  bool is_end = false;
+  for (const std::string_view ending : {".morey", ".upper", ".lower", ".ci"}) {
+    if (!quantity.ends_with(ending)) continue;
+    quantity.resize(quantity.size() - ending.size());
+    is_end = true;
+  }
+  return (is_end ? "interval of the " : "") + words_of_quantity(quantity);
+}
+
 /// What a finding is about that can have no answer; the words of its name where it has no others.
 std::string words_of_unanswered(const std::string& quantity) {
   static const std::map<std::string, std::string> kWords{
@@ -243,7 +255,7 @@ std::vector<std::string> refusals_in(const AnalysisOutcome& outcome) {
     }
     if (subject.empty()) {  // a reason of its own is told whatever it is about
       const std::string about = words_of_key(finding.key);
-      subject = words_of_quantity(finding.quantity) + (about.empty() ? "" : " of " + about);
+      subject = refused_quantity(finding.quantity) + (about.empty() ? "" : " of " + about);
     }
     std::vector<std::string>& same = subjects[finding.status];
     if (same.empty()) reasons.push_back(finding.status);

@@ -280,8 +280,11 @@ std::string words_of_key(const std::string& key) {
 
 std::string words_of_quantity(const std::string& quantity) {
   static const std::map<std::string, std::string> kNamed{
+      {"geomean", "geometric mean"},
       {"mauchly.W", "Mauchly’s test of sphericity"},
-      {"peak.fieller", "Fieller’s interval of the peak"}};
+      {"peak.fieller", "Fieller’s interval of the peak"},
+      {"subj.sd", "spread of the participants’ shares"},
+      {"subj.t", "t over participants"}};
   if (const auto named = kNamed.find(quantity); named != kNamed.end()) return named->second;
   std::string words = quantity;
   std::replace(words.begin(), words.end(), '_', ' ');

@@ -309,6 +309,36 @@ TEST(ReportPages, KeepAnAnswerWithItsFigure) {
   }
 }
 
+// A figure that is nearly small enough for the page is made so, and leaves no half of it empty.
+TEST(ReportPages, MakeAFigureSmallerThatNearlyFits) {
+  Figure figure{.name = "shares", .shape = FigureShape::square, .series = {{}}};
+  figure.series.front().points = {{.x = 0.5, .y = 0.5}};
+  const double bottom = ReportPages::text_area().bottom();
+  double whole = 0.0;
+  std::set<double> smaller{};
+  for (int lines = 0; lines < 34; ++lines) {  // of the first page
+    std::vector<ReportPart> parts(static_cast<std::size_t>(lines), ReportText{"A line."});
+    parts.emplace_back(ReportText{"An answer.", ReportText::Tone::lead});
+    parts.emplace_back(ReportFigure{1, figure});
+    const Report report = report_with(std::move(parts));
+    const ReportPages pages(report);
+    for (std::size_t page = 0; page < pages.count(); ++page) {
+      for (const PageMark& mark : pages.marks(page)) {
+        const auto* placed = std::get_if<PageFigure>(&mark);
+        if (placed == nullptr) continue;
+        if (lines == 0) whole = placed->place.width();
+        EXPECT_LE(placed->place.bottom(), bottom);
+        EXPECT_GE(placed->place.width(), 0.69 * whole) << lines;
+        if (placed->place.width() < 0.99 * whole) {
+          EXPECT_EQ(page, 0U) << "a page of its own has room for all of it";
+          smaller.insert(placed->place.width());
+        }
+      }
+    }
+  }
+  EXPECT_GE(smaller.size(), 3U);
+}
+
 TEST(TableLayout, BreaksWordsAndNamesThatAreTooLong) {
   ReportTable table = long_table(1);
   table.rows[0][0] = std::string(400, 'a');
