@@ -137,6 +137,20 @@ TEST(RecordWatch, CountsHowTheHandMeetsItsBandsSurfaceBySurface) {
   EXPECT_EQ(watch.hand().so_far().surface, 0);
 }
 
+// A hand that lifts and sets down where it began has not stroked back.
+TEST(RecordWatch, TakesTheWayThroughTheAirForNoStroke) {
+  RecordWatch watch(nullptr);
+  watch.begin_attempt({.speed_m_per_s = {0.06, {}}, .direction_rad = kAlongMinusY_rad});
+  Stroking hand(watch);
+  hand.touch(1, 0.9, 0.1, 0.4);
+  hand.lift(0.2);
+  hand.touch(1, 0.9, 0.05, 0.8);
+  const HandSoFar met = watch.hand().so_far();
+  EXPECT_EQ(met.speed_m_per_s.samples, 2);
+  EXPECT_NEAR(met.speed_m_per_s.mean, 0.075, 1e-3);
+  EXPECT_EQ(met.speed_m_per_s.fraction_in_band, 0.5);
+}
+
 TEST(RecordWatch, HoldsNoSurfaceAgainstTheHandThatIsNotWhollyThere) {
   SessionMonitor monitor;
   RecordWatch watch(&monitor);
