@@ -118,32 +118,61 @@ class Largest final {
   std::vector<Kept> kept_{};
 };
 
+/// Which sample the texture has `beyond` its first one, `count` of them in a row.
+std::size_t sample_at(std::ptrdiff_t beyond, std::ptrdiff_t count, Tiling tiling) {
+  switch (tiling) {
+    case Tiling::repeat:
+      beyond = (beyond + count) % count;
+      break;
+    case Tiling::mirror:
+      if (beyond < 0) beyond = -1 - beyond;
+      if (beyond >= count) beyond = 2 * count - 1 - beyond;
+      break;
+    case Tiling::bounded:
+      break;
+  }
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(beyond, 0, count - 1));
+}
+
 /// The samples where the field is bent upwards most, and where it is inclined most: a grid of places would miss the
-/// sharpest of a million.
-void add_sharpest(const HeightField& field, double motion, const glm::dvec2& extent_m,
+/// sharpest of a million. Bent as the cubics between samples are, which differ on the two sides of one.
+void add_sharpest(const HeightField& field, const SurfacePatch& patch, const glm::dvec2& extent_m,
                   std::vector<Place>& places) {
-  const auto [rows, columns, pitch_m] = field.grid();
-  const float* const heights_m = field.heights_m().data();
+  const auto rows = static_cast<std::ptrdiff_t>(field.grid().rows);
+  const auto columns = static_cast<std::ptrdiff_t>(field.grid().columns);
+  const double pitch_m = field.grid().pitch_m / patch.motion_scale;
   Largest bent{};
   Largest inclined{};
-  for (std::size_t r = 1; r + 1 < rows; ++r) {
-    for (std::size_t c = 1; c + 1 < columns; ++c) {
-      const Place place{
-          .x_m =
-              (static_cast<double>(c) - 0.5 * static_cast<double>(columns - 1)) * pitch_m / motion,
-          .y_m = (0.5 * static_cast<double>(rows - 1) - static_cast<double>(r)) * pitch_m / motion};
-      if (std::abs(place.x_m) > 0.5 * extent_m.x || std::abs(place.y_m) > 0.5 * extent_m.y)
-        continue;
-      const auto at = [&, columns = columns](std::size_t row, std::size_t column) {
-        return static_cast<double>(heights_m[row * columns + column]);
+  std::array<const float*, 5> lines_m{};
+  std::array<std::size_t, 5> across{};
+  constexpr auto bend = [](double a, double b, double c, double d, double e) {
+    return std::max(2.0 * b - 5.0 * c + 4.0 * d - e, 2.0 * d - 5.0 * c + 4.0 * b - a);
+  };
+  for (std::ptrdiff_t r = 0; r < rows; ++r) {
+    const double y_m = (0.5 * static_cast<double>(rows - 1) - static_cast<double>(r)) * pitch_m;
+    if (std::abs(y_m) > 0.5 * extent_m.y) continue;
+    for (std::ptrdiff_t i = 0; i < 5; ++i) {
+      lines_m[static_cast<std::size_t>(i)] =
+          field.heights_m().data() +
+          sample_at(r + i - 2, rows, patch.tiling) * field.grid().columns;
+    }
+    for (std::ptrdiff_t c = 0; c < columns; ++c) {
+      const double x_m =
+          (static_cast<double>(c) - 0.5 * static_cast<double>(columns - 1)) * pitch_m;
+      if (std::abs(x_m) > 0.5 * extent_m.x) continue;
+      for (std::ptrdiff_t i = 0; i < 5; ++i) {
+        across[static_cast<std::size_t>(i)] = sample_at(c + i - 2, columns, patch.tiling);
+      }
+      const auto at = [&](std::size_t row, std::size_t column) {
+        return static_cast<double>(lines_m[row][across[column]]);
       };
-      const double rise_x = at(r, c + 1) - at(r, c - 1);
-      const double rise_y = at(r + 1, c) - at(r - 1, c);
+      const Place place{.x_m = x_m, .y_m = y_m};
+      const double rise_x = at(2, 3) - at(2, 1);
+      const double rise_y = at(3, 2) - at(1, 2);
       inclined.offer(rise_x * rise_x + rise_y * rise_y, place);
-      const double xx = at(r, c + 1) - 2.0 * at(r, c) + at(r, c - 1);
-      const double yy = at(r + 1, c) - 2.0 * at(r, c) + at(r - 1, c);
-      const double xy =
-          0.25 * (at(r + 1, c + 1) - at(r + 1, c - 1) - at(r - 1, c + 1) + at(r - 1, c - 1));
+      const double xx = bend(at(2, 0), at(2, 1), at(2, 2), at(2, 3), at(2, 4));
+      const double yy = bend(at(0, 2), at(1, 2), at(2, 2), at(3, 2), at(4, 2));
+      const double xy = 0.25 * (at(3, 3) - at(3, 1) - at(1, 3) + at(1, 1));
       bent.offer(0.5 * (xx + yy) + std::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy), place);
     }
   }
@@ -332,7 +361,7 @@ FeltStiffness felt_stiffness(const ForceModel& model, const RendererInputs& inpu
   StiffestPlace stiffest(model, inputs, all);
   std::vector<Place> places;
   if (const HeightField* const field = rendered_field(model, inputs)) {
-    add_sharpest(*field, inputs.patch.motion_scale, *all.extent_m, places);
+    add_sharpest(*field, inputs.patch, *all.extent_m, places);
   }
   return stiffest.find(std::move(places));
 }

@@ -194,6 +194,18 @@ TEST(FeltStiffness, FindsTheSharpestPlaceOfAFineTexture) {
               0.02 * bend_per_m);
 }
 
+// Where a texture meets itself again with a step down, Keys' cubic is bent by three times the step just
+// before its foot.
+TEST(FeltStiffness, FindsTheSeamOfATextureThatDoesNotRepeat) {
+  constexpr std::size_t kSamples = 512;
+  constexpr double kPitch_m = 2.5e-5;
+  const auto ramp = surface_of([](double x_m, double) { return 1e-3 * x_m; }, kSamples, kPitch_m);
+  const double step_m = 1e-3 * kPitch_m * kSamples;
+  const double bend_per_m = 3.0 * step_m / (kPitch_m * kPitch_m);
+  EXPECT_NEAR(largest_N_per_m(lateral_gradient_model(), {{"gain_N", 1.0}}, ramp), bend_per_m,
+              0.05 * bend_per_m);
+}
+
 /// A plate that pushes harder on every other millimetre: its force jumps, and is no stiffer anywhere.
 class Steps final : public ForceRenderer {
  public:
