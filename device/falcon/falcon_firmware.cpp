@@ -101,7 +101,7 @@ std::optional<std::string> complaint_of_load(FalconPort& port,
 
 Firmware read_firmware(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
+  if (!stream || std::filesystem::is_directory(file)) {
     throw std::runtime_error("the Falcon's firmware " + file.string() +
                              " cannot be read: give the file that came with the device's software");
   }
