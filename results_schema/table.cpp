@@ -107,7 +107,11 @@ Table read_tsv(std::string_view text, const std::string& file_name) {
     }
     std::vector<Cell>& row = table.rows.emplace_back();
     for (const std::string_view cell : cells) {
-      row.push_back(cell == kMissingCell ? Cell{} : Cell{std::string(cell)});
+      if (cell == kMissingCell) {
+        row.emplace_back();
+      } else {
+        row.emplace_back(std::string(cell));
+      }
     }
   }
   return table;

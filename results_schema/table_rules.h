@@ -24,7 +24,8 @@ std::vector<std::string> broken_checks(Database& database);
 
 /// A sentence for each table, index, trigger and view that `database` lacks, has in another form, or has
 /// beyond those of `made`: without them it no longer refuses what it should, or is read otherwise. Comments
-/// and blanks make no difference, nor does what SQLite keeps for itself.
+/// and blanks make no difference, nor do what SQLite keeps for itself and views and indices of others, which
+/// neither change nor refuse a row.
 ///
 /// Errors: ResultsError.
 std::vector<std::string> changed_objects(Database& database, Database& made);

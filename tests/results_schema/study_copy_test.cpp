@@ -410,6 +410,13 @@ TEST(StudyVerify, FindsRulesThatAreGoneOrAreNotTheProgramsOwn) {
               ElementsAre(AllOf(HasSubstr("the table attempt is not as Asperity makes it"),
                                 HasSubstr("mood TEXT"))));
   EXPECT_THAT(
+      findings_after(
+          "CREATE VIEW mine AS SELECT * FROM event; CREATE INDEX my_events ON event (kind)"),
+      IsEmpty())
+      << "whoever looks in their own way";
+  EXPECT_THAT(findings_after("CREATE UNIQUE INDEX once ON participant (label)"),
+              ElementsAre(HasSubstr("the index once is none of Asperity's")));
+  EXPECT_THAT(
       findings_after("CREATE TRIGGER more AFTER INSERT ON event BEGIN SELECT 1; END"),
       ElementsAre("study.sqlite: the trigger more is none of Asperity's: CREATE TRIGGER more "
                   "AFTER INSERT ON event BEGIN SELECT 1; END"));
