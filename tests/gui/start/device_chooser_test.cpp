@@ -216,7 +216,7 @@ TEST_F(TheDeviceChooser, StopsTryingWhereSomebodyStopsOrLeaves) {
   click("device_try");
   require([this] { return shown("device_state").contains("Not tried yet"); }, "end");
   EXPECT_EQ(find<QPushButton>("device_try").text(), "Try this device");
-  EXPECT_TRUE(has_reason("has not been tried yet"));
+  require([this] { return has_reason("has not been tried yet"); }, "reason");
 
   click("device_try");
   require([this] { return shown("device_state").contains("Pull the grip out."); }, "wish");
