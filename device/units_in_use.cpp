@@ -3,7 +3,10 @@
 #include "device/units_in_use.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
+
+#include "device/pause.h"
 
 namespace asperity {
 namespace {
@@ -53,5 +56,16 @@ std::vector<AttachedDevice> UnitInUse::of(std::string_view driver) {
 }
 
 std::mutex& UnitInUse::looking() { return units_of_this_process().looking; }
+
+LetOthersLook::LetOthersLook(std::unique_lock<std::mutex>* alone, std::stop_token stop)
+    : alone_(alone), stop_(std::move(stop)) {
+  if (alone_ != nullptr) alone_->unlock();
+}
+
+LetOthersLook::~LetOthersLook() {
+  constexpr std::chrono::milliseconds kBetweenTrials(10);
+  if (alone_ == nullptr) return;
+  while (!alone_->try_lock() && !stop_.stop_requested()) pause(stop_, kBetweenTrials);
+}
 
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,20 +37,20 @@ class UnitInUse final {
 
 /// While it lives, other threads may look for devices and open them: a driver waits for a person, who may take
 /// minutes. What the driver has open is in use for the others by then: listed here, or claimed on its bus.
+///
+/// Its end waits until nobody else looks, or until `stop` is asked for: then the lock is left to the others, and who
+/// opened has nothing left to do but to let go.
 class LetOthersLook final {
  public:
   /// `alone` is DriverOptions::alone: null where nobody holds it.
-  explicit LetOthersLook(std::unique_lock<std::mutex>* alone) : alone_(alone) {
-    if (alone_ != nullptr) alone_->unlock();
-  }
-  ~LetOthersLook() {
-    if (alone_ != nullptr) alone_->lock();
-  }
+  explicit LetOthersLook(std::unique_lock<std::mutex>* alone, std::stop_token stop = {});
+  ~LetOthersLook();
   LetOthersLook(const LetOthersLook&) = delete;
   LetOthersLook& operator=(const LetOthersLook&) = delete;
 
  private:
   std::unique_lock<std::mutex>* alone_;
+  std::stop_token stop_;
 };
 
 }  // namespace asperity

@@ -16,6 +16,7 @@
 
 #include <CLI/CLI.hpp>
 #include <poll.h>
+#include <termios.h>
 
 #include "analysis/number_text.h"
 #include "app/cli/command.h"
@@ -88,6 +89,8 @@ bool agrees(const std::string& what, bool is_agreed, const std::stop_token& stop
         "device-test asks on a terminal before it moves a device, and there is none; use --yes "
         "where somebody is beside it");
   }
+  // Not what was typed before anybody could read what it would agree to.
+  tcflush(STDIN_FILENO, TCIFLUSH);
   say("Type yes and press Enter to begin:");
   return typed_line(stop) == "yes";
 }
@@ -173,7 +176,9 @@ void add_device_test(CLI::App& program, Job& job) {
       order.test.limits = given_limits(options->limits, order.test.rate_Hz);
       VirtualHand hand = hand_to_measure();
       // Before the device: one that is homed, or moves to find its zero, is not left by a process that just dies.
-      const InterruptWatch interrupt("asperity: stopping, the force goes to zero");
+      InterruptWatch interrupt(
+          "asperity: stopping: a handle that moves by itself goes on until it has found its zero; "
+          "switch the device off if it must not");
       options->drivers.tell = [](const std::string& sentence) { say(sentence); };
       options->drivers.stop = interrupt.token();
       options->drivers.may_move = [&](const std::string& what) {
@@ -182,6 +187,7 @@ void add_device_test(CLI::App& program, Job& job) {
       options->drivers.hand = &hand;
       const std::unique_ptr<HapticDevice> device =
           built_in_drivers().open(options->device, options->drivers);
+      interrupt.will_say("asperity: stopping, the force goes to zero");
       if (kind_of_device(options->device) != DeviceKind::simulated) {
         ask_before_it_moves(*device, order.test, options->agreed, interrupt.token());
         if (isatty(STDIN_FILENO) != 0) order.borders_s = kBorders_s;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <mutex>
 #include <utility>
 
 #include "app/cli/terminal.h"
@@ -43,6 +44,11 @@ InterruptWatch::InterruptWatch(std::string saying, std::function<void()> at_once
   watcher_ = std::jthread([this](const std::stop_token& ended) { watch(ended); });
 }
 
+void InterruptWatch::will_say(std::string saying) {
+  const std::lock_guard lock(mutex_);
+  saying_ = std::move(saying);
+}
+
 void InterruptWatch::watch(const std::stop_token& ended) {
   while (!ended.stop_requested()) {
     if (interrupts > 1) {
@@ -54,6 +60,7 @@ void InterruptWatch::watch(const std::stop_token& ended) {
     }
     if (interrupts > 0 && !source_.stop_requested()) {
       source_.request_stop();
+      const std::lock_guard lock(mutex_);
       say(saying_ + " (once more to end at once)");
     }
     std::this_thread::sleep_for(kBetweenLooks);

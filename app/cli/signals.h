@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <mutex>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -16,7 +17,7 @@ namespace asperity {
 ///
 /// Ctrl-Z does nothing meanwhile: motors keep their last force while a program stands still.
 ///
-/// Threads: owns one, which watches, and calls `at_once`. One object at a time.
+/// Threads: owns one, which watches, and calls `at_once`; `will_say` from any. One object at a time.
 class InterruptWatch final {
  public:
   static constexpr std::chrono::milliseconds kForZero{100};
@@ -28,12 +29,16 @@ class InterruptWatch final {
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
 
+  /// Instead of what was to be said until now: what a stop does may change as the work goes on.
+  void will_say(std::string saying);
+
   std::stop_token token() const noexcept { return source_.get_token(); }
 
  private:
   void watch(const std::stop_token& ended);
 
-  std::string saying_{};
+  std::mutex mutex_{};
+  std::string saying_{};  ///< under `mutex_`
   std::function<void()> at_once_{};
   std::stop_source source_{};
   std::jthread watcher_{};

@@ -45,7 +45,7 @@ TriedDevice try_device(const std::string& device, const Protocol& protocol,
     named.options.may_move = [&](const std::string& sentence) {
       const bool is_agreed = sentence == agreed;
       if (!is_agreed) unanswered = sentence;
-      return is_agreed;
+      return is_agreed && !options.stop.stop_requested();
     };
     const auto rig = open_rig(named, drivers, rig_settings_for(protocol, {}, device), Random(0), 0);
     run_loop(*rig, tried);

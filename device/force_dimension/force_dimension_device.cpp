@@ -139,7 +139,7 @@ bool is_at_zero(const DhdFunctions& sdk, char id) noexcept {
 
 // Has the device find its zero where it has lost it: it moves, and nobody may be hit who was not told.
 void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& model,
-               const ForceDimensionDevice::MayMove& may_move) {
+               const ForceDimensionDevice::MayMove& may_move, const std::stop_token& stop) {
   if (knows_its_zero(sdk, identity)) return;
   const std::string who = model + " " + identity.serial;
   if (!sdk.has_robotics()) {
@@ -158,14 +158,21 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
         "\", which asks before anything moves, or calibrate the device as its maker's manual "
         "says.");
   }
+  const auto require_no_stop = [&] {
+    if (!stop.stop_requested()) return;
+    throw OpeningStopped(who + " was let go of, unmoved: its opening was stopped, as asked");
+  };
   // Others may look for devices while somebody thinks.
   const UnitInUse asked_about(
       kForceDimension,
       {.model = model, .serial = identity.serial, .place = place_of(identity.index)});
-  if (!may_move("the handle of " + who +
-                " will move by itself, through its workspace and for some seconds, to find its "
-                "zero.\n  Let it hang free, keep hands and hair away, and let nobody hold it. "
-                "Should something be in its way, switch the device off.")) {
+  const bool is_agreed =
+      may_move("the handle of " + who +
+               " will move by itself, through its workspace and for some seconds, to find its "
+               "zero.\n  Let it hang free, keep hands and hair away, and let nobody hold it. "
+               "Should something be in its way, switch the device off.");
+  require_no_stop();
+  if (!is_agreed) {
     throw std::runtime_error(who +
                              " has lost its zero and was not moved, because nobody agreed to it.");
   }
@@ -177,6 +184,7 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
     throw std::runtime_error("libdrd cannot open " + who + ": " + last_error_of(sdk) +
                              ". It was not moved; see that no other program uses it.");
   }
+  require_no_stop();  // nobody stops it from here on
   const bool found = sdk.drdAutoInit(identity.id) >= 0;
   const std::string words = found ? "" : last_error_of(sdk);
   // true: force stays ours to send. While the SDK's own regulation runs, it is not.
@@ -193,14 +201,14 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
 }  // namespace
 
 ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index,
-                                           const MayMove& may_move)
-    : ForceDimensionDevice(sdk, [&sdk, index, &may_move] {
+                                           const MayMove& may_move, const std::stop_token& stop)
+    : ForceDimensionDevice(sdk, [&sdk, index, &may_move, &stop] {
         Opened opened{.identity = open_index(*sdk, index)};
         try {
           std::optional<DhdModel> model = dhd_model_of(opened.identity.type);
           if (!model) throw std::runtime_error(unknown_type(opened.identity.type));
           opened.model = *std::move(model);
-          find_zero(*sdk, opened.identity, opened.model.capability.model, may_move);
+          find_zero(*sdk, opened.identity, opened.model.capability.model, may_move, stop);
           if (!is_at_zero(*sdk, opened.identity.id) ||
               sdk->dhdEnableForce(1, opened.identity.id) < 0) {
             throw std::runtime_error(opened.model.capability.model + " " + opened.identity.serial +
@@ -492,6 +500,25 @@ DriverSurvey survey_of(const DhdFunctions& sdk) {
   return survey;
 }
 
+// Asks while others may look for devices. A yes is one to a movement now: who waited may have put a hand there again.
+bool agrees_now(const DriverOptions& options, const std::string& sentence) {
+  constexpr std::chrono::seconds kLongestAfterYes(1);
+  bool is_agreed = false;
+  std::chrono::steady_clock::time_point answered{};
+  {
+    const LetOthersLook meanwhile(options.alone, options.stop);
+    is_agreed = options.may_move(sentence);
+    answered = std::chrono::steady_clock::now();
+  }
+  const auto waited = std::chrono::steady_clock::now() - answered;
+  if (is_agreed && !options.stop.stop_requested() && waited > kLongestAfterYes) {
+    throw std::runtime_error(
+        "The device was not moved: another look for devices kept it waiting for more than a second "
+        "after the yes. Open it again, and answer again.");
+  }
+  return is_agreed;
+}
+
 }  // namespace
 
 Driver force_dimension_driver() {
@@ -513,8 +540,7 @@ Driver force_dimension_driver() {
             ForceDimensionDevice::MayMove may_move{};
             if (options.may_move) {
               may_move = [&options](const std::string& sentence) {
-                const LetOthersLook meanwhile(options.alone);
-                return options.may_move(sentence);
+                return agrees_now(options, sentence);
               };
             }
             const std::string place =
@@ -522,7 +548,7 @@ Driver force_dimension_driver() {
             for (std::size_t index = 0; index < attached.size(); ++index) {
               if (attached[index].place != place) continue;
               return std::make_unique<ForceDimensionDevice>(std::move(sdk), static_cast<int>(index),
-                                                            may_move);
+                                                            may_move, options.stop);
             }
             throw std::logic_error("the chosen device is not among those attached");
           }};

@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -56,9 +57,10 @@ class ForceDimensionDevice final : public HapticDevice {
   using MayMove = std::function<bool(const std::string& sentence)>;
 
   /// Opens the one with this index. One that was switched off has lost its zero, and has to move by itself to find
-  /// it, for some seconds: only with libdrd, and after `may_move` said yes; otherwise it is refused, unmoved.
+  /// it, for some seconds: only with libdrd, and after `may_move` said yes; otherwise it is refused, unmoved. It is not
+  /// moved either once `stop` was asked for: OpeningStopped.
   ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index,
-                       const MayMove& may_move = {});
+                       const MayMove& may_move = {}, const std::stop_token& stop = {});
   ~ForceDimensionDevice() override;
 
   /// Of the velocities: 2 ms late at 1 kHz, and σ·316/s of noise for an error σ of each position.

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <future>
+#include <memory>
+#include <mutex>
+#include <stop_token>
 #include <thread>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -12,6 +17,7 @@
 
 #include "device/force_dimension/force_dimension_device.h"
 #include "device/small_turn.h"
+#include "device/units_in_use.h"
 #include "device/vendor_library.h"
 #include "tests/device/complaint.h"
 #include "tests/device/vendors/test_dhd.h"
@@ -208,6 +214,90 @@ TEST_F(ForceDimension, KeepsNobodyFromLookingWhileItAsksAndIsNotTouchedByTheLook
   ASSERT_NE(asked, calls.end());
   EXPECT_EQ(*(asked + 1), "answered") << "nothing was asked of the SDK in between";
   EXPECT_TRUE(bench->units[0].knows_its_zero);
+}
+
+TEST_F(ForceDimension, IsNotMovedOnceAStopCameAfterTheYes) {
+  attach(33, 101).knows_its_zero = false;
+  std::stop_source stop;
+  const auto says_yes_and_stops = [&stop](const std::string&) {
+    stop.request_stop();
+    return true;
+  };
+  EXPECT_THROW(ForceDimensionDevice(std::make_shared<const DhdFunctions>(ASPERITY_TEST_DRD), 0,
+                                    says_yes_and_stops, stop.get_token()),
+               OpeningStopped);
+  EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
+  EXPECT_FALSE(bench->units[0].is_open);
+}
+
+/// Another thread that looks for devices, from when it is made until it is told that it is enough.
+class LongLook final {
+ public:
+  /// `begun` is called once it looks.
+  explicit LongLook(std::function<void()> begun, std::chrono::milliseconds longest) {
+    std::promise<void> holds;
+    std::future<void> is_held = holds.get_future();
+    thread_ = std::thread([this, longest, begun = std::move(begun), holds = std::move(holds),
+                           enough = enough_.get_future()]() mutable {
+      const std::lock_guard alone(UnitInUse::looking());
+      holds.set_value();
+      if (begun) begun();
+      was_told_ = enough.wait_for(longest) == std::future_status::ready;
+    });
+    is_held.wait();
+  }
+  /// Whether it was told before the longest time was over.
+  bool end() {
+    enough_.set_value();
+    thread_.join();
+    return was_told_;
+  }
+
+ private:
+  std::promise<void> enough_{};
+  std::thread thread_{};
+  bool was_told_ = false;
+};
+
+TEST_F(ForceDimension, HearsAStopWhileAnotherThreadLooksAfterTheYes) {
+  attach(33, 101).knows_its_zero = false;
+  DriverRegistry drivers;
+  drivers.add(driver);
+  std::stop_source stop;
+  std::unique_ptr<LongLook> look{};
+  DriverOptions asks = options;
+  asks.stop = stop.get_token();
+  asks.may_move = [&](const std::string&) {
+    const auto stop_later = [&stop] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      stop.request_stop();
+    };
+    look = std::make_unique<LongLook>(stop_later, std::chrono::seconds(60));
+    return true;
+  };
+  EXPECT_THROW(drivers.open("force_dimension", asks), OpeningStopped);
+  ASSERT_NE(look, nullptr);
+  EXPECT_TRUE(look->end()) << "it waited for the look and not for the stop";
+  EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
+  EXPECT_FALSE(bench->units[0].is_open);
+}
+
+TEST_F(ForceDimension, IsNotMovedLongAfterTheYes) {
+  attach(33, 101).knows_its_zero = false;
+  DriverRegistry drivers;
+  drivers.add(driver);
+  std::unique_ptr<LongLook> look{};
+  DriverOptions asks = options;
+  asks.may_move = [&](const std::string&) {
+    look = std::make_unique<LongLook>(nullptr, std::chrono::milliseconds(1500));
+    return true;
+  };
+  EXPECT_THAT(complaint_of([&] { drivers.open("force_dimension", asks); }),
+              AllOf(HasSubstr("was not moved"), HasSubstr("answer again")));
+  ASSERT_NE(look, nullptr);
+  EXPECT_FALSE(look->end());
+  EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
+  EXPECT_FALSE(bench->units[0].is_open);
 }
 
 TEST_F(ForceDimension, RefusesADeviceThatTheSdkDoesNotLetGoOf) {

@@ -89,6 +89,8 @@ TEST_F(MovingDevice, IsLetGoOfWhereSomebodyStopsInsteadOfAnswering) {
   program.send(SIGINT);
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("until it has found its zero"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("the force goes to zero"), std::string::npos) << outcome.err;
   EXPECT_NE(said().find("dhdClose"), std::string::npos) << said();
   EXPECT_FALSE(has_moved());
 }
@@ -110,6 +112,20 @@ TEST_F(MovingDevice, IsMovedByATestThatIsToldYes) {
   EXPECT_TRUE(has_moved());
   program.type("no\n");
   EXPECT_EQ(program.finish().status, 1);
+}
+
+TEST_F(MovingDevice, IsSaidToLoseItsForceWhereSomebodyStopsOnceItIsOpen) {
+  Invocation agreed = invocation({"device-test", "force_dimension", "--yes"});
+  agreed.on_terminal = true;
+  Program program(agreed);
+  EXPECT_TRUE(program.read_until([](const std::string&, const std::string& err) {
+    return err.find(" %: ") != std::string::npos;
+  })) << program.err();
+  program.send(SIGINT);
+  const Outcome outcome = program.finish();
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("stopping, the force goes to zero"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("until it has found its zero"), std::string::npos) << outcome.err;
 }
 
 TEST_F(MovingDevice, IsNotMovedByASession) {

@@ -56,6 +56,15 @@ void SessionRunner::start(const SessionOrder& order) {
 }
 
 void SessionRunner::run(const std::stop_token& stop) {
+  const auto tell_end = [this](const SessionEnd& end) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, end] {
+          running_ = false;
+          emit ended(end);
+        },
+        Qt::QueuedConnection);
+  };
   try {
     // Here and not in a window's thread: a sound server takes its time.
     sound_ = make_sound_(order_);
@@ -68,16 +77,14 @@ void SessionRunner::run(const std::stop_token& stop) {
                              .sound = sound_.get(),
                              .experimenter_is_there = true};
     Respondent* respondent = order_.inputs.is_virtual ? nullptr : person_.get();
-    const SessionEnd end = run_session(
+    tell_end(run_session(
         order_.inputs, models_, respondent, stop,
-        [this](const AttemptDone&) { announce_attempt(); }, links, drivers_);
-    QMetaObject::invokeMethod(
-        this,
-        [this, end] {
-          running_ = false;
-          emit ended(end);
-        },
-        Qt::QueuedConnection);
+        [this](const AttemptDone&) { announce_attempt(); }, links, drivers_));
+  } catch (const OpeningStopped&) {
+    // As asked, before there was a session: nothing is to be mended.
+    monitor_.update([](SessionSnapshot& snapshot) { snapshot.phase = SessionPhase::ended; });
+    tell_end(
+        {.state = SessionState::stopped, .reason = phrase_of(Reason::stopped_as_asked).english()});
   } catch (const ProtocolChangedSinceCheck& error) {
     fail(phrase_of(error), AfterFailure::check_again);
   } catch (const ProtocolError& error) {
