@@ -160,6 +160,22 @@ double day_of(const std::string& utc) {
   return days - kDaysTo1970 + (hour + (minute + second / 60.0) / 60.0) / 24.0;
 }
 
+/// Whose profile it is; what is empty cannot be read, or is not told.
+WhichDevice device_in(const std::string& text) {
+  WhichDevice found{};
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  const auto device = json.find("device");
+  if (!json.is_object() || device == json.end() || !device->is_object()) return found;
+  const auto read = [&device](const char* key, std::string& into) {
+    const auto told = device->find(key);
+    if (told != device->end() && told->is_string()) into = told->get<std::string>();
+  };
+  read("name", found.name);
+  read("model", found.model);
+  read("serial", found.serial);
+  return found;
+}
+
 /// What may stand in a file name.
 std::string for_file_name(std::string text) {
   std::replace_if(
@@ -308,12 +324,14 @@ KeptProfiles profiles_in(const std::filesystem::path& study, const WhichDevice& 
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
     try {
-      DeviceProfile profile = profile_from_json(read_file(entry.path()), entry.path().string());
-      if (differs(device.name, profile.name) || differs(device.model, profile.model) ||
-          differs(device.serial, profile.serial)) {
+      const std::string text = read_file(entry.path());
+      // First: a later version's profile of another device is nothing to complain about here.
+      const WhichDevice found = device_in(text);
+      if (differs(device.name, found.name) || differs(device.model, found.model) ||
+          differs(device.serial, found.serial)) {
         continue;
       }
-      kept.profiles.push_back(std::move(profile));
+      kept.profiles.push_back(profile_from_json(text, entry.path().string()));
     } catch (const std::exception& error) {
       kept.complaints.push_back(error.what());
     }

@@ -111,8 +111,8 @@ struct WhichDevice {
 /// What the study's folder of profiles has.
 struct KeptProfiles {
   std::vector<DeviceProfile> profiles{};  ///< of this device, the latest first
-  std::vector<std::string>
-      complaints{};  ///< a sentence for each file that cannot be read, of whatever device
+  /// A sentence for each file that cannot be read and is this device's, or does not even tell whose it is.
+  std::vector<std::string> complaints{};
 };
 /// The profiles that the study has of this device. A profile without serial is that of every device of its
 /// driver and model.

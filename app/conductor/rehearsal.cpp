@@ -24,7 +24,7 @@
 namespace asperity {
 namespace {
 
-/// The stiffest spring that `device-test` tries: no limit of a device that held it.
+/// The stiffest spring that `device-test` tries: no limit of a device that held it in a loop as fast.
 constexpr double kStiffestTried_N_per_m = 8000.0;
 constexpr const char* kResonance = "resonance_Hz";
 
@@ -367,10 +367,11 @@ class DeviceRehearsal final {
       holds = 2.0 * *damping * protocol_.rate_Hz;
     }
     const auto held = profile_.value("stiffness_N_per_m");
-    if (held && *held < 0.99 * kStiffestTried_N_per_m) {
-      // A slower loop holds less: of what was held in a faster one, as of 2b/T, the share of the rates.
-      const double share = profile_.rate_Hz > 0.0 ? protocol_.rate_Hz / profile_.rate_Hz : 1.0;
-      const double held_N_per_m = *held * std::min(share, 1.0);
+    // A slower loop holds less: of what was held in a faster one, as of 2b/T, the share of the rates.
+    const double share =
+        profile_.rate_Hz > 0.0 ? std::min(protocol_.rate_Hz / profile_.rate_Hz, 1.0) : 1.0;
+    if (held && (share < 1.0 || *held < 0.99 * kStiffestTried_N_per_m)) {
+      const double held_N_per_m = *held * share;
       holds = std::min(holds.value_or(held_N_per_m), held_N_per_m);
     }
     return holds;
@@ -381,11 +382,22 @@ class DeviceRehearsal final {
     const std::optional<double> holds = holds_N_per_m();
     if (!holds) return;
     search.force_limit_N = protocol_.force_limit_N;
-    const FeltStiffness felt = felt_stiffness(*stimulus.model, stimulus.inputs, search);
-    const double stiffest_N_per_m = in_series(felt.stiffness_N_per_m, coupling_N_per_m);
+    const auto felt = felt_stiffness(*stimulus.model, stimulus.inputs, search);
+    if (!felt) {
+      warn({.id = "not_rehearsed",
+            .stimulus = name,
+            .device = *holds,
+            .text = phrase("Rehearsal",
+                           "How stiff \"%1\" is could not be found, and not compared with the %2 "
+                           "N/m that the device holds: wherever it was looked at, its force jumps "
+                           "or does not grow.")
+                        .with(name, in_three_digits(*holds))});
+      return;
+    }
+    const double stiffest_N_per_m = in_series(felt->stiffness_N_per_m, coupling_N_per_m);
     if (stiffest_N_per_m <= *holds) return;
     const Phrase text =
-        felt.force_N >= protocol_.force_limit_N
+        felt->force_N >= protocol_.force_limit_N
             ? phrase(
                   "Rehearsal",
                   "At the force limit of %2 N \"%1\" is as stiff as %3 N/m where it is stiffest, "
@@ -398,7 +410,7 @@ class DeviceRehearsal final {
           .stimulus = name,
           .asked = stiffest_N_per_m,
           .device = *holds,
-          .text = text.with(name, in_three_digits(felt.force_N), in_three_digits(stiffest_N_per_m),
+          .text = text.with(name, in_three_digits(felt->force_N), in_three_digits(stiffest_N_per_m),
                             in_three_digits(*holds))});
   }
 

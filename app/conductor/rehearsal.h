@@ -21,8 +21,9 @@ namespace asperity {
 /// One thing that a device cannot do as a stimulus asks for it.
 struct RehearsalWarning {
   /// "friction", "force_resolution", "position_resolution", "wavelength", "bandwidth", "stiffness",
-  /// "workspace"; "not_rehearsed" for a stimulus that nothing can be said of; "limit_" and "unmeasured_"
-  /// with the name of an item that does not keep the protocol's limit, or of which nothing is known.
+  /// "workspace"; "not_rehearsed" for a stimulus that nothing, or nothing of how stiff it is, can be said of;
+  /// "limit_" and "unmeasured_" with the name of an item that does not keep the protocol's limit, or of which nothing
+  /// is known.
   std::string id{};
   std::string stimulus{};  ///< as the protocol calls it; empty for what concerns all
   double asked = 0.0;      ///< both in SI units: N, m, Hz, N/m; of an item its limit

@@ -19,13 +19,15 @@ bool fails(const DeviceItem& item, const DeviceProfile& profile, const Protocol&
   using Status = DeviceItem::Status;
   const DeviceQuantity* const quantity = device_quantity(item.name);
   if (quantity == nullptr) return item.status == Status::fail;  // it is done or not
-  if (!item.value || (quantity->is_timing && profile.is_simulated)) return false;
+  // Without a number it was not measured; what failed all the same, no limit can clear.
+  if (!item.value) return item.status == Status::fail;
+  if (quantity->is_timing && profile.is_simulated) return false;
   const auto asked = protocol.device_limits.find(item.name);
   if (asked != protocol.device_limits.end()) {
     return !keeps(*item.value, quantity->bound, asked->second);
   }
   const std::optional<double> usual =
-      UsualLimits{.rate_Hz = profile.rate_Hz, .is_simulated = profile.is_simulated}.of(item.name);
+      UsualLimits{.rate_Hz = protocol.rate_Hz, .is_simulated = profile.is_simulated}.of(item.name);
   if (!usual || keeps(*item.value, quantity->bound, *usual)) return false;
   // A lab may have held it to less; not where there is nothing to choose.
   return item.status == Status::fail || !quantity->takes_limit;

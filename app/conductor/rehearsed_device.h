@@ -39,8 +39,9 @@ struct RehearsedDevice {
 
 /// The latest profile that the study has of the device, and whether the protocol takes it so: there has to be one
 /// where the protocol says how old it may be or refuses warnings, and where it says how old, it has to be that
-/// young at `now_utc` and no item may fail. Items with a number are held to the protocol's own limits and otherwise to
-/// those that they failed: a verdict is one on limits, which may have been another protocol's.
+/// young at `now_utc` and no item may fail. Items with a number are held to the protocol's own limits, and where it has
+/// none to the usual ones at its rate, if they failed: a verdict is one on limits, which may have been another
+/// protocol's. What failed without a number fails.
 ///
 /// Errors: as `latest_profile`.
 RehearsedDevice profiled_device(const Protocol& protocol, const WantedDevice& device,

@@ -21,8 +21,8 @@ struct SoughtDevice {
   /// A sentence: why none could on any (a recording that cannot be read); empty where one could.
   std::string refusal{};
 };
-/// Looks for what --device names, and opens nothing. Errors: std::runtime_error for a "simulated:MODEL" that there
-/// is not; a driver that there is not is an absence.
+/// Looks for what --device names. A driver may open what it finds for a moment, to ask its name; nothing moves.
+/// Errors: std::runtime_error for a "simulated:MODEL" that there is not; a driver that there is not is an absence.
 SoughtDevice sought_device(const std::string& device, const DriverOptions& options,
                            const DriverRegistry& drivers);
 

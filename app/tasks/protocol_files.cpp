@@ -20,7 +20,6 @@
 #include "app/conductor/attempt_measures.h"
 #include "app/conductor/trial_attempt.h"
 #include "app/device_kind.h"
-#include "app/device_kind.h"
 #include "app/parameter_json.h"
 #include "app/tasks/new_study.h"
 #include "device/drivers.h"
@@ -239,11 +238,16 @@ std::string why_too_fine(const PreparedStimulus& stimulus) {
          "close is the finest wave of all";
 }
 
+struct LimitBeyond {
+  std::string limit{};
+  std::string sentence{};
+};
+
 /// What the model counted in half of the contact or more; the first count is the contact.
-std::vector<std::string> limits_beyond(const StimulusDescription& described,
+std::vector<LimitBeyond> limits_beyond(const StimulusDescription& described,
                                        const PreparedStimulus& stimulus,
                                        const ForceRenderer& renderer) {
-  std::vector<std::string> doubts{};
+  std::vector<LimitBeyond> doubts{};
   const std::span<const NamedCount> counts = renderer.limits();
   if (counts.empty() || counts.front().name != "contact") return doubts;
   const std::uint64_t contact = counts.front().ticks;
@@ -260,7 +264,7 @@ std::vector<std::string> limits_beyond(const StimulusDescription& described,
                 " ticks of contact, where its force is not what the model promises";
     const bool has_bodies = stimulus.inputs.tool && stimulus.inputs.surface;
     if (count.name == "fine_detail" && has_bodies) sentence += why_too_fine(stimulus);
-    doubts.push_back(std::move(sentence));
+    doubts.push_back({.limit = std::string(count.name), .sentence = std::move(sentence)});
   }
   return doubts;
 }
@@ -332,10 +336,10 @@ RehearsedStimuli rehearsed_stimuli(const Protocol& protocol, const std::string& 
         const FirstTouch touch = first_touch(*renderer, habits, protocol.rate_Hz, beyond_s);
         if (touch == FirstTouch::from_outside) {
           if (beyond_s <= 0.0) continue;
-          for (std::string& doubt : limits_beyond(stimulus, prepared, *renderer)) {
+          for (LimitBeyond& beyond : limits_beyond(stimulus, prepared, *renderer)) {
             // As the tool comes down on it by another exploration, some ticks more or fewer.
-            const std::string what = name_of_making(stimulus) + doubt.substr(0, doubt.find(" in "));
-            if (said.insert(what).second) add(found.doubts, std::move(doubt));
+            const std::string what = name_of_making(stimulus) + ' ' + beyond.limit;
+            if (said.insert(what).second) add(found.doubts, std::move(beyond.sentence));
           }
           continue;
         }

@@ -90,10 +90,10 @@ ParticipantRow new_person(const RunInputs& inputs, const Protocol& protocol, Res
 }
 
 /// A person's device: what the study knows of it, and what of the plan is beyond it.
-/// Errors: PhrasedError where the protocol does not take it.
+/// Errors: PhrasedError where the protocol does not take it; RespondentGone where a stop came before that was known.
 RehearsedDevice taken_device(const RunInputs& inputs, const Protocol& protocol,
                              const DeviceCapability& capability, const std::string& now_utc,
-                             StimulusBuilder& builder) {
+                             StimulusBuilder& builder, const std::stop_token& stop) {
   const WantedDevice wanted{.which = {capability.name, capability.model, capability.serial},
                             .asked = inputs.device,
                             .options = as_command_options(inputs.driver_options),
@@ -101,8 +101,12 @@ RehearsedDevice taken_device(const RunInputs& inputs, const Protocol& protocol,
   RehearsedDevice device = profiled_device(protocol, wanted, inputs.study, now_utc);
   if (device.refusal.empty()) {
     compare(device, protocol, [&](const DeviceProfile& profile) {
-      return rehearse_on_device(protocol, profile, builder);
+      return rehearse_on_device(protocol, profile, builder, {.stop = stop});
     });
+    // What was compared until then would pass for all there is.
+    if (device.profile && stop.stop_requested()) {
+      throw RespondentGone(phrase_of(Reason::stopped_as_asked));
+    }
     if (inputs.rehearsed) inputs.rehearsed(device);
   }
   if (!device.refusal.empty()) throw PhrasedError(device.refusal);
@@ -219,7 +223,8 @@ SessionEnd run_session(const RunInputs& inputs, const ModelRegistry& models, Res
   const std::vector<Phrase> complaints = complaints_about_device(protocol, rig->capability());
   if (!complaints.empty()) throw PhrasedError(complaints.front());
   if (!inputs.is_virtual) {
-    sitting.device = taken_device(inputs, protocol, rig->capability(), rig->clock().utc(), builder);
+    sitting.device =
+        taken_device(inputs, protocol, rig->capability(), rig->clock().utc(), builder, stop);
   }
   if (inputs.ready) inputs.ready(protocol);
 

@@ -373,7 +373,9 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   if (inputs.mode == SessionMode::simulate) {
     return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
   }
-  WantedDevice wanted{.which = which_device(inputs.device), .asked = inputs.device};
+  WantedDevice wanted{.which = which_device(inputs.device),
+                      .asked = inputs.device,
+                      .options = as_command_options(inputs.driver_options)};
   const std::optional<DeviceCapability> device = capability_of(inputs, protocol);
   if (device) {
     wanted.which = {device->name, device->model, device->serial};
@@ -422,7 +424,12 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
     profile.text =
         phrase("SessionChecks", "%1; every stimulus is within what it can do.").with(age);
   }
-  if (!breaks_limits && failed_item(*found.profile, protocol) != nullptr) {
+  // What breaks a limit of the protocol's has a line of its own.
+  DeviceProfile unlimited = *found.profile;
+  std::erase_if(unlimited.items, [&protocol](const DeviceItem& item) {
+    return protocol.device_limits.contains(item.name);
+  });
+  if (failed_item(unlimited, protocol) != nullptr) {
     profile.state = State::look;
     profile.text =
         phrase("SessionChecks", "%1 It failed an item of the measurement.").with(profile.text);

@@ -46,6 +46,8 @@ struct CheckInputs {
   std::optional<std::int64_t> resumed_session{};  ///< see RunInputs
   RunPacing pacing = RunPacing::real_time;
   std::string device = "simulated";  ///< see RunInputs
+  DriverOptions
+      driver_options{};  ///< that the session's driver is told; here for the command that measures
   /// A sentence of whoever looked for devices: why this one cannot be used. Empty: nothing is against it.
   std::string device_hindrance{};
   /// Of an attached device, which is opened by a person's wish alone: what it did then. Null: not yet.

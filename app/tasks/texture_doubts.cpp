@@ -27,7 +27,6 @@ struct TextureUse {
   std::string height_field{};
   std::set<std::string> stimuli{};
   glm::dvec2 widest_m{0.0};  ///< what one surface shows of it
-  double motion_scale = 1.0;
 };
 
 /// How much of a field a body shows along x and y; without end around a cylinder or a sphere.
@@ -49,7 +48,6 @@ std::map<std::string, TextureUse> uses_of(const Protocol& protocol) {
     TextureUse& of = uses[texture];
     of.height_field = *field;
     of.stimuli.insert(stimulus.name);
-    of.motion_scale = stimulus.patch.motion_scale;
     of.widest_m = glm::max(of.widest_m, widest_m);
   };
   for (const Trial& trial : possible_trials(protocol)) {
@@ -95,6 +93,7 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
                                               const std::filesystem::path& study) {
   const JsonDocument document(protocol.source, file_name);
   std::vector<Diagnostic> doubts{};
+  const double motion_scale = protocol.patch.motion_scale;  // one for all textures
   for (const auto& [name, use] : uses_of(protocol)) {
     const std::filesystem::path file = study / use.height_field;
     const HeightFieldProvenance made = provenance_of(file);
@@ -106,17 +105,16 @@ std::vector<Diagnostic> doubts_about_textures(const Protocol& protocol,
     if (texture != protocol.textures.end() && texture->second.spacing_m && spacing_m &&
         !is_at_an_angle(made)) {
       const double said_m = *texture->second.spacing_m;
-      const double felt_m = *spacing_m / use.motion_scale;
+      const double felt_m = *spacing_m / motion_scale;
       if (std::abs(said_m - felt_m) > kSameSpacing * felt_m) {
         doubts.push_back(document.at(
             place + "/spacing_m",
             whose + "the protocol says a spacing of " + number_text(said_m) +
                 " m, and the file's sidecar that it was made with " + number_text(*spacing_m) +
                 " m" +
-                (use.motion_scale == 1.0
-                     ? std::string()
-                     : ", which a motion scale of " + number_text(use.motion_scale) + " makes " +
-                           number_text(felt_m) + " m") +
+                (motion_scale == 1.0 ? std::string()
+                                     : ", which a motion scale of " + number_text(motion_scale) +
+                                           " makes " + number_text(felt_m) + " m") +
                 "; a spacing_m of " + number_text(felt_m) + " or another file would be right"));
       }
     }

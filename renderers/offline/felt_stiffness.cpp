@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -23,7 +24,7 @@ namespace {
 constexpr int kPlacesAcross = 128;
 constexpr int kPlacesAlongALine = 4096;
 constexpr std::size_t kFollowed = 16;
-constexpr double kDeepest_m = 0.1;  // more than any texture or hand
+constexpr double kDeepest_m = 0.1;  // more than any texture or hand, unless it is very soft
 /// Shares of the depth that the limit takes on a plain plate.
 constexpr double kStepAlongZ = 1.0 / 2000.0;
 constexpr double kShallower = 2.0 * kStepAlongZ;
@@ -188,20 +189,21 @@ class StiffestPlace final {
         extent_m_(*search.extent_m),
         step_m_(*search.step_m),
         centre_m_(inputs.patch.centre_m),
-        plate_depth_m_(search.force_limit_N / inputs.material.stiffness_N_per_m) {
+        plate_depth_m_(search.force_limit_N / inputs.material.stiffness_N_per_m),
+        deepest_m_(std::max(kDeepest_m, 2.0 * plate_depth_m_)) {
     RendererInputs borderless = inputs;
     borderless.patch.edge = PatchEdge::wall;  // never met
     borderless.patch.extent_m = 2.0 * (inputs.patch.extent_m + extent_m_);
     renderer_ = make_renderer(model, borderless);
   }
 
-  FeltStiffness find(std::vector<Place> places) {
+  std::optional<FeltStiffness> find(std::vector<Place> places) {
     add_spread(places);
     for (Place& place : places) place.stiffness_N_per_m = at(place, step_m_);
     std::sort(places.begin(), places.end(), [](const Place& one, const Place& other) {
       return one.stiffness_N_per_m > other.stiffness_N_per_m;
     });
-    FeltStiffness stiffest{};
+    std::optional<FeltStiffness> stiffest{};
     std::size_t followed = 0;
     for (const Place& place : places) {
       if (followed == kFollowed) break;
@@ -209,8 +211,9 @@ class StiffestPlace final {
       if (!(here_N_per_m > 0.0)) continue;
       ++followed;
       const Place top = uphill({place.x_m, place.y_m, here_N_per_m});
-      if (top.stiffness_N_per_m > stiffest.stiffness_N_per_m) {
-        stiffest = {.stiffness_N_per_m = top.stiffness_N_per_m, .force_N = pressed(top).force_N};
+      if (!stiffest || top.stiffness_N_per_m > stiffest->stiffness_N_per_m) {
+        stiffest = FeltStiffness{.stiffness_N_per_m = top.stiffness_N_per_m,
+                                 .force_N = pressed(top).force_N};
       }
     }
     return stiffest;
@@ -255,7 +258,7 @@ class StiffestPlace final {
     double wanted_N = force_limit_N_;
     double found_N = normal_N(deep_m);
     if (found_N >= wanted_N) {
-      while (shallow_m < kDeepest_m && normal_N(shallow_m) >= wanted_N) {
+      while (shallow_m < deepest_m_ && normal_N(shallow_m) >= wanted_N) {
         deep_m = shallow_m;
         shallow_m += step_m;
         step_m *= 2.0;
@@ -263,9 +266,9 @@ class StiffestPlace final {
     } else {
       double greatest_N = found_N;
       double greatest_m = deep_m;
-      while (deep_m > -kDeepest_m && found_N < wanted_N) {
+      while (deep_m > -deepest_m_ && found_N < wanted_N) {
         shallow_m = deep_m;
-        deep_m = std::max(deep_m - step_m, -kDeepest_m);
+        deep_m = std::max(deep_m - step_m, -deepest_m_);
         step_m *= 2.0;
         found_N = normal_N(deep_m);
         if (found_N > greatest_N) {
@@ -278,7 +281,7 @@ class StiffestPlace final {
         wanted_N = kNearlyGreatest * greatest_N;
         deep_m = greatest_m;
         shallow_m = deep_m;
-        for (step_m = plate_depth_m_; shallow_m < kDeepest_m && normal_N(shallow_m) >= wanted_N;
+        for (step_m = plate_depth_m_; shallow_m < deepest_m_ && normal_N(shallow_m) >= wanted_N;
              step_m *= 2.0) {
           deep_m = shallow_m;
           shallow_m += step_m;
@@ -348,13 +351,14 @@ class StiffestPlace final {
   double step_m_ = 0.0;
   glm::dvec3 centre_m_{0.0};
   double plate_depth_m_ = 0.0;
+  double deepest_m_ = kDeepest_m;
   std::unique_ptr<ForceRenderer> renderer_{};
 };
 
 }  // namespace
 
-FeltStiffness felt_stiffness(const ForceModel& model, const RendererInputs& inputs,
-                             const StiffnessSearch& search) {
+std::optional<FeltStiffness> felt_stiffness(const ForceModel& model, const RendererInputs& inputs,
+                                            const StiffnessSearch& search) {
   const StiffnessSearch all = completed(search, model, inputs);
   require_positive("StiffnessSearch::force_limit_N", all.force_limit_N);
   require_positive("StiffnessSearch::step_m", *all.step_m);

@@ -34,19 +34,21 @@ struct FeltStiffness {
 /// F is that of the model's own renderer, `reset` and asked once at each place, at rest and at time 0: there is no friction,
 /// and noise in time is the same everywhere. Its derivatives are central differences over ±`step_m`
 /// across and 1/2000 of the depth along z. Each place is as deep as its normal force first reaches the limit, or where
-/// it never does within 0.1 m nearly (1/1000 less) the greatest that it has there, just above that.
+/// it never does within 0.1 m (twice the depth at which a plain plate does, where that is more) nearly (1/1000 less) the
+/// greatest that it has there, just above that.
 ///
 /// Looked at are 128 by 128 places, one in each cell of a grid, drawn from a fixed seed, and those where the height field
 /// is bent or inclined most; from the 16 stiffest uphill to the stiffest near them. The patch's border is taken away.
 ///
 /// A jump of the force is no stiffness: a difference that grows as its step is made smaller is left out. Where a
-/// model's force jumps (at contact, height_map's literal law at its depth limit), nothing is said of it.
+/// model's force jumps (at contact, height_map's literal law at its depth limit), nothing is said of it. Nothing is
+/// returned where no place has a stiffness: everywhere the force jumps, or does not grow.
 ///
 /// Limits: of a model that moves by itself (pd_gradient's virtual coupling) it is the force right after `reset`, which is
 /// not what a hand feels.
 ///
 /// Errors: std::invalid_argument for a limit or a step that is not positive, and what the model refuses.
-FeltStiffness felt_stiffness(const ForceModel& model, const RendererInputs& inputs,
-                             const StiffnessSearch& search);
+std::optional<FeltStiffness> felt_stiffness(const ForceModel& model, const RendererInputs& inputs,
+                                            const StiffnessSearch& search);
 
 }  // namespace asperity

@@ -161,6 +161,30 @@ TEST_F(ComparedDevice, IsHeldToTheLimitsOfThisProtocol) {
   EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("failed zero_after_stop"));
 }
 
+// It was tried, and there is not even a number.
+TEST_F(ComparedDevice, IsRefusedForWhatFailedWithoutANumber) {
+  DeviceProfile profile = good();
+  profile.items.push_back({.name = "latency_s", .status = Status::not_measured});
+  keep(profile);
+  ask_for(R"("profile_maximum_age_days": 30)");
+  EXPECT_EQ(compared("simulated:falcon").refusal, "");
+  profile.items.back().status = Status::fail;
+  keep(profile);
+  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("failed latency_s"));
+}
+
+TEST(FailedItem, IsOneOnTheUsualLimitsOfTheProtocolsRate) {
+  const DeviceProfile profile{
+      .name = "falcon",
+      .rate_Hz = 1000.0,
+      .items = {{.name = "rate_Hz", .status = Status::fail, .value = 900.0, .limit = 950.0}}};
+  Protocol protocol{};
+  protocol.rate_Hz = 1000.0;
+  EXPECT_NE(failed_item(profile, protocol), nullptr);
+  protocol.rate_Hz = 500.0;
+  EXPECT_EQ(failed_item(profile, protocol), nullptr);
+}
+
 TEST(KeptProfile, HasWhatItStandsForInItsName) {
   DeviceProfile profile{.name = "simulated",
                         .model = "in place of delta.3",

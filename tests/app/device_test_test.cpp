@@ -418,6 +418,14 @@ TEST(DeviceProfile, IsFoundAgainInItsStudyTheLatestOfTheSameDevice) {
   EXPECT_EQ(found->rate_Hz, 2.0);
   EXPECT_NEAR(age_days(*found, "2026-04-01T09:00:00.000Z"), 30.0, 1e-9);
   EXPECT_FALSE(latest_profile(folder.path(), {.name = "delta"}).has_value());
+  const DeviceProfile later{.name = "omega",
+                            .serial = "7",
+                            .measured_utc = "2026-03-03T10:00:00.000Z",
+                            .rate_Hz = 1000.0,
+                            .items = {{.name = "of_a_later_version"}}};
+  write_file(profile_path(folder.path(), later), json_text_of(later), Overwrite::refuse);
+  EXPECT_TRUE(latest_profile(folder.path(), {.name = "falcon", .serial = "1"}).has_value());
+  EXPECT_THROW(latest_profile(folder.path(), {.name = "omega", .serial = "7"}), std::runtime_error);
   // It may be the latest of this device.
   write_file(folder.path() / "profiles" / "broken.json", "{", Overwrite::refuse);
   const KeptProfiles kept = profiles_in(folder.path(), {.name = "falcon", .serial = "1"});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <set>
 #include <string>
@@ -16,6 +17,8 @@
 #include "app/height_field_files.h"
 #include "app/tasks/new_study.h"
 #include "protocols/library_protocols.h"
+#include "renderers/force_model.h"
+#include "renderers/surface_contact.h"
 #include "tests/app/small_study.h"
 
 namespace asperity {
@@ -297,6 +300,38 @@ TEST_F(DeviceRehearsalTest, TakesTheStiffestSpringForALoopOfTheProtocolsRate) {
     ASSERT_TRUE(found) << rate;
     EXPECT_NEAR(found->device, holds_N_per_m, 1e-6) << rate;
   }
+}
+
+// It tried no stiffer one at 1000 Hz, which says nothing there; at 500 Hz half of it is all that is known to be held.
+TEST_F(DeviceRehearsalTest, TakesTheStiffestSpringThatWasTriedForALimitOfASlowerLoop) {
+  const DeviceProfile device = with(ideal(), "stiffness_N_per_m", 8000.0);
+  EXPECT_FALSE(one(grating_protocol(R"("rate_Hz": 1000)"), device, "stiffness"));
+  const auto found = one(grating_protocol(R"("rate_Hz": 500)"), device, "stiffness");
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->device, 4000.0, 1e-6);
+}
+
+/// The same force at every depth: it jumps at contact and has no stiffness anywhere.
+class RehearsedBlow final : public ForceRenderer {
+ public:
+  void reset(const ProbeState&) noexcept override {}
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    if (!(probe.position_m.z < 0.0)) return {};
+    return {.wrench = {.force_N = {0.0, 0.0, 7.0}}, .penetration_m = -probe.position_m.z};
+  }
+};
+
+TEST_F(DeviceRehearsalTest, SaysSoWhereItCannotFindHowStiffAStimulusIs) {
+  ForceModel blow{};
+  blow.declaration = {.id = "blow", .version = "1", .parameters = {friction_speed_parameter()}};
+  blow.make = [](const RendererInputs&) { return std::make_unique<RehearsedBlow>(); };
+  models_.add(std::move(blow));
+  DeviceProfile device = ideal();
+  device.items = {numbered("damping_N_s_per_m", 5.0)};
+  const auto found = one(one_stimulus("blow", ""), device, "not_rehearsed");
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->text.english().find("could not be found"), std::string::npos)
+      << found->text.english();
 }
 
 // What device-test finds of the simulated device: friction and steps of nothing, the damping of the virtual hand.

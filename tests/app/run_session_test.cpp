@@ -160,6 +160,28 @@ TEST_F(RunSession, TellsEveryWarningBeforeAnybodyIsAsked) {
   EXPECT_THAT(person_.questions, testing::Not(testing::IsEmpty()));
 }
 
+// What was compared until a stop is no whole comparison, and says neither yes nor no.
+TEST_F(RunSession, EndsAtOnceWhenStoppedWhileTheDeviceIsCompared) {
+  const DeviceProfile profile{
+      .name = "simulated",
+      .measured_utc = "2025-12-20T10:00:00.000Z",
+      .rate_Hz = 1000.0,
+      .workspace_minimum_m = glm::dvec3(-1.0),
+      .workspace_maximum_m = glm::dvec3(1.0),
+      .items = {{.name = "friction_N", .status = DeviceItem::Status::pass, .value = 0.9}}};
+  std::filesystem::create_directories(inputs_.study / "profiles");
+  write_file(profile_path(inputs_.study, profile), json_text_of(profile), Overwrite::refuse);
+  int told = 0;
+  inputs_.rehearsed = [&](const RehearsedDevice&) { ++told; };
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_THROW(run_session(inputs_, models_, &person_, source.get_token(), {}, links_),
+               RespondentGone);
+  EXPECT_EQ(told, 0);
+  EXPECT_THAT(person_.questions, testing::IsEmpty());
+  EXPECT_TRUE(study().sessions().empty());
+}
+
 TEST_F(RunSession, AsksForConsentUnlessThePersonHasGivenIt) {
   run();
   EXPECT_THAT(person_.questions, testing::Contains("consent"));

@@ -374,6 +374,10 @@ TEST_F(RehearsedChecks, SayHowADeviceIsMeasuredThatNobodyHasMeasured) {
   EXPECT_TRUE(rehearsed().empty());
   ask_for(R"("profile_maximum_age_days": 30)");
   EXPECT_EQ(check("calibration").state, State::stop) << "as the session would refuse it";
+  inputs.driver_options.library = "/opt/sdk.so";
+  EXPECT_NE(check("calibration").text.english().find("--library /opt/sdk.so --study"),
+            std::string::npos)
+      << check("calibration").text.english();
 }
 
 TEST_F(RehearsedChecks, TellTheAgeOfTheProfileAndEveryWarningWithBothNumbers) {
@@ -423,6 +427,19 @@ TEST_F(RehearsedChecks, TellWhichLimitsOfTheProtocolTheDeviceDoesNotKeep) {
   ask_for(R"("limits": {"friction_N": 0.0001}, "refuse_rehearsal_warnings": true)");
   EXPECT_EQ(check("calibration").state, State::stop);
   EXPECT_NE(check("calibration").text.english().find("0.000200"), std::string::npos)
+      << check("calibration").text.english();
+}
+
+// Which matters more than a limit.
+TEST_F(RehearsedChecks, TellAFailedStopThoughALimitIsBrokenToo) {
+  ask_for(R"("limits": {"friction_N": 0.0001})");
+  measure(1.0, 0.0002);
+  EXPECT_EQ(check("calibration").text.english().find("failed an item"), std::string::npos);
+  DeviceProfile profile = latest_profile(study, {.name = "falcon", .serial = "A7"}).value();
+  profile.items.push_back({.name = "zero_after_stop", .status = DeviceItem::Status::fail});
+  write_file(profile_path(study, profile), json_text_of(profile), Overwrite::allow);
+  EXPECT_EQ(check("calibration").state, State::look);
+  EXPECT_NE(check("calibration").text.english().find("failed an item"), std::string::npos)
       << check("calibration").text.english();
 }
 

@@ -55,7 +55,7 @@ FeltStiffness felt_stiffness_of(const ForceModel& model, const ParameterValues& 
   RendererInputs inputs{.parameters = parameters, .height_field = std::move(field)};
   inputs.material = {.stiffness_N_per_m = kPlate_N_per_m, .friction = 0.4};
   inputs.patch.motion_scale = motion_scale;
-  return felt_stiffness(model, inputs, {.force_limit_N = force_limit_N});
+  return felt_stiffness(model, inputs, {.force_limit_N = force_limit_N}).value();
 }
 double largest_N_per_m(const ForceModel& model, const ParameterValues& parameters,
                        std::shared_ptr<const HeightField> field = {}, double force_limit_N = 5.0) {
@@ -225,8 +225,54 @@ TEST(FeltStiffness, TakesNoJumpOfTheForceForStiffness) {
   steps.make = [](const RendererInputs&) { return std::make_unique<Steps>(); };
   RendererInputs inputs{};
   inputs.material.stiffness_N_per_m = kPlate_N_per_m;
-  const FeltStiffness felt = felt_stiffness(steps, inputs, {.step_m = 2e-5});
-  EXPECT_NEAR(felt.stiffness_N_per_m, kPlate_N_per_m, 0.01);
+  const auto felt = felt_stiffness(steps, inputs, {.step_m = 2e-5});
+  ASSERT_TRUE(felt);
+  EXPECT_NEAR(felt->stiffness_N_per_m, kPlate_N_per_m, 0.01);
+}
+
+/// The same force at every depth: it jumps at contact and has no stiffness anywhere.
+class Blow final : public ForceRenderer {
+ public:
+  void reset(const ProbeState&) noexcept override {}
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    if (!(probe.position_m.z < 0.0)) return {};
+    return {.wrench = {.force_N = {0.0, 0.0, 7.0}}, .penetration_m = -probe.position_m.z};
+  }
+};
+
+TEST(FeltStiffness, IsNothingWhereNoPlaceHasOne) {
+  ForceModel blow{};
+  blow.declaration = {.id = "blow", .version = "1", .parameters = {friction_speed_parameter()}};
+  blow.make = [](const RendererInputs&) { return std::make_unique<Blow>(); };
+  RendererInputs inputs{};
+  inputs.material.stiffness_N_per_m = kPlate_N_per_m;
+  EXPECT_FALSE(felt_stiffness(blow, inputs, {.step_m = 2e-5}));
+}
+
+/// A plate that pushes less than its material says.
+class Sponge final : public ForceRenderer {
+ public:
+  static constexpr double kStiffness_N_per_m = 6.0;
+  void reset(const ProbeState&) noexcept override {}
+  RenderedTick tick(const ProbeState& probe, double) noexcept override {
+    const double depth_m = -probe.position_m.z;
+    if (!(depth_m > 0.0)) return {};
+    return {.wrench = {.force_N = {0.0, 0.0, kStiffness_N_per_m * depth_m}},
+            .penetration_m = depth_m};
+  }
+};
+
+// 5 N at 0.83 m, where the material would have them at 0.5 m.
+TEST(FeltStiffness, OfWhatIsVerySoftIsTakenAtTheLimitHoweverDeep) {
+  ForceModel sponge{};
+  sponge.declaration = {.id = "sponge", .version = "1", .parameters = {friction_speed_parameter()}};
+  sponge.make = [](const RendererInputs&) { return std::make_unique<Sponge>(); };
+  RendererInputs inputs{};
+  inputs.material.stiffness_N_per_m = 10.0;
+  const auto felt = felt_stiffness(sponge, inputs, {.step_m = 2e-5});
+  ASSERT_TRUE(felt);
+  EXPECT_NEAR(felt->stiffness_N_per_m, Sponge::kStiffness_N_per_m, 1e-3);
+  EXPECT_EQ(felt->force_N, 5.0);
 }
 
 }  // namespace

@@ -91,6 +91,7 @@ void StartPage::check() {
       .resumed_session = resumed_session(),
       .pacing = order().inputs.pacing,
       .device = setup_->device().device(),
+      .driver_options = driver_options(),
       .device_hindrance = setup_->device().hindrance(),
       .tried = setup_->device().tried(),
       .rehearsal = rehearsal_,
