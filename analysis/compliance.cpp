@@ -47,11 +47,12 @@ double StrokePassage::speed_m_per_s() const noexcept {
 
 StrokePassage StrokeCutter::between(const Extreme& begin, const Extreme& end) noexcept {
   return {begin.sample, end.sample, end.at_m - begin.at_m,
-          static_cast<double>(end.time_ns - begin.time_ns) * 1e-9};
+          static_cast<double>(end.time_ns - begin.time_ns) * 1e-9,
+          static_cast<double>(begin.left_ns - begin.time_ns) * 1e-9};
 }
 
 std::optional<StrokePassage> StrokeCutter::take(double position_m, std::int64_t time_ns) noexcept {
-  const Extreme here{samples_, position_m, time_ns};
+  const Extreme here{samples_, position_m, time_ns, time_ns};
   if (samples_++ == 0) {
     lowest_ = highest_ = here;
     began_ns_ = time_ns;
@@ -70,6 +71,8 @@ std::optional<StrokePassage> StrokeCutter::take(double position_m, std::int64_t 
   }
   if (going_ != Going::back && position_m > highest_.at_m) highest_ = here;
   if (going_ != Going::forth && position_m < lowest_.at_m) lowest_ = here;
+  if (highest_.at_m - position_m <= kTurn_m) highest_.left_ns = time_ns;
+  if (position_m - lowest_.at_m <= kTurn_m) lowest_.left_ns = time_ns;
   return ended;
 }
 
@@ -151,8 +154,13 @@ std::optional<double> HandStrokes::speed_to_tell_m_per_s() const noexcept {
   const auto then = std::lower_bound(
       last_progress_.begin(), last_progress_.end(), length_m,
       [](const Progress& one, double so_far_m) { return one.length_m < so_far_m; });
-  if (then == last_progress_.end() || stroke->duration_s <= 0.0) return stroke->speed_m_per_s();
-  return last_->speed_m_per_s() * then->duration_s / stroke->duration_s;
+  if (then == last_progress_.end()) return stroke->speed_m_per_s();
+  const double moved_s = stroke->duration_s - stroke->rest_s;
+  const double last_moved_s = then->duration_s - last_->rest_s;
+  // A hand that went back to its turn after it had left it has no time course to go by.
+  if (moved_s <= 0.0 || last_moved_s <= 0.0) return stroke->speed_m_per_s();
+  return std::abs(last_->length_m) /
+         (stroke->rest_s + moved_s * (last_->duration_s - last_->rest_s) / last_moved_s);
 }
 
 double tangential_speed_m_per_s(const std::array<double, 3>& velocity_m_per_s,

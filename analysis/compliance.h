@@ -66,6 +66,7 @@ struct StrokePassage {
   double length_m = 0.0;  ///< from turning point to turning point, positive forth and negative back
   /// Likewise, a rest at the first of them included; 0 where positions come without their times.
   double duration_s = 0.0;
+  double rest_s = 0.0;  ///< what of that was before the hand left the turning point
 
   /// |length| / duration. Whether a hand glides, speeds up and slows down or follows a steady mark:
   /// as fast as it goes to and fro; a texture's ripple is in none of the two.
@@ -81,6 +82,8 @@ struct StrokePassage {
 class StrokeCutter final {
  public:
   static constexpr double kLeastLength_m = 5e-3;
+  /// A hand that is as close as this to where it turned has not left it yet.
+  static constexpr double kTurn_m = 1e-3;
 
   explicit StrokeCutter(double least_length_m = kLeastLength_m) noexcept
       : least_length_m_(least_length_m) {}
@@ -97,6 +100,7 @@ class StrokeCutter final {
     std::size_t sample = 0;
     double at_m = 0.0;
     std::int64_t time_ns = 0;
+    std::int64_t left_ns = 0;  ///< the last time within kTurn_m of it
   };
   enum class Going { undecided, forth, back };
   static StrokePassage between(const Extreme& begin, const Extreme& end) noexcept;
@@ -146,11 +150,12 @@ class HandStrokes final {
   /// stroked far enough to say. Until the half of a stroke the last one is told of, and from there on
   /// the stroke under way, as if it went on as the last one did:
   ///
-  ///   v′ · t′(l) / t
+  ///   L′ / (r + (t − r) · (T′ − r′) / (t′(l) − r′))
   ///
-  /// l how far it has come in the time t, t′(l) the time in which the last one had come so far, v′ the
-  /// speed of the last one. So a hand is told the mean of a stroke from its half on, however it speeds
-  /// up and slows down, if it does so every time. A stroke that has no last one in its contact, or is
+  /// l how far it has come in the time t, of which r before it left its turn; t′(l) the time in which
+  /// the last one had come so far, r′ what of that was before it left, T′ its duration and L′ its
+  /// length. So a hand is told the mean of a stroke from its half on, however it speeds up and slows
+  /// down, if it does so every time, and whether or not it rested at its turns. A stroke that has no last one in its contact, or is
   /// longer than that, is told as l / t: half-way the mean of the whole, and then up to a fifth above
   /// it (minimum jerk; a sinusoid a seventh).
   std::optional<double> speed_to_tell_m_per_s() const noexcept;

@@ -304,10 +304,12 @@ void add_anova(const FoundNumbers& found, AnalysisOutcome& outcome) {
 }
 
 /// Which of the levels of a factor was felt as the roughest and which as the least rough, by the
-/// participants' mean logarithms; of two levels with the interval of their ratio. Nothing where they
-/// are equal.
-Phrase roughest_of(const char* factor, const std::vector<std::string>& levels,
+/// participants' mean logarithms, where `shows` says that they differ; of two levels with the interval
+/// of their ratio, whatever the test shows. Nothing where they are equal.
+Phrase roughest_of(const char* factor, const std::vector<std::string>& levels, bool shows,
                    const FoundNumbers& found) {
+  // Of several levels that may all be the same one is always the greatest.
+  if (levels.size() > 2 && !shows) return {};
   const Finding* most = nullptr;
   std::pair<std::string, std::string> names{};
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -332,24 +334,35 @@ Phrase roughest_of(const char* factor, const std::vector<std::string>& levels,
     return phrase("Analysis", "roughest was %1, and %2 the least rough, by a factor of %3")
         .with(names.first, names.second, ratio);
   }
-  if (!most->low || !most->high) {
+  if (!most->low || !most->high || !most->confidence) {
     return phrase("Analysis", "%1 was rougher than %2 by a factor of %3")
         .with(names.first, names.second, ratio);
   }
   const double low = std::pow(10.0, is_turned ? -*most->high : *most->low);
   const double high = std::pow(10.0, is_turned ? -*most->low : *most->high);
-  return phrase("Analysis", "%1 was rougher than %2 by a factor of %3 (95 % interval %4 to %5)")
-      .with(names.first, names.second, ratio, fixed(low, 2), fixed(high, 2));
+  return phrase("Analysis", "%1 was rougher than %2 by a factor of %3 (%4 interval %5 to %6)")
+      .with(names.first, names.second, ratio, percent(*most->confidence), fixed(low, 2),
+            fixed(high, 2));
 }
 
-/// "F(1, 3) = 20.30, partial η² = 0.87, p = .020 after Holm"
+/// "F(1, 3) = 20.30, partial η² = 0.87, p = .020 after Holm"; with the ε by which p was corrected, if it
+/// was. Nothing where one of the numbers is absent.
 Phrase effect_in_numbers(const std::string& effect, const FoundNumbers& found,
                          const StudyTests::Test& test) {
-  return phrase("Analysis", "F(%1, %2) = %3, partial η² = %4, %5")
-      .with(fixed(found.value("df1", effect).value_or(0.0), 0),
-            fixed(found.value("df2", effect).value_or(0.0), 0),
-            fixed(found.value("F", effect).value_or(0.0), 2),
-            fixed(found.value("pes", effect).value_or(0.0), 2), p_text(test));
+  const std::optional<double> df1 = found.value("df1", effect);
+  const std::optional<double> df2 = found.value("df2", effect);
+  const std::optional<double> F = found.value("F", effect);
+  const std::optional<double> pes = found.value("pes", effect);
+  if (!df1 || !df2 || !F || !pes) return {};
+  if (found.find("p.GG", effect) == nullptr) {
+    return phrase("Analysis", "F(%1, %2) = %3, partial η² = %4, %5")
+        .with(fixed(*df1, 0), fixed(*df2, 0), fixed(*F, 2), fixed(*pes, 2), p_text(test));
+  }
+  const std::optional<double> epsilon = found.value("eps.GG", effect);
+  if (!epsilon) return {};
+  return phrase("Analysis", "F(%1, %2) = %3, ε = %4, partial η² = %5, %6")
+      .with(fixed(*df1, 0), fixed(*df2, 0), fixed(*F, 2), fixed(*epsilon, 2), fixed(*pes, 2),
+            p_text(test));
 }
 
 /// `levels`: of the factor, whose order of roughness is told; none where there is none.
@@ -361,7 +374,8 @@ void ask_effect(const char* name, const Phrase& question, const char* table,
   const std::string effect =
       std::string_view(name) == "interaction" ? "condition:spacing" : std::string(name);
   Phrase numbers = effect_in_numbers(effect, found, *test);
-  const Phrase roughest = roughest_of(name, levels, found);
+  if (numbers.empty()) return;
+  const Phrase roughest = roughest_of(name, levels, test->shows(), found);
   if (!roughest.empty()) numbers = phrase("Analysis", "%1; %2").with(numbers, roughest);
   const Sayings sayings{phrase("Analysis", "It does: %1.").with(numbers),
                         phrase("Analysis", "Nothing shows that it does: %1.").with(numbers),

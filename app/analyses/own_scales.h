@@ -17,7 +17,8 @@ namespace asperity {
 ///
 ///   log c_p = mean over participants q and cells of log x_q − mean over cells of log x_p
 ///
-/// x_p the geometric mean of a participant's numbers in a cell, a spacing under a condition. The geometric
+/// x_p the geometric mean of a participant's numbers in a cell, a spacing under a condition: of what
+/// `analyze` takes, the main phase, valid attempts, nothing excluded, no anchors. The geometric
 /// mean of a participant's numbers in a cell, times c_p, is what `analyze` tells as normalised.
 ///
 /// By protocol, version and group (AnswerGroup), which share no scale.

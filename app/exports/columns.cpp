@@ -522,7 +522,8 @@ Columns response_columns(const StudyVocabulary& vocabulary) {
       column("normalised_estimate", "number", "",
              "the estimate of a magnitude with the participant's own scale taken out: times "
              "the geometric mean of all participants over the participant's own, of this "
-             "protocol, version and kind of session, anchors and practice not counted",
+             "protocol, version and kind of session, over valid attempts of the main phase, with "
+             "nothing excluded and no anchors",
              [](const Place& at) -> Cell {
                if (!at.own_scale || !at.response->answer_number) return {};
                return *at.own_scale * *at.response->answer_number;

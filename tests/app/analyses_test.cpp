@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <stdexcept>
 #include <stop_token>
@@ -977,22 +978,18 @@ constexpr const char* kEstimation = R"({
   "analysis": {"family": ["spacing", "interaction", "peaks"]}
 })";
 
-/// Numbers on parabolas of the logarithms, roughest at 1 mm with the small tip and at 2 mm with the
-/// large one, a little more or less for each of six people, who all have a scale of their own.
-AnalysisOutcome analyze_numbers(int people = 6, double disagreement = 1.0) {
+/// `log_of`: the decimal logarithm of the number that a person gives to a level under a tip.
+AnalysisOutcome analyze_logarithms(
+    int people, const std::function<double(int person, std::size_t level, bool is_small)>& log_of) {
   MadeUpStudy made;
   const std::int64_t protocol = made.add_protocol("rough", "magnitude", kEstimation);
   for (int i = 0; i < people; ++i) {
     made.add_person(person(i), "F");
     std::vector<MadeUpTrial> trials{};
-    for (const auto& [tip, peak_m] : {std::pair{"small", 0.001}, std::pair{"large", 0.002}}) {
-      // The other way with the other tip, and half as far: people differ in how the tips differ and in
-      // the curve over both.
-      const double own = disagreement * (peak_m < 0.0015 ? 0.02 : -0.01) * (i - 2.5);
+    for (const std::string tip : {"small", "large"}) {
       for (int level = -1; level < 5; ++level) {  // −1: the anchor
         const std::size_t at = level < 0 ? 2U : static_cast<std::size_t>(level);
-        const double away = std::log10(kSpacings_m[at] / peak_m) - own;
-        const double number = std::pow(10.0, 0.3 * i - away * away);
+        const double number = std::pow(10.0, log_of(i, at, tip == "small"));
         MadeUpTrial trial{};
         trial.surfaces = {surface_of("s", "pd_gradient", "s")};
         trial.factors_json =
@@ -1005,6 +1002,18 @@ AnalysisOutcome analyze_numbers(int people = 6, double disagreement = 1.0) {
     made.add_session(person(i), protocol, trials);
   }
   return analyze_study(made.study()).at(0);
+}
+
+/// Numbers on parabolas of the logarithms, roughest at 1 mm with the small tip and at 2 mm with the
+/// large one, a little more or less for each of six people, who all have a scale of their own.
+AnalysisOutcome analyze_numbers(int people = 6, double disagreement = 1.0) {
+  return analyze_logarithms(people, [disagreement](int i, std::size_t level, bool is_small) {
+    // The other way with the other tip, and half as far: people differ in how the tips differ and in
+    // the curve over both.
+    const double own = disagreement * (is_small ? 0.02 : -0.01) * (i - 2.5);
+    const double away = std::log10(kSpacings_m.at(level) / (is_small ? 0.001 : 0.002)) - own;
+    return 0.3 * i - away * away;
+  });
 }
 
 TEST(Magnitudes, PeakWhereTheyWereMadeToPeak) {
@@ -1082,15 +1091,30 @@ TEST(Magnitudes, AreTestedInTheDeclaredFamily) {
   ASSERT_FALSE(outcome.questions.empty());
   EXPECT_EQ(outcome.questions[0].name, "spacing");
   // Degrees of freedom, size and direction beside F: a reader of the sentence needs no table.
-  EXPECT_THAT(outcome.questions[0].answer.english(),
-              testing::ContainsRegex(
-                  "It does: F\\(4, [0-9]+\\) = [0-9.]+, partial η² = [01]\\.[0-9]+, p .*; "
-                  "roughest was .* mm, and .* mm the least rough, by a factor "
-                  "of [0-9.]+\\."));
+  EXPECT_THAT(
+      outcome.questions[0].answer.english(),
+      testing::ContainsRegex("It does: F\\(4, [0-9]+\\) = [0-9.]+, ε = [01]\\.[0-9]+, partial η² = "
+                             "[01]\\.[0-9]+, p .*; "
+                             "roughest was .* mm, and .* mm the least rough, by a factor "
+                             "of [0-9.]+\\."));
   EXPECT_THAT(question_of(outcome, "condition").answer.english(),
               testing::ContainsRegex("F\\(1, [0-9]+\\) = .*; .* was rougher than .* by a factor of "
                                      "[0-9.]+ \\(95 % interval [0-9.]+ to [0-9.]+\\)\\."));
   EXPECT_THAT(outcome.remarks, testing::Contains(says("Numbers given to anchors")));
+}
+
+// Five people who disagree wholly about five spacings, but for a hundredth of a decade from one to the
+// next: the last one is the greatest in the mean, and that says nothing.
+TEST(Magnitudes, HaveNoRoughestSpacingWhereTheTestShowsNone) {
+  const AnalysisOutcome outcome =
+      analyze_logarithms(5, [](int i, std::size_t level, bool is_small) {
+        const int place = i + static_cast<int>(level) * (is_small ? 1 : 2);
+        return 0.1 * (place % 5) + 0.01 * static_cast<double>(level) + (is_small ? 0.02 : 0.0);
+      });
+  const std::string said = question_of(outcome, "spacing").answer.english();
+  EXPECT_THAT(said, testing::StartsWith("Nothing shows that it does: F(4, 16) = "));
+  EXPECT_THAT(said, HasSubstr(", ε = "));
+  EXPECT_THAT(said, testing::Not(HasSubstr("rough")));
 }
 
 }  // namespace

@@ -124,8 +124,9 @@ TEST(TableFindings, TellWhichRowsAreAveraged) {
   const std::string stray = text_of("rmanova", input_of(kTipRows + std::string("B,c,1\n"), kTips));
   EXPECT_THAT(stray, testing::ContainsRegex("key  cells\\.with\\.k\n1    8\n2    1\n"));
   EXPECT_THAT(stray,
-              HasSubstr("! unequal: B has 2 rows in the cell c, while 8 of 9 cells have 1 "
-                        "row. The rows of a cell are averaged: see whether one stands twice"));
+              HasSubstr("! unequal: B has 2 values in the cell c, while 8 of 9 cells have 1 "
+                        "value. The values of a cell are averaged: see whether a row stands twice, "
+                        "or names another"));
   std::string twice = kTipRows;
   for (const char* row :
        {"A,a,2", "A,b,1", "A,c,4", "B,a,4", "B,b,4", "B,c,5", "C,a,1", "C,b,4", "C,c,8"}) {
@@ -140,9 +141,11 @@ TEST(TableFindings, TellWhichRowsAreAveraged) {
       input_of("subject,probe,spacing,estimate\nA,p,1,2\nA,p,2,5\nA,p,4,3\nA,p,4,4\nB,p,1,1\n"
                "B,p,2,3\nB,p,4,2\nB,p,4,3\nB,p,1,2\nB,p,2,3\nA,p,1,2\n",
                R"({"zero_rule": "exclude", "normalisation": "geomean"})"));
-  EXPECT_THAT(estimates,
-              HasSubstr("! unequal: A has 1 row in the cell p|2, while 5 of 6 cells have "
-                        "2 rows."));
+  EXPECT_THAT(
+      estimates,
+      HasSubstr("! unequal: A has 1 value in the cell p|2, while 5 of 6 cells have 2 "
+                "values. The values of a cell are averaged: see whether a row is missing or "
+                "has no value that counts, or names another"));
 }
 
 TEST(TableFindings, CountTheChoicesThatCochransTestLeavesOut) {

@@ -1,6 +1,7 @@
 // What the families of analyses answer to tables that have no answer.
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -67,7 +68,11 @@ TEST(TidyRefusals, NameTheLineAndTheColumn) {
 TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
   EXPECT_EQ(
       refusal_of("rating", "subject,item,score\nA,a,6\nA,b,2\nA,a,1\n", R"({"items": ["a", "b"]})"),
-      "t.csv:4:2: A has a row with \"a\" already; a participant scores an item once");
+      "t.csv:4:2: A has a score of \"a\" already; a participant scores an item once");
+  EXPECT_EQ(refusal_of("rating", "subject,item,score\nA,a,\nA,b,2\nA,a,1\nA,b,\n",
+                       R"({"items": ["a", "b"]})"),
+            "")
+      << "no score is none";
   const std::string once = "; there is one row per participant, who is in one group";
   EXPECT_EQ(
       refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,a,0,4\n", kGroups),
@@ -75,16 +80,13 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
   EXPECT_EQ(
       refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,b,0,4\n", kGroups),
       "t.csv:4:1: \"A\" stands a second time" + once);
-  EXPECT_THAT(refusal_of("proportion", "id,k,n,p0\nx,1,2,0.5\ny,1,2,0.5\nx,1,2,0.5\n", "[]"),
-              HasSubstr("t.csv:4:1: \"x\" stands a second time"));
-  EXPECT_THAT(
+  EXPECT_EQ(refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nA,a,2,4\n", kGroups),
+            "t.csv:3:1: \"A\" stands a second time" + once);
+  EXPECT_EQ(refusal_of("proportion", "id,k,n,p0\nx,1,2,0.5\ny,1,2,0.5\nx,2,2,0.5\n", "[]"),
+            "t.csv:4:1: \"x\" stands a second time; there is one row per count of hits");
+  EXPECT_EQ(
       refusal_of("power", "id,kind,n,alpha,d\nx,paired_t,9,0.05,1\nx,paired_t,8,0.05,1\n", "[]"),
-      HasSubstr("t.csv:3:1: \"x\" stands a second time"));
-  EXPECT_EQ(refusal_of("magnitude",
-                       "subject,probe,spacing,rep,estimate\nA,1,0.5,1,2\nA,1,0.5,2,3\n"
-                       "A,1,0.50,1,4\n",
-                       kMagnitude),
-            "t.csv:4:4: A has repetition 1 of probe 1, spacing 0.5 already");
+      "t.csv:3:1: \"x\" stands a second time; there is one row per plan");
   EXPECT_EQ(refusal_of("matching",
                        "subject,trial,stimulus,response,group\nA,1,x,x,F\nA,1,y,y,F\n"
                        "A,2,x,x,M\nA,2,y,y,M\n",
@@ -97,6 +99,25 @@ TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
   EXPECT_EQ(refusal_of("ranking", "subject,trial,item,rank,times\nA,1,a,1,2\nA,1,b,2,3\n",
                        R"({"items": ["a", "b"]})"),
             "t.csv:3:5: " + times);
+}
+
+// Repetitions begin anew in every session and block, and an attempt without an estimate is none.
+TEST(TidyRefusals, TakeARepetitionWhoseNumberStandsTwiceForAReplicate) {
+  const std::string once = "A,1,1,1,3\nA,1,2,1,5\nB,1,1,1,2\nB,1,2,1,7\n";
+  const auto replicates = [](const std::string& rows) {
+    for (const Finding& finding :
+         findings_of("magnitude", "subject,probe,spacing,rep,estimate\n" + rows, kMagnitude)) {
+      if (finding.quantity == "replicates") return finding.word + ": " + finding.status;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(replicates(once), "none: ok");
+  EXPECT_EQ(replicates(once + "A,1,1,1,\n"), "none: ok");
+  EXPECT_EQ(replicates(once + once), "equal: ok");
+  EXPECT_EQ(
+      replicates(once + "A,1,1.0,1,4\n"),
+      "unequal: A has 2 values in the cell 1|1, while 3 of 4 cells have 1 value. The values of a "
+      "cell are averaged: see whether a row stands twice, or names another participant or cell");
 }
 
 TEST(TidyRefusals, SayWhichOptionIsWrong) {
@@ -196,22 +217,6 @@ TEST(TidyRefusals, TakeNoNameTwice) {
               HasSubstr("two stimuli at least"));
 }
 
-// A participant is the unit: one that stands twice would count as two.
-TEST(TidyRefusals, TakeNoRowTwiceThatNamesItsNumbers) {
-  EXPECT_EQ(
-      refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,b,2,4\n", kGroups),
-      "t.csv:4:1: A stands twice; a participant is one row, and in one group");
-  EXPECT_EQ(refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nA,a,2,4\n", kGroups),
-            "t.csv:3:1: A stands twice; a participant is one row, and in one group");
-  EXPECT_EQ(refusal_of("proportion", "id,k,n,p0\na,1,2,0.5\nb,1,2,0.5\na,2,2,0.5\n", "[]"),
-            "t.csv:4:1: \"a\" stands twice; it names the numbers of its row");
-  EXPECT_EQ(refusal_of("power",
-                       "id,kind,n,alpha,p0,p1\na,binom_two,9,0.05,0.5,0.9\n"
-                       "a,binom_two,8,0.05,0.5,0.9\n",
-                       "[]"),
-            "t.csv:3:1: \"a\" stands twice; it names the numbers of its row");
-}
-
 TEST(TidyRefusals, TakeWholeRanksFromOne) {
   const char* items = R"({"items": ["a", "b"]})";
   for (const char* rank : {"0", "-1", "1.5"}) {
@@ -237,15 +242,25 @@ TEST(TidyRefusals, SayNothingOfASampleInWhichNothingWasChosen) {
   const std::vector<Finding> one =
       findings_of("selection", "subject,sample,choice\nA,1,\nB,1,\nA,2,a\nB,2,b\n", choices);
   EXPECT_EQ(word_of(one, "status"), "no_data");
+  // Numbers of nothing; of every other number it is said that there is none.
+  const auto is_told = testing::AnyOf("n.valid", "status", "count", "chisq.df", "luce.addhalf",
+                                      "mcnemar.b", "mcnemar.c", "mcnemar.exact.p", "subj.n");
+  std::size_t of_sample = 0;
   for (const Finding& finding : one) {
     if (finding.key != "1" && !finding.key.starts_with("1|")) continue;
-    EXPECT_THAT(finding.quantity,
-                testing::AnyOf("n.valid", "status", "mcnemar.b", "mcnemar.c", "mcnemar.exact.p"));
+    ++of_sample;
+    if (finding.word != "NA") {
+      EXPECT_THAT(finding.quantity, is_told);
+    }
   }
+  EXPECT_GT(of_sample, 20U);
   const std::vector<Finding> none =
       findings_of("selection", "subject,sample,choice\nA,1,\nB,1,\n", choices);
+  EXPECT_GT(none.size(), 40U) << "of the sample and of all";
   for (const Finding& finding : none) {
-    EXPECT_THAT(finding.quantity, testing::AnyOf("n.valid", "status", "subj.n"));
+    if (finding.word != "NA") {
+      EXPECT_THAT(finding.quantity, is_told);
+    }
   }
 }
 
@@ -261,6 +276,20 @@ TEST(TidyRefusals, CountSeveralChoicesOfAParticipantWithASample) {
   EXPECT_EQ(repeated("A,1,a\nA,2,a\nB,1,b\nB,2,a\n"), 0.0);
   EXPECT_EQ(repeated("A,1,a\nA,1,\nB,1,b\n"), 0.0) << "one of them was not made";
   EXPECT_EQ(repeated("A,1,a\nA,1,b\nA,1,a\nB,1,b\n"), 2.0);
+}
+
+// A choice that was not made is no first one, and none that is left out.
+TEST(TidyRefusals, TakeTheFirstChoiceThatWasMadeForCochransTest) {
+  const std::vector<Finding> findings =
+      findings_of("selection", "subject,sample,choice\nA,1,\nA,1,a\nA,2,a\nA,2,b\nB,1,b\nB,2,a\n",
+                  R"({"renderers": ["a", "b"], "target": "a"})");
+  std::map<std::string, double> counts{};
+  for (const Finding& finding : findings) {
+    if (finding.value) counts.emplace(finding.quantity, *finding.value);
+  }
+  EXPECT_EQ(counts.at("choices.repeated"), 1.0);
+  EXPECT_EQ(counts.at("cochran.repeated"), 1.0);
+  EXPECT_EQ(counts.at("cochran.n.complete"), 2.0);
 }
 
 // A line that fits answers which rise nowhere tells of no threshold.
@@ -286,18 +315,27 @@ TEST(TidyRefusals, FindNoCurveWhereAllEstimatesAreTheSame) {
       rows += std::string(person) + ",1," + spacing + ",5\n";
     }
   }
+  int flat = 0;
+  int undefined = 0;
+  int peaks = 0;
   for (const Finding& finding : findings_of("magnitude", rows, kMagnitude)) {
     if (finding.quantity.starts_with("exponent.subject") ||
         finding.quantity == "pooled.linear.slope" || finding.quantity == "quad.cov") {
+      ++flat;
       EXPECT_EQ(finding.value, 0.0) << finding.quantity;
     }
     if (finding.quantity.ends_with(".r2") || finding.quantity.starts_with("pooled.quad.vs")) {
+      ++undefined;
       EXPECT_EQ(finding.word, "NA") << finding.quantity;
     }
     if (finding.quantity == "peak.status") {
+      ++peaks;
       EXPECT_EQ(finding.word, "no_maximum");
     }
   }
+  EXPECT_GT(flat, 0);
+  EXPECT_GT(undefined, 0);
+  EXPECT_EQ(peaks, 1);
 }
 
 TEST(TidyFamilies, RefuseTablesThatTheyWouldNotRead) {

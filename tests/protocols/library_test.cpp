@@ -126,6 +126,17 @@ TEST(LibraryProtocols, HoldForceAndSpeedByBandsThatDoNotMeet) {
   }
 }
 
+// A share of the normal force would hardly know what force and speed do.
+TEST(LibraryProtocols, HaveVirtualNumbersOfForceAndSpeedThatDependOnBoth) {
+  for (const char* const name : {"roughness_force", "roughness_speed"}) {
+    const ObserverDeclaration observer = library_protocol(name).observer;
+    EXPECT_EQ(observer.magnitude_of, ObserverDeclaration::MagnitudeOf::held_tool) << name;
+    EXPECT_EQ(observer.exponent, 1.0) << name;
+    EXPECT_EQ(observer.feature_noise, 0.15) << name;
+    EXPECT_EQ(observer.lapse, 0.02) << name;
+  }
+}
+
 TEST(LibraryProtocols, PractiseTheExtremesAndHoldTipAndHandWithinABlock) {
   for (const char* const name : {"roughness_diameter", "roughness_force", "roughness_speed"}) {
     const Protocol read = library_protocol(name);

@@ -33,19 +33,6 @@ Groups read_groups(const TidyInput& input) {
   const TidyTable& table = input.table();
   refuse_repeated(table, "subject", "one row per participant, who is in one group");
   const LabelColumn group = table.labels("group", groups.names);
-  const LabelColumn participants = table.all_labels("subject");
-  if (participants.names.size() < table.rows()) {
-    std::vector<bool> seen(participants.names.size(), false);
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-      const std::size_t who = participants.codes[row];
-      if (seen[who]) {
-        table.refuse(
-            row, "subject",
-            participants.names[who] + " stands twice; a participant is one row, and in one group");
-      }
-      seen[who] = true;
-    }
-  }
   const std::vector<std::uint64_t> hits = table.counts("correct");
   const std::vector<std::uint64_t> trials = table.counts("trials");
   for (std::size_t row = 0; row < table.rows(); ++row) {

@@ -7,11 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <set>
-#include <span>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -52,31 +49,11 @@ std::string name_of(std::string_view text) {
   }
 }
 
-/// A repetition of a cell has one row.
-void refuse_repeated_estimates(const TidyTable& table, const LabelColumn& subjects,
-                               const LabelColumn& probes, std::span<const double> spacings) {
-  if (!table.has("rep")) return;
-  const LabelColumn repetitions = table.labels("rep");
-  std::set<std::tuple<std::size_t, std::string, double, std::size_t>> seen{};
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (repetitions.codes[row] == LabelColumn::kMissing) continue;
-    const std::string probe = name_of(probes.names[probes.codes[row]]);
-    if (seen.emplace(subjects.codes[row], probe, spacings[row], repetitions.codes[row]).second) {
-      continue;
-    }
-    table.refuse(row, "rep",
-                 subjects.names[subjects.codes[row]] + " has repetition " +
-                     repetitions.names[repetitions.codes[row]] + " of probe " + probe +
-                     ", spacing " + number_text(spacings[row]) + " already");
-  }
-}
-
 Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
   const LabelColumn subjects = table.all_labels("subject");
   const LabelColumn probes = table.all_labels("probe");
   const std::vector<double> spacings = table.all_numbers("spacing");
   const std::vector<std::optional<double>> values = table.numbers("estimate");
-  refuse_repeated_estimates(table, subjects, probes, spacings);
   Estimates read{};
   std::vector<double> levels = spacings;
   std::sort(levels.begin(), levels.end());

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -202,15 +201,9 @@ std::vector<Finding> power_findings(const TidyInput& input) {
   const std::vector<std::string_view> ids = table.texts("id");
   const std::vector<std::string_view> kinds = table.texts("kind");
   Columns columns{};
-  std::set<std::string_view> seen{};
   std::vector<Finding> findings{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const Scenario plan(table, row, columns);
-    if (!seen.insert(ids[row]).second) {
-      table.refuse(
-          row, "id",
-          '"' + std::string(ids[row]) + "\" stands twice; it names the numbers of its row");
-    }
     PowerList list(std::string(ids[row]), plan.whole("n"));
     try {
       plan_findings(plan, std::string(kinds[row]), list);

@@ -2,7 +2,6 @@
 
 #include "analysis/proportion.h"
 
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,14 +45,10 @@ std::vector<Finding> proportion_findings(const TidyInput& input) {
       table.has("conf") ? table.all_numbers("conf")
                         : std::vector<double>(table.rows(), input.options.confidence());
   FindingList findings{};
-  std::set<std::string_view> seen{};
   std::vector<std::string> keys{};
   std::vector<double> p{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string id(ids[row]);
-    if (!seen.insert(ids[row]).second) {
-      table.refuse(row, "id", '"' + id + "\" stands twice; it names the numbers of its row");
-    }
     const HitCount count{.hits = hits[row], .trials = trials[row]};
     const double chance = chances[row];
     const double confidence = confidences[row];

@@ -1,6 +1,7 @@
 // Psychometric functions of conditions: right answers by level.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -226,7 +227,7 @@ class PsychometricList final {
       lowest = std::min(lowest, block.x);
       highest = std::max(highest, block.x);
     }
-    if (threshold != threshold || (threshold >= lowest && threshold <= highest)) return;
+    if (std::isnan(threshold) || (threshold >= lowest && threshold <= highest)) return;
     list_.word(
         "threshold.status", key_, "outside_range",
         "the threshold is not among the tested levels, and rests on the form of the function "

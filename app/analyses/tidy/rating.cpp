@@ -26,18 +26,17 @@ Scores scores_of(const TidyTable& table, const std::vector<std::string>& items) 
   std::vector<std::vector<std::optional<double>>> all(
       participants.names.size(), std::vector<std::optional<double>>(items.size()));
   Scores made{};
-  std::vector<std::vector<bool>> seen(participants.names.size(), std::vector<bool>(items.size()));
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (codes.codes[row] == LabelColumn::kMissing) table.refuse(row, "item", "item is missing");
+    if (!scores[row]) continue;
     const std::size_t person = participants.codes[row];
     const std::size_t item = codes.codes[row];
-    if (seen[person][item]) {
+    if (all[person][item]) {
       table.refuse(row, "item",
-                   participants.names[person] + " has a row with \"" + items[item] +
+                   participants.names[person] + " has a score of \"" + items[item] +
                        "\" already; a participant scores an item once");
     }
     all[person][item] = scores[row];
-    seen[person][item] = true;
   }
   made.incomplete = std::erase_if(all, [](const std::vector<std::optional<double>>& own) {
     for (const std::optional<double>& score : own) {

@@ -7,8 +7,8 @@
 namespace asperity {
 namespace {
 
-std::string rows_of(std::size_t rows) {
-  return rows == 1 ? "1 row" : std::to_string(rows) + " rows";
+std::string values_of(std::size_t values) {
+  return values == 1 ? "1 value" : std::to_string(values) + " values";
 }
 
 }  // namespace
@@ -35,14 +35,15 @@ void add_replicates(std::span<const CellRows> cells, std::size_t participants,
   const auto most = std::max_element(
       cells_with.begin(), cells_with.end(),
       [](const auto& one, const auto& other) { return one.second < other.second; });
-  const Basis basis{.n = participants,
-                    .method = "cells of the participants with that many rows, which are averaged"};
+  const Basis basis{
+      .n = participants,
+      .method = "cells of the participants with that many values, which are averaged"};
   for (const auto& [rows, count] : cells_with) {
     findings.count("cells.with.k", std::to_string(rows), count, basis);
   }
   const Basis told{.n = participants,
                    .method =
-                       "whether a participant has several rows in a cell; these are averaged "
+                       "whether a participant has several values in a cell; these are averaged "
                        "before all else"};
   if (cells_with.size() == 1) {
     findings.word("replicates", "", most->first == 1 ? "none" : "equal", "ok", told);
@@ -53,12 +54,15 @@ void add_replicates(std::span<const CellRows> cells, std::size_t participants,
   });
   const std::size_t others = cells.size() - most->second;
   findings.word("replicates", "", "unequal",
-                other->participant + " has " + rows_of(other->rows) + " in the cell " +
+                other->participant + " has " + values_of(other->rows) + " in the cell " +
                     other->cell + ", while " + std::to_string(most->second) + " of " +
-                    std::to_string(cells.size()) + " cells have " + rows_of(most->first) +
+                    std::to_string(cells.size()) + " cells have " + values_of(most->first) +
                     (others > 1 ? "; " + std::to_string(others) + " cells differ from these" : "") +
-                    ". The rows of a cell are averaged: see whether one stands twice, or for "
-                    "another participant or cell",
+                    ". The values of a cell are averaged: see whether a row " +
+                    (other->rows > most->first ? "stands twice"
+                                               : "is missing or has no value that "
+                                                 "counts") +
+                    ", or names another participant or cell",
                 told);
 }
 

@@ -21,11 +21,11 @@ void refuse_repeated(const TidyTable& table, std::string_view column, const std:
 struct CellRows {
   std::string participant{};
   std::string cell{};
-  std::size_t rows = 0;  ///< one or more
+  std::size_t rows = 0;  ///< with a value that counts; one or more
 };
-/// What an analysis averages before all else: `cells.with.k`, how many cells have k rows, and
-/// `replicates`: "none" where every cell has one, "equal", or "unequal" with the sentence that names
-/// the first cell with another number of rows than most. Nothing for no cells. `participants`: the
+/// What an analysis averages before all else: `cells.with.k`, how many cells have k values,
+/// and `replicates`: "none" where every cell has one, "equal", or "unequal" with the sentence that names
+/// the first cell with another number than most. Nothing for no cells. `participants`: the
 /// n of all of them.
 void add_replicates(std::span<const CellRows> cells, std::size_t participants,
                     FindingList& findings);

@@ -49,6 +49,8 @@ Choices choices_in(const TidyInput& input) {
   return read;
 }
 
+constexpr const char* kNothingChosen = "nothing was chosen here: nothing can be said";
+
 /// The choices of one sample, or all of them, as if they were independent. Returns the one-sided p
 /// of the target.
 double add_block(const Choices& read, const std::string& block,
@@ -57,25 +59,30 @@ double add_block(const Choices& read, const std::string& block,
   for (const std::uint64_t count : counts) n += count;
   const auto number = [&](const char* quantity, const std::string& key, double value,
                           const std::string& method) {
-    findings.number(quantity, key, value, {.n = n, .method = method});
+    findings.number(quantity, key, value,
+                    {.n = n, .method = method, .undefined = n == 0 ? kNothingChosen : ""});
   };
   findings.count("n.valid", block, n, {.n = n, .method = "choices that were made"});
   if (n == 0) {
-    findings.word("status", block, "no_data", "nothing was chosen here: nothing can be said");
-    return kNone;
+    findings.word("status", block, "no_data", kNothingChosen);
   }
   const std::string independent =
       pooled ? ", as if the choices of a participant were independent" : "";
   for (std::size_t j = 0; j < counts.size(); ++j) {
     const std::string key = both(block, read.renderers[j]);
     const HitCount count{.hits = counts[j], .trials = n};
-    const ConfidenceInterval wilson = wilson_interval(count, read.confidence);
-    const ConfidenceInterval cp = clopper_pearson_interval(count, read.confidence);
+    const ConfidenceInterval none{.low = kNone, .high = kNone};
+    const ConfidenceInterval wilson = n > 0 ? wilson_interval(count, read.confidence) : none;
+    const ConfidenceInterval cp = n > 0 ? clopper_pearson_interval(count, read.confidence) : none;
     findings.count("count", key, counts[j], {.n = n});
-    Basis basis{.n = n, .method = "chosen of all choices; interval of Wilson" + independent};
-    basis.interval = wilson;
-    basis.confidence = read.confidence;
-    findings.number("prop", key, proportion(count), basis);
+    Basis basis{.n = n,
+                .method = "chosen of all choices; interval of Wilson" + independent,
+                .undefined = n == 0 ? kNothingChosen : ""};
+    if (n > 0) {
+      basis.interval = wilson;
+      basis.confidence = read.confidence;
+    }
+    findings.number("prop", key, n > 0 ? proportion(count) : kNone, basis);
     number("wilson.lower", key, wilson.low, "interval of Wilson" + independent);
     number("wilson.upper", key, wilson.high, "interval of Wilson" + independent);
     number("cp.lower", key, cp.low, "interval of Clopper and Pearson" + independent);
@@ -98,13 +105,15 @@ double add_block(const Choices& read, const std::string& block,
   number("cramer.w", block, test.cohen_w, "Cohen's w");
   if (!pooled) {
     const MultinomialTest exact = uniform_multinomial_test(counts);
-    number("multinom.exact.p", block, exact.counted ? exact.by_probability : kNone,
+    const bool is_known = exact.counted && n > 0;
+    number("multinom.exact.p", block, is_known ? exact.by_probability : kNone,
            "exact multinomial test against equal shares, in the order of probability");
-    number("multinom.chisqorder.p", block, exact.counted ? exact.by_chi_squared : kNone,
+    number("multinom.chisqorder.p", block, is_known ? exact.by_chi_squared : kNone,
            "exact multinomial test against equal shares, in the order of Pearson's X²");
   }
-  const double p = binomial_upper_tail({.hits = counts[read.target], .trials = n},
-                                       1.0 / static_cast<double>(counts.size()));
+  const double p = n > 0 ? binomial_upper_tail({.hits = counts[read.target], .trials = n},
+                                               1.0 / static_cast<double>(counts.size()))
+                         : kNone;
   number(
       "target.p.greater", block, p,
       "exact binomial, one-sided against chance 1/" + std::to_string(counts.size()) + independent);
@@ -114,13 +123,13 @@ double add_block(const Choices& read, const std::string& block,
   for (std::size_t j = 0; j < counts.size(); ++j) {
     if (j == read.target) continue;
     const std::string key = both(block, read.renderers[j]);
-    number("luce.logworth", key, luce.log_worth[j],
+    number("luce.logworth", key, n > 0 ? luce.log_worth[j] : kNone,
            "Luce's log worth relative to " + read.renderers[read.target]);
-    number("luce.se", key, luce.standard_error[j], "");
+    number("luce.se", key, n > 0 ? luce.standard_error[j] : kNone, "");
   }
   const std::vector<double> means = first_choice_means(luce.share);
   for (std::size_t j = 0; j < counts.size(); ++j) {
-    number("thurstone.firstchoice.mu", both(block, read.renderers[j]), means[j],
+    number("thurstone.firstchoice.mu", both(block, read.renderers[j]), n > 0 ? means[j] : kNone,
            "Thurstone's scale of the best of K, sum 0");
   }
   return p;
@@ -279,6 +288,7 @@ void add_cochran(const Choices& read, FindingList& findings) {
   std::vector<std::vector<bool>> seen(read.participants.names.size(), std::vector<bool>(samples));
   std::size_t repeated = 0;
   for (std::size_t row = 0; row < read.choices.codes.size(); ++row) {
+    if (!read.made(row)) continue;
     const std::size_t person = read.participants.codes[row];
     const std::size_t sample = read.samples.codes[row];
     if (seen[person][sample]) {

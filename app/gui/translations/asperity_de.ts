@@ -776,10 +776,6 @@
         <translation>%1 war um den Faktor %3 rauer als %2</translation>
     </message>
     <message>
-        <source>%1 was rougher than %2 by a factor of %3 (95 % interval %4 to %5)</source>
-        <translation>%1 war um den Faktor %3 rauer als %2 (95-%-Intervall %4 bis %5)</translation>
-    </message>
-    <message>
         <source>F(%1, %2) = %3, partial η² = %4, %5</source>
         <translation>F(%1, %2) = %3, partielles η² = %4, %5</translation>
     </message>
@@ -806,6 +802,14 @@
     <message>
         <source>%1 Counted in one direction only, %2 was called %3 more often still: %4 times in %5 answers.</source>
         <translation>%1 Nur in einer Richtung gezählt, wurde %2 noch öfter %3 genannt: %4-mal in %5 Antworten.</translation>
+    </message>
+    <message>
+        <source>%1 was rougher than %2 by a factor of %3 (%4 interval %5 to %6)</source>
+        <translation>%1 war um den Faktor %3 rauer als %2 (%4-Intervall %5 bis %6)</translation>
+    </message>
+    <message>
+        <source>F(%1, %2) = %3, ε = %4, partial η² = %5, %6</source>
+        <translation>F(%1, %2) = %3, ε = %4, partielles η² = %5, %6</translation>
     </message>
 </context>
 <context>
@@ -2875,6 +2879,10 @@
     <message>
         <source>&quot;%1&quot; failed %2 when it was measured on %3, and the protocol asks for a device that did not; mend it, and measure it again by %4</source>
         <translation>„%1“ hat %2 nicht bestanden, als es am %3 gemessen wurde, und das Protokoll verlangt ein Gerät, das besteht; beheben Sie das, und messen Sie es erneut mit %4</translation>
+    </message>
+    <message>
+        <source>How stiff &quot;%1&quot; is could not be found, and not compared with the %2 N/m that the device holds: wherever it was looked at, its force jumps or does not grow.</source>
+        <translation>Wie steif „%1“ ist, ließ sich nicht finden und nicht mit den %2 N/m vergleichen, die das Gerät hält: Wo immer nachgesehen wurde, springt die Kraft oder wächst nicht.</translation>
     </message>
 </context>
 <context>
