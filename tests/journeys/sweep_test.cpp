@@ -286,21 +286,21 @@ TEST(Sweep, IsCheckedAgainstTheProtocolThatItStandsBesideBeforeItBegins) {
   EXPECT_EQ(outcome(again).status, 0);
 
   // Another version is another experiment, which nobody chooses by accident.
-  add_estimates(made, "roughness_force", "force", {"light", "medium", "firm"}, "1.1.0");
+  add_estimates(made, "roughness_force", "force", {"light", "medium", "firm"}, "2.0.0");
   const Outcome either = outcome(again);
   EXPECT_EQ(either.status, 1);
   EXPECT_THAT(either.err, HasSubstr("2 versions of roughness_force: say which by --protocol, "
-                                    "roughness_force@1, roughness_force@1.1.0"));
-  for (const char* version : {"1", "1.1.0"}) {
+                                    "roughness_force@1, roughness_force@2.0.0"));
+  for (const char* version : {"1", "2.0.0"}) {
     again.back() = std::string("roughness_force@") + version;
     const Outcome one = outcome(again);
     EXPECT_EQ(one.status, 0) << one.err;
     EXPECT_THAT(one.err,
                 HasSubstr(std::string("beside it: roughness_force ") + version + ", people, 36"));
   }
-  again.back() = "roughness_force@2.0.0";
+  again.back() = "roughness_force@3.0.0";
   EXPECT_THAT(outcome(again).err,
-              HasSubstr("no session of roughness_force of the version 2.0.0; it has 1, 1.1.0"));
+              HasSubstr("no session of roughness_force of the version 3.0.0; it has 1, 2.0.0"));
 }
 #endif
 
