@@ -140,7 +140,8 @@ TEST_F(RunSession, AsksNobodyAnythingWhereTheProtocolDoesNotTakeTheDevice) {
   }
 }
 
-TEST_F(RunSession, TellsEveryWarningBeforeAnybodyIsAsked) {
+/// A profile of the simulated device, whose friction hides textures: there is something to warn of.
+void keep_profile_with_friction(const std::filesystem::path& study) {
   const DeviceProfile profile{
       .name = "simulated",
       .measured_utc = "2025-12-20T10:00:00.000Z",
@@ -148,8 +149,12 @@ TEST_F(RunSession, TellsEveryWarningBeforeAnybodyIsAsked) {
       .workspace_minimum_m = glm::dvec3(-1.0),
       .workspace_maximum_m = glm::dvec3(1.0),
       .items = {{.name = "friction_N", .status = DeviceItem::Status::pass, .value = 0.9}}};
-  std::filesystem::create_directories(inputs_.study / "profiles");
-  write_file(profile_path(inputs_.study, profile), json_text_of(profile), Overwrite::refuse);
+  std::filesystem::create_directories(study / "profiles");
+  write_file(profile_path(study, profile), json_text_of(profile), Overwrite::refuse);
+}
+
+TEST_F(RunSession, TellsEveryWarningBeforeAnybodyIsAsked) {
+  keep_profile_with_friction(inputs_.study);
   std::size_t told = 0;
   inputs_.rehearsed = [&](const RehearsedDevice& device) {
     told = device.warnings.size();
@@ -162,15 +167,7 @@ TEST_F(RunSession, TellsEveryWarningBeforeAnybodyIsAsked) {
 
 // What was compared until a stop is no whole comparison, and says neither yes nor no.
 TEST_F(RunSession, EndsAtOnceWhenStoppedWhileTheDeviceIsCompared) {
-  const DeviceProfile profile{
-      .name = "simulated",
-      .measured_utc = "2025-12-20T10:00:00.000Z",
-      .rate_Hz = 1000.0,
-      .workspace_minimum_m = glm::dvec3(-1.0),
-      .workspace_maximum_m = glm::dvec3(1.0),
-      .items = {{.name = "friction_N", .status = DeviceItem::Status::pass, .value = 0.9}}};
-  std::filesystem::create_directories(inputs_.study / "profiles");
-  write_file(profile_path(inputs_.study, profile), json_text_of(profile), Overwrite::refuse);
+  keep_profile_with_friction(inputs_.study);
   int told = 0;
   inputs_.rehearsed = [&](const RehearsedDevice&) { ++told; };
   std::stop_source source;
