@@ -68,9 +68,7 @@ TEST_F(MovingDevice, IsNotMovedByATestThatIsToldNo) {
   Invocation asked = invocation({"device-test", "force_dimension"});
   asked.on_terminal = true;
   Program program(asked);
-  EXPECT_TRUE(program.read_until([](const std::string&, const std::string& err) {
-    return err.find("Type yes") != std::string::npos;
-  })) << program.err();
+  EXPECT_TRUE(program.read_until_told("Type yes")) << program.err();
   EXPECT_FALSE(has_moved());
   program.type("no\n");
   const Outcome outcome = program.finish();
@@ -83,9 +81,7 @@ TEST_F(MovingDevice, IsLetGoOfWhereSomebodyStopsInsteadOfAnswering) {
   Invocation asked = invocation({"device-test", "force_dimension"});
   asked.on_terminal = true;
   Program program(asked);
-  EXPECT_TRUE(program.read_until([](const std::string&, const std::string& err) {
-    return err.find("Type yes") != std::string::npos;
-  })) << program.err();
+  EXPECT_TRUE(program.read_until_told("Type yes")) << program.err();
   program.send(SIGINT);
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.status, 1) << outcome.err;
@@ -118,9 +114,7 @@ TEST_F(MovingDevice, IsSaidToLoseItsForceWhereSomebodyStopsOnceItIsOpen) {
   Invocation agreed = invocation({"device-test", "force_dimension", "--yes"});
   agreed.on_terminal = true;
   Program program(agreed);
-  EXPECT_TRUE(program.read_until([](const std::string&, const std::string& err) {
-    return err.find(" %: ") != std::string::npos;
-  })) << program.err();
+  EXPECT_TRUE(program.read_until_told(" %: ")) << program.err();
   program.send(SIGINT);
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.status, 1) << outcome.err;

@@ -122,6 +122,12 @@ bool Program::read_until(const std::function<bool(const std::string&, const std:
   return true;
 }
 
+bool Program::read_until_told(const std::string& text) {
+  return read_until([&text](const std::string&, const std::string& err) {
+    return err.find(text) != std::string::npos;
+  });
+}
+
 void Program::read_for(std::chrono::microseconds time) {
   const auto until = std::chrono::steady_clock::now() + time;
   for (;;) {

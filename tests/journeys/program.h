@@ -40,6 +40,8 @@ class Program final {
   /// Reads until `seen(out, err)` or until the program has closed both. False: it was closed, or
   /// the time limit passed.
   bool read_until(const std::function<bool(const std::string& out, const std::string& err)>& seen);
+  /// Until standard error has this text.
+  bool read_until_told(const std::string& text);
   /// For so long, or until the program has closed both.
   void read_for(std::chrono::microseconds time);
   void type(const std::string& text);

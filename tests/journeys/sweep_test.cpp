@@ -91,9 +91,7 @@ TEST(Sweep, KeepsWholeRowsWhenItIsInterruptedAndGoesOnWithThem) {
     Program program(
         {.arguments = sweep_into(place / "sweep.tsv", of_spacings("0.0005:0.008:10000"))});
     // Said when a row is there that was not there before.
-    EXPECT_TRUE(program.read_until([](const std::string&, const std::string& err) {
-      return err.find("sweeping: ") != std::string::npos;
-    }));
+    EXPECT_TRUE(program.read_until_told("sweeping: "));
     program.send(SIGINT);
     const Outcome stopped = program.finish();
     EXPECT_EQ(stopped.status, 1);

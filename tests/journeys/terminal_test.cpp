@@ -120,9 +120,7 @@ TEST(Terminal, SaysThatThereIsNoDeviceBeforeItSpeaksOfGuidance) {
   invocation.on_terminal = true;
   {
     Program program(invocation);
-    EXPECT_TRUE(program.read_until([](const std::string&, const std::string& err) {
-      return err.find("a terminal has none of them") != std::string::npos;
-    })) << program.err();
+    EXPECT_TRUE(program.read_until_told("a terminal has none of them")) << program.err();
   }
   invocation.arguments.insert(invocation.arguments.end(), {"--device", "falcon:9"});
   Program program(invocation);
