@@ -146,8 +146,8 @@ std::optional<Penetration> PenetrationSampler::evaluate(const PackedPatch& a, co
   return found;
 }
 
-HeightSamples PenetrationSampler::samples_of(Field& field) noexcept {
-  HeightSamples samples = field.samples;
+FieldSamples PenetrationSampler::samples_of(Field& field) noexcept {
+  FieldSamples samples = field.samples;
   samples.height_m = field.height_m.data();
   return samples;
 }

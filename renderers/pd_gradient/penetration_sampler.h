@@ -82,7 +82,7 @@ class PenetrationSampler final {
   // Heights of one body over the window.
   struct Field {
     std::vector<float> height_m{};
-    HeightSamples samples{};
+    FieldSamples samples{};
   };
 
   Field field_with_apron(int apron) const;
@@ -91,7 +91,7 @@ class PenetrationSampler final {
   std::optional<Penetration> hard_maximum() noexcept;
   std::optional<Penetration> smooth_maximum(const SmoothMaximum& law) noexcept;
   int sample(const PackedPatch& patch, const ContactFrame& frame, double outwards, Field& field);
-  static HeightSamples samples_of(Field& field) noexcept;
+  static FieldSamples samples_of(Field& field) noexcept;
   glm::dvec3 deepest_m(int row, int column) const noexcept;
   bool at_border(int row, int column) const noexcept;
   float height_m(const Field& field, int row, int column) const noexcept;

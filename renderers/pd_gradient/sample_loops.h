@@ -61,7 +61,7 @@ struct PairedTexels {
 };
 
 /// Heights outwards (along n of B, against n of A) on the samples of the window and an apron around.
-struct HeightSamples {
+struct FieldSamples {
   float* height_m = nullptr;  ///< of the apron's first corner; kMostLanes more than rows · stride
   std::int32_t samples = 0;   ///< of the window, each way
   std::int32_t apron = 0;
@@ -80,7 +80,7 @@ struct SurfaceTask {
   const SampledTriangle* triangles = nullptr;
   std::int32_t count = 0;
   PairedTexels texels{};
-  HeightSamples field{};
+  FieldSamples field{};
   BandRoom room{};
   std::int32_t first_row = 0;  ///< of the field, its apron included; the rest stays as it is
   std::int32_t end_row = 0;
@@ -97,8 +97,8 @@ struct TurnTable {
 };
 
 struct ComparisonTask {
-  HeightSamples a{};  ///< apron: step_cells
-  HeightSamples b{};  ///< apron: 0
+  FieldSamples a{};  ///< apron: step_cells
+  FieldSamples b{};  ///< apron: 0
   std::int32_t step_cells = 0;
   float tilt_rise_m = 0.0F;  ///< what a tilt's step lifts a cell away from the axis
   TurnTable turn{};
@@ -121,8 +121,8 @@ struct ElevenMaxima {
 };
 
 struct WeighingTask {
-  HeightSamples a{};  ///< apron: kSlopeApron
-  HeightSamples b{};  ///< apron: 0
+  FieldSamples a{};  ///< apron: kSlopeApron
+  FieldSamples b{};  ///< apron: 0
   float per_tau_per_m = 0.0F;
   float* row_most_m = nullptr;  ///< kMostLanes for each row
 };

@@ -47,7 +47,7 @@ struct TriangleRows {
   float lift_m[kBandRows];
 };
 
-inline float middle_of(const HeightSamples& field) {
+inline float middle_of(const FieldSamples& field) {
   return 0.5F * static_cast<float>(field.samples - 1);
 }
 
@@ -76,7 +76,7 @@ inline void find_rows(const SampledTriangle& triangle, std::int32_t row, std::in
 
 // Leaves in the band what the triangle is at its samples, where nothing stands further out. Answers at
 // how many something stood already.
-inline std::int32_t put_triangle(const SampledTriangle& triangle, const HeightSamples& field,
+inline std::int32_t put_triangle(const SampledTriangle& triangle, const FieldSamples& field,
                                  const BandRoom& room, std::int32_t band_row,
                                  std::int32_t band_rows) {
   const std::int32_t row = later(triangle.first_row, band_row);
@@ -124,7 +124,7 @@ inline std::int32_t put_triangle(const SampledTriangle& triangle, const HeightSa
 std::int32_t sample_surface_by_lanes(const SurfaceTask& task) {
   std::int32_t folded = 0;
   // Copies: what is stored through the pointers cannot change them.
-  const HeightSamples field = task.field;
+  const FieldSamples field = task.field;
   const BandRoom room = task.room;
   const PairedTexels texels = task.texels;
   const std::int32_t across_all = field.samples + 2 * field.apron;
@@ -238,7 +238,7 @@ inline void find_tilts(const ComparisonTask& task, ElevenMaxima& maxima) {
 }
 
 // The first sample, row by row, at which both surfaces together reach that height.
-inline void find_deepest(const HeightSamples& a, const HeightSamples& b, const float* row_most_m,
+inline void find_deepest(const FieldSamples& a, const FieldSamples& b, const float* row_most_m,
                          float here_m, std::int32_t& row, std::int32_t& column) {
   const Floats depth = Lanes::all(here_m);
   const auto reached = [depth](const float* most) {
