@@ -25,6 +25,7 @@
 #include "tests/device/emulated_falcon.h"
 #include "tests/device/falcon_arm_angles.h"
 #include "tests/device/falcon_run.h"
+#include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 
 // libusb as it is where it has no files to wait for: this definition comes before the library's own.
@@ -43,7 +44,6 @@ namespace {
 using falcon::Frame;
 using testing::HasSubstr;
 
-constexpr double kDt_s = 1e-3;
 constexpr std::array<std::int16_t, 3> kNoWords{};
 
 class TemporaryFile final {
@@ -732,8 +732,8 @@ TEST_F(Falcon, EndsAtOnceWhateverItsDeviceDoes) {
   EXPECT_TRUE(ends_soon(std::move(device)));
 }
 
-TEST_F(Falcon, LosesNothingOfAServoThreadThatGoesOnThroughThreeUnplugs) {
-  run_with_unplugs(bus(), std::chrono::seconds(5), 3);
+TEST_F(Falcon, LosesNothingInAMinuteWithThreeUnplugs) {
+  run_with_unplugs(bus(), std::chrono::minutes(1), 3);
 }
 
 TEST_F(Falcon, ReadsAndPushesWithoutTouchingTheHeap) {

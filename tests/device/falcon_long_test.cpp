@@ -7,11 +7,6 @@
 namespace asperity {
 namespace {
 
-TEST(FalconForLong, LosesNothingInAMinuteWithThreeUnplugs) {
-  EmulatedBus bus;
-  run_with_unplugs(bus, std::chrono::minutes(1), 3);
-}
-
 TEST(FalconForLong, LosesNothingInTenMinutesWithTwentyUnplugs) {
   EmulatedBus bus;
   run_with_unplugs(bus, std::chrono::minutes(10), 20);
