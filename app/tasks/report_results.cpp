@@ -185,7 +185,7 @@ std::string refused_quantity(std::string quantity) {
   bool is_end = false;
   for (const std::string_view ending : {".morey", ".upper", ".lower", ".ci"}) {
     if (!quantity.ends_with(ending)) continue;
-    quantity.resize(quantity.size() - ending.size());
+    quantity.erase(quantity.rfind(ending));
     is_end = true;
   }
   return (is_end ? "interval of the " : "") + words_of_quantity(quantity);

@@ -10,11 +10,10 @@
 #include "analysis/random.h"
 #include "device/haptic_device.h"
 #include "tests/device/falcon_arm_angles.h"
+#include "tests/device/ticks.h"
 
 namespace asperity::falcon {
 namespace {
-
-constexpr std::int64_t kTick_ns = 1'000'000;
 
 Answer at(const glm::dvec3& grip_m) { return {.counts = counts_at(grip_m), .homed_motors = 0b111}; }
 

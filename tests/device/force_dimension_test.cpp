@@ -20,6 +20,7 @@
 #include "device/units_in_use.h"
 #include "device/vendor_library.h"
 #include "tests/device/complaint.h"
+#include "tests/device/ticks.h"
 #include "tests/device/vendors/test_dhd.h"
 #include "tests/support/allocation_guard.h"
 
@@ -32,8 +33,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
 
 class ForceDimension : public testing::Test {
  protected:

@@ -10,12 +10,12 @@
 #include <gtest/gtest.h>
 
 #include "analysis/random.h"
+#include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kDt_s = 1e-3;
 // A slew so fast that only the magnitude limits act.
 constexpr ForceLimits kMagnitudeOnly{.force_N = 5.0, .torque_N_m = 0.1, .slew_N_per_s = 1e9};
 

@@ -11,12 +11,11 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
 namespace {
-
-constexpr double kDt_s = 1e-3;
 
 DeviceCapability capability(double peak_force_N) {
   return {.name = "sketch", .peak_force_N = peak_force_N};

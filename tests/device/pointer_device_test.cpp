@@ -8,12 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
 namespace {
-
-constexpr std::int64_t kTick_ns = 1'000'000;
 
 class APointer : public testing::Test {
  protected:

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/device/ticks.h"
+
 namespace asperity {
 namespace {
-
-constexpr std::int64_t kTick_ns = 1'000'000;
 
 ProbeState at(std::int64_t tick, double x_m, double speed_m_per_s = 0.0) {
   return {.time_ns = tick * kTick_ns,

@@ -12,12 +12,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity::spacemouse {
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
 constexpr RateControlSettings kSettings{.full_speed_m_per_s = 0.1,
                                         .full_turn_rad_per_s = 1.0,
                                         .dead_zone = 0.05,

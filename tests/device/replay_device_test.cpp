@@ -8,12 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
 namespace {
-
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
 
 std::vector<ProbeState> three_states() {
   std::vector<ProbeState> states(3);

@@ -14,6 +14,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
@@ -21,7 +22,6 @@ namespace {
 
 constexpr HandHabits kSteady{.speed_variation = 0.0, .force_variation = 0.0, .drift_m = 0.0};
 constexpr double kFriction = 0.2;
-constexpr std::int64_t kTick_ns = 1'000'000;
 
 std::int64_t nanoseconds(double duration_s) { return std::llround(1e9 * duration_s); }
 

@@ -8,12 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "analysis/random.h"
+#include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kTick_ns = 1'000'000;
 constexpr double kTick_s = 1e-3;
 
 TEST(VelocityEstimator, IsExactAtConstantVelocityHoweverIrregularTheReadings) {

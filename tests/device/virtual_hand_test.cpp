@@ -13,16 +13,16 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
 constexpr double kMillimetre_m = 1e-3;
 
 // Strokes that are all alike.
-constexpr HandHabits kSteady{.speed_variation = 0.0, .force_variation = 0.0, .drift_m = 0.0};
+constexpr HandHabits kSteadyHabits{.speed_variation = 0.0, .force_variation = 0.0, .drift_m = 0.0};
 
 std::vector<HandIntent> motion(VirtualHand& hand, std::int64_t from_ns, std::int64_t to_ns,
                                std::int64_t step_ns = kMillisecond_ns) {
@@ -58,17 +58,17 @@ Moments moments(const std::vector<double>& values) {
 }
 
 // What one stroke was like.
-struct Stroke {
+struct HandStroke {
   double speed_m_per_s = 0.0;  // the fastest
   double force_N = 0.0;        // before it ends
   glm::dvec3 end_m{0.0};
 };
 
 // Cuts a motion along x where it turns.
-std::vector<Stroke> strokes_of(VirtualHand& hand, double duration_s) {
+std::vector<HandStroke> strokes_of(VirtualHand& hand, double duration_s) {
   hand.stroke();
-  std::vector<Stroke> strokes;
-  Stroke stroke{};
+  std::vector<HandStroke> strokes;
+  HandStroke stroke{};
   double direction = 0.0;
   HandIntent last{};
   for (std::int64_t now_ns = 0; now_ns < seconds(duration_s); now_ns += 2 * kMillisecond_ns) {
@@ -81,7 +81,7 @@ std::vector<Stroke> strokes_of(VirtualHand& hand, double duration_s) {
       stroke.force_N = last.press_N;
       stroke.end_m = last.position_m;
       strokes.push_back(stroke);
-      stroke = Stroke{};
+      stroke = HandStroke{};
     }
     direction = vx == 0.0 ? direction : std::copysign(1.0, vx);
     stroke.speed_m_per_s = std::max(stroke.speed_m_per_s, std::abs(vx));
@@ -91,7 +91,7 @@ std::vector<Stroke> strokes_of(VirtualHand& hand, double duration_s) {
 }
 
 TEST(VirtualHand, WaitsAboveTheStartOfItsStrokeUntilToldToStroke) {
-  VirtualHand hand(kSteady, Random(1));
+  VirtualHand hand(kSteadyHabits, Random(1));
   for (const HandIntent& intent : motion(hand, 0, seconds(5.0))) {
     ASSERT_TRUE(intent.lifted);
     ASSERT_EQ(intent.press_N, 0.0);
@@ -101,7 +101,7 @@ TEST(VirtualHand, WaitsAboveTheStartOfItsStrokeUntilToldToStroke) {
 }
 
 TEST(VirtualHand, ComesDownAtTheApproachSpeedAndTouchesAtRest) {
-  HandHabits habits = kSteady;
+  HandHabits habits = kSteadyHabits;
   habits.centre_m = {0.01, 0.02, -0.03};
   VirtualHand hand(habits, Random(1));
   hand.stroke();
@@ -140,7 +140,7 @@ TEST(VirtualHand, ReportsTheDerivativeOfItsPosition) {
 }
 
 TEST(VirtualHand, KeepsTheStrokesSpeedForSeventyPercentOfTheTime) {
-  VirtualHand hand(kSteady, Random(3));
+  VirtualHand hand(kSteadyHabits, Random(3));
   hand.stroke();
   int moving = 0;
   int steady = 0;
@@ -160,7 +160,7 @@ TEST(VirtualHand, KeepsTheStrokesSpeedForSeventyPercentOfTheTime) {
 }
 
 TEST(VirtualHand, StrokesAlongItsDirection) {
-  HandHabits habits = kSteady;
+  HandHabits habits = kSteadyHabits;
   habits.direction_rad = std::numbers::pi / 2.0;
   VirtualHand hand(habits, Random(3));
   hand.stroke();
@@ -176,7 +176,7 @@ TEST(VirtualHand, StrokesAlongItsDirection) {
 }
 
 TEST(VirtualHand, PressesWithTheWantedForceFromTheStartOfTheStrokeOn) {
-  VirtualHand hand(kSteady, Random(3));
+  VirtualHand hand(kSteadyHabits, Random(3));
   hand.stroke();
   const auto path = motion(hand, 0, seconds(3.0));
   const auto touch =
@@ -193,7 +193,7 @@ TEST(VirtualHand, VariesSpeedAndForceBetweenStrokesAsItsHabitsSay) {
                    Random(4));
   std::vector<double> speeds_m_per_s;
   std::vector<double> forces_N;
-  for (const Stroke& stroke : strokes_of(hand, 2000.0)) {
+  for (const HandStroke& stroke : strokes_of(hand, 2000.0)) {
     speeds_m_per_s.push_back(stroke.speed_m_per_s);
     forces_N.push_back(stroke.force_N);
   }
@@ -212,7 +212,7 @@ TEST(VirtualHand, VariesSpeedAndForceBetweenStrokesAsItsHabitsSay) {
 TEST(VirtualHand, DriftsSlowlyWithTheStatedDeviation) {
   VirtualHand hand(HandHabits{.drift_m = 0.004}, Random(5));
   std::vector<double> across_m;
-  for (const Stroke& stroke : strokes_of(hand, 6000.0)) {
+  for (const HandStroke& stroke : strokes_of(hand, 6000.0)) {
     across_m.push_back(stroke.end_m.y);
   }
   const Moments drift = moments(across_m);
@@ -277,7 +277,7 @@ TEST(VirtualHand, StrokesTheSameHoweverOftenItIsAsked) {
 }
 
 TEST(VirtualHand, LetsGoAndRisesWhenToldToLift) {
-  VirtualHand hand(kSteady, Random(10));
+  VirtualHand hand(kSteadyHabits, Random(10));
   hand.stroke();
   motion(hand, 0, seconds(2.0));
   hand.lift();
@@ -294,7 +294,7 @@ TEST(VirtualHand, LetsGoAndRisesWhenToldToLift) {
 }
 
 TEST(VirtualHand, TurnsBackWhenToldToLiftWhileComingDown) {
-  VirtualHand hand(kSteady, Random(10));
+  VirtualHand hand(kSteadyHabits, Random(10));
   hand.stroke();
   const double height_m = motion(hand, 0, seconds(0.1)).back().position_m.z;
   hand.lift();
@@ -306,7 +306,7 @@ TEST(VirtualHand, TurnsBackWhenToldToLiftWhileComingDown) {
 }
 
 TEST(VirtualHand, RisesToTheEndBeforeItComesDownAgain) {
-  VirtualHand hand(kSteady, Random(10));
+  VirtualHand hand(kSteadyHabits, Random(10));
   hand.stroke();
   motion(hand, 0, seconds(1.0));
   hand.lift();
@@ -324,7 +324,7 @@ TEST(VirtualHand, RisesToTheEndBeforeItComesDownAgain) {
 }
 
 TEST(VirtualHand, StandsStillInALongGap) {
-  VirtualHand hand(kSteady, Random(11));
+  VirtualHand hand(kSteadyHabits, Random(11));
   hand.stroke();
   HandIntent before = motion(hand, 0, seconds(1.0)).back();
   double now_s = 1.0;
@@ -339,10 +339,10 @@ TEST(VirtualHand, StandsStillInALongGap) {
 }
 
 TEST(VirtualHand, TakesUpNewHabitsInTheAirWithoutAJump) {
-  VirtualHand hand(kSteady, Random(12));
+  VirtualHand hand(kSteadyHabits, Random(12));
   hand.stroke();
   motion(hand, 0, seconds(1.0));
-  HandHabits next = kSteady;
+  HandHabits next = kSteadyHabits;
   next.centre_m = {0.02, 0.05, 0.001};
   next.direction_rad = std::numbers::pi / 2.0;
   next.normal_force_N = 0.5;
@@ -363,11 +363,11 @@ TEST(VirtualHand, TakesUpNewHabitsInTheAirWithoutAJump) {
 }
 
 TEST(VirtualHand, MayBeToldFromAnotherThread) {
-  VirtualHand hand(kSteady, Random(13));
+  VirtualHand hand(kSteadyHabits, Random(13));
   std::atomic<bool> done{false};
   std::thread conductor([&hand, &done] {
     for (int i = 1; i <= 2000; ++i) {
-      HandHabits habits = kSteady;
+      HandHabits habits = kSteadyHabits;
       habits.normal_force_N = 0.001 * i;
       habits.centre_m = glm::dvec3(0.0, 1e-5 * i, 0.0);
       hand.lift();

@@ -13,7 +13,7 @@
 namespace asperity::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 void expect_words(const std::string& text, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
@@ -55,10 +55,10 @@ void expect_protocol_refused(const SmallStudy& small, const fs::path& protocol,
 }
 
 /// The small selection with one thing changed.
-void expect_change_refused(const std::function<void(Json&)>& change,
+void expect_change_refused(const std::function<void(OrderedJson&)>& change,
                            const std::vector<std::string>& words) {
   const SmallStudy small(1);
-  Json protocol = small_selection(1);
+  OrderedJson protocol = small_selection(1);
   change(protocol);
   const fs::path file = small.place() / "changed.json";
   write_text(file, protocol.dump(2));
@@ -81,7 +81,7 @@ TEST(BadProtocol, IsNotJson) {
 
 TEST(BadProtocol, HasSeveralFaultsAllSaidAtOnce) {
   const SmallStudy small(1);
-  Json protocol = small_selection(1);
+  OrderedJson protocol = small_selection(1);
   protocol["kind"] = "selecting";
   protocol["device"]["rate_Hz"] = "fast";
   protocol["blocks"]["main"]["repetitions"] = 0;
@@ -92,7 +92,7 @@ TEST(BadProtocol, HasSeveralFaultsAllSaidAtOnce) {
 }
 
 TEST(BadProtocol, HasAnUnknownKey) {
-  expect_change_refused([](Json& protocol) { protocol["blocks"]["main"]["repetition"] = 2; },
+  expect_change_refused([](OrderedJson& protocol) { protocol["blocks"]["main"]["repetition"] = 2; },
                         {"changed.json:", ": error: ", "repetition"});
 }
 
@@ -107,7 +107,7 @@ TEST(BadProtocol, HasAKeyTwice) {
 
 TEST(BadProtocol, NamesAModelThatDoesNotExist) {
   expect_change_refused(
-      [](Json& protocol) {
+      [](OrderedJson& protocol) {
         protocol["factors"]["model"]["levels"][0] = "hight_map";
         protocol["blocks"]["main"]["presented"][0]["with"]["model"] = "hight_map";
       },
@@ -116,8 +116,8 @@ TEST(BadProtocol, NamesAModelThatDoesNotExist) {
 
 TEST(BadProtocol, NamesAParameterThatDoesNotExist) {
   expect_change_refused(
-      [](Json& protocol) {
-        protocol["stimuli"]["rendered"] = Json::parse(
+      [](OrderedJson& protocol) {
+        protocol["stimuli"]["rendered"] = OrderedJson::parse(
             R"({"model": "sinusoid", "texture": {"factor": "texture"}, "parameters": {"amplitude": 1}})");
       },
       {"amplitude", "amplitude_m", "/stimuli/rendered/parameters"});
@@ -125,8 +125,8 @@ TEST(BadProtocol, NamesAParameterThatDoesNotExist) {
 
 TEST(BadProtocol, HasAParameterOutOfRange) {
   expect_change_refused(
-      [](Json& protocol) {
-        protocol["stimuli"]["rendered"] = Json::parse(
+      [](OrderedJson& protocol) {
+        protocol["stimuli"]["rendered"] = OrderedJson::parse(
             R"({"model": "sinusoid", "texture": {"factor": "texture"}, "parameters": {"amplitude_m": 2}})");
       },
       {"amplitude_m", "/stimuli/rendered/parameters", " to "});
@@ -137,7 +137,7 @@ TEST(BadProtocol, NamesAStimulusOutsideTheStudy) {
   fs::copy_file(small.study() / "stimuli/walnut.png", small.place() / "walnut.png");
   fs::copy_file(small.study() / "stimuli/walnut.png.json", small.place() / "walnut.png.json");
   const auto with_height_field = [&small](const std::string& path) {
-    Json protocol = small_selection(1);
+    OrderedJson protocol = small_selection(1);
     protocol["textures"]["walnut"]["height_field"] = path;
     const fs::path file = small.place() / "outside.json";
     write_text(file, protocol.dump(2));
@@ -161,7 +161,7 @@ TEST(BadProtocol, NamesAStimulusOutsideTheStudy) {
 TEST(BadProtocol, NamesAStimulusThatIsMissingOrBroken) {
   const SmallStudy small(1);
   const auto with_height_field = [&small](const std::string& path) {
-    Json protocol = small_selection(1);
+    OrderedJson protocol = small_selection(1);
     protocol["textures"]["walnut"]["height_field"] = path;
     const fs::path file = small.place() / "missing.json";
     write_text(file, protocol.dump(2));
@@ -178,17 +178,17 @@ TEST(BadProtocol, NamesAStimulusThatIsMissingOrBroken) {
 
 TEST(BadProtocol, AsksForAForceAboveTheLimit) {
   expect_change_refused(
-      [](Json& protocol) {
+      [](OrderedJson& protocol) {
         protocol["explorations"]["short"]["normal_force_N"] = {{"target", 6}, {"maximum", 7}};
       },
       {"normal_force_N", "force_limit_N", "5"});
-  expect_change_refused([](Json& protocol) { protocol["device"]["force_limit_N"] = 500; },
+  expect_change_refused([](OrderedJson& protocol) { protocol["device"]["force_limit_N"] = 500; },
                         {"/device/force_limit_N"});
 }
 
 TEST(BadProtocol, HasAnOrderThatCannotBeKept) {
   expect_change_refused(
-      [](Json& protocol) {
+      [](OrderedJson& protocol) {
         // Four trials of the only texture cannot be kept apart.
         protocol["factors"]["texture"]["levels"] = {"walnut"};
         protocol["blocks"]["main"]["repetitions"] = 4;
@@ -401,8 +401,8 @@ TEST(GoodTable, HasABomWindowsLineEndsAndOptionsOfItsOwn) {
                                     "proportion", "--option", "conf=0.9", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   std::size_t limits = 0;
-  const Json told = Json::parse(outcome.out);
-  for (const Json& finding : told.at("findings")) {
+  const OrderedJson told = OrderedJson::parse(outcome.out);
+  for (const OrderedJson& finding : told.at("findings")) {
     if (finding.at("quantity") == "wilson.lower") {
       ++limits;
       // (p + z²/2n − z·√(p(1−p)/n + z²/4n²)) / (1 + z²/n) with z = 1.6449: 0.2693

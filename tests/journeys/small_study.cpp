@@ -12,20 +12,20 @@ namespace asperity::test {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 void must(const Outcome& outcome) {
   if (outcome.status != 0) throw std::runtime_error("the program refused: " + outcome.err);
 }
 
-Json common(const std::string& kind) {
-  return Json::parse(R"({
+OrderedJson common(const std::string& kind) {
+  return OrderedJson::parse(R"({
     "format": "asperity.protocol/1",
     "kind": ")" + kind +
-                     R"(",
+                            R"(",
     "design": "improved",
-    "name": "small_)" +
-                     kind + R"(",
+    "name": "small_)" + kind +
+                            R"(",
     "version": "1.0.0",
     "title": "A small one",
     "consent": {"version": "1.0", "statement": "I take part."},
@@ -45,14 +45,14 @@ Json common(const std::string& kind) {
 
 }  // namespace
 
-Json small_selection(int repetitions) {
-  Json protocol = common("selection");
+OrderedJson small_selection(int repetitions) {
+  OrderedJson protocol = common("selection");
   protocol["realism_standard"] = "photograph";
-  protocol["factors"] = Json::parse(R"({"texture": {"levels": ["walnut", "slate"]},
+  protocol["factors"] = OrderedJson::parse(R"({"texture": {"levels": ["walnut", "slate"]},
                                         "model": {"levels": ["height_map", "sinusoid"]}})");
-  protocol["stimuli"] = Json::parse(
+  protocol["stimuli"] = OrderedJson::parse(
       R"({"rendered": {"model": {"factor": "model"}, "texture": {"factor": "texture"}}})");
-  protocol["blocks"] = Json::parse(R"({"main": {
+  protocol["blocks"] = OrderedJson::parse(R"({"main": {
       "crossed": ["texture"],
       "presented": [{"stimulus": "rendered", "with": {"model": "height_map"}},
                     {"stimulus": "rendered", "with": {"model": "sinusoid"}}],
@@ -62,17 +62,17 @@ Json small_selection(int repetitions) {
       "question": {"name": "most_realistic", "prompt": "Which was most like the picture?"},
       "exploration": "short"}})");
   protocol["blocks"]["main"]["repetitions"] = repetitions;
-  protocol["flow"] = Json::parse(R"([{"screen": "Welcome. You may stop at any moment."},
+  protocol["flow"] = OrderedJson::parse(R"([{"screen": "Welcome. You may stop at any moment."},
                                      {"run": "main"}, {"screen": "Thank you."}])");
   return protocol;
 }
 
-Json small_recognition(int repetitions) {
-  Json protocol = common("recognition");
-  protocol["factors"] = Json::parse(R"({"texture": {"levels": ["walnut", "slate"]}})");
-  protocol["stimuli"] =
-      Json::parse(R"({"rendered": {"model": "height_map", "texture": {"factor": "texture"}}})");
-  protocol["blocks"] = Json::parse(R"({"main": {
+OrderedJson small_recognition(int repetitions) {
+  OrderedJson protocol = common("recognition");
+  protocol["factors"] = OrderedJson::parse(R"({"texture": {"levels": ["walnut", "slate"]}})");
+  protocol["stimuli"] = OrderedJson::parse(
+      R"({"rendered": {"model": "height_map", "texture": {"factor": "texture"}}})");
+  protocol["blocks"] = OrderedJson::parse(R"({"main": {
       "crossed": ["texture"],
       "order": "shuffle",
       "pause_before_trial_s": 0,
@@ -81,7 +81,7 @@ Json small_recognition(int repetitions) {
                    "pictures": ["walnut", "slate"], "correct_factor": "texture"},
       "exploration": "short"}})");
   protocol["blocks"]["main"]["repetitions"] = repetitions;
-  protocol["flow"] = Json::parse(R"([{"screen": "Welcome. You may stop at any moment."},
+  protocol["flow"] = OrderedJson::parse(R"([{"screen": "Welcome. You may stop at any moment."},
                                      {"run": "main"}, {"screen": "Thank you."}])");
   return protocol;
 }

@@ -51,7 +51,7 @@ TexturedMesh cosine_block(double amplitude_m) {
       cosine_field({.amplitude_m = amplitude_m, .raised_m = 2.0 * amplitude_m});
   return placed(body_mesh(BoxShape{{0.012, 0.012, 0.006}}, &field), BodyRole::tool);
 }
-TexturedMesh ball(double diameter_m) {
+TexturedMesh textured_ball(double diameter_m) {
   return placed(body_mesh(SphereShape{diameter_m}, nullptr), BodyRole::tool);
 }
 
@@ -78,7 +78,7 @@ constexpr TipStroke kStroke{.length_m = 0.008, .cell_m = 5e-5};
 
 TEST(ComposedRelief, IsTheSurfaceItselfUnderATipThatFitsEverywhere) {
   const TexturedMesh plate = cosine_plate(2e-5);
-  const TexturedMesh tip = ball(2e-4);
+  const TexturedMesh tip = textured_ball(2e-4);
   const HeightField relief = composed_relief({.mesh = tip}, {.mesh = plate}, kStroke);
   EXPECT_NEAR(relief.width_m(), kStroke.length_m, 2.0 * kStroke.cell_m);
   expect_along(
@@ -118,7 +118,7 @@ TEST(ComposedRelief, LeavesTroughsOutThatABallDoesNotFit) {
   constexpr double kAmplitude_m = 5e-4;
   constexpr double kRadius_m = 5e-3;
   const TexturedMesh plate = cosine_plate(kAmplitude_m);
-  const TexturedMesh tool = ball(2.0 * kRadius_m);
+  const TexturedMesh tool = textured_ball(2.0 * kRadius_m);
   const HeightField relief = composed_relief({.mesh = tool}, {.mesh = plate}, kStroke);
   const double sunk_m = kRadius_m - std::sqrt(kRadius_m * kRadius_m - 0.25 * kWave_m * kWave_m);
   EXPECT_NEAR(relief.maximum_m() - relief.minimum_m(), sunk_m, 0.2 * sunk_m);
@@ -127,7 +127,7 @@ TEST(ComposedRelief, LeavesTroughsOutThatABallDoesNotFit) {
 
 TEST(ComposedRelief, IsThatOfTheStrokesDirection) {
   const TexturedMesh plate = cosine_plate(2e-5, true);
-  const TexturedMesh tip = ball(2e-4);
+  const TexturedMesh tip = textured_ball(2e-4);
   TipStroke stroke = kStroke;
   expect_along(
       composed_relief({.mesh = tip}, {.mesh = plate}, stroke), [](double) { return 0.0; }, 1e-6);
@@ -139,7 +139,7 @@ TEST(ComposedRelief, IsThatOfTheStrokesDirection) {
 
 TEST(ComposedRelief, EndsWithTheSurface) {
   const TexturedMesh plate = cosine_plate(2e-5);
-  const TexturedMesh tip = ball(2e-3);
+  const TexturedMesh tip = textured_ball(2e-3);
   const HeightField relief =
       composed_relief({.mesh = tip}, {.mesh = plate}, {.length_m = 0.05, .cell_m = 1e-4});
   // 26 mm, and beyond both ends as far as the ball still lies on an edge.
@@ -149,7 +149,7 @@ TEST(ComposedRelief, EndsWithTheSurface) {
 
 TEST(ComposedRelief, HasThePitchThatIsAskedForInWholeCells) {
   const TexturedMesh plate = cosine_plate(2e-5);
-  const TexturedMesh tip = ball(2e-4);
+  const TexturedMesh tip = textured_ball(2e-4);
   TipStroke stroke = kStroke;
   stroke.pitch_m = 1.6e-4;
   const HeightField relief = composed_relief({.mesh = tip}, {.mesh = plate}, stroke);
@@ -160,7 +160,7 @@ TEST(ComposedRelief, HasThePitchThatIsAskedForInWholeCells) {
 
 TEST(ComposedRelief, RefusesWhatCannotBe) {
   const TexturedMesh plate = cosine_plate(2e-5);
-  const TexturedMesh tip = ball(2e-4);
+  const TexturedMesh tip = textured_ball(2e-4);
   TexturedMesh elsewhere = plate;
   for (glm::dvec3& vertex_m : elsewhere.vertices_m) vertex_m.x += 0.1;
   EXPECT_THROW(composed_relief({.mesh = tip}, {.mesh = elsewhere}, kStroke), std::invalid_argument);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kTick_s = 0.001;
 
-ProbeState at(const glm::dvec3& position_m) { return {.position_m = position_m}; }
+ProbeState probe_at(const glm::dvec3& position_m) { return {.position_m = position_m}; }
 
 glm::dquat turned(double angle_rad, const glm::dvec3& axis) {
   return {std::cos(0.5 * angle_rad), std::sin(0.5 * angle_rad) * glm::normalize(axis)};
@@ -51,7 +51,7 @@ Wrench settle(CoupledTool& tool, const ProbeState& device, const PlaneUnderPoint
 
 TEST(CoupledTool, ComesToWhereTheDeviceIsAndThenPullsNoMore) {
   CoupledTool tool({.centre_in_tool_m = {0.0, 0.0, 0.03}});
-  tool.reset(at({0.0, 0.0, 0.05}));
+  tool.reset(probe_at({0.0, 0.0, 0.05}));
   const ProbeState device{.position_m = {0.01, -0.02, 0.06},
                           .orientation = turned(0.7, {1.0, 2.0, -1.0})};
   Wrench wrench{};
@@ -78,8 +78,8 @@ TEST(CoupledTool, HasNoForceWhileItMovesAlongWithTheDevice) {
 TEST(CoupledTool, SharesAPressBetweenTheTwoSpringsInSeries) {
   const CoupledTool::Properties properties{.stiffness_N_per_m = 2000.0};
   CoupledTool tool(properties);
-  tool.reset(at({0.0, 0.0, 0.01}));
-  const Wrench wrench = settle(tool, at({0.0, 0.0, -0.003}), {.stiffness_N_per_m = 1000.0});
+  tool.reset(probe_at({0.0, 0.0, 0.01}));
+  const Wrench wrench = settle(tool, probe_at({0.0, 0.0, -0.003}), {.stiffness_N_per_m = 1000.0});
   // 3 mm over 1/(1/2000 + 1/1000) N/m.
   EXPECT_NEAR(wrench.force_N.z, 0.003 * 2000.0 * 1000.0 / 3000.0, 1e-9);
   EXPECT_NEAR(tool.pose().centre_m.z, -0.002, 1e-12);
@@ -89,9 +89,9 @@ TEST(CoupledTool, SharesAPressBetweenTheTwoSpringsInSeries) {
 TEST(CoupledTool, FeelsAnOffCentreContactAsATorqueAboutTheDevicesTip) {
   // Stiff in rotation, so that the contact stays where it is: 4 cm beside the tip.
   CoupledTool tool({.angular_stiffness_N_m_per_rad = 1e4, .centre_in_tool_m = {0.01, 0.0, 0.0}});
-  tool.reset(at({0.0, 0.0, 0.01}));
+  tool.reset(probe_at({0.0, 0.0, 0.01}));
   const PlaneUnderPoint plane{.point_m = {0.03, 0.0, 0.0}};
-  const Wrench wrench = settle(tool, at({0.0, 0.0, -0.002}), plane, 20000);
+  const Wrench wrench = settle(tool, probe_at({0.0, 0.0, -0.002}), plane, 20000);
   EXPECT_GT(wrench.force_N.z, 0.1);
   const glm::dvec3 expected = glm::cross(glm::dvec3(0.04, 0.0, 0.0), wrench.force_N);
   EXPECT_LT(glm::distance(wrench.torque_N_m, expected), 1e-4 * glm::length(expected));
@@ -99,11 +99,11 @@ TEST(CoupledTool, FeelsAnOffCentreContactAsATorqueAboutTheDevicesTip) {
 
 TEST(CoupledTool, IsLetGoByAContactThatWouldPull) {
   CoupledTool tool({});
-  tool.reset(at({0.0, 0.0, -0.0001}));
+  tool.reset(probe_at({0.0, 0.0, -0.0001}));
   // The hand is gone within a tick: nothing holds the tool back.
-  const ProbeState away = at({0.0, 0.0, 0.5});
+  const ProbeState away = probe_at({0.0, 0.0, 0.5});
   CoupledTool unhindered({});
-  unhindered.reset(at({0.0, 0.0, -0.0001}));
+  unhindered.reset(probe_at({0.0, 0.0, -0.0001}));
   const PlaneUnderPoint sticky{.stiffness_N_per_m = 1e6};
   const Wrench wrench = tool.step(away, sticky.contacts(tool.pose()), kTick_s);
   EXPECT_EQ(wrench.force_N.z, unhindered.step(away, {}, kTick_s).force_N.z);
@@ -130,11 +130,12 @@ TEST(CoupledTool, IsLetGoByContactsThatSetEachOtherFreeOneByOne) {
     grown_m = (way_m - depth_m) / (own + static_cast<double>(kContacts - i) - 1.0);
     way_m += grown_m;
   }
-  const ProbeState device = at({0.0, 0.0, pull_m * kPlane_N_per_m / properties.stiffness_N_per_m});
+  const ProbeState device =
+      probe_at({0.0, 0.0, pull_m * kPlane_N_per_m / properties.stiffness_N_per_m});
   CoupledTool tool(properties);
   CoupledTool unhindered(properties);
-  tool.reset(at({}));
-  unhindered.reset(at({}));
+  tool.reset(probe_at({}));
+  unhindered.reset(probe_at({}));
   tool.step(device, contacts, kTick_s);
   unhindered.step(device, {}, kTick_s);
   EXPECT_EQ(tool.pose().centre_m.z, unhindered.pose().centre_m.z);
@@ -145,7 +146,7 @@ TEST(CoupledTool, IsLetGoByContactsThatSetEachOtherFreeOneByOne) {
 // the point that rubs.
 TEST(CoupledTool, IsHeldBackByTheFrictionOfAContact) {
   CoupledTool tool({.angular_stiffness_N_m_per_rad = 1e4});
-  ProbeState device = at({0.0, 0.0, -0.001});
+  ProbeState device = probe_at({0.0, 0.0, -0.001});
   device.velocity_m_per_s.x = 0.05;
   tool.reset(device);
   const glm::dvec3 arm_m{0.01, 0.02, 0.0};
@@ -166,9 +167,9 @@ TEST(CoupledTool, IsHeldBackByTheFrictionOfAContact) {
 TEST(CoupledTool, FeelsNoFrictionAcrossTheContactsNormal) {
   CoupledTool rubbed({});
   CoupledTool free({});
-  const ProbeState device = at({0.0, 0.0, -0.002});
-  rubbed.reset(at({}));
-  free.reset(at({}));
+  const ProbeState device = probe_at({0.0, 0.0, -0.002});
+  rubbed.reset(probe_at({}));
+  free.reset(probe_at({}));
   for (int tick = 0; tick < 20; ++tick) {
     std::vector<PenaltyContact> contacts = PlaneUnderPoint{}.contacts(rubbed.pose());
     for (PenaltyContact& contact : contacts) contact.friction_N_s_per_m = 50.0;
@@ -180,16 +181,16 @@ TEST(CoupledTool, FeelsNoFrictionAcrossTheContactsNormal) {
 
 TEST(CoupledTool, IsNeverStifferToTheHandThanItsCoupling) {
   CoupledTool tool({.stiffness_N_per_m = 800.0});
-  tool.reset(at({0.0, 0.0, 0.0}));
+  tool.reset(probe_at({0.0, 0.0, 0.0}));
   const PlaneUnderPoint rock{.stiffness_N_per_m = 1e9};
-  const Wrench wrench = settle(tool, at({0.0, 0.0, -0.004}), rock);
+  const Wrench wrench = settle(tool, probe_at({0.0, 0.0, -0.004}), rock);
   EXPECT_NEAR(wrench.force_N.z, 800.0 * 0.004, 1e-4);
 }
 
 TEST(CoupledTool, StaysBoundedAtOneKilohertzOnContactsFarStifferThanAnExplicitStepBears) {
   CoupledTool tool({.mass_kg = 0.01, .inertia_kg_m2 = 1e-6});
   Random random(3);
-  ProbeState device = at({0.0, 0.0, 0.001});
+  ProbeState device = probe_at({0.0, 0.0, 0.001});
   tool.reset(device);
   const PlaneUnderPoint plane{.point_m = {0.02, 0.01, 0.0}, .stiffness_N_per_m = 1e6};
   double largest_m = 0.0;

@@ -198,10 +198,11 @@ TEST(FeltStiffness, FindsTheSharpestPlaceOfAFineTexture) {
 // before its foot.
 TEST(FeltStiffness, FindsTheSeamOfATextureThatDoesNotRepeat) {
   constexpr std::size_t kSamples = 512;
-  constexpr double kPitch_m = 2.5e-5;
-  const auto ramp = surface_of([](double x_m, double) { return 1e-3 * x_m; }, kSamples, kPitch_m);
-  const double step_m = 1e-3 * kPitch_m * kSamples;
-  const double bend_per_m = 3.0 * step_m / (kPitch_m * kPitch_m);
+  constexpr double kRampPitch_m = 2.5e-5;
+  const auto ramp =
+      surface_of([](double x_m, double) { return 1e-3 * x_m; }, kSamples, kRampPitch_m);
+  const double step_m = 1e-3 * kRampPitch_m * kSamples;
+  const double bend_per_m = 3.0 * step_m / (kRampPitch_m * kRampPitch_m);
   EXPECT_NEAR(largest_N_per_m(lateral_gradient_model(), {{"gain_N", 1.0}}, ramp), bend_per_m,
               0.05 * bend_per_m);
 }

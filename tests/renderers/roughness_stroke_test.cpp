@@ -214,12 +214,12 @@ TEST(HeldTool, ComesCloserToTheTruthWithTheSquareOfItsStep) {
 // A·sin ωt shakes a tool on the hand's spring and damper with the amplitude ω²A/√((k − mω²)² + (bω)²),
 // and across the surface, where there is no spring, with ωA/√((mω)² + b²).
 TEST(FeltRoughness, IsThatOfAToolWhichTheForceShakes) {
-  constexpr double kRate_Hz = 4000.0;
+  constexpr double kTicks_Hz = 4000.0;
   constexpr double kOmega_rad_per_s = kTwoPi * 60.0;
-  FeltRoughness felt({.rate_Hz = kRate_Hz});
+  FeltRoughness felt({.rate_Hz = kTicks_Hz});
   auto feel_until = [&, sample = 0](double until_s) mutable {
-    for (; sample < until_s * kRate_Hz; ++sample) {
-      const double wave = std::sin(kOmega_rad_per_s * sample / kRate_Hz);
+    for (; sample < until_s * kTicks_Hz; ++sample) {
+      const double wave = std::sin(kOmega_rad_per_s * sample / kTicks_Hz);
       felt.add({0.2 * wave, 0.1 * wave, 1.0 + 0.3 * wave});
     }
   };
