@@ -137,9 +137,56 @@ bool is_at_zero(const DhdFunctions& sdk, char id) noexcept {
   return sdk.dhdSetForceAndTorqueAndGripperForce(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, id) >= 0;
 }
 
+// While it lives, a stop ends the movement for which another thread waits in drdAutoInit.
+//
+// That function hears of no stop. Its regulation is a thread of the SDK's, which every other call reaches while it
+// runs. What nobody outside knows is whether it switches the force on once more before it gives up: so it is switched
+// off again and again until it has.
+class MovementEnder final {
+ public:
+  MovementEnder(const DhdFunctions& sdk, char id, const std::stop_token& stop,
+                std::function<void()> tell_that_it_goes_on)
+      : thread_([this, &sdk, id, stop, tell = std::move(tell_that_it_goes_on)] {
+          std::unique_lock lock(mutex_);
+          changed_.wait(lock, stop, [this] { return is_over_; });
+          const auto stopped = std::chrono::steady_clock::now();
+          for (bool is_told = false; !is_over_;) {
+            lock.unlock();
+            sdk.dhdStop(id);
+            sdk.drdStop(false, id);
+            if (!is_told && std::chrono::steady_clock::now() - stopped > kToGiveUp) {
+              tell();
+              is_told = true;
+            }
+            lock.lock();
+            changed_.wait_for(lock, kBetweenStops, [this] { return is_over_; });
+          }
+        }) {}
+  ~MovementEnder() {
+    {
+      const std::lock_guard lock(mutex_);
+      is_over_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+  }
+  MovementEnder(const MovementEnder&) = delete;
+  MovementEnder& operator=(const MovementEnder&) = delete;
+
+ private:
+  static constexpr std::chrono::milliseconds kBetweenStops{10};
+  static constexpr std::chrono::seconds kToGiveUp{1};
+
+  std::mutex mutex_{};
+  std::condition_variable_any changed_{};
+  bool is_over_ = false;
+  std::thread thread_;
+};
+
 // Has the device find its zero where it has lost it: it moves, and nobody may be hit who was not told.
 void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& model,
-               const ForceDimensionDevice::MayMove& may_move, const std::stop_token& stop) {
+               const ForceDimensionDevice::MayMove& may_move, const std::stop_token& stop,
+               const ForceDimensionDevice::Tell& tell) {
   if (knows_its_zero(sdk, identity)) return;
   const std::string who = model + " " + identity.serial;
   if (!sdk.has_robotics()) {
@@ -184,13 +231,29 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
     throw std::runtime_error("libdrd cannot open " + who + ": " + last_error_of(sdk) +
                              ". It was not moved; see that no other program uses it.");
   }
-  require_no_stop();  // nobody stops it from here on
-  const bool found = sdk.drdAutoInit(identity.id) >= 0;
-  const std::string words = found ? "" : last_error_of(sdk);
+  require_no_stop();
+  bool found = false;
+  std::string words;
+  {
+    const MovementEnder ender(sdk, identity.id, stop, [&who, &tell] {
+      if (!tell) return;
+      tell("The SDK goes on with " + who +
+           " although it was told to stop: switch the device off, and keep away from its handle.");
+    });
+    found = sdk.drdAutoInit(identity.id) >= 0;
+    if (!found) words = last_error_of(sdk);  // of this thread's last call
+  }
+  const bool is_stopped = stop.stop_requested();
+  if (is_stopped) sdk.dhdStop(identity.id);
   // true: force stays ours to send. While the SDK's own regulation runs, it is not.
-  if (sdk.drdStop(true, identity.id) < 0) {
+  if (sdk.drdStop(!is_stopped, identity.id) < 0) {
     throw std::runtime_error("The SDK does not let go of " + who + " (" + last_error_of(sdk) +
                              ") and may still move it: switch the device off.");
+  }
+  if (is_stopped) {
+    throw OpeningStopped(who +
+                         " was stopped while it moved to find its zero, as asked: its force is "
+                         "off, and its handle sinks slowly. Opened again, it asks again.");
   }
   if (!found) {
     throw std::runtime_error(who + " did not find its zero: " + words +
@@ -201,14 +264,15 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
 }  // namespace
 
 ForceDimensionDevice::ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index,
-                                           const MayMove& may_move, const std::stop_token& stop)
-    : ForceDimensionDevice(sdk, [&sdk, index, &may_move, &stop] {
+                                           const MayMove& may_move, const std::stop_token& stop,
+                                           const Tell& tell)
+    : ForceDimensionDevice(sdk, [&sdk, index, &may_move, &stop, &tell] {
         Opened opened{.identity = open_index(*sdk, index)};
         try {
           std::optional<DhdModel> model = dhd_model_of(opened.identity.type);
           if (!model) throw std::runtime_error(unknown_type(opened.identity.type));
           opened.model = *std::move(model);
-          find_zero(*sdk, opened.identity, opened.model.capability.model, may_move, stop);
+          find_zero(*sdk, opened.identity, opened.model.capability.model, may_move, stop, tell);
           if (!is_at_zero(*sdk, opened.identity.id) ||
               sdk->dhdEnableForce(1, opened.identity.id) < 0) {
             throw std::runtime_error(opened.model.capability.model + " " + opened.identity.serial +
@@ -459,7 +523,7 @@ std::string ForceDimensionDevice::trouble() const {
 
 namespace {
 
-DriverSurvey survey_of(const DhdFunctions& sdk) {
+DriverSurvey survey_of(const DhdFunctions& sdk, const std::stop_token& stop) {
   DriverSurvey survey{.found = sdk.description(), .attached = UnitInUse::of(kForceDimension)};
   const std::vector<AttachedDevice> ours = survey.attached;
   const int count = std::max(0, sdk.dhdGetDeviceCount());
@@ -467,7 +531,7 @@ DriverSurvey survey_of(const DhdFunctions& sdk) {
   // Which index is whose can change with what is plugged in: while one is used, none is opened.
   const bool one_is_used =
       !ours.empty() || (sdk.dhdGetAvailableCount != nullptr && sdk.dhdGetAvailableCount() < count);
-  for (int index = 0; index < count; ++index) {
+  for (int index = 0; index < count && !stop.stop_requested(); ++index) {
     AttachedDevice device{.model = "Force Dimension", .place = place_of(index)};
     if (std::any_of(ours.begin(), ours.end(),
                     [&device](const AttachedDevice& used) { return used.place == device.place; })) {
@@ -528,7 +592,7 @@ Driver force_dimension_driver() {
               [](const DriverOptions& options) {
                 try {
                   const DhdFunctions sdk(options.library);
-                  return survey_of(sdk);
+                  return survey_of(sdk, options.stop);
                 } catch (const std::runtime_error& refusal) {
                   return DriverSurvey{.hindrance = refusal.what()};
                 }
@@ -536,7 +600,11 @@ Driver force_dimension_driver() {
           .open = [](const std::string& which,
                      const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             auto sdk = std::make_shared<const DhdFunctions>(options.library);
-            const std::vector<AttachedDevice> attached = survey_of(*sdk).attached;
+            const std::vector<AttachedDevice> attached = survey_of(*sdk, options.stop).attached;
+            if (options.stop.stop_requested()) {
+              throw OpeningStopped(
+                  "no device of Force Dimension was opened: the opening was stopped, as asked");
+            }
             ForceDimensionDevice::MayMove may_move{};
             if (options.may_move) {
               may_move = [&options](const std::string& sentence) {
@@ -548,7 +616,7 @@ Driver force_dimension_driver() {
             for (std::size_t index = 0; index < attached.size(); ++index) {
               if (attached[index].place != place) continue;
               return std::make_unique<ForceDimensionDevice>(std::move(sdk), static_cast<int>(index),
-                                                            may_move, options.stop);
+                                                            may_move, options.stop, options.tell);
             }
             throw std::logic_error("the chosen device is not among those attached");
           }};

@@ -56,11 +56,17 @@ class ForceDimensionDevice final : public HapticDevice {
   /// DriverOptions::may_move.
   using MayMove = std::function<bool(const std::string& sentence)>;
 
+  /// DriverOptions::tell.
+  using Tell = std::function<void(const std::string& sentence)>;
+
   /// Opens the one with this index. One that was switched off has lost its zero, and has to move by itself to find
   /// it, for some seconds: only with libdrd, and after `may_move` said yes; otherwise it is refused, unmoved. It is not
-  /// moved either once `stop` was asked for: OpeningStopped.
+  /// moved either once `stop` was asked for, and stopped where it moves already: its force is switched off, from a
+  /// thread of its own, until libdrd has given up, and then OpeningStopped is thrown. Where libdrd has not given up a
+  /// second after the stop, `tell` is told what to do, once.
   ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index,
-                       const MayMove& may_move = {}, const std::stop_token& stop = {});
+                       const MayMove& may_move = {}, const std::stop_token& stop = {},
+                       const Tell& tell = {});
   ~ForceDimensionDevice() override;
 
   /// Of the velocities: 2 ms late at 1 kHz, and σ·316/s of noise for an error σ of each position.

@@ -229,6 +229,75 @@ TEST_F(ForceDimension, IsNotMovedOnceAStopCameAfterTheYes) {
   EXPECT_FALSE(bench->units[0].is_open);
 }
 
+// As libdrd, whose search hears of no stop: what ends it is its force that is off and its regulation that is.
+class MovingForceDimension : public ForceDimension {
+ protected:
+  MovingForceDimension() {
+    test_dhd::Unit& unit = attach(33, 101);
+    unit.knows_its_zero = false;
+    unit.searches_on = true;
+  }
+  /// Opens it and stops once it moves.
+  std::unique_ptr<ForceDimensionDevice> open_and_stop(const ForceDimensionDevice::Tell& tell = {}) {
+    std::stop_source stop;
+    std::jthread stopping([&] {
+      while (!moves()) std::this_thread::yield();
+      stop.request_stop();
+    });
+    return std::make_unique<ForceDimensionDevice>(
+        std::make_shared<const DhdFunctions>(ASPERITY_TEST_DRD), 0, agrees, stop.get_token(), tell);
+  }
+
+ private:
+  bool moves() {
+    const auto held = bench.operator->();
+    return !held->units.empty() && held->units[0].regulation_is_on;
+  }
+};
+
+TEST_F(MovingForceDimension, IsStoppedWhereItMovesAndHasNoForceThen) {
+  bench->axes_to_search = 2;  // and its force is on again for each
+  try {
+    open_and_stop();
+    FAIL() << "it was opened";
+  } catch (const OpeningStopped& stopped) {
+    EXPECT_THAT(stopped.what(), AllOf(HasSubstr("omega.3 101 was stopped while it moved"),
+                                      HasSubstr("its force is off")));
+  }
+  EXPECT_EQ(bench->stops_heard, 3);
+  EXPECT_FALSE(bench->units[0].force_is_on);
+  EXPECT_FALSE(bench->units[0].regulation_is_on);
+  EXPECT_FALSE(bench->units[0].is_open);
+  const std::vector<std::string> calls = bench->calls;
+  const auto at_rest = std::find(calls.begin(), calls.end(), "at rest 3");
+  ASSERT_NE(at_rest, calls.end());
+  EXPECT_EQ(std::find(calls.begin(), at_rest, "drdStop with force 3"), at_rest);
+  EXPECT_EQ(std::find(calls.begin(), calls.end(), "drdStop with force 3"), calls.end())
+      << "which would leave its force on";
+  EXPECT_EQ(std::find(calls.begin(), at_rest, "drdClose 3"), at_rest) << "while it still moved";
+}
+
+TEST_F(MovingForceDimension, TellsWhatToDoWhereTheSdkGoesOnAlthoughItWasStopped) {
+  constexpr int kOnAndOn = 1'000'000'000;
+  bench->axes_to_search = kOnAndOn;
+  std::vector<std::string> sentences;
+  EXPECT_THROW(open_and_stop([&](const std::string& sentence) {
+                 sentences.push_back(sentence);
+                 bench->axes_to_search = 1;
+               }),
+               OpeningStopped);
+  EXPECT_THAT(sentences, ElementsAre(AllOf(HasSubstr("goes on with omega.3 101"),
+                                           HasSubstr("switch the device off"))));
+}
+
+// That it is stopped must not hide that it may still move.
+TEST_F(MovingForceDimension, SaysThatTheSdkDoesNotLetGoThoughItWasStopped) {
+  bench->stop_answer = -1;
+  EXPECT_THAT(
+      complaint_of([&] { open_and_stop(); }),
+      AllOf(HasSubstr("does not let go of omega.3 101"), HasSubstr("switch the device off")));
+}
+
 /// Another thread that looks for devices, from when it is made until it is told that it is enough.
 class LongLook final {
  public:
@@ -641,9 +710,11 @@ TEST_F(ForceDimension, SeesAForceThatIsOffForOneTickWhileReadingsRepeat) {
 
 TEST_F(ForceDimension, SwitchesItsForceOnAtZeroOrRefuses) {
   attach(33, 101);
-  open();
-  EXPECT_TRUE(bench->units[0].force_is_on);
-  EXPECT_FALSE(bench->units[0].was_enabled_with_force);
+  {
+    const auto device = open();
+    EXPECT_TRUE(bench->units[0].force_is_on);
+    EXPECT_FALSE(bench->units[0].was_enabled_with_force);
+  }
   bench->enable_answer = -1;
   EXPECT_THAT(
       complaint_of([&] { open(); }),

@@ -2,10 +2,13 @@
 
 #include "tests/device/vendors/test_dhd.h"
 
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <mutex>
+#include <thread>
 
 using asperity::test_dhd::Bench;
 using asperity::test_dhd::Unit;
@@ -16,8 +19,9 @@ namespace {
 Bench bench_of_this_process() {
   Bench bench;
   if (const char* serial = std::getenv("ASPERITY_TEST_DHD_SWITCHED_OFF")) {
-    bench.units.push_back(
-        {.serial = static_cast<unsigned short>(std::atoi(serial)), .knows_its_zero = false});
+    bench.units.push_back({.serial = static_cast<unsigned short>(std::atoi(serial)),
+                           .knows_its_zero = false,
+                           .searches_on = std::getenv("ASPERITY_TEST_DHD_SEARCHES_ON") != nullptr});
   }
   return bench;
 }
@@ -25,6 +29,8 @@ Bench bench_of_this_process() {
 Bench the_bench = bench_of_this_process();
 std::recursive_mutex
     the_lock;  // of everything here: a driver looks for a lost device in a thread of its own
+
+std::condition_variable_any stopped;  // under `the_lock`
 
 int failed(const char* reason) {
   the_bench.last_error = reason;
@@ -74,6 +80,30 @@ void note(const char* function, char id) {
   }
 }
 
+#ifndef ASPERITY_TEST_DHD_WITHOUT_DRD
+// Moves until neither its force nor its regulation is on, axis by axis; then it takes the arm a while to come to rest.
+int searched_on(char id) {
+  std::unique_lock held(the_lock);
+  for (;;) {
+    Unit* unit = unit_of(id);
+    if (unit == nullptr) return -1;
+    unit->force_is_on = true;
+    unit->regulation_is_on = true;
+    stopped.wait(held, [id] {
+      const Unit* it = unit_of(id);
+      return it == nullptr || (!it->force_is_on && !it->regulation_is_on);
+    });
+    ++the_bench.stops_heard;
+    if (the_bench.axes_to_search-- <= 0) break;
+  }
+  held.unlock();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  held.lock();
+  note("at rest", id);
+  return failed("it was stopped");
+}
+#endif
+
 }  // namespace
 
 extern "C" {
@@ -120,6 +150,8 @@ int dhdStop(char id) {
   Unit* unit = unit_of(id);
   if (unit == nullptr) return -1;
   unit->is_stopped = true;
+  unit->force_is_on = false;
+  stopped.notify_all();
   return 0;
 }
 int dhdEnableForce(unsigned char, char id) {
@@ -218,17 +250,24 @@ int drdOpenID(char index) {
   return opened_at(index);
 }
 int drdAutoInit(char id) {
-  const std::lock_guard held(the_lock);
-  note("drdAutoInit", id);
-  Unit* unit = unit_of(id);
-  if (unit == nullptr) return -1;
-  if (!unit->finds_its_zero) return failed("the handle was held");
-  unit->knows_its_zero = true;
-  return 0;
+  {
+    const std::lock_guard held(the_lock);
+    note("drdAutoInit", id);
+    Unit* unit = unit_of(id);
+    if (unit == nullptr) return -1;
+    if (!unit->finds_its_zero) return failed("the handle was held");
+    unit->knows_its_zero = !unit->searches_on;
+    if (unit->knows_its_zero) return 0;
+  }
+  return searched_on(id);
 }
 int drdStop(bool leaves_force_on, char id) {
   const std::lock_guard held(the_lock);
   note(leaves_force_on ? "drdStop with force" : "drdStop", id);
+  if (!leaves_force_on) {
+    if (Unit* unit = unit_of(id)) unit->regulation_is_on = false;
+    stopped.notify_all();
+  }
   return the_bench.stop_answer < 0 ? failed("the regulation goes on") : 0;
 }
 int drdClose(char id) {

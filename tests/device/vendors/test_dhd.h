@@ -13,6 +13,7 @@ struct Unit {
   unsigned short serial = 0;
   bool knows_its_zero = true;
   bool finds_its_zero = true;
+  bool searches_on = false;  ///< drdAutoInit moves it until it is stopped
   bool is_open = false;
   bool is_stopped = false;
   double position_m[3] = {0.0, 0.0, 0.0};
@@ -21,6 +22,7 @@ struct Unit {
   double gripper_rad = 0.5;                              ///< open
   double sent[7] = {9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0};  ///< force, torque, gripper
   bool force_is_on = false;
+  bool regulation_is_on = false;
   int force_off_cause = 0;
   bool was_enabled_with_force = false;  ///< with anything but zero to give
 };
@@ -32,7 +34,10 @@ struct Bench {
   bool is_there = true;  ///< false: every call for a device fails, as after its cable was pulled
   int read_answer = 0;
   int send_answer = 0;
-  int stop_answer = 0;    ///< of drdStop
+  int stop_answer = 0;  ///< of drdStop
+  /// So many more times drdAutoInit goes on with its next axis, force on, after it was stopped.
+  int axes_to_search = 0;
+  int stops_heard = 0;    ///< by a drdAutoInit under way, of both functions
   int enable_answer = 0;  ///< of dhdEnableForce
   const char* last_error = "no error";
   std::vector<std::string> calls{};  ///< those that open, move, close
