@@ -175,10 +175,12 @@ void add_device_test(CLI::App& program, Job& job) {
       }
       order.test.limits = given_limits(options->limits, order.test.rate_Hz);
       VirtualHand hand = hand_to_measure();
-      // Before the device: one that is homed, or moves to find its zero, is not left by a process that just dies.
+      // Both before the device: one that is homed, moves to find its zero or is pushed is not left by a process that
+      // just dies.
       InterruptWatch interrupt(
-          "asperity: stopping: a handle that moves by itself goes on until it has found its zero; "
-          "switch the device off if it must not");
+          "asperity: stopping: a handle that moves by itself is stopped; switch the device off "
+          "should it go on");
+      const InterruptWatch::Hold until_it_is_closed;
       options->drivers.tell = [](const std::string& sentence) { say(sentence); };
       options->drivers.stop = interrupt.token();
       options->drivers.may_move = [&](const std::string& what) {

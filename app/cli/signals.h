@@ -13,7 +13,8 @@ namespace asperity {
 
 /// While it lives, the first interrupt (or termination) asks `token()` to stop. The second one ends the
 /// program: `at_once` is called, which asks a device for zero force and returns; after `kForZero` the
-/// program is gone, whatever it was doing. A third one does not wait even for that.
+/// program is gone, whatever it was doing. A third one does not wait even for that. While there is a `Hold`, both wait
+/// for its end.
 ///
 /// Ctrl-Z does nothing meanwhile: motors keep their last force while a program stands still.
 ///
@@ -21,6 +22,18 @@ namespace asperity {
 class InterruptWatch final {
  public:
   static constexpr std::chrono::milliseconds kForZero{100};
+
+  /// While it lives, the program does not die of an interrupt with what must be let go of in order, such as an arm
+  /// that moves by itself; whoever holds hears `token()`. The second one waits for the end of the last of them, and
+  /// then `kForZero` for the program to end by itself; it ends the program `kLongestHold` after it came at the latest.
+  class Hold final {
+   public:
+    Hold() noexcept;
+    ~Hold();
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+  };
+  static constexpr std::chrono::seconds kLongestHold{3};
 
   /// `saying` is told once, when the first one comes.
   explicit InterruptWatch(std::string saying = "stopping after this trial",
@@ -36,6 +49,7 @@ class InterruptWatch final {
 
  private:
   void watch(const std::stop_token& ended);
+  bool ends_in_order(const std::stop_token& ended);
 
   std::mutex mutex_{};
   std::string saying_{};  ///< under `mutex_`

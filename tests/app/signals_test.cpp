@@ -89,6 +89,39 @@ TEST(InterruptWatch, WaitsForNobodyAtTheThird) {
   EXPECT_EQ(WTERMSIG(ended.status), SIGINT);
 }
 
+// As of an arm that moves by itself: it is stopped, and whoever presses again and again waits for that.
+TEST(InterruptWatch, LeavesWhatIsHeldToItsEndHoweverManyCome) {
+  const Ended ended = program([](const auto& tell) {
+    InterruptWatch watch("stopping", [&] { tell('z'); });
+    {
+      const InterruptWatch::Hold until_it_stands_still;
+      for (int i = 0; i < 3; ++i) raise(SIGINT);
+      wait_for(watch.token());
+      raise(SIGINT);
+      std::this_thread::sleep_for(std::chrono::milliseconds(400));
+      tell('h');
+    }
+  });
+  EXPECT_EQ(ended.said, "zh");
+  ASSERT_TRUE(WIFEXITED(ended.status)) << "the program came to its end by itself";
+  EXPECT_EQ(WEXITSTATUS(ended.status), 7);
+}
+
+TEST(InterruptWatch, EndsAProgramThatDoesNotLetGoOfWhatItHolds) {
+  const Ended ended = program([](const auto& tell) {
+    InterruptWatch watch("stopping");
+    const InterruptWatch::Hold for_ever;
+    raise(SIGTERM);
+    wait_for(watch.token());
+    tell('s');
+    raise(SIGTERM);
+    for (;;) pause();
+  });
+  EXPECT_EQ(ended.said, "s");
+  ASSERT_TRUE(WIFSIGNALED(ended.status));
+  EXPECT_EQ(WTERMSIG(ended.status), SIGTERM);
+}
+
 TEST(InterruptWatch, IsNotPutToSleepByTheTerminal) {
   const Ended ended = program([](const auto& tell) {
     const InterruptWatch watch("stopping");

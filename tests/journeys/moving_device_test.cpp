@@ -23,6 +23,7 @@ class MovingDevice : public testing::Test {
   }
   /// To its maker's library.
   std::string said() const { return text_of(calls_); }
+  void forget() const { fs::remove(calls_); }
   bool has_moved() const { return text_of(calls_).find("drdAutoInit") != std::string::npos; }
 
  private:
@@ -85,7 +86,8 @@ TEST_F(MovingDevice, IsLetGoOfWhereSomebodyStopsInsteadOfAnswering) {
   program.send(SIGINT);
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_NE(outcome.err.find("until it has found its zero"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("a handle that moves by itself is stopped"), std::string::npos)
+      << outcome.err;
   EXPECT_EQ(outcome.err.find("the force goes to zero"), std::string::npos) << outcome.err;
   EXPECT_NE(said().find("dhdClose"), std::string::npos) << said();
   EXPECT_FALSE(has_moved());
@@ -119,7 +121,32 @@ TEST_F(MovingDevice, IsSaidToLoseItsForceWhereSomebodyStopsOnceItIsOpen) {
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_NE(outcome.err.find("stopping, the force goes to zero"), std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.err.find("until it has found its zero"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("a handle that moves by itself is stopped"), std::string::npos)
+      << outcome.err;
+}
+
+// Somebody who sees an arm coming presses as often as they can.
+TEST_F(MovingDevice, HasStoppedBeforeTheProgramEndsHoweverOftenSomebodyPresses) {
+  for (const int presses : {1, 2, 4}) {
+    Invocation agreed = invocation({"device-test", "force_dimension", "--yes"});
+    agreed.environment["ASPERITY_TEST_DHD_SEARCHES_ON"] = "1";
+    Program program(agreed);
+    EXPECT_TRUE(program.read_until([&](const std::string&, const std::string&) {
+      return has_moved();
+    })) << program.err();
+    for (int press = 0; press < presses; ++press) program.send(SIGINT);
+    const Outcome outcome = program.finish();
+    EXPECT_EQ(outcome.signal, std::nullopt) << presses;
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("omega.3 101 was stopped while it moved"), std::string::npos)
+        << outcome.err;
+    const std::string calls = said();
+    const std::size_t at_rest = calls.find("at rest 3");
+    ASSERT_NE(at_rest, std::string::npos) << calls;
+    EXPECT_LT(calls.find("dhdStop 3"), at_rest) << calls;
+    EXPECT_GT(calls.find("drdClose 3"), at_rest) << calls;
+    forget();
+  }
 }
 
 TEST_F(MovingDevice, IsNotMovedByASession) {
