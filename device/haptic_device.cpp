@@ -44,6 +44,7 @@ void HapticDevice::set_limits(const ForceLimits& limits) {
 std::optional<ProbeState> HapticDevice::read(std::int64_t now_ns) noexcept {
   ProbeState state{.time_ns = now_ns};
   is_read_again_ = false;
+  if (has_fallen_silent()) readings_since_silence_.fetch_add(1, std::memory_order_relaxed);
   if (!do_read(now_ns, state)) {
     return std::nullopt;
   }

@@ -74,6 +74,8 @@ class HapticDevice {
   /// stuck in the maker's code shut out for ever (call_gate.h), within two seconds where the maker's own
   /// functions return (docs/devices.md). The motors are at zero, or nobody can reach them. May be called at any time and twice.
   virtual void stop_calls() noexcept {}
+  /// For who watches over these calls: none has begun for longer than the device may be silent. From any thread.
+  void note_silence() noexcept { readings_since_silence_.store(0, std::memory_order_relaxed); }
 
   /// An attempt begins: a device that plays a recording begins anew with the next reading. From any thread.
   virtual void begin_attempt() noexcept {}
@@ -94,12 +96,19 @@ class HapticDevice {
   /// For `do_send`: the motors gave less, and nobody knows how much. `push` marks the wrench as limited
   /// in force and returns it as it was sent.
   void gave_less() noexcept { gave_less_ = true; }
+  /// For `trouble` of one that keeps time itself: it fell silent, and has not called for long since.
+  bool has_fallen_silent() const noexcept {
+    return readings_since_silence_.load(std::memory_order_relaxed) < kReadingsToForget;
+  }
 
  private:
   /// Fills `state`, whose time is already `now_ns`; false when the device does not answer.
   virtual bool do_read(std::int64_t now_ns, ProbeState& state) noexcept = 0;
   /// False when the device does not take it.
   virtual bool do_send(const Wrench& limited) noexcept = 0;
+
+  /// Until a silence is over for those who are told of it, who ask a few times a second: half a second's worth.
+  static constexpr int kReadingsToForget = 500;
 
   void note_push(double force_N) noexcept;
 
@@ -112,6 +121,7 @@ class HapticDevice {
   double pushed_N_ = 0.0;
   double weakest_N_ = 0.0;  // push since the last new reading
   std::atomic<bool> is_frozen_{false};
+  std::atomic<int> readings_since_silence_{kReadingsToForget};
 };
 
 }  // namespace asperity

@@ -150,7 +150,7 @@ struct ServoThread::Called {
     // The call that ends a silence may come before the watch has seen it.
     if (has_ticked &&
         started_ns - last_call_ns.load(std::memory_order_relaxed) > longest_silence_ns) {
-      loop.lose_device();
+      lose_device();
     }
     last_call_ns.store(started_ns, std::memory_order_relaxed);
     loop.tick(started_ns, has_ticked ? due_ns : started_ns, &monotonic_now_ns);
@@ -165,8 +165,14 @@ struct ServoThread::Called {
     while (!wake.wait_for(lock, between, [this] { return stopping; })) {
       const std::int64_t silence_ns =
           monotonic_now_ns() - last_call_ns.load(std::memory_order_relaxed);
-      if (silence_ns > longest_silence_ns) loop.lose_device();
+      if (silence_ns > longest_silence_ns) lose_device();
     }
+  }
+
+  // Whoever sees the fault finds the device's words on it.
+  void lose_device() noexcept {
+    device.note_silence();
+    loop.lose_device();
   }
 };
 

@@ -197,7 +197,6 @@ struct Inverse3Device::Line {
   std::atomic<bool> is_connected{true};
   std::atomic<bool> knows_device{true};
   std::atomic<bool> is_elsewhere{false};  ///< with axes or an origin other than when it was opened
-  std::atomic<bool> answers{true};
 
   bool must_stop() {
     const std::lock_guard lock(mutex);
@@ -223,7 +222,6 @@ struct Inverse3Device::Line {
       if (!socket->send(message)) continue;  // the line is closed
       const std::optional<std::string> update = socket->receive(patience.update);
       if (must_stop()) break;
-      answers.store(update.has_value());
       if (!update) {
         message = command({});
         continue;
@@ -387,10 +385,11 @@ std::string Inverse3Device::trouble() const {
     return "The connection to the Inverse Service at " + line_->place.text() +
            " is gone: see that the service runs. This program tries to have it back.";
   }
-  if (!line_->answers.load()) {
-    return "The Inverse Service has not answered for " +
-           std::to_string(line_->patience.update.count()) + " ms: see that the service and " + who +
-           " are well.";
+  if (has_fallen_silent()) {
+    return "The Inverse Service at " + line_->place.text() + " told nothing of " + who +
+           " for more than " + std::to_string(kLongestSilence_ns / 1'000'000) +
+           " ms: see that the service runs, that this computer is not busy with something else, "
+           "and that the device has power.";
   }
   return "";
 }

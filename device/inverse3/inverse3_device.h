@@ -25,7 +25,8 @@ struct InverseServicePlace {
 struct Inverse3Patience {
   std::chrono::milliseconds connection{1000};
   std::chrono::milliseconds inventory{1000};  ///< what it says first, and while a device is opened
-  std::chrono::milliseconds update{100};      ///< of the hand, in a session
+  /// Of the hand, in a session: as long as a device may say nothing.
+  std::chrono::milliseconds update{HapticDevice::kLongestSilence_ns / 1'000'000};
 };
 
 /// One Inverse3. It keeps time itself (Pacing::theirs): the service gives one update of the hand for each message
@@ -33,9 +34,9 @@ struct Inverse3Patience {
 /// message, and sends no more of them than the loop wants ticks. A force reaches the service up to one period after
 /// the update that it answers.
 ///
-/// An update that does not come in time (100 ms) is asked for again, with no force. When the connection ends, the
+/// An update that does not come in time (50 ms) is asked for again, with no force. When the connection ends, the
 /// driver tries twice a second to have it back, and calls again when this device is there again, with the axes and
-/// the origin that it had; the watch over its calls (servo_thread.h) tells of the loss. A force is per message: a
+/// the origin that it had; the watch over its calls (servo_thread.h) tells of the loss, after as long. A force is per message: a
 /// service that hears nothing lets go.
 ///
 /// What the service does to the force on its way (its filters) stands in the capability's remarks, as it was when

@@ -330,8 +330,16 @@ std::string OpenHapticsDevice::trouble() const {
     return "OpenHaptics' thread hangs, and " + who +
            " with it: end this program and start it again.";
   const unsigned int code = servo_->last_error.load();
-  if (code == 0 || servo_->frames_since_error.load() >= kFramesToForget) return "";
-  return who + " reported " + hd_->name_of({.code = code}) + ".";
+  if (code != 0 && servo_->frames_since_error.load() < kFramesToForget) {
+    return who + " reported " + hd_->name_of({.code = code}) + ".";
+  }
+  if (has_fallen_silent()) {
+    return "OpenHaptics' scheduler ran no frame of " + who + " for more than " +
+           std::to_string(kLongestSilence_ns / 1'000'000) +
+           " ms: see that its cable sits and that this computer is not busy with something else. "
+           "Should it stay silent, end this program and start it again.";
+  }
+  return "";
 }
 
 Driver openhaptics_driver() {

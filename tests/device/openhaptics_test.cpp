@@ -15,6 +15,8 @@
 
 #include "device/openhaptics/openhaptics_device.h"
 #include "device/vendor_library.h"
+#include "renderers/servo_loop.h"
+#include "renderers/servo_thread.h"
 #include "tests/device/complaint.h"
 #include "tests/device/long_tick.h"
 #include "tests/device/servo_stand_in.h"
@@ -365,6 +367,22 @@ TEST_F(OpenHaptics, EndsAtZeroForceAndLetsGo) {
   const std::vector<std::string> all = calls();
   EXPECT_EQ(all.back(), "hdDisableDevice");
   EXPECT_THAT(all, Contains("hdStopScheduler"));
+}
+
+TEST_F(OpenHaptics, IsLostWithItsWordsOnItAfterFiftyMillisecondsWithoutAFrame) {
+  const auto device = open();
+  RecordRing ring(16384);
+  ServoLoop loop(*device, ring, {.heartbeat_timeout_s = 1e6, .misses_to_fault = 1'000'000});
+  EXPECT_EQ(1e9 * loop.settings().silence_to_fault_s, 50e6);
+  const ServoThread thread(loop, *device, Scheduling::normal);
+  while (loop.status().ticks < 2) std::this_thread::yield();
+  bench->hangs = true;
+  while (loop.status().fault != Fault::device_lost) std::this_thread::yield();
+  EXPECT_THAT(device->complaint(),
+              AllOf(HasSubstr("OpenHaptics' scheduler"), HasSubstr("Touch T-17"),
+                    HasSubstr("for more than 50 ms")));
+  bench->hangs = false;
+  while (!device->complaint().empty()) std::this_thread::yield();
 }
 
 TEST_F(OpenHaptics, LeavesAThreadThatHangsBehind) {
