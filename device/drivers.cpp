@@ -55,16 +55,11 @@ Driver simulated_driver() {
           }};
 }
 
-// The lock under which one looks or opens, once nobody else does.
+// The lock under which one looks or opens, once nobody else does; not held where the stop came first.
 std::unique_lock<std::mutex> alone_until(const std::stop_token& stop) {
   constexpr std::chrono::milliseconds kBetweenTrials(10);
   std::unique_lock alone(UnitInUse::looking(), std::defer_lock);
-  while (!alone.try_lock()) {
-    if (stop.stop_requested()) {
-      throw OpeningStopped("no device was opened: the opening was stopped, as asked");
-    }
-    pause(stop, kBetweenTrials);
-  }
+  while (!alone.try_lock() && !stop.stop_requested()) pause(stop, kBetweenTrials);
   return alone;
 }
 
@@ -112,6 +107,9 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
     throw std::runtime_error("there is no device \"" + id + "\"; this program has: " + ids);
   }
   std::unique_lock alone = alone_until(options.stop);
+  if (!alone.owns_lock()) {
+    throw OpeningStopped("no device was opened: the opening was stopped, as asked");
+  }
   DriverOptions told = options;
   told.alone = &alone;
   std::unique_ptr<HapticDevice> device =
@@ -124,8 +122,15 @@ std::unique_ptr<HapticDevice> DriverRegistry::open(const std::string& name,
 }
 
 DriverSurvey DriverRegistry::survey(const Driver& driver, const DriverOptions& options) const {
-  const std::lock_guard alone(UnitInUse::looking());
-  return driver.find(options);
+  const std::unique_lock alone = alone_until(options.stop);
+  DriverSurvey survey{};
+  if (alone.owns_lock()) survey = driver.find(options);
+  // What a driver found by then may be half of what is there, or a service that was not waited for.
+  if (options.stop.stop_requested()) {
+    throw LookStopped("the look for devices of the driver \"" + driver.id +
+                      "\" was stopped, as asked");
+  }
+  return survey;
 }
 
 DriverRegistry built_in_drivers() {

@@ -23,6 +23,10 @@ namespace asperity {
 class OpeningStopped final : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+/// Somebody asked to stop while drivers looked for devices. What they had found by then is not told.
+class LookStopped final : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// What a lab tells the drivers. Each takes what concerns it and ignores the rest.
 struct DriverOptions {
@@ -38,8 +42,9 @@ struct DriverOptions {
   /// who can see it has been told and agrees. Null: nobody can be asked, and a device that has to move first is
   /// refused.
   std::function<bool(const std::string& sentence)> may_move{};
-  /// Asks an opening to end, with OpeningStopped: at once where a driver waits for a person, otherwise when it is
-  /// done with what takes it some seconds at most, and when a device that moves by itself has come to rest.
+  /// Asks an opening to end, with OpeningStopped, or a look, with LookStopped: at once where a driver waits for a
+  /// person, for firmware or for a service, and where a device moves by itself, whose force is off then; otherwise
+  /// when the maker's function that is under way returns.
   std::stop_token stop{};
   /// Filled in by DriverRegistry: its lock, which a driver lets go of while it waits for a person (LetOthersLook).
   std::unique_lock<std::mutex>* alone = nullptr;
@@ -108,6 +113,7 @@ class DriverRegistry final {
   const Driver* find(std::string_view id) && = delete;
 
   /// What one of its drivers finds.
+  /// Errors: LookStopped, also where the stop comes while another thread looks or opens.
   DriverSurvey survey(const Driver& driver, const DriverOptions& options) const;
   /// Opens what `--device` names: ID, or ID:SERIAL, or ID:PLACE.
   /// Errors: std::runtime_error, for an unknown driver with the names of all; as Driver::open does; OpeningStopped

@@ -172,7 +172,7 @@ Driver falcon_driver() {
                   const UsbSession usb;
                   survey.attached = falcon::attached_falcons(usb);
                   for (AttachedDevice& one : survey.attached) {
-                    if (one.is_usable() && !falcon::runs_firmware(usb, one.place)) {
+                    if (one.is_usable() && !falcon::runs_firmware(usb, one.place, options.stop)) {
                       if (options.firmware.empty()) {
                         one.hindrance = falcon::no_firmware_sentence(one.place);
                       } else if (!unfit.empty()) {

@@ -137,10 +137,10 @@ bool speaks_frames(FalconPort& port, const std::stop_token& stop) noexcept {
   return false;
 }
 
-bool runs_firmware(const UsbSession& usb, const std::string& place) {
+bool runs_firmware(const UsbSession& usb, const std::string& place, const std::stop_token& stop) {
   try {
     FalconPort port(usb, place);
-    return port.begin_frames() == Transfer::done && speaks_frames(port, {});
+    return port.begin_frames() == Transfer::done && speaks_frames(port, stop);
   } catch (const std::exception&) {
     return false;
   }

@@ -25,7 +25,7 @@ Firmware read_firmware(const std::filesystem::path& file);
 bool speaks_frames(FalconPort& port, const std::stop_token& stop) noexcept;
 
 /// Likewise for a Falcon that nobody has open; false for one that cannot be opened now.
-bool runs_firmware(const UsbSession& usb, const std::string& place);
+bool runs_firmware(const UsbSession& usb, const std::string& place, const std::stop_token& stop);
 
 /// What to do about a Falcon without firmware when no file is known.
 std::string no_firmware_sentence(const std::string& place);

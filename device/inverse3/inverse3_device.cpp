@@ -36,9 +36,28 @@ constexpr double kHalfBox_m = 0.12;
 // Where the documents have the handle rest when the origin is the device's base.
 constexpr glm::dvec3 kRestFromBase_m(0.0, -0.12, 0.15);
 
+void require_no_stop(const InverseServicePlace& place, const std::stop_token& stop) {
+  if (!stop.stop_requested()) return;
+  throw OpeningStopped("The Inverse Service at " + place.text() +
+                       " was not waited for any longer: its opening was stopped, as asked.");
+}
+
+std::unique_ptr<WebSocket> connection_to(const InverseServicePlace& place,
+                                         const Inverse3Patience& patience,
+                                         const std::stop_token& stop) {
+  try {
+    return std::make_unique<WebSocket>(place.host, place.port, patience.connection, stop);
+  } catch (const std::runtime_error&) {
+    require_no_stop(place, stop);
+    throw;
+  }
+}
+
 Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& place,
-                               const Inverse3Patience& patience) {
+                               const Inverse3Patience& patience, const std::stop_token& stop) {
+  const std::stop_callback wakes(stop, [&socket] { socket.wake(); });
   const std::optional<std::string> message = socket.receive(patience.inventory);
+  require_no_stop(place, stop);
   std::optional<Inverse3Inventory> inventory = message ? inventory_from(*message) : std::nullopt;
   if (!inventory) {
     throw std::runtime_error("What answers at " + place.text() +
@@ -47,15 +66,26 @@ Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& pla
   return *std::move(inventory);
 }
 
+// Where a device is asked for something before it is used, and how long an answer is waited for.
+struct Inquiry {
+  WebSocket& socket;
+  const InverseServicePlace& place;
+  const std::string& id;
+  const Inverse3Patience& patience;
+  const std::stop_token& stop;
+};
+
 // The upward force that the service tells after it was asked for one, in this spelling.
-double told_force_N(WebSocket& socket, const std::string& id, ForceSpelling spelling,
-                    double force_N, const Inverse3Patience& patience,
+double told_force_N(const Inquiry& at, ForceSpelling spelling, double force_N,
                     const std::string& profile = {}) {
+  const std::string& id = at.id;
+  const std::stop_callback wakes(at.stop, [&at] { at.socket.wake(); });
   double told_N = 0.0;
   for (int i = 0; i < kTrialMessages; ++i) {
-    if (!socket.send(force_command(id, spelling, {0.0, 0.0, force_N}, i == 0 ? profile : "")))
+    if (!at.socket.send(force_command(id, spelling, {0.0, 0.0, force_N}, i == 0 ? profile : "")))
       break;
-    const std::optional<std::string> message = socket.receive(patience.inventory);
+    const std::optional<std::string> message = at.socket.receive(at.patience.inventory);
+    require_no_stop(at.place, at.stop);
     const std::optional<Inverse3State> state = message ? state_from(*message, id) : std::nullopt;
     if (!state) {
       throw std::runtime_error("The Inverse Service does not tell where the Inverse3 " + id +
@@ -72,13 +102,11 @@ struct FoundSpelling {
 };
 
 // A service that does not know a spelling takes the message and applies no force.
-FoundSpelling spelling_of(WebSocket& socket, const std::string& id,
-                          const Inverse3Inventory& inventory, const Inverse3Patience& patience) {
-  const double without_N =
-      told_force_N(socket, id, ForceSpelling::vector, 0.0, patience, "asperity");
+FoundSpelling spelling_of(const Inquiry& at, const Inverse3Inventory& inventory) {
+  const double without_N = told_force_N(at, ForceSpelling::vector, 0.0, "asperity");
   for (const ForceSpelling spelling : {ForceSpelling::vector, ForceSpelling::values}) {
-    const double with_N = told_force_N(socket, id, spelling, kTrialForce_N, patience);
-    told_force_N(socket, id, spelling, 0.0, patience);
+    const double with_N = told_force_N(at, spelling, kTrialForce_N);
+    told_force_N(at, spelling, 0.0);
     if (with_N - without_N > 0.5 * kTrialForce_N)
       return {.spelling = spelling, .is_confirmed = true};
   }
@@ -256,7 +284,7 @@ struct Inverse3Device::Line {
         socket = std::move(fresh);
         if (stopping) return;
       }
-      for (const Inverse3Entry& entry : inventory_at(*socket, place, patience).devices) {
+      for (const Inverse3Entry& entry : inventory_at(*socket, place, patience, {}).devices) {
         if (entry.id != id) continue;
         // Restarted with other axes the service would have forces point elsewhere.
         is_there = has_origin(entry, origin_m);
@@ -277,12 +305,13 @@ struct Inverse3Device::Line {
 
 std::unique_ptr<Inverse3Device::Opened> Inverse3Device::open(const InverseServicePlace& place,
                                                              const std::string& device_id,
-                                                             const Inverse3Patience& patience) {
+                                                             const Inverse3Patience& patience,
+                                                             const std::stop_token& stop) {
   auto opened = std::make_unique<Opened>();
   opened->place = place;
   opened->patience = patience;
-  opened->socket = std::make_unique<WebSocket>(place.host, place.port, patience.connection);
-  const Inverse3Inventory inventory = inventory_at(*opened->socket, place, patience);
+  opened->socket = connection_to(place, patience, stop);
+  const Inverse3Inventory inventory = inventory_at(*opened->socket, place, patience, stop);
   const Inverse3Entry* entry = nullptr;
   for (const Inverse3Entry& candidate : inventory.devices) {
     if (candidate.id == device_id) entry = &candidate;
@@ -292,7 +321,12 @@ std::unique_ptr<Inverse3Device::Opened> Inverse3Device::open(const InverseServic
                              device_id + "\": see that it has power and that its cable sits.");
   }
   opened->origin_m = origin_of(*entry);
-  const FoundSpelling found = spelling_of(*opened->socket, device_id, inventory, patience);
+  const FoundSpelling found = spelling_of({.socket = *opened->socket,
+                                           .place = place,
+                                           .id = device_id,
+                                           .patience = patience,
+                                           .stop = stop},
+                                          inventory);
   opened->spelling = found.spelling;
   // A grip does not say which arm it is screwed to.
   if (inventory.grips.size() == 1 && inventory.devices.size() == 1) {
@@ -326,8 +360,8 @@ std::unique_ptr<Inverse3Device::Opened> Inverse3Device::open(const InverseServic
 }
 
 Inverse3Device::Inverse3Device(const InverseServicePlace& place, const std::string& device_id,
-                               const Inverse3Patience& patience)
-    : Inverse3Device(open(place, device_id, patience)) {}
+                               const Inverse3Patience& patience, const std::stop_token& stop)
+    : Inverse3Device(open(place, device_id, patience, stop)) {}
 
 Inverse3Device::Inverse3Device(std::unique_ptr<Opened> opened)
     : HapticDevice(opened->capability, ForceLimits{}), line_(std::make_unique<Line>(*opened)) {}
@@ -401,8 +435,8 @@ DriverSurvey inverse3_survey(const DriverOptions& options, const Inverse3Patienc
   std::optional<InverseServicePlace> place;
   try {
     place = InverseServicePlace::of(options.service);
-    WebSocket socket(place->host, place->port, patience.connection);
-    const Inverse3Inventory inventory = inventory_at(socket, *place, patience);
+    const auto socket = connection_to(*place, patience, options.stop);
+    const Inverse3Inventory inventory = inventory_at(*socket, *place, patience, options.stop);
     survey.found = "Haply's Inverse Service at " + place->text();
     const std::vector<AttachedDevice> ours = UnitInUse::of("inverse3");
     for (const Inverse3Entry& entry : inventory.devices) {
@@ -436,10 +470,11 @@ Driver inverse3_driver(const Inverse3Patience& patience) {
           .open = [patience](const std::string& which,
                              const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             const DriverSurvey survey = inverse3_survey(options, patience);
+            require_no_stop(InverseServicePlace::of(options.service), options.stop);
             if (!survey.hindrance.empty()) throw std::runtime_error(survey.hindrance);
             const AttachedDevice device = choose_attached("Inverse3", survey.attached, which);
             return std::make_unique<Inverse3Device>(InverseServicePlace::of(options.service),
-                                                    device.serial, patience);
+                                                    device.serial, patience, options.stop);
           }};
 }
 

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "device/drivers.h"
@@ -49,7 +50,8 @@ struct Inverse3Patience {
 /// (0, −0.12, 0.15) m; with "arm_front_centered" it is the service's.
 ///
 /// Errors: the constructor throws std::runtime_error with a sentence when the service or the device does not answer, and
-/// for another preset, basis or transform: its axes or its millimetres would not be ours.
+/// for another preset, basis or transform: its axes or its millimetres would not be ours; OpeningStopped at once when
+/// `stop` is asked for.
 ///
 /// Threads: `trouble` from any; the rest as HapticDevice. `stop_calls` takes up to 1.5 s where the service has fallen
 /// silent; a host that is a name is looked up by the system, as long as that takes.
@@ -58,7 +60,7 @@ struct Inverse3Patience {
 class Inverse3Device final : public HapticDevice {
  public:
   Inverse3Device(const InverseServicePlace& place, const std::string& device_id,
-                 const Inverse3Patience& patience = {});
+                 const Inverse3Patience& patience = {}, const std::stop_token& stop = {});
   ~Inverse3Device() override;
 
   void start_calls(const TickCall& call) override;
@@ -71,7 +73,8 @@ class Inverse3Device final : public HapticDevice {
   explicit Inverse3Device(std::unique_ptr<Opened> opened);
   static std::unique_ptr<Opened> open(const InverseServicePlace& place,
                                       const std::string& device_id,
-                                      const Inverse3Patience& patience);
+                                      const Inverse3Patience& patience,
+                                      const std::stop_token& stop);
 
   bool do_read(std::int64_t now_ns, ProbeState& state) noexcept override;
   bool do_send(const Wrench& limited) noexcept override;

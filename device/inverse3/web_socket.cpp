@@ -101,7 +101,8 @@ struct WebSocket::Connection {
   }
 };
 
-WebSocket::WebSocket(const std::string& host, int port, std::chrono::milliseconds patience)
+WebSocket::WebSocket(const std::string& host, int port, std::chrono::milliseconds patience,
+                     const std::stop_token& stop)
     : connection_(std::make_unique<Connection>()) {
   const std::string place = host + ":" + std::to_string(port);
   lws_set_log_level(0, nullptr);  // what matters is told by whoever called
@@ -129,7 +130,12 @@ WebSocket::WebSocket(const std::string& host, int port, std::chrono::millisecond
   target.local_protocol_name = "asperity";
   target.pwsi = &connection_->line;
   lws_client_connect_via_info(&target);
-  connection_->serve_until(patience, [this] { return connection_->is_open; });
+  {
+    const std::stop_callback wakes(
+        stop, [context = connection_->context] { lws_cancel_service(context); });
+    connection_->serve_until(
+        patience, [this, &stop] { return connection_->is_open || stop.stop_requested(); });
+  }
   if (!connection_->is_open) {
     const std::string& failure = connection_->failure;
     throw std::runtime_error("Nobody answers at " + place +

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -13,12 +14,14 @@ namespace asperity {
 /// Text messages over ws://host:port/, one after the other, as a client.
 ///
 /// Errors: the constructor throws std::runtime_error with a sentence when nobody listens there, or does not speak
-/// WebSocket, within `patience` (and the time that the system takes to look up a host that is a name).
+/// WebSocket, within `patience` (and the time that the system takes to look up a host that is a name), or until `stop`.
 ///
 /// Threads: all of it belongs to one thread at a time, but for `wake`, which may come from any.
 class WebSocket final {
  public:
-  WebSocket(const std::string& host, int port, std::chrono::milliseconds patience);
+  /// `stop` ends the connecting, and nothing after it.
+  WebSocket(const std::string& host, int port, std::chrono::milliseconds patience,
+            const std::stop_token& stop = {});
   ~WebSocket();
   WebSocket(const WebSocket&) = delete;
   WebSocket& operator=(const WebSocket&) = delete;

@@ -191,6 +191,39 @@ TEST(Drivers, AreOpenedNoMoreWhereSomebodyStopsWhileAnotherLooks) {
   EXPECT_FALSE(is_opened);
 }
 
+TEST(Drivers, AreLookedIntoNoMoreWhereSomebodyStopsWhileAnotherOpens) {
+  std::stop_source stop;
+  bool has_looked = false;
+  DriverRegistry looks;
+  looks.add({.id = "one", .find = [&](const DriverOptions&) {
+               has_looked = true;
+               return DriverSurvey{};
+             }});
+  DriverRegistry opens;
+  opens.add({.id = "other", .open = [&](const std::string&, const DriverOptions&) {
+               std::jthread looking([&] {
+                 EXPECT_THROW(looks.survey(looks.drivers().front(), {.stop = stop.get_token()}),
+                              LookStopped);
+               });
+               stop.request_stop();
+               looking.join();  // which the opening would wait for in vain
+               return std::unique_ptr<HapticDevice>();
+             }});
+  opens.open("other", {});
+  EXPECT_FALSE(has_looked);
+}
+
+// Of what was not asked to its end nobody knows whether it is there.
+TEST(Drivers, TellNothingOfALookThatWasStopped) {
+  std::stop_source stop;
+  DriverRegistry drivers;
+  drivers.add({.id = "slow", .find = [&](const DriverOptions&) {
+                 stop.request_stop();
+                 return DriverSurvey{.hindrance = "nobody answered"};
+               }});
+  EXPECT_THROW(drivers.survey(drivers.drivers().front(), {.stop = stop.get_token()}), LookStopped);
+}
+
 // A driver that hears of no stop is done with its work all the same; nobody wants the device any more.
 TEST(Drivers, LetGoOfADeviceThatIsOpenWhenTheStopHasCome) {
   VirtualHand hand(HandHabits{}, Random(1));

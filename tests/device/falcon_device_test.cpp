@@ -306,6 +306,18 @@ TEST_F(Falcon, IsLetGoOfWhereSomebodyStopsBeforeItsFirmwareIsLoaded) {
   EXPECT_EQ(emulated.loads(), 0);
 }
 
+// Half a second is waited for a frame before a Falcon counts as one without firmware.
+TEST_F(Falcon, IsAskedForNoFrameWhereSomebodyStopsALook) {
+  EmulatedFalcon emulated(bus(), {});
+  std::stop_source stop;
+  falcon_driver().find({.stop = stop.get_token()});
+  EXPECT_GT(emulated.frames(), 0);
+  const std::int64_t before = emulated.frames();
+  stop.request_stop();
+  falcon_driver().find({.stop = stop.get_token()});
+  EXPECT_EQ(emulated.frames(), before);
+}
+
 // Somebody takes a minute for it, and others have devices to look for.
 TEST_F(Falcon, KeepsNobodyFromLookingWhileItIsHomed) {
   EmulatedFalcon emulated(bus(), {.is_homed = false});

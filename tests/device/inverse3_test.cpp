@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 #include <stdexcept>
+#include <stop_token>
 #include <sys/socket.h>
 #include <thread>
 #include <unistd.h>
@@ -519,6 +520,60 @@ TEST_F(Inverse3, IsLostWithItsWordsOnItAndWithoutForceAfterFiftyMillisecondsOfSi
   EXPECT_THAT(bench([](auto& it) { return it.force_N; }), ElementsAre(0.0, 0.0, 0.0));
   bench([](auto& it) { it.answers_to_drop = 0; });
   while (!device->complaint().empty()) std::this_thread::yield();
+}
+
+// Somebody who waits for a service that takes the connection and says nothing, or not even that.
+TEST_F(Inverse3, HearsAStopWhileTheServiceIsWaitedFor) {
+  using std::chrono::hours;
+  constexpr Inverse3Patience kEndless{
+      .connection = hours(1), .inventory = hours(1), .update = hours(1)};
+  DriverRegistry drivers;
+  drivers.add(inverse3_driver(kEndless));
+  bench([](auto& it) { it.lists_nothing = true; });
+  const auto stopped_after = [&](int connections, const auto& act) {
+    std::stop_source stop;
+    DriverOptions told = options;
+    told.stop = stop.get_token();
+    std::jthread stopping([&, connections] {
+      while (bench([](auto& it) { return it.connections; }) < connections) {
+        std::this_thread::yield();
+      }
+      stop.request_stop();
+    });
+    act(told);
+  };
+  stopped_after(1, [&](const DriverOptions& told) {
+    EXPECT_THROW(drivers.survey(drivers.drivers().front(), told), LookStopped);
+  });
+  stopped_after(2, [&](const DriverOptions& told) {
+    EXPECT_THROW(drivers.open("inverse3", told), OpeningStopped);
+  });
+  // Opened it says where it is; the first message of the driver's is never answered.
+  bench([](auto& it) {
+    it.lists_nothing = false;
+    it.answers_to_drop = 1'000'000;
+  });
+  stopped_after(4, [&](const DriverOptions& told) {
+    EXPECT_THROW(drivers.open("inverse3", told), OpeningStopped);
+  });
+  // A port that takes connections, behind which nobody speaks WebSocket.
+  const int port = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t length = sizeof place;
+  ASSERT_EQ(::bind(port, reinterpret_cast<sockaddr*>(&place), length), 0);
+  ASSERT_EQ(::listen(port, 1), 0);
+  ASSERT_EQ(::getsockname(port, reinterpret_cast<sockaddr*>(&place), &length), 0);
+  std::stop_source stop;
+  std::jthread stopping([&] {
+    const int line = ::accept(port, nullptr, nullptr);
+    stop.request_stop();
+    ::close(line);
+  });
+  EXPECT_THROW(WebSocket("127.0.0.1", ntohs(place.sin_port), hours(1), stop.get_token()),
+               std::runtime_error);
+  ::close(port);
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ class TestInverseService final {
     int answers_to_delay = 0;         ///< as long as delay_ms says; 0: all
     bool counts_in_position = false;  ///< x is the number of the answer
     bool talks_nonsense = false;
+    bool lists_nothing = false;  ///< says no word to whoever connects
     bool refuses_connections = false;
     bool stalls = false;  ///< takes one message, and then nothing off the line until this is over
 
