@@ -234,6 +234,12 @@ class StudyLock final {
   static std::optional<std::string> holder(const std::filesystem::path& study,
                                            const std::string& name);
 
+  /// The names of those that begin so and that somebody holds now, in order. What lies in the folder of locks and is
+  /// none, by its name or because it is no file, is passed over.
+  /// Errors: ResultsError for a folder that cannot be read, and for a file that could be a lock and cannot be opened.
+  static std::vector<std::string> held(const std::filesystem::path& study,
+                                       const std::string& beginning);
+
  private:
   std::filesystem::path path_{};
   int descriptor_ = -1;

@@ -1,5 +1,6 @@
 // A lock that a dead process cannot keep.
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <ctime>
@@ -13,17 +14,22 @@
 namespace asperity {
 namespace {
 
+constexpr const char* kLocks = "locks";
+constexpr const char* kSuffix = ".lock";
+
+bool is_lock_name(const std::string& name) {
+  return !name.empty() && name.find_first_not_of(
+                              "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ-_") ==
+                              std::string::npos;
+}
+
 std::filesystem::path lock_path(const std::filesystem::path& study, const std::string& name) {
-  const bool is_plain =
-      !name.empty() &&
-      name.find_first_not_of("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ-_") ==
-          std::string::npos;
-  if (!is_plain) {
+  if (!is_lock_name(name)) {
     throw ResultsError(
         "\"" + name + "\" is no name for a lock; it must be letters, digits, \"-\" and \"_\"",
         study);
   }
-  return study / "locks" / (name + ".lock");
+  return study / kLocks / (name + kSuffix);
 }
 
 /// When this process was started, as UTC: the kernel dates /proc/self so.
@@ -113,6 +119,25 @@ std::optional<std::string> StudyLock::holder(const std::filesystem::path& study,
   if (result != 0) fail_on_file(path, "examined", error_number);
   if (lock.l_type == F_UNLCK) return std::nullopt;
   return text;
+}
+
+std::vector<std::string> StudyLock::held(const std::filesystem::path& study,
+                                         const std::string& beginning) {
+  std::vector<std::string> names{};
+  const std::filesystem::path folder = study / kLocks;
+  std::error_code error;
+  const std::filesystem::directory_iterator entries(folder, error);
+  if (error == std::errc::no_such_file_or_directory) return names;
+  if (error) fail_on_file(folder, "read", error.value());
+  for (const auto& entry : entries) {
+    const std::string name = entry.path().stem().string();
+    // What no lock can be called, or is no file: somebody's copy, note or folder, which nobody holds.
+    const bool is_lock = entry.path().extension() == kSuffix && name.starts_with(beginning) &&
+                         is_lock_name(name) && entry.is_regular_file(error);
+    if (is_lock && holder(study, name)) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 }  // namespace asperity

@@ -16,13 +16,11 @@ MeasuringLock::MeasuringLock(const std::filesystem::path& study) {
   lock_.emplace(study, kLock);
   // Their locks, and not the sessions that are stored: one is stored only when its device is open.
   const std::string of_session = Study::session_lock_name({});
-  for (const auto& entry : std::filesystem::directory_iterator(study / "locks")) {
-    const std::string name = entry.path().stem().string();
-    if (!name.starts_with(of_session) || !StudyLock::holder(study, name)) continue;
-    throw PhrasedError(
-        phrase("DeviceTest", "A session of %1 runs; a device is measured while none does.")
-            .with(name.substr(of_session.size())));
-  }
+  const std::vector<std::string> held = StudyLock::held(study, of_session);
+  if (held.empty()) return;
+  throw PhrasedError(
+      phrase("DeviceTest", "A session of %1 runs; a device is measured while none does.")
+          .with(held.front().substr(of_session.size())));
 }
 
 void require_nothing_measured(const std::filesystem::path& study) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <numbers>
 #include <set>
@@ -255,6 +256,17 @@ TEST(NamedDevice, IsNotOpenedForASessionWhileADeviceIsMeasuredForTheStudy) {
   }
   EXPECT_EQ(openings, 0);
   EXPECT_TRUE(Study::open(inputs.study, Access::read_only).sessions().empty());
+}
+
+// A file with another name than a lock can have refused every measurement, for ever, without saying which it was.
+TEST(MeasuringLock, IsHadWhateverElseLiesInTheFolderOfLocks) {
+  const TemporaryFolder folder{};
+  const std::filesystem::path study = folder.path() / "study";
+  make_small_study(study);
+  std::ofstream(study / "locks" / "session-P1 (copy).lock") << "process 1 on host x";
+  EXPECT_NO_THROW(MeasuringLock{study});
+  const StudyLock session(study, Study::session_lock_name("P1"));
+  EXPECT_THROW(MeasuringLock{study}, PhrasedError);
 }
 
 TEST(RecordedHand, MovesInASessionAsItOnceMovedAndFeelsNothing) {

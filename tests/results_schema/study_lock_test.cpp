@@ -3,6 +3,8 @@
 #include <array>
 #include <csignal>
 #include <fcntl.h>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -97,6 +99,24 @@ TEST(StudyLock, StaysInItsFolder) {
   for (const char* const name : {"", "../x", "a/b", "a.b", "ä"}) {
     EXPECT_THAT(refusal([&] { StudyLock(folder.path(), name); }), HasSubstr("no name for a lock"));
   }
+}
+
+// People copy, rename and save into every folder that they can open.
+TEST(StudyLock, TellsWhichAreHeldWhateverElseLiesInTheirFolder) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(StudyLock::held(folder.path(), "session-"), IsEmpty()) << "there is no folder yet";
+  const StudyLock second(folder.path(), "session-P2");
+  const StudyLock first(folder.path(), "session-P1");
+  const StudyLock other(folder.path(), "device-test");
+  { const StudyLock over(folder.path(), "session-P3"); }
+  const std::filesystem::path locks = folder / "locks";
+  for (const char* const stray : {"session-P1 (copy).lock", "session-Ä.lock", "session-.lock.txt",
+                                  "session-P1.lock~", "session-a.b.lock", ".lock", "notes"}) {
+    std::ofstream(locks / stray) << "process 1 on host x";
+  }
+  std::filesystem::create_directory(locks / "session-P4.lock");
+  std::filesystem::create_symlink("nowhere", locks / "session-P5.lock");
+  EXPECT_THAT(StudyLock::held(folder.path(), "session-"), ElementsAre("session-P1", "session-P2"));
 }
 
 TEST(CrashedSession, IsAnOpenOneWhoseLockNobodyHolds) {
