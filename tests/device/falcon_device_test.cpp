@@ -167,6 +167,15 @@ TEST(DeviceRules, LetPeopleOpenWhatThereAreDriversFor) {
   for (const char* id : {"0403", "cb48", "1451", "2988", "256f", "046d"}) {
     EXPECT_THAT(rules, HasSubstr("\"" + std::string(id) + "\"")) << id;
   }
+  // A Touch, however it tells its numbers and whatever the kernel takes it for.
+  for (const char* line :
+       {"\nATTR{idVendor}==\"0301\", ATTR{idProduct}==\"2988\", TAG+=\"uaccess\"\n",
+        "\nSUBSYSTEM==\"tty\", ATTRS{idVendor}==\"2988\", TAG+=\"uaccess\"\n",
+        "\nSUBSYSTEM==\"tty\", ATTRS{idVendor}==\"0301\", ATTRS{idProduct}==\"2988\", "
+        "TAG+=\"uaccess\"\n",
+        "\nSUBSYSTEM==\"hidraw\", ATTRS{idVendor}==\"2988\", TAG+=\"uaccess\"\n"}) {
+    EXPECT_THAT(rules, HasSubstr(line));
+  }
 }
 
 TEST_F(Falcon, SaysThatItIsInUse) {
