@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds kBetweenLooks{20};
 static_assert(std::atomic<int>::is_always_lock_free);
 std::atomic<int> interrupts{0};
 std::atomic<int> last_interrupt{SIGINT};
-std::atomic<int> holds{0};
+std::atomic<int> interrupt_holds{0};
 
 void end_program(int number) noexcept {
   std::signal(number, SIG_DFL);
@@ -29,7 +29,7 @@ void end_program(int number) noexcept {
 
 extern "C" void note_interrupt(int number) {
   last_interrupt = number;
-  if (++interrupts > 2 && holds == 0) end_program(number);
+  if (++interrupts > 2 && interrupt_holds == 0) end_program(number);
 }
 
 }  // namespace
@@ -50,18 +50,18 @@ void InterruptWatch::will_say(std::string saying) {
   saying_ = std::move(saying);
 }
 
-InterruptWatch::Hold::Hold() noexcept { ++holds; }
-InterruptWatch::Hold::~Hold() { --holds; }
+InterruptWatch::Hold::Hold() noexcept { ++interrupt_holds; }
+InterruptWatch::Hold::~Hold() { --interrupt_holds; }
 
 // Whether what is held, and the program with it, comes to its end in the time that it is given.
 bool InterruptWatch::ends_in_order(const std::stop_token& ended) {
-  if (holds == 0) return false;
+  if (interrupt_holds == 0) return false;
   source_.request_stop();  // where both came at once, nobody has yet
   const auto latest = std::chrono::steady_clock::now() + kLongestHold;
-  while (holds > 0 && std::chrono::steady_clock::now() < latest) {
+  while (interrupt_holds > 0 && std::chrono::steady_clock::now() < latest) {
     std::this_thread::sleep_for(kBetweenLooks);
   }
-  if (holds == 0) std::this_thread::sleep_for(kForZero);
+  if (interrupt_holds == 0) std::this_thread::sleep_for(kForZero);
   return ended.stop_requested();
 }
 
@@ -78,8 +78,8 @@ void InterruptWatch::watch(const std::stop_token& ended) {
     if (interrupts > 0 && !source_.stop_requested()) {
       source_.request_stop();
       const std::lock_guard lock(mutex_);
-      say(saying_ + (holds > 0 ? " (once more to end in three seconds at the latest)"
-                               : " (once more to end at once)"));
+      say(saying_ + (interrupt_holds > 0 ? " (once more to end in three seconds at the latest)"
+                                         : " (once more to end at once)"));
     }
     std::this_thread::sleep_for(kBetweenLooks);
   }

@@ -36,7 +36,7 @@ constexpr double kHalfBox_m = 0.12;
 // Where the documents have the handle rest when the origin is the device's base.
 constexpr glm::dvec3 kRestFromBase_m(0.0, -0.12, 0.15);
 
-void require_no_stop(const InverseServicePlace& place, const std::stop_token& stop) {
+void require_no_stop_at(const InverseServicePlace& place, const std::stop_token& stop) {
   if (!stop.stop_requested()) return;
   throw OpeningStopped("The Inverse Service at " + place.text() +
                        " was not waited for any longer: its opening was stopped, as asked.");
@@ -48,7 +48,7 @@ std::unique_ptr<WebSocket> connection_to(const InverseServicePlace& place,
   try {
     return std::make_unique<WebSocket>(place.host, place.port, patience.connection, stop);
   } catch (const std::runtime_error&) {
-    require_no_stop(place, stop);
+    require_no_stop_at(place, stop);
     throw;
   }
 }
@@ -57,7 +57,7 @@ Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& pla
                                const Inverse3Patience& patience, const std::stop_token& stop) {
   const std::stop_callback wakes(stop, [&socket] { socket.wake(); });
   const std::optional<std::string> message = socket.receive(patience.inventory);
-  require_no_stop(place, stop);
+  require_no_stop_at(place, stop);
   std::optional<Inverse3Inventory> inventory = message ? inventory_from(*message) : std::nullopt;
   if (!inventory) {
     throw std::runtime_error("What answers at " + place.text() +
@@ -85,7 +85,7 @@ double told_force_N(const Inquiry& at, ForceSpelling spelling, double force_N,
     if (!at.socket.send(force_command(id, spelling, {0.0, 0.0, force_N}, i == 0 ? profile : "")))
       break;
     const std::optional<std::string> message = at.socket.receive(at.patience.inventory);
-    require_no_stop(at.place, at.stop);
+    require_no_stop_at(at.place, at.stop);
     const std::optional<Inverse3State> state = message ? state_from(*message, id) : std::nullopt;
     if (!state) {
       throw std::runtime_error("The Inverse Service does not tell where the Inverse3 " + id +
@@ -470,7 +470,7 @@ Driver inverse3_driver(const Inverse3Patience& patience) {
           .open = [patience](const std::string& which,
                              const DriverOptions& options) -> std::unique_ptr<HapticDevice> {
             const DriverSurvey survey = inverse3_survey(options, patience);
-            require_no_stop(InverseServicePlace::of(options.service), options.stop);
+            require_no_stop_at(InverseServicePlace::of(options.service), options.stop);
             if (!survey.hindrance.empty()) throw std::runtime_error(survey.hindrance);
             const AttachedDevice device = choose_attached("Inverse3", survey.attached, which);
             return std::make_unique<Inverse3Device>(InverseServicePlace::of(options.service),
