@@ -3,8 +3,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
+
+#include "device/device_trait.h"
 
 namespace asperity {
 
@@ -33,6 +36,9 @@ struct DeviceCapability {
   /// Sentences about what shapes what is felt and read: filters of the maker's software, how velocity is
   /// estimated, which of these numbers are not the maker's own.
   std::string remarks{};
+  /// Of a simulated device that stands for a real one (simulated_models.h): what nobody tells of the real one. Measured
+  /// here it would be ideal, or the virtual hand's. Empty of all others.
+  std::vector<DeviceTrait> not_known{};
 };
 
 }  // namespace asperity

@@ -1,6 +1,8 @@
 #include "device/simulated_models.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -16,8 +18,29 @@ struct Model {
   DeviceCapability capability{};
   double latency_s = 0.0;
   std::optional<VelocityWindow> velocity{};
-  std::string remarks{};
+  std::vector<DeviceTrait> known{};  ///< and nothing else
+  std::string sources{};             ///< of what is known
 };
+
+std::vector<DeviceTrait> missing_of(const Model& model) {
+  std::vector<DeviceTrait> missing{};
+  std::copy_if(kDeviceTraits.begin(), kDeviceTraits.end(), std::back_inserter(missing),
+               [&model](DeviceTrait trait) {
+                 return std::find(model.known.begin(), model.known.end(), trait) ==
+                        model.known.end();
+               });
+  return missing;
+}
+
+std::string remarks_on(const Model& model) {
+  std::string missing{};
+  for (const DeviceTrait trait : missing_of(model)) {
+    missing += (missing.empty() ? "" : ", ") + std::string(name_of(trait));
+  }
+  std::replace(missing.begin(), missing.end(), '_', ' ');
+  return model.sources + " Of a real one are not known to this program: " + missing +
+         ". The simulated one has none of these, or those of its virtual hand.";
+}
 
 // A Falcon's reading waits for one frame each way, at most one period of its rate.
 Model falcon() {
@@ -26,31 +49,40 @@ Model falcon() {
           .capability = capability,
           .latency_s = 1.0 / capability.maximum_rate_Hz,
           .velocity = falcon::LineSettings{}.velocity,
-          .remarks =
+          .known = {DeviceTrait::workspace, DeviceTrait::peak_force, DeviceTrait::rate,
+                    DeviceTrait::latency, DeviceTrait::position_step},
+          .sources =
               "Workspace, force and resolution are those that its driver declares, the latency "
-              "of 1 ms is one frame. Friction, noise and moving mass of a Falcon are not known "
-              "to this program: there are none."};
+              "of 1 ms is one frame."};
 }
 
-// The SDK's own figure for the fastest exchange stands for its latency.
-Model force_dimension(const DeviceCapability& capability) {
-  return {.name = capability.model,
-          .capability = capability,
-          .latency_s = 1.0 / capability.maximum_rate_Hz,
-          .velocity = ForceDimensionDevice::kWindow,
-          .remarks =
-              "Workspace and force are those that its driver declares, the latency of 0.25 ms "
-              "is one exchange at its highest rate. Resolution, friction, noise and moving "
-              "mass are not known to this program: there are none."};
+// The SDK's own figure for the fastest exchange stands for its latency. Of a model without figures, force and workspace
+// are bounds that its driver keeps.
+enum class Figures { known, none };
+Model force_dimension(const DeviceCapability& capability, Figures figures) {
+  Model model{.name = capability.model,
+              .capability = capability,
+              .latency_s = 1.0 / capability.maximum_rate_Hz,
+              .velocity = ForceDimensionDevice::kWindow,
+              .known = {DeviceTrait::rate, DeviceTrait::latency}};
+  if (figures == Figures::known) {
+    model.known.insert(model.known.end(), {DeviceTrait::workspace, DeviceTrait::peak_force});
+  }
+  model.sources =
+      "Workspace and force are those that its driver declares, the latency of 0.25 ms is one "
+      "exchange at its highest rate.";
+  return model;
 }
 
 std::vector<Model> models() {
   // System types of the SDK, one for each model.
-  constexpr std::array kSystemTypes{63, 64, 33, 34, 35, 104, 106, 108};
+  constexpr std::array kSystemTypes{63, 64, 33, 34, 35, 104, 106};
+  constexpr int kLambda7 = 108;  // has those of sigma.7 (force_dimension/dhd_models.h)
   std::vector<Model> all{falcon()};
   for (const int type : kSystemTypes) {
-    all.push_back(force_dimension(dhd_model_of(type).value().capability));
+    all.push_back(force_dimension(dhd_model_of(type).value().capability, Figures::known));
   }
+  all.push_back(force_dimension(dhd_model_of(kLambda7).value().capability, Figures::none));
   return all;
 }
 
@@ -69,7 +101,8 @@ SimulatedDeviceSettings as_model(std::string_view name, SimulatedDeviceSettings 
     if (model.name != name) continue;
     settings.stands_for = model.capability;
     settings.stands_for->model = std::string(kInPlaceOf) + model.capability.model;
-    settings.stands_for->remarks = model.remarks;
+    settings.stands_for->remarks = remarks_on(model);
+    settings.stands_for->not_known = missing_of(model);
     settings.peak_force_N = model.capability.peak_force_N;
     settings.sensor.latency_s = model.latency_s;
     settings.sensor.position_step_m = model.capability.position_resolution_m;
@@ -78,6 +111,15 @@ SimulatedDeviceSettings as_model(std::string_view name, SimulatedDeviceSettings 
   }
   throw std::runtime_error("the simulated device cannot stand for \"" + std::string(name) +
                            "\"; it can for: " + names);
+}
+
+std::vector<DeviceTrait> not_known_of(std::string_view in_place_of) {
+  if (!in_place_of.starts_with(kInPlaceOf)) return {};
+  const std::string_view label = in_place_of.substr(kInPlaceOf.size());
+  for (const Model& model : models()) {
+    if (model.capability.model == label) return missing_of(model);
+  }
+  return {};
 }
 
 std::optional<SimulatedDeviceSettings> simulated_settings(std::string_view device) {

@@ -19,12 +19,16 @@ inline constexpr std::string_view kInPlaceOf = "in place of ";
 std::vector<std::string> simulated_models();
 
 /// `settings` with workspace, force, rate, resolution, latency and velocity estimate of a real device:
-/// the figures of its driver, none of which was measured here. What nobody tells (a moving mass, and
-/// for each model what the capability's remarks name) stays as it is in `settings`, by default ideal.
+/// the figures of its driver, none of which was measured here. What nobody tells of it, which the
+/// capability lists (DeviceCapability::not_known), stays as it is in `settings`, by default ideal.
 /// The probe has three degrees of freedom whatever the model has.
 ///
 /// Errors: std::runtime_error naming the models, for one that is not there.
 SimulatedDeviceSettings as_model(std::string_view model, SimulatedDeviceSettings settings);
+
+/// What nobody tells of the device that a simulated one of this model stands for, "in place of delta.3"; nothing of a
+/// model that is none of these.
+std::vector<DeviceTrait> not_known_of(std::string_view in_place_of);
 
 /// The settings for what `--device` names, "simulated" or "simulated:MODEL"; nothing for other devices.
 /// Errors: as `as_model`.

@@ -39,7 +39,7 @@ TEST(Drivers, OpenTheSimulatedDeviceInPlaceOfARealOne) {
   EXPECT_EQ(falcon->capability().peak_force_N, falcon_capability().peak_force_N);
   EXPECT_EQ(falcon->capability().position_resolution_m, falcon_capability().position_resolution_m);
   EXPECT_EQ(falcon->capability().maximum_rate_Hz, 1000.0);
-  EXPECT_THAT(falcon->capability().remarks, HasSubstr("not known"));
+  EXPECT_THAT(falcon->capability().remarks, HasSubstr("not known to this program: continuous"));
   const auto delta = drivers.open("simulated:delta.3", {.hand = &hand});
   EXPECT_EQ(delta->capability().peak_force_N, 20.0);
   EXPECT_EQ(delta->capability().workspace_maximum_m, glm::dvec3(0.15));
@@ -64,6 +64,37 @@ TEST(SimulatedModels, HaveAHandThatStaysInTheirWorkspace) {
       device.push({.force_N = {0.0, 0.0, 500.0 * std::max(0.0, -probe.position_m.z)}}, 1e-3);
     }
   }
+}
+
+// What nobody tells of a real one is that of no real one, whatever the virtual hand has.
+TEST(SimulatedModels, DeclareOfEachTraitWhetherItIsKnown) {
+  const auto is_known = [](const std::string& model, DeviceTrait trait) {
+    const auto missing = simulated_settings("simulated:" + model).value().stands_for->not_known;
+    return std::find(missing.begin(), missing.end(), trait) == missing.end();
+  };
+  for (const std::string& model : simulated_models()) {
+    EXPECT_TRUE(is_known(model, DeviceTrait::latency)) << model;
+    for (const DeviceTrait trait :
+         {DeviceTrait::position_noise, DeviceTrait::friction, DeviceTrait::damping,
+          DeviceTrait::moving_mass, DeviceTrait::resonance, DeviceTrait::stiffness,
+          DeviceTrait::force_resolution}) {
+      EXPECT_FALSE(is_known(model, trait)) << model << ' ' << name_of(trait);
+    }
+    const DeviceCapability real = simulated_settings("simulated:" + model)->stands_for.value();
+    EXPECT_EQ(is_known(model, DeviceTrait::position_step), real.position_resolution_m > 0.0)
+        << model;
+    EXPECT_EQ(is_known(model, DeviceTrait::continuous_force), real.continuous_force_N > 0.0)
+        << model;
+    EXPECT_EQ(not_known_of(real.model), real.not_known) << model;
+  }
+  EXPECT_TRUE(is_known("delta.3", DeviceTrait::workspace));
+  EXPECT_FALSE(is_known("lambda.7", DeviceTrait::workspace)) << "it has those of sigma.7";
+  EXPECT_FALSE(is_known("lambda.7", DeviceTrait::peak_force));
+  VirtualHand hand(HandHabits{}, Random(1));
+  const SimulatedDevice plain(hand, {});
+  EXPECT_TRUE(plain.capability().not_known.empty()) << "ideal by its own declaration";
+  EXPECT_TRUE(not_known_of(plain.capability().model).empty());
+  EXPECT_TRUE(not_known_of("delta.3").empty()) << "the real one";
 }
 
 TEST(SimulatedModels, AreNamedAfterTheSimulatedDeviceOnly) {
