@@ -12,6 +12,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "analysis/number_text.h"
+#include "app/phrase.h"
 #include "renderers/servo_thread.h"
 #include "renderers/servo_time.h"
 
@@ -52,6 +54,30 @@ class StageForce final : public ForceRenderer {
   bool let_go_ = false;
 };
 
+/// Why the device was lost, and what to do. Of one that keeps time itself and was lost in no tick, none came.
+Phrase loss_of(const StageRecord& record, Pacing pacing) {
+  if (!record.trouble.empty()) {
+    return phrase("DeviceTest",
+                  "the device was lost while it was measured: %1 When that is mended, measure it "
+                  "again.")
+        .with(record.trouble);
+  }
+  const bool has_ticked =
+      std::any_of(record.ticks.begin(), record.ticks.end(),
+                  [](const TickRecord& tick) { return tick.has(TickFlag::device_lost); });
+  if (pacing == Pacing::theirs && !has_ticked) {
+    return phrase("DeviceTest",
+                  "the device was lost while it was measured: it did not call for %1 ms, because "
+                  "its maker's thread hangs or had to wait. End what else keeps this computer "
+                  "busy, see that its cable sits, and measure it again.")
+        .with(fixed(1e-6 * static_cast<double>(HapticDevice::kLongestSilence_ns), 0));
+  }
+  return phrase("DeviceTest",
+                "the device was lost while it was measured: it did not answer, and its driver does "
+                "not say why. See that its cable and its power sit, end what else keeps this "
+                "computer busy, and measure it again.");
+}
+
 }  // namespace
 
 DeviceBench::DeviceBench(HapticDevice& device, double rate_Hz, std::stop_token stop,
@@ -87,9 +113,8 @@ StageRecord DeviceBench::run(const DeviceStage& stage, StagePacing pacing) {
   record.ran_away = ran_away.load();
   // First: of a device that is gone nobody can say that its force is zero.
   if (record.fault == Fault::device_lost) {
-    const std::string trouble = device_.complaint();
-    throw std::runtime_error("the device was lost while it was measured" +
-                             (trouble.empty() ? "" : ": " + trouble));
+    if (record.trouble.empty()) record.trouble = device_.complaint();
+    throw PhrasedError(loss_of(record, device_.capability().pacing));
   }
   if (stop_.stop_requested()) throw DeviceStageStopped("stopped as asked; the force is zero");
   const auto first = std::find_if(
@@ -118,6 +143,8 @@ void DeviceBench::run_in_real_time(const DeviceStage& stage, ServoLoop& loop, Re
     if (stage.conduct) stage.conduct(loop, since_s);
     drain(ring, record);
     const Fault fault = loop.status().fault;
+    // Now: it may be well again, and complain of nothing, before anybody asks.
+    if (fault == Fault::device_lost) record.trouble = device_.complaint();
     if (stop_.stop_requested() || fault == Fault::device_lost) break;
     if (since_s >= stage.duration_s && !leaving) {
       loop.withdraw();

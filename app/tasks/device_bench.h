@@ -42,6 +42,7 @@ struct StageRecord {
   std::vector<double> time_s{};  ///< of each tick, since the presentation began (0 before it)
   Fault fault = Fault::none;
   bool ran_away = false;  ///< beyond DeviceStage::reach_m
+  std::string trouble{};  ///< what the device complained of when it was lost
   std::string scheduling{};
 };
 
@@ -58,7 +59,8 @@ enum class StagePacing {
 /// Each stage has a servo loop of its own, which leaves the device at zero force.
 ///
 /// Errors: DeviceStageStopped when the token asks to stop: the loop's emergency stop comes first.
-/// std::runtime_error with the device's trouble when it is lost.
+/// PhrasedError when the device is lost: that it said so and why, that it did not call, or that it did not answer and
+/// says no reason; and what to do.
 ///
 /// Threads: belongs to one.
 class DeviceBench final {

@@ -3,6 +3,7 @@
 #include "app/tasks/device_test.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -71,9 +72,15 @@ class StuckDevice final : public HapticDevice {
                      ForceLimits{}) {}
   ~StuckDevice() override { zero_force(); }
   int reads_until_lost = -1;
+  std::string told{};
+  std::string trouble() const override { return told; }
+  double claimed_m_per_s = 0.0;
 
  private:
-  bool do_read(std::int64_t, ProbeState&) noexcept override { return reads_until_lost-- != 0; }
+  bool do_read(std::int64_t, ProbeState& state) noexcept override {
+    state.velocity_m_per_s.x = claimed_m_per_s;
+    return reads_until_lost-- != 0;
+  }
   bool do_send(const Wrench&) noexcept override { return true; }
 };
 
@@ -233,10 +240,95 @@ TEST(DeviceTest, LeavesOutTheMechanicsOfADeviceWithoutMotors) {
   EXPECT_FALSE(profile.has_failed());
 }
 
-TEST(DeviceTest, EndsWhenTheDeviceIsLost) {
+std::string loss_of(HapticDevice& device, const DeviceTestOptions& options = stepped()) {
+  try {
+    test_device(device, options, {});
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "it was not lost";
+}
+
+TEST(DeviceTest, EndsWhenTheDeviceIsLostAndSaysWhyAndWhatToDo) {
   StuckDevice device;
   device.reads_until_lost = 3000;
-  EXPECT_THROW(test_device(device, stepped(), {}), std::runtime_error);
+  EXPECT_EQ(
+      loss_of(device),
+      "the device was lost while it was measured: it did not answer, and its driver does not "
+      "say why. See that its cable and its power sit, end what else keeps this computer busy, "
+      "and measure it again.");
+  StuckDevice unplugged;
+  unplugged.reads_until_lost = 3000;
+  unplugged.told = "The Stuck 7 is unplugged: plug it in again.";
+  EXPECT_EQ(
+      loss_of(unplugged),
+      "the device was lost while it was measured: The Stuck 7 is unplugged: plug it in again. "
+      "When that is mended, measure it again.");
+}
+
+TEST(DeviceTest, SaysOfAFrozenPoseThatItIsFrozen) {
+  StuckDevice device;
+  device.claimed_m_per_s = 0.1;
+  const std::string loss = loss_of(device);
+  EXPECT_NE(loss.find("tells the same position again and again"), std::string::npos) << loss;
+  EXPECT_NE(loss.find("measure it again"), std::string::npos) << loss;
+}
+
+/// Keeps time itself. Lost at a reading, it has a reason until its calls are stopped.
+class CallingDevice final : public HapticDevice {
+ public:
+  explicit CallingDevice(bool calls)
+      : HapticDevice({.name = "calling", .peak_force_N = 5.0, .pacing = Pacing::theirs},
+                     ForceLimits{}),
+        calls_(calls) {}
+  ~CallingDevice() override {
+    stop_calls();
+    zero_force();
+  }
+  void start_calls(const TickCall& call) override {
+    if (!calls_) return;
+    caller_ = std::jthread([call](const std::stop_token& stop) {
+      while (!stop.stop_requested()) {
+        call.function(call.argument);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    });
+  }
+  void stop_calls() noexcept override {
+    caller_ = {};
+    is_lost_ = false;
+  }
+  std::string trouble() const override { return is_lost_ ? "The Calling 7 is too warm." : ""; }
+
+ private:
+  bool do_read(std::int64_t, ProbeState&) noexcept override {
+    constexpr int kLostAt = 100;
+    if (++reads_ < kLostAt) return true;
+    is_lost_ = true;
+    return false;
+  }
+  bool do_send(const Wrench&) noexcept override { return true; }
+
+  bool calls_ = true;
+  int reads_ = 0;
+  std::atomic<bool> is_lost_{false};
+  std::jthread caller_{};
+};
+
+TEST(DeviceTest, SaysWhyADeviceWasLostThatIsWellOnceItIsStopped) {
+  CallingDevice device(true);
+  const std::string loss = loss_of(device, {.mechanics = StagePacing::stepped});
+  // A busy machine may keep its thread from calling before it is lost.
+  EXPECT_TRUE(loss.find("The Calling 7 is too warm. When that is mended") != std::string::npos ||
+              loss.find("it did not call for 50 ms") != std::string::npos)
+      << loss;
+}
+
+TEST(DeviceTest, SaysOfADeviceThatDoesNotCallThatItDoesNot) {
+  CallingDevice device(false);
+  const std::string loss = loss_of(device, {.mechanics = StagePacing::stepped});
+  EXPECT_NE(loss.find("it did not call for 50 ms"), std::string::npos) << loss;
+  EXPECT_NE(loss.find("measure it again"), std::string::npos) << loss;
 }
 
 TEST(DeviceTest, LeavesZeroForceWhereItIsStopped) {
