@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include "app/tasks/texture_doubts.h"
 #include "device/drivers.h"
 #include "protocols/doubts.h"
+#include "protocols/json_document.h"
 
 namespace asperity {
 
@@ -45,6 +47,19 @@ nlohmann::ordered_json json_of(const std::string& device, const DeviceComparison
   if (!comparison.compared.empty()) json["compared"] = comparison.compared;
   if (comparison.profile) json["profile_measured_utc"] = comparison.profile->measured_utc;
   return json;
+}
+
+/// As the comparison of many stimuli may take minutes; nothing where nobody looks on, or it is done at once.
+DeviceComparison compared(const SoughtDevice& device, const ProtocolCheck& check,
+                          const std::optional<std::string>& study, const std::string& now_utc,
+                          const ModelRegistry& models) {
+  std::optional<Progress> progress{};
+  RehearsalCourse course{};
+  if (isatty(STDERR_FILENO) == 1) {
+    progress.emplace("comparing " + check.protocol->name + " with the device");
+    course.progress = [&progress](double done) { progress->show(done); };
+  }
+  return compare_with(device, *check.protocol, check.file, study, now_utc, models, course);
 }
 
 nlohmann::ordered_json json_of(const ProtocolCheck& check, const std::vector<Diagnostic>& doubts) {
@@ -127,12 +142,11 @@ void add_check(CLI::App& program, Job& job) {
           if (!device) {
             device = sought_device(*options->device, options->drivers, built_in_drivers());
           }
-          comparison = compare_with(*device, *check.protocol, options->study, now_utc, models);
-          for (const std::string& warning : comparison.warnings) {
-            doubts.push_back({check.file, 1, 1, "/device", warning});
-          }
+          comparison = compared(*device, check, options->study, now_utc, models);
+          doubts.insert(doubts.end(), comparison.warnings.begin(), comparison.warnings.end());
           if (!comparison.refusal.empty()) {
-            check.diagnostics.push_back({check.file, 1, 1, "/device", comparison.refusal});
+            check.diagnostics.push_back(JsonDocument(check.protocol->source, check.file)
+                                            .at_key("/device", comparison.refusal));
           }
         }
         acceptable = acceptable && check.diagnostics.empty();

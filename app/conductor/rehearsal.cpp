@@ -15,6 +15,7 @@
 #include "analysis/number_text.h"
 #include "app/conductor/attempt_measures.h"
 #include "app/parameter_json.h"
+#include "protocols/json_document.h"
 #include "protocols/plan.h"
 #include "renderers/offline/composed_relief.h"
 #include "renderers/offline/felt_stiffness.h"
@@ -27,13 +28,15 @@ namespace {
 /// The stiffest spring that `device-test` tries: no limit of a device that held it in a loop as fast.
 constexpr double kStiffestTried_N_per_m = 8000.0;
 constexpr const char* kResonance = "resonance_Hz";
+/// Below what arithmetic leaves of a force without a texture there is none.
+constexpr double kNoForce_N = 1e-9;
 
-/// "0.30", "8000": as many decimals as three digits take.
+/// "0.300", "8000": as many decimals as three digits take.
 std::string in_three_digits(double value) {
   const double size = std::abs(value);
   if (size >= 100.0 || size == 0.0) return fixed(value, 0);
   const int decimals = 2 - static_cast<int>(std::floor(std::log10(size)));
-  return fixed(value, std::clamp(decimals, 0, 6));
+  return fixed(value, std::clamp(decimals, 0, 12));
 }
 std::string in_um(double value_m) { return in_three_digits(1e6 * value_m); }
 
@@ -166,6 +169,7 @@ class DeviceRehearsal final {
             name_of(stimulus.tool) + '\n' + exploration.name;
         if (!seen.insert(key).second) continue;
         check_workspace(stimulus.patch);
+        at_ = pointer_to("/stimuli", planned.stimulus_template);
         try {
           if (stimulus.surface && stimulus.tool) {
             check_bodies(planned, exploration);
@@ -185,12 +189,14 @@ class DeviceRehearsal final {
   }
 
  private:
-  void warn(const RehearsalWarning& warning) {
+  /// Once, at what asks for it: the stimulus, where nothing else is named.
+  void warn(RehearsalWarning warning) {
+    if (warning.pointer.empty()) warning.pointer = at_;
     const bool is_told =
         std::any_of(warnings_.begin(), warnings_.end(), [&](const RehearsalWarning& one) {
           return one.id == warning.id && one.text == warning.text;
         });
-    if (!is_told) warnings_.push_back(warning);
+    if (!is_told) warnings_.push_back(std::move(warning));
   }
 
   void check_limits() {
@@ -215,6 +221,7 @@ class DeviceRehearsal final {
                            "The protocol asks for a device whose %1 is at least %2, and it was "
                            "measured to be %3.");
       warn({.id = "limit_" + name,
+            .pointer = pointer_to("/device/limits", name),
             .asked = limit,
             .device = *value,
             .text = text.with(name, asked, in_three_digits(*value))});
@@ -228,7 +235,10 @@ class DeviceRehearsal final {
                 : phrase("Rehearsal",
                          "The protocol asks for a device whose %1 is at least %2, and that was not "
                          "measured of it.");
-    warn({.id = "unmeasured_" + name, .asked = limit, .text = text.with(name, asked)});
+    warn({.id = "unmeasured_" + name,
+          .pointer = pointer_to("/device/limits", name),
+          .asked = limit,
+          .text = text.with(name, asked)});
   }
 
   void check(const PlannedPresentation& planned, const Exploration& exploration) {
@@ -294,6 +304,7 @@ class DeviceRehearsal final {
     const std::optional<double> resolution_N = profile_.value("force_resolution_N");
     if (!friction_N && !resolution_N) return;
     const double force_N = texture_force_N();
+    if (force_N < kNoForce_N) return;
     if (friction_N && force_N < *friction_N) {
       warn({.id = "friction",
             .stimulus = name,
@@ -423,6 +434,7 @@ class DeviceRehearsal final {
       if (from_m >= low_m[axis] && to_m <= high_m[axis]) continue;
       warn(
           {.id = "workspace",
+           .pointer = "/surface",
            .asked = std::max(low_m[axis] - from_m, to_m - high_m[axis]),
            .device = 0.0,
            .text = phrase("Rehearsal",
@@ -436,6 +448,7 @@ class DeviceRehearsal final {
   const Protocol& protocol_;
   const DeviceProfile& profile_;
   StimulusBuilder& builder_;
+  std::string at_{};  ///< the stimulus that is compared
   std::vector<RehearsalWarning> warnings_{};
 };
 

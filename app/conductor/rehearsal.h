@@ -25,7 +25,8 @@ struct RehearsalWarning {
   /// "limit_" and "unmeasured_" with the name of an item that does not keep the protocol's limit, or of which nothing
   /// is known.
   std::string id{};
-  std::string stimulus{};  ///< as the protocol calls it; empty for what concerns all
+  std::string stimulus{};  ///< as the session calls it; empty for what concerns all
+  std::string pointer{};   ///< of what asks for it: "/stimuli/rough", "/device/limits/friction_N"
   double asked = 0.0;      ///< both in SI units: N, m, Hz, N/m; of an item its limit
   double device = 0.0;
   Phrase text{};  ///< a sentence with both numbers
@@ -54,7 +55,8 @@ struct RehearsalCourse {
 /// texture's amplitude (√2 times the RMS of its heights) and λ are those of the sinusoid that it suggests, on the
 /// device: λ over the motion scale; noise in time and a texture at amplitude 0 have none. F is the force of the
 /// stimulus's own model and parameters; one that is made as strong as another counts with the amplitude that its
-/// sample suggests. Where something was not measured, nothing is said of it.
+/// sample suggests. A stimulus without texture force is compared with neither friction nor force resolution. Where
+/// something was not measured, nothing is said of it.
 ///
 /// Two bodies are compared as the relief that both make under the tool's tip along the stroke, H (composed_relief.h),
 /// with δ = H − z: so a wave of the tool against one of the surface counts as they meet, and a texture that the tool

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <exception>
+#include <functional>
 
 #include "analysis/number_text.h"
 #include "app/conductor/recorded_hand.h"
@@ -12,6 +13,7 @@
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "device/virtual_hand.h"
+#include "protocols/json_document.h"
 
 namespace asperity {
 namespace {
@@ -30,12 +32,12 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string in_quotation_marks(const std::string& word) { return '"' + word + '"'; }
 
-/// What the simulated device is, stand-in or not: its model tells one profile from another.
-WhichDevice which_simulated(const SimulatedDeviceSettings& settings) {
+DeviceCapability capability_of(const SimulatedDeviceSettings& settings) {
   VirtualHand hand(HandHabits{}, Random(0));
-  const DeviceCapability capability = SimulatedDevice(hand, settings).capability();
-  return {capability.name, capability.model, capability.serial};
+  return SimulatedDevice(hand, settings).capability();
 }
+
+using Warn = std::function<void(const std::string& sentence)>;
 
 void look_for(const Driver& driver, const std::string& which, const DriverOptions& options,
               const DriverRegistry& drivers, SoughtDevice& sought) {
@@ -60,18 +62,18 @@ std::string words_for(const SoughtDevice& device) {
 }
 
 /// What the profile leaves open.
-void add_gaps(const DeviceProfile& profile, const Protocol& protocol, const std::string& now_utc,
-              std::vector<std::string>& warnings) {
+void tell_gaps(const DeviceProfile& profile, const Protocol& protocol, const std::string& now_utc,
+               const Warn& warn) {
   std::vector<std::string> missing{};
   for (const char* const item : kComparedItems) {
     if (!profile.value(item)) missing.emplace_back(item);
   }
   if (!missing.empty()) {
-    warnings.push_back("the profile has no number for " + joined(missing) +
-                       ", and no stimulus was compared with what these would tell");
+    warn("the profile has no number for " + joined(missing) +
+         ", and no stimulus was compared with what these would tell");
   }
   if (age_days(profile, now_utc) < 0.0 && !protocol.profile_maximum_age_days) {
-    warnings.push_back("the profile is dated " + profile.measured_utc + ", which is still to come");
+    warn("the profile is dated " + profile.measured_utc + ", which is still to come");
   }
 }
 
@@ -83,7 +85,9 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
                                  .asked = device,
                                  .options = as_command_options(options)}};
   if (const auto settings = simulated_settings(device)) {
-    sought.wanted.which = which_simulated(*settings);
+    const DeviceCapability capability = capability_of(*settings);
+    // Its model tells one profile from another.
+    sought.wanted.which = {capability.name, capability.model, capability.serial};
     return sought;
   }
   const std::size_t colon = device.find(':');
@@ -112,33 +116,38 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
 }
 
 DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protocol,
+                              const std::string& file_name,
                               const std::optional<std::filesystem::path>& study,
-                              const std::string& now_utc, const ModelRegistry& models) {
+                              const std::string& now_utc, const ModelRegistry& models,
+                              const RehearsalCourse& course) {
   DeviceComparison comparison{.refusal = device.refusal};
+  const JsonDocument document(protocol.source, file_name);
+  const auto warn_at = [&](const std::string& pointer, const std::string& sentence) {
+    comparison.warnings.push_back(document.at_key(pointer, sentence));
+  };
+  const Warn warn = [&](const std::string& sentence) { warn_at("/device", sentence); };
   const std::string name = in_quotation_marks(name_of(device.wanted));
   const bool is_simulated = kind_of_device(name_of(device.wanted)) == DeviceKind::simulated;
   if (!device.absence.empty()) {
-    comparison.warnings.push_back("no session can begin on " + name +
-                                  " here and now: " + device.absence);
+    warn("no session can begin on " + name + " here and now: " + device.absence);
   }
   if (!comparison.refusal.empty()) return comparison;
   const std::string of_itself = "the force and the rate that " + name + " gives";
   if (is_simulated) comparison.compared = "compared with " + of_itself;
   if (!study) {
     if (device.wanted.has_motors) {
-      comparison.warnings.push_back(
-          "nothing that is felt was compared with " + name +
-          ": what it was measured to do lies with a study, which --study DIR names");
+      warn("nothing that is felt was compared with " + name +
+           ": what it was measured to do lies with a study, which --study DIR names");
     }
   } else {
     try {
       RehearsedDevice found = profiled_device(protocol, device.wanted, *study, now_utc);
       StimulusBuilder builder(models, *study);
       compare(found, protocol, [&](const DeviceProfile& profile) {
-        return rehearse_on_device(protocol, profile, builder);
+        return rehearse_on_device(protocol, profile, builder, course);
       });
       for (const RehearsalWarning& warning : found.warnings) {
-        comparison.warnings.push_back(warning.text.english());
+        warn_at(warning.pointer, warning.text.english());
       }
       if (found.profile) {
         comparison.compared =
@@ -147,12 +156,11 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
             (is_simulated ? ", and with " + of_itself
                           : "; with the force and the rate that it gives a session does that opens "
                             "it");
-        add_gaps(*found.profile, protocol, now_utc, comparison.warnings);
+        tell_gaps(*found.profile, protocol, now_utc, warn);
       } else if (device.wanted.has_motors) {
-        comparison.warnings.push_back(
-            "the study has no profile of " + words_for(device) +
-            ": no stimulus and no limit of the protocol was compared with it; measure it by " +
-            command_to_measure(device.wanted, *study));
+        warn("the study has no profile of " + words_for(device) +
+             ": no stimulus and no limit of the protocol was compared with it; measure it by " +
+             command_to_measure(device.wanted, *study));
       }
       comparison.profile = std::move(found.profile);
       comparison.refusal = found.refusal.english();
@@ -161,8 +169,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
     }
   }
   if (!device.wanted.has_motors) {
-    comparison.warnings.push_back(name +
-                                  " gives no force: nothing that is felt was compared with it");
+    warn(name + " gives no force: nothing that is felt was compared with it");
   }
   return comparison;
 }

@@ -9,6 +9,7 @@
 
 #include "app/conductor/rehearsed_device.h"
 #include "device/drivers.h"
+#include "protocols/diagnostic.h"
 
 namespace asperity {
 
@@ -28,15 +29,18 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
 
 /// What check has to say about a protocol and a device.
 struct DeviceComparison {
-  std::string compared{};               ///< with what; empty: with nothing
-  std::vector<std::string> warnings{};  ///< what falls short, what was not compared, and why
-  std::string refusal{};                ///< why no person's session begins; empty: one does
+  std::string compared{};  ///< with what; empty: with nothing
+  /// What falls short, where the protocol asks for it; what was not compared, and why, at its "/device".
+  std::vector<Diagnostic> warnings{};
+  std::string refusal{};  ///< why no person's session begins; empty: one does
   std::optional<DeviceProfile> profile{};
 };
 /// Compares them as a session would at `now_utc`; without a study nothing is known of the device but what the simulated
-/// one tells of itself. Never throws for what it finds.
+/// one tells of itself. `file_name` is what its problems are said to be in. Never throws for what it finds.
 DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protocol,
+                              const std::string& file_name,
                               const std::optional<std::filesystem::path>& study,
-                              const std::string& now_utc, const ModelRegistry& models);
+                              const std::string& now_utc, const ModelRegistry& models,
+                              const RehearsalCourse& course = {});
 
 }  // namespace asperity

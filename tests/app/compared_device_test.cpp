@@ -50,7 +50,7 @@ class ComparedDevice : public testing::Test {
     write_file(profile_path(study, profile), json_text_of(profile), Overwrite::allow);
   }
   /// Of a device that is better than the stimuli ask for.
-  static DeviceProfile good(const std::string& model = "in place of Novint Falcon") {
+  static DeviceProfile good(const std::string& model = "mass, spring and damper") {
     return {.name = "simulated",
             .model = model,
             .is_simulated = true,
@@ -61,7 +61,14 @@ class ComparedDevice : public testing::Test {
   }
   DeviceComparison compared(const std::string& device,
                             const DriverRegistry& drivers = built_in_drivers()) const {
-    return compare_with(sought_device(device, {}, drivers), protocol, study, kNow, models);
+    return compare_with(sought_device(device, {}, drivers), protocol, "small.json", study, kNow,
+                        models);
+  }
+
+  static std::vector<std::string> warnings(const DeviceComparison& comparison) {
+    std::vector<std::string> sentences{};
+    for (const Diagnostic& warning : comparison.warnings) sentences.push_back(warning.message);
+    return sentences;
   }
 
   TemporaryFolder folder{};
@@ -73,53 +80,81 @@ class ComparedDevice : public testing::Test {
 TEST_F(ComparedDevice, IsSaidToHaveNoProfileAndHowItGetsOneAsItWasNamed) {
   const std::string command =
       "measure it by asperity device-test simulated:falcon --study " + study.string();
-  EXPECT_THAT(compared("simulated:falcon").warnings, Contains(HasSubstr(command)));
+  EXPECT_THAT(warnings(compared("simulated:falcon")), Contains(HasSubstr(command)));
   EXPECT_TRUE(compared("simulated:falcon").refusal.empty()) << "nothing asks for one";
-  keep(good());
-  EXPECT_THAT(compared("simulated:falcon").warnings, Each(Not(HasSubstr("no profile"))));
+  keep(good("in place of Novint Falcon"));
+  EXPECT_THAT(warnings(compared("simulated:falcon")), Each(Not(HasSubstr("no profile"))));
   EXPECT_THAT(compared("simulated:falcon").compared,
               HasSubstr("\"simulated:falcon\" was measured to do on 2026-01-30"));
-  EXPECT_THAT(compared("simulated").warnings, Contains(HasSubstr("no profile")))
+  EXPECT_THAT(warnings(compared("simulated")), Contains(HasSubstr("no profile")))
       << "that of a stand-in is not that of the ideal device";
   const DeviceComparison nowhere = compare_with(sought_device("simulated", {}, built_in_drivers()),
-                                                protocol, std::nullopt, kNow, models);
-  EXPECT_THAT(nowhere.warnings, Contains(HasSubstr("--study")));
+                                                protocol, "small.json", std::nullopt, kNow, models);
+  EXPECT_THAT(warnings(nowhere), Contains(HasSubstr("--study")));
 }
 
 TEST_F(ComparedDevice, IsSaidNotToBeThere) {
-  EXPECT_THAT(compared("arm", drivers_with({})).warnings,
+  EXPECT_THAT(warnings(compared("arm", drivers_with({}))),
               Contains(HasSubstr("no arm is attached")));
   const DriverRegistry two =
       drivers_with({{.model = "arm", .serial = "7"}, {.model = "arm", .serial = "8"}});
-  EXPECT_THAT(compared("arm:9", two).warnings, Contains(HasSubstr("no arm is \"9\"")));
-  EXPECT_THAT(compared("arm", two).warnings, Contains(HasSubstr("there are 2 of arm")));
-  EXPECT_THAT(compared("arm:8", two).warnings, Each(Not(HasSubstr("no session"))));
-  EXPECT_THAT(compared("arm:8", two).warnings,
+  EXPECT_THAT(warnings(compared("arm:9", two)), Contains(HasSubstr("no arm is \"9\"")));
+  EXPECT_THAT(warnings(compared("arm", two)), Contains(HasSubstr("there are 2 of arm")));
+  EXPECT_THAT(warnings(compared("arm:8", two)), Each(Not(HasSubstr("no session"))));
+  EXPECT_THAT(warnings(compared("arm:8", two)),
               Contains(HasSubstr("no profile of the attached device arm 8")));
 }
 
 TEST_F(ComparedDevice, ThatGivesNoForceIsSaidToBeComparedWithNothing) {
-  EXPECT_THAT(compared("mouse").warnings, Contains(HasSubstr("gives no force")));
-  EXPECT_THAT(compared("mouse").warnings, Each(Not(HasSubstr("device-test"))));
+  EXPECT_THAT(warnings(compared("mouse")), Contains(HasSubstr("gives no force")));
+  EXPECT_THAT(warnings(compared("mouse")), Each(Not(HasSubstr("device-test"))));
   EXPECT_THAT(compared("replay:" + (study / "nofile").string()).refusal, HasSubstr("nofile"));
 }
 
 TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
   keep(good());
-  EXPECT_THAT(compared("simulated:falcon").warnings,
+  EXPECT_THAT(warnings(compared("simulated")),
               Contains(HasSubstr("no number for force_resolution_N, position_resolution_m, "
                                  "damping_N_s_per_m, stiffness_N_per_m")));
+}
+
+TEST_F(ComparedDevice, IsWarnedOfWhereTheProtocolAsksForIt) {
+  DeviceProfile sticky = good();
+  sticky.items.front().value = 0.9;
+  sticky.workspace_maximum_m = glm::dvec3(0.001);
+  keep(sticky);
+  ask_for(R"("limits": {"friction_N": 0.1})");
+  const auto place_of = [this](const std::string& text) {
+    const DeviceComparison comparison = compared("simulated");
+    for (const Diagnostic& warning : comparison.warnings) {
+      if (warning.message.find(text) == std::string::npos) continue;
+      EXPECT_EQ(warning.file, "small.json");
+      std::size_t begin = 0;
+      for (int line = 1; line < warning.line; ++line) {
+        begin = protocol.source.find('\n', begin) + 1;
+      }
+      const std::string found =
+          protocol.source.substr(begin + static_cast<std::size_t>(warning.column) - 1, 12);
+      return warning.pointer + ' ' + found.substr(0, found.find('"', 1) + 1);
+    }
+    return "no \"" + text + '"';
+  };
+  EXPECT_EQ(place_of("own friction"), "/stimuli/rendered \"rendered\"");
+  EXPECT_EQ(place_of("asks for a device whose friction_N"),
+            "/device/limits/friction_N \"friction_N\"");
+  EXPECT_EQ(place_of("The surface lies").substr(0, 8), "/surface");
+  EXPECT_EQ(place_of("has no number for"), "/device \"device\"");
 }
 
 TEST_F(ComparedDevice, IsRefusedAsASessionRefusesIt) {
   ask_for(R"("profile_maximum_age_days": 30)");
   EXPECT_THAT(compared("simulated:falcon").refusal,
               HasSubstr("device-test simulated:falcon --study"));
-  DeviceProfile profile = good();
+  DeviceProfile profile = good("in place of Novint Falcon");
   profile.measured_utc = "2025-12-01T10:00:00.000Z";
   keep(profile);
   EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("61.0 days old"));
-  keep(good());
+  keep(good("in place of Novint Falcon"));
   EXPECT_EQ(compared("simulated:falcon").refusal, "");
   profile.measured_utc = "2031-01-01T10:00:00.000Z";
   keep(profile);
@@ -128,16 +163,15 @@ TEST_F(ComparedDevice, IsRefusedAsASessionRefusesIt) {
 
 TEST_F(ComparedDevice, IsRefusedWithoutAProfileWhereWarningsAreRefused) {
   ask_for(R"("refuse_rehearsal_warnings": true)");
-  EXPECT_THAT(compared("simulated:falcon").refusal,
-              HasSubstr("no profile in the study to tell by"));
+  EXPECT_THAT(compared("simulated").refusal, HasSubstr("no profile in the study to tell by"));
   EXPECT_EQ(compared("mouse").refusal, "") << "whoever chooses it knows that nothing is felt";
   keep(good());
-  EXPECT_EQ(compared("simulated:falcon").refusal, "");
+  EXPECT_EQ(compared("simulated").refusal, "");
   DeviceProfile sticky = good();
   sticky.items.front().value = 0.9;
   keep(sticky);
-  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("falls short of it in"));
-  EXPECT_THAT(compared("simulated:falcon").warnings, Contains(HasSubstr("0.900 N")));
+  EXPECT_THAT(compared("simulated").refusal, HasSubstr("falls short of it in"));
+  EXPECT_THAT(warnings(compared("simulated")), Contains(HasSubstr("0.900 N")));
 }
 
 // Another protocol held it to another limit.
@@ -147,18 +181,18 @@ TEST_F(ComparedDevice, IsHeldToTheLimitsOfThisProtocol) {
       {.name = "damping_N_s_per_m", .status = Status::fail, .value = 5.0, .limit = 6.0});
   keep(profile);
   ask_for(R"("profile_maximum_age_days": 30)");
-  EXPECT_EQ(compared("simulated:falcon").refusal, "");
+  EXPECT_EQ(compared("simulated").refusal, "");
   ask_for(R"("profile_maximum_age_days": 30, "limits": {"damping_N_s_per_m": 5.5})");
-  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("failed damping_N_s_per_m"));
+  EXPECT_THAT(compared("simulated").refusal, HasSubstr("failed damping_N_s_per_m"));
   ask_for(R"("profile_maximum_age_days": 30)");
   profile.items.push_back(
       {.name = "force_zero_N", .status = Status::pass, .value = 0.5, .limit = 1.0});
   keep(profile);
-  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("failed force_zero_N"))
+  EXPECT_THAT(compared("simulated").refusal, HasSubstr("failed force_zero_N"))
       << "no limit excuses a push";
   profile.items.back() = {.name = "zero_after_stop", .status = Status::fail};
   keep(profile);
-  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("failed zero_after_stop"));
+  EXPECT_THAT(compared("simulated").refusal, HasSubstr("failed zero_after_stop"));
 }
 
 // It was tried, and there is not even a number.
@@ -167,10 +201,10 @@ TEST_F(ComparedDevice, IsRefusedForWhatFailedWithoutANumber) {
   profile.items.push_back({.name = "latency_s", .status = Status::not_measured});
   keep(profile);
   ask_for(R"("profile_maximum_age_days": 30)");
-  EXPECT_EQ(compared("simulated:falcon").refusal, "");
+  EXPECT_EQ(compared("simulated").refusal, "");
   profile.items.back().status = Status::fail;
   keep(profile);
-  EXPECT_THAT(compared("simulated:falcon").refusal, HasSubstr("failed latency_s"));
+  EXPECT_THAT(compared("simulated").refusal, HasSubstr("failed latency_s"));
 }
 
 TEST(FailedItem, IsOneOnTheUsualLimitsOfTheProtocolsRate) {

@@ -178,6 +178,7 @@ TEST_F(DeviceRehearsalTest, WarnsOfFrictionAboveTheForceOfATextureWithBothNumber
   EXPECT_LT(found->asked, 0.8);
   EXPECT_GT(found->asked, 0.0);
   EXPECT_EQ(found->device, 0.8);
+  EXPECT_EQ(found->pointer, "/stimuli/rendered");
   EXPECT_NE(found->text.english().find("0.800 N"), std::string::npos) << found->text.english();
   EXPECT_NE(found->text.english().find("N RMS"), std::string::npos);
   // At just less friction than the texture's force it is felt.
@@ -197,6 +198,19 @@ TEST_F(DeviceRehearsalTest, WarnsOfAForceThatIsTooWeakToMoveTheDeviceWithBothNum
   EXPECT_NE(found->text.english().find("0.800 N"), std::string::npos) << found->text.english();
   EXPECT_FALSE(
       one(grating_protocol(), with(ideal(), "force_resolution_N", 0.01), "force_resolution"));
+}
+
+// Nothing is hidden where nothing is, and the smallest force is told with its digits.
+TEST_F(DeviceRehearsalTest, ComparesNoForceOfAStimulusWithoutTexture) {
+  const DeviceProfile sticky = with(with(ideal(), "friction_N", 0.8), "force_resolution_N", 0.8);
+  for (const char* const id : {"friction", "force_resolution"}) {
+    EXPECT_FALSE(one(one_stimulus("height_map", R"("height_scale": 0)"), sticky, id)) << id;
+    EXPECT_FALSE(one(one_stimulus("sinusoid", R"("amplitude_m": 0)"), sticky, id)) << id;
+    EXPECT_FALSE(one(one_stimulus("stochastic", R"("noise_sd_N": 0)"), sticky, id)) << id;
+  }
+  const auto faint = one(one_stimulus("sinusoid", R"("amplitude_m": 1e-10)"), sticky, "friction");
+  ASSERT_TRUE(faint);
+  EXPECT_EQ(faint->text.english().find("0.000000 N"), std::string::npos) << faint->text.english();
 }
 
 TEST_F(DeviceRehearsalTest, WarnsOfPositionsInStepsAboveATexture) {
@@ -523,6 +537,7 @@ TEST_F(DeviceRehearsalTest, WarnsOfALimitOnWhatWasNotMeasuredUnlessItIsAResonanc
   EXPECT_NE(all.front().text.english().find("0.00300, and that was not measured"),
             std::string::npos)
       << all.front().text.english();
+  EXPECT_EQ(all.front().pointer, "/device/limits/latency_s");
 }
 
 TEST_F(DeviceRehearsalTest, HoldsNoSimulatedDeviceToALimitOfItsTiming) {

@@ -1,5 +1,7 @@
 // A protocol's limits for its device, all the way: refused where they are wrong, judged by, kept, compared.
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -97,7 +99,8 @@ TEST_F(CheckedDevice, IsRefusedAsARunRefusesItWithACommandThatHelps) {
   ask_for("profile_maximum_age_days", 30);
   const Outcome before = checked("simulated:falcon");
   EXPECT_EQ(before.status, 1);
-  const std::string command = "asperity device-test simulated:falcon --study " + small.study().string();
+  const std::string command =
+      "asperity device-test simulated:falcon --study " + small.study().string();
   EXPECT_NE(before.err.find("error: the protocol asks for a device that was measured"),
             std::string::npos)
       << before.err;
@@ -108,6 +111,17 @@ TEST_F(CheckedDevice, IsRefusedAsARunRefusesItWithACommandThatHelps) {
   EXPECT_NE(after.out.find("compared with what \"simulated:falcon\" was measured to do on"),
             std::string::npos)
       << after.out;
+  // Who waits at a terminal sees how far it is, and no pipe gets a bar.
+  EXPECT_EQ(after.err.find("comparing small_selection"), std::string::npos) << after.err;
+  Invocation at_terminal{};
+  at_terminal.arguments = {"check",       small.selection(), "--study",
+                           small.study(), "--device",        "simulated:falcon"};
+  at_terminal.on_terminal = true;
+  at_terminal.in_child = [] { ::dup2(STDOUT_FILENO, STDERR_FILENO); };
+  const Outcome watched = run(at_terminal);
+  EXPECT_EQ(watched.status, 0) << watched.out;
+  EXPECT_NE(watched.out.find("comparing small_selection with the device"), std::string::npos)
+      << watched.out;
 }
 
 TEST_F(CheckedDevice, IsSaidNotToBeComparedAndTakesTheOptionsOfItsDriver) {
