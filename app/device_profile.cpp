@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
@@ -17,22 +18,26 @@ namespace {
 constexpr const char* kProfileFormat = "asperity.device_profile/1";
 
 using Bound = DeviceItem::Bound;
+constexpr DeviceQuantity mechanical(const char* name, DeviceTrait trait,
+                                    Bound bound = Bound::at_most) {
+  return {.name = name, .bound = bound, .trait = trait};
+}
 constexpr std::array<DeviceQuantity, 16> kQuantities{
-    {{"rate_Hz", Bound::at_least, true},
+    {{"rate_Hz", Bound::at_least, true},  // of the loop, whatever the device can
      {"lateness_p50_s", Bound::at_most, true},
      {"lateness_p99_s", Bound::at_most, true},
      {"lateness_max_s", Bound::at_most, true},
      {"missed_deadlines", Bound::at_most, true},
      {"force_zero_N", Bound::at_most, false, false},
-     {"position_noise_m"},
-     {"friction_N"},
-     {"damping_N_s_per_m", Bound::at_least},
-     {"position_resolution_m"},
-     {"latency_s"},
-     {"moving_mass_kg"},
-     {"resonance_Hz", Bound::at_least},
-     {"stiffness_N_per_m", Bound::at_least},
-     {"force_resolution_N"},
+     mechanical("position_noise_m", DeviceTrait::position_noise),
+     mechanical("friction_N", DeviceTrait::friction),
+     mechanical("damping_N_s_per_m", DeviceTrait::damping, Bound::at_least),
+     mechanical("position_resolution_m", DeviceTrait::position_step),
+     mechanical("latency_s", DeviceTrait::latency),
+     mechanical("moving_mass_kg", DeviceTrait::moving_mass),
+     mechanical("resonance_Hz", DeviceTrait::resonance, Bound::at_least),
+     mechanical("stiffness_N_per_m", DeviceTrait::stiffness, Bound::at_least),
+     mechanical("force_resolution_N", DeviceTrait::force_resolution),
      {"workspace_reached", Bound::at_least}}};
 
 /// What has no number.
@@ -54,6 +59,7 @@ nlohmann::ordered_json or_null(const std::optional<glm::dvec3>& p) {
 nlohmann::ordered_json json_of(const DeviceItem& item) {
   nlohmann::ordered_json json{{"name", item.name},
                               {"status", text_of(item.status)},
+                              {"result", outcome_of(item)},
                               {"value", or_null(item.value)},
                               {"limit", or_null(item.limit)}};
   if (item.limit) {
@@ -138,6 +144,31 @@ AxisResponse response_from(const nlohmann::json& json) {
   return response;
 }
 
+nlohmann::ordered_json names_of(const std::vector<DeviceTrait>& traits) {
+  nlohmann::ordered_json names = nlohmann::ordered_json::array();
+  for (const DeviceTrait trait : traits) names.push_back(name_of(trait));
+  return names;
+}
+
+/// What the profile says of the device that a simulated one stands for; of one that an earlier version wrote, what this
+/// program does not know.
+std::vector<DeviceTrait> not_known_in(const nlohmann::json& profile, const std::string& model) {
+  const auto stands_for = profile.find("stands_for");
+  if (stands_for == profile.end()) return not_known_of(model);
+  std::vector<DeviceTrait> traits{};
+  for (const nlohmann::json& name : stands_for->at("not_known")) {
+    const auto* const found = std::find_if(
+        kDeviceTraits.begin(), kDeviceTraits.end(),
+        [&name](DeviceTrait trait) { return name_of(trait) == name.get<std::string>(); });
+    if (found == kDeviceTraits.end()) {
+      throw std::runtime_error("stands_for names " + name.dump() +
+                               ", which is nothing that this program could know of a device");
+    }
+    traits.push_back(*found);
+  }
+  return traits;
+}
+
 /// Days since 1970 and the part of the day of "2026-01-01T00:00:00.000Z".
 double day_of(const std::string& utc) {
   int year = 0;
@@ -201,6 +232,11 @@ const char* text_of(DeviceItem::Status status) noexcept {
   return "unknown";
 }
 
+const char* outcome_of(const DeviceItem& item) noexcept {
+  if (item.is_only_told()) return "no limit";
+  return item.status == DeviceItem::Status::not_measured ? "not measured" : text_of(item.status);
+}
+
 std::span<const DeviceQuantity> device_quantities() noexcept { return kQuantities; }
 
 const DeviceQuantity* device_quantity(std::string_view name) noexcept {
@@ -240,24 +276,60 @@ bool DeviceProfile::has_failed() const noexcept {
                      [](const DeviceItem& one) { return one.status == DeviceItem::Status::fail; });
 }
 
+std::string DeviceProfile::stands_for() const {
+  return model.starts_with(kInPlaceOf) ? model.substr(kInPlaceOf.size()) : std::string();
+}
+
+std::vector<DeviceTrait> DeviceProfile::known() const {
+  std::vector<DeviceTrait> traits{};
+  std::copy_if(kDeviceTraits.begin(), kDeviceTraits.end(), std::back_inserter(traits),
+               [this](DeviceTrait trait) {
+                 return std::find(not_known.begin(), not_known.end(), trait) == not_known.end();
+               });
+  return traits;
+}
+
+bool DeviceProfile::is_unknown(std::string_view wanted) const noexcept {
+  const DeviceQuantity* const quantity = device_quantity(wanted);
+  return quantity != nullptr && quantity->trait &&
+         std::find(not_known.begin(), not_known.end(), *quantity->trait) != not_known.end();
+}
+
+void leave_out_unknown(DeviceProfile& profile) {
+  for (DeviceItem& item : profile.items) {
+    if (!profile.is_unknown(item.name)) continue;
+    item.status = DeviceItem::Status::not_measured;
+    item.value.reset();
+    item.by_axis.clear();
+    item.text = phrase_of(DeviceRemark::not_known).with(profile.stands_for());
+  }
+  // They are those of the moving mass and what holds it.
+  if (profile.is_unknown("resonance_Hz")) profile.responses.clear();
+}
+
 std::string json_text_of(const DeviceProfile& profile) {
   nlohmann::ordered_json items = nlohmann::ordered_json::array();
   for (const DeviceItem& item : profile.items) items.push_back(json_of(item));
   nlohmann::ordered_json json{
       {"format", kProfileFormat},
       {"device", {{"name", profile.name}, {"model", profile.model}, {"serial", profile.serial}}},
-      {"simulated", profile.is_simulated},
-      {"measured_utc", profile.measured_utc},
-      {"program_version", profile.program_version},
-      {"program_commit", profile.program_commit},
-      {"rate_Hz", profile.rate_Hz},
-      {"scheduling", profile.scheduling},
-      {"force_N", profile.force_N},
-      {"workspace_minimum_m", corner(profile.workspace_minimum_m)},
-      {"workspace_maximum_m", corner(profile.workspace_maximum_m)},
-      {"reached_minimum_m", or_null(profile.reached_minimum_m)},
-      {"reached_maximum_m", or_null(profile.reached_maximum_m)},
-      {"items", std::move(items)}};
+      {"simulated", profile.is_simulated}};
+  if (!profile.stands_for().empty()) {
+    json["stands_for"] = {{"model", profile.stands_for()},
+                          {"known", names_of(profile.known())},
+                          {"not_known", names_of(profile.not_known)}};
+  }
+  json["measured_utc"] = profile.measured_utc;
+  json["program_version"] = profile.program_version;
+  json["program_commit"] = profile.program_commit;
+  json["rate_Hz"] = profile.rate_Hz;
+  json["scheduling"] = profile.scheduling;
+  json["force_N"] = profile.force_N;
+  json["workspace_minimum_m"] = corner(profile.workspace_minimum_m);
+  json["workspace_maximum_m"] = corner(profile.workspace_maximum_m);
+  json["reached_minimum_m"] = or_null(profile.reached_minimum_m);
+  json["reached_maximum_m"] = or_null(profile.reached_maximum_m);
+  json["items"] = std::move(items);
   for (const AxisResponse& response : profile.responses) {
     json["responses"].push_back(json_of(response));
   }
@@ -296,6 +368,8 @@ DeviceProfile profile_from_json(const std::string& text, const std::string& orig
     for (const nlohmann::json& response : json.value("responses", nlohmann::json::array())) {
       profile.responses.push_back(response_from(response));
     }
+    if (profile.is_simulated) profile.not_known = not_known_in(json, profile.model);
+    leave_out_unknown(profile);
     return profile;
   } catch (const std::exception& error) {
     throw std::runtime_error("the device profile " + origin + " cannot be read: " + error.what());

@@ -13,6 +13,7 @@
 
 #include "analysis/device_response.h"
 #include "app/phrase.h"
+#include "device/device_trait.h"
 
 namespace asperity {
 
@@ -36,6 +37,8 @@ struct DeviceItem {
 
 /// As it stands in a profile.
 const char* text_of(DeviceItem::Status status) noexcept;
+/// How it came out, in the words of terminal, window and profile: "pass", "fail", "not measured", "no limit".
+const char* outcome_of(const DeviceItem& item) noexcept;
 
 /// What an item with a number is: the kind that can be held to a limit.
 struct DeviceQuantity {
@@ -44,6 +47,8 @@ struct DeviceQuantity {
   /// Says as much about the computer as about the device: of a simulated one it is told and not judged.
   bool is_timing = false;
   bool takes_limit = true;  ///< false: it is kept or not, and nobody sets how well
+  /// What of the device it tells, where it is something that may be known of one and not of another.
+  std::optional<DeviceTrait> trait{};
 };
 /// All there are, in the order of a profile.
 std::span<const DeviceQuantity> device_quantities() noexcept;
@@ -84,7 +89,15 @@ struct DeviceProfile {
   std::optional<glm::dvec3> reached_maximum_m{};
   std::vector<DeviceItem> items{};
   std::vector<AxisResponse> responses{};  ///< of the axes that were driven by tones
+  /// Of a simulated device that stands for a real one: DeviceCapability::not_known.
+  std::vector<DeviceTrait> not_known{};
 
+  /// "delta.3" of a simulated device that stands for one, otherwise empty.
+  std::string stands_for() const;
+  /// All that is not in `not_known`.
+  std::vector<DeviceTrait> known() const;
+  /// Whether the item tells of the device what nobody knows: of a simulated one in its place nothing is measured then.
+  bool is_unknown(std::string_view item) const noexcept;
   /// Null where there is no such item.
   const DeviceItem* item(std::string_view name) const noexcept;
   /// Nothing where it was not measured.
@@ -92,8 +105,12 @@ struct DeviceProfile {
   bool has_failed() const noexcept;
 };
 
+/// Takes the numbers away that are none of the device that a simulated one stands for, and says so in their place.
+void leave_out_unknown(DeviceProfile& profile);
+
 /// The document, indented, with a line's end.
 std::string json_text_of(const DeviceProfile& profile);
+/// Of a stand-in that an earlier version measured, what is not known is left out likewise.
 /// Errors: std::runtime_error with a sentence that names `origin` and what is wrong with it.
 DeviceProfile profile_from_json(const std::string& text, const std::string& origin);
 

@@ -78,6 +78,8 @@ const std::vector<RemarkWords>& all_remarks() {
       {DeviceRemark::no_readings, phrase("DeviceTest", "There were no readings.")},
       {DeviceRemark::share_reached,
        phrase("DeviceTest", "The least share of the declared workspace that the handle reached.")},
+      {DeviceRemark::not_known,
+       phrase("DeviceTest", "Not known of %1, which the simulated device stands for.")},
   };
   return kRemarks;
 }
@@ -116,6 +118,75 @@ Phrase read_remark(const std::string& stored) {
     if (phrase_of(fault).english() == stored) return phrase_of(fault);
   }
   return stored;
+}
+
+Phrase phrase_of(DeviceTrait trait) {
+  switch (trait) {
+    case DeviceTrait::workspace:
+      return phrase("DeviceTest", "workspace");
+    case DeviceTrait::peak_force:
+      return phrase("DeviceTest", "peak force");
+    case DeviceTrait::continuous_force:
+      return phrase("DeviceTest", "continuous force");
+    case DeviceTrait::rate:
+      return phrase("DeviceTest", "rate");
+    case DeviceTrait::latency:
+      return phrase("DeviceTest", "latency");
+    case DeviceTrait::position_step:
+      return phrase("DeviceTest", "steps of positions");
+    case DeviceTrait::position_noise:
+      return phrase("DeviceTest", "noise of positions");
+    case DeviceTrait::friction:
+      return phrase("DeviceTest", "friction");
+    case DeviceTrait::damping:
+      return phrase("DeviceTest", "damping");
+    case DeviceTrait::moving_mass:
+      return phrase("DeviceTest", "moving mass");
+    case DeviceTrait::resonance:
+      return phrase("DeviceTest", "resonance");
+    case DeviceTrait::stiffness:
+      return phrase("DeviceTest", "stiffest spring");
+    case DeviceTrait::force_resolution:
+      return phrase("DeviceTest", "weakest force");
+  }
+  return {};
+}
+
+Phrase listed(const std::vector<DeviceTrait>& traits) {
+  Phrase all{};
+  for (const DeviceTrait trait : traits) {
+    all = all.empty() ? phrase_of(trait) : Phrase("%1, %2").with(all, phrase_of(trait));
+  }
+  return all;
+}
+
+Phrase what_is_known(const DeviceProfile& profile) {
+  if (profile.stands_for().empty()) return {};
+  return phrase("DeviceTest", "Simulated in place of %1; known of it: %2; not known: %3.")
+      .with(profile.stands_for(), listed(profile.known()), listed(profile.not_known));
+}
+
+Phrase verdict_on(const DeviceProfile& profile) {
+  const auto names = [&profile](const auto& is_meant) {
+    std::string all{};
+    for (const DeviceItem& item : profile.items) {
+      if (is_meant(item)) all += (all.empty() ? "" : ", ") + item.name;
+    }
+    return all;
+  };
+  const std::string failed =
+      names([](const DeviceItem& item) { return item.status == DeviceItem::Status::fail; });
+  const std::string open = names([](const DeviceItem& item) {
+    return item.limit && item.status == DeviceItem::Status::not_measured;
+  });
+  if (failed.empty() && open.empty()) return phrase("DeviceTest", "The device kept every limit.");
+  const Phrase kept =
+      failed.empty()
+          ? phrase("DeviceTest", "The device kept every limit that was measured.")
+          : phrase("DeviceTest", "The device did not keep every limit: %1.").with(failed);
+  if (open.empty()) return kept;
+  return Phrase("%1 %2").with(kept,
+                              phrase("DeviceTest", "Not measured, though limited: %1.").with(open));
 }
 
 }  // namespace asperity

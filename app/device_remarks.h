@@ -1,10 +1,13 @@
-// What is said of an item of a device's profile: how its number was found, or why there is none.
+// What is said of a device's profile: how the number of an item was found, or why there is none, and what is known.
 
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "app/device_profile.h"
 #include "app/phrase.h"
+#include "device/device_trait.h"
 
 namespace asperity {
 
@@ -43,11 +46,22 @@ enum class DeviceRemark {
   nobody_moved_it,
   no_readings,
   share_reached,
+  not_known,
 };
 /// Its places are filled by whoever measured.
 Phrase phrase_of(DeviceRemark remark);
 
 /// What a profile says in English, so that it can be said in another language; what is not known as it stands.
 Phrase read_remark(const std::string& stored);
+
+/// "moving mass"
+Phrase phrase_of(DeviceTrait trait);
+/// "friction, damping"
+Phrase listed(const std::vector<DeviceTrait>& traits);
+/// "Simulated in place of delta.3; known of it: workspace, …; not known: …": what stands above the items of such a
+/// device. Empty of every other.
+Phrase what_is_known(const DeviceProfile& profile);
+/// Whether it kept its limits, and which of them nobody looked at. A sentence or two.
+Phrase verdict_on(const DeviceProfile& profile);
 
 }  // namespace asperity

@@ -41,11 +41,15 @@ nlohmann::ordered_json json_of(const std::vector<Diagnostic>& diagnostics) {
 }
 
 /// With what a device was compared, as a program reads it.
-nlohmann::ordered_json json_of(const std::string& device, const DeviceComparison& comparison) {
-  nlohmann::ordered_json json{
-      {"name", device}, {"compared", nullptr}, {"profile_measured_utc", nullptr}};
+nlohmann::ordered_json json_of(const std::string& device, const DeviceComparison& comparison,
+                               const std::vector<DeviceTrait>& not_known) {
+  nlohmann::ordered_json json{{"name", device},
+                              {"compared", nullptr},
+                              {"profile_measured_utc", nullptr},
+                              {"not_known", nlohmann::ordered_json::array()}};
   if (!comparison.compared.empty()) json["compared"] = comparison.compared;
   if (comparison.profile) json["profile_measured_utc"] = comparison.profile->measured_utc;
+  for (const DeviceTrait trait : not_known) json["not_known"].push_back(name_of(trait));
   return json;
 }
 
@@ -155,7 +159,9 @@ void add_check(CLI::App& program, Job& job) {
         if (options->json) {
           json["protocols"].push_back(json_of(check, doubts));
           if (options->device) {
-            json["protocols"].back()["device"] = json_of(*options->device, comparison);
+            json["protocols"].back()["device"] =
+                json_of(*options->device, comparison,
+                        device ? device->not_known : std::vector<DeviceTrait>{});
           }
         } else if (check.diagnostics.empty()) {
           std::cout << check.file << ": " << check.protocol->name << ' ' << check.protocol->version

@@ -24,6 +24,7 @@
 #include "app/cli/signals.h"
 #include "app/cli/terminal.h"
 #include "app/device_kind.h"
+#include "app/device_remarks.h"
 #include "app/tasks/measure_device.h"
 #include "app/tasks/protocol_files.h"
 #include "device/drivers.h"
@@ -118,13 +119,18 @@ Table table_of(const DeviceProfile& profile) {
       limit =
           (item.bound == DeviceItem::Bound::at_most ? "<= " : ">= ") + in_four_digits(*item.limit);
     }
-    std::string result = text_of(item.status);
-    if (item.status == DeviceItem::Status::not_measured) result = "not measured";
-    if (item.is_only_told()) result = "no limit";
-    table.rows.push_back({item.name, result, item.value ? in_four_digits(*item.value) : "n/a",
-                          limit, item.text.english()});
+    table.rows.push_back({item.name, outcome_of(item),
+                          item.value ? in_four_digits(*item.value) : "n/a", limit,
+                          item.text.english()});
   }
   return table;
+}
+
+void print_for_people(const DeviceProfile& profile) {
+  if (const Phrase known = what_is_known(profile); !known.empty()) {
+    std::cout << known.english() << '\n';
+  }
+  std::cout << aligned(table_of(profile)) << verdict_on(profile).english() << '\n';
 }
 
 }  // namespace
@@ -143,8 +149,9 @@ void add_device_test(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "device-test", "Measure a device: timing, mechanics, safety. It moves by itself.");
   command
-      ->add_option("NAME", options->device,
-                   "Device: simulated, falcon, …; where there are several NAME:SERIAL")
+      ->add_option(
+          "NAME", options->device,
+          "Device: simulated, simulated:MODEL, falcon, …; where there are several NAME:SERIAL")
       ->required();
   command->add_option("--study", options->order.study,
                       "Keep the profile with this study, for its sessions");
@@ -199,7 +206,11 @@ void add_device_test(CLI::App& program, Job& job) {
       };
       const auto [profile, file] = measure_device(*device, order, interrupt.token());
       if (file) say("kept as " + file->string());
-      std::cout << (options->json ? json_text_of(profile) : aligned(table_of(profile)));
+      if (options->json) {
+        std::cout << json_text_of(profile);
+      } else {
+        print_for_people(profile);
+      }
       return profile.has_failed() ? 1 : 0;
     };
   });

@@ -227,7 +227,8 @@ class DeviceRehearsal final {
             .text = text.with(name, asked, in_three_digits(*value))});
       return;
     }
-    if (name == kResonance) return;  // most often there is none, which keeps every limit
+    // Most often there is none, which keeps every limit; unless nobody knows.
+    if (name == kResonance && !profile_.is_unknown(name)) return;
     const Phrase text =
         at_most ? phrase("Rehearsal",
                          "The protocol asks for a device whose %1 is at most %2, and that was not "

@@ -2,13 +2,16 @@
 
 #include "app/tasks/compared_device.h"
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <functional>
+#include <iterator>
 
 #include "analysis/number_text.h"
 #include "app/conductor/recorded_hand.h"
 #include "app/device_kind.h"
+#include "app/device_remarks.h"
 #include "app/tasks/device_choice.h"
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
@@ -23,6 +26,10 @@ constexpr const char* kReplay = "replay";
 /// The items that stimuli are compared with; beside them rate and workspace, which every profile has.
 constexpr std::array kComparedItems{"friction_N", "force_resolution_N", "position_resolution_m",
                                     "damping_N_s_per_m", "stiffness_N_per_m"};
+/// What they tell of a device, and a resonance, of which most have none.
+constexpr std::array kComparedTraits{DeviceTrait::friction,      DeviceTrait::force_resolution,
+                                     DeviceTrait::position_step, DeviceTrait::damping,
+                                     DeviceTrait::stiffness,     DeviceTrait::resonance};
 
 std::string joined(const std::vector<std::string>& words) {
   std::string all{};
@@ -38,6 +45,21 @@ DeviceCapability capability_of(const SimulatedDeviceSettings& settings) {
 }
 
 using Warn = std::function<void(const std::string& sentence)>;
+
+/// What no measurement of a simulated device will tell of the one that it stands for.
+void tell_unknown(const SoughtDevice& device, const Warn& warn) {
+  std::vector<DeviceTrait> missing{};
+  std::copy_if(kComparedTraits.begin(), kComparedTraits.end(), std::back_inserter(missing),
+               [&device](DeviceTrait trait) {
+                 const auto& unknown = device.not_known;
+                 return std::find(unknown.begin(), unknown.end(), trait) != unknown.end();
+               });
+  if (missing.empty()) return;
+  const std::string real = device.wanted.which.model.substr(kInPlaceOf.size());
+  warn("of " + real + ", which " + in_quotation_marks(name_of(device.wanted)) +
+       " stands for, are not known: " + listed(missing).english() +
+       "; no stimulus was compared with what these would tell");
+}
 
 void look_for(const Driver& driver, const std::string& which, const DriverOptions& options,
               const DriverRegistry& drivers, SoughtDevice& sought) {
@@ -61,12 +83,12 @@ std::string words_for(const SoughtDevice& device) {
   return "the attached device " + which.name + (which.serial.empty() ? "" : ' ' + which.serial);
 }
 
-/// What the profile leaves open.
+/// What the profile leaves open, beside what nobody knows.
 void tell_gaps(const DeviceProfile& profile, const Protocol& protocol, const std::string& now_utc,
                const Warn& warn) {
   std::vector<std::string> missing{};
   for (const char* const item : kComparedItems) {
-    if (!profile.value(item)) missing.emplace_back(item);
+    if (!profile.value(item) && !profile.is_unknown(item)) missing.emplace_back(item);
   }
   if (!missing.empty()) {
     warn("the profile has no number for " + joined(missing) +
@@ -88,6 +110,7 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
     const DeviceCapability capability = capability_of(*settings);
     // Its model tells one profile from another.
     sought.wanted.which = {capability.name, capability.model, capability.serial};
+    sought.not_known = capability.not_known;
     return sought;
   }
   const std::size_t colon = device.find(':');
@@ -134,6 +157,7 @@ DeviceComparison compare_with(const SoughtDevice& device, const Protocol& protoc
   if (!comparison.refusal.empty()) return comparison;
   const std::string of_itself = "the force and the rate that " + name + " gives";
   if (is_simulated) comparison.compared = "compared with " + of_itself;
+  tell_unknown(device, warn);
   if (!study) {
     if (device.wanted.has_motors) {
       warn("nothing that is felt was compared with " + name +

@@ -21,6 +21,8 @@ struct SoughtDevice {
   std::string absence{};
   /// A sentence: why none could on any (a recording that cannot be read); empty where one could.
   std::string refusal{};
+  /// Of a simulated device that stands for a real one: DeviceCapability::not_known.
+  std::vector<DeviceTrait> not_known{};
 };
 /// Looks for what --device names. A driver may open what it finds for a moment, to ask its name; nothing moves.
 /// Errors: std::runtime_error for a "simulated:MODEL" that there is not; a driver that there is not is an absence.

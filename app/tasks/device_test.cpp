@@ -88,6 +88,8 @@ class DeviceTest final {
         bench_(device, options.rate_Hz, stop, options.watch) {
     const DeviceCapability& capability = device.capability();
     has_motors_ = capability.actuated_degrees_of_freedom > 0;
+    profile_.model = capability.model;
+    profile_.not_known = capability.not_known;
     force_N_ = options.force_N;
     if (has_motors_) {
       force_N_ = std::min(force_N_, capability.peak_force_N);
@@ -108,6 +110,7 @@ class DeviceTest final {
     measure_force_resolution();
     measure_workspace();
     profile_.force_N = has_motors_ ? force_N_ : 0.0;
+    leave_out_unknown(profile_);
     return std::move(profile_);
   }
 
@@ -167,6 +170,14 @@ class DeviceTest final {
 
   void leave_out(const std::vector<std::string>& names, const Phrase& why) {
     for (const std::string& name : names) judge(name, {}, why);
+  }
+
+  /// Where its number would be of no use: there are no motors to find it with, or it would be none of the device that
+  /// this one stands for.
+  bool is_left_out(const std::string& name) {
+    if (has_motors_ && !profile_.is_unknown(name)) return false;
+    leave_out({name}, phrase_of(DeviceRemark::no_motors));  // or what leave_out_unknown says
+    return true;
   }
 
   // --- timing ------------------------------------------------------------------------------------
@@ -518,10 +529,7 @@ class DeviceTest final {
   }
 
   void measure_resonance() {
-    if (!has_motors_) {
-      leave_out({"resonance_Hz"}, phrase_of(DeviceRemark::no_motors));
-      return;
-    }
+    if (is_left_out("resonance_Hz")) return;
     constexpr double kLowest_Hz = 8.0;
     constexpr int kTones = 24;
     const double highest_Hz = std::min(200.0, 0.2 * options_.rate_Hz);
@@ -622,10 +630,7 @@ class DeviceTest final {
   }
 
   void measure_stiffness() {
-    if (!has_motors_) {
-      leave_out({"stiffness_N_per_m"}, phrase_of(DeviceRemark::no_motors));
-      return;
-    }
+    if (is_left_out("stiffness_N_per_m")) return;
     constexpr double kSoftest_N_per_m = 250.0;
     constexpr int kLevels = 11;  // by √2, up to 8000 N/m
     ByAxis found{.text = phrase_of(DeviceRemark::stiffest)};
@@ -692,10 +697,7 @@ class DeviceTest final {
   }
 
   void measure_force_resolution() {
-    if (!has_motors_) {
-      leave_out({"force_resolution_N"}, phrase_of(DeviceRemark::no_motors));
-      return;
-    }
+    if (is_left_out("force_resolution_N")) return;
     constexpr double kWeakest_N = 0.002;
     constexpr double kPushed_s = 0.060;
     ByAxis found{.text = phrase_of(DeviceRemark::weakest)};
@@ -792,7 +794,6 @@ DeviceProfile test_device(HapticDevice& device, const DeviceTestOptions& options
   const DeviceCapability& capability = device.capability();
   const ProgramIdentity program = this_program();
   profile.name = capability.name;
-  profile.model = capability.model;
   profile.serial = capability.serial;
   profile.workspace_minimum_m = capability.workspace_minimum_m;
   profile.workspace_maximum_m = capability.workspace_maximum_m;

@@ -63,7 +63,8 @@ struct DeviceTestOptions {
 ///
 /// Each item is there exactly once, and in that order; beside them the responses to the tones. Default limits: rate_Hz at least 95 % of what was
 /// asked for, lateness_p99_s at most a period, force_zero_N 0; workspace_reached at least 0.8. How each
-/// number is found stands in docs/formats/device_profile.md.
+/// number is found stands in docs/formats/device_profile.md. What is not known of the device that a simulated one stands
+/// for (DeviceCapability::not_known) is not measured of it.
 ///
 /// Errors: std::invalid_argument for a rate or a force that is not positive and for a limit on what is no
 /// item with a number; DeviceStageStopped; std::runtime_error when the device is lost.

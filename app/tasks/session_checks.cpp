@@ -14,6 +14,7 @@
 #include "app/conductor/rig.h"
 #include "app/conductor/session_setup.h"
 #include "app/conductor/stimulus_builder.h"
+#include "app/device_remarks.h"
 #include "app/tasks/device_choice.h"
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
@@ -423,6 +424,10 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   } else {
     profile.text =
         phrase("SessionChecks", "%1; every stimulus is within what it can do.").with(age);
+  }
+  if (const DeviceProfile& of = *found.profile; !of.not_known.empty()) {
+    profile.text = phrase("SessionChecks", "%1 Not known of %2, and compared with nothing: %3.")
+                       .with(profile.text, of.stands_for(), listed(of.not_known));
   }
   // What breaks a limit of the protocol's has a line of its own.
   DeviceProfile unlimited = *found.profile;

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/device_profile.h"
 #include "app/tasks/protocol_files.h"
@@ -116,6 +117,31 @@ TEST_F(ComparedDevice, IsSaidToLackWhatItsProfileLacks) {
   EXPECT_THAT(warnings(compared("simulated")),
               Contains(HasSubstr("no number for force_resolution_N, position_resolution_m, "
                                  "damping_N_s_per_m, stiffness_N_per_m")));
+}
+
+// No measurement of the virtual hand tells of the real one.
+TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) {
+  const std::string not_known =
+      "of delta.3, which \"simulated:delta.3\" stands for, are not known: friction, weakest force, "
+      "steps of positions, damping, stiffest spring, resonance; no stimulus was compared";
+  EXPECT_THAT(warnings(compared("simulated:delta.3")), Contains(HasSubstr(not_known)));
+  EXPECT_THAT(warnings(compared("simulated:falcon")),
+              Contains(HasSubstr("friction, weakest force, damping, stiffest spring, resonance;")))
+      << "its steps are";
+  EXPECT_THAT(warnings(compared("simulated")), Each(Not(HasSubstr("not known"))));
+  // Of an earlier version, which took the virtual hand's friction for a delta.3's.
+  const DeviceProfile earlier = good("in place of delta.3");
+  std::filesystem::create_directories(study / "profiles");
+  auto json = nlohmann::json::parse(json_text_of(earlier));
+  json.erase("stands_for");
+  json["measured_utc"] = kYesterday;
+  json["items"].front()["value"] = 0.9;
+  write_file(study / "profiles" / "delta.json", json.dump(), Overwrite::allow);
+  const auto told = warnings(compared("simulated:delta.3"));
+  EXPECT_THAT(compared("simulated:delta.3").compared, HasSubstr("was measured to do"));
+  EXPECT_THAT(told, Contains(HasSubstr(not_known)));
+  EXPECT_THAT(told, Each(Not(HasSubstr("0.900 N"))));
+  EXPECT_THAT(told, Each(Not(HasSubstr("has no number for"))));
 }
 
 TEST_F(ComparedDevice, IsWarnedOfWhereTheProtocolAsksForIt) {

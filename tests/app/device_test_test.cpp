@@ -14,11 +14,13 @@
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/conductor/reason.h"
 #include "app/device_remarks.h"
 #include "app/tasks/measure_device.h"
 #include "device/simulated_device.h"
+#include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
 
@@ -135,6 +137,112 @@ TEST(DeviceTest, HasEveryItemOnceAndPassesFunctionAndSafetyOfTheSimulatedDevice)
   for (const std::string& name : names) EXPECT_NE(profile.item(name), nullptr) << name;
   EXPECT_FALSE(item(profile, "lateness_p99_s").limit) << "timing is told, not judged";
   EXPECT_EQ(item(profile, "workspace_reached").status, DeviceItem::Status::not_measured);
+}
+
+/// Of a stand-in for this model.
+DeviceProfile in_place_of(const std::string& model) {
+  return measured(simulated_settings("simulated:" + model).value());
+}
+
+// The numbers of its virtual hand are no delta.3's.
+TEST(DeviceTest, LeavesOutOfAStandInWhatIsNotKnownOfTheRealOne) {
+  std::vector<DeviceTestPart> parts{};
+  DeviceTestOptions options = stepped();
+  options.tell = [&parts](const DeviceTestNews& news) { parts.push_back(news.part); };
+  options.limits = {{"friction_N", 0.5}};
+  const DeviceProfile delta = measured(simulated_settings("simulated:delta.3").value(), options);
+  for (const char* const name :
+       {"position_noise_m", "friction_N", "damping_N_s_per_m", "position_resolution_m",
+        "moving_mass_kg", "resonance_Hz", "stiffness_N_per_m", "force_resolution_N"}) {
+    EXPECT_EQ(item(delta, name).status, DeviceItem::Status::not_measured) << name;
+    EXPECT_FALSE(item(delta, name).value) << name;
+    EXPECT_TRUE(item(delta, name).by_axis.empty()) << name;
+    EXPECT_EQ(item(delta, name).text.english(),
+              "Not known of delta.3, which the simulated device stands for.");
+  }
+  EXPECT_EQ(item(delta, "friction_N").limit, 0.5) << "it is open whether it is kept";
+  EXPECT_TRUE(delta.responses.empty()) << "they are its virtual hand's";
+  for (const DeviceTestPart part :
+       {DeviceTestPart::tones, DeviceTestPart::springs, DeviceTestPart::small_pushes}) {
+    EXPECT_EQ(std::count(parts.begin(), parts.end(), part), 0);
+  }
+  EXPECT_NEAR(delta.value("latency_s").value(), 0.25e-3, 0.3e-3) << "it is known";
+  EXPECT_FALSE(delta.has_failed());
+  const DeviceProfile falcon = in_place_of("falcon");
+  EXPECT_NEAR(falcon.value("position_resolution_m").value(), 38e-6, 0.25 * 38e-6);
+  EXPECT_FALSE(falcon.value("friction_N"));
+}
+
+// Emulated devices pass function and safety; their timing is only told.
+TEST(DeviceTest, PassesFunctionAndSafetyOfEveryStandInAndOnlyTellsItsTiming) {
+  for (const std::string& model : simulated_models()) {
+    const DeviceProfile profile = in_place_of(model);
+    for (const char* const name : {"force_zero_N", "limiter", "zero_after_stop",
+                                   "zero_after_not_finite", "zero_without_heartbeat"}) {
+      EXPECT_EQ(item(profile, name).status, DeviceItem::Status::pass) << model << ' ' << name;
+    }
+    for (const char* const name : {"rate_Hz", "lateness_p99_s", "missed_deadlines"}) {
+      EXPECT_TRUE(item(profile, name).is_only_told()) << model << ' ' << name;
+    }
+    EXPECT_FALSE(profile.has_failed()) << model;
+  }
+}
+
+TEST(DeviceProfile, OfAStandInSaysWhatIsKnownAndIsReadAsItWasWritten) {
+  const DeviceProfile delta = in_place_of("delta.3");
+  EXPECT_EQ(what_is_known(delta).english(),
+            "Simulated in place of delta.3; known of it: workspace, peak force, rate, latency; not "
+            "known: continuous force, steps of positions, noise of positions, friction, damping, "
+            "moving mass, resonance, stiffest spring, weakest force.");
+  EXPECT_TRUE(what_is_known(measured({})).empty());
+  const std::string text = json_text_of(delta);
+  const auto json = nlohmann::json::parse(text);
+  EXPECT_EQ(json["stands_for"]["model"], "delta.3");
+  EXPECT_EQ(json["stands_for"]["known"],
+            nlohmann::json({"workspace", "peak_force", "rate", "latency"}));
+  EXPECT_EQ(json["stands_for"]["not_known"].size(), 9U);
+  const DeviceProfile stored = profile_from_json(text, "here");
+  EXPECT_EQ(json_text_of(stored), text);
+  EXPECT_EQ(stored.not_known, delta.not_known);
+  EXPECT_TRUE(stored.is_unknown("friction_N"));
+  EXPECT_FALSE(stored.is_unknown("latency_s"));
+  EXPECT_FALSE(nlohmann::json::parse(json_text_of(measured({}))).contains("stands_for"));
+}
+
+TEST(DeviceProfile, TellsOfEachItemInTheWordsOfTheTable) {
+  DeviceTestOptions options = stepped();
+  options.limits = {{"moving_mass_kg", 0.010}, {"damping_N_s_per_m", 1.0}};
+  const DeviceProfile profile = measured({}, options);
+  const auto json = nlohmann::json::parse(json_text_of(profile));
+  const auto told = [&](const std::string& name) {
+    for (const auto& one : json["items"]) {
+      if (one["name"] == name) {
+        return one["status"].get<std::string>() + ", " + one["result"].get<std::string>();
+      }
+    }
+    return std::string("no item");
+  };
+  EXPECT_EQ(told("friction_N"), "pass, no limit");
+  EXPECT_EQ(told("damping_N_s_per_m"), "pass, pass");
+  EXPECT_EQ(told("limiter"), "pass, pass") << "it is kept or not";
+  EXPECT_EQ(told("moving_mass_kg"), "fail, fail");
+  EXPECT_EQ(told("workspace_reached"), "not_measured, not measured");
+}
+
+TEST(DeviceProfile, SaysWhichLimitsWereKeptAndWhichNobodyLookedAt) {
+  using Status = DeviceItem::Status;
+  DeviceProfile profile{.items = {{.name = "limiter", .status = Status::pass}}};
+  EXPECT_EQ(verdict_on(profile).english(), "The device kept every limit.");
+  profile.items.push_back({.name = "latency_s"});
+  EXPECT_EQ(verdict_on(profile).english(), "The device kept every limit.") << "it has none";
+  profile.items.push_back({.name = "workspace_reached", .limit = 0.8});
+  EXPECT_EQ(verdict_on(profile).english(),
+            "The device kept every limit that was measured. Not measured, though limited: "
+            "workspace_reached.");
+  profile.items.front().status = Status::fail;
+  EXPECT_EQ(verdict_on(profile).english(),
+            "The device did not keep every limit: limiter. Not measured, though limited: "
+            "workspace_reached.");
 }
 
 // 50 g on 2000 N/m, 1 N·s/m: √(2000 / 0.05) / 2π = 31.8 Hz, and a peak ten times as high as the mass.
@@ -470,7 +578,8 @@ TEST(DeviceProfile, SaysInAnotherLanguageWhatWasStored) {
     return "<" + std::string(words) + ">";
   };
   StuckDevice stuck;
-  for (const DeviceProfile& profile : {measured({}), test_device(stuck, stepped(), {})}) {
+  for (const DeviceProfile& profile :
+       {measured({}), in_place_of("delta.3"), test_device(stuck, stepped(), {})}) {
     const DeviceProfile stored = profile_from_json(json_text_of(profile), "here");
     for (const DeviceItem& one : profile.items) {
       EXPECT_EQ(item(stored, one.name).text.translated(spelt_out), one.text.translated(spelt_out))

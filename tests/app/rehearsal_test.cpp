@@ -538,6 +538,10 @@ TEST_F(DeviceRehearsalTest, WarnsOfALimitOnWhatWasNotMeasuredUnlessItIsAResonanc
             std::string::npos)
       << all.front().text.english();
   EXPECT_EQ(all.front().pointer, "/device/limits/latency_s");
+  DeviceProfile stand_in = ideal();
+  stand_in.not_known = {DeviceTrait::resonance};
+  EXPECT_TRUE(one(protocol, stand_in, "unmeasured_resonance_Hz"))
+      << "nobody knows whether there is one";
 }
 
 TEST_F(DeviceRehearsalTest, HoldsNoSimulatedDeviceToALimitOfItsTiming) {

@@ -338,17 +338,21 @@ class RehearsedChecks : public SessionChecks {
     inputs.rehearsal = std::make_shared<RehearsalMemory>();
   }
   /// `days` ago.
-  void measure(double days, double friction_N) {
+  void measure(double days, double friction_N, const std::string& in_place_of = "",
+               const std::vector<DeviceTrait>& not_known = {}) {
     const auto now = std::chrono::system_clock::now().time_since_epoch();
     const auto now_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
     const DeviceProfile profile{
-        .name = "falcon",
-        .serial = "A7",
+        .name = in_place_of.empty() ? "falcon" : "simulated",
+        .model = in_place_of,
+        .serial = in_place_of.empty() ? "A7" : "",
+        .is_simulated = !in_place_of.empty(),
         .measured_utc = utc_text(now_ns - static_cast<std::int64_t>(days * 86400.0 * 1e9)),
         .rate_Hz = 1000.0,
         .workspace_minimum_m = glm::dvec3(-1.0),
         .workspace_maximum_m = glm::dvec3(1.0),
-        .items = {{.name = "friction_N", .status = DeviceItem::Status::pass, .value = friction_N}}};
+        .items = {{.name = "friction_N", .status = DeviceItem::Status::pass, .value = friction_N}},
+        .not_known = not_known};
     std::filesystem::create_directories(study / "profiles");
     write_file(profile_path(study, profile), json_text_of(profile), Overwrite::allow);
   }
@@ -394,6 +398,15 @@ TEST_F(RehearsedChecks, TellTheAgeOfTheProfileAndEveryWarningWithBothNumbers) {
   EXPECT_NE(lines.front().text.english().find("the device's own friction is 0.900 N"),
             std::string::npos)
       << lines.front().text.english();
+}
+
+TEST_F(RehearsedChecks, TellWhatIsNotKnownOfTheDeviceThatASimulatedOneStandsFor) {
+  inputs.device = "simulated:delta.3";
+  inputs.tried = nullptr;
+  measure(0.1, 0.9, "in place of delta.3", {DeviceTrait::friction, DeviceTrait::damping});
+  EXPECT_EQ(check("calibration").text.english(),
+            "Measured within the last day; every stimulus is within what it can do. Not known of "
+            "delta.3, and compared with nothing: friction, damping.");
 }
 
 TEST_F(RehearsedChecks, RefuseWhatTheProtocolRefuses) {

@@ -1,5 +1,6 @@
 // A protocol's limits for its device, all the way: refused where they are wrong, judged by, kept, compared.
 
+#include <algorithm>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
@@ -83,6 +84,29 @@ TEST_F(DeviceLimits, AreToldAsNoneWhereThereIsNone) {
   EXPECT_NE(test.out.substr(rate, 60).find("no limit"), std::string::npos) << test.out;
 }
 
+// A stand-in is no delta.3, and says so.
+TEST_F(DeviceLimits, OfAStandInAreHeldToNothingThatIsNotKnown) {
+  const Outcome test = asperity(
+      {"device-test", "simulated:delta.3", "--limit", "friction_N=1", "--limit", "latency_s=1"});
+  EXPECT_EQ(test.status, 0) << test.err;
+  EXPECT_EQ(
+      test.out.find("Simulated in place of delta.3; known of it: workspace, peak force, rate, "
+                    "latency; not known: continuous force, steps of positions,"),
+      0U)
+      << test.out;
+  const auto line_of = [&test](const std::string& item) {
+    const std::size_t at = test.out.find('\n' + item);
+    return test.out.substr(at + 1, test.out.find('\n', at + 1) - at - 1);
+  };
+  EXPECT_NE(line_of("friction_N").find("not measured"), std::string::npos) << test.out;
+  EXPECT_NE(line_of("friction_N").find("Not known of delta.3"), std::string::npos) << test.out;
+  EXPECT_NE(line_of("latency_s").find("pass"), std::string::npos) << test.out;
+  EXPECT_NE(test.out.find("\nThe device kept every limit that was measured. Not measured, though "
+                          "limited: friction_N, workspace_reached.\n"),
+            std::string::npos)
+      << test.out;
+}
+
 class CheckedDevice : public DeviceLimits {
  protected:
   void ask_for(const std::string& key, const nlohmann::ordered_json& value) const {
@@ -122,6 +146,21 @@ TEST_F(CheckedDevice, IsRefusedAsARunRefusesItWithACommandThatHelps) {
   EXPECT_EQ(watched.status, 0) << watched.out;
   EXPECT_NE(watched.out.find("comparing small_selection with the device"), std::string::npos)
       << watched.out;
+}
+
+TEST_F(CheckedDevice, IsSaidNotToBeKnownWhereAProgramReadsItToo) {
+  const Outcome read = asperity({"check", small.selection(), "--study", small.study(), "--device",
+                                 "simulated:delta.3", "--json"});
+  EXPECT_EQ(read.status, 0) << read.err;
+  const auto json = nlohmann::json::parse(read.out);
+  const auto& not_known = json["protocols"][0]["device"]["not_known"];
+  EXPECT_NE(std::find(not_known.begin(), not_known.end(), "friction"), not_known.end()) << read.out;
+  EXPECT_NE(read.err.find("of delta.3, which \"simulated:delta.3\" stands for, are not known: "
+                          "friction, "),
+            std::string::npos)
+      << read.err;
+  EXPECT_NE(read.err.find("(/device)"), std::string::npos);
+  EXPECT_EQ(read.err.find(":1:1: warning"), std::string::npos) << "it has a place: " << read.err;
 }
 
 TEST_F(CheckedDevice, IsSaidNotToBeComparedAndTakesTheOptionsOfItsDriver) {
