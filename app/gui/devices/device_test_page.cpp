@@ -446,7 +446,7 @@ void DeviceTestPage::begin() {
   stack_->setCurrentIndex(1);
   stop_->setFocus();
   frames_.start();
-  run_.begin(study().drivers(), driver_options(), device_.device, order);
+  run_.begin(study().drivers(), driver_options(device_.device), device_.device, order);
 }
 
 void DeviceTestPage::offer_stop() {

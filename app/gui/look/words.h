@@ -13,8 +13,11 @@ namespace asperity {
 /// What finds the words of the windows' language. Any thread.
 Phrase::LookUp language_of_windows();
 
-/// Any thread.
+/// Drivers speak to people at a terminal as well: where they name an option or a command, what is said here is the
+/// control of the windows that does the same. Any thread.
 QString words_of(const Phrase& phrase);
+/// Likewise where what an option tells is told right here: by `control`.
+QString words_of(const Phrase& phrase, const QString& control);
 
 /// What a study or a protocol says, as it is written there. Any thread.
 inline QString text(const std::string& utf8) { return QString::fromStdString(utf8); }

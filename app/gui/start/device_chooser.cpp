@@ -9,10 +9,10 @@
 #include <QtGui/QStandardItemModel>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QComboBox>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
+#include "app/gui/devices/driver_setup.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
@@ -25,7 +25,7 @@ namespace asperity {
 namespace {
 
 constexpr int kDeviceWidth = 320;
-constexpr const char* kFalcon = "falcon";
+constexpr const char* kReplay = "replay";
 
 QString name_of_choice(const DeviceChoice& choice) {
   switch (choice.kind) {
@@ -59,7 +59,7 @@ QString remark_of_choice(const DeviceChoice& choice) {
     case DeviceKind::attached:
       break;
   }
-  return text(choice.remark);
+  return words_of(Phrase(choice.remark));
 }
 
 }  // namespace
@@ -87,14 +87,16 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
   why_ = make_button(tr("Why others cannot be used"), ButtonRole::link, this);
   why_->setObjectName("device_why");
   why_->setCheckable(true);
-  firmware_ = make_button(tr("Firmware file…"), ButtonRole::plain, this);
-  firmware_->setObjectName("device_firmware");
+  set_up_ = make_button(tr("Set up…"), ButtonRole::plain, this);
+  set_up_->setObjectName("device_set_up");
+  set_up_->setToolTip(
+      tr("A device's firmware, its maker's library or service, where it is not found."));
   again_ = make_button(tr("Look again"), ButtonRole::plain, this);
   again_->setObjectName("device_look");
   try_ = make_button(tr("Try this device"), ButtonRole::plain, this);
   try_->setObjectName("device_try");
   buttons->addStretch(1);
-  for (QPushButton* button : {firmware_, again_, try_}) buttons->addWidget(button);
+  for (QPushButton* button : {set_up_, again_, try_}) buttons->addWidget(button);
   layout->addLayout(buttons);
   question_ = new QWidget(this);
   auto* asked = new QHBoxLayout(question_);
@@ -143,7 +145,7 @@ DeviceChooser::DeviceChooser(OpenStudy& study, QWidget* parent) : QWidget(parent
       try_now();
     }
   });
-  connect(firmware_, &QPushButton::clicked, this, &DeviceChooser::choose_firmware);
+  connect(set_up_, &QPushButton::clicked, this, &DeviceChooser::set_up);
   connect(why_, &QPushButton::toggled, why_text_, &QWidget::setVisible);
   connect(yes_, &QPushButton::clicked, this, [this] {
     const auto yes = std::exchange(on_yes_, nullptr);
@@ -171,31 +173,40 @@ void DeviceChooser::set_protocol(std::shared_ptr<const Protocol> protocol) {
 // --- what is there -------------------------------------------------------------------------------
 
 void DeviceChooser::look_once() {
-  if (!has_looked_ && !survey_task_.is_running()) look();
+  const bool is_up_to_date = has_looked_ || survey_task_.is_running();
+  if (!is_up_to_date || told_ != driver_places()) look();
 }
 
 void DeviceChooser::look() {
   // What was tried may be another one by now, or lie on its side.
   tried_.reset();
   drop_question();
+  told_ = driver_places();
+  if (setup_ != nullptr) setup_->show_looking();
   const auto done = [this](const std::vector<DeviceChoice>& choices) {
     const bool was_attached = kind() == DeviceKind::attached;
     has_looked_ = true;
     choices_ = choices;
+    // It takes a file, and windows offer none.
+    std::erase_if(choices_, [](const DeviceChoice& choice) { return choice.device == kReplay; });
     list();
     // Of the others nothing has changed.
     if (was_attached || kind() == DeviceKind::attached) emit changed();
   };
   survey_task_.run<std::vector<SurveyedDriver>>(
-      [drivers = study_.drivers(), options = driver_options()](const std::stop_token&,
-                                                               const BackgroundTask::Progress&) {
-        return survey_devices(drivers, options);
+      [drivers = study_.drivers()](const std::stop_token&, const BackgroundTask::Progress&) {
+        return survey_devices(drivers, driver_options);
       },
-      [done](const std::vector<SurveyedDriver>& surveyed) { done(device_choices(surveyed)); },
+      [this, done](const std::vector<SurveyedDriver>& surveyed) {
+        drivers_ = surveyed;
+        done(device_choices(surveyed));
+        if (setup_ != nullptr) setup_->show_found(surveyed);
+      },
       [this, done](const QString& what) {
         done(devices_without_hardware());
         state_->set_state(State::look, tr("Devices could not be looked for: %1").arg(what));
         state_->show();
+        if (setup_ != nullptr) setup_->show_failure(what);
       });
   show_chosen();
   if (kind() == DeviceKind::attached) emit changed();
@@ -207,11 +218,20 @@ void DeviceChooser::list() {
     return choice.device == of_people_;
   });
   if (!is_there) {
+    // Its driver may be what is missing.
+    const std::string driver = of_people_.substr(0, of_people_.find(':'));
+    const auto of_driver =
+        std::find_if(lines.begin(), lines.end(), [&driver](const DeviceChoice& choice) {
+          return choice.device == driver && !choice.is_usable();
+        });
     gone_ = {.device = of_people_,
              .kind = DeviceKind::attached,
-             .hindrance = tr("%1 is not there: plug it in, see that it has power, and look again.")
-                              .arg(text(of_people_))
-                              .toStdString()};
+             .hindrance = of_driver != lines.end()
+                              ? of_driver->hindrance
+                              : tr("%1 is not there: plug it in, see that it has power, and look "
+                                   "again.")
+                                    .arg(text(of_people_))
+                                    .toStdString()};
     lines.push_back(gone_);
   }
   const QSignalBlocker silent(devices_);
@@ -225,15 +245,13 @@ void DeviceChooser::list() {
                       text(choice.device));
     if (choice.is_usable()) continue;
     rows->item(devices_->count() - 1)->setEnabled(false);
-    rows->item(devices_->count() - 1)->setToolTip(text(choice.hindrance));
-    if (choice.device != of_people_) why_not << tr("%1: %2").arg(name, text(choice.hindrance));
+    const QString why = words_of(Phrase(choice.hindrance).as_sentence(), tr("“Set up…”"));
+    rows->item(devices_->count() - 1)->setToolTip(why);
+    if (choice.device != of_people_) why_not << tr("%1: %2").arg(name, why);
   }
   devices_->setCurrentIndex(devices_->findData(text(device())));
   devices_->setEnabled(whom_ != For::virtual_participants);
-  const bool has_falcon = std::any_of(lines.begin(), lines.end(), [](const DeviceChoice& choice) {
-    return choice.device.starts_with(kFalcon);
-  });
-  firmware_->setVisible(whom_ == For::people && has_falcon);
+  set_up_->setVisible(whom_ == For::people && !drivers_to_set_up(study_.drivers()).empty());
   why_text_->setText(why_not.join('\n'));
   why_->setVisible(!why_not.isEmpty());
   why_text_->setVisible(!why_not.isEmpty() && why_->isChecked());
@@ -268,14 +286,16 @@ void DeviceChooser::show_chosen() {
   again_->setVisible(whom_ == For::people);
   again_->setEnabled(!is_looking && !is_trying);
   again_->setText(is_looking ? tr("Looking…") : tr("Look again"));
-  firmware_->setEnabled(!is_looking && !is_trying);
+  set_up_->setEnabled(!is_trying);
   devices_->setEnabled(whom_ != For::virtual_participants && !is_trying);
   try_->setVisible(is_attached && whom_ == For::people);
   try_->setText(is_trying ? tr("Stop trying") : tr("Try this device"));
   try_->setEnabled(is_trying || (now.is_usable() && has_looked_ && !is_looking &&
                                  protocol_ != nullptr && !question_->isVisibleTo(this)));
   QString said = remark_of_choice(now);
-  if (is_attached && !now.is_usable()) said = has_looked_ ? text(now.hindrance) : QString();
+  if (is_attached && !now.is_usable()) {
+    said = has_looked_ ? words_of(Phrase(now.hindrance).as_sentence(), tr("“Set up…”")) : QString();
+  }
   if (whom_ == For::virtual_participants) {
     said = tr("Several virtual participants are simulated on the simulated device as it is.");
   }
@@ -294,7 +314,7 @@ void DeviceChooser::show_chosen() {
                       tr("Not tried yet. Trying it opens it and runs the loop for a third of a "
                          "second, without force."));
   } else if (!found->failure.empty()) {
-    state_->set_state(State::stop, words_of(found->failure));
+    state_->set_state(State::stop, words_of(found->failure, tr("“Set up…”")));
   } else {
     state_->set_state(State::fine, tr("Tried: it answers. The checklist says the rest."));
   }
@@ -322,7 +342,7 @@ void DeviceChooser::forget_try() {
 
 void DeviceChooser::try_now(const std::string& agreed) {
   tried_.reset();
-  DriverOptions options = driver_options();
+  DriverOptions options = driver_options(device());
   options.tell = [this](const std::string& sentence) {
     // The task is waited for before this goes.
     QMetaObject::invokeMethod(
@@ -376,16 +396,16 @@ void DeviceChooser::drop_question() {
   show_chosen();
 }
 
-void DeviceChooser::choose_firmware() {
-  auto* dialog = new QFileDialog(this, tr("The file of a Falcon's firmware"));
-  dialog->setObjectName("firmware_dialog");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-    remember_firmware(file.toStdString());
-    look();
-  });
-  dialog->open();
+void DeviceChooser::set_up() {
+  if (setup_ != nullptr) return;
+  setup_ = new DriverSetup(drivers_to_set_up(study_.drivers()), this);
+  connect(setup_, &DriverSetup::changed, this, &DeviceChooser::look);
+  if (survey_task_.is_running()) {
+    setup_->show_looking();
+  } else {
+    setup_->show_found(drivers_);
+  }
+  setup_->open();
 }
 
 }  // namespace asperity

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <QtCore/QPointer>
 #include <QtWidgets/QWidget>
 
 #include "app/gui/look/background_task.h"
@@ -20,12 +22,13 @@ class QPushButton;
 
 namespace asperity {
 
+class DriverSetup;
 class OpenStudy;
 class StateLabel;
 
 /// Lists the simulated device and what it can stand for, the mouse, and what the drivers find attached; what
 /// cannot be used is listed with the reason. Looks for devices in the background when it is first asked to,
-/// and again when somebody wants it.
+/// again when somebody wants it, and when drivers are told something else (`DriverSetup`, here or on the page Devices).
 ///
 /// An attached device is opened by a person's press alone: it is tried for a third of a second without force,
 /// and what it wants meanwhile ("pull the grip out") stands here. One that has to move by itself is let go of
@@ -43,7 +46,7 @@ class DeviceChooser final : public QWidget {
   void set_for(For whom);
   /// Whose rate and force limit a device is tried with; may be null.
   void set_protocol(std::shared_ptr<const Protocol> protocol);
-  /// Looks for devices, unless that has been done.
+  /// Looks for devices, unless that has been done and drivers are still told the same.
   void look_once();
 
   /// As RunInputs::device.
@@ -73,7 +76,7 @@ class DeviceChooser final : public QWidget {
   /// In the room below the device: what is asked stays until it is answered.
   void ask(const QString& question, const QString& verb, std::function<void()> yes);
   void drop_question();
-  void choose_firmware();
+  void set_up();
 
   OpenStudy& study_;
   For whom_ = For::people;
@@ -84,6 +87,8 @@ class DeviceChooser final : public QWidget {
   std::string of_people_ = "simulated";   ///< as chosen for them
   std::string of_virtual_ = "simulated";  ///< likewise
   bool has_looked_ = false;
+  std::map<std::string, std::string> told_{};  ///< driver_places() when it looked last
+  std::vector<SurveyedDriver> drivers_{};      ///< as it found them
   std::shared_ptr<const TriedDevice> tried_{};
   std::function<void()> on_yes_{};
 
@@ -91,7 +96,8 @@ class DeviceChooser final : public QWidget {
   QLabel* text_ = nullptr;
   QPushButton* again_ = nullptr;
   QPushButton* try_ = nullptr;
-  QPushButton* firmware_ = nullptr;
+  QPushButton* set_up_ = nullptr;
+  QPointer<DriverSetup> setup_{};
   StateLabel* state_ = nullptr;
   QWidget* question_ = nullptr;
   StateLabel* question_text_ = nullptr;

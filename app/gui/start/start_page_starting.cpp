@@ -91,7 +91,7 @@ void StartPage::check() {
       .resumed_session = resumed_session(),
       .pacing = order().inputs.pacing,
       .device = setup_->device().device(),
-      .driver_options = driver_options(),
+      .driver_options = driver_options(setup_->device().device()),
       .device_hindrance = setup_->device().hindrance(),
       .tried = setup_->device().tried(),
       .rehearsal = rehearsal_,
@@ -134,7 +134,7 @@ SessionOrder StartPage::order() const {
   inputs.pacing = is_virtual() && fast_->isChecked() ? RunPacing::stepped : RunPacing::real_time;
   inputs.mirrored = setup_->is_mirrored();
   inputs.device = setup_->device().device();
-  inputs.driver_options = driver_options();
+  inputs.driver_options = driver_options(inputs.device);
   const Protocol* protocol = chosen();
   if (protocol != nullptr && !is_virtual() && participant_->is_new()) {
     inputs.new_person = participant_->new_person(*protocol);

@@ -7,6 +7,8 @@
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QScrollArea>
 
+#include "app/gui/devices/driver_setup.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/settings.h"
 #include "app/tasks/device_choice.h"
 #include "app/tasks/study_overview.h"
@@ -16,7 +18,8 @@ namespace asperity {
 namespace {
 
 constexpr int kCardWidth = 720;
-constexpr const char* kMouseDriver = "mouse";  // has no handle that could be pushed
+constexpr const char* kMouseDriver = "mouse";    // has no handle that could be pushed
+constexpr const char* kReplayDriver = "replay";  // takes a file, and windows offer none
 
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
@@ -67,16 +70,6 @@ FoundState state_of(const DriverSurvey& survey) {
   return {State::unknown, DevicesPage::tr("none attached")};
 }
 
-/// Whether what is advised can be done at a terminal only.
-bool names_an_option(const DriverSurvey& survey) {
-  const auto names_one = [](const std::string& sentence) {
-    return sentence.find("--") != std::string::npos;
-  };
-  return names_one(survey.hindrance) ||
-         std::any_of(survey.attached.begin(), survey.attached.end(),
-                     [&](const AttachedDevice& device) { return names_one(device.hindrance); });
-}
-
 QString name_of(const AttachedDevice& device) {
   const QString model = QString::fromStdString(device.model);
   const QString serial = QString::fromStdString(device.serial);
@@ -108,11 +101,13 @@ DevicesPage::DevicesPage(OpenStudy& study, QWidget* parent)
     : DevicesPage(
           study,
           [drivers = study.drivers()] {
-            DriverOptions options = driver_options();
             // The mouse needs a window that feeds it; sessions have one.
             LatestValue<PointerSample> pointer{};
-            options.pointer = &pointer;
-            return survey_devices(drivers, options);
+            return survey_devices(drivers, [&pointer](const std::string& driver) {
+              DriverOptions options = driver_options(driver);
+              options.pointer = &pointer;
+              return options;
+            });
           },
           parent) {}
 
@@ -212,11 +207,13 @@ void DevicesPage::add_models() {
 
 void DevicesPage::showEvent(QShowEvent* event) {
   StudyPage::showEvent(event);
-  if (!looked_) look();
+  if (!looked_ || told_ != driver_places()) look();
 }
 
 void DevicesPage::look() {
   looked_ = true;
+  told_ = driver_places();
+  if (setup_ != nullptr) setup_->show_looking();
   look_button_->setEnabled(false);
   look_button_->setText(tr("Looking…"));
   const auto done = [this] {
@@ -234,18 +231,26 @@ void DevicesPage::look() {
       [this, done](const QString& what) {
         done();
         banner().show_news(State::look, tr("Devices could not be looked for: %1").arg(what));
+        if (setup_ != nullptr) setup_->show_failure(what);
       });
 }
 
 void DevicesPage::show_found(const std::vector<SurveyedDriver>& drivers) {
+  // Who was at a button is there again, though it is another one.
+  const QWidget* const focus = window()->focusWidget();
+  const bool had_focus = focus != nullptr && found_->isAncestorOf(focus);
+  const QString focused = had_focus ? focus->objectName() : QString();
   while (QLayoutItem* item = found_->layout()->takeAt(0)) {
     delete item->widget();
     delete item;
   }
   attached_ = 0;
+  drivers_ = drivers;
   for (const SurveyedDriver& driver : drivers) {
     if (driver.id != "simulated") add_driver(driver);
   }
+  if (auto* same = had_focus ? found_->findChild<QWidget*>(focused) : nullptr) same->setFocus();
+  if (setup_ != nullptr) setup_->show_found(drivers);
   emit counted(count());
 }
 
@@ -256,13 +261,16 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
       make_device_card(QString::fromStdString(driver.id), state.state, state.words, found_, layout);
   card->setObjectName("device_" + QString::fromStdString(driver.id));
   layout->addWidget(make_text(QString::fromStdString(driver.summary), card, true));
-  const auto say = [&](const std::string& sentence) {
-    if (sentence.empty()) return;
-    QLabel* text = make_text(QString::fromStdString(sentence), card);
+  const auto say = [&](const QString& words) {
+    if (words.isEmpty()) return;
+    QLabel* text = make_text(words, card);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     layout->addWidget(text);
   };
-  say(driver.survey.found);
+  const auto say_sentence = [&](const std::string& sentence) {
+    if (!sentence.empty()) say(words_of(Phrase(sentence).as_sentence(), tr("“Set up…”")));
+  };
+  say(text(driver.survey.found));
   for (const AttachedDevice& device : driver.survey.attached) {
     attached_ += device.is_usable() ? 1 : 0;
     QLabel* name = make_text(name_of(device), card);
@@ -282,18 +290,37 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
           card));
       layout->addLayout(row);
     }
-    say(device.remark);
-    say(device.hindrance);
+    say_sentence(device.remark);
+    say_sentence(device.hindrance);
   }
-  say(driver.survey.hindrance);
-  if (names_an_option(driver.survey)) {
-    auto* note = make_text(tr("What begins with -- is an option of the commands asperity devices, "
-                              "device-test, check and run; the window has none of them."),
-                           card, true);
-    note->setObjectName("device_options_" + QString::fromStdString(driver.id));
-    layout->addWidget(note);
+  if (driver.id == kReplayDriver) {
+    say(
+        tr("It is made of a recording, at a terminal only: asperity run PROTOCOL --device "
+           "replay:FILE."));
+  } else {
+    say_sentence(driver.survey.hindrance);
+  }
+  if (need_of(driver.id)) {
+    QPushButton* button = make_button(tr("Set up…"), ButtonRole::plain, card);
+    button->setObjectName("device_setup_" + QString::fromStdString(driver.id));
+    button->setAccessibleName(tr("Set up %1").arg(QString::fromStdString(driver.id)));
+    button->setToolTip(what_to_set_up(driver.id));
+    connect(button, &QPushButton::clicked, this, [this, id = driver.id] { set_up(id); });
+    layout->addWidget(button, 0, Qt::AlignLeft);
   }
   found_->layout()->addWidget(card);
+}
+
+void DevicesPage::set_up(const std::string& driver) {
+  if (setup_ != nullptr) return;
+  setup_ = new DriverSetup({driver}, this);
+  connect(setup_, &DriverSetup::changed, this, &DevicesPage::look);
+  if (task_.is_running()) {
+    setup_->show_looking();
+  } else {
+    setup_->show_found(drivers_);
+  }
+  setup_->open();
 }
 
 QPushButton* DevicesPage::make_test_button(const TestedDevice& device, QWidget* parent) {

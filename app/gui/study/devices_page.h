@@ -3,7 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <string>
 #include <vector>
+
+#include <QtCore/QPointer>
 
 #include "app/gui/devices/tested_device.h"
 #include "app/gui/look/background_task.h"
@@ -14,8 +18,10 @@ class QPushButton;
 
 namespace asperity {
 
-/// Looks for devices when it is first shown, and again when asked; that takes seconds, in the
-/// background.
+class DriverSetup;
+
+/// Looks for devices when it is first shown, again when asked, and when drivers are told something else (`DriverSetup`,
+/// by the button of a driver that needs it); that takes seconds, in the background.
 class DevicesPage final : public StudyPage {
   Q_OBJECT
  public:
@@ -40,12 +46,16 @@ class DevicesPage final : public StudyPage {
   void look();
   void show_found(const std::vector<SurveyedDriver>& drivers);
   void add_driver(const SurveyedDriver& driver);
+  void set_up(const std::string& driver);
   QPushButton* make_test_button(const TestedDevice& device, QWidget* parent);
 
   Survey survey_{};
   int simulated_ = 0;
   int attached_ = 0;
   bool looked_ = false;
+  std::map<std::string, std::string> told_{};  ///< driver_places() when it looked last
+  std::vector<SurveyedDriver> drivers_{};      ///< as it found them
+  QPointer<DriverSetup> setup_{};
   QPushButton* look_button_ = nullptr;
   QVBoxLayout* cards_ = nullptr;
   QWidget* found_ = nullptr;  ///< the cards of the drivers, made anew with every look

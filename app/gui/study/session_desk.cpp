@@ -233,7 +233,9 @@ void SessionDesk::open_session_window() {
 
 void SessionDesk::go_on(AfterFailure way) {
   if (runner_ == nullptr) return;
-  const SessionOrder order = runner_->order();
+  SessionOrder order = runner_->order();
+  // What kept it from beginning may have been set up meanwhile.
+  order.inputs.driver_options = driver_options(order.inputs.device);
   const auto facts = runner_->monitor().facts();
   switch (way) {
     case AfterFailure::start_again:

@@ -1,6 +1,7 @@
 #include "app/gui/study/settings.h"
 
 #include <algorithm>
+#include <iterator>
 #include <system_error>
 
 #include <QtCore/QCoreApplication>
@@ -136,7 +137,23 @@ QString device_key(const std::filesystem::path& study) {
   return "devices/of_study/" + QString::fromLatin1(hash.toHex().left(32));
 }
 
-constexpr const char* kFirmware = "devices/firmware";
+struct Need {
+  const char* driver = nullptr;
+  DriverNeed need{};
+  const char* key = nullptr;
+};
+/// A library each: that of one maker is none of the other's.
+constexpr Need kNeeds[] = {
+    {"falcon", DriverNeed::firmware, "devices/firmware"},
+    {"force_dimension", DriverNeed::library, "devices/library/force_dimension"},
+    {"openhaptics", DriverNeed::library, "devices/library/openhaptics"},
+    {"inverse3", DriverNeed::service, "devices/service"}};
+
+const Need* entry_of(const std::string& driver) {
+  const auto* const found = std::find_if(std::begin(kNeeds), std::end(kNeeds),
+                                         [&](const Need& need) { return need.driver == driver; });
+  return found == std::end(kNeeds) ? nullptr : found;
+}
 
 }  // namespace
 
@@ -148,14 +165,53 @@ void remember_device(const std::filesystem::path& study, const std::string& devi
   QSettings().setValue(device_key(study), QString::fromStdString(device));
 }
 
-DriverOptions driver_options() {
-  DriverOptions options{};
-  options.firmware = QSettings().value(kFirmware).toString().toStdString();
-  return options;
+std::optional<DriverNeed> need_of(const std::string& driver) {
+  const Need* const need = entry_of(driver);
+  return need == nullptr ? std::nullopt : std::optional(need->need);
 }
 
-void remember_firmware(const std::filesystem::path& file) {
-  QSettings().setValue(kFirmware, QString::fromStdString(file.string()));
+std::string driver_place(const std::string& driver) {
+  const Need* const need = entry_of(driver);
+  return need == nullptr ? std::string{} : QSettings().value(need->key).toString().toStdString();
+}
+
+void remember_driver_place(const std::string& driver, const std::string& place) {
+  const Need* const need = entry_of(driver);
+  if (need == nullptr) return;
+  if (place.empty()) {
+    QSettings().remove(need->key);
+  } else {
+    QSettings().setValue(need->key, QString::fromStdString(place));
+  }
+}
+
+std::map<std::string, std::string> driver_places() {
+  std::map<std::string, std::string> places{};
+  for (const Need& need : kNeeds) {
+    if (const std::string place = driver_place(need.driver); !place.empty()) {
+      places[need.driver] = place;
+    }
+  }
+  return places;
+}
+
+DriverOptions driver_options(const std::string& device) {
+  const std::string driver = device.substr(0, device.find(':'));
+  DriverOptions options{};
+  const std::optional<DriverNeed> need = need_of(driver);
+  if (!need) return options;
+  switch (*need) {
+    case DriverNeed::firmware:
+      options.firmware = driver_place(driver);
+      break;
+    case DriverNeed::library:
+      options.library = driver_place(driver);
+      break;
+    case DriverNeed::service:
+      options.service = driver_place(driver);
+      break;
+  }
+  return options;
 }
 
 bool restore_geometry(QWidget& window, const QString& name) {

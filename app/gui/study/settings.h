@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,9 +55,19 @@ void remember_note_phrases(const QStringList& phrases);
 /// The device that sessions of a study ran on last, as RunInputs::device; empty where none has.
 std::string remembered_device(const std::filesystem::path& study);
 void remember_device(const std::filesystem::path& study, const std::string& device);
-/// What a lab tells the drivers: the file with the firmware of a Falcon.
-DriverOptions driver_options();
-void remember_firmware(const std::filesystem::path& file);
+
+/// What a driver has to be told where it does not find it by itself: a file, or HOST:PORT of a service.
+enum class DriverNeed { firmware, library, service };
+/// Nothing for a driver that finds everything by itself.
+std::optional<DriverNeed> need_of(const std::string& driver);
+/// Where that is, as somebody has named it in a window; empty where nobody has. Commands are told by their options:
+/// they neither read nor write it.
+std::string driver_place(const std::string& driver);
+void remember_driver_place(const std::string& driver, const std::string& place);  ///< empty: forget
+/// All that were named, by driver.
+std::map<std::string, std::string> driver_places();
+/// What the windows tell the driver of `device`, which is named as DriverRegistry::open takes it. Any thread.
+DriverOptions driver_options(const std::string& device);
 
 /// Where a window was, by its name; false when it has never been anywhere.
 bool restore_geometry(QWidget& window, const QString& name);
