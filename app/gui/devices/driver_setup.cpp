@@ -153,7 +153,7 @@ DriverSetup::DriverSetup(const std::vector<std::string>& drivers, QWidget* paren
   area_->viewport()->setAutoFillBackground(false);
   inside_ = new QWidget(area_);
   auto* grid = new QGridLayout(inside_);
-  grid->setContentsMargins(0, 0, kGrid, 0);
+  grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(kMargin);
   grid->setVerticalSpacing(kGrid);
   grid->setColumnStretch(1, 1);
