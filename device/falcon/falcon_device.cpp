@@ -172,11 +172,12 @@ Driver falcon_driver() {
                   const UsbSession usb;
                   survey.attached = falcon::attached_falcons(usb);
                   for (AttachedDevice& one : survey.attached) {
-                    if (one.is_usable() && !falcon::runs_firmware(usb, one.place, options.stop)) {
+                    if (!one.is_usable()) continue;
+                    if (!unfit.empty()) {
+                      one.hindrance = unfit;  // whatever runs on it: opening refuses such a file
+                    } else if (!falcon::runs_firmware(usb, one.place, options.stop)) {
                       if (options.firmware.empty()) {
                         one.hindrance = falcon::no_firmware_sentence(one.place);
-                      } else if (!unfit.empty()) {
-                        one.hindrance = unfit;
                       } else {
                         one.remark = "Its firmware is loaded when it is opened.";
                       }

@@ -215,6 +215,18 @@ TEST_F(Falcon, SaysThatAFileIsNoFirmwareBeforeOneIsAttached) {
   EXPECT_EQ(hindrance(TemporaryFile("falcon.bin", std::string(8000, '\x81')).path()), "");
 }
 
+TEST_F(Falcon, IsListedAsItIsOpenedWhereTheFirmwareIsNone) {
+  EmulatedFalcon emulated(bus(), {});  // its own runs
+  const DriverRegistry drivers = built_in_drivers();
+  const Driver& driver = *drivers.find("falcon");
+  EXPECT_TRUE(driver.find({}).attached.at(0).is_usable());
+  const TemporaryFile file("text.bin", "nonsense\n");
+  EXPECT_THAT(driver.find({.firmware = file.path()}).attached.at(0).hindrance,
+              HasSubstr("is text"));
+  EXPECT_THAT(complaint_of([&] { driver.open("", {.firmware = file.path()}); }),
+              HasSubstr("is text"));
+}
+
 TEST_F(Falcon, IsSetUpByteForByte) {
   EmulatedFalcon emulated(bus(), {});
   const auto device = open();
