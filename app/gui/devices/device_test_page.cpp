@@ -245,11 +245,9 @@ QWidget* DeviceTestPage::make_course() {
   columns->addLayout(rows, 1);
   connect(yes, &QPushButton::clicked, this, [this] {
     drop_question();
-    // Its maker's library moves it, and hears of no stop until it has done so.
     do_now_->setText(
-        tr("Keep hands away: it moves by itself until it has found its zero. Only its power "
-           "switch stops it now."));
-    stop_->setText(tr("■ Stop once it has found its zero (Esc)"));
+        tr("Keep hands away: it moves by itself until it has found its zero. Stop, or its power "
+           "switch, stops it."));
     run_.answer(true);
   });
   connect(no, &QPushButton::clicked, this, [this] {

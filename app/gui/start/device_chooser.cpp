@@ -194,8 +194,12 @@ void DeviceChooser::look() {
     if (was_attached || kind() == DeviceKind::attached) emit changed();
   };
   survey_task_.run<std::vector<SurveyedDriver>>(
-      [drivers = study_.drivers()](const std::stop_token&, const BackgroundTask::Progress&) {
-        return survey_devices(drivers, driver_options);
+      [drivers = study_.drivers()](const std::stop_token& stop, const BackgroundTask::Progress&) {
+        return survey_devices(drivers, [&stop](const std::string& driver) {
+          DriverOptions options = driver_options(driver);
+          options.stop = stop;
+          return options;
+        });
       },
       [this, done](const std::vector<SurveyedDriver>& surveyed) {
         drivers_ = surveyed;

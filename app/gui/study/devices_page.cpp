@@ -100,12 +100,13 @@ QFrame* make_device_card(const QString& name, State state, const QString& words,
 DevicesPage::DevicesPage(OpenStudy& study, QWidget* parent)
     : DevicesPage(
           study,
-          [drivers = study.drivers()] {
+          [drivers = study.drivers()](const std::stop_token& stop) {
             // The mouse needs a window that feeds it; sessions have one.
             LatestValue<PointerSample> pointer{};
-            return survey_devices(drivers, [&pointer](const std::string& driver) {
+            return survey_devices(drivers, [&](const std::string& driver) {
               DriverOptions options = driver_options(driver);
               options.pointer = &pointer;
+              options.stop = stop;
               return options;
             });
           },
@@ -221,8 +222,8 @@ void DevicesPage::look() {
     look_button_->setEnabled(true);
   };
   task_.run<std::vector<SurveyedDriver>>(
-      [survey = survey_](const std::stop_token&, const BackgroundTask::Progress&) {
-        return survey();
+      [survey = survey_](const std::stop_token& stop, const BackgroundTask::Progress&) {
+        return survey(stop);
       },
       [this, done](const std::vector<SurveyedDriver>& drivers) {
         done();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <stop_token>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ class DevicesPage final : public StudyPage {
   Q_OBJECT
  public:
   /// What every driver finds; runs on a thread of its own.
-  using Survey = std::function<std::vector<SurveyedDriver>()>;
+  using Survey = std::function<std::vector<SurveyedDriver>(const std::stop_token&)>;
 
   explicit DevicesPage(OpenStudy& study, QWidget* parent = nullptr);
   DevicesPage(OpenStudy& study, Survey survey, QWidget* parent);

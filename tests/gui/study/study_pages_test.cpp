@@ -575,7 +575,8 @@ TEST_F(StudyPages, SayOfEveryDeviceWhatWouldMakeItUsableAndLookAgain) {
   open_lively();
   bool has_firmware = false;
   DevicesPage page(
-      *window_.study(), [&has_firmware] { return found_devices(has_firmware); }, nullptr);
+      *window_.study(),
+      [&has_firmware](const std::stop_token&) { return found_devices(has_firmware); }, nullptr);
   QSignalSpy counted(&page, &StudyPage::counted);
   EXPECT_EQ(counted.size(), 0) << "nobody has looked at it yet";
   page.show();
