@@ -1567,6 +1567,105 @@
         <source>A device is being measured for this study: stop that or let it end, then begin the session.</source>
         <translation>Für diese Studie wird gerade ein Gerät gemessen: Halten Sie das an oder lassen Sie es enden, dann beginnen Sie die Sitzung.</translation>
     </message>
+    <message>
+        <source>Not known of %1, which the simulated device stands for.</source>
+        <translation>Nicht bekannt von %1, für das das simulierte Gerät steht.</translation>
+    </message>
+    <message>
+        <source>workspace</source>
+        <translation>Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>continuous force</source>
+        <translation>Dauerkraft</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>latency</source>
+        <translation>Latenz</translation>
+    </message>
+    <message>
+        <source>steps of positions</source>
+        <translation>Schritte der Positionen</translation>
+    </message>
+    <message>
+        <source>noise of positions</source>
+        <translation>Rauschen der Positionen</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>moving mass</source>
+        <translation>bewegte Masse</translation>
+    </message>
+    <message>
+        <source>resonance</source>
+        <translation>Resonanz</translation>
+    </message>
+    <message>
+        <source>stiffest spring</source>
+        <translation>steifste Feder</translation>
+    </message>
+    <message>
+        <source>weakest force</source>
+        <translation>schwächste Kraft</translation>
+    </message>
+    <message>
+        <source>Simulated in place of %1; known of it: %2; not known: %3.</source>
+        <translation>Simuliert anstelle von %1; davon bekannt: %2; nicht bekannt: %3.</translation>
+    </message>
+    <message>
+        <source>The device kept every limit.</source>
+        <translation>Das Gerät hielt jede Grenze ein.</translation>
+    </message>
+    <message>
+        <source>The device kept every limit that was measured.</source>
+        <translation>Das Gerät hielt jede Grenze ein, die gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>The device did not keep every limit: %1.</source>
+        <translation>Das Gerät hielt nicht jede Grenze ein: %1.</translation>
+    </message>
+    <message>
+        <source>Not measured, though limited: %1.</source>
+        <translation>Nicht gemessen, obwohl begrenzt: %1.</translation>
+    </message>
+    <message>
+        <source>the device was lost while it was measured: %1 When that is mended, measure it again.</source>
+        <translation>das Gerät ging während der Messung verloren: %1 Wenn das behoben ist, messen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>the device was lost while it was measured: it did not call for %1 ms, because its maker&apos;s thread hangs or had to wait. End what else keeps this computer busy, see that its cable sits, and measure it again.</source>
+        <translation>das Gerät ging während der Messung verloren: Es rief %1 ms lang nicht, weil der Thread seines Herstellers hängt oder warten musste. Beenden Sie, was diesen Rechner sonst beschäftigt, prüfen Sie sein Kabel und messen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>the device was lost while it was measured: it did not answer, and its driver does not say why. See that its cable and its power sit, end what else keeps this computer busy, and measure it again.</source>
+        <translation>das Gerät ging während der Messung verloren: Es antwortete nicht, und sein Treiber sagt nicht warum. Prüfen Sie Kabel und Stromversorgung, beenden Sie, was diesen Rechner sonst beschäftigt, und messen Sie es noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>DriverWords</name>
+    <message>
+        <source>“Set up…” on the page Devices</source>
+        <translation>„Einrichten…“ auf der Seite Geräte</translation>
+    </message>
+    <message>
+        <source>“Test this device…” on the page Devices</source>
+        <translation>„Dieses Gerät testen …“ auf der Seite Geräte</translation>
+    </message>
 </context>
 <context>
     <name>Figures</name>
@@ -3342,6 +3441,10 @@
         <source>%1; every stimulus is within what it can do, but it does not keep the protocol&apos;s limits.</source>
         <translation>%1; jeder Reiz liegt innerhalb dessen, was es kann, aber es hält die Grenzen des Protokolls nicht ein.</translation>
     </message>
+    <message>
+        <source>%1 Not known of %2, and compared with nothing: %3.</source>
+        <translation>%1 Nicht bekannt von %2 und mit nichts verglichen: %3.</translation>
+    </message>
 </context>
 <context>
     <name>SessionSetup</name>
@@ -4222,10 +4325,6 @@
         <translation>Warum andere nicht benutzbar sind</translation>
     </message>
     <message>
-        <source>Firmware file…</source>
-        <translation>Firmware-Datei …</translation>
-    </message>
-    <message>
         <source>Look again</source>
         <translation>Erneut suchen</translation>
     </message>
@@ -4286,16 +4385,24 @@
         <translation>Es wird geöffnet.</translation>
     </message>
     <message>
-        <source>The file of a Falcon&apos;s firmware</source>
-        <translation>Die Datei mit der Firmware eines Falcon</translation>
-    </message>
-    <message>
         <source>Let it move</source>
         <translation>Bewegen lassen</translation>
     </message>
     <message>
         <source>Stop trying</source>
         <translation>Versuch anhalten</translation>
+    </message>
+    <message>
+        <source>Set up…</source>
+        <translation>Einrichten…</translation>
+    </message>
+    <message>
+        <source>A device&apos;s firmware, its maker&apos;s library or service, where it is not found.</source>
+        <translation>Firmware eines Geräts, Bibliothek oder Dienst seines Herstellers, falls sie nicht gefunden werden.</translation>
+    </message>
+    <message>
+        <source>“Set up…”</source>
+        <translation>„Einrichten…“</translation>
     </message>
 </context>
 <context>
@@ -4433,14 +4540,6 @@
         <translation>Das Gerät hielt jede Grenze ein: %1. Das Profil liegt in %2.</translation>
     </message>
     <message>
-        <source>Keep hands away: it moves by itself until it has found its zero. Only its power switch stops it now.</source>
-        <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat. Jetzt hält es nur sein Netzschalter an.</translation>
-    </message>
-    <message>
-        <source>■ Stop once it has found its zero (Esc)</source>
-        <translation>■ Halt, sobald es seinen Nullpunkt hat (Esc)</translation>
-    </message>
-    <message>
         <source>Esc, F12, Pause and Ctrl+Space do the same.</source>
         <translation>Esc, F12, Pause und Strg+Leertaste tun dasselbe.</translation>
     </message>
@@ -4455,6 +4554,10 @@
     <message>
         <source>The device kept every limit that it was measured against: %1. Not measured, though limited: %3. The profile is kept as %2.</source>
         <translation>Das Gerät hält jede Grenze, an der es gemessen wurde: %1. Nicht gemessen, obwohl begrenzt: %3. Das Profil ist gespeichert als %2.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: it moves by itself until it has found its zero. Stop, or its power switch, stops it.</source>
+        <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat. Stopp oder sein Netzschalter hält es an.</translation>
     </message>
 </context>
 <context>
@@ -4671,8 +4774,143 @@
         <translation>Simuliert: %1</translation>
     </message>
     <message>
-        <source>What begins with -- is an option of the commands asperity devices, device-test, check and run; the window has none of them.</source>
-        <translation>Was mit -- beginnt, ist eine Option der Befehle asperity devices, device-test, check und run; das Fenster hat sie nicht.</translation>
+        <source>“Set up…”</source>
+        <translation>„Einrichten…“</translation>
+    </message>
+    <message>
+        <source>It is made of a recording, at a terminal only: asperity run PROTOCOL --device replay:FILE.</source>
+        <translation>Es entsteht aus einer Aufzeichnung, nur im Terminal: asperity run PROTOCOL --device replay:FILE.</translation>
+    </message>
+    <message>
+        <source>Set up…</source>
+        <translation>Einrichten…</translation>
+    </message>
+    <message>
+        <source>Set up %1</source>
+        <translation>%1 einrichten</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::DriverSetup</name>
+    <message>
+        <source>%1: firmware</source>
+        <translation>%1: Firmware</translation>
+    </message>
+    <message>
+        <source>%1: library</source>
+        <translation>%1: Bibliothek</translation>
+    </message>
+    <message>
+        <source>%1: service</source>
+        <translation>%1: Dienst</translation>
+    </message>
+    <message>
+        <source>The file that came with the device&apos;s software. A Falcon forgets its firmware when it is switched off; it is loaded when the device is opened.</source>
+        <translation>Die Datei, die mit der Software des Geräts kam. Ein Falcon vergisst seine Firmware beim Ausschalten; sie wird geladen, wenn das Gerät geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>The file libHD.so of OpenHaptics, where the system does not find it by itself.</source>
+        <translation>Die Datei libHD.so von OpenHaptics, falls das System sie nicht selbst findet.</translation>
+    </message>
+    <message>
+        <source>The file libdrd.so or libdhd.so of the maker&apos;s SDK, where the system does not find it by itself.</source>
+        <translation>Die Datei libdrd.so oder libdhd.so aus dem SDK des Herstellers, falls das System sie nicht selbst findet.</translation>
+    </message>
+    <message>
+        <source>Where Haply&apos;s Inverse Service listens, HOST:PORT, where not at 127.0.0.1:10001.</source>
+        <translation>Wo der Inverse Service von Haply lauscht, HOST:PORT, falls nicht unter 127.0.0.1:10001.</translation>
+    </message>
+    <message>
+        <source>no file: only a Falcon that has it loaded can be used</source>
+        <translation>keine Datei: nur ein Falcon, der sie geladen hat, ist benutzbar</translation>
+    </message>
+    <message>
+        <source>where the system looks for libraries</source>
+        <translation>wo das System nach Bibliotheken sucht</translation>
+    </message>
+    <message>
+        <source>The file of a Falcon&apos;s firmware</source>
+        <translation>Die Datei mit der Firmware eines Falcon</translation>
+    </message>
+    <message>
+        <source>The library of %1</source>
+        <translation>Die Bibliothek von %1</translation>
+    </message>
+    <message>
+        <source>the field above</source>
+        <translation>dem Feld darüber</translation>
+    </message>
+    <message>
+        <source>Found: %1.</source>
+        <translation>Gefunden: %1.</translation>
+    </message>
+    <message>
+        <source>%1: ready.</source>
+        <translation>%1: bereit.</translation>
+    </message>
+    <message>
+        <source>No device is attached.</source>
+        <translation>Es ist kein Gerät angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Set up %1</source>
+        <translation>%1 einrichten</translation>
+    </message>
+    <message>
+        <source>Set up devices</source>
+        <translation>Geräte einrichten</translation>
+    </message>
+    <message>
+        <source>Kept from one start to the next, for every study of yours. Commands at a terminal are told by their options and know nothing of it.</source>
+        <translation>Bleibt von einem Start zum nächsten erhalten, für alle Ihre Studien. Befehle im Terminal bekommen es durch ihre Optionen gesagt und wissen hiervon nichts.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Browse for %1</source>
+        <translation>Datei wählen: %1</translation>
+    </message>
+    <message>
+        <source>Chooses a file of this computer.</source>
+        <translation>Wählt eine Datei dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Clear %1</source>
+        <translation>Leeren: %1</translation>
+    </message>
+    <message>
+        <source>Forgets what is named here.</source>
+        <translation>Vergisst, was hier genannt ist.</translation>
+    </message>
+    <message>
+        <source>Libraries (*.so *.so.*)</source>
+        <translation>Bibliotheken (*.so *.so.*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>The file has to be written in full, beginning with &quot;/&quot; or &quot;~&quot;.</source>
+        <translation>Die Datei muss vollständig geschrieben sein und mit „/“ oder „~“ beginnen.</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Devices could not be looked for: %1</source>
+        <translation>Nach Geräten konnte nicht gesucht werden: %1</translation>
     </message>
 </context>
 <context>
