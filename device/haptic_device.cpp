@@ -44,7 +44,7 @@ void HapticDevice::set_limits(const ForceLimits& limits) {
 std::optional<ProbeState> HapticDevice::read(std::int64_t now_ns) noexcept {
   ProbeState state{.time_ns = now_ns};
   is_read_again_ = false;
-  if (has_fallen_silent()) readings_since_silence_.fetch_add(1, std::memory_order_relaxed);
+  forget_silence(now_ns);
   if (!do_read(now_ns, state)) {
     return std::nullopt;
   }
@@ -55,6 +55,17 @@ std::optional<ProbeState> HapticDevice::read(std::int64_t now_ns) noexcept {
   }
   if (pose_.is_frozen()) return std::nullopt;
   return state;
+}
+
+// Another silence may be noted meanwhile: then it is that one which is not over yet.
+void HapticDevice::forget_silence(std::int64_t now_ns) noexcept {
+  Silence silence = silence_.load(std::memory_order_relaxed);
+  if (silence == Silence::silent) {
+    silence_over_ns_ = now_ns;
+    silence_.compare_exchange_strong(silence, Silence::just_over, std::memory_order_relaxed);
+  } else if (silence == Silence::just_over && now_ns - silence_over_ns_ >= kToForgetSilence_ns) {
+    silence_.compare_exchange_strong(silence, Silence::none, std::memory_order_relaxed);
+  }
 }
 
 std::optional<LimitedWrench> HapticDevice::push(const Wrench& wanted, double dt_s) noexcept {

@@ -75,7 +75,7 @@ class HapticDevice {
   /// functions return (docs/devices.md). The motors are at zero, or nobody can reach them. May be called at any time and twice.
   virtual void stop_calls() noexcept {}
   /// For who watches over these calls: none has begun for longer than the device may be silent. From any thread.
-  void note_silence() noexcept { readings_since_silence_.store(0, std::memory_order_relaxed); }
+  void note_silence() noexcept { silence_.store(Silence::silent, std::memory_order_relaxed); }
 
   /// An attempt begins: a device that plays a recording begins anew with the next reading. From any thread.
   virtual void begin_attempt() noexcept {}
@@ -98,7 +98,7 @@ class HapticDevice {
   void gave_less() noexcept { gave_less_ = true; }
   /// For `trouble` of one that keeps time itself: it fell silent, and has not called for long since.
   bool has_fallen_silent() const noexcept {
-    return readings_since_silence_.load(std::memory_order_relaxed) < kReadingsToForget;
+    return silence_.load(std::memory_order_relaxed) != Silence::none;
   }
 
  private:
@@ -107,9 +107,11 @@ class HapticDevice {
   /// False when the device does not take it.
   virtual bool do_send(const Wrench& limited) noexcept = 0;
 
-  /// Until a silence is over for those who are told of it, who ask a few times a second: half a second's worth.
-  static constexpr int kReadingsToForget = 500;
+  /// Until a silence is over for those who are told of it, who ask a few times a second.
+  static constexpr std::int64_t kToForgetSilence_ns = 500'000'000;
+  enum class Silence { none, silent, just_over };
 
+  void forget_silence(std::int64_t now_ns) noexcept;
   void note_push(double force_N) noexcept;
 
   DeviceCapability capability_{};
@@ -121,7 +123,8 @@ class HapticDevice {
   double pushed_N_ = 0.0;
   double weakest_N_ = 0.0;  // push since the last new reading
   std::atomic<bool> is_frozen_{false};
-  std::atomic<int> readings_since_silence_{kReadingsToForget};
+  std::atomic<Silence> silence_{Silence::none};
+  std::int64_t silence_over_ns_ = 0;  ///< the first reading after it
 };
 
 }  // namespace asperity

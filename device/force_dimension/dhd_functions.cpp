@@ -39,6 +39,7 @@ DhdFunctions::DhdFunctions(const std::filesystem::path& library)
     library_.find("drdOpenID", drdOpenID);
     library_.find("drdStop", drdStop);
     library_.find("drdClose", drdClose);
+    library_.find_if_there("drdIsRunning", drdIsRunning);
   }
 }
 

@@ -63,6 +63,7 @@ class DhdFunctions final {
   int (*drdAutoInit)(char) = nullptr;
   int (*drdStop)(bool, char) = nullptr;
   int (*drdClose)(char) = nullptr;
+  bool (*drdIsRunning)(char) = nullptr;  ///< its regulation; null in a version without it
 
  private:
   VendorLibrary library_;

@@ -140,48 +140,96 @@ bool is_at_zero(const DhdFunctions& sdk, char id) noexcept {
 // While it lives, a stop ends the movement for which another thread waits in drdAutoInit.
 //
 // That function hears of no stop. Its regulation is a thread of the SDK's, which every other call reaches while it
-// runs. What nobody outside knows is whether it switches the force on once more before it gives up: so it is switched
-// off again and again until it has.
+// runs. What nobody outside knows is whether it switches the force on once more before it gives up, and whether each of
+// the two calls returns meanwhile: so both are made again and again until it has given up, each from a thread of its
+// own, and neither waits for the other.
 class MovementEnder final {
  public:
-  MovementEnder(const DhdFunctions& sdk, char id, const std::stop_token& stop,
-                std::function<void()> tell_that_it_goes_on)
-      : thread_([this, &sdk, id, stop, tell = std::move(tell_that_it_goes_on)] {
-          std::unique_lock lock(mutex_);
-          changed_.wait(lock, stop, [this] { return is_over_; });
-          const auto stopped = std::chrono::steady_clock::now();
-          for (bool is_told = false; !is_over_;) {
-            lock.unlock();
-            sdk.dhdStop(id);
-            sdk.drdStop(false, id);
-            if (!is_told && std::chrono::steady_clock::now() - stopped > kToGiveUp) {
-              tell();
-              is_told = true;
-            }
-            lock.lock();
-            changed_.wait_for(lock, kBetweenStops, [this] { return is_over_; });
-          }
-        }) {}
+  MovementEnder(const DhdFunctions& sdk, char id, const std::stop_token& stop)
+      : takes_force_([this, &sdk, id, stop] { repeat(stop, [&sdk, id] { sdk.dhdStop(id); }); }),
+        ends_regulation_(
+            [this, &sdk, id, stop] { repeat(stop, [&sdk, id] { sdk.drdStop(false, id); }); }) {}
   ~MovementEnder() {
     {
       const std::lock_guard lock(mutex_);
       is_over_ = true;
     }
     changed_.notify_all();
-    thread_.join();
   }
   MovementEnder(const MovementEnder&) = delete;
   MovementEnder& operator=(const MovementEnder&) = delete;
 
  private:
   static constexpr std::chrono::milliseconds kBetweenStops{10};
+
+  template <typename Call>
+  void repeat(const std::stop_token& stop, const Call& call) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, stop, [this] { return is_over_; });
+    while (!is_over_) {
+      lock.unlock();
+      call();
+      lock.lock();
+      changed_.wait_for(lock, kBetweenStops, [this] { return is_over_; });
+    }
+  }
+
+  std::mutex mutex_{};
+  std::condition_variable_any changed_{};
+  bool is_over_ = false;
+  std::jthread takes_force_;
+  std::jthread ends_regulation_;
+};
+
+// Tells, once, where it still lives a second after a stop. It calls nothing of the SDK's: that its functions do not
+// return is what may have to be told.
+class OverdueStop final {
+ public:
+  OverdueStop(const std::stop_token& stop, std::function<void()> tell)
+      : thread_([this, stop, tell = std::move(tell)] {
+          std::unique_lock lock(mutex_);
+          changed_.wait(lock, stop, [this] { return is_over_; });
+          if (changed_.wait_for(lock, kToGiveUp, [this] { return is_over_; })) return;
+          lock.unlock();
+          tell();
+        }) {}
+  ~OverdueStop() {
+    {
+      const std::lock_guard lock(mutex_);
+      is_over_ = true;
+    }
+    changed_.notify_all();
+  }
+  OverdueStop(const OverdueStop&) = delete;
+  OverdueStop& operator=(const OverdueStop&) = delete;
+
+ private:
   static constexpr std::chrono::seconds kToGiveUp{1};
 
   std::mutex mutex_{};
   std::condition_variable_any changed_{};
   bool is_over_ = false;
-  std::thread thread_;
+  std::jthread thread_;
 };
+
+// Refuses a device whose regulation may go on.
+void require_let_go(const DhdFunctions& sdk, char id, const std::string& who, bool is_stopped) {
+  // true: force stays ours to send. While the SDK's own regulation runs, it is not.
+  if (sdk.drdStop(!is_stopped, id) >= 0) return;
+  const std::string words = last_error_of(sdk);
+  // What the ender has switched off already may be nothing to switch off.
+  if (sdk.drdIsRunning != nullptr && !sdk.drdIsRunning(id)) return;
+  if (is_stopped && sdk.drdIsRunning == nullptr) {
+    throw std::runtime_error(who +
+                             " was stopped while it moved to find its zero, as asked, and the SDK "
+                             "did not confirm that it lets go of it (" +
+                             words +
+                             "). See from a distance that its handle stands still; should it not, "
+                             "switch the device off.");
+  }
+  throw std::runtime_error("The SDK does not let go of " + who + " (" + words +
+                           ") and may still move it: switch the device off.");
+}
 
 // Has the device find its zero where it has lost it: it moves, and nobody may be hit who was not told.
 void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& model,
@@ -233,22 +281,22 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
   }
   require_no_stop();
   bool found = false;
+  bool is_stopped = false;
   std::string words;
   {
-    const MovementEnder ender(sdk, identity.id, stop, [&who, &tell] {
+    const OverdueStop overdue(stop, [&who, &tell] {
       if (!tell) return;
       tell("The SDK goes on with " + who +
            " although it was told to stop: switch the device off, and keep away from its handle.");
     });
-    found = sdk.drdAutoInit(identity.id) >= 0;
-    if (!found) words = last_error_of(sdk);  // of this thread's last call
-  }
-  const bool is_stopped = stop.stop_requested();
-  if (is_stopped) sdk.dhdStop(identity.id);
-  // true: force stays ours to send. While the SDK's own regulation runs, it is not.
-  if (sdk.drdStop(!is_stopped, identity.id) < 0) {
-    throw std::runtime_error("The SDK does not let go of " + who + " (" + last_error_of(sdk) +
-                             ") and may still move it: switch the device off.");
+    {
+      const MovementEnder ender(sdk, identity.id, stop);
+      found = sdk.drdAutoInit(identity.id) >= 0;
+      if (!found) words = last_error_of(sdk);  // of this thread's last call
+    }
+    is_stopped = stop.stop_requested();
+    if (is_stopped) sdk.dhdStop(identity.id);
+    require_let_go(sdk, identity.id, who, is_stopped);
   }
   if (is_stopped) {
     throw OpeningStopped(who +

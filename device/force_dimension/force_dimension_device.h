@@ -61,9 +61,10 @@ class ForceDimensionDevice final : public HapticDevice {
 
   /// Opens the one with this index. One that was switched off has lost its zero, and has to move by itself to find
   /// it, for some seconds: only with libdrd, and after `may_move` said yes; otherwise it is refused, unmoved. It is not
-  /// moved either once `stop` was asked for, and stopped where it moves already: its force is switched off, from a
-  /// thread of its own, until libdrd has given up, and then OpeningStopped is thrown. Where libdrd has not given up a
-  /// second after the stop, `tell` is told what to do, once.
+  /// moved either once `stop` was asked for, and stopped where it moves already: its force and its regulation are
+  /// switched off, from two threads, until libdrd has given up, and then OpeningStopped is thrown. Where libdrd has not
+  /// given up and let go a second after the stop, or one of its functions does not return, `tell` is told what to do,
+  /// once, from another thread; what does not return is waited for all the same.
   ForceDimensionDevice(std::shared_ptr<const DhdFunctions> sdk, int index,
                        const MayMove& may_move = {}, const std::stop_token& stop = {},
                        const Tell& tell = {});

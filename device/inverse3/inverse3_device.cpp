@@ -66,6 +66,15 @@ Inverse3Inventory inventory_at(WebSocket& socket, const InverseServicePlace& pla
   return *std::move(inventory);
 }
 
+// Zero as the last word of a connection, waited for until so many updates came: an end at once may take it along.
+void say_last(WebSocket& socket, const std::string& zero, int updates) {
+  if (!socket.send(zero)) return;
+  // One of the waits may end at once by what woke us.
+  for (int waits = updates + 1; waits > 0 && updates > 0; --waits) {
+    if (socket.receive(kForLastWord)) --updates;
+  }
+}
+
 // Where a device is asked for something before it is used, and how long an answer is waited for.
 struct Inquiry {
   WebSocket& socket;
@@ -105,8 +114,15 @@ struct FoundSpelling {
 FoundSpelling spelling_of(const Inquiry& at, const Inverse3Inventory& inventory) {
   const double without_N = told_force_N(at, ForceSpelling::vector, 0.0, "asperity");
   for (const ForceSpelling spelling : {ForceSpelling::vector, ForceSpelling::values}) {
-    const double with_N = told_force_N(at, spelling, kTrialForce_N);
-    told_force_N(at, spelling, 0.0);
+    double with_N = 0.0;
+    try {
+      with_N = told_force_N(at, spelling, kTrialForce_N);
+      told_force_N(at, spelling, 0.0);
+    } catch (...) {
+      constexpr int kWithThatOfTheTrial = 2;
+      say_last(at.socket, force_command(at.id, spelling, {}), kWithThatOfTheTrial);
+      throw;
+    }
     if (with_N - without_N > 0.5 * kTrialForce_N)
       return {.spelling = spelling, .is_confirmed = true};
   }
@@ -264,9 +280,7 @@ struct Inverse3Device::Line {
       while (socket->receive(milliseconds(0))) {
       }
     }
-    // Zero is the last word, and is waited for: a connection that ends at once may take it along. The first wait may
-    // end at once by what woke us.
-    if (socket->send(command({})) && !socket->receive(kForLastWord)) socket->receive(kForLastWord);
+    say_last(*socket, command({}), 1);
   }
 
   // One trial to have the connection and the device back; waits a while after one that failed.

@@ -24,8 +24,8 @@ struct InverseServicePlace {
 
 /// How long the service is waited for.
 struct Inverse3Patience {
-  std::chrono::milliseconds connection{1000};
-  std::chrono::milliseconds inventory{1000};  ///< what it says first, and while a device is opened
+  std::chrono::milliseconds connection{1000};  ///< with finding a host that is a name
+  std::chrono::milliseconds inventory{1000};   ///< what it says first, and while a device is opened
   /// Of the hand, in a session: as long as a device may say nothing.
   std::chrono::milliseconds update{HapticDevice::kLongestSilence_ns / 1'000'000};
 };
@@ -54,7 +54,7 @@ struct Inverse3Patience {
 /// `stop` is asked for.
 ///
 /// Threads: `trouble` from any; the rest as HapticDevice. `stop_calls` takes up to 1.5 s where the service has fallen
-/// silent; a host that is a name is looked up by the system, as long as that takes.
+/// silent, and where a host that is a name has to be found anew.
 ///
 /// Real-time: reading and pushing do not allocate; between two ticks the same thread reads and writes JSON, which does.
 class Inverse3Device final : public HapticDevice {

@@ -2,6 +2,7 @@
 
 #include "device/inverse3/web_socket.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstring>
@@ -10,6 +11,8 @@
 #include <vector>
 
 #include <libwebsockets.h>
+
+#include "device/inverse3/host_address.h"
 
 namespace asperity {
 namespace {
@@ -104,7 +107,10 @@ struct WebSocket::Connection {
 WebSocket::WebSocket(const std::string& host, int port, std::chrono::milliseconds patience,
                      const std::stop_token& stop)
     : connection_(std::make_unique<Connection>()) {
+  const auto latest = std::chrono::steady_clock::now() + patience;
   const std::string place = host + ":" + std::to_string(port);
+  // Given a name, the library would look it up in a call that hears of no stop.
+  const std::string address = host_address(host, patience, stop);
   lws_set_log_level(0, nullptr);  // what matters is told by whoever called
   static constexpr lws_protocols kProtocols[] = {
       {"asperity", &Connection::on_event, 0, kReceiveBuffer_bytes, 0, nullptr, 0},
@@ -122,7 +128,7 @@ WebSocket::WebSocket(const std::string& host, int port, std::chrono::millisecond
   }
   lws_client_connect_info target{};
   target.context = connection_->context;
-  target.address = host.c_str();
+  target.address = address.c_str();
   target.port = port;
   target.path = "/";
   target.host = host.c_str();
@@ -133,8 +139,12 @@ WebSocket::WebSocket(const std::string& host, int port, std::chrono::millisecond
   {
     const std::stop_callback wakes(
         stop, [context = connection_->context] { lws_cancel_service(context); });
+    // At least a moment: no patience at all would mean no wait for what is there.
+    const auto left = std::max(
+        std::chrono::ceil<std::chrono::milliseconds>(latest - std::chrono::steady_clock::now()),
+        std::chrono::milliseconds(1));
     connection_->serve_until(
-        patience, [this, &stop] { return connection_->is_open || stop.stop_requested(); });
+        left, [this, &stop] { return connection_->is_open || stop.stop_requested(); });
   }
   if (!connection_->is_open) {
     const std::string& failure = connection_->failure;

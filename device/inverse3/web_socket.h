@@ -13,8 +13,8 @@ namespace asperity {
 
 /// Text messages over ws://host:port/, one after the other, as a client.
 ///
-/// Errors: the constructor throws std::runtime_error with a sentence when nobody listens there, or does not speak
-/// WebSocket, within `patience` (and the time that the system takes to look up a host that is a name), or until `stop`.
+/// Errors: the constructor throws std::runtime_error with a sentence when the host is a name that nobody knows
+/// (host_address.h), nobody listens there, or does not speak WebSocket, within `patience`, or until `stop`.
 ///
 /// Threads: all of it belongs to one thread at a time, but for `wake`, which may come from any.
 class WebSocket final {

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <functional>
 #include <future>
 #include <memory>
 #include <mutex>
 #include <stop_token>
+#include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -240,13 +243,14 @@ class MovingForceDimension : public ForceDimension {
   /// Opens it and stops once it moves.
   std::unique_ptr<ForceDimensionDevice> open_and_stop(const ForceDimensionDevice::Tell& tell = {}) {
     std::stop_source stop;
-    std::jthread stopping([&] {
-      while (!moves()) std::this_thread::yield();
+    std::jthread stopping([&](const std::stop_token& opening_ended) {
+      while (!moves() && !opening_ended.stop_requested()) std::this_thread::yield();
       stop.request_stop();
     });
-    return std::make_unique<ForceDimensionDevice>(
-        std::make_shared<const DhdFunctions>(ASPERITY_TEST_DRD), 0, agrees, stop.get_token(), tell);
+    return std::make_unique<ForceDimensionDevice>(sdk, 0, agrees, stop.get_token(), tell);
   }
+
+  const std::shared_ptr<DhdFunctions> sdk = std::make_shared<DhdFunctions>(ASPERITY_TEST_DRD);
 
  private:
   bool moves() {
@@ -290,12 +294,62 @@ TEST_F(MovingForceDimension, TellsWhatToDoWhereTheSdkGoesOnAlthoughItWasStopped)
                                            HasSubstr("switch the device off"))));
 }
 
+// Whatever of the SDK hangs is what somebody has to be told of; and a force that comes on again is taken away meanwhile.
+TEST_F(MovingForceDimension, TellsWhatToDoWhereACallThatStopsItDoesNotReturn) {
+  constexpr std::chrono::minutes kLongest(1);
+  for (const std::string function : {"dhdStop", "drdStop"}) {
+    bench->blocks = function;
+    bench->calls.clear();
+    const auto calls_of_other = [&] {
+      const std::string other = function == "dhdStop" ? "drdStop 3" : "dhdStop 3";
+      const std::vector<std::string> calls = bench->calls;
+      return std::count(calls.begin(), calls.end(), other);
+    };
+    bool was_blocked = false;
+    long others = 0;
+    std::jthread gives_in([&](const std::stop_token& ended) {
+      std::mutex mutex;
+      std::unique_lock lock(mutex);
+      std::condition_variable_any never;
+      never.wait_for(lock, ended, kLongest, [] { return false; });
+      bench->blocks.clear();
+    });
+    EXPECT_THROW(open_and_stop([&](const std::string& sentence) {
+                   was_blocked = bench->blocks == function;
+                   EXPECT_THAT(sentence, HasSubstr("switch the device off"));
+                   while (bench->blocks == function && calls_of_other() < 2) {
+                     std::this_thread::yield();
+                   }
+                   others = calls_of_other();
+                   bench->blocks.clear();
+                 }),
+                 OpeningStopped);
+    EXPECT_TRUE(was_blocked) << function << " returned before anybody was told";
+    EXPECT_GE(others, 2) << "the other one waited for " << function;
+  }
+}
+
 // That it is stopped must not hide that it may still move.
 TEST_F(MovingForceDimension, SaysThatTheSdkDoesNotLetGoThoughItWasStopped) {
   bench->stop_answer = -1;
+  bench->goes_on = true;
   EXPECT_THAT(
       complaint_of([&] { open_and_stop(); }),
       AllOf(HasSubstr("does not let go of omega.3 101"), HasSubstr("switch the device off")));
+}
+
+// An SDK may refuse to stop what is stopped already.
+TEST_F(MovingForceDimension, IsLetGoOfWhereItsRegulationIsOffThoughTheLastStopWasRefused) {
+  bench->stop_answer = -1;
+  EXPECT_THROW(open_and_stop(), OpeningStopped);
+}
+
+TEST_F(MovingForceDimension, SaysWhatTheSdkDidNotConfirmWhereItCannotBeAsked) {
+  bench->stop_answer = -1;
+  sdk->drdIsRunning = nullptr;
+  EXPECT_THAT(complaint_of([&] { open_and_stop(); }),
+              AllOf(HasSubstr("did not confirm that it lets go"), Not(HasSubstr("may still move")),
+                    HasSubstr("switch the device off")));
 }
 
 /// Another thread that looks for devices, from when it is made until it is told that it is enough.
@@ -371,6 +425,7 @@ TEST_F(ForceDimension, IsNotMovedLongAfterTheYes) {
 TEST_F(ForceDimension, RefusesADeviceThatTheSdkDoesNotLetGoOf) {
   attach(33, 101).knows_its_zero = false;
   bench->stop_answer = -1;
+  bench->goes_on = true;
   EXPECT_THAT(complaint_of([&] { open(agrees); }),
               AllOf(HasSubstr("does not let go of omega.3 101"),
                     HasSubstr("the regulation goes on"), HasSubstr("switch the device off")));

@@ -38,6 +38,7 @@ class Sketch final : public HapticDevice {
   std::optional<double> strongest_N{};  ///< what its motors have, along the force that is asked for
   const std::vector<Wrench>& sent() const { return sent_; }
   std::string trouble() const override { return says; }
+  using HapticDevice::has_fallen_silent;
 
  private:
   bool do_read(std::int64_t, ProbeState& state) noexcept override {
@@ -206,6 +207,38 @@ TEST(HapticDevice, BelievesAComputedHandThatRestsToTheLastBit) {
   Sketch device(computed);
   std::int64_t tick = 0;
   EXPECT_EQ(answered(device, tick, 5000, 4.0), 5000);
+}
+
+TEST(HapticDevice, TellsOfASilenceUntilHalfASecondAfterItsEndAtWhateverRateItIsRead) {
+  for (const std::int64_t rate_Hz : {100, 1000, 4000}) {
+    Sketch device(capability(10.0));
+    const std::int64_t period_ns = 1'000'000'000 / rate_Hz;
+    std::int64_t now_ns = 7'000'000'000;
+    device.read(now_ns);
+    EXPECT_FALSE(device.has_fallen_silent());
+    for (int silence = 0; silence < 2; ++silence) {
+      device.note_silence();
+      const std::int64_t over_ns = now_ns += 3'000'000'000;
+      for (; now_ns - over_ns < 500'000'000; now_ns += period_ns) {
+        device.read(now_ns);
+        ASSERT_TRUE(device.has_fallen_silent()) << rate_Hz << " Hz, " << now_ns - over_ns << " ns";
+      }
+      device.read(now_ns);
+      EXPECT_FALSE(device.has_fallen_silent()) << rate_Hz << " Hz";
+    }
+  }
+}
+
+TEST(HapticDevice, TellsOfASilenceThatComesSoonAfterAnotherForAsLong) {
+  Sketch device(capability(10.0));
+  device.note_silence();
+  device.read(0);
+  device.note_silence();
+  device.read(400 * kMillisecond_ns);
+  device.read(600 * kMillisecond_ns);
+  EXPECT_TRUE(device.has_fallen_silent());
+  device.read(900 * kMillisecond_ns);
+  EXPECT_FALSE(device.has_fallen_silent());
 }
 
 TEST(HapticDevice, RefusesMotorsWithoutAPeakForce) {

@@ -152,6 +152,15 @@ class Inverse3 : public testing::Test {
     const std::lock_guard lock(service.bench().mutex);
     return change(service.bench());
   }
+  bool has_force() {
+    return bench([](auto& it) { return it.force_N; }) != std::array{0.0, 0.0, 0.0};
+  }
+  // What was sent last may be on its way for a while.
+  bool ends_without_force() {
+    const auto latest = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (has_force() && std::chrono::steady_clock::now() < latest) std::this_thread::yield();
+    return !has_force();
+  }
 };
 
 TEST_F(Inverse3, SaysWhatToStartWhenNobodyListens) {
@@ -574,6 +583,48 @@ TEST_F(Inverse3, HearsAStopWhileTheServiceIsWaitedFor) {
   EXPECT_THROW(WebSocket("127.0.0.1", ntohs(place.sin_port), hours(1), stop.get_token()),
                std::runtime_error);
   ::close(port);
+}
+
+TEST_F(Inverse3, IsLeftWithoutForceWhereItsOpeningIsStoppedInTheTrialOfOne) {
+  bench([](auto& it) { it.answers_forces = false; });
+  std::stop_source stop;
+  DriverOptions told = options;
+  told.stop = stop.get_token();
+  bool had_force = false;
+  {
+    std::jthread stopping([&](const std::stop_token& opening_ended) {
+      while (!had_force && !opening_ended.stop_requested()) had_force = has_force();
+      stop.request_stop();
+    });
+    EXPECT_THROW(driver.open("", told), OpeningStopped);
+  }
+  EXPECT_TRUE(had_force);
+  EXPECT_TRUE(ends_without_force()) << "that of the trial was the last word";
+}
+
+TEST_F(Inverse3, IsLeftWithoutForceWhereTheTrialOfOneFails) {
+  constexpr Inverse3Patience kShort{.connection = std::chrono::minutes(1),
+                                    .inventory = std::chrono::milliseconds(300),
+                                    .update = std::chrono::minutes(1)};
+  bench([](auto& it) { it.answers_forces = false; });
+  EXPECT_THAT(inverse3_complaint([&] { inverse3_driver(kShort).open("", options); }),
+              HasSubstr("does not tell where"));
+  EXPECT_TRUE(ends_without_force()) << "that of the trial was the last word";
+}
+
+TEST(WebSocket, AsksNoLibraryToLookUpAHost) {
+  // Longer than a label of a name can be: known to nobody, without a question on the network.
+  const std::string host(70, 'x');
+  EXPECT_THAT(inverse3_complaint([&] { WebSocket(host, 10001, std::chrono::minutes(1)); }),
+              AllOf(HasSubstr("The host \"" + host), HasSubstr("not known")));
+}
+
+TEST(WebSocket, FindsThisComputerByItsName) {
+  const TestInverseService service;
+  const std::string place = service.place();
+  WebSocket socket("localhost", std::stoi(place.substr(place.find(':') + 1)),
+                   std::chrono::minutes(1));
+  EXPECT_TRUE(socket.receive(std::chrono::minutes(1)).has_value());
 }
 
 }  // namespace

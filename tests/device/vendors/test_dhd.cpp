@@ -80,6 +80,10 @@ void note(const char* function, char id) {
   }
 }
 
+void wait_while_blocked(std::unique_lock<std::recursive_mutex>& held, const char* function) {
+  while (the_bench.blocks == function) stopped.wait_for(held, std::chrono::milliseconds(1));
+}
+
 #ifndef ASPERITY_TEST_DHD_WITHOUT_DRD
 // Moves until neither its force nor its regulation is on, axis by axis; then it takes the arm a while to come to rest.
 int searched_on(char id) {
@@ -145,8 +149,9 @@ int dhdClose(char id) {
   return unit == nullptr ? -1 : 0;
 }
 int dhdStop(char id) {
-  const std::lock_guard held(the_lock);
+  std::unique_lock held(the_lock);
   note("dhdStop", id);
+  wait_while_blocked(held, "dhdStop");
   Unit* unit = unit_of(id);
   if (unit == nullptr) return -1;
   unit->is_stopped = true;
@@ -262,13 +267,19 @@ int drdAutoInit(char id) {
   return searched_on(id);
 }
 int drdStop(bool leaves_force_on, char id) {
-  const std::lock_guard held(the_lock);
+  std::unique_lock held(the_lock);
   note(leaves_force_on ? "drdStop with force" : "drdStop", id);
+  wait_while_blocked(held, "drdStop");
   if (!leaves_force_on) {
     if (Unit* unit = unit_of(id)) unit->regulation_is_on = false;
     stopped.notify_all();
   }
   return the_bench.stop_answer < 0 ? failed("the regulation goes on") : 0;
+}
+bool drdIsRunning(char id) {
+  const std::lock_guard held(the_lock);
+  const Unit* unit = unit_of(id);
+  return the_bench.goes_on || (unit != nullptr && unit->regulation_is_on);
 }
 int drdClose(char id) {
   const std::lock_guard held(the_lock);

@@ -34,7 +34,10 @@ struct Bench {
   bool is_there = true;  ///< false: every call for a device fails, as after its cable was pulled
   int read_answer = 0;
   int send_answer = 0;
-  int stop_answer = 0;  ///< of drdStop
+  int stop_answer = 0;   ///< of drdStop
+  bool goes_on = false;  ///< drdIsRunning says so, whatever was stopped
+  /// Does not return while this names it: dhdStop or drdStop.
+  std::string blocks{};
   /// So many more times drdAutoInit goes on with its next axis, force on, after it was stopped.
   int axes_to_search = 0;
   int stops_heard = 0;    ///< by a drdAutoInit under way, of both functions

@@ -166,6 +166,7 @@ struct TestInverseService::Server {
         --bench.answers_to_drop;
         return;
       }
+      if (!bench.answers_forces && bench.force_N != std::array{0.0, 0.0, 0.0}) return;
       delay_ms = bench.delay_ms;
       if (bench.answers_to_delay > 0 && --bench.answers_to_delay == 0) bench.delay_ms = 0;
     }

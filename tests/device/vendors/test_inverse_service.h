@@ -28,6 +28,7 @@ class TestInverseService final {
     std::string axes = "XYZ";
     double scale = 1.0;  ///< of the workspace
     std::array<double, 3> position_m{0.0, -0.12, 0.15};
+    bool answers_forces = true;  ///< false: what asks for any but zero gets no answer
     int answers_to_drop = 0;
     bool was_dropped = false;     ///< the last answer
     double after_a_drop_N = 0.0;  ///< the strongest force asked for next
