@@ -126,16 +126,23 @@ std::vector<std::string> StudyLock::held(const std::filesystem::path& study,
   std::vector<std::string> names{};
   const std::filesystem::path folder = study / kLocks;
   std::error_code error;
-  const std::filesystem::directory_iterator entries(folder, error);
+  std::filesystem::directory_iterator entry(folder, error);
   if (error == std::errc::no_such_file_or_directory) return names;
-  if (error) fail_on_file(folder, "read", error.value());
-  for (const auto& entry : entries) {
-    const std::string name = entry.path().stem().string();
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().stem().string();
     // What no lock can be called, or is no file: somebody's copy, note or folder, which nobody holds.
-    const bool is_lock = entry.path().extension() == kSuffix && name.starts_with(beginning) &&
-                         is_lock_name(name) && entry.is_regular_file(error);
-    if (is_lock && holder(study, name)) names.push_back(name);
+    if (entry->path().extension() != kSuffix || !name.starts_with(beginning) ||
+        !is_lock_name(name)) {
+      continue;
+    }
+    std::error_code unknown;
+    const std::filesystem::file_status kind = entry->status(unknown);
+    if (kind.type() == std::filesystem::file_type::none) {
+      fail_on_file(entry->path(), "examined", unknown.value());
+    }
+    if (std::filesystem::is_regular_file(kind) && holder(study, name)) names.push_back(name);
   }
+  if (error) fail_on_file(folder, "read", error.value());
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -53,10 +53,17 @@ void InterruptWatch::will_say(std::string saying) {
 InterruptWatch::Hold::Hold() noexcept { ++interrupt_holds; }
 InterruptWatch::Hold::~Hold() { --interrupt_holds; }
 
+void InterruptWatch::ask_to_stop(const char* when) {
+  source_.request_stop();
+  const std::lock_guard lock(mutex_);
+  say(saying_ + when);
+}
+
 // Whether what is held, and the program with it, comes to its end in the time that it is given.
 bool InterruptWatch::ends_in_order(const std::stop_token& ended) {
   if (interrupt_holds == 0) return false;
-  source_.request_stop();  // where both came at once, nobody has yet
+  // Where both came at once, nobody has yet.
+  if (!source_.stop_requested()) ask_to_stop(" (in three seconds at the latest)");
   const auto latest = std::chrono::steady_clock::now() + kLongestHold;
   while (interrupt_holds > 0 && std::chrono::steady_clock::now() < latest) {
     std::this_thread::sleep_for(kBetweenLooks);
@@ -76,10 +83,8 @@ void InterruptWatch::watch(const std::stop_token& ended) {
       end_program(last_interrupt);
     }
     if (interrupts > 0 && !source_.stop_requested()) {
-      source_.request_stop();
-      const std::lock_guard lock(mutex_);
-      say(saying_ + (interrupt_holds > 0 ? " (once more to end in three seconds at the latest)"
-                                         : " (once more to end at once)"));
+      ask_to_stop(interrupt_holds > 0 ? " (once more to end in three seconds at the latest)"
+                                      : " (once more to end at once)");
     }
     std::this_thread::sleep_for(kBetweenLooks);
   }

@@ -35,7 +35,7 @@ class InterruptWatch final {
   };
   static constexpr std::chrono::seconds kLongestHold{3};
 
-  /// `saying` is told once, when the first one comes.
+  /// `saying` is told once, when the first one comes; where the second one comes with it, only where there is a `Hold`.
   explicit InterruptWatch(std::string saying = "stopping after this trial",
                           std::function<void()> at_once = {});
   ~InterruptWatch();
@@ -49,6 +49,7 @@ class InterruptWatch final {
 
  private:
   void watch(const std::stop_token& ended);
+  void ask_to_stop(const char* when);
   bool ends_in_order(const std::stop_token& ended);
 
   std::mutex mutex_{};

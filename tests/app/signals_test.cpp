@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <fcntl.h>
 #include <string>
 #include <sys/wait.h>
@@ -17,28 +18,42 @@ namespace asperity {
 namespace {
 
 struct Ended {
-  std::string said{};  ///< one letter for each thing that happened
-  int status = 0;      ///< as waitpid tells
+  std::string said{};    ///< one letter for each thing that happened
+  std::string errors{};  ///< what it wrote there
+  int status = 0;        ///< as waitpid tells
+  std::chrono::steady_clock::duration took{};
 };
+
+std::string read_to_end(int descriptor) {
+  std::string text;
+  for (char letter = 0; read(descriptor, &letter, 1) == 1;) text += letter;
+  close(descriptor);
+  return text;
+}
 
 /// What a program does that is sent these signals; after each it waits for the letter that it causes.
 template <typename Act>
 Ended program(const Act& act) {
   std::array<int, 2> ends{};
+  std::array<int, 2> errors{};
   EXPECT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+  EXPECT_EQ(pipe2(errors.data(), O_CLOEXEC), 0);
+  const auto begun = std::chrono::steady_clock::now();
   const pid_t process = fork();
   if (process == 0) {
-    close(STDERR_FILENO);
+    dup2(errors[1], STDERR_FILENO);
     act([to_test = ends[1]](char letter) {
       [[maybe_unused]] const ssize_t written = write(to_test, &letter, 1);
     });
     _exit(7);
   }
   close(ends[1]);
+  close(errors[1]);
   Ended ended{};
-  for (char letter = 0; read(ends[0], &letter, 1) == 1;) ended.said += letter;
+  ended.said = read_to_end(ends[0]);
+  ended.errors = read_to_end(errors[0]);  // a few lines, which the pipe holds meanwhile
   waitpid(process, &ended.status, 0);
-  close(ends[0]);
+  ended.took = std::chrono::steady_clock::now() - begun;
   return ended;
 }
 
@@ -107,6 +122,26 @@ TEST(InterruptWatch, LeavesWhatIsHeldToItsEndHoweverManyCome) {
   EXPECT_EQ(WEXITSTATUS(ended.status), 7);
 }
 
+// Two that come between two looks of the watch.
+TEST(InterruptWatch, SaysWhatItWaitsForThoughTwoCameAtOnce) {
+  const Ended ended = program([](const auto& tell) {
+    InterruptWatch watch("stopping the arm");
+    {
+      const InterruptWatch::Hold until_it_stands_still;
+      raise(SIGINT);
+      raise(SIGINT);
+      wait_for(watch.token());
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+      tell('h');
+    }
+  });
+  EXPECT_EQ(ended.said, "h");
+  const std::size_t at = ended.errors.find("stopping the arm (");
+  ASSERT_NE(at, std::string::npos) << ended.errors;
+  EXPECT_NE(ended.errors.find("three seconds at the latest"), std::string::npos) << ended.errors;
+  EXPECT_EQ(ended.errors.find("stopping the arm", at + 1), std::string::npos) << ended.errors;
+}
+
 TEST(InterruptWatch, EndsAProgramThatDoesNotLetGoOfWhatItHolds) {
   const Ended ended = program([](const auto& tell) {
     InterruptWatch watch("stopping");
@@ -120,6 +155,7 @@ TEST(InterruptWatch, EndsAProgramThatDoesNotLetGoOfWhatItHolds) {
   EXPECT_EQ(ended.said, "s");
   ASSERT_TRUE(WIFSIGNALED(ended.status));
   EXPECT_EQ(WTERMSIG(ended.status), SIGTERM);
+  EXPECT_GE(ended.took, InterruptWatch::kLongestHold) << "what is held was not waited for";
 }
 
 TEST(InterruptWatch, IsNotPutToSleepByTheTerminal) {

@@ -24,7 +24,10 @@ class MovingDevice : public testing::Test {
   /// To its maker's library.
   std::string said() const { return text_of(calls_); }
   void forget() const { fs::remove(calls_); }
-  bool has_moved() const { return text_of(calls_).find("drdAutoInit") != std::string::npos; }
+  /// So far: a program that has only begun has said nothing.
+  bool has_moved() const {
+    return fs::exists(calls_) && text_of(calls_).find("drdAutoInit") != std::string::npos;
+  }
 
  private:
   const TemporaryFolder folder_{};
