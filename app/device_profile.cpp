@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <iterator>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
@@ -276,17 +275,15 @@ bool DeviceProfile::has_failed() const noexcept {
                      [](const DeviceItem& one) { return one.status == DeviceItem::Status::fail; });
 }
 
-std::string DeviceProfile::stands_for() const {
-  return model.starts_with(kInPlaceOf) ? model.substr(kInPlaceOf.size()) : std::string();
+bool DeviceProfile::has_open_limit() const noexcept {
+  return std::any_of(items.begin(), items.end(),
+                     [](const DeviceItem& one) { return one.is_open(); });
 }
 
+std::string DeviceProfile::stands_for() const { return std::string(model_stood_for(model)); }
+
 std::vector<DeviceTrait> DeviceProfile::known() const {
-  std::vector<DeviceTrait> traits{};
-  std::copy_if(kDeviceTraits.begin(), kDeviceTraits.end(), std::back_inserter(traits),
-               [this](DeviceTrait trait) {
-                 return std::find(not_known.begin(), not_known.end(), trait) == not_known.end();
-               });
-  return traits;
+  return traits_without(kDeviceTraits, not_known);
 }
 
 bool DeviceProfile::is_unknown(std::string_view wanted) const noexcept {
@@ -381,9 +378,8 @@ std::filesystem::path profile_path(const std::filesystem::path& study,
   std::string when = profile.measured_utc.substr(0, 19) + 'Z';
   std::erase_if(when, [](char c) { return c == '-' || c == ':'; });
   // Stand-ins of one driver are told apart by what they stand for.
-  const std::string model = profile.model.starts_with(kInPlaceOf)
-                                ? '-' + for_file_name(profile.model.substr(kInPlaceOf.size()))
-                                : "";
+  const std::string stands_for = profile.stands_for();
+  const std::string model = stands_for.empty() ? "" : '-' + for_file_name(stands_for);
   const std::string serial = profile.serial.empty() ? "" : '-' + for_file_name(profile.serial);
   return study / "profiles" / (for_file_name(profile.name) + model + serial + '-' + when + ".json");
 }

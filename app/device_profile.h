@@ -33,6 +33,8 @@ struct DeviceItem {
 
   /// Measured and held to nothing, which is said as "no limit": neither good nor bad.
   bool is_only_told() const noexcept { return status == Status::pass && value && !limit; }
+  /// Held to a limit of which nobody knows whether it is kept.
+  bool is_open() const noexcept { return status == Status::not_measured && limit; }
 };
 
 /// As it stands in a profile.
@@ -103,6 +105,7 @@ struct DeviceProfile {
   /// Nothing where it was not measured.
   std::optional<double> value(std::string_view name) const noexcept;
   bool has_failed() const noexcept;
+  bool has_open_limit() const noexcept;
 };
 
 /// Takes the numbers away that are none of the device that a simulated one stands for, and says so in their place.

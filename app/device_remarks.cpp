@@ -166,27 +166,34 @@ Phrase what_is_known(const DeviceProfile& profile) {
       .with(profile.stands_for(), listed(profile.known()), listed(profile.not_known));
 }
 
-Phrase verdict_on(const DeviceProfile& profile) {
-  const auto names = [&profile](const auto& is_meant) {
+Phrase verdict_on(const DeviceProfile& profile, const ItemNames& called) {
+  const auto names = [&](const auto& is_meant) {
     std::string all{};
     for (const DeviceItem& item : profile.items) {
-      if (is_meant(item)) all += (all.empty() ? "" : ", ") + item.name;
+      if (!is_meant(item)) continue;
+      all += (all.empty() ? "" : ", ") + (called ? called(item.name) : item.name);
     }
     return all;
   };
   const std::string failed =
       names([](const DeviceItem& item) { return item.status == DeviceItem::Status::fail; });
-  const std::string open = names([](const DeviceItem& item) {
-    return item.limit && item.status == DeviceItem::Status::not_measured;
-  });
-  if (failed.empty() && open.empty()) return phrase("DeviceTest", "The device kept every limit.");
-  const Phrase kept =
-      failed.empty()
-          ? phrase("DeviceTest", "The device kept every limit that was measured.")
-          : phrase("DeviceTest", "The device did not keep every limit: %1.").with(failed);
+  const std::string open = names([](const DeviceItem& item) { return item.is_open(); });
+  const bool kept_some =
+      std::any_of(profile.items.begin(), profile.items.end(), [](const DeviceItem& item) {
+        return item.status == DeviceItem::Status::pass && !item.is_only_told();
+      });
+  Phrase kept{};
+  if (!failed.empty()) {
+    kept = phrase("DeviceTest", "The device did not keep every limit: %1.").with(failed);
+  } else if (kept_some) {
+    kept = open.empty() ? phrase("DeviceTest", "The device kept every limit.")
+                        : phrase("DeviceTest", "The device kept every limit of what was measured.");
+  } else if (open.empty()) {
+    kept = phrase("DeviceTest", "The device was held to no limit.");
+  }
   if (open.empty()) return kept;
-  return Phrase("%1 %2").with(kept,
-                              phrase("DeviceTest", "Not measured, though limited: %1.").with(open));
+  const Phrase unseen = phrase("DeviceTest", "Not measured, though limited: %1.").with(open);
+  return kept.empty() ? unseen : Phrase("%1 %2").with(kept, unseen);
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -61,7 +62,10 @@ Phrase listed(const std::vector<DeviceTrait>& traits);
 /// "Simulated in place of delta.3; known of it: workspace, …; not known: …": what stands above the items of such a
 /// device. Empty of every other.
 Phrase what_is_known(const DeviceProfile& profile);
-/// Whether it kept its limits, and which of them nobody looked at. A sentence or two.
-Phrase verdict_on(const DeviceProfile& profile);
+/// What items are called where they are read: "friction_N" at a terminal, "Friction" in a window.
+using ItemNames = std::function<std::string(const std::string& item)>;
+/// Whether it kept its limits, what has to be kept without a number among them, and which of them nobody looked at. A
+/// sentence or two. Without `called` items have their own names.
+Phrase verdict_on(const DeviceProfile& profile, const ItemNames& called = {});
 
 }  // namespace asperity

@@ -2,8 +2,12 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace asperity {
 
@@ -65,6 +69,16 @@ constexpr std::string_view name_of(DeviceTrait trait) noexcept {
       return "force_resolution";
   }
   return "";
+}
+
+/// Those of `traits` that are not among `others`, in their order.
+inline std::vector<DeviceTrait> traits_without(std::span<const DeviceTrait> traits,
+                                               std::span<const DeviceTrait> others) {
+  std::vector<DeviceTrait> left{};
+  std::copy_if(traits.begin(), traits.end(), std::back_inserter(left), [&](DeviceTrait trait) {
+    return std::find(others.begin(), others.end(), trait) == others.end();
+  });
+  return left;
 }
 
 }  // namespace asperity

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -23,13 +22,7 @@ struct Model {
 };
 
 std::vector<DeviceTrait> missing_of(const Model& model) {
-  std::vector<DeviceTrait> missing{};
-  std::copy_if(kDeviceTraits.begin(), kDeviceTraits.end(), std::back_inserter(missing),
-               [&model](DeviceTrait trait) {
-                 return std::find(model.known.begin(), model.known.end(), trait) ==
-                        model.known.end();
-               });
-  return missing;
+  return traits_without(kDeviceTraits, model.known);
 }
 
 std::string remarks_on(const Model& model) {
@@ -113,9 +106,14 @@ SimulatedDeviceSettings as_model(std::string_view name, SimulatedDeviceSettings 
                            "\"; it can for: " + names);
 }
 
+std::string_view model_stood_for(std::string_view in_place_of) noexcept {
+  return in_place_of.starts_with(kInPlaceOf) ? in_place_of.substr(kInPlaceOf.size())
+                                             : std::string_view();
+}
+
 std::vector<DeviceTrait> not_known_of(std::string_view in_place_of) {
-  if (!in_place_of.starts_with(kInPlaceOf)) return {};
-  const std::string_view label = in_place_of.substr(kInPlaceOf.size());
+  const std::string_view label = model_stood_for(in_place_of);
+  if (label.empty()) return {};
   for (const Model& model : models()) {
     if (model.capability.model == label) return missing_of(model);
   }

@@ -26,6 +26,8 @@ std::vector<std::string> simulated_models();
 /// Errors: std::runtime_error naming the models, for one that is not there.
 SimulatedDeviceSettings as_model(std::string_view model, SimulatedDeviceSettings settings);
 
+/// "delta.3" of "in place of delta.3"; empty of a model that stands for no other. A part of what it is given.
+std::string_view model_stood_for(std::string_view in_place_of) noexcept;
 /// What nobody tells of the device that a simulated one of this model stands for, "in place of delta.3"; nothing of a
 /// model that is none of these.
 std::vector<DeviceTrait> not_known_of(std::string_view in_place_of);

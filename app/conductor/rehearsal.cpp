@@ -3,6 +3,7 @@
 #include "app/conductor/rehearsal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -28,6 +29,10 @@ namespace {
 /// The stiffest spring that `device-test` tries: no limit of a device that held it in a loop as fast.
 constexpr double kStiffestTried_N_per_m = 8000.0;
 constexpr const char* kResonance = "resonance_Hz";
+/// What stimuli are compared with, beside the workspace.
+constexpr std::array kComparedTraits{DeviceTrait::friction,      DeviceTrait::force_resolution,
+                                     DeviceTrait::position_step, DeviceTrait::damping,
+                                     DeviceTrait::stiffness,     DeviceTrait::resonance};
 /// Below what arithmetic leaves of a force without a texture there is none.
 constexpr double kNoForce_N = 1e-9;
 
@@ -460,6 +465,10 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  StimulusBuilder& builder,
                                                  const RehearsalCourse& course) {
   return DeviceRehearsal(protocol, profile, builder).run(course);
+}
+
+std::vector<DeviceTrait> not_compared(const std::vector<DeviceTrait>& not_known) {
+  return traits_without(kComparedTraits, traits_without(kDeviceTraits, not_known));
 }
 
 std::vector<RehearsalWarning> RehearsalMemory::recall(

@@ -14,6 +14,7 @@
 #include "app/conductor/stimulus_builder.h"
 #include "app/device_profile.h"
 #include "app/phrase.h"
+#include "device/device_trait.h"
 #include "protocols/protocol.h"
 
 namespace asperity {
@@ -73,6 +74,11 @@ std::vector<RehearsalWarning> rehearse_on_device(const Protocol& protocol,
                                                  const DeviceProfile& profile,
                                                  StimulusBuilder& builder,
                                                  const RehearsalCourse& course = {});
+
+/// With which of what is `not_known` of a device (DeviceCapability::not_known) stimuli would be compared, and are not.
+/// The workspace is none of it: what the driver tells is compared, as a session takes the force away beyond that
+/// whatever the device could reach. Nor is the peak force, which a session's opening compares with the protocol's.
+std::vector<DeviceTrait> not_compared(const std::vector<DeviceTrait>& not_known);
 
 /// What the last comparison found, for whoever asks again while nothing of it has changed.
 ///

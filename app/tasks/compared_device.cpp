@@ -2,11 +2,9 @@
 
 #include "app/tasks/compared_device.h"
 
-#include <algorithm>
 #include <array>
 #include <exception>
 #include <functional>
-#include <iterator>
 
 #include "analysis/number_text.h"
 #include "app/conductor/recorded_hand.h"
@@ -26,10 +24,6 @@ constexpr const char* kReplay = "replay";
 /// The items that stimuli are compared with; beside them rate and workspace, which every profile has.
 constexpr std::array kComparedItems{"friction_N", "force_resolution_N", "position_resolution_m",
                                     "damping_N_s_per_m", "stiffness_N_per_m"};
-/// What they tell of a device, and a resonance, of which most have none.
-constexpr std::array kComparedTraits{DeviceTrait::friction,      DeviceTrait::force_resolution,
-                                     DeviceTrait::position_step, DeviceTrait::damping,
-                                     DeviceTrait::stiffness,     DeviceTrait::resonance};
 
 std::string joined(const std::vector<std::string>& words) {
   std::string all{};
@@ -48,14 +42,9 @@ using Warn = std::function<void(const std::string& sentence)>;
 
 /// What no measurement of a simulated device will tell of the one that it stands for.
 void tell_unknown(const SoughtDevice& device, const Warn& warn) {
-  std::vector<DeviceTrait> missing{};
-  std::copy_if(kComparedTraits.begin(), kComparedTraits.end(), std::back_inserter(missing),
-               [&device](DeviceTrait trait) {
-                 const auto& unknown = device.not_known;
-                 return std::find(unknown.begin(), unknown.end(), trait) != unknown.end();
-               });
+  const std::vector<DeviceTrait> missing = not_compared(device.not_known);
   if (missing.empty()) return;
-  const std::string real = device.wanted.which.model.substr(kInPlaceOf.size());
+  const std::string real(model_stood_for(device.wanted.which.model));
   warn("of " + real + ", which " + in_quotation_marks(name_of(device.wanted)) +
        " stands for, are not known: " + listed(missing).english() +
        "; no stimulus was compared with what these would tell");

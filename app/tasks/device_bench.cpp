@@ -62,10 +62,10 @@ Phrase loss_of(const StageRecord& record, Pacing pacing) {
                   "again.")
         .with(record.trouble);
   }
-  const bool has_ticked =
+  const bool was_lost_in_a_tick =
       std::any_of(record.ticks.begin(), record.ticks.end(),
                   [](const TickRecord& tick) { return tick.has(TickFlag::device_lost); });
-  if (pacing == Pacing::theirs && !has_ticked) {
+  if (pacing == Pacing::theirs && !was_lost_in_a_tick) {
     return phrase("DeviceTest",
                   "the device was lost while it was measured: it did not call for %1 ms, because "
                   "its maker's thread hangs or had to wait. End what else keeps this computer "

@@ -19,6 +19,7 @@
 #include "app/tasks/protocol_files.h"
 #include "app/tasks/sitting.h"
 #include "device/pointer_device.h"
+#include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 
@@ -393,7 +394,8 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   const std::string now_utc = SystemClock(0).utc();
   const RehearsedDevice found = rehearsed_device(protocol, wanted, inputs.study, now_utc, rehearse);
   if (!found.profile) {
-    if (kind_of_device(inputs.device) == DeviceKind::simulated) {
+    const bool is_stand_in = device && !model_stood_for(device->model).empty();
+    if (kind_of_device(inputs.device) == DeviceKind::simulated && !is_stand_in) {
       return {fine(phrase("SessionChecks", "Not needed: the simulated device has none."))};
     }
     if (device && !has_motors(*device)) {
@@ -413,21 +415,32 @@ std::vector<SessionCheck> calibration_checks(const CheckInputs& inputs, const Pr
   // Its limits are compared first.
   const bool breaks_limits = !found.warnings.empty() && is_of_limits(found.warnings.front());
   const bool is_beyond = !found.warnings.empty() && !is_of_limits(found.warnings.back());
+  const std::vector<DeviceTrait> uncompared = not_compared(found.profile->not_known);
   SessionCheck profile{};
   if (is_beyond) {
     profile.text = phrase("SessionChecks", "%1; some stimuli are beyond what it can do.").with(age);
   } else if (breaks_limits) {
-    profile.text = phrase("SessionChecks",
-                          "%1; every stimulus is within what it can do, but it does not keep the "
-                          "protocol's limits.")
-                       .with(age);
+    const Phrase text =
+        uncompared.empty()
+            ? phrase("SessionChecks",
+                     "%1; every stimulus is within what it can do, but it does not keep the "
+                     "protocol's limits.")
+            : phrase("SessionChecks",
+                     "%1; every stimulus is within what is known of it, but it does not keep the "
+                     "protocol's limits.");
+    profile.text = text.with(age);
   } else {
-    profile.text =
-        phrase("SessionChecks", "%1; every stimulus is within what it can do.").with(age);
+    const Phrase text =
+        uncompared.empty()
+            ? phrase("SessionChecks", "%1; every stimulus is within what it can do.")
+            : phrase("SessionChecks", "%1; every stimulus is within what is known of it.");
+    profile.text = text.with(age);
   }
-  if (const DeviceProfile& of = *found.profile; !of.not_known.empty()) {
+  if (!uncompared.empty()) {
+    profile.state = State::look;
     profile.text = phrase("SessionChecks", "%1 Not known of %2, and compared with nothing: %3.")
-                       .with(profile.text, of.stands_for(), listed(of.not_known));
+                       .with(profile.text, found.profile->stands_for(), listed(uncompared));
+    profile.remedy = phrase("SessionChecks", "Measure a real one as soon as it is there.");
   }
   // What breaks a limit of the protocol's has a line of its own.
   DeviceProfile unlimited = *found.profile;

@@ -129,6 +129,10 @@ TEST_F(ComparedDevice, ThatStandsForARealOneIsSaidNotToBeKnownWhereNobodyTells) 
               Contains(HasSubstr("friction, weakest force, damping, stiffest spring, resonance;")))
       << "its steps are";
   EXPECT_THAT(warnings(compared("simulated")), Each(Not(HasSubstr("not known"))));
+  EXPECT_THAT(warnings(compared("simulated:lambda.7")),
+              Contains(HasSubstr("are not known: friction, weakest force, steps of positions, "
+                                 "damping, stiffest spring, resonance; no stimulus")))
+      << "nor is its workspace, but what its driver tells is compared";
   // Of an earlier version, which took the virtual hand's friction for a delta.3's.
   const DeviceProfile earlier = good("in place of delta.3");
   std::filesystem::create_directories(study / "profiles");

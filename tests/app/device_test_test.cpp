@@ -231,14 +231,24 @@ TEST(DeviceProfile, TellsOfEachItemInTheWordsOfTheTable) {
 
 TEST(DeviceProfile, SaysWhichLimitsWereKeptAndWhichNobodyLookedAt) {
   using Status = DeviceItem::Status;
-  DeviceProfile profile{.items = {{.name = "limiter", .status = Status::pass}}};
+  DeviceProfile profile{.items = {{.name = "friction_N", .status = Status::pass, .value = 0.1},
+                                  {.name = "latency_s"}}};
+  EXPECT_EQ(verdict_on(profile).english(), "The device was held to no limit.");
+  EXPECT_FALSE(profile.has_open_limit());
+  const DeviceItem open{.name = "workspace_reached", .limit = 0.8};
+  profile.items.push_back(open);
+  EXPECT_EQ(verdict_on(profile).english(), "Not measured, though limited: workspace_reached.");
+  EXPECT_TRUE(profile.has_open_limit());
+  profile.items = {{.name = "limiter", .status = Status::pass}, {.name = "latency_s"}};
   EXPECT_EQ(verdict_on(profile).english(), "The device kept every limit.");
-  profile.items.push_back({.name = "latency_s"});
-  EXPECT_EQ(verdict_on(profile).english(), "The device kept every limit.") << "it has none";
-  profile.items.push_back({.name = "workspace_reached", .limit = 0.8});
+  EXPECT_FALSE(profile.has_open_limit()) << "latency has none";
+  profile.items.push_back(open);
   EXPECT_EQ(verdict_on(profile).english(),
-            "The device kept every limit that was measured. Not measured, though limited: "
+            "The device kept every limit of what was measured. Not measured, though limited: "
             "workspace_reached.");
+  EXPECT_EQ(verdict_on(profile, [](const std::string& item) { return '<' + item + '>'; }).english(),
+            "The device kept every limit of what was measured. Not measured, though limited: "
+            "<workspace_reached>.");
   profile.items.front().status = Status::fail;
   EXPECT_EQ(verdict_on(profile).english(),
             "The device did not keep every limit: limiter. Not measured, though limited: "

@@ -504,6 +504,24 @@ TEST_F(DeviceRehearsalTest, SaysNothingOfWhatWasNotMeasured) {
   EXPECT_TRUE(warnings(small_protocol(), unknown).empty());
 }
 
+// A comparison that is added, or falls away, has to be in the list of those that need to be known.
+TEST_F(DeviceRehearsalTest, ComparesStimuliWithWhatItSaysAndNothingElse) {
+  for (const DeviceQuantity& quantity : device_quantities()) {
+    if (!quantity.trait) continue;
+    const bool at_most = quantity.bound == DeviceItem::Bound::at_most;
+    const DeviceProfile bad = with(ideal(), quantity.name, at_most ? 1e3 : 1e-3);
+    EXPECT_EQ(!warnings(grating_protocol(), bad).empty(), !not_compared({*quantity.trait}).empty())
+        << quantity.name;
+  }
+  DeviceProfile narrow = ideal();
+  narrow.workspace_maximum_m = glm::dvec3(0.001);
+  narrow.not_known = {DeviceTrait::workspace, DeviceTrait::peak_force};
+  EXPECT_TRUE(one(grating_protocol(), narrow, "workspace")) << "as the driver tells it";
+  EXPECT_TRUE(not_compared(narrow.not_known).empty());
+  EXPECT_EQ(not_compared({DeviceTrait::damping, DeviceTrait::workspace, DeviceTrait::friction}),
+            (std::vector{DeviceTrait::friction, DeviceTrait::damping}));
+}
+
 std::string with_limits(const std::string& limits) {
   return grating_protocol("\"limits\": {" + limits + "}");
 }

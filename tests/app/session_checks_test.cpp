@@ -349,8 +349,8 @@ class RehearsedChecks : public SessionChecks {
         .is_simulated = !in_place_of.empty(),
         .measured_utc = utc_text(now_ns - static_cast<std::int64_t>(days * 86400.0 * 1e9)),
         .rate_Hz = 1000.0,
-        .workspace_minimum_m = glm::dvec3(-1.0),
-        .workspace_maximum_m = glm::dvec3(1.0),
+        .workspace_minimum_m = glm::dvec3(-reach_m),
+        .workspace_maximum_m = glm::dvec3(reach_m),
         .items = {{.name = "friction_N", .status = DeviceItem::Status::pass, .value = friction_N}},
         .not_known = not_known};
     std::filesystem::create_directories(study / "profiles");
@@ -367,7 +367,8 @@ class RehearsedChecks : public SessionChecks {
     write_protocol(text);
   }
 
-  int told = 0;  ///< of the comparison's progress
+  double reach_m = 1.0;  ///< of the profile
+  int told = 0;          ///< of the comparison's progress
 };
 
 TEST_F(RehearsedChecks, SayHowADeviceIsMeasuredThatNobodyHasMeasured) {
@@ -403,10 +404,41 @@ TEST_F(RehearsedChecks, TellTheAgeOfTheProfileAndEveryWarningWithBothNumbers) {
 TEST_F(RehearsedChecks, TellWhatIsNotKnownOfTheDeviceThatASimulatedOneStandsFor) {
   inputs.device = "simulated:delta.3";
   inputs.tried = nullptr;
+  EXPECT_EQ(check("calibration").state, State::look) << "nobody has looked at it";
+  EXPECT_NE(check("calibration").text.english().find("no profile of this device"),
+            std::string::npos)
+      << check("calibration").text.english();
   measure(0.1, 0.9, "in place of delta.3", {DeviceTrait::friction, DeviceTrait::damping});
+  EXPECT_EQ(check("calibration").state, State::look);
   EXPECT_EQ(check("calibration").text.english(),
-            "Measured within the last day; every stimulus is within what it can do. Not known of "
-            "delta.3, and compared with nothing: friction, damping.");
+            "Measured within the last day; every stimulus is within what is known of it. Not known "
+            "of delta.3, and compared with nothing: friction, damping.");
+  ask_for(R"("limits": {"friction_N": 0.1})");
+  const std::string limited = check("calibration").text.english();
+  EXPECT_NE(
+      limited.find("is within what is known of it, but it does not keep the protocol's limits. "
+                   "Not known of delta.3"),
+      std::string::npos)
+      << limited;
+  EXPECT_EQ(check("calibration").state, State::look);
+  inputs.device = "simulated";
+  EXPECT_EQ(check("calibration").state, State::fine) << "it stands for none";
+}
+
+// Nobody knows a lambda.7's workspace; a session keeps to the one that its driver tells.
+TEST_F(RehearsedChecks, CallNothingUncomparedThatWasCompared) {
+  inputs.device = "simulated:lambda.7";
+  inputs.tried = nullptr;
+  measure(0.1, 0.0, "in place of lambda.7", {DeviceTrait::workspace, DeviceTrait::peak_force});
+  EXPECT_EQ(check("calibration").text.english(),
+            "Measured within the last day; every stimulus is within what it can do.");
+  EXPECT_EQ(check("calibration").state, State::fine);
+  reach_m = 0.001;
+  measure(0.1, 0.0, "in place of lambda.7", {DeviceTrait::workspace, DeviceTrait::friction});
+  const std::string text = check("calibration").text.english();
+  EXPECT_TRUE(text.ends_with("and compared with nothing: friction.")) << text;
+  ASSERT_FALSE(rehearsed().empty());
+  EXPECT_NE(rehearsed().front().text.english().find("The surface lies from"), std::string::npos);
 }
 
 TEST_F(RehearsedChecks, RefuseWhatTheProtocolRefuses) {

@@ -86,6 +86,7 @@ TEST(SimulatedModels, DeclareOfEachTraitWhetherItIsKnown) {
     EXPECT_EQ(is_known(model, DeviceTrait::continuous_force), real.continuous_force_N > 0.0)
         << model;
     EXPECT_EQ(not_known_of(real.model), real.not_known) << model;
+    EXPECT_EQ("in place of " + std::string(model_stood_for(real.model)), real.model);
   }
   EXPECT_TRUE(is_known("delta.3", DeviceTrait::workspace));
   EXPECT_FALSE(is_known("lambda.7", DeviceTrait::workspace)) << "it has those of sigma.7";
@@ -95,6 +96,8 @@ TEST(SimulatedModels, DeclareOfEachTraitWhetherItIsKnown) {
   EXPECT_TRUE(plain.capability().not_known.empty()) << "ideal by its own declaration";
   EXPECT_TRUE(not_known_of(plain.capability().model).empty());
   EXPECT_TRUE(not_known_of("delta.3").empty()) << "the real one";
+  EXPECT_EQ(model_stood_for("in place of delta.3"), "delta.3");
+  EXPECT_EQ(model_stood_for("delta.3"), "") << "it stands for none";
 }
 
 TEST(SimulatedModels, AreNamedAfterTheSimulatedDeviceOnly) {

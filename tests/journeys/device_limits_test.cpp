@@ -101,8 +101,8 @@ TEST_F(DeviceLimits, OfAStandInAreHeldToNothingThatIsNotKnown) {
   EXPECT_NE(line_of("friction_N").find("not measured"), std::string::npos) << test.out;
   EXPECT_NE(line_of("friction_N").find("Not known of delta.3"), std::string::npos) << test.out;
   EXPECT_NE(line_of("latency_s").find("pass"), std::string::npos) << test.out;
-  EXPECT_NE(test.out.find("\nThe device kept every limit that was measured. Not measured, though "
-                          "limited: friction_N, workspace_reached.\n"),
+  EXPECT_NE(test.out.find("\nThe device kept every limit of what was measured. Not measured, "
+                          "though limited: friction_N, workspace_reached.\n"),
             std::string::npos)
       << test.out;
 }

@@ -18,6 +18,7 @@
 #include <QtWidgets/QStackedWidget>
 
 #include "app/conductor/clock.h"
+#include "app/device_remarks.h"
 #include "app/gui/devices/device_test_steps.h"
 #include "app/gui/devices/motion_picture.h"
 #include "app/gui/devices/profile_view.h"
@@ -29,6 +30,7 @@
 #include "app/gui/study/shown_text.h"
 #include "app/gui/study/study_table.h"
 #include "app/tasks/protocol_files.h"
+#include "device/simulated_models.h"
 
 namespace asperity {
 
@@ -266,8 +268,11 @@ void DeviceTestPage::connect_run() {
   });
   connect(&run_, &DeviceTestRun::came_to, this, &DeviceTestPage::show_news);
   connect(&run_, &DeviceTestRun::measured, this, &DeviceTestPage::show_measured);
-  connect(&run_, &DeviceTestRun::stopped, this,
-          [this] { end(State::look, tr("Stopped: the force is zero, and nothing was kept.")); });
+  connect(&run_, &DeviceTestRun::stopped, this, [this](const QString& last_words) {
+    end(State::look, last_words.isEmpty()
+                         ? tr("Stopped: the force is zero, and nothing was kept.")
+                         : tr("Stopped, and nothing was kept: %1").arg(last_words));
+  });
   connect(&run_, &DeviceTestRun::failed, this, [this](const QString& sentence) {
     end(State::stop, tr("Nothing was measured: %1").arg(sentence));
   });
@@ -436,7 +441,9 @@ void DeviceTestPage::begin() {
   const QString reason = tr("A device is being measured. Stop that first.");
   setProperty("keep", reason);
   setProperty("uncovered", reason);
-  steps_->begin({.by_motors = device_.has_motors, .by_a_person = !device_.is_simulated});
+  steps_->begin({.by_motors = device_.has_motors,
+                 .by_a_person = !device_.is_simulated,
+                 .not_known = not_known_of(device_.which.model)});
   do_now_->setText(tr("The device is being opened."));
   progress_->setValue(0);
   drop_question();
@@ -483,21 +490,6 @@ void DeviceTestPage::show_news(const DeviceTestNews& news) {
 
 // --- afterwards ----------------------------------------------------------------------------------
 
-namespace {
-
-/// The items with a limit of which nobody knows whether it is kept.
-QString open_limits(const DeviceProfile& profile) {
-  QStringList titles{};
-  for (const DeviceItem& item : profile.items) {
-    if (item.limit && item.status == DeviceItem::Status::not_measured) {
-      titles << title_of_item(item.name);
-    }
-  }
-  return titles.join(", ");
-}
-
-}  // namespace
-
 void DeviceTestPage::show_measured(const MeasuredDevice& measured) {
   const DeviceProfile& profile = measured.profile;
   shown_utc_ = profile.measured_utc;
@@ -505,18 +497,9 @@ void DeviceTestPage::show_measured(const MeasuredDevice& measured) {
   profile_->parentWidget()->show();
   const QString file =
       measured.file ? text_of_path(measured.file->lexically_relative(study().folder())) : QString();
-  if (profile.has_failed()) {
-    end(State::stop, tr("The device did not keep every limit: %1. The profile is kept as %2.")
-                         .arg(verdict_of(profile).words, file));
-  } else if (const QString open = open_limits(profile); !open.isEmpty()) {
-    end(State::look,
-        tr("The device kept every limit that it was measured against: %1. Not measured, "
-           "though limited: %3. The profile is kept as %2.")
-            .arg(verdict_of(profile).words, file, open));
-  } else {
-    end(State::fine, tr("The device kept every limit: %1. The profile is kept as %2.")
-                         .arg(verdict_of(profile).words, file));
-  }
+  const auto title = [](const std::string& item) { return title_of_item(item).toStdString(); };
+  end(verdict_of(profile).state,
+      words_of(verdict_on(profile, title)) + ' ' + tr("The profile is kept as %1.").arg(file));
   study().announce_change();
   // What was found comes into sight, once everything has its place.
   constexpr int kSettled_ms = 150;

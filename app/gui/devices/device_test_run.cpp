@@ -32,6 +32,11 @@ struct DeviceTestRun::Talk {
   }
 };
 
+struct DeviceTestRun::Outcome {
+  std::optional<MeasuredDevice> measured{};  ///< unless it was stopped
+  QString last_words{};                      ///< of a driver, where that was while its device moved
+};
+
 DeviceTestRun::DeviceTestRun(QObject* parent) : QObject(parent), talk_(std::make_shared<Talk>()) {}
 
 // The task, which is the last member, is stopped and waited for first.
@@ -44,10 +49,9 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
   const auto say = [this](auto signal) {
     QMetaObject::invokeMethod(this, std::move(signal), Qt::QueuedConnection);
   };
-  task_.run<std::optional<MeasuredDevice>>(
+  task_.run<Outcome>(
       [this, say, talk = talk_, drivers, options, device, order](
-          const std::stop_token& stop,
-          const BackgroundTask::Progress&) -> std::optional<MeasuredDevice> {
+          const std::stop_token& stop, const BackgroundTask::Progress&) -> Outcome {
         try {
           std::optional<MeasuringLock> measuring{};
           if (order.study) measuring.emplace(*order.study);
@@ -77,11 +81,13 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
             const std::lock_guard lock(talk->mutex);
             talk->motion.add(ticks);
           };
-          return measure_device(*opened_device, told, stop);
+          return {.measured = measure_device(*opened_device, told, stop)};
         } catch (const DeviceStageStopped&) {
           return {};
-        } catch (const OpeningStopped&) {
-          return {};
+        } catch (const OpeningStopped& stopped_opening) {
+          const std::lock_guard lock(talk->mutex);
+          if (!talk->answer.value_or(false)) return {};
+          return {.last_words = QString::fromStdString(stopped_opening.what())};
         } catch (const std::exception&) {
           // The driver's refusal, because nobody said yes. Whatever else it tells has to be read: that it cannot
           // let go of an arm, or that the device is gone.
@@ -90,11 +96,11 @@ void DeviceTestRun::begin(const DriverRegistry& drivers, const DriverOptions& op
           throw;
         }
       },
-      [this](const std::optional<MeasuredDevice>& found) {
-        if (found) {
-          emit measured(*found);
+      [this](const Outcome& outcome) {
+        if (outcome.measured) {
+          emit measured(*outcome.measured);
         } else {
-          emit stopped();
+          emit stopped(outcome.last_words);
         }
       },
       [this](const QString& sentence) { emit failed(sentence); });

@@ -47,11 +47,13 @@ class DeviceTestRun final : public QObject {
   void opened(const asperity::DeviceCapability& device);
   void came_to(const asperity::DeviceTestNews& news);
   void measured(const asperity::MeasuredDevice& device);
-  void stopped();  ///< as wanted: nothing was kept
+  /// As wanted: nothing was kept. `last_words`: what the driver says of a device that moved by itself then.
+  void stopped(const QString& last_words);
   void failed(const QString& sentence);
 
  private:
   struct Talk;
+  struct Outcome;
   std::shared_ptr<Talk> talk_;
   BackgroundTask task_{};
 };

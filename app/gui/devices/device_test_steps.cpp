@@ -1,5 +1,7 @@
 #include "app/gui/devices/device_test_steps.h"
 
+#include <algorithm>
+
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QLabel>
 
@@ -60,9 +62,9 @@ DeviceTestSteps::DeviceTestSteps(QWidget* parent) : QWidget(parent) {
             {DeviceTestPart::safety, tr("Safety")},
             {DeviceTestPart::sweeps, tr("Slow sweeps")},
             {DeviceTestPart::pushes, tr("Steps of force")},
-            {DeviceTestPart::tones, tr("Sweep of tones")},
-            {DeviceTestPart::springs, tr("Stiff springs")},
-            {DeviceTestPart::small_pushes, tr("Weakest force")},
+            {DeviceTestPart::tones, tr("Sweep of tones"), DeviceTrait::resonance},
+            {DeviceTestPart::springs, tr("Stiff springs"), DeviceTrait::stiffness},
+            {DeviceTestPart::small_pushes, tr("Weakest force"), DeviceTrait::force_resolution},
             {DeviceTestPart::workspace, tr("Workspace")}};
   for (Step& step : steps_) {
     step.label = new QLabel(this);
@@ -78,7 +80,9 @@ void DeviceTestSteps::begin(const Parts& parts) {
     const bool is_timing = step.part == DeviceTestPart::timing;
     const bool is_workspace = step.part == DeviceTestPart::workspace;
     const bool is_there = is_workspace ? parts.by_a_person : parts.by_motors;
-    step.label->setVisible(is_timing || is_there);
+    const bool is_known = !step.trait || std::find(parts.not_known.begin(), parts.not_known.end(),
+                                                   *step.trait) == parts.not_known.end();
+    step.label->setVisible(is_timing || (is_there && is_known));
   }
   write();
 }

@@ -9,6 +9,7 @@
 #include <QtWidgets/QWidget>
 
 #include "app/tasks/device_test.h"
+#include "device/device_trait.h"
 
 class QLabel;
 
@@ -27,6 +28,8 @@ class DeviceTestSteps final : public QWidget {
     bool by_motors = true;
     bool by_a_person =
         true;  ///< who moves the handle of a real device along its borders, at the end
+    /// Of the device that a simulated one stands for: what tells of nothing else is left out.
+    std::vector<DeviceTrait> not_known{};
   };
   /// Everything is to come.
   void begin(const Parts& parts);
@@ -38,6 +41,7 @@ class DeviceTestSteps final : public QWidget {
   struct Step {
     DeviceTestPart part = DeviceTestPart::timing;
     QString name{};
+    std::optional<DeviceTrait> trait{};  ///< the only one that it tells of
     QLabel* label = nullptr;
   };
   std::vector<Step> steps_{};

@@ -3,6 +3,7 @@
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QGridLayout>
 
+#include "app/device_remarks.h"
 #include "app/gui/devices/profile_words.h"
 #include "app/gui/devices/response_plot.h"
 #include "app/gui/look/controls.h"
@@ -48,6 +49,9 @@ ProfileView::ProfileView(QWidget* parent) : QWidget(parent) {
   rows->addWidget(summary_);
   how_ = make_text({}, this, true);
   rows->addWidget(how_);
+  known_ = make_text({}, this, true);
+  known_->setObjectName("profile_known");
+  rows->addWidget(known_);
   rows->addSpacing(kGrid);
   response_ = new ResponsePlot(this);
   rows->addWidget(response_);
@@ -68,6 +72,9 @@ void ProfileView::show_profile(const DeviceProfile& profile) {
     how += ' ' + tr("It is simulated: its timing is told and not judged.");
   }
   how_->setText(how);
+  const Phrase known = what_is_known(profile);
+  known_->setText(words_of(known));
+  known_->setVisible(!known.empty());
   response_->show_profile(profile);
   fill(profile);
 }

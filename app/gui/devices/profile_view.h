@@ -16,6 +16,8 @@ namespace asperity {
 class ResponsePlot;
 class StateLabel;
 
+/// Of a simulated device that stands for a real one first what is known of that ("profile_known").
+///
 /// Safety first, then timing, then mechanics: pass, fail or not measured, the number, what it is held to, and
 /// below the item what was done, or why nothing could be.
 ///
@@ -34,6 +36,7 @@ class ProfileView final : public QWidget {
   QLabel* heading_ = nullptr;
   StateLabel* summary_ = nullptr;
   QLabel* how_ = nullptr;
+  QLabel* known_ = nullptr;  ///< of a device that stands for another
   ResponsePlot* response_ = nullptr;
   QWidget* items_ = nullptr;  ///< made anew with every profile
   QGridLayout* grid_ = nullptr;

@@ -143,7 +143,10 @@ ItemResult verdict_of(const DeviceProfile& profile) {
   if (const auto missing = count(State::look); missing > 0) {
     parts << ProfileWords::tr("%1 not measured").arg(missing);
   }
-  return {profile.has_failed() ? State::stop : State::fine, parts.join(", ")};
+  const State state = profile.has_failed()       ? State::stop
+                      : profile.has_open_limit() ? State::look
+                                                 : State::fine;
+  return {state, parts.join(", ")};
 }
 
 ItemResult short_verdict_of(const DeviceProfile& profile) {

@@ -11,6 +11,7 @@
 #include <QtCore/QLocale>
 #include <QtCore/QSettings>
 #include <QtCore/QTranslator>
+#include <QtWidgets/QWidget>
 
 namespace asperity {
 

@@ -27,11 +27,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/conductor/clock.h"
+#include "app/gui/devices/device_test_steps.h"
 #include "app/gui/devices/motion_picture.h"
 #include "app/gui/devices/response_plot.h"
 #include "app/gui/study/devices_page.h"
 #include "app/gui/study/study_table.h"
 #include "app/gui/study/study_window.h"
+#include "app/tasks/device_choice.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/screenshot.h"
@@ -198,6 +200,13 @@ class DeviceTests : public testing::Test {
     text.remove(QRegularExpression("<[^>]*>")).replace("&nbsp;", "");
     return text.toStdString();
   }
+  /// Whether it is in the list of those to come.
+  bool has_step(const QString& name) const {
+    for (const QLabel* label : page->findChild<DeviceTestSteps*>()->findChildren<QLabel*>()) {
+      if (label->text().endsWith(name)) return label->isVisible();
+    }
+    throw std::runtime_error("no step " + name.toStdString());
+  }
   std::string news() const { return page->findChild<Banner*>()->text().toStdString(); }
   void wait_until_it_ended() const {
     require([this] { return !page->is_measuring() && page->findChild<Banner*>()->isVisible(); },
@@ -275,16 +284,40 @@ TEST_F(DeviceTests, PromiseNoMotionOfADeviceWithoutMotors) {
   EXPECT_EQ(find<QPushButton>("device_test_begin").text(), "Begin the test");
   bench.hold_after = 5000;
   click("device_test_begin");
-  const auto step = [this](const QString& name) {
-    for (const QLabel* label : page->findChildren<QLabel*>()) {
-      if (label->text().endsWith(name)) return label->isVisible();
-    }
-    throw std::runtime_error("no step " + name.toStdString());
-  };
-  EXPECT_TRUE(step("Zero force and timing"));
-  EXPECT_TRUE(step("Workspace"));
-  EXPECT_FALSE(step("Safety"));
-  EXPECT_FALSE(step("Weakest force"));
+  EXPECT_TRUE(has_step("Zero force and timing"));
+  EXPECT_TRUE(has_step("Workspace"));
+  EXPECT_FALSE(has_step("Safety"));
+  EXPECT_FALSE(has_step("Weakest force"));
+}
+
+TEST_F(DeviceTests, SayWhatIsKnownOfADeviceThatIsStoodForAndLeaveTheRestOut) {
+  make_page(stepped(), simulated());
+  click("device_test_begin");
+  EXPECT_TRUE(has_step("Sweep of tones"));
+  wait_until_it_ended();
+  make_page(stepped(), {.device = "simulated:delta.3",
+                        .name = "Simulated: delta.3",
+                        .which = which_device("simulated:delta.3"),
+                        .is_simulated = true});
+  click("device_test_begin");
+  for (const char* name : {"Safety", "Slow sweeps", "Steps of force"}) {
+    EXPECT_TRUE(has_step(name)) << name;
+  }
+  for (const char* name : {"Sweep of tones", "Stiff springs", "Weakest force"}) {
+    EXPECT_FALSE(has_step(name)) << name;
+  }
+  wait_until_it_ended();
+  EXPECT_EQ(shown("profile_summary").substr(0, 3), "▲") << "a limit is open";
+  EXPECT_TRUE(find<QLabel>("profile_known").isVisible());
+  const std::string known = shown("profile_known");
+  EXPECT_TRUE(
+      known.starts_with("Simulated in place of delta.3; known of it: workspace, peak force,"))
+      << known;
+  EXPECT_NE(known.find("not known: continuous force, steps of positions"), std::string::npos);
+  EXPECT_NE(news().find("The device kept every limit of what was measured. Not measured, though "
+                        "limited: Share of the workspace reached. The profile is kept as"),
+            std::string::npos)
+      << news();
 }
 
 TEST_F(DeviceTests, AskOnceMoreBeforeADeviceMovesToFindItsZero) {
@@ -478,7 +511,12 @@ TEST_F(DeviceTests, HoldADeviceToTheLimitsOfAChosenProtocol) {
   EXPECT_EQ(shown("result_moving_mass_kg"), "✕ fail");
   EXPECT_EQ(shown("limit_moving_mass_kg"), "≤ 10 g");
   EXPECT_EQ(shown("result_latency_s"), "✓ pass");
-  EXPECT_NE(news().find("did not keep every limit: 1 failed"), std::string::npos) << news();
+  EXPECT_NE(
+      news().find("did not keep every limit: Moving mass. Not measured, though limited: Share "
+                  "of the workspace reached. The profile is kept as"),
+      std::string::npos)
+      << news();
+  EXPECT_FALSE(find<QLabel>("profile_known").isVisible()) << "it stands for no real device";
   EXPECT_EQ(latest_profile(folder, {.name = "simulated"})->item("moving_mass_kg")->limit, 0.01);
 }
 
