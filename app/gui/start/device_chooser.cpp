@@ -6,7 +6,9 @@
 #include <utility>
 
 #include <QtCore/QSignalBlocker>
+#include <QtGui/QKeyEvent>
 #include <QtGui/QStandardItemModel>
+#include <QtWidgets/QApplication>
 #include <QtWidgets/QBoxLayout>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLabel>
@@ -16,6 +18,7 @@
 #include "app/gui/look/controls.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/look/words.h"
+#include "app/gui/session/session_keys.h"
 #include "app/gui/start/question_form.h"
 #include "app/gui/study/open_study.h"
 #include "app/gui/study/settings.h"
@@ -353,6 +356,7 @@ void DeviceChooser::try_now(const std::string& agreed) {
         this, [this, sentence] { state_->set_state(State::look, text(sentence)); },
         Qt::QueuedConnection);
   };
+  qApp->installEventFilter(this);
   try_task_.run<TriedDevice>(
       [device = device(), protocol = protocol_, drivers = study_.drivers(), options, agreed](
           const std::stop_token& stop, const BackgroundTask::Progress&) {
@@ -360,21 +364,56 @@ void DeviceChooser::try_now(const std::string& agreed) {
         mine.stop = stop;
         return try_device(device, *protocol, drivers, mine, agreed);
       },
-      [this](const TriedDevice& found) { show_try(found); },
+      [this, told = driver_places(), moved = !agreed.empty()](const TriedDevice& found) {
+        qApp->removeEventFilter(this);
+        show_try(found, told == driver_places());
+        // Of an arm that was stopped while it moved: that its handle sinks.
+        if (moved && found.was_stopped) state_->set_state(State::look, words_of(found.failure));
+      },
       [this](const QString& what) {
+        qApp->removeEventFilter(this);
         show_chosen();
         state_->set_state(State::stop, what);
         emit changed();
       });
   show_chosen();
-  state_->set_state(State::unknown, tr("It is being opened."));
+  if (agreed.empty()) {
+    state_->set_state(State::unknown, tr("It is being opened."));
+  } else {
+    state_->set_state(
+        State::look,
+        tr("Keep hands away: it moves by itself until it has found its zero. Esc, Stop "
+           "trying, or its power switch, stops it."));
+    try_->setFocus();
+  }
   state_->show();
   emit changed();
 }
 
-void DeviceChooser::show_try(const TriedDevice& found) {
-  const bool is_asked = !found.wants_to_move.empty();
-  if (!is_asked && !found.was_stopped) tried_ = std::make_shared<const TriedDevice>(found);
+// An open menu or dialog has the keys of the window; these stop an arm that moves all the same.
+bool DeviceChooser::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress && try_task_.is_running()) {
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    if (key.key() == Qt::Key_Escape) try_task_.cancel();
+    if (is_emergency(key)) {
+      try_task_.cancel();
+      return true;  // Ctrl+Space would press the button that has the focus
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+// An arm that moves by itself needs the button that stops it in sight.
+void DeviceChooser::hideEvent(QHideEvent* event) {
+  if (try_task_.is_running()) try_task_.cancel();
+  drop_question();
+  QWidget::hideEvent(event);
+}
+
+void DeviceChooser::show_try(const TriedDevice& found, bool is_as_told) {
+  const bool is_asked = is_as_told && isVisible() && !found.wants_to_move.empty();
+  if (is_as_told && found.wants_to_move.empty() && !found.was_stopped)
+    tried_ = std::make_shared<const TriedDevice>(found);
   show_chosen();
   // Somebody may have turned to virtual participants meanwhile.
   if (is_asked && whom_ == For::people && found.device == device()) {

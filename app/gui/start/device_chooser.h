@@ -65,6 +65,11 @@ class DeviceChooser final : public QWidget {
  signals:
   void changed();
 
+ protected:
+  /// While a device is tried, the keys that stop a session's device stop this one.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
  private:
   void look();
   void list();
@@ -72,7 +77,8 @@ class DeviceChooser final : public QWidget {
   const DeviceChoice& chosen() const;
   /// `agreed`: what the driver has said of how the device moves by itself, and somebody has agreed to.
   void try_now(const std::string& agreed = {});
-  void show_try(const TriedDevice& found);
+  /// `is_as_told`: drivers are still told what they were when it began.
+  void show_try(const TriedDevice& found, bool is_as_told);
   /// In the room below the device: what is asked stays until it is answered.
   void ask(const QString& question, const QString& verb, std::function<void()> yes);
   void drop_question();

@@ -1632,10 +1632,6 @@
         <translation>Das Gerät hielt jede Grenze ein.</translation>
     </message>
     <message>
-        <source>The device kept every limit that was measured.</source>
-        <translation>Das Gerät hielt jede Grenze ein, die gemessen wurde.</translation>
-    </message>
-    <message>
         <source>The device did not keep every limit: %1.</source>
         <translation>Das Gerät hielt nicht jede Grenze ein: %1.</translation>
     </message>
@@ -1654,6 +1650,14 @@
     <message>
         <source>the device was lost while it was measured: it did not answer, and its driver does not say why. See that its cable and its power sit, end what else keeps this computer busy, and measure it again.</source>
         <translation>das Gerät ging während der Messung verloren: Es antwortete nicht, und sein Treiber sagt nicht warum. Prüfen Sie Kabel und Stromversorgung, beenden Sie, was diesen Rechner sonst beschäftigt, und messen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The device kept every limit of what was measured.</source>
+        <translation>Das Gerät hielt jede Grenze dessen ein, was gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>The device was held to no limit.</source>
+        <translation>Das Gerät wurde an keiner Grenze gemessen.</translation>
     </message>
 </context>
 <context>
@@ -3445,6 +3449,18 @@
         <source>%1 Not known of %2, and compared with nothing: %3.</source>
         <translation>%1 Nicht bekannt von %2 und mit nichts verglichen: %3.</translation>
     </message>
+    <message>
+        <source>%1; every stimulus is within what is known of it, but it does not keep the protocol&apos;s limits.</source>
+        <translation>%1; jeder Reiz liegt innerhalb dessen, was davon bekannt ist, aber es hält die Grenzen des Protokolls nicht ein.</translation>
+    </message>
+    <message>
+        <source>%1; every stimulus is within what is known of it.</source>
+        <translation>%1; jeder Reiz liegt innerhalb dessen, was davon bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Measure a real one as soon as it is there.</source>
+        <translation>Messen Sie ein echtes, sobald es da ist.</translation>
+    </message>
 </context>
 <context>
     <name>SessionSetup</name>
@@ -4404,6 +4420,10 @@
         <source>“Set up…”</source>
         <translation>„Einrichten…“</translation>
     </message>
+    <message>
+        <source>Keep hands away: it moves by itself until it has found its zero. Esc, Stop trying, or its power switch, stops it.</source>
+        <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat. Esc, „Versuch anhalten“ oder sein Netzschalter hält es an.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::DeviceTestPage</name>
@@ -4532,14 +4552,6 @@
         <translation>Wird angehalten …</translation>
     </message>
     <message>
-        <source>The device did not keep every limit: %1. The profile is kept as %2.</source>
-        <translation>Das Gerät hielt nicht jede Grenze ein: %1. Das Profil liegt in %2.</translation>
-    </message>
-    <message>
-        <source>The device kept every limit: %1. The profile is kept as %2.</source>
-        <translation>Das Gerät hielt jede Grenze ein: %1. Das Profil liegt in %2.</translation>
-    </message>
-    <message>
         <source>Esc, F12, Pause and Ctrl+Space do the same.</source>
         <translation>Esc, F12, Pause und Strg+Leertaste tun dasselbe.</translation>
     </message>
@@ -4552,12 +4564,16 @@
         <translation>Nicht aufgeführt: %1</translation>
     </message>
     <message>
-        <source>The device kept every limit that it was measured against: %1. Not measured, though limited: %3. The profile is kept as %2.</source>
-        <translation>Das Gerät hält jede Grenze, an der es gemessen wurde: %1. Nicht gemessen, obwohl begrenzt: %3. Das Profil ist gespeichert als %2.</translation>
-    </message>
-    <message>
         <source>Keep hands away: it moves by itself until it has found its zero. Stop, or its power switch, stops it.</source>
         <translation>Hände weg: Es bewegt sich von selbst, bis es seinen Nullpunkt gefunden hat. Stopp oder sein Netzschalter hält es an.</translation>
+    </message>
+    <message>
+        <source>Stopped, and nothing was kept: %1</source>
+        <translation>Angehalten, und nichts wurde behalten: %1</translation>
+    </message>
+    <message>
+        <source>The profile is kept as %1.</source>
+        <translation>Das Profil ist gespeichert als %1.</translation>
     </message>
 </context>
 <context>

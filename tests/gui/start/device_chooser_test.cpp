@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
+#include <mutex>
 #include <semaphore>
+#include <vector>
 
 #include <QtCore/QSettings>
 #include <QtGui/QStandardItemModel>
@@ -40,9 +43,9 @@ constexpr int kUnknownType = 9999;
 
 class TheDeviceChooser : public testing::Test {
  protected:
-  TheDeviceChooser() : library_("the stand-in", {ASPERITY_TEST_DRD}) {
+  TheDeviceChooser() : library("the stand-in", {ASPERITY_TEST_DRD}) {
     TestDhdBench bench_of = nullptr;
-    library_.find("test_dhd_bench", bench_of);
+    library.find("test_dhd_bench", bench_of);
     bench = bench_of();
     *bench = test_dhd::Bench{};
     bench->units.push_back({.serial = 42});
@@ -148,9 +151,7 @@ class TheDeviceChooser : public testing::Test {
   std::counting_semaphore<100> let_it_open{0};
   std::unique_ptr<OpenStudy> study{};
   std::unique_ptr<StartPage> page{};
-
- private:
-  VendorLibrary library_;
+  VendorLibrary library;
 };
 
 TEST_F(TheDeviceChooser, ListsWhatCanBeUsedAndSaysOfTheOthersWhyNot) {
@@ -259,6 +260,50 @@ TEST_F(TheDeviceChooser, LetsAnArmMoveByAYesToItsDriversOwnWordsAlone) {
   press("device_yes");
   require([this] { return shown("device_state").contains("Tried"); }, "answer of the device");
   EXPECT_TRUE(has_moved());
+}
+
+// By a click on the button, by each key wherever the focus is, and by going to another page.
+TEST_F(TheDeviceChooser, StopsAnArmThatMovesByItself) {
+  make_page();
+  pick(kDevice);
+  bench->units.front().knows_its_zero = false;
+  bench->units.front().searches_on = true;
+  TestDhdLock lock_of = nullptr;
+  library.find("test_dhd_lock", lock_of);
+  const auto moves = [&] {
+    const std::lock_guard held(*lock_of());
+    return bench->units.front().regulation_is_on;
+  };
+  const auto key = [](Qt::Key which, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    return [which, modifiers](QWidget& at) { QTest::keyClick(&at, which, modifiers); };
+  };
+  const std::vector<std::function<void(QWidget&)>> ways{[this](QWidget&) { click("device_try"); },
+                                                        key(Qt::Key_Escape),
+                                                        key(Qt::Key_F12),
+                                                        key(Qt::Key_Pause),
+                                                        key(Qt::Key_Space, Qt::ControlModifier),
+                                                        [this](QWidget&) { page->hide(); }};
+  for (std::size_t way = 0; way < ways.size(); ++way) {
+    SCOPED_TRACE(way);
+    page->show();
+    bench->calls.clear();
+    press("device_try");
+    require([this] { return is_seen("device_yes"); }, "question");
+    press("device_yes");
+    require(moves, "movement");
+    EXPECT_TRUE(shown("device_state").contains("Keep hands away"))
+        << shown("device_state").toStdString();
+    ways[way](find<QComboBox>("device"));
+    require([this] { return find<QPushButton>("device_try").text() == "Try this device"; }, "end");
+    EXPECT_TRUE(shown("device_state").contains("its handle sinks"))
+        << shown("device_state").toStdString();
+    const test_dhd::Unit& unit = bench->units.front();
+    EXPECT_FALSE(unit.regulation_is_on || unit.force_is_on || unit.is_open || unit.knows_its_zero);
+    const auto at_rest = std::find(bench->calls.begin(), bench->calls.end(), "at rest 3");
+    ASSERT_NE(at_rest, bench->calls.end());
+    EXPECT_EQ(std::find(bench->calls.begin(), at_rest, "drdClose 3"), at_rest)
+        << "while it still moved";
+  }
 }
 
 TEST_F(TheDeviceChooser, OrdersASessionOnTheDeviceAndTriesItAnewForTheNext) {
