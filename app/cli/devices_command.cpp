@@ -1,6 +1,5 @@
 // asperity devices: the drivers, what each finds attached, and what would make it usable.
 
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -34,19 +33,6 @@ nlohmann::ordered_json json_of(const SurveyedDriver& driver) {
           {"found", text_or_null(driver.survey.found)},
           {"hindrance", text_or_null(driver.survey.hindrance)},
           {"attached", std::move(attached)}};
-}
-
-constexpr const char* kUdevRule = "70-asperity.rules";
-
-/// Whether udev finds the program's rule, in the folders that it reads.
-bool has_udev_rule() {
-  for (const char* const folder :
-       {"/etc/udev/rules.d", "/run/udev/rules.d", "/usr/local/lib/udev/rules.d",
-        "/usr/lib/udev/rules.d", "/lib/udev/rules.d"}) {
-    std::error_code unseen{};
-    if (std::filesystem::exists(std::filesystem::path(folder) / kUdevRule, unseen)) return true;
-  }
-  return false;
 }
 
 void print(const SurveyedDriver& driver) {
@@ -96,10 +82,8 @@ void add_devices(CLI::App& program, Job& job) {
         std::cout << document.dump(2) << '\n';
       } else {
         for (const SurveyedDriver& driver : surveyed) print(driver);
-        if (!has_udev_rule()) {
-          std::cout << "No " << kUdevRule
-                    << " in a folder of udev: devices on USB are open to root alone; copy it into "
-                       "/etc/udev/rules.d and plug the device in anew (docs/devices.md)\n";
+        if (const Phrase missing = missing_udev_rule(); !missing.empty()) {
+          std::cout << missing.english() << '\n';
         }
       }
       return 0;

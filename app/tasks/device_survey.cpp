@@ -2,7 +2,25 @@
 
 #include "app/tasks/device_survey.h"
 
+#include <algorithm>
+#include <system_error>
+
 namespace asperity {
+
+namespace {
+
+constexpr const char* kUdevRule = "70-asperity.rules";
+
+/// Where `cmake --install` has put it, beside the program; its name where it lies nowhere there.
+std::string udev_rule_of_this_program() {
+  std::error_code unseen{};
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unseen);
+  const std::filesystem::path rule =
+      program.parent_path().parent_path() / "lib/udev/rules.d" / kUdevRule;
+  return std::filesystem::exists(rule, unseen) ? rule.string() : kUdevRule;
+}
+
+}  // namespace
 
 std::vector<SurveyedDriver> survey_devices(const DriverRegistry& drivers,
                                            const DriverOptions& options) {
@@ -20,6 +38,24 @@ std::vector<SurveyedDriver> survey_devices(
                         .survey = drivers.survey(driver, options_of(driver.id))});
   }
   return surveyed;
+}
+
+std::vector<std::filesystem::path> udev_folders() {
+  return {"/etc/udev/rules.d", "/run/udev/rules.d", "/usr/local/lib/udev/rules.d",
+          "/usr/lib/udev/rules.d", "/lib/udev/rules.d"};
+}
+
+Phrase missing_udev_rule(const std::vector<std::filesystem::path>& folders) {
+  const bool is_there =
+      std::any_of(folders.begin(), folders.end(), [](const std::filesystem::path& folder) {
+        std::error_code unseen{};
+        return std::filesystem::exists(folder / kUdevRule, unseen);
+      });
+  if (is_there) return {};
+  return phrase("DeviceSurvey",
+                "No %1 in a folder of udev: devices on USB are open to root alone. Copy %2 into "
+                "/etc/udev/rules.d and plug the device in anew (docs/devices.md).")
+      .with(kUdevRule, udev_rule_of_this_program());
 }
 
 }  // namespace asperity

@@ -2,10 +2,12 @@
 
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "app/phrase.h"
 #include "device/drivers.h"
 
 namespace asperity {
@@ -24,5 +26,11 @@ std::vector<SurveyedDriver> survey_devices(const DriverRegistry& drivers,
 std::vector<SurveyedDriver> survey_devices(
     const DriverRegistry& drivers,
     const std::function<DriverOptions(const std::string& driver)>& options_of);
+
+/// Those in which udev looks for rules.
+std::vector<std::filesystem::path> udev_folders();
+/// Where none of `folders` has the program's rule, and devices on USB are open to root alone: what to copy where.
+/// Empty where one has it.
+Phrase missing_udev_rule(const std::vector<std::filesystem::path>& folders = udev_folders());
 
 }  // namespace asperity

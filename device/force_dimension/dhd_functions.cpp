@@ -15,7 +15,7 @@ std::vector<std::filesystem::path> names_of(const std::filesystem::path& library
 }  // namespace
 
 DhdFunctions::DhdFunctions(const std::filesystem::path& library)
-    : library_("Force Dimension's SDK", names_of(library)) {
+    : named_(library), library_("Force Dimension's SDK", names_of(library)) {
   library_.find("dhdGetDeviceCount", dhdGetDeviceCount);
   library_.find_if_there("dhdGetAvailableCount", dhdGetAvailableCount);
   library_.find("dhdOpenID", dhdOpenID);
@@ -41,6 +41,10 @@ DhdFunctions::DhdFunctions(const std::filesystem::path& library)
     library_.find("drdClose", drdClose);
     library_.find_if_there("drdIsRunning", drdIsRunning);
   }
+}
+
+std::string DhdFunctions::library_option() const {
+  return named_.empty() ? "" : " --library " + named_.string();
 }
 
 std::string DhdFunctions::description() const {

@@ -35,6 +35,8 @@ class DhdFunctions final {
 
   /// "libdrd 3.17.5 in /usr/lib/libdrd.so".
   std::string description() const;
+  /// " --library FILE" for a command that shall take the same one; empty where none was named.
+  std::string library_option() const;
   /// Whether the library can move a device to find its zero.
   bool has_robotics() const noexcept { return drdAutoInit != nullptr; }
 
@@ -66,6 +68,7 @@ class DhdFunctions final {
   bool (*drdIsRunning)(char) = nullptr;  ///< its regulation; null in a version without it
 
  private:
+  std::filesystem::path named_;
   VendorLibrary library_;
 };
 

@@ -249,7 +249,7 @@ void find_zero(const DhdFunctions& sdk, Identity& identity, const std::string& m
         " has lost its zero, as after it was switched off, and has to move by itself to find it. "
         "It was not moved, because nobody can be asked here. Do it first with \"asperity "
         "device-test force_dimension" +
-        (identity.serial.empty() ? "" : ":" + identity.serial) +
+        (identity.serial.empty() ? "" : ":" + identity.serial) + sdk.library_option() +
         "\", which asks before anything moves, or calibrate the device as its maker's manual "
         "says.");
   }

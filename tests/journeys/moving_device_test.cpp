@@ -160,7 +160,9 @@ TEST_F(MovingDevice, IsNotMovedByASession) {
   const Outcome outcome = run(session);
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_NE(outcome.err.find("omega.3 101 has lost its zero"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("asperity device-test force_dimension:101"), std::string::npos)
+  EXPECT_NE(outcome.err.find("asperity device-test force_dimension:101 --library " ASPERITY_TEST_DRD
+                             "\""),
+            std::string::npos)
       << outcome.err;
   EXPECT_FALSE(has_moved());
 }

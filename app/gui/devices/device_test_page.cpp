@@ -191,6 +191,7 @@ QWidget* DeviceTestPage::make_profiles_card(QWidget* parent) {
   profiles_->setMinimumHeight(kProfilesHeight);
   profiles_->sortByColumn(0, Qt::DescendingOrder);
   layout->addWidget(profiles_, 1);
+  layout->addStretch();  // takes the room of a table that is hidden, because it would be empty
   connect(profiles_, &StudyTable::row_selected, this, [this](const QString& key) {
     const auto found =
         std::find_if(found_.kept.profiles.begin(), found_.kept.profiles.end(),

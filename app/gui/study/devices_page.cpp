@@ -8,6 +8,7 @@
 #include <QtWidgets/QScrollArea>
 
 #include "app/gui/devices/driver_setup.h"
+#include "app/gui/look/controls.h"
 #include "app/gui/look/words.h"
 #include "app/gui/study/settings.h"
 #include "app/tasks/device_choice.h"
@@ -139,6 +140,10 @@ DevicesPage::DevicesPage(OpenStudy& study, Survey survey, QWidget* parent)
          "asks for is compared with the device before a session starts."),
       inside, true);
   cards_->addWidget(note);
+  udev_ = new StateLabel(inside);
+  udev_->setObjectName("devices_udev");
+  udev_->hide();
+  cards_->addWidget(udev_);
   found_ = new QWidget(inside);
   auto* found = new QVBoxLayout(found_);
   found->setContentsMargins(0, 0, 0, 0);
@@ -237,6 +242,9 @@ void DevicesPage::look() {
 }
 
 void DevicesPage::show_found(const std::vector<SurveyedDriver>& drivers) {
+  const Phrase missing = missing_udev_rule();
+  udev_->setVisible(!missing.empty());
+  udev_->set_state(State::look, words_of(missing));
   // Who was at a button is there again, though it is another one.
   const QWidget* const focus = window()->focusWidget();
   const bool had_focus = focus != nullptr && found_->isAncestorOf(focus);

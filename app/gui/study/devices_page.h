@@ -20,6 +20,7 @@ class QPushButton;
 namespace asperity {
 
 class DriverSetup;
+class StateLabel;
 
 /// Looks for devices when it is first shown, again when asked, and when drivers are told something else (`DriverSetup`,
 /// by the button of a driver that needs it); that takes seconds, in the background.
@@ -59,6 +60,7 @@ class DevicesPage final : public StudyPage {
   QPointer<DriverSetup> setup_{};
   QPushButton* look_button_ = nullptr;
   QVBoxLayout* cards_ = nullptr;
+  StateLabel* udev_ = nullptr;  ///< what is missing of udev's, where something is
   QWidget* found_ = nullptr;  ///< the cards of the drivers, made anew with every look
   BackgroundTask task_{};
 };

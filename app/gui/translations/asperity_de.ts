@@ -1422,6 +1422,13 @@
     </message>
 </context>
 <context>
+    <name>DeviceSurvey</name>
+    <message>
+        <source>No %1 in a folder of udev: devices on USB are open to root alone. Copy %2 into /etc/udev/rules.d and plug the device in anew (docs/devices.md).</source>
+        <translation>Kein %1 in einem Ordner von udev: Geräte am USB stehen nur root offen. Kopieren Sie %2 nach /etc/udev/rules.d und stecken Sie das Gerät neu an (docs/devices.md).</translation>
+    </message>
+</context>
+<context>
     <name>DeviceTest</name>
     <message>
         <source>the servo loop took the force away (%1)</source>

@@ -592,6 +592,10 @@ TEST_F(StudyPages, SayOfEveryDeviceWhatWouldMakeItUsableAndLookAgain) {
   EXPECT_TRUE(texts_of("device_falcon").contains("Novint Falcon, serial number A7, at usb 1-2"));
   EXPECT_TRUE(texts_of("device_falcon").contains("Name the file of its firmware."));
   EXPECT_TRUE(texts_of("device_falcon").contains("not usable yet"));
+  const auto* udev = page.findChild<QLabel*>("devices_udev");
+  ASSERT_NE(udev, nullptr);
+  EXPECT_TRUE(udev->text().contains(QString::fromStdString(missing_udev_rule().english())));
+  EXPECT_EQ(udev->isVisibleTo(&page), !missing_udev_rule().empty());
   EXPECT_TRUE(texts_of("device_openhaptics").contains("Name it with “Set up…”."))
       << "the window's own control, and no option of a command";
   EXPECT_EQ(page.findChild<QFrame*>("device_simulated"), nullptr) << "it has its card already";

@@ -1,0 +1,29 @@
+// What else than devices a look finds wanting.
+
+#include "app/tasks/device_survey.h"
+
+#include <gtest/gtest.h>
+
+#include "results_schema/atomic_file.h"
+#include "tests/results_schema/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+TEST(UdevRule, IsMissedWhereNoFolderOfUdevsHasIt) {
+  const TemporaryFolder folder{};
+  const std::filesystem::path empty = folder.path() / "empty";
+  const std::filesystem::path rules = folder.path() / "rules.d";
+  std::filesystem::create_directories(empty);
+  std::filesystem::create_directories(rules);
+  const std::string missed = missing_udev_rule({empty, folder.path() / "none", rules}).english();
+  for (const char* said :
+       {"No 70-asperity.rules", "open to root alone", "into /etc/udev/rules.d"}) {
+    EXPECT_NE(missed.find(said), std::string::npos) << missed;
+  }
+  write_file(rules / "70-asperity.rules", "", Overwrite::allow);
+  EXPECT_TRUE(missing_udev_rule({empty, folder.path() / "none", rules}).empty());
+}
+
+}  // namespace
+}  // namespace asperity
