@@ -149,6 +149,7 @@ DevicesPage::DevicesPage(OpenStudy& study, Survey survey, QWidget* parent)
   found->setContentsMargins(0, 0, 0, 0);
   found->setSpacing(kMargin);
   cards_->addWidget(found_);
+  add_models();
   cards_->addStretch(1);
 }
 
@@ -183,12 +184,12 @@ void DevicesPage::add_simulated() {
                       0, Qt::AlignLeft);
     cards_->addWidget(card);
   }
-  add_models();
 }
 
 void DevicesPage::add_models() {
   QVBoxLayout* layout = nullptr;
-  QFrame* card = make_card(this, layout);
+  models_ = make_card(this, layout);
+  QFrame* const card = models_;
   card->setObjectName("device_models");
   layout->addWidget(make_heading(tr("In place of a real device"), card));
   layout->addWidget(make_text(
@@ -257,6 +258,13 @@ void DevicesPage::show_found(const std::vector<SurveyedDriver>& drivers) {
   drivers_ = drivers;
   for (const SurveyedDriver& driver : drivers) {
     if (driver.id != "simulated") add_driver(driver);
+  }
+  // By the key as by the eye: what was made later comes before what stands below it.
+  const auto found_buttons = found_->findChildren<QPushButton*>();
+  QWidget* before = found_buttons.empty() ? nullptr : found_buttons.last();
+  for (QPushButton* button : models_->findChildren<QPushButton*>()) {
+    if (before != nullptr) setTabOrder(before, button);
+    before = button;
   }
   if (auto* same = had_focus ? found_->findChild<QWidget*>(focused) : nullptr) same->setFocus();
   if (setup_ != nullptr) setup_->show_found(drivers);

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <functional>
-#include <stop_token>
 #include <map>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -15,6 +15,7 @@
 #include "app/gui/study/study_page.h"
 #include "app/tasks/device_survey.h"
 
+class QFrame;
 class QPushButton;
 
 namespace asperity {
@@ -61,7 +62,8 @@ class DevicesPage final : public StudyPage {
   QPushButton* look_button_ = nullptr;
   QVBoxLayout* cards_ = nullptr;
   StateLabel* udev_ = nullptr;  ///< what is missing of udev's, where something is
-  QWidget* found_ = nullptr;  ///< the cards of the drivers, made anew with every look
+  QWidget* found_ = nullptr;    ///< the cards of the drivers, made anew with every look
+  QFrame* models_ = nullptr;
   BackgroundTask task_{};
 };
 

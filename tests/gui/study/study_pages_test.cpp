@@ -592,6 +592,17 @@ TEST_F(StudyPages, SayOfEveryDeviceWhatWouldMakeItUsableAndLookAgain) {
   EXPECT_TRUE(texts_of("device_falcon").contains("Novint Falcon, serial number A7, at usb 1-2"));
   EXPECT_TRUE(texts_of("device_falcon").contains("Name the file of its firmware."));
   EXPECT_TRUE(texts_of("device_falcon").contains("not usable yet"));
+  // What is attached stands above what only stands for it, and is reached first.
+  const auto* falcon = page.findChild<QFrame*>("device_falcon");
+  const auto* models = page.findChild<QFrame*>("device_models");
+  ASSERT_TRUE(falcon != nullptr && models != nullptr);
+  EXPECT_LT(falcon->mapTo(&page, QPoint(0, 0)).y(), models->mapTo(&page, QPoint(0, 0)).y());
+  const QWidget* at = falcon->findChildren<QPushButton*>().value(0);
+  ASSERT_NE(at, nullptr);
+  while (!models->isAncestorOf(at)) {
+    at = at->nextInFocusChain();
+    ASSERT_NE(at->objectName(), "devices_look") << "once around";
+  }
   const auto* udev = page.findChild<QLabel*>("devices_udev");
   ASSERT_NE(udev, nullptr);
   EXPECT_TRUE(udev->text().contains(QString::fromStdString(missing_udev_rule().english())));
