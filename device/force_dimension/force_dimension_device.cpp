@@ -137,6 +137,33 @@ bool is_at_zero(const DhdFunctions& sdk, char id) noexcept {
   return sdk.dhdSetForceAndTorqueAndGripperForce(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, id) >= 0;
 }
 
+// That something is over, for threads that wait for it.
+class Ending final {
+ public:
+  void come() {
+    {
+      const std::lock_guard lock(mutex_);
+      has_come_ = true;
+    }
+    changed_.notify_all();
+  }
+  /// Whether it had come before the stop.
+  bool wait(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait(lock, stop, [this] { return has_come_; });
+  }
+  /// Whether it came in that time.
+  bool wait_for(std::chrono::milliseconds longest) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, longest, [this] { return has_come_; });
+  }
+
+ private:
+  std::mutex mutex_{};
+  std::condition_variable_any changed_{};
+  bool has_come_ = false;
+};
+
 // While it lives, a stop ends the movement for which another thread waits in drdAutoInit.
 //
 // That function hears of no stop. Its regulation is a thread of the SDK's, which every other call reaches while it
@@ -149,13 +176,7 @@ class MovementEnder final {
       : takes_force_([this, &sdk, id, stop] { repeat(stop, [&sdk, id] { sdk.dhdStop(id); }); }),
         ends_regulation_(
             [this, &sdk, id, stop] { repeat(stop, [&sdk, id] { sdk.drdStop(false, id); }); }) {}
-  ~MovementEnder() {
-    {
-      const std::lock_guard lock(mutex_);
-      is_over_ = true;
-    }
-    changed_.notify_all();
-  }
+  ~MovementEnder() { ending_.come(); }
   MovementEnder(const MovementEnder&) = delete;
   MovementEnder& operator=(const MovementEnder&) = delete;
 
@@ -164,19 +185,12 @@ class MovementEnder final {
 
   template <typename Call>
   void repeat(const std::stop_token& stop, const Call& call) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, stop, [this] { return is_over_; });
-    while (!is_over_) {
-      lock.unlock();
-      call();
-      lock.lock();
-      changed_.wait_for(lock, kBetweenStops, [this] { return is_over_; });
-    }
+    if (ending_.wait(stop)) return;
+    do call();
+    while (!ending_.wait_for(kBetweenStops));
   }
 
-  std::mutex mutex_{};
-  std::condition_variable_any changed_{};
-  bool is_over_ = false;
+  Ending ending_{};
   std::jthread takes_force_;
   std::jthread ends_regulation_;
 };
@@ -187,28 +201,16 @@ class OverdueStop final {
  public:
   OverdueStop(const std::stop_token& stop, std::function<void()> tell)
       : thread_([this, stop, tell = std::move(tell)] {
-          std::unique_lock lock(mutex_);
-          changed_.wait(lock, stop, [this] { return is_over_; });
-          if (changed_.wait_for(lock, kToGiveUp, [this] { return is_over_; })) return;
-          lock.unlock();
-          tell();
+          if (!ending_.wait(stop) && !ending_.wait_for(kToGiveUp)) tell();
         }) {}
-  ~OverdueStop() {
-    {
-      const std::lock_guard lock(mutex_);
-      is_over_ = true;
-    }
-    changed_.notify_all();
-  }
+  ~OverdueStop() { ending_.come(); }
   OverdueStop(const OverdueStop&) = delete;
   OverdueStop& operator=(const OverdueStop&) = delete;
 
  private:
   static constexpr std::chrono::seconds kToGiveUp{1};
 
-  std::mutex mutex_{};
-  std::condition_variable_any changed_{};
-  bool is_over_ = false;
+  Ending ending_{};
   std::jthread thread_;
 };
 

@@ -63,7 +63,7 @@ class DriverSetup final : public QDialog {
 /// The ids of those that have to be told something.
 std::vector<std::string> drivers_to_set_up(const DriverRegistry& drivers);
 
-/// "Choose its firmware", for a button that opens a DriverSetup.
+/// What there is to be told, in a sentence or two, for a button that opens a DriverSetup.
 QString what_to_set_up(const std::string& driver);
 
 }  // namespace asperity
