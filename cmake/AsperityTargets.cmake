@@ -1,12 +1,7 @@
 # What every target of the tree has in common, as functions on targets: nothing is set globally but the compiler launcher.
 
 if(ASPERITY_USE_CCACHE)
-  find_program(ASPERITY_CCACHE ccache)
-  if(ASPERITY_CCACHE)
-    # A precompiled header carries time stamps that ccache has to be told to overlook.
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
-        CCACHE_SLOPPINESS=pch_defines,time_macros "${ASPERITY_CCACHE}")
-  endif()
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_SOURCE_DIR}/cmake/compile_through_ccache")
 endif()
 
 # Debian's usual linker takes thrice as long as gold for a test program. What people run is linked by the usual one.
