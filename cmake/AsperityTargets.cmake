@@ -4,6 +4,9 @@ if(ASPERITY_USE_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_SOURCE_DIR}/cmake/compile_through_ccache")
 endif()
 
+include(GNUInstallDirs)
+set(ASPERITY_MODULE_FOLDER "${CMAKE_INSTALL_LIBDIR}/asperity")
+
 # Debian's usual linker takes thrice as long as gold for a test program. What people run is linked by the usual one.
 include(CheckLinkerFlag)
 if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize=")
@@ -31,7 +34,9 @@ function(asperity_configure target)
   if(ASPERITY_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
-  # A program loads only what it calls: OpenCV's codecs alone bring a hundred libraries, and a tenth of a second.
+  set_target_properties(${target} PROPERTIES
+    BUILD_RPATH "$ORIGIN/../lib" INSTALL_RPATH "$ORIGIN/../${ASPERITY_MODULE_FOLDER}")
+  # A program loads only what it calls.
   target_link_options(${target} PRIVATE LINKER:--as-needed $<$<BOOL:${ASPERITY_HAS_GOLD}>:-fuse-ld=gold>)
 endfunction()
 
@@ -41,6 +46,18 @@ function(asperity_add_library folder)
   add_library(asperity_${folder} STATIC ${ARG_SOURCES})
   target_include_directories(asperity_${folder} PUBLIC "${CMAKE_SOURCE_DIR}")
   asperity_configure(asperity_${folder})
+endfunction()
+
+# asperity_add_module(<name> SOURCES <file>… LIBRARIES <target>…): <name>.so, which a program loads when it first needs it.
+# Programs look for their modules in ../lib of a build folder, in the package's own folder once installed.
+function(asperity_add_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_library(${name} MODULE ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+  target_include_directories(${name} PRIVATE "${CMAKE_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES})
+  asperity_configure(${name})
+  install(TARGETS ${name} LIBRARY DESTINATION "${ASPERITY_MODULE_FOLDER}")
 endfunction()
 
 # asperity_compile_in_groups(<target>): several sources at a time, so that what is costly in the headers of others is

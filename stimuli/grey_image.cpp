@@ -5,7 +5,9 @@
 #include <stdexcept>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgcodecs.hpp>  // its constants only; the codecs are a module
+
+#include "stimuli/picture_codecs.h"
 
 namespace asperity {
 
@@ -17,10 +19,7 @@ std::vector<std::byte> encode_png(const GreyImage& image) {
                            const_cast<float*>(image.values.data()));
   cv::Mat levels;
   brightness.convertTo(levels, CV_8U, 255.0);  // rounds and clips
-  std::vector<unsigned char> png;
-  cv::imencode(".png", levels, png, {cv::IMWRITE_PNG_COMPRESSION, 9});
-  const auto* first = reinterpret_cast<const std::byte*>(png.data());
-  return {first, first + png.size()};
+  return picture_codecs().encode_png(levels, {cv::IMWRITE_PNG_COMPRESSION, 9});
 }
 
 }  // namespace asperity

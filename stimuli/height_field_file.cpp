@@ -8,9 +8,9 @@
 
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "stimuli/photograph.h"
+#include "stimuli/picture_codecs.h"
 
 namespace asperity {
 
@@ -119,10 +119,7 @@ std::vector<std::byte> encode_height_field_png(const HeightField& field) {
         const double level = (static_cast<double>(height_m) - field.minimum_m()) * levels_per_m;
         return static_cast<std::uint16_t>(std::lround(std::clamp(level, 0.0, kLargestLevel)));
       });
-  std::vector<unsigned char> png;
-  cv::imencode(".png", levels, png);
-  const auto* first = reinterpret_cast<const std::byte*>(png.data());
-  return {first, first + png.size()};
+  return picture_codecs().encode_png(levels, {});
 }
 
 std::string encode_height_field_sidecar(const HeightField& field,

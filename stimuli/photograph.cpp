@@ -11,9 +11,9 @@
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "stimuli/jpeg_decoding.h"
+#include "stimuli/picture_codecs.h"
 
 namespace asperity {
 
@@ -73,15 +73,13 @@ cv::Mat decoded_by_opencv(Bytes bytes, const PictureFacts& facts, const std::str
     bare = without_ancillary_chunks(bytes);
     bytes = bare;
   }
+  const PictureCodecs& codecs = picture_codecs();
   cv::Mat pixels;
   // A PNG has been checked to the last byte and gives nothing to report.
   std::optional<QuietOpenCV> quiet;
   if (facts.format != PictureFormat::png) quiet.emplace();
   try {
-    // OpenCV takes the bytes as mutable and does not change them.
-    const cv::Mat file(1, static_cast<int>(bytes.size()), CV_8UC1,
-                       const_cast<std::byte*>(bytes.data()));
-    pixels = cv::imdecode(file, cv::IMREAD_UNCHANGED);
+    pixels = codecs.decode(bytes);
   } catch (const cv::Exception&) {
     pixels.release();
   }
