@@ -71,7 +71,8 @@ function(asperity_compile_in_groups target)
   endif()
 endfunction()
 
-# asperity_optimise_lightly(<target>): for what waits for people and files. Its development build takes a quarter less.
+# asperity_optimise_lightly(<target>): for what waits for people and files, and for templates that take longer to optimise
+# than the tests take to run them. Its development build takes a quarter less.
 function(asperity_optimise_lightly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O1>)
 endfunction()
