@@ -235,3 +235,5 @@ void AnalysisPage::export_to(const QString& folder, const ExportOptions& options
 }
 
 }  // namespace asperity
+
+#include "moc_analysis_page.cpp"

@@ -326,3 +326,5 @@ void AttemptPage::export_to(const QString& file) {
 }
 
 }  // namespace asperity
+
+#include "moc_attempt_page.cpp"

@@ -330,3 +330,5 @@ void HistoryTables::show_attempt(const AttemptDetail& detail) {
 }
 
 }  // namespace asperity
+
+#include "moc_attempt_tables.cpp"

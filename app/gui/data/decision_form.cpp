@@ -112,3 +112,5 @@ void DecisionForm::write() {
 }
 
 }  // namespace asperity
+
+#include "moc_decision_form.cpp"

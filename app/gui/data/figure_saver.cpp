@@ -113,3 +113,5 @@ void FigureSaver::copy(const Figure& figure) {
 }
 
 }  // namespace asperity
+
+#include "moc_figure_saver.cpp"

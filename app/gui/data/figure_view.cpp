@@ -103,3 +103,5 @@ FigureView::FigureView(Figure figure, QWidget* parent)
 }
 
 }  // namespace asperity
+
+#include "moc_figure_view.cpp"

@@ -183,3 +183,5 @@ void PathPlots::fit_path() {
 }
 
 }  // namespace asperity
+
+#include "moc_path_plots.cpp"

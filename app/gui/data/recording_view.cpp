@@ -106,3 +106,5 @@ void RecordingView::show_chosen() {
 }
 
 }  // namespace asperity
+
+#include "moc_recording_view.cpp"

@@ -94,3 +94,5 @@ void ReportSaving::save_to(const QString& file, Overwrite overwrite) {
 }
 
 }  // namespace asperity
+
+#include "moc_report_saving.cpp"

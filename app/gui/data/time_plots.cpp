@@ -286,3 +286,5 @@ void TimePlots::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_time_plots.cpp"

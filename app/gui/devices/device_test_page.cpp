@@ -553,3 +553,5 @@ void DeviceTestPage::arrange() {
 }
 
 }  // namespace asperity
+
+#include "moc_device_test_page.cpp"

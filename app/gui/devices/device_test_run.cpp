@@ -120,3 +120,5 @@ std::vector<MotionBin> DeviceTestRun::take_motion() {
 }
 
 }  // namespace asperity
+
+#include "moc_device_test_run.cpp"

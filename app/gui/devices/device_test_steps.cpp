@@ -104,3 +104,5 @@ void DeviceTestSteps::write() {
 }
 
 }  // namespace asperity
+
+#include "moc_device_test_steps.cpp"

@@ -344,3 +344,5 @@ QString what_to_set_up(const std::string& driver) {
 }
 
 }  // namespace asperity
+
+#include "moc_driver_setup.cpp"

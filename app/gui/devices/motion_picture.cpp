@@ -269,3 +269,5 @@ int MotionPicture::points() const { return drawing_->position.curves.front()->da
 int MotionPicture::path_points() const { return drawing_->borders.front().path->dataCount(); }
 
 }  // namespace asperity
+
+#include "moc_motion_picture.cpp"

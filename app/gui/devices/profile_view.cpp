@@ -151,3 +151,5 @@ void ProfileView::add_item(const DeviceItem& item) {
 }
 
 }  // namespace asperity
+
+#include "moc_profile_view.cpp"

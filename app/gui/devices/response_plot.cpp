@@ -121,3 +121,5 @@ int ResponsePlot::points() const {
 }
 
 }  // namespace asperity
+
+#include "moc_response_plot.cpp"

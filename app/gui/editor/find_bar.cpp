@@ -103,3 +103,5 @@ void FindBar::say_how_many() {
 }
 
 }  // namespace asperity
+
+#include "moc_find_bar.cpp"

@@ -28,3 +28,5 @@ void JsonColors::highlightBlock(const QString& line) {
 }
 
 }  // namespace asperity
+
+#include "moc_json_colors.cpp"

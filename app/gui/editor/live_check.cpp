@@ -47,3 +47,5 @@ void LiveCheck::begin() {
 }
 
 }  // namespace asperity
+
+#include "moc_live_check.cpp"

@@ -522,3 +522,5 @@ void ProtocolEditorPage::look_at_disk() {
 }
 
 }  // namespace asperity
+
+#include "moc_protocol_editor_page.cpp"

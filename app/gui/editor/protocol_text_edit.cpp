@@ -264,3 +264,5 @@ void ProtocolTextEdit::paint_numbers(QWidget& numbers) {
 }
 
 }  // namespace asperity
+
+#include "moc_protocol_text_edit.cpp"

@@ -56,3 +56,5 @@ void QuestionBar::ask(const QString& question, const std::vector<Answer>& answer
 QString QuestionBar::question() const { return question_->text(); }
 
 }  // namespace asperity
+
+#include "moc_question_bar.cpp"

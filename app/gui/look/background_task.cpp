@@ -64,3 +64,5 @@ void BackgroundTask::begin(std::function<void(const std::stop_token&, const Prog
 }
 
 }  // namespace asperity
+
+#include "moc_background_task.cpp"

@@ -269,3 +269,5 @@ void style_table(QTableView& table) {
 }
 
 }  // namespace asperity
+
+#include "moc_controls.cpp"

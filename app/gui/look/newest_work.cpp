@@ -58,3 +58,5 @@ void NewestWork::deliver(std::uint64_t number, const Delivery& delivery) {
 }
 
 }  // namespace asperity
+
+#include "moc_newest_work.cpp"

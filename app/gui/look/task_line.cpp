@@ -60,3 +60,5 @@ void TaskLine::begin() {
 }
 
 }  // namespace asperity
+
+#include "moc_task_line.cpp"

@@ -245,3 +245,5 @@ void LiveGuide::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace asperity
+
+#include "moc_live_guide.cpp"

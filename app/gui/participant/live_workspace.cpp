@@ -101,3 +101,5 @@ void LiveWorkspace::show_bodies(const PlannedPresentation& surface, const Surfac
 }
 
 }  // namespace asperity
+
+#include "moc_live_workspace.cpp"

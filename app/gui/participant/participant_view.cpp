@@ -697,3 +697,5 @@ bool ParticipantView::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_participant_view.cpp"

@@ -143,3 +143,5 @@ void ParticipantWindow::closeEvent(QCloseEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_participant_window.cpp"

@@ -107,3 +107,5 @@ void PictureShelf::fetch() {
 }
 
 }  // namespace asperity
+
+#include "moc_picture_shelf.cpp"

@@ -113,3 +113,5 @@ glm::dvec2 PointerFeed::place_of(QPointF at) {
 }
 
 }  // namespace asperity
+
+#include "moc_pointer_feed.cpp"

@@ -217,3 +217,5 @@ void ResponseKeys::focus_moved(const QWidget* now) {
 }
 
 }  // namespace asperity
+
+#include "moc_response_keys.cpp"

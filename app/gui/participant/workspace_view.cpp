@@ -345,3 +345,5 @@ void WorkspaceView::draw_tool(QPainter& painter) const {
 }
 
 }  // namespace asperity
+
+#include "moc_workspace_view.cpp"

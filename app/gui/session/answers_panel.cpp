@@ -71,3 +71,5 @@ void AnswersPanel::show_answers(const std::vector<AttemptSummary>& attempts,
 }
 
 }  // namespace asperity
+
+#include "moc_answers_panel.cpp"

@@ -122,3 +122,5 @@ void EndSummary::show_end(const SessionSnapshot& snapshot, const SessionRow& row
 }
 
 }  // namespace asperity
+
+#include "moc_end_summary.cpp"

@@ -105,3 +105,5 @@ void FaultPanel::changeEvent(QEvent* event) {
 QString FaultPanel::text() const { return text_->text(); }
 
 }  // namespace asperity
+
+#include "moc_fault_panel.cpp"

@@ -85,3 +85,5 @@ void FittedLabel::resizeEvent(QResizeEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_fitted_label.cpp"

@@ -84,3 +84,5 @@ QString HealthLine::text_of(MaskingState masking) {
 }
 
 }  // namespace asperity
+
+#include "moc_health_line.cpp"

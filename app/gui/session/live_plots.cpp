@@ -466,3 +466,5 @@ void LivePlots::changeEvent(QEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_live_plots.cpp"

@@ -223,3 +223,5 @@ void NotesPanel::note(const QString& text) {
 }
 
 }  // namespace asperity
+
+#include "moc_notes_panel.cpp"

@@ -385,3 +385,5 @@ bool PlanTable::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_plan_table.cpp"

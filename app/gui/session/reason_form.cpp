@@ -144,3 +144,5 @@ void ReasonForm::cancel() {
 }
 
 }  // namespace asperity
+
+#include "moc_reason_form.cpp"

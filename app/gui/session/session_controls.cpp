@@ -149,3 +149,5 @@ void SessionControls::write() {
 }
 
 }  // namespace asperity
+
+#include "moc_session_controls.cpp"

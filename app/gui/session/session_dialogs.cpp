@@ -87,3 +87,5 @@ CloseDialog::CloseDialog(QWidget* parent, std::function<void(Leaving)> on_leave)
 }
 
 }  // namespace asperity
+
+#include "moc_session_dialogs.cpp"

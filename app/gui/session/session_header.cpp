@@ -207,3 +207,5 @@ void SessionHeader::show_elapsed(double elapsed_s) {
 void SessionHeader::show_pending(const QString& text) { pending_->show_state(State::look, text); }
 
 }  // namespace asperity
+
+#include "moc_session_header.cpp"

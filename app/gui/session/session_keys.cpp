@@ -85,3 +85,5 @@ bool SessionKeys::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_session_keys.cpp"

@@ -140,3 +140,5 @@ void SessionParts::resizeEvent(QResizeEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_session_parts.cpp"

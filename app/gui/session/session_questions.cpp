@@ -87,3 +87,5 @@ void SessionQuestions::end() {
 }
 
 }  // namespace asperity
+
+#include "moc_session_questions.cpp"

@@ -139,3 +139,5 @@ void SessionRunner::fail(const Phrase& what, AfterFailure unbegun) {
 }
 
 }  // namespace asperity
+
+#include "moc_session_runner.cpp"

@@ -221,3 +221,5 @@ void SessionTroubles::show_participant_screen_lost(const QString& name, ScreenLo
 }
 
 }  // namespace asperity
+
+#include "moc_session_troubles.cpp"

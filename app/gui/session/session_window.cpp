@@ -588,3 +588,5 @@ void SessionWindow::screen_left(QScreen* screen) {
 }
 
 }  // namespace asperity
+
+#include "moc_session_window.cpp"

@@ -68,3 +68,5 @@ void WindowPlace::look_again() {
 }
 
 }  // namespace asperity
+
+#include "moc_window_place.cpp"

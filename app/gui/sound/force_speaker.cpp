@@ -77,3 +77,5 @@ void ForceSpeaker::play_force(std::span<const double> force_N, double rate_Hz) {
 }
 
 }  // namespace asperity
+
+#include "moc_force_speaker.cpp"

@@ -250,3 +250,5 @@ void NoiseCheck::hideEvent(QHideEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_noise_check.cpp"

@@ -126,3 +126,5 @@ void CheckList::set_progress(double fraction) {
 }
 
 }  // namespace asperity
+
+#include "moc_check_list.cpp"

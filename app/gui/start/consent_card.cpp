@@ -88,3 +88,5 @@ void ConsentCard::show_time() {
 }
 
 }  // namespace asperity
+
+#include "moc_consent_card.cpp"

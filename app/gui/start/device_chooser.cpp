@@ -452,3 +452,5 @@ void DeviceChooser::set_up() {
 }
 
 }  // namespace asperity
+
+#include "moc_device_chooser.cpp"

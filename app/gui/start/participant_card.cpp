@@ -322,3 +322,5 @@ void ParticipantCard::show_kind() {
 }
 
 }  // namespace asperity
+
+#include "moc_participant_card.cpp"

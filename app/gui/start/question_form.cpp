@@ -153,3 +153,5 @@ void QuestionForm::clear_answers() {
 }
 
 }  // namespace asperity
+
+#include "moc_question_form.cpp"

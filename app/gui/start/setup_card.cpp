@@ -170,3 +170,5 @@ void SetupCard::list_screens() {
 }
 
 }  // namespace asperity
+
+#include "moc_setup_card.cpp"

@@ -311,3 +311,5 @@ void StartPage::hideEvent(QHideEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_start_page.cpp"

@@ -50,3 +50,5 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
 }
 
 }  // namespace asperity
+
+#include "moc_about_dialog.cpp"

@@ -350,3 +350,5 @@ QPushButton* DevicesPage::make_test_button(const TestedDevice& device, QWidget* 
 QString DevicesPage::count() const { return tr("%1 ready").arg(simulated_ + attached_); }
 
 }  // namespace asperity
+
+#include "moc_devices_page.cpp"

@@ -116,3 +116,5 @@ QListWidgetItem* NavigationList::item_of(const QString& key) const {
 }
 
 }  // namespace asperity
+
+#include "moc_navigation_list.cpp"

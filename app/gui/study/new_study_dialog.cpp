@@ -105,3 +105,5 @@ void NewStudyDialog::show_what_follows() {
 }
 
 }  // namespace asperity
+
+#include "moc_new_study_dialog.cpp"

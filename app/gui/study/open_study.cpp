@@ -8,3 +8,5 @@ OpenStudy::OpenStudy(const std::filesystem::path& folder, QObject* parent)
       can_be_written_(Study::can_be_written(folder)) {}
 
 }  // namespace asperity
+
+#include "moc_open_study.cpp"

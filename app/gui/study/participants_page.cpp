@@ -159,3 +159,5 @@ void ParticipantsPage::show_selected() {
 }
 
 }  // namespace asperity
+
+#include "moc_participants_page.cpp"

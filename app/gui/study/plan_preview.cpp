@@ -288,3 +288,5 @@ void PlanPreview::show_step(int step) {
 }
 
 }  // namespace asperity
+
+#include "moc_plan_preview.cpp"

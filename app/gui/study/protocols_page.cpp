@@ -344,3 +344,5 @@ void ProtocolsPage::watch_files() {
 }
 
 }  // namespace asperity
+
+#include "moc_protocols_page.cpp"

@@ -295,3 +295,5 @@ void SessionDesk::finish(const QString& page, std::function<void()> next) {
 }
 
 }  // namespace asperity
+
+#include "moc_session_desk.cpp"

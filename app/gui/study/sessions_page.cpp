@@ -213,3 +213,5 @@ void SessionsPage::show_selected() {
 }
 
 }  // namespace asperity
+
+#include "moc_sessions_page.cpp"

@@ -195,3 +195,5 @@ void StimuliPage::show_stimuli(const std::vector<Shown>& stimuli) {
 }
 
 }  // namespace asperity
+
+#include "moc_stimuli_page.cpp"

@@ -64,3 +64,6 @@ void StudyPage::show_failure(const QString& what) {
 }
 
 }  // namespace asperity
+
+#include "moc_repeated_read.cpp"
+#include "moc_study_page.cpp"

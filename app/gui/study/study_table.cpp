@@ -219,3 +219,5 @@ QString StudyTable::key_at(const QModelIndex& shown) const {
 }
 
 }  // namespace asperity
+
+#include "moc_study_table.cpp"

@@ -437,3 +437,5 @@ void StudyWindow::open_demo() {
 }
 
 }  // namespace asperity
+
+#include "moc_study_window.cpp"

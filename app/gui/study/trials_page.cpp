@@ -321,3 +321,5 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
 }
 
 }  // namespace asperity
+
+#include "moc_trials_page.cpp"

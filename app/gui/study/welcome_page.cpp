@@ -348,3 +348,5 @@ void WelcomePage::show_working(bool working) {
 }
 
 }  // namespace asperity
+
+#include "moc_welcome_page.cpp"

@@ -491,3 +491,5 @@ std::vector<PlotSeries> ForceComparison::spectra() const {
 }
 
 }  // namespace asperity
+
+#include "moc_force_comparison.cpp"

@@ -424,3 +424,5 @@ void ParameterForm::reset() {
 }
 
 }  // namespace asperity
+
+#include "moc_parameter_form.cpp"

@@ -205,3 +205,5 @@ void RecipePanel::say_what_it_shows(int kind) {
 }
 
 }  // namespace asperity
+
+#include "moc_recipe_panel.cpp"

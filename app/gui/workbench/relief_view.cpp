@@ -265,3 +265,5 @@ void ReliefView::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_relief_view.cpp"

@@ -214,3 +214,5 @@ void SavePanel::save(Overwrite overwrite) {
 }
 
 }  // namespace asperity
+
+#include "moc_save_panel.cpp"

@@ -228,3 +228,5 @@ void SignalPlots::show_spectrum(const std::vector<PlotSeries>& series, const QSt
 }
 
 }  // namespace asperity
+
+#include "moc_signal_plots.cpp"

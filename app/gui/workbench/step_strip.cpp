@@ -128,3 +128,5 @@ void StepStrip::fit(std::size_t index) {
 }
 
 }  // namespace asperity
+
+#include "moc_step_strip.cpp"

@@ -473,3 +473,5 @@ bool WorkbenchPage::is_settled() const {
 }
 
 }  // namespace asperity
+
+#include "moc_workbench_page.cpp"

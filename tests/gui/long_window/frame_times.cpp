@@ -81,3 +81,5 @@ void FrameTimes::paint(QObject* watched, QEvent* event) {
 }
 
 }  // namespace asperity
+
+#include "moc_frame_times.cpp"
