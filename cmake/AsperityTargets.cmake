@@ -97,12 +97,16 @@ function(asperity_compile_as_test target)
 endfunction()
 
 # asperity_add_tests(<folder> SOURCES <file>… LIBRARIES <target>… [LABELS <label>…] [LAUNCHER <word>…]
-#   [HEADERS <name>] [COST <number>])
-# Tests are discovered when ctest runs, so that building never runs a test program. The label "long" keeps
-# them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo, realtime or window.
+#   [HEADERS <name>] [COST <number>] [ALONE <pattern>…])
+# The program asperity_<folder>_tests. To ctest each of its suites is a test, <folder>.<Suite>, run in one process: most of
+# the processor time of short tests is spent on starting programs. Suites that change their process (its limits,
+# signals, locale, current folder) or need one that nothing was done in match a pattern of ALONE: each of their tests is a
+# test of ctest, <folder>.<Suite>.<Test>, and a process.
+# Tests are discovered when ctest runs (TestSuites.cmake), so that building never runs a test program. The label "long"
+# keeps them out of scripts/test; scripts/test-long runs those that are also labelled monte-carlo, realtime or window.
 # COST, about the seconds of its longest tests, has ctest begin with them: a test run ends with many short ones.
 function(asperity_add_tests folder)
-  cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS;COST" "SOURCES;LIBRARIES;LABELS;LAUNCHER;ALONE" ${ARGN})
   if(NOT ARG_HEADERS)
     set(ARG_HEADERS asperity_test_headers)
   endif()
@@ -117,25 +121,23 @@ function(asperity_add_tests folder)
   target_precompile_headers(${program} REUSE_FROM ${ARG_HEADERS})
   asperity_compile_as_test(${program})
   target_compile_definitions(${program} PRIVATE ASPERITY_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  if(ARG_LAUNCHER)
-    # What starts it, in the words of CMake.
-    set_target_properties(${program} PROPERTIES CROSSCOMPILING_EMULATOR "${ARG_LAUNCHER}")
-  endif()
   set(timeout_s 300)
   if("long" IN_LIST ARG_LABELS)
     set(timeout_s 3600)
   elseif(CMAKE_CXX_FLAGS_DEBUG MATCHES "-fsanitize=")
     set(timeout_s 1800)  # what lasts seconds otherwise lasts minutes when every access is watched
   endif()
-  gtest_discover_tests(${program} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_LIST ${program}
-    PROPERTIES TIMEOUT ${timeout_s})
-  # A list of labels does not survive gtest_discover_tests; a file that ctest reads after its own sets them.
-  set(labels_file "${CMAKE_CURRENT_BINARY_DIR}/${program}_labels.cmake")
-  file(CONFIGURE OUTPUT "${labels_file}" @ONLY CONTENT [[
-foreach(test IN LISTS @program@)
-  set_tests_properties("${test}" PROPERTIES LABELS "@folder@;@ARG_LABELS@" COST @ARG_COST@)
-endforeach()
+  set(suites_file "${CMAKE_CURRENT_BINARY_DIR}/${program}_suites.cmake")
+  file(CONFIGURE OUTPUT "${suites_file}" @ONLY CONTENT [[
+set(folder "@folder@")
+set(program "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@/@program@")
+set(launcher "@ARG_LAUNCHER@")
+set(alone "@ARG_ALONE@")
+set(labels "@folder@;@ARG_LABELS@")
+set(timeout_s @timeout_s@)
+set(cost @ARG_COST@)
+set(working_directory "@CMAKE_CURRENT_BINARY_DIR@")
+include("@CMAKE_SOURCE_DIR@/cmake/TestSuites.cmake")
 ]])
-  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${labels_file}")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${suites_file}")
 endfunction()
-include(GoogleTest)
