@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "device/refusal.h"
 #include "renderers/servo_time.h"
 
 namespace asperity {
@@ -40,13 +41,6 @@ std::int32_t saturated(std::int64_t duration_ns) noexcept {
 
 void set(TickRecord& record, TickFlag flag) noexcept {
   record.flags |= static_cast<std::uint32_t>(flag);
-}
-
-void refuse_unless_positive(const char* name, double value) {
-  if (!(std::isfinite(value) && value > 0.0)) {
-    throw std::invalid_argument(std::string("ServoSettings::") + name +
-                                " must be positive and finite");
-  }
 }
 
 // A miss older than this is forgotten.
@@ -108,13 +102,13 @@ struct ServoLoop::Servo {
 
 ServoLoop::ServoLoop(HapticDevice& device, RecordRing& records, const ServoSettings& settings)
     : device_(device), records_(records), settings_(settings), servo_(std::make_unique<Servo>()) {
-  refuse_unless_positive("rate_Hz", settings.rate_Hz);
-  refuse_unless_positive("ramp_s", settings.ramp_s);
-  refuse_unless_positive("heartbeat_timeout_s", settings.heartbeat_timeout_s);
-  refuse_unless_positive("heartbeat_fade_s", settings.heartbeat_fade_s);
-  refuse_unless_positive("misses_to_fault", settings.misses_to_fault);
-  refuse_unless_positive("workspace_margin_m", settings.workspace_margin_m);
-  refuse_unless_positive("silence_to_fault_s", settings.silence_to_fault_s);
+  require_positive("ServoSettings::rate_Hz", settings.rate_Hz);
+  require_positive("ServoSettings::ramp_s", settings.ramp_s);
+  require_positive("ServoSettings::heartbeat_timeout_s", settings.heartbeat_timeout_s);
+  require_positive("ServoSettings::heartbeat_fade_s", settings.heartbeat_fade_s);
+  require_positive("ServoSettings::misses_to_fault", settings.misses_to_fault);
+  require_positive("ServoSettings::workspace_margin_m", settings.workspace_margin_m);
+  require_positive("ServoSettings::silence_to_fault_s", settings.silence_to_fault_s);
   period_ns_ = period_ns_of(settings.rate_Hz);
   servo_->recent_misses_ns.assign(static_cast<std::size_t>(settings.misses_to_fault) + 1, 0);
 }

@@ -3,20 +3,13 @@
 #include "renderers/offline/constant_height.h"
 
 #include <cmath>
-#include <cstdint>
 
-#include <boost/math/tools/toms748_solve.hpp>
+#include "renderers/offline/bracketed_root.h"
 
 namespace asperity {
 namespace {
 
-constexpr std::uintmax_t kIterations = 200;
 constexpr double kFarthest_m = 0.1;  // more than any texture or hand
-
-struct Bracket {
-  double low = 0.0;
-  double high = 0.0;
-};
 
 }  // namespace
 
@@ -45,14 +38,7 @@ ConstantHeight constant_height(const std::function<double(double height_m)>& mea
   }
   double reached = value.low < 0.0 ? value.low : value.high;
   if (value.low >= 0.0 && value.high <= 0.0) {
-    double root_m = value.low == 0.0 ? height_m.low : height_m.high;
-    if (value.low > 0.0 && value.high < 0.0) {
-      std::uintmax_t iterations = kIterations;
-      const auto [low_m, high_m] = boost::math::tools::toms748_solve(
-          excess, height_m.low, height_m.high, value.low, value.high,
-          boost::math::tools::eps_tolerance<double>(search.height_bits), iterations);
-      root_m = std::abs(excess(low_m)) < std::abs(excess(high_m)) ? low_m : high_m;
-    }
+    const double root_m = root_of(excess, height_m, value, search.height_bits);
     reached = excess(root_m);
     if (std::abs(reached) <= search.tolerance) {
       return {.height_m = root_m, .reached_N = (1.0 + reached) * search.force_N};

@@ -24,7 +24,7 @@ constexpr double kForgotten = 8.0;  // e⁻⁸ of the beginning is left
 constexpr double kShortestRecord_s = 0.5;
 constexpr std::size_t kFewestSpacings = 16;
 constexpr std::size_t kFewestOnShortPlate = 4;
-constexpr std::size_t kSamplesPerSpacing = 256;
+constexpr std::size_t kDragSamplesPerSpacing = 256;
 constexpr double kAccelerationTolerance = 0.01;
 constexpr double kPowerTolerance = 0.02;
 constexpr double kPowerFloor = 1e-4;
@@ -68,7 +68,7 @@ class StillHeight {
  public:
   StillHeight(ForceRenderer& renderer, const Drag& stroke) : renderer_(renderer), stroke_(stroke) {
     const double spacings = std::max(1.0, std::round(stroke.repeats_after_m / stroke.spacing_m));
-    samples_ = static_cast<std::size_t>(spacings) * kSamplesPerSpacing;
+    samples_ = static_cast<std::size_t>(spacings) * kDragSamplesPerSpacing;
     pitch_m_ = stroke.repeats_after_m / static_cast<double>(samples_);
   }
 

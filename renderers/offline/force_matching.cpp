@@ -6,52 +6,29 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include "analysis/spectrum.h"
+#include "device/refusal.h"
 #include "renderers/offline/along_path.h"
+#include "renderers/offline/bracketed_root.h"
 #include "renderers/offline/constant_height.h"
 
 namespace asperity {
 namespace {
 
-constexpr std::uintmax_t kIterations = 200;
 constexpr double kRmsTolerance = 1e-9;
+constexpr int kAmplitudeBits = 50;  // nearly all of them
 
 std::string text_of(double value) {
   char characters[32];
   const auto end = std::to_chars(characters, characters + sizeof characters, value,
                                  std::chars_format::general, 6);
   return {characters, end.ptr};
-}
-
-void refuse_unless_positive(const char* name, double value) {
-  if (value > 0.0 && std::isfinite(value)) return;
-  throw std::invalid_argument(std::string(name) + " must be positive, and it is " + text_of(value));
-}
-
-struct Bracket {
-  double low = 0.0;
-  double high = 0.0;
-};
-
-// Where f crosses zero, to the last bits; f(low) and f(high) differ in sign or one is zero.
-template <class F>
-double root_of(F f, const Bracket& bracket, const Bracket& values) {
-  if (values.low == 0.0) return bracket.low;
-  if (values.high == 0.0) return bracket.high;
-  std::uintmax_t iterations = kIterations;
-  const auto [low, high] =
-      boost::math::tools::toms748_solve(f, bracket.low, bracket.high, values.low, values.high,
-                                        boost::math::tools::eps_tolerance<double>(50), iterations);
-  return std::abs(f(low)) < std::abs(f(high)) ? low : high;
 }
 
 // The path's samples at a height that can be moved, without those that are dropped being forgotten:
@@ -113,9 +90,9 @@ double height_of(const ForceModel& model, ForceRenderer& renderer, Strokes& stro
 }
 
 void check(const TextureForcePath& path) {
-  refuse_unless_positive("TextureForcePath::speed_m_per_s", path.speed_m_per_s);
-  refuse_unless_positive("TextureForcePath::rate_Hz", path.rate_Hz);
-  refuse_unless_positive("TextureForcePath::mean_normal_force_N", path.mean_normal_force_N);
+  require_positive("TextureForcePath::speed_m_per_s", path.speed_m_per_s);
+  require_positive("TextureForcePath::rate_Hz", path.rate_Hz);
+  require_positive("TextureForcePath::mean_normal_force_N", path.mean_normal_force_N);
   if (!(path.dropped_s >= 0.0 && path.dropped_s + 2.0 / path.rate_Hz < path.duration_s)) {
     throw std::invalid_argument("TextureForcePath::dropped_s must be shorter than the path of " +
                                 text_of(path.duration_s) + " s, and it is " +
@@ -162,7 +139,7 @@ double texture_force_rms_N(const ForceModel& model, const RendererInputs& inputs
 
 SolvedAmplitude solve_amplitude(const ForceModel& model, const RendererInputs& inputs,
                                 double target_rms_N, const TextureForcePath& path) {
-  refuse_unless_positive("target_rms_N", target_rms_N);
+  require_positive("target_rms_N", target_rms_N);
   const Parameter& amplitude = amplitude_of(model.declaration);
   RendererInputs candidate = inputs;
   const auto rms_N = [&](double value) {
@@ -180,7 +157,7 @@ SolvedAmplitude solve_amplitude(const ForceModel& model, const RendererInputs& i
     excesses = {excesses.high, excess(value.high)};
   }
   if (excesses.low <= 0.0 && excesses.high >= 0.0) {
-    const double solved = root_of(excess, value, excesses);
+    const double solved = root_of(excess, value, excesses, kAmplitudeBits);
     const double solved_rms_N = rms_N(solved);
     if (std::abs(solved_rms_N / target_rms_N - 1.0) <= kRmsTolerance) {
       return {amplitude.name, solved, solved_rms_N};

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSpacings = 8.0;
 constexpr double kDitheredSpacings = 16.0;
-constexpr double kSamplesPerSpacing = 64.0;
+constexpr double kStrokeSamplesPerSpacing = 64.0;
 constexpr double kCoarsest_m = 30e-6;
 constexpr std::size_t kMostPixels = 2048;
 constexpr double kLongestStep_m = 1e-4;  // the declared default: what sessions render
@@ -80,7 +80,7 @@ TextureAtSpacing texture_at_spacing(const SpacedTexture& texture, double spacing
   const bool has_rows = texture.kind == "cones";
   const double spacings = has_rows ? kDitheredSpacings : kSpacings;
   const double width_m = spacings * spacing_m;
-  const double pitch_m = std::min(spacing_m / kSamplesPerSpacing, kCoarsest_m);
+  const double pitch_m = std::min(spacing_m / kStrokeSamplesPerSpacing, kCoarsest_m);
   const auto pixels =
       std::min(kMostPixels, static_cast<std::size_t>(std::lround(width_m / pitch_m)));
   return {.field = std::make_shared<const HeightField>(make_surface(

@@ -1,0 +1,31 @@
+// A root between two places where a function has different signs.
+
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+namespace asperity {
+
+/// Two places, or a function's values there.
+struct Bracket {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// Where f crosses zero, to so many bits; `values` are f(low) and f(high), which differ in sign, or one is zero.
+template <class F>
+double root_of(F f, const Bracket& bracket, const Bracket& values, int bits) {
+  constexpr std::uintmax_t kIterations = 200;
+  if (values.low == 0.0) return bracket.low;
+  if (values.high == 0.0) return bracket.high;
+  std::uintmax_t iterations = kIterations;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      f, bracket.low, bracket.high, values.low, values.high,
+      boost::math::tools::eps_tolerance<double>(bits), iterations);
+  return std::abs(f(low)) < std::abs(f(high)) ? low : high;
+}
+
+}  // namespace asperity
