@@ -19,7 +19,7 @@ Eigen::MatrixXd conditional_probabilities(const ConfusionCounts& counts) {
   return (more.colwise() / rows).matrix();
 }
 
-void refuse_impossible(const Dissimilarities& d) {
+void refuse_impossible_matrix(const Dissimilarities& d) {
   if (d.rows() != d.cols() || d.rows() < 2) {
     throw std::invalid_argument("dissimilarities must be a square of at least two items");
   }
@@ -104,7 +104,7 @@ Dissimilarities linear_dissimilarities(const ConfusionCounts& counts) {
 }
 
 ClassicalScaling classical_scaling(const Dissimilarities& dissimilarities) {
-  refuse_impossible(dissimilarities);
+  refuse_impossible_matrix(dissimilarities);
   const Eigen::Index m = dissimilarities.rows();
   const Eigen::MatrixXd centre = Eigen::MatrixXd::Identity(m, m) -
                                  Eigen::MatrixXd::Constant(m, m, 1.0 / static_cast<double>(m));
@@ -135,7 +135,7 @@ ClassicalScaling classical_scaling(const Dissimilarities& dissimilarities) {
 }
 
 Tree agglomerate(const Dissimilarities& dissimilarities, Linkage linkage) {
-  refuse_impossible(dissimilarities);
+  refuse_impossible_matrix(dissimilarities);
   const Eigen::Index m = dissimilarities.rows();
   Eigen::MatrixXd d = dissimilarities;
   // A cluster goes by its lowest item.

@@ -25,7 +25,7 @@ constexpr std::array<double, kFeatureBands + 1> kBorders_m{
     10e-3,   10e-3 / kRoot2,   5e-3,     5e-3 / kRoot2,     2.5e-3,   2.5e-3 / kRoot2,
     1.25e-3, 1.25e-3 / kRoot2, 0.625e-3, 0.625e-3 / kRoot2, 0.3125e-3};
 
-void refuse_unusable(const FeltForce& felt) {
+void refuse_unusable_force(const FeltForce& felt) {
   const std::size_t count = felt.time_s.size();
   if (felt.travel_m.size() != count || felt.normal_N.size() != count ||
       felt.lateral_N.size() != count) {
@@ -175,7 +175,7 @@ double ln_felt(double ratio) { return 0.5 * std::log(ratio * ratio + kFeltRatio 
 std::span<const double> feature_band_borders_m() noexcept { return kBorders_m; }
 
 ForceFeatures force_features(const FeltForce& felt) {
-  refuse_unusable(felt);
+  refuse_unusable_force(felt);
   const double floor = ln_felt(0.0);
   ForceFeatures features;
   features.spectrum.fill(floor);

@@ -19,7 +19,7 @@
 namespace asperity {
 namespace {
 
-void refuse_outside(std::size_t place, std::size_t size, const char* what) {
+void refuse_unknown_place(std::size_t place, std::size_t size, const char* what) {
   if (place >= size) {
     throw std::invalid_argument(std::string("estimates: ") + what + " " + std::to_string(place) +
                                 " is not one of " + std::to_string(size));
@@ -266,9 +266,9 @@ MagnitudeCells magnitude_cells(std::span<const MagnitudeEstimate> estimates,
   std::vector<Eigen::MatrixXd> sums(design.conditions, empty);
   std::vector<Eigen::MatrixXd> counts(design.conditions, empty);
   for (const MagnitudeEstimate& one : estimates) {
-    refuse_outside(one.participant, design.participants, "participant");
-    refuse_outside(one.condition, design.conditions, "condition");
-    refuse_outside(one.level, design.levels, "level");
+    refuse_unknown_place(one.participant, design.participants, "participant");
+    refuse_unknown_place(one.condition, design.conditions, "condition");
+    refuse_unknown_place(one.level, design.levels, "level");
     if (!(one.estimate > 0.0) || !std::isfinite(one.estimate)) {
       throw std::invalid_argument("estimate is " + number_text(one.estimate) +
                                   "; its logarithm needs a positive number");
@@ -320,7 +320,8 @@ std::vector<Eigen::MatrixXd> normalised_to_standard(const MagnitudeCells& cells,
   }
   Eigen::VectorXd at_standard = Eigen::VectorXd::Zero(index(cells.complete.size()));
   for (const Eigen::MatrixXd& condition : cells.log10) {
-    refuse_outside(standard.level, static_cast<std::size_t>(condition.cols()), "standard level");
+    refuse_unknown_place(standard.level, static_cast<std::size_t>(condition.cols()),
+                         "standard level");
     at_standard += condition.col(index(standard.level));
   }
   at_standard /= static_cast<double>(cells.log10.size());

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostItems = 12;
 
-void refuse_impossible(std::size_t items) {
+void refuse_impossible_size(std::size_t items) {
   if (items < 1 || items > kMostItems) {
     throw std::invalid_argument("items is " + std::to_string(items) +
                                 "; matching is counted for 1 to 12 items");
@@ -48,17 +48,17 @@ std::uint64_t derangements(std::size_t n) {
 }  // namespace
 
 double item_chance(std::size_t items) {
-  refuse_impossible(items);
+  refuse_impossible_size(items);
   return 1.0 / static_cast<double>(items);
 }
 
 double whole_chance(std::size_t items) {
-  refuse_impossible(items);
+  refuse_impossible_size(items);
   return 1.0 / static_cast<double>(factorial(items));
 }
 
 std::vector<double> fixed_point_distribution(std::size_t items) {
-  refuse_impossible(items);
+  refuse_impossible_size(items);
   const std::uint64_t all = factorial(items);
   std::vector<double> probability(items + 1);
   for (std::size_t right = 0; right <= items; ++right) {
@@ -88,7 +88,7 @@ bool is_permutation(MatchingTrial trial) {
 
 IntegerDistribution chance_matches(MatchingTrial trial) {
   const std::size_t m = trial.size();
-  refuse_impossible(m);
+  refuse_impossible_size(m);
   struct Copies {
     std::size_t felt = 0;
     std::size_t chosen = 0;

@@ -28,9 +28,8 @@ namespace {
 
 using boost::math::cdf;
 using boost::math::complement;
-using boost::math::quantile;
 
-void refuse_outside(double value, const char* name) {
+void refuse_unless_probability(double value, const char* name) {
   if (!(value >= 0.0 && value <= 1.0)) {
     throw std::invalid_argument(std::string(name) + " is " + number_text(value) +
                                 "; a probability lies between 0 and 1");
@@ -134,8 +133,8 @@ struct Enumeration {
 
 ExactPower binomial_power(const BinomialPlan& plan) {
   refuse_fewer(plan.trials, 1, "trials");
-  refuse_outside(plan.chance, "chance");
-  refuse_outside(plan.truth, "truth");
+  refuse_unless_probability(plan.chance, "chance");
+  refuse_unless_probability(plan.truth, "truth");
   refuse_error(plan.error);
   ExactPower answer;
   for (std::size_t hits = 0; hits <= plan.trials; ++hits) {
@@ -151,8 +150,8 @@ ExactPower binomial_power(const BinomialPlan& plan) {
 
 ExactPower binomial_two_sided_power(const BinomialPlan& plan) {
   refuse_fewer(plan.trials, 1, "trials");
-  refuse_outside(plan.chance, "chance");
-  refuse_outside(plan.truth, "truth");
+  refuse_unless_probability(plan.chance, "chance");
+  refuse_unless_probability(plan.truth, "truth");
   refuse_error(plan.error);
   ExactPower answer;
   for (std::size_t hits = 0; hits <= plan.trials; ++hits) {
@@ -170,7 +169,7 @@ UniformPower uniform_power(const UniformPlan& plan) {
   refuse_error(plan.error);
   double sum = 0.0;
   for (const double p : plan.truth) {
-    refuse_outside(p, "truth");
+    refuse_unless_probability(p, "truth");
     sum += p;
   }
   constexpr double kRounding = 1e-6;
@@ -202,7 +201,8 @@ UniformPower uniform_power(const UniformPlan& plan) {
                      (p - 1.0 / alternatives);
   }
   const double df = alternatives - 1.0;
-  const double critical = quantile(complement(boost::math::chi_squared(df), plan.error));
+  const double critical =
+      boost::math::quantile(complement(boost::math::chi_squared(df), plan.error));
   answer.noncentral_power =
       noncentrality > 0.0
           ? cdf(complement(boost::math::non_central_chi_squared(df, noncentrality), critical))
@@ -268,7 +268,8 @@ WithinPower within_power(const WithinPlan& plan) {
   answer.noncentrality = plan.f * plan.f * n * levels / (1.0 - plan.correlation) * plan.epsilon;
   const double df1 = (levels - 1.0) * plan.epsilon;
   const double df2 = (levels - 1.0) * (n - 1.0) * plan.epsilon;
-  const double critical = quantile(complement(boost::math::fisher_f(df1, df2), plan.error));
+  const double critical =
+      boost::math::quantile(complement(boost::math::fisher_f(df1, df2), plan.error));
   answer.power =
       answer.noncentrality > 0.0
           ? cdf(complement(boost::math::non_central_f(df1, df2, answer.noncentrality), critical))
@@ -279,8 +280,8 @@ WithinPower within_power(const WithinPlan& plan) {
 ExactPower fisher_power(const TwoGroupPlan& plan) {
   refuse_fewer(plan.first_trials, 1, "first_trials");
   refuse_fewer(plan.second_trials, 1, "second_trials");
-  refuse_outside(plan.first_truth, "first_truth");
-  refuse_outside(plan.second_truth, "second_truth");
+  refuse_unless_probability(plan.first_truth, "first_truth");
+  refuse_unless_probability(plan.second_truth, "second_truth");
   refuse_error(plan.error);
   ExactPower answer;
   for (std::size_t x = 0; x <= plan.first_trials; ++x) {
@@ -301,7 +302,7 @@ ExactPower fisher_power(const TwoGroupPlan& plan) {
 PooledRejection pooled_rejection(const PooledPlan& plan) {
   refuse_fewer(plan.participants, 1, "participants");
   refuse_fewer(plan.trials_each, 1, "trials_each");
-  refuse_outside(plan.chance, "chance");
+  refuse_unless_probability(plan.chance, "chance");
   refuse_error(plan.error);
   if (!(plan.truth > 0.0 && plan.truth < 1.0) ||
       !(plan.correlation > 0.0 && plan.correlation < 1.0)) {

@@ -16,7 +16,7 @@
 namespace asperity {
 namespace {
 
-void refuse_impossible(const HitCount& count) {
+void refuse_impossible_count(const HitCount& count) {
   if (count.trials == 0) {
     throw std::invalid_argument("trials is 0; a proportion needs at least one trial");
   }
@@ -26,7 +26,7 @@ void refuse_impossible(const HitCount& count) {
   }
 }
 
-void refuse_improbable(double confidence) {
+void refuse_impossible_confidence(double confidence) {
   if (!(confidence > 0.0 && confidence < 1.0)) {
     throw std::invalid_argument("confidence is " + number_text(confidence) +
                                 "; it must lie between 0 and 1");
@@ -61,7 +61,7 @@ ConfidenceInterval beta_interval(const HitCount& count, double confidence,
 }  // namespace
 
 double proportion(const HitCount& count) {
-  refuse_impossible(count);
+  refuse_impossible_count(count);
   return static_cast<double>(count.hits) / static_cast<double>(count.trials);
 }
 
@@ -71,8 +71,8 @@ ConfidenceInterval within(const ConfidenceInterval& possible, const ConfidenceIn
 }
 
 ConfidenceInterval wilson_interval(const HitCount& count, double confidence) {
-  refuse_impossible(count);
-  refuse_improbable(confidence);
+  refuse_impossible_count(count);
+  refuse_impossible_confidence(confidence);
   const double z = two_sided_z(confidence);
   const auto n = static_cast<double>(count.trials);
   const double p = proportion(count);
@@ -84,8 +84,8 @@ ConfidenceInterval wilson_interval(const HitCount& count, double confidence) {
 }
 
 ConfidenceInterval clopper_pearson_interval(const HitCount& count, double confidence) {
-  refuse_impossible(count);
-  refuse_improbable(confidence);
+  refuse_impossible_count(count);
+  refuse_impossible_confidence(confidence);
   const auto hits = static_cast<double>(count.hits);
   const auto misses = static_cast<double>(count.trials - count.hits);
   // A shape of 0 is no distribution; beta_interval does not look at that end.
@@ -94,16 +94,16 @@ ConfidenceInterval clopper_pearson_interval(const HitCount& count, double confid
 }
 
 ConfidenceInterval jeffreys_interval(const HitCount& count, double confidence) {
-  refuse_impossible(count);
-  refuse_improbable(confidence);
+  refuse_impossible_count(count);
+  refuse_impossible_confidence(confidence);
   const boost::math::beta_distribution posterior(
       static_cast<double>(count.hits) + 0.5, static_cast<double>(count.trials - count.hits) + 0.5);
   return beta_interval(count, confidence, posterior, posterior);
 }
 
 ConfidenceInterval agresti_coull_interval(const HitCount& count, double confidence) {
-  refuse_impossible(count);
-  refuse_improbable(confidence);
+  refuse_impossible_count(count);
+  refuse_impossible_confidence(confidence);
   const double z = two_sided_z(confidence);
   const double n = static_cast<double>(count.trials) + z * z;
   const double p = (static_cast<double>(count.hits) + 0.5 * z * z) / n;
@@ -112,7 +112,7 @@ ConfidenceInterval agresti_coull_interval(const HitCount& count, double confiden
 }
 
 double binomial_upper_tail(const HitCount& count, double chance) {
-  refuse_impossible(count);
+  refuse_impossible_count(count);
   refuse_no_chance(chance);
   if (count.hits == 0) return 1.0;
   const boost::math::binomial distribution(static_cast<double>(count.trials), chance);
@@ -121,7 +121,7 @@ double binomial_upper_tail(const HitCount& count, double chance) {
 }
 
 double binomial_lower_tail(const HitCount& count, double chance) {
-  refuse_impossible(count);
+  refuse_impossible_count(count);
   refuse_no_chance(chance);
   if (count.hits == count.trials) return 1.0;
   const boost::math::binomial distribution(static_cast<double>(count.trials), chance);
@@ -129,7 +129,7 @@ double binomial_lower_tail(const HitCount& count, double chance) {
 }
 
 double binomial_upper_mid_tail(const HitCount& count, double chance) {
-  refuse_impossible(count);
+  refuse_impossible_count(count);
   refuse_no_chance(chance);
   const boost::math::binomial distribution(static_cast<double>(count.trials), chance);
   const auto hits = static_cast<double>(count.hits);
@@ -140,7 +140,7 @@ double binomial_upper_mid_tail(const HitCount& count, double chance) {
 }
 
 double binomial_mid_test(const HitCount& count, double chance) {
-  refuse_impossible(count);
+  refuse_impossible_count(count);
   refuse_no_chance(chance);
   const HitCount misses{.hits = count.trials - count.hits, .trials = count.trials};
   const double upper = binomial_upper_mid_tail(count, chance);
@@ -156,7 +156,7 @@ double cohen_h(const HitCount& count, double chance) {
 // The probabilities rise to the expected count and fall beyond it, so those beyond it that are not
 // above the observed one begin at some count, found by halves.
 double binomial_test(const HitCount& count, double chance) {
-  refuse_impossible(count);
+  refuse_impossible_count(count);
   refuse_no_chance(chance);
   const double expected = static_cast<double>(count.trials) * chance;
   const auto hits = static_cast<double>(count.hits);

@@ -73,7 +73,7 @@ struct Rational {
   std::array<double, 8> denominator{};
 };
 
-double ratio(const Rational& of, double x) {
+double value_at(const Rational& of, double x) {
   double above = of.numerator[7];
   double below = of.denominator[7];
   for (std::size_t i = 7; i > 0; --i) {
@@ -128,10 +128,10 @@ std::array<std::uint32_t, 4> philox4x32_10(std::array<std::uint32_t, 4> counter,
 double upper_normal_quantile(double tail) noexcept {
   const double q = 0.5 - tail;
   if (q <= 0.425) {
-    return q * ratio(kCentre, 0.180625 - q * q);
+    return q * value_at(kCentre, 0.180625 - q * q);
   }
   const double r = std::sqrt(-portable_log(tail));
-  return r <= 5.0 ? ratio(kShoulder, r - 1.6) : ratio(kTail, r - 5.0);
+  return r <= 5.0 ? value_at(kShoulder, r - 1.6) : value_at(kTail, r - 5.0);
 }
 
 Random::Random(std::uint64_t seed) noexcept : key_(seed) {}

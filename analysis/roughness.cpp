@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPacinianFrom_Hz = 40.0;
 
-void refuse_unusable(std::span<const double> record, double rate_Hz) {
+void refuse_unusable_record(std::span<const double> record, double rate_Hz) {
   if (record.empty()) {
     throw std::invalid_argument("the record is empty; roughness needs at least one sample");
   }
@@ -75,7 +75,7 @@ double pacinian_part(double frequency_Hz, double power, const VibrationThreshold
 }  // namespace
 
 RecordRoughness record_roughness(std::span<const double> record, double rate_Hz) {
-  refuse_unusable(record, rate_Hz);
+  refuse_unusable_record(record, rate_Hz);
   const std::vector<double> centred = about_mean(record);
   RecordRoughness roughness;
   roughness.rms = rms_of(centred);
@@ -90,7 +90,7 @@ RecordRoughness record_roughness(std::span<const double> record, double rate_Hz)
 
 std::optional<double> acceleration_roughness_dB(std::span<const double> acceleration_m_per_s2,
                                                 double rate_Hz) {
-  refuse_unusable(acceleration_m_per_s2, rate_Hz);
+  refuse_unusable_record(acceleration_m_per_s2, rate_Hz);
   const auto waking = static_cast<std::size_t>(0.010 * rate_Hz);
   if (acceleration_m_per_s2.size() <= waking) {
     throw std::invalid_argument("the record is no longer than the 10 ms in which the filter wakes");
@@ -107,7 +107,7 @@ std::optional<double> acceleration_roughness_dB(std::span<const double> accelera
 
 double pacinian_power(std::span<const double> acceleration_m_per_s2, double rate_Hz,
                       const VibrationThreshold& threshold) {
-  refuse_unusable(acceleration_m_per_s2, rate_Hz);
+  refuse_unusable_record(acceleration_m_per_s2, rate_Hz);
   double sum = 0.0;
   for_each_line(about_mean(acceleration_m_per_s2), rate_Hz, [&](double frequency_Hz, double power) {
     sum += pacinian_part(frequency_Hz, power, threshold);
@@ -134,7 +134,7 @@ void HeldToolRecord::clear() noexcept {
 }
 
 HeldToolRoughness HeldToolRecord::roughness() const {
-  refuse_unusable(accelerations_m_per_s2_[0], rate_Hz_);
+  refuse_unusable_record(accelerations_m_per_s2_[0], rate_Hz_);
   std::vector<double> squares(size(), 0.0);
   HeldToolRoughness roughness{};
   double weighted = 0.0;
