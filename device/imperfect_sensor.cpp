@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 constexpr double kLongestLatency_s = 0.05;  // after this a device counts as lost
-constexpr double kFastest_Hz = 10'000.0;
+constexpr double kFastestSensor_Hz = 10'000.0;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ ImperfectSensor::ImperfectSensor(const SensorSettings& settings)
   if (settings.velocity) velocity_.emplace(*settings.velocity);
   if (settings.latency_s > 0.0) {
     // The one before the time that is wanted, and those since.
-    pasts_.resize(static_cast<std::size_t>(std::ceil(settings.latency_s * kFastest_Hz)) + 3);
+    pasts_.resize(static_cast<std::size_t>(std::ceil(settings.latency_s * kFastestSensor_Hz)) + 3);
   }
 }
 

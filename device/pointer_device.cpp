@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kOmega_rad_per_s = 80.0;
 
-DeviceCapability capability_of(const PointerSettings& settings) {
+DeviceCapability pointer_capability(const PointerSettings& settings) {
   const glm::dvec2 corner_m(settings.half_width_m, settings.half_length_m);
   return {.name = "mouse",
           .model = "pointer of a window",
@@ -29,7 +29,7 @@ DeviceCapability capability_of(const PointerSettings& settings) {
               "its depth is the pressure of a pen, or fixed while a mouse's button is held."};
 }
 
-void check(const PointerSettings& settings) {
+void check_pointer(const PointerSettings& settings) {
   require_positive("half_width_m of the pointer", settings.half_width_m);
   require_positive("half_length_m of the pointer", settings.half_length_m);
   require_positive("deepest_m of the pointer", settings.deepest_m);
@@ -43,8 +43,10 @@ void check(const PointerSettings& settings) {
 }  // namespace
 
 PointerDevice::PointerDevice(LatestValue<PointerSample>& samples, const PointerSettings& settings)
-    : HapticDevice(capability_of(settings), ForceLimits{}), samples_(samples), settings_(settings) {
-  check(settings);
+    : HapticDevice(pointer_capability(settings), ForceLimits{}),
+      samples_(samples),
+      settings_(settings) {
+  check_pointer(settings);
   at_m_.z = aim_m_.z = settings_.lift_m;
 }
 

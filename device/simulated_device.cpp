@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t kLongestStep_ns = 1'000'000;
 
-DeviceCapability capability_of(const SimulatedDeviceSettings& settings) {
+DeviceCapability simulated_capability(const SimulatedDeviceSettings& settings) {
   DeviceCapability capability =
       settings.stands_for.value_or(DeviceCapability{.model = "mass, spring and damper",
                                                     .continuous_force_N = settings.peak_force_N,
@@ -34,7 +34,7 @@ DeviceCapability capability_of(const SimulatedDeviceSettings& settings) {
   return capability;
 }
 
-void check(const SimulatedDeviceSettings& settings) {
+void check_simulation(const SimulatedDeviceSettings& settings) {
   const HandMechanics& hand = settings.hand;
   require_positive("mass_kg of the simulated hand", hand.mass_kg);
   require_positive("damping_N_s_per_m of the simulated hand", hand.damping_N_s_per_m);
@@ -87,11 +87,11 @@ glm::dvec3 velocity_against(double friction_N, const glm::dvec3& drag_N_s_per_m,
 }  // namespace
 
 SimulatedDevice::SimulatedDevice(VirtualHand& hand, const SimulatedDeviceSettings& settings)
-    : HapticDevice(capability_of(settings), ForceLimits{}),
+    : HapticDevice(simulated_capability(settings), ForceLimits{}),
       hand_(hand),
       settings_(settings),
       sensor_(settings.sensor) {
-  check(settings_);
+  check_simulation(settings_);
 }
 
 SimulatedDevice::~SimulatedDevice() { zero_force(); }

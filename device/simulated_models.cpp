@@ -51,14 +51,14 @@ Model falcon() {
 
 // The SDK's own figure for the fastest exchange stands for its latency. Of a model without figures, force and workspace
 // are bounds that its driver keeps.
-enum class Figures { known, none };
-Model force_dimension(const DeviceCapability& capability, Figures figures) {
+enum class PublishedFigures { known, none };
+Model force_dimension(const DeviceCapability& capability, PublishedFigures figures) {
   Model model{.name = capability.model,
               .capability = capability,
               .latency_s = 1.0 / capability.maximum_rate_Hz,
               .velocity = ForceDimensionDevice::kWindow,
               .known = {DeviceTrait::rate, DeviceTrait::latency}};
-  if (figures == Figures::known) {
+  if (figures == PublishedFigures::known) {
     model.known.insert(model.known.end(), {DeviceTrait::workspace, DeviceTrait::peak_force});
   }
   model.sources =
@@ -73,9 +73,9 @@ std::vector<Model> models() {
   constexpr int kLambda7 = 108;  // has those of sigma.7 (force_dimension/dhd_models.h)
   std::vector<Model> all{falcon()};
   for (const int type : kSystemTypes) {
-    all.push_back(force_dimension(dhd_model_of(type).value().capability, Figures::known));
+    all.push_back(force_dimension(dhd_model_of(type).value().capability, PublishedFigures::known));
   }
-  all.push_back(force_dimension(dhd_model_of(kLambda7).value().capability, Figures::none));
+  all.push_back(force_dimension(dhd_model_of(kLambda7).value().capability, PublishedFigures::none));
   return all;
 }
 

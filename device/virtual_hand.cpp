@@ -71,7 +71,7 @@ std::uint32_t bit_of(int button) {
   return std::uint32_t{1} << (button - 1);
 }
 
-void check(const HandHabits& habits) {
+void check_habits(const HandHabits& habits) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(habits.centre_m[axis])) {
       refuse("centre_m of the hand's habits", habits.centre_m[axis], "finite");
@@ -98,13 +98,13 @@ void check(const HandHabits& habits) {
 
 VirtualHand::VirtualHand(const HandHabits& habits, Random random)
     : habits_(habits), random_(random) {
-  check(habits);
+  check_habits(habits);
   move_.from_m = stroke_end_m(-direction_) + glm::dvec3(0.0, 0.0, habits.lift_height_m);
   move_.to_m = move_.from_m;
 }
 
 void VirtualHand::set_habits(const HandHabits& habits) {
-  check(habits);
+  check_habits(habits);
   // The other side holds this flag for the time of one copy and never waits for it.
   while (next_habits_in_use_.test_and_set(std::memory_order_acquire)) {
     std::this_thread::yield();

@@ -22,7 +22,7 @@ constexpr int kTries = 3;
 constexpr std::size_t kLargest_bytes = 65536;
 // What fits into a packet with its two bytes of modem lines, as it comes back.
 constexpr std::size_t kPiece_bytes = 62;
-constexpr milliseconds kPatience{500};
+constexpr milliseconds kAnswerPatience{500};
 constexpr milliseconds kCallPatience{50};
 constexpr milliseconds kFramePatience{30};
 constexpr int kCalls = 100;   // of the boot loader, until it answers
@@ -41,7 +41,7 @@ Transfer read_until(FalconPort& port, std::vector<std::uint8_t>& bytes, const st
   FalconPort::Packet packet{};
   for (int packets = 0; packets < kPackets && !stop.stop_requested(); ++packets) {
     std::size_t count = 0;
-    if (const Transfer ended = port.read(packet, count, kPatience); ended != Transfer::done) {
+    if (const Transfer ended = port.read(packet, count, kAnswerPatience); ended != Transfer::done) {
       return ended;
     }
     bytes.insert(bytes.end(), packet.begin(), packet.begin() + static_cast<std::ptrdiff_t>(count));
@@ -70,7 +70,7 @@ std::optional<std::string> complaint_of_load(FalconPort& port,
   if (!reaches_boot_loader(port, stop)) return "its boot loader does not answer";
   if (port.begin_firmware() != Transfer::done) return "its serial chip takes no settings";
   std::vector<std::uint8_t> echo;
-  if (port.write(kStart, kPatience) != Transfer::done ||
+  if (port.write(kStart, kAnswerPatience) != Transfer::done ||
       // Before it may come what the loader still had to say to earlier calls.
       read_until(port, echo, stop, [&] {
         return !echo.empty() && echo.back() == kStart.front();
@@ -79,9 +79,9 @@ std::optional<std::string> complaint_of_load(FalconPort& port,
   }
   for (std::size_t at = 0; at < firmware.size() && !stop.stop_requested(); at += kPiece_bytes) {
     const auto piece = firmware.subspan(at, std::min(kPiece_bytes, firmware.size() - at));
-    if (port.write(piece, kPatience) != Transfer::done || read_until(port, echo, stop, [&] {
-                                                            return echo.size() >= piece.size();
-                                                          }) != Transfer::done) {
+    if (port.write(piece, kAnswerPatience) != Transfer::done ||
+        read_until(port, echo, stop, [&] { return echo.size() >= piece.size(); }) !=
+            Transfer::done) {
       return "it stopped taking the firmware at byte " + std::to_string(at);
     }
     const auto [sent, came] = std::mismatch(piece.begin(), piece.end(), echo.begin(), echo.end());

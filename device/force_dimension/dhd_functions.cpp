@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-std::vector<std::filesystem::path> names_of(const std::filesystem::path& library) {
+std::vector<std::filesystem::path> dhd_library_names(const std::filesystem::path& library) {
   if (!library.empty()) return {library};
   return {"libdrd.so", "libdrd.so.3", "libdhd.so", "libdhd.so.3"};
 }
@@ -15,7 +15,7 @@ std::vector<std::filesystem::path> names_of(const std::filesystem::path& library
 }  // namespace
 
 DhdFunctions::DhdFunctions(const std::filesystem::path& library)
-    : named_(library), library_("Force Dimension's SDK", names_of(library)) {
+    : named_(library), library_("Force Dimension's SDK", dhd_library_names(library)) {
   library_.find("dhdGetDeviceCount", dhdGetDeviceCount);
   library_.find_if_there("dhdGetAvailableCount", dhdGetAvailableCount);
   library_.find("dhdOpenID", dhdOpenID);

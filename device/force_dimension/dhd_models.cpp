@@ -17,7 +17,7 @@ struct Figures {
 };
 
 // With orders that reach the device when they are sent, 4 kHz is what the SDK's pages call the limit.
-constexpr double kFastest_Hz = 4000.0;
+constexpr double kFastestOrders_Hz = 4000.0;
 
 DhdModel model_of(const Figures& figures, Turns turns, Gripper gripper,
                   const std::string& more = {}) {
@@ -30,7 +30,7 @@ DhdModel model_of(const Figures& figures, Turns turns, Gripper gripper,
   capability.workspace_minimum_m = glm::dvec3(-figures.radius_m);
   capability.workspace_maximum_m = glm::dvec3(figures.radius_m);
   capability.peak_force_N = figures.force_N;
-  capability.maximum_rate_Hz = kFastest_Hz;
+  capability.maximum_rate_Hz = kFastestOrders_Hz;
   capability.buttons = gripper == Gripper::yes ? 2 : 1;
   capability.remarks =
       "Force and workspace are CHAI3D's figures for this model, not measured; resolution and "

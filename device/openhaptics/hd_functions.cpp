@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-std::vector<std::filesystem::path> names_of(const std::filesystem::path& library) {
+std::vector<std::filesystem::path> hd_library_names(const std::filesystem::path& library) {
   if (!library.empty()) return {library};
   return {"libHD.so", "libHD.so.3.4", "libHD.so.3.0"};
 }
@@ -18,7 +18,7 @@ constexpr int kMostErrors = 16;
 }  // namespace
 
 HdFunctions::HdFunctions(const std::filesystem::path& library)
-    : library_("3D Systems' OpenHaptics", names_of(library)) {
+    : library_("3D Systems' OpenHaptics", hd_library_names(library)) {
   library_.find("hdInitDevice", hdInitDevice);
   library_.find("hdDisableDevice", hdDisableDevice);
   library_.find("hdMakeCurrentDevice", hdMakeCurrentDevice);

@@ -15,8 +15,8 @@ std::string rounded(double value) {
   return digits.data();
 }
 
-DeviceCapability capability_of(const spacemouse::LineSettings& which,
-                               const spacemouse::RateControlSettings& motion) {
+DeviceCapability spacemouse_capability(const spacemouse::LineSettings& which,
+                                       const spacemouse::RateControlSettings& motion) {
   return {.name = spacemouse::kSpaceMouse,
           .model = which.model,
           .serial = which.serial,
@@ -40,7 +40,9 @@ DeviceCapability capability_of(const spacemouse::LineSettings& which,
 
 SpaceMouseDevice::SpaceMouseDevice(const spacemouse::LineSettings& which,
                                    const spacemouse::RateControlSettings& motion)
-    : HapticDevice(capability_of(which, motion), ForceLimits{}), motion_(motion), line_(which) {}
+    : HapticDevice(spacemouse_capability(which, motion), ForceLimits{}),
+      motion_(motion),
+      line_(which) {}
 
 SpaceMouseDevice::State SpaceMouseDevice::heard_at(std::int64_t now_ns,
                                                    bool is_told_anew) noexcept {
