@@ -20,8 +20,8 @@ namespace {
 using Block = Protocol::Block;
 using Run = Protocol::Run;
 
-const Level& level_of(const FactorLevels& factors, const FactorLevels& with,
-                      const std::string& name) {
+const Level& presented_level(const FactorLevels& factors, const FactorLevels& with,
+                             const std::string& name) {
   const auto own = with.find(name);
   return own == with.end() ? factors.at(name) : own->second;
 }
@@ -29,12 +29,13 @@ const Level& level_of(const FactorLevels& factors, const FactorLevels& with,
 std::string resolved(const Binding<std::string>& binding, const FactorLevels& factors,
                      const FactorLevels& with) {
   if (binding.value) return *binding.value;
-  return binding.factor.empty() ? std::string{} : text_of(level_of(factors, with, binding.factor));
+  return binding.factor.empty() ? std::string{}
+                                : text_of(presented_level(factors, with, binding.factor));
 }
 
 /// A body of the protocol with the paths of its files. `texture` is laid on a surface without one.
-std::optional<BodyDescription> body_of(const Protocol& protocol, const std::string& name,
-                                       const std::string& texture) {
+std::optional<BodyDescription> planned_body(const Protocol& protocol, const std::string& name,
+                                            const std::string& texture) {
   if (name.empty()) return {};
   BodyDescription body = protocol.bodies.at(name);
   if (!body.mesh && !body.texture && !texture.empty()) body.texture = texture;
@@ -61,13 +62,13 @@ PlannedPresentation presentation_of(const Protocol& protocol, const Protocol::Pr
   if (!planned.stimulus.texture.empty()) {
     planned.stimulus.height_field = protocol.textures.at(planned.stimulus.texture).height_field;
   }
-  planned.stimulus.surface = body_of(protocol, surface, planned.stimulus.texture);
-  planned.stimulus.tool = body_of(protocol, tool, {});
+  planned.stimulus.surface = planned_body(protocol, surface, planned.stimulus.texture);
+  planned.stimulus.tool = planned_body(protocol, tool, {});
   for (const auto& [name, binding] : source.parameters) {
     if (binding.value) {
       planned.stimulus.parameters[name] = *binding.value;
     } else {
-      const Level& level = level_of(factors, presented.with, binding.factor);
+      const Level& level = presented_level(factors, presented.with, binding.factor);
       planned.stimulus.parameters[name] = level;
       planned.stimulus.name += "_" + text_of(level);
     }
@@ -155,8 +156,8 @@ TrialQuestion::Form form_of(ProtocolKind kind) {
   return TrialQuestion::Form::choice;
 }
 
-TrialQuestion question_of(const Protocol& protocol, const Block& block, const Trial& trial,
-                          const std::vector<std::string>& pictures) {
+TrialQuestion planned_question(const Protocol& protocol, const Block& block, const Trial& trial,
+                               const std::vector<std::string>& pictures) {
   const Protocol::TrialQuestionTemplate& source = block.question;
   TrialQuestion question{};
   question.name = source.name;
@@ -299,7 +300,7 @@ class Planner {
       trial.presentations.back().position = static_cast<int>(trial.presentations.size());
       trial.presentations.back().code = place_code(trial.presentations.size() - 1);
     }
-    trial.question = question_of(protocol_, block, trial, pictures_of(block, pictures));
+    trial.question = planned_question(protocol_, block, trial, pictures_of(block, pictures));
     plan_.steps.emplace_back(TrialStep{plan_.trials.size()});
     plan_.trials.push_back(std::move(trial));
   }

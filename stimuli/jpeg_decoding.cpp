@@ -33,8 +33,8 @@ void note_warning(j_common_ptr common, int level) {
 }
 
 /// Nothing in here may need a destructor: an error jumps out of it.
-bool decode(Decoding& decoding, std::span<const std::byte> bytes, std::span<std::uint8_t> pixels,
-            std::size_t columns) {
+bool decode_picture(Decoding& decoding, std::span<const std::byte> bytes,
+                    std::span<std::uint8_t> pixels, std::size_t columns) {
   jpeg_decompress_struct& picture = decoding.picture;
   if (setjmp(decoding.on_error) != 0) {
     jpeg_destroy_decompress(&picture);
@@ -68,7 +68,7 @@ bool decode_jpeg_luminance(std::span<const std::byte> bytes, std::span<std::uint
   decoding.picture.err = jpeg_std_error(&decoding.errors);
   decoding.errors.error_exit = note_and_leave;
   decoding.errors.emit_message = note_warning;
-  const bool done = decode(decoding, bytes, pixels, columns);
+  const bool done = decode_picture(decoding, bytes, pixels, columns);
   complaint = decoding.words;
   return done;
 }

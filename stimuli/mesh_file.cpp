@@ -75,7 +75,8 @@ const char* extension_for(MeshFormat format) {
   return "";
 }
 
-ReadMesh decode(std::string_view content, const MeshReading& reading, const std::string& name) {
+ReadMesh decode_content(std::string_view content, const MeshReading& reading,
+                        const std::string& name) {
   constexpr std::size_t kStart_bytes = 65536;
   if (content.empty()) throw std::invalid_argument(name + " is empty.");
   const std::string_view start = content.substr(0, kStart_bytes);
@@ -128,7 +129,7 @@ ReadMesh decode_mesh(std::span<const std::byte> bytes, const MeshReading& readin
                                 number_text(reading.unit_m) + "; it must be a length above 0.");
   }
   ReadMesh read =
-      decode({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, reading, name);
+      decode_content({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, reading, name);
   const std::string extension = extension_of(name);
   constexpr const char* kKnown[] = {"obj", "ply", "stl", "off"};
   if (extension != extension_for(read.format) &&
