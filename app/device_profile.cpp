@@ -21,7 +21,7 @@ constexpr DeviceQuantity mechanical(const char* name, DeviceTrait trait,
                                     Bound bound = Bound::at_most) {
   return {.name = name, .bound = bound, .trait = trait};
 }
-constexpr std::array<DeviceQuantity, 16> kQuantities{
+constexpr std::array<DeviceQuantity, 16> kDeviceQuantities{
     {{"rate_Hz", Bound::at_least, true},  // of the loop, whatever the device can
      {"lateness_p50_s", Bound::at_most, true},
      {"lateness_p99_s", Bound::at_most, true},
@@ -55,7 +55,7 @@ nlohmann::ordered_json or_null(const std::optional<glm::dvec3>& p) {
   return p ? corner(*p) : nlohmann::ordered_json();
 }
 
-nlohmann::ordered_json json_of(const DeviceItem& item) {
+nlohmann::ordered_json json_of_item(const DeviceItem& item) {
   nlohmann::ordered_json json{{"name", item.name},
                               {"status", text_of(item.status)},
                               {"result", outcome_of(item)},
@@ -116,7 +116,7 @@ DeviceItem item_from(const nlohmann::json& json) {
   return item;
 }
 
-nlohmann::ordered_json json_of(const AxisResponse& response) {
+nlohmann::ordered_json json_of_response(const AxisResponse& response) {
   std::vector<double> frequencies_Hz{};
   std::vector<double> responses_m_per_N{};
   for (const FrequencyResponse& tone : response.tones) {
@@ -143,7 +143,7 @@ AxisResponse response_from(const nlohmann::json& json) {
   return response;
 }
 
-nlohmann::ordered_json names_of(const std::vector<DeviceTrait>& traits) {
+nlohmann::ordered_json trait_names(const std::vector<DeviceTrait>& traits) {
   nlohmann::ordered_json names = nlohmann::ordered_json::array();
   for (const DeviceTrait trait : traits) names.push_back(name_of(trait));
   return names;
@@ -236,13 +236,13 @@ const char* outcome_of(const DeviceItem& item) noexcept {
   return item.status == DeviceItem::Status::not_measured ? "not measured" : text_of(item.status);
 }
 
-std::span<const DeviceQuantity> device_quantities() noexcept { return kQuantities; }
+std::span<const DeviceQuantity> device_quantities() noexcept { return kDeviceQuantities; }
 
 const DeviceQuantity* device_quantity(std::string_view name) noexcept {
   const auto found =
-      std::find_if(kQuantities.begin(), kQuantities.end(),
+      std::find_if(kDeviceQuantities.begin(), kDeviceQuantities.end(),
                    [name](const DeviceQuantity& quantity) { return name == quantity.name; });
-  return found == kQuantities.end() ? nullptr : &*found;
+  return found == kDeviceQuantities.end() ? nullptr : &*found;
 }
 
 std::optional<double> UsualLimits::of(std::string_view item) const noexcept {
@@ -306,15 +306,15 @@ void leave_out_unknown(DeviceProfile& profile) {
 
 std::string json_text_of(const DeviceProfile& profile) {
   nlohmann::ordered_json items = nlohmann::ordered_json::array();
-  for (const DeviceItem& item : profile.items) items.push_back(json_of(item));
+  for (const DeviceItem& item : profile.items) items.push_back(json_of_item(item));
   nlohmann::ordered_json json{
       {"format", kProfileFormat},
       {"device", {{"name", profile.name}, {"model", profile.model}, {"serial", profile.serial}}},
       {"simulated", profile.is_simulated}};
   if (!profile.stands_for().empty()) {
     json["stands_for"] = {{"model", profile.stands_for()},
-                          {"known", names_of(profile.known())},
-                          {"not_known", names_of(profile.not_known)}};
+                          {"known", trait_names(profile.known())},
+                          {"not_known", trait_names(profile.not_known)}};
   }
   json["measured_utc"] = profile.measured_utc;
   json["program_version"] = profile.program_version;
@@ -328,7 +328,7 @@ std::string json_text_of(const DeviceProfile& profile) {
   json["reached_maximum_m"] = or_null(profile.reached_maximum_m);
   json["items"] = std::move(items);
   for (const AxisResponse& response : profile.responses) {
-    json["responses"].push_back(json_of(response));
+    json["responses"].push_back(json_of_response(response));
   }
   return json.dump(2) + '\n';
 }

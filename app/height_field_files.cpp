@@ -16,7 +16,7 @@ std::span<const std::byte> bytes_of(const std::string& content) {
   return std::as_bytes(std::span(content.data(), content.size()));
 }
 
-std::string_view text_of(std::span<const std::byte> bytes) {
+std::string_view text_in(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -78,7 +78,7 @@ void save_height_field(const std::filesystem::path& png, const HeightField& fiel
   provenance.program_version = version_line();
   const std::vector<std::byte> content = encode_height_field_png(field);
   const std::string text =
-      encode_height_field_sidecar(field, provenance, sha256_of(text_of(content)));
+      encode_height_field_sidecar(field, provenance, sha256_of(text_in(content)));
   write_file(png, content, overwrite);
   write_file(sidecar, text, overwrite);
 }

@@ -11,13 +11,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/protocol.h"
 #include "results_schema/table.h"
 
 namespace asperity {
 
 namespace {
-
-constexpr const char* kMainPhase = "main";
 
 std::string factor_level(const std::string& factors_json, std::string_view factor) {
   const nlohmann::json factors = nlohmann::json::parse(factors_json);
@@ -53,7 +52,7 @@ class Gathering {
     std::map<int, const SessionAnswers::Trial*> main_trials{};
     std::set<int> anchors{};
     for (const SessionAnswers::Trial& trial : answers.trials) {
-      if (answers.words[trial.phase] != kMainPhase) continue;
+      if (answers.words[trial.phase] != text_of(Phase::main)) continue;
       if (gathered.kind == kMagnitude && trial.repetition == 0) {
         anchors.insert(trial.trial);
       } else {

@@ -95,7 +95,7 @@ std::vector<std::string> conditions_of(const std::vector<Estimated>& estimates,
   return conditions;
 }
 
-std::string csv_cell(const std::string& text) {
+std::string quoted_cell(const std::string& text) {
   std::string cell = "\"";
   for (const char sign : text) cell += sign == '"' ? "\"\"" : std::string(1, sign);
   return cell + '"';
@@ -104,8 +104,8 @@ std::string csv_cell(const std::string& text) {
 TidyInput curves_table(const GatheredAnswers& gathered, const std::vector<Estimated>& estimates) {
   std::string text = "subject,probe,spacing,estimate\n";
   for (const Estimated& one : estimates) {
-    text += csv_cell(gathered.people[one.person].label) + ',' + csv_cell(one.condition) + ',' +
-            one.spacing + ',' + number_text(one.estimate) + '\n';
+    text += quoted_cell(gathered.people[one.person].label) + ',' + quoted_cell(one.condition) +
+            ',' + one.spacing + ',' + number_text(one.estimate) + '\n';
   }
   TidyInput input{};
   input.tables.emplace_back(text, "the estimates");
@@ -120,8 +120,8 @@ TidyInput anova_table(const GatheredAnswers& gathered, const std::vector<Estimat
                       const std::vector<std::string>& spacings) {
   std::string text = "subject,condition,spacing,y\n";
   for (const Estimated& one : estimates) {
-    text += csv_cell(gathered.people[one.person].label) + ',' + csv_cell(one.condition) + ',' +
-            one.spacing + ',' + number_text(std::log10(one.estimate)) + '\n';
+    text += quoted_cell(gathered.people[one.person].label) + ',' + quoted_cell(one.condition) +
+            ',' + one.spacing + ',' + number_text(std::log10(one.estimate)) + '\n';
   }
   TidyInput input{};
   input.tables.emplace_back(text, "the estimates");

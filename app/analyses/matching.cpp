@@ -213,8 +213,8 @@ void add_item_row(const GatheredAnswers& gathered, const std::string& column,
 }
 
 /// The tables by column and sex.
-void add_chapter_tables(const GatheredAnswers& gathered, std::span<const Assignment> assignments,
-                        AnalysisOutcome& outcome) {
+void add_matching_tables(const GatheredAnswers& gathered, std::span<const Assignment> assignments,
+                         AnalysisOutcome& outcome) {
   ChapterTally whole(gathered);
   const ChapterCells& cells = whole.cells();
   const std::size_t sexes = cells.sexes().size();
@@ -411,7 +411,7 @@ std::optional<Finding> in_units(const Finding* finding, double unit) {
   return scaled;
 }
 
-void ask_confusions(const AnalysisOutcome& made, AnalysisOutcome& outcome) {
+void ask_confused_pairs(const AnalysisOutcome& made, AnalysisOutcome& outcome) {
   const auto table = std::find_if(made.tables.begin(), made.tables.end(),
                                   [](const auto& each) { return each.name == "confused_pairs"; });
   if (table == made.tables.end() || table->table.rows.empty()) return;
@@ -453,7 +453,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
         phrase("Analysis", "No answer gives every picture to one surface: nothing is analysed."));
     return;
   }
-  add_chapter_tables(gathered, assignments, outcome);
+  add_matching_tables(gathered, assignments, outcome);
   add_confusions(gathered, assignments, outcome);
 
   std::vector<const Assignment*> all{};
@@ -493,7 +493,7 @@ void analyze_matching(const GatheredAnswers& gathered, AnalysisOutcome& outcome)
   tests.finish(outcome);
   ask_items(equal_size ? std::optional(items) : std::nullopt, found, tests, outcome);
   ask_whole(found, tests, outcome);
-  ask_confusions(outcome, outcome);
+  ask_confused_pairs(outcome, outcome);
   const auto in_shares = [&](const char* quantity, const char* key) {
     return in_units(found.find(quantity, key), equal_size ? static_cast<double>(items) : 1.0);
   };

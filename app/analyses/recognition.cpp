@@ -132,8 +132,8 @@ std::optional<TidyInput> groups_table(const GatheredAnswers& gathered,
   return input;
 }
 
-void add_chapter_tables(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
-                        const Pictures& pictures, AnalysisOutcome& outcome) {
+void add_recognition_tables(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
+                            const Pictures& pictures, AnalysisOutcome& outcome) {
   ChapterTally right(gathered);
   std::vector<Tally> by_texture(gathered.words.size());
   ConfusionTally confusions{};
@@ -415,8 +415,8 @@ Phrase with_larger_confusion(const Phrase& answer, const std::vector<ConfusedPai
             std::to_string(largest.answers));
 }
 
-void ask_confusions(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
-                    const Pictures& pictures, AnalysisOutcome& outcome) {
+void ask_confused_answers(const GatheredAnswers& gathered, const std::vector<Judged>& judged,
+                          const Pictures& pictures, AnalysisOutcome& outcome) {
   constexpr std::size_t kMostNamed = 3;  // more pairs are read in the table
   const std::vector<ConfusedPair> most = most_confused(gathered, judged, pictures.felt);
   if (most.empty()) return;
@@ -465,7 +465,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   const std::vector<Judged> judged = judged_of(gathered, outcome);
   if (judged.empty()) return;
   const Pictures pictures = pictures_in(gathered, judged);
-  add_chapter_tables(gathered, judged, pictures, outcome);
+  add_recognition_tables(gathered, judged, pictures, outcome);
 
   StudyTests tests(gathered);
   const std::size_t people = gathered.people.size();
@@ -535,7 +535,7 @@ void analyze_recognition(const GatheredAnswers& gathered, AnalysisOutcome& outco
   tests.finish(outcome);
   ask_right(labels.size(), found, tests, outcome);
   ask_information(found, outcome);
-  if (!findings.empty()) ask_confusions(gathered, judged, pictures, outcome);
+  if (!findings.empty()) ask_confused_answers(gathered, judged, pictures, outcome);
   const auto of_sexes = [&](const char* quantity, const char* key) {
     const Finding* finding = found_sexes.find(quantity, key);
     return finding == nullptr ? std::nullopt : std::optional(*finding);

@@ -14,7 +14,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kNone = LabelColumn::kMissing;
+constexpr std::size_t kNoLabel = LabelColumn::kMissing;
 
 /// The answers of a selection as choices among items.
 struct Selection {
@@ -31,14 +31,14 @@ struct Selection {
 
   explicit Selection(const GatheredAnswers& answers);
 
-  /// kNone for cannot_tell, and for what was not felt.
+  /// kNoLabel for cannot_tell, and for what was not felt.
   std::size_t chosen(const GatheredAnswer& answer) const {
     return item_of_word[gathered.reply_of(answer).answer];
   }
   std::size_t item(const FeltSurface& surface) const { return item_of_word[surface.item]; }
   /// Of the first surface: all of a trial show the same one.
   std::size_t texture(const GatheredAnswer& answer) const {
-    return answer.surface_count == 0 ? kNone
+    return answer.surface_count == 0 ? kNoLabel
                                      : texture_of_word[gathered.surfaces_of(answer)[0].texture];
   }
   std::size_t position(const GatheredAnswer& answer) const {
@@ -46,7 +46,7 @@ struct Selection {
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
       if (surfaces[i].item == gathered.reply_of(answer).answer) return i;
     }
-    return kNone;
+    return kNoLabel;
   }
   /// What is in question: declared, or else the first.
   const std::string& target() const {
@@ -62,7 +62,7 @@ void sort_names(const GatheredAnswers& gathered, const std::set<std::uint32_t>& 
                 std::vector<std::string>& names, std::vector<std::size_t>& place_of_word) {
   for (const std::uint32_t word : words) names.push_back(gathered.word(word));
   std::sort(names.begin(), names.end());
-  place_of_word.assign(gathered.words.size(), kNone);
+  place_of_word.assign(gathered.words.size(), kNoLabel);
   for (const std::uint32_t word : words) {
     place_of_word[word] = static_cast<std::size_t>(
         std::lower_bound(names.begin(), names.end(), gathered.word(word)) - names.begin());
@@ -85,7 +85,7 @@ Selection::Selection(const GatheredAnswers& answers) : gathered(answers) {
     positions = std::max<std::size_t>(positions, answer.surface_count);
     all_offered = all_offered && answer.surface_count == items.size();
     two_offered = two_offered && answer.surface_count == 2;
-    abstained += chosen(answer) == kNone ? 1 : 0;
+    abstained += chosen(answer) == kNoLabel ? 1 : 0;
   }
 }
 
@@ -117,10 +117,10 @@ SelectionCounts::SelectionCounts(const Selection& selection, const ChapterCells&
     choices.count(answer.person, true, surfaces.size());
     for (std::size_t i = columns[0] == columns[1] ? 1 : 0; i < 2; ++i) {
       const std::size_t column = columns[i];
-      if (chosen != kNone || selection.can_abstain) {
-        ++table_1.at(chosen == kNone ? items : chosen, column);
+      if (chosen != kNoLabel || selection.can_abstain) {
+        ++table_1.at(chosen == kNoLabel ? items : chosen, column);
       }
-      if (chosen == kNone) continue;
+      if (chosen == kNoLabel) continue;
       for (const FeltSurface& surface : surfaces) {
         const std::size_t item = selection.item(surface);
         shares[column * items + item].count(answer.person, item == chosen, surfaces.size());
@@ -130,7 +130,7 @@ SelectionCounts::SelectionCounts(const Selection& selection, const ChapterCells&
         pairs[(column * items + first) * items + second].count(answer.person, chosen == first, 2);
       }
     }
-    if (chosen == kNone) continue;
+    if (chosen == kNoLabel) continue;
     for (std::size_t place = 0; place < surfaces.size(); ++place) {
       const std::size_t item = selection.item(surfaces[place]);
       textures[selection.texture(answer) * items + item].count(answer.person, item == chosen,
@@ -228,8 +228,8 @@ std::vector<std::string> numbers_up_to(std::size_t count) {
 /// What is chosen by each answer: an item, a position, a texture.
 using ChoiceOf = std::function<std::size_t(const GatheredAnswer&)>;
 
-TidyInput choices_of(const Selection& selection, const std::vector<std::string>& names,
-                     const ChoiceOf& choice, const std::string& target) {
+TidyInput choices_table(const Selection& selection, const std::vector<std::string>& names,
+                        const ChoiceOf& choice, const std::string& target) {
   LabelColumn people = labels_of_people(selection.gathered);
   LabelColumn samples{.names = selection.textures};
   LabelColumn choices{.names = names};
@@ -276,7 +276,7 @@ TidyInput comparisons_of(const Selection& selection) {
     const auto& [person, offered, chosen] = key;
     text += selection.gathered.people[person].label + ',' + selection.items[offered[0]] + ',' +
             selection.items[offered[1]] + ',' +
-            (chosen == kNone ? "tie" : selection.items[chosen]) + ',' + std::to_string(times) +
+            (chosen == kNoLabel ? "tie" : selection.items[chosen]) + ',' + std::to_string(times) +
             '\n';
   }
   TidyInput input{};
@@ -291,7 +291,7 @@ TidyInput first_places_of(const Selection& selection) {
   std::size_t trial = 0;
   for (const auto& [key, times] : count_choices(selection)) {
     const auto& [person, offered, chosen] = key;
-    if (chosen == kNone) continue;
+    if (chosen == kNoLabel) continue;
     ++trial;
     for (const std::size_t item : offered) {
       text += selection.gathered.people[person].label + ',' + std::to_string(trial) + ',' +
@@ -505,10 +505,10 @@ void test_textures(const Selection& selection, StudyTests& tests, AnalysisOutcom
       selection.items.begin());
   const std::vector<Finding> findings = analysis_of(
       "texture", "selection",
-      choices_of(
+      choices_table(
           selection, selection.textures,
           [&](const GatheredAnswer& answer) {
-            return selection.chosen(answer) == target ? selection.texture(answer) : kNone;
+            return selection.chosen(answer) == target ? selection.texture(answer) : kNoLabel;
           },
           selection.textures.front()));
   tests.add("textures", "", FoundNumbers(findings).find("relabel.exact.p"));
@@ -581,7 +581,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   std::vector<Finding> choice{};
   if (selection.all_offered && selection.items.size() > 1) {
     choice = analysis_of("choice", "selection",
-                         choices_of(
+                         choices_table(
                              selection, selection.items,
                              [&](const GatheredAnswer& answer) { return selection.chosen(answer); },
                              selection.target()));
@@ -615,7 +615,7 @@ void analyze_selection(const GatheredAnswers& gathered, AnalysisOutcome& outcome
   if (same_size) {
     position = analysis_of(
         "position", "selection",
-        choices_of(
+        choices_table(
             selection, numbers_up_to(selection.positions),
             [&](const GatheredAnswer& answer) { return selection.position(answer); }, "1"));
     keep_findings(position, outcome);

@@ -18,7 +18,6 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kTests = "tests";
 constexpr std::string_view kParticipants = "participants";
 
 Finding finding_of(const StudyTests::Test& test) {
@@ -30,7 +29,7 @@ Finding finding_of(const StudyTests::Test& test) {
   finding.method = test.method;
   finding.status = test.status;
   finding.n = test.n;
-  finding.analysis = kTests;
+  finding.analysis = StudyTests::kTable;
   return finding;
 }
 
@@ -185,7 +184,7 @@ void StudyTests::finish(AnalysisOutcome& outcome) {
   }
   const std::vector<double> adjusted = holm_adjusted(raw);
   std::size_t next = 0;
-  NamedTable made{kTests,
+  NamedTable made{StudyTests::kTable,
                   phrase("Analysis", "Tests"),
                   {{"test", "about", "n", "unit", "p", "p_holm", "family"}, {}},
                   note_on_family(raw.size())};

@@ -36,6 +36,9 @@ void keep_findings(
 /// The tests of a study, and Holm's correction over those that are its family.
 class StudyTests final {
  public:
+  /// The table of them all, and the analysis that its findings are of.
+  static constexpr const char* kTable = "tests";
+
   /// The family that the protocol declares, or the first test of its kind.
   explicit StudyTests(const GatheredAnswers& gathered);
 
@@ -58,7 +61,7 @@ class StudyTests final {
   /// `unit`: what the finding's n counts.
   void add(const std::string& name, const std::string& about, const Finding* finding,
            const char* unit = "participants");
-  /// Adjusts, and appends the table `tests` with its findings. What the protocol declares and nobody
+  /// Adjusts, and appends the table `kTable` with its findings. What the protocol declares and nobody
   /// has added is a row without a p.
   void finish(AnalysisOutcome& outcome);
 

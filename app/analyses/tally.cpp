@@ -14,10 +14,10 @@ namespace asperity {
 
 namespace {
 
-constexpr double kConfidence = 0.95;
+constexpr double kTallyConfidence = 0.95;
 constexpr const char* kOtherSex = "Other or not told";
 
-Cell whole(std::uint64_t count) { return static_cast<std::int64_t>(count); }
+Cell count_cell(std::uint64_t count) { return static_cast<std::int64_t>(count); }
 
 std::string finding_key(const ShareTable& shares, const ShareRow& row) {
   std::string key{};
@@ -31,7 +31,7 @@ Finding interval_finding(const Finding& about, double low, double high, std::str
   Finding finding = about;
   finding.low = low;
   finding.high = high;
-  finding.confidence = kConfidence;
+  finding.confidence = kTallyConfidence;
   finding.method = std::move(method);
   return finding;
 }
@@ -85,7 +85,8 @@ void add_shares(const ShareTable& shares, AnalysisOutcome& outcome) {
     const std::string id = std::to_string(i);
     const HitCount count = row.tally.hits();
     std::vector<Cell>& cells = made.table.rows.emplace_back(row.keys.begin(), row.keys.end());
-    cells.insert(cells.end(), {whole(count.hits), whole(count.trials), whole(row.tally.persons())});
+    cells.insert(cells.end(), {count_cell(count.hits), count_cell(count.trials),
+                               count_cell(row.tally.persons())});
     Finding about{};
     about.quantity = shares.quantity;
     about.key = finding_key(shares, row);
@@ -220,7 +221,7 @@ void add_counts(const CountTable& counts, AnalysisOutcome& outcome) {
     std::vector<Cell>& cells = made.table.rows.emplace_back();
     cells.push_back(counts.labels[label]);
     for (std::size_t column = 0; column < counts.columns.size(); ++column) {
-      cells.push_back(whole(counts.counts[label * counts.columns.size() + column]));
+      cells.push_back(count_cell(counts.counts[label * counts.columns.size() + column]));
     }
   }
   outcome.tables.push_back(std::move(made));
@@ -251,7 +252,7 @@ void ConfusionTally::add_table(const GatheredAnswers& gathered,
     cells.push_back(felt);
     for (const std::string& column : columns) {
       const std::optional<std::uint32_t> answer = gathered.words.find(column);
-      cells.push_back(whole(answer ? at(place, *answer) : 0));
+      cells.push_back(count_cell(answer ? at(place, *answer) : 0));
     }
   }
   outcome.tables.push_back(std::move(made));
@@ -271,7 +272,7 @@ void add_texture_force(const GatheredAnswers& gathered, AnalysisOutcome& outcome
              "hand presses and moves in its own way.")};
   for (const auto& [model, forces] : gathered.forces) {
     std::vector<Cell>& cells = made.table.rows.emplace_back();
-    cells.insert(cells.end(), {model, whole(forces.surfaces)});
+    cells.insert(cells.end(), {model, count_cell(forces.surfaces)});
     const std::optional<Summary> matched = summary_of(forces.matched_N);
     const std::optional<Summary> achieved = summary_of(forces.achieved_N);
     cells.push_back(matched ? Cell{matched->mean} : Cell{});

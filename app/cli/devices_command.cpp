@@ -18,7 +18,7 @@ nlohmann::ordered_json text_or_null(const std::string& text) {
   return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
 }
 
-nlohmann::ordered_json json_of(const SurveyedDriver& driver) {
+nlohmann::ordered_json json_of_driver(const SurveyedDriver& driver) {
   nlohmann::ordered_json attached = nlohmann::ordered_json::array();
   for (const AttachedDevice& device : driver.survey.attached) {
     attached.push_back({{"model", device.model},
@@ -35,7 +35,7 @@ nlohmann::ordered_json json_of(const SurveyedDriver& driver) {
           {"attached", std::move(attached)}};
 }
 
-void print(const SurveyedDriver& driver) {
+void print_driver(const SurveyedDriver& driver) {
   std::cout << driver.id << "\n  " << driver.summary << '\n';
   if (!driver.survey.found.empty()) std::cout << "  found: " << driver.survey.found << '\n';
   for (const AttachedDevice& device : driver.survey.attached) {
@@ -77,11 +77,11 @@ void add_devices(CLI::App& program, Job& job) {
         nlohmann::ordered_json document{{"format", "asperity.devices/1"},
                                         {"drivers", nlohmann::ordered_json::array()}};
         for (const SurveyedDriver& driver : surveyed) {
-          document["drivers"].push_back(json_of(driver));
+          document["drivers"].push_back(json_of_driver(driver));
         }
         std::cout << document.dump(2) << '\n';
       } else {
-        for (const SurveyedDriver& driver : surveyed) print(driver);
+        for (const SurveyedDriver& driver : surveyed) print_driver(driver);
         if (const Phrase missing = missing_udev_rule(); !missing.empty()) {
           std::cout << missing.english() << '\n';
         }

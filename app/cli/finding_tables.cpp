@@ -166,7 +166,7 @@ std::string table_of(std::span<const Column* const> columns, const std::string& 
   return text;
 }
 
-std::size_t width_of(const Column& column) {
+std::size_t column_width(const Column& column) {
   std::size_t width = column.name.size();
   for (const std::string& value : column.values) width = std::max(width, value.size());
   return width + 2;
@@ -194,8 +194,8 @@ std::string reading_text_of(const TableFindings& findings) {
     const bool keyed = columns[first].keys != std::vector<std::string>{""};
     for (std::size_t i = first; i < columns.size(); ++i) {
       if (printed[i] || columns[i].keys != columns[first].keys) continue;
-      if (keyed && !together.empty() && width + width_of(columns[i]) > kTableWidth) break;
-      width += width_of(columns[i]);
+      if (keyed && !together.empty() && width + column_width(columns[i]) > kTableWidth) break;
+      width += column_width(columns[i]);
       together.push_back(&columns[i]);
       printed[i] = true;
     }

@@ -26,7 +26,7 @@ const char* text_of(ParameterKind kind) {
   return "";
 }
 
-nlohmann::ordered_json json_of(const ModelDeclaration& model) {
+nlohmann::ordered_json json_of_model(const ModelDeclaration& model) {
   nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
   for (const Parameter& parameter : model.parameters) {
     const bool is_choice = parameter.kind == ParameterKind::choice;
@@ -53,7 +53,7 @@ nlohmann::ordered_json json_of(const ModelDeclaration& model) {
           {"parameters", parameters}};
 }
 
-void print(const ModelDeclaration& model) {
+void print_model(const ModelDeclaration& model) {
   std::cout << model.id << "  (version " << model.version << ")\n  " << model.summary << "\n  "
             << model.source << '\n'
             << described(model.parameters) << '\n';
@@ -73,11 +73,11 @@ void add_models(CLI::App& program, Job& job) {
         nlohmann::ordered_json document{{"format", "asperity.models/1"},
                                         {"models", nlohmann::ordered_json::array()}};
         for (const ForceModel& model : registry.models()) {
-          document["models"].push_back(json_of(model.declaration));
+          document["models"].push_back(json_of_model(model.declaration));
         }
         std::cout << document.dump(2) << '\n';
       } else {
-        for (const ForceModel& model : registry.models()) print(model.declaration);
+        for (const ForceModel& model : registry.models()) print_model(model.declaration);
       }
       return 0;
     };

@@ -26,8 +26,8 @@ std::vector<double> sorted_seconds(std::vector<double> nanoseconds) {
   return nanoseconds;
 }
 
-ComplianceRow row_of(const std::string& quantity, std::span<const double> samples,
-                     const Band& band) {
+ComplianceRow compliance_row(const std::string& quantity, std::span<const double> samples,
+                             const Band& band) {
   ComplianceRow row{};
   row.quantity = quantity;
   row.minimum = band.minimum;
@@ -48,7 +48,7 @@ bool is_declared(const Band& band) { return band.minimum || band.maximum; }
 /// A quantity that varies during contact: enough of its samples have to lie inside.
 ComplianceRow judged_by_fraction(const std::string& quantity, std::span<const double> samples,
                                  const Band& band, double required_fraction) {
-  ComplianceRow row = row_of(quantity, samples, band);
+  ComplianceRow row = compliance_row(quantity, samples, band);
   if (is_declared(band)) row.passed = row.fraction_in_band.value_or(0.0) >= required_fraction;
   return row;
 }
@@ -56,7 +56,7 @@ ComplianceRow judged_by_fraction(const std::string& quantity, std::span<const do
 /// A quantity with one value per surface, or whose mean is asked for.
 ComplianceRow judged_by_mean(const std::string& quantity, std::span<const double> samples,
                              const Band& band) {
-  ComplianceRow row = row_of(quantity, samples, band);
+  ComplianceRow row = compliance_row(quantity, samples, band);
   if (is_declared(band)) {
     row.passed = !samples.empty() && row.mean >= band.minimum.value_or(row.mean) &&
                  row.mean <= band.maximum.value_or(row.mean);
@@ -152,7 +152,7 @@ std::vector<ComplianceRow> compliance_of(std::span<const TickRecord> records,
   const std::array<double, 1> strokes{static_cast<double>(stroke_lengths_m.size())};
   // The minimum is asked of all visits together, the maximum of each: who may go back may feel
   // longer.
-  ComplianceRow contact = row_of(
+  ComplianceRow contact = compliance_row(
       "contact_s", contact_s, {exploration.minimum_contact_s, {}, exploration.maximum_contact_s});
   contact.fraction_in_band.reset();
   contact.passed =

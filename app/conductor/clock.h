@@ -65,6 +65,10 @@ class SimulatedClock final : public Clock {
   std::atomic<std::int64_t> now_ns_{0};
 };
 
+inline double seconds_between(std::int64_t from_ns, std::int64_t to_ns) noexcept {
+  return static_cast<double>(to_ns - from_ns) * 1e-9;
+}
+
 /// Nanoseconds since 1970 as UTC ISO 8601 with milliseconds.
 std::string utc_text(std::int64_t since_1970_ns);
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/conductor/clock.h"
 #include "app/conductor/reason.h"
 #include "app/conductor/trial_attempt.h"
 
@@ -16,10 +17,6 @@ namespace {
 
 // A device or machine that fails a trial three times will not do better the fourth time.
 constexpr int kTechnicalRepeats = 3;
-
-double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
-  return static_cast<double>(to_ns - from_ns) * 1e-9;
-}
 
 }  // namespace
 

@@ -21,7 +21,7 @@ namespace {
 
 using Kind = ParticipantInput::Kind;
 
-constexpr double kPoll_s = 0.01;
+constexpr double kLongestPoll_s = 0.01;
 constexpr double kShortestPoll_s = 0.001;  // no clock of a session is finer
 constexpr double kFeedback_s = 1.5;        // long enough to be read, gone before it bores
 constexpr double kHeld_s = 0.8;
@@ -247,11 +247,11 @@ bool PersonAtWindow::Desk::listen(const Wait& wait, std::optional<std::int64_t> 
     while (const std::optional<ParticipantInput> input = hear()) {
       if (heard(*input)) return true;
     }
-    double slice_s = kPoll_s;
+    double slice_s = kLongestPoll_s;
     if (until_ns) {
       const std::int64_t left_ns = *until_ns - monitor.snapshot().now_ns;
       if (left_ns <= 0) return false;
-      slice_s = std::clamp(1e-9 * static_cast<double>(left_ns), kShortestPoll_s, kPoll_s);
+      slice_s = std::clamp(1e-9 * static_cast<double>(left_ns), kShortestPoll_s, kLongestPoll_s);
     }
     wait(slice_s);
   }

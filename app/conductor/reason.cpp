@@ -12,10 +12,10 @@ namespace asperity {
 
 namespace {
 
-using Words = std::pair<Reason, Phrase>;
+using ReasonWords = std::pair<Reason, Phrase>;
 
-const std::vector<Words>& all_reasons() {
-  static const std::vector<Words> kReasons{
+const std::vector<ReasonWords>& all_reasons() {
+  static const std::vector<ReasonWords> kReasons{
       {Reason::as_asked, phrase("Reasons", "as asked")},
       {Reason::as_asked_after_trial, phrase("Reasons", "as asked, after the trial")},
       {Reason::as_asked_after_block, phrase("Reasons", "as asked, after the block")},
@@ -107,9 +107,9 @@ Phrase read_one(const std::string& text) {
 }  // namespace
 
 Phrase phrase_of(Reason reason) {
-  const std::vector<Words>& all = all_reasons();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [reason](const Words& words) { return words.first == reason; });
+  const std::vector<ReasonWords>& all = all_reasons();
+  const auto found = std::find_if(
+      all.begin(), all.end(), [reason](const ReasonWords& words) { return words.first == reason; });
   assert(found != all.end());
   return found->second;
 }

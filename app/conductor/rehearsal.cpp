@@ -46,7 +46,7 @@ std::string in_three_digits(double value) {
 std::string in_um(double value_m) { return in_three_digits(1e6 * value_m); }
 
 /// What tells a body from others of the same stimulus: a factor may choose it.
-std::string name_of(const std::optional<BodyDescription>& body) {
+std::string body_key(const std::optional<BodyDescription>& body) {
   if (!body) return {};
   return body->name + '\t' + body->mesh.value_or("") + '\t' + body->height_field.value_or("");
 }
@@ -170,8 +170,8 @@ class DeviceRehearsal final {
         const StimulusDescription& stimulus = planned.stimulus;
         const std::string key =
             stimulus.name + '\n' + stimulus.model + '\n' + stimulus.height_field.value_or("") +
-            '\n' + json_text_of(stimulus.parameters) + '\n' + name_of(stimulus.surface) + '\n' +
-            name_of(stimulus.tool) + '\n' + exploration.name;
+            '\n' + json_text_of(stimulus.parameters) + '\n' + body_key(stimulus.surface) + '\n' +
+            body_key(stimulus.tool) + '\n' + exploration.name;
         if (!seen.insert(key).second) continue;
         check_workspace(stimulus.patch);
         at_ = pointer_to("/stimuli", planned.stimulus_template);

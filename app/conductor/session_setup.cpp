@@ -34,7 +34,7 @@ std::string capability_json(const DeviceCapability& device) {
   return json.dump();
 }
 
-ProtocolRow row_of(const Protocol& protocol) {
+ProtocolRow protocol_row(const Protocol& protocol) {
   ProtocolRow row{};
   row.name = protocol.name;
   row.version = protocol.version;
@@ -45,7 +45,7 @@ ProtocolRow row_of(const Protocol& protocol) {
   return row;
 }
 
-std::vector<PlannedTrialRow> rows_of(const Plan& plan) {
+std::vector<PlannedTrialRow> planned_rows(const Plan& plan) {
   std::vector<PlannedTrialRow> rows{};
   rows.reserve(plan.trials.size());
   for (const Trial& trial : plan.trials) {
@@ -102,7 +102,7 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
   OpenSession session{};
   SessionRow& row = session.row;
   row.participant = participant;
-  row.protocol_id = study.add_protocol(row_of(protocol));
+  row.protocol_id = study.add_protocol(protocol_row(protocol));
   row.mode = conditions.mode;
   row.seed = std::to_string(conditions.seed);
   row.generator = Random::kName;
@@ -131,11 +131,11 @@ OpenSession begin_session(Study& study, const Protocol& protocol, const std::str
   if (conditions.counterbalance_row) {
     row.counterbalance_row = *conditions.counterbalance_row;
     session.plan = make_plan(protocol, {conditions.seed, row.counterbalance_row});
-    row.id = study.add_session(row, rows_of(session.plan));
+    row.id = study.add_session(row, planned_rows(session.plan));
   } else {
     row.id = study.add_session(row, counterbalance_rows(protocol), [&](int counterbalance_row) {
       session.plan = make_plan(protocol, {conditions.seed, counterbalance_row});
-      return rows_of(session.plan);
+      return planned_rows(session.plan);
     });
   }
   row = study.session(row.id);
@@ -148,7 +148,7 @@ OpenSession reopen(const Study& study, const Protocol& protocol, const SessionRo
   session.resumed = true;
   session.plan = make_plan(protocol, {std::stoull(row.seed), row.counterbalance_row});
   const std::vector<PlannedTrialRow> stored = study.plan(row.id);
-  const std::vector<PlannedTrialRow> made = rows_of(session.plan);
+  const std::vector<PlannedTrialRow> made = planned_rows(session.plan);
   bool same = stored.size() == made.size();
   for (std::size_t i = 0; same && i < stored.size(); ++i) {
     same = stored[i].plan_json == made[i].plan_json && stored[i].block == made[i].block;

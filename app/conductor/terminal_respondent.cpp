@@ -20,7 +20,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kPoll_s = 0.05;
+constexpr double kTerminalPoll_s = 0.05;
 constexpr const char* kAfterFault =
     "When it is mended and safe, press Return to go on; to end the session here, type: end\n";
 
@@ -63,7 +63,7 @@ std::optional<std::string> TerminalRespondent::line(const Wait& wait,
     const bool is_late = left_s && *left_s <= 0.0;
     if (is_late && buffer_.find('\n') == std::string::npos) return {};
     if (std::optional<std::string> text = typed_line()) return text;
-    wait(kPoll_s);
+    wait(kTerminalPoll_s);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "analysis/number_text.h"
 #include "app/conductor/attempt_measures.h"
+#include "app/conductor/clock.h"
 #include "app/conductor/layout.h"
 #include "app/conductor/masking_sound.h"
 #include "app/conductor/reason.h"
@@ -30,10 +31,6 @@ constexpr double kLifting_s = 0.3;
 constexpr double kPatience_s = 5.0;
 // Between two numbers for one stimulus: more is a slip of the key, or has to be meant.
 constexpr double kDoubtfulRatio = 10.0;
-
-double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
-  return static_cast<double>(to_ns - from_ns) * 1e-9;
-}
 
 }  // namespace
 

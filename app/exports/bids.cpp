@@ -54,14 +54,14 @@ Json described(const ExportColumn& column) {
   return json;
 }
 
-std::string text_of(const Json& json) { return json.dump(2) + "\n"; }
+std::string indented_text(const Json& json) { return json.dump(2) + "\n"; }
 
 /// For each record the row of a regular stream that it is, counted from the first record: the one
 /// that is nearest in time. Rows rise, and no record is left out: where the nearest row is taken,
 /// the records just before it move up by one if a free row is there and none of them leaves its
 /// time by a period, which is how a tick that came late and one on time fit; else the record takes
 /// the next row, and the stream catches up where a tick is missing.
-std::vector<std::int64_t> rows_of(const std::vector<std::int64_t>& time_ns, double rate_Hz) {
+std::vector<std::int64_t> stream_rows(const std::vector<std::int64_t>& time_ns, double rate_Hz) {
   std::vector<std::int64_t> rows{};
   rows.reserve(time_ns.size());
   std::size_t block = 0;  // the first record after the last free row
@@ -87,12 +87,6 @@ std::vector<std::int64_t> rows_of(const std::vector<std::int64_t>& time_ns, doub
     may_move = may_move && exact < static_cast<double>(rows.back());
   }
   return rows;
-}
-
-std::vector<std::string> names_of(const std::vector<ExportColumn>& columns) {
-  std::vector<std::string> names{};
-  for (const ExportColumn& column : columns) names.push_back(column.name);
-  return names;
 }
 
 }  // namespace
@@ -180,7 +174,7 @@ void BidsDataset::begin_session(const ExportPlace& at) {
   task_name_ = at.protocol->name;
   run_ = 0;
   const std::string name = start_ + "_beh.tsv";
-  beh_.emplace(folder_.path_of(name), TableFile::Format::tsv, names_of(columns_));
+  beh_.emplace(folder_.path_of(name), TableFile::Format::tsv, column_names(columns_));
   Json sidecar{};
   sidecar["TaskName"] = task_name_;
   const nlohmann::json source = nlohmann::json::parse(at.protocol->source, nullptr, false);
@@ -195,7 +189,7 @@ void BidsDataset::begin_session(const ExportPlace& at) {
       {"SoftwareName", "Asperity"},
       {"SoftwareVersion", at.session->program_version}};
   for (const ExportColumn& column : columns_) sidecar[column.name] = described(column);
-  folder_.write(start_ + "_beh.json", text_of(sidecar));
+  folder_.write(start_ + "_beh.json", indented_text(sidecar));
 }
 
 void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
@@ -220,7 +214,7 @@ void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
   };
   std::vector<float> row(recording.columns.size());
   const std::vector<Cell> gap(columns.size());
-  const std::vector<std::int64_t> rows = rows_of(recording.time_ns, rate_Hz);
+  const std::vector<std::int64_t> rows = stream_rows(recording.time_ns, rate_Hz);
   std::int64_t next_row = 0;
   for (std::size_t i = 0; i < recording.time_ns.size(); ++i) {
     for (; next_row < rows[i]; ++next_row) file.add(gap);
@@ -240,7 +234,7 @@ void BidsDataset::add_attempt(const Study& study, const ExportPlace& at) {
   for (const auto& [column, description] : described_columns.items()) {
     sidecar[column] = description;
   }
-  folder_.write(name + ".json", text_of(sidecar));
+  folder_.write(name + ".json", indented_text(sidecar));
 }
 
 void BidsDataset::add_row(const std::vector<Cell>& row) {
@@ -260,7 +254,7 @@ void BidsDataset::end_session() {
 
 void BidsDataset::finish() {
   TableFile participants(folder_.path_of(root_ + "participants.tsv"), TableFile::Format::tsv,
-                         names_of(participant_columns_));
+                         column_names(participant_columns_));
   Json sidecar{};
   for (const ExportColumn& column : participant_columns_) {
     sidecar[column.name] = described(column);
@@ -268,14 +262,14 @@ void BidsDataset::finish() {
   }
   for (const std::vector<Cell>& row : participants_) participants.add(row);
   folder_.add(root_ + "participants.tsv", participants.finish(), participants_left_out_);
-  folder_.write(root_ + "participants.json", text_of(sidecar));
+  folder_.write(root_ + "participants.json", indented_text(sidecar));
   Json description{};
   description["Name"] = study_name_ + made_by_.in_title;
   description["BIDSVersion"] = kBidsVersion;
   description["DatasetType"] = "raw";
   description["GeneratedBy"] =
       Json::array({Json{{"Name", "Asperity"}, {"Version", this_program().version}}});
-  folder_.write(root_ + "dataset_description.json", text_of(description));
+  folder_.write(root_ + "dataset_description.json", indented_text(description));
   folder_.write(
       root_ + "README",
       (made_by_.sentence.empty() ? "" : made_by_.sentence + "\n\n") +

@@ -612,7 +612,7 @@ Columns compliance_columns() {
   return columns;
 }
 
-const char* text_of(Publication publication) {
+const char* publication_text(Publication publication) {
   switch (publication) {
     case Publication::kept:
       return "kept";
@@ -649,6 +649,12 @@ std::optional<std::string> unit_at_end_of(std::string_view name) {
     if (name.ends_with(ending)) return unit;
   }
   return std::nullopt;
+}
+
+std::vector<std::string> column_names(const Columns& columns) {
+  std::vector<std::string> names{};
+  for (const ExportColumn& column : columns) names.push_back(column.name);
+  return names;
 }
 
 std::vector<ExportFile> export_files(const StudyVocabulary& vocabulary) {
@@ -760,7 +766,7 @@ std::vector<Cell> codebook_row(const std::string& file, const ExportColumn& colu
           optional_cell(column.minimum),
           optional_cell(column.maximum),
           column.missing,
-          std::string(text_of(column.publication)),
+          std::string(publication_text(column.publication)),
           column.source};
 }
 

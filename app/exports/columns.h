@@ -68,6 +68,8 @@ struct ExportColumn {
   std::function<Cell(const ExportPlace&)> cell{};
 };
 
+std::vector<std::string> column_names(const std::vector<ExportColumn>& columns);
+
 struct ExportFile {
   std::string name{};  ///< without ".tsv"
   std::vector<ExportColumn> columns{};

@@ -25,7 +25,7 @@ nlohmann::json member(const nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_object() ? *found : nlohmann::json::object();
 }
 
-std::string place(const ProtocolRow& protocol, const std::string& pointer) {
+std::string place_in(const ProtocolRow& protocol, const std::string& pointer) {
   return "protocol " + protocol.name + " " + protocol.version + ": " + pointer;
 }
 
@@ -39,7 +39,7 @@ void learn_questions(const ProtocolRow& protocol, const nlohmann::json& source,
     meaning.free_text = text(declaration, "form") == "text";
     meaning.minimum = number(declaration, "minimum");
     meaning.maximum = number(declaration, "maximum");
-    meaning.source = place(protocol, "/questions/" + name);
+    meaning.source = place_in(protocol, "/questions/" + name);
     for (const nlohmann::json& option : declaration.value("options", nlohmann::json::array())) {
       if (option.is_string()) meaning.options.push_back(option.get<std::string>());
     }
@@ -59,7 +59,7 @@ void learn_questions(const ProtocolRow& protocol, const nlohmann::json& source,
     meaning.prompt = text(asked, "prompt");
     meaning.free_text = false;
     meaning.questionnaire = false;
-    meaning.source = place(protocol, "/blocks/" + name + "/question");
+    meaning.source = place_in(protocol, "/blocks/" + name + "/question");
     vocabulary.questions.insert({called, std::move(meaning)});
   }
 }
@@ -73,7 +73,7 @@ void learn_from_protocol(const ProtocolRow& protocol, StudyVocabulary& vocabular
     if (factor == vocabulary.factors.end() || !declaration.is_object()) continue;
     factor->second.meaning = text(declaration, "meaning");
     factor->second.unit = text(declaration, "unit");
-    factor->second.source = place(protocol, "/factors/" + name);
+    factor->second.source = place_in(protocol, "/factors/" + name);
   }
   learn_questions(protocol, source, vocabulary);
   if (std::optional<EstimationDeclaration> estimation = declared_estimation(protocol.source)) {

@@ -69,7 +69,7 @@ void refuse_name_of_another_format(const std::filesystem::path& out) {
 }
 
 /// See BakeOrder::role. What was done is said in the provenance.
-void place(TexturedMesh& mesh, BodyRole role, TexturedMeshProvenance& provenance) {
+void place_for_role(TexturedMesh& mesh, BodyRole role, TexturedMeshProvenance& provenance) {
   glm::dvec3 low_m = mesh.vertices_m.front();
   glm::dvec3 high_m = low_m;
   for (const glm::dvec3& vertex : mesh.vertices_m) {
@@ -114,7 +114,7 @@ BakeOutcome bake_mesh(const BakeOrder& order, const std::function<void(double)>&
   if (auto warning = warning_of(baked.report)) {
     original.provenance.findings.push_back(std::move(*warning));
   }
-  if (order.role) place(baked.mesh, *order.role, original.provenance);
+  if (order.role) place_for_role(baked.mesh, *order.role, original.provenance);
   BakeOutcome outcome{original.provenance.source_triangles,
                       simplified.triangles.size(),
                       original.diagonal_m,

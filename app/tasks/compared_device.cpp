@@ -25,7 +25,7 @@ constexpr const char* kReplay = "replay";
 constexpr std::array kComparedItems{"friction_N", "force_resolution_N", "position_resolution_m",
                                     "damping_N_s_per_m", "stiffness_N_per_m"};
 
-std::string joined(const std::vector<std::string>& words) {
+std::string comma_separated(const std::vector<std::string>& words) {
   std::string all{};
   for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
   return all;
@@ -33,7 +33,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string in_quotation_marks(const std::string& word) { return '"' + word + '"'; }
 
-DeviceCapability capability_of(const SimulatedDeviceSettings& settings) {
+DeviceCapability simulated_capability(const SimulatedDeviceSettings& settings) {
   VirtualHand hand(HandHabits{}, Random(0));
   return SimulatedDevice(hand, settings).capability();
 }
@@ -80,7 +80,7 @@ void tell_gaps(const DeviceProfile& profile, const Protocol& protocol, const std
     if (!profile.value(item) && !profile.is_unknown(item)) missing.emplace_back(item);
   }
   if (!missing.empty()) {
-    warn("the profile has no number for " + joined(missing) +
+    warn("the profile has no number for " + comma_separated(missing) +
          ", and no stimulus was compared with what these would tell");
   }
   if (age_days(profile, now_utc) < 0.0 && !protocol.profile_maximum_age_days) {
@@ -96,7 +96,7 @@ SoughtDevice sought_device(const std::string& device, const DriverOptions& optio
                                  .asked = device,
                                  .options = as_command_options(options)}};
   if (const auto settings = simulated_settings(device)) {
-    const DeviceCapability capability = capability_of(*settings);
+    const DeviceCapability capability = simulated_capability(*settings);
     // Its model tells one profile from another.
     sought.wanted.which = {capability.name, capability.model, capability.serial};
     sought.not_known = capability.not_known;

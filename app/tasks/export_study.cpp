@@ -31,12 +31,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kCodebook = "codebook.tsv";
 
-std::vector<std::string> names_of(const std::vector<ExportColumn>& columns) {
-  std::vector<std::string> names{};
-  for (const ExportColumn& column : columns) names.push_back(column.name);
-  return names;
-}
-
 /// What codebook.tsv and MANIFEST.tsv say of themselves.
 std::vector<ExportColumn> columns_about_columns() {
   constexpr std::array<std::pair<const char*, const char*>, 11> kMeanings{
@@ -236,7 +230,7 @@ class GroupFiles final {
     const WideTable::Made made = wide_->make();
     if (options_.formats.contains(ExportFormat::wide)) {
       const std::string name = root_ + "wide.csv";
-      TableFile file(folder_.path_of(name), TableFile::Format::csv, names_of(made.columns));
+      TableFile file(folder_.path_of(name), TableFile::Format::csv, column_names(made.columns));
       for (const std::vector<Cell>& row : made.rows) file.add(row);
       folder_.add(name, file.finish(), made.left_out);
       codebook.add(name, made.columns);
@@ -305,7 +299,7 @@ class StudyExport final {
       std::vector<ExportColumn> columns =
           columns_for(options.audience, std::move(file.columns), left_out);
       const std::string name = file.name + ".tsv";
-      TableFile table(folder.path_of(name), TableFile::Format::tsv, names_of(columns));
+      TableFile table(folder.path_of(name), TableFile::Format::tsv, column_names(columns));
       codebook_.add(name, columns);
       if (file.name == "responses" && options.audience == ExportAudience::published) {
         for (const std::string& question : questionnaire()) {

@@ -18,7 +18,7 @@ std::string natural_key(const SessionRow& session, const AttemptRow& attempt) {
 
 namespace {
 
-std::string name_of(const SessionRow& session) {
+std::string session_name(const SessionRow& session) {
   return "session " + std::to_string(session.session) + " of participant " + session.participant;
 }
 
@@ -27,7 +27,7 @@ std::uint64_t seed_of(const SessionRow& session) {
   const char* const end = session.seed.data() + session.seed.size();
   if (const auto read = std::from_chars(session.seed.data(), end, seed);
       read.ec != std::errc{} || read.ptr != end) {
-    throw std::runtime_error(name_of(session) + ": its seed \"" + session.seed +
+    throw std::runtime_error(session_name(session) + ": its seed \"" + session.seed +
                              "\" is no number from 0 to 2^64 - 1");
   }
   return seed;
@@ -56,7 +56,8 @@ Plan PlansOfSessions::of(const SessionRow& session) {
   if (!std::equal(plan.trials.begin(), plan.trials.end(), stored.begin(), stored.end(),
                   is_as_stored)) {
     throw std::runtime_error(
-        name_of(session) + ": its stored plan is not the one that its protocol, seed and row give");
+        session_name(session) +
+        ": its stored plan is not the one that its protocol, seed and row give");
   }
   return plan;
 }

@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "app/tasks/study_overview.h"
+#include "protocols/protocol.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr const char* kMainPhase = "main";
 // No limit, but the ticks that those of a model are a part of.
 constexpr const char* kAllContact = "contact";
 
@@ -91,7 +91,7 @@ void count_session(const Study& study, const SessionOverview& overview, ReportFa
   std::set<int> main_trials{};
   for (const PlannedTrialRow& trial : study.plan(row.id)) {
     const bool is_anchor = facts.has_anchors() && trial.repetition == 0;
-    if (trial.phase == kMainPhase && !is_anchor) main_trials.insert(trial.trial);
+    if (trial.phase == text_of(Phase::main) && !is_anchor) main_trials.insert(trial.trial);
   }
   session.main_trials = static_cast<int>(main_trials.size());
   for (const AttemptRow& attempt : study.attempts(row.id)) {

@@ -61,7 +61,7 @@ std::optional<DecisionRow> exclusion_of(const ReportedSession& session) {
   return standing;
 }
 
-std::string name_of(const ReportedSession& session) {
+std::string reported_session_name(const ReportedSession& session) {
   return "session " + std::to_string(session.row.session) + " of " + session.row.participant;
 }
 
@@ -285,13 +285,14 @@ ReportSection exclusions_section(const ReportFacts& facts) {
   ReportList excluded{};
   for (const ReportedSession& session : facts.sessions) {
     if (session.row.state != SessionState::completed) {
-      unfinished.items.push_back(capitalised(name_of(session)) + ' ' + state_text(session) + '.');
+      unfinished.items.push_back(capitalised(reported_session_name(session)) + ' ' +
+                                 state_text(session) + '.');
     }
     if (const std::optional<DecisionRow> decision = exclusion_of(session)) {
       const std::string by =
           decision->decided_by.empty() ? "" : " (decided by " + decision->decided_by + ')';
       excluded.items.push_back(
-          stopped(capitalised(name_of(session)) + ": " + decision->reason + by));
+          stopped(capitalised(reported_session_name(session)) + ": " + decision->reason + by));
     }
   }
   if (!unfinished.items.empty()) section.parts.emplace_back(std::move(unfinished));

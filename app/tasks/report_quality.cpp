@@ -23,14 +23,14 @@ Row time_row(const std::string& what, const std::vector<double>& values_s) {
   return {what, reading_quantity(summary->p50, "s"), reading_quantity(summary->maximum, "s")};
 }
 
-std::uint64_t whole(std::int64_t count) {
+std::uint64_t unsigned_count(std::int64_t count) {
   return count < 0 ? 0 : static_cast<std::uint64_t>(count);
 }
 
 Row count_row(const std::string& what, const ReportedCount& count, const std::string& of) {
-  return {what, reading_count(whole(count.total)),
+  return {what, reading_count(unsigned_count(count.total)),
           reading_count(count.affected) + " of " + reading_count(count.of) + ' ' + of,
-          reading_count(whole(count.worst))};
+          reading_count(unsigned_count(count.worst))};
 }
 
 /// The end of a quantity's name is its unit: "speed_m_per_s" → "speed", "m/s".
@@ -39,7 +39,7 @@ struct NamedQuantity {
   std::string unit{};
 };
 
-NamedQuantity named(const std::string& quantity) {
+NamedQuantity named_quantity(const std::string& quantity) {
   for (const auto& [ending, unit] : {std::pair("_m_per_s", "m/s"), std::pair("_N", "N"),
                                      std::pair("_s", "s"), std::pair("_m", "m")}) {
     const std::string_view suffix = ending;
@@ -63,14 +63,15 @@ std::string band_text(const std::optional<double>& minimum, const std::optional<
 
 std::string times(const ReportedCount& count, const std::string& none, const std::string& some) {
   if (count.total == 0) return none;
-  return reading_count(whole(count.total)) + ' ' + some + " in " + count_in_words(count.affected) +
-         (count.affected == 1 ? " attempt" : " attempts");
+  return reading_count(unsigned_count(count.total)) + ' ' + some + " in " +
+         count_in_words(count.affected) + (count.affected == 1 ? " attempt" : " attempts");
 }
 
 /// "12 ticks of one attempt"
 std::string ticks_of(const ReportedCount& count) {
-  return reading_count(whole(count.total)) + (count.total == 1 ? " tick of " : " ticks of ") +
-         count_in_words(count.affected) + (count.affected == 1 ? " attempt" : " attempts");
+  return reading_count(unsigned_count(count.total)) +
+         (count.total == 1 ? " tick of " : " ticks of ") + count_in_words(count.affected) +
+         (count.affected == 1 ? " attempt" : " attempts");
 }
 
 ReportText timing_text(const ReportFacts& facts) {
@@ -83,7 +84,7 @@ ReportText timing_text(const ReportFacts& facts) {
   std::vector<std::string> rate_texts{};
   for (const double rate : rates) rate_texts.push_back(reading_number(rate));
   std::string text = "The servo loop ran at " + listed(rate_texts) + " Hz, for " +
-                     reading_count(whole(facts.servo.ticks)) + " ticks in " +
+                     reading_count(unsigned_count(facts.servo.ticks)) + " ticks in " +
                      reading_count(facts.servo.attempts) +
                      (facts.servo.attempts == 1 ? " attempt" : " attempts") +
                      ", familiarisation and practice included.";
@@ -197,7 +198,7 @@ ReportSection exploration_section(const ReportFacts& facts) {
   std::vector<std::string> guided{};
   for (const auto& [key, band] : facts.bands) {
     const auto& [quantity, minimum, maximum] = key;
-    const NamedQuantity words = named(quantity);
+    const NamedQuantity words = named_quantity(quantity);
     const std::optional<Summary> means = summary_of(band.means);
     const std::optional<Summary> fractions = summary_of(band.fractions);
     if (!means) continue;

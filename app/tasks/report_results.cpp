@@ -9,6 +9,7 @@
 #include "app/analyses/cell_words.h"
 #include "app/analyses/reading_number.h"
 #include "app/analyses/reading_table.h"
+#include "app/analyses/study_findings.h"
 #include "app/analyses/tidy/finding_list.h"
 #include "app/tasks/report_numbers.h"
 #include "app/tasks/report_sections.h"
@@ -19,11 +20,10 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kTests = "tests";     // the table that has them all, where there is one
 constexpr std::size_t kMostSentences = 16;  // more are read in a table
 constexpr std::size_t kMostKeys = 6;        // of one refusal
 
-std::string text_of_cell(const Cell& cell) {
+std::string printed_cell(const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
   if (const auto* number = std::get_if<double>(&cell)) return reading_number(*number);
@@ -56,15 +56,15 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
     Answer& answer = answers.emplace_back();
     std::string key{};
     for (std::size_t i = 0; i < hits; ++i) {
-      answer.keys.push_back(text_of_cell(row[i]));
+      answer.keys.push_back(printed_cell(row[i]));
       if (answer.keys.back() == "all" || answer.keys.back() == "Total") whole_places.insert(i);
       key += (key.empty() ? "" : " ") + table.columns[i] + '=' + answer.keys.back();
     }
     const std::string about = words_of_key(key);
     // Names stay as the study has them.
     answer.text = (about.starts_with("all ") ? capitalised(about) : about) + ": " +
-                  text_of_cell(row[hits]) + ' ' + table.columns[hits] + " of " +
-                  text_of_cell(row[*of]) + " (" + reading_percent(*value) + "; 95 % interval " +
+                  printed_cell(row[hits]) + ' ' + table.columns[hits] + " of " +
+                  printed_cell(row[*of]) + " (" + reading_percent(*value) + "; 95 % interval " +
                   reading_percent(number_of(row[*low]).value_or(0.0)) + " to " +
                   reading_percent(number_of(row[*low + 1]).value_or(1.0)) + ')';
     if (chance) {
@@ -78,7 +78,7 @@ std::vector<std::string> answers_in(const Table& table, Told& told) {
         answer.numbers = {*value, *value_of_p};
       }
     }
-    if (persons) answer.text += " (n = " + text_of_cell(row[*persons]) + ')';
+    if (persons) answer.text += " (n = " + printed_cell(row[*persons]) + ')';
     answer.text += '.';
   }
   std::vector<std::string> sentences{};
@@ -138,13 +138,13 @@ std::string heading_of(const std::string& column) {
 
 /// Whether a table says with other columns what this one does: what is adjusted is of the family.
 bool is_left_out(const NamedTable& named, const std::string& column) {
-  return named.name == kTests && column == "family";
+  return named.name == StudyTests::kTable && column == "family";
 }
 
 /// A cell as a person reads it: the program's names in words, two things of a pair with a stroke.
 std::string words_in(const std::string& column, const Cell& cell) {
   const auto* text = std::get_if<std::string>(&cell);
-  if (text == nullptr) return text_of_cell(cell);
+  if (text == nullptr) return printed_cell(cell);
   std::string words = words_of_cell(column, *text).english();
   for (std::size_t bar = words.find('|'); column == "about" && bar != std::string::npos;
        bar = words.find('|', bar + 1)) {
@@ -153,7 +153,7 @@ std::string words_in(const std::string& column, const Cell& cell) {
   return words;
 }
 
-ReportTable table_of(const NamedTable& named) {
+ReportTable report_table(const NamedTable& named) {
   const Table reading = reading_table(named.table);
   ReportTable table{};
   table.title = named.title.english();
@@ -292,7 +292,7 @@ bool is_of_question(const Figure& figure, const AnalysisOutcome& outcome) {
 
 /// The tables of the body: what was counted, and what was tested.
 bool is_in_body(const NamedTable& table, const AnalysisOutcome& outcome) {
-  return &table == &outcome.tables.front() || table.name == kTests;
+  return &table == &outcome.tables.front() || table.name == StudyTests::kTable;
 }
 
 void add_answer(const AnsweredQuestion& question, std::span<const Figure> figures,
@@ -334,7 +334,7 @@ ReportSection results_section(const AnalysisOutcome& outcome, std::span<const Fi
     section.parts.emplace_back(ReportText{remark.english(), ReportText::Tone::notice});
   }
   for (const NamedTable& named : outcome.tables) {
-    if (is_in_body(named, outcome)) section.parts.emplace_back(table_of(named));
+    if (is_in_body(named, outcome)) section.parts.emplace_back(report_table(named));
   }
   std::vector<std::string> refusals = refusals_in(outcome);
   if (!refusals.empty()) {
@@ -364,7 +364,7 @@ ReportSection tables_section(const AnalysisOutcome& outcome, std::span<const Fig
     const bool is_drawn = std::any_of(figures.begin(), figures.end(), [&named](const Figure& one) {
       return one.table == named.name && !one.cells.empty();
     });
-    if (!is_drawn && !is_in_body(named, outcome)) section.parts.emplace_back(table_of(named));
+    if (!is_drawn && !is_in_body(named, outcome)) section.parts.emplace_back(report_table(named));
   }
   return section;
 }

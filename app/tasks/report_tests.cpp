@@ -183,7 +183,7 @@ std::string said_number(double value) {
   return size >= 0.0095 && size < 0.095 ? fixed(value, 3) : reading_number(value);
 }
 
-std::string interval_of(const Finding& finding) {
+std::string printed_interval(const Finding& finding) {
   const double confidence = finding.confidence.value_or(0.95);
   return reading_percent(confidence) + " interval [" + said_number(*finding.low) + ", " +
          said_number(*finding.high) + ']';
@@ -236,7 +236,7 @@ std::string sentence_of(const ReportedTest& test) {
     const Finding& estimate = *test.estimates.front();
     text += words_of_quantity(estimate.quantity) + " was " + said_number(*estimate.value);
     if (!estimate.unit.empty() && estimate.unit != "1") text += ' ' + estimate.unit;
-    if (estimate.low && estimate.high) text += " (" + interval_of(estimate) + ')';
+    if (estimate.low && estimate.high) text += " (" + printed_interval(estimate) + ')';
     text += "; ";
   }
   std::string method =

@@ -70,8 +70,9 @@ std::string option_values(const std::vector<double>& values) {
   return text;
 }
 
-constexpr std::array kQuantities{VariedQuantity::probe_diameter, VariedQuantity::applied_force,
-                                 VariedQuantity::exploratory_speed};
+constexpr std::array kVariedQuantities{VariedQuantity::probe_diameter,
+                                       VariedQuantity::applied_force,
+                                       VariedQuantity::exploratory_speed};
 
 const char* words_of(VariedQuantity quantity) {
   switch (quantity) {
@@ -211,7 +212,7 @@ class QuantityByCondition final {
 };
 
 /// "0.8 N to 1.2 N", "0.8 N or more", "1.2 N or less".
-std::string band_text(VariedQuantity quantity, const QuantityLevel& band) {
+std::string level_text(VariedQuantity quantity, const QuantityLevel& band) {
   const auto text = [quantity](const std::optional<double>& bound) {
     return bound ? quantity_text(quantity, *bound) : std::string();
   };
@@ -247,7 +248,7 @@ std::vector<std::string> conditions_of_levels(const SweepOrder& order, const Pro
   const QuantityByCondition varied(protocol, order.varied);
   if (conditions.size() > 1 && !varied.varies()) {
     std::string instead{};
-    for (const VariedQuantity other : kQuantities) {
+    for (const VariedQuantity other : kVariedQuantities) {
       const QuantityByCondition by_condition(protocol, other);
       if (!by_condition.varies()) continue;
       const auto numbers = numbers_by_condition(conditions, by_condition);
@@ -413,7 +414,7 @@ void compare_models(const SweepOrder& order, const Protocol& protocol,
 /// Of what neither of the two varies.
 void compare_levels(const SweepOrder& order, const Protocol& protocol,
                     std::vector<std::string>& remarks) {
-  for (const VariedQuantity quantity : kQuantities) {
+  for (const VariedQuantity quantity : kVariedQuantities) {
     if (quantity == order.varied) continue;
     const bool has_none =
         quantity == VariedQuantity::probe_diameter &&
@@ -425,7 +426,7 @@ void compare_levels(const SweepOrder& order, const Protocol& protocol,
     const std::string sweep = "the sweep has " + quantity_text(quantity, here) + " (" +
                               option_of(quantity) + "), and " + protocol.name + ' ';
     if (const auto band = by_condition.band_without(here)) {
-      remarks.push_back(sweep + "asks for " + band_text(quantity, *band));
+      remarks.push_back(sweep + "asks for " + level_text(quantity, *band));
     }
     const std::vector<double> theirs = by_condition.numbers();
     if (theirs.empty() || (theirs.size() == 1 && is_alike(theirs.front(), here, kSameNumber))) {

@@ -62,7 +62,7 @@ auto list_of(const OptionValue& option, const std::string& name, Item item) {
 }
 
 /// A list of names; one that stands twice would be two with the same numbers.
-std::vector<std::string> names_of(const OptionValue& option, const std::string& name) {
+std::vector<std::string> distinct_names(const OptionValue& option, const std::string& name) {
   std::vector<std::string> names = list_of(option, name, option_text);
   std::set<std::string_view> seen{};
   for (const std::string& one : names) {
@@ -163,7 +163,7 @@ std::string FamilyOptions::text_or(const std::string& name, const std::string& o
 }
 
 std::vector<std::string> FamilyOptions::texts(const std::string& name) const {
-  return names_of(at(name), name);
+  return distinct_names(at(name), name);
 }
 
 std::vector<double> FamilyOptions::numbers(const std::string& name) const {
@@ -183,7 +183,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> FamilyOptions::lev
                "}");
   }
   for (const auto& [factor, levels] : *object) {
-    factors.emplace_back(factor, names_of(levels, name + '.' + factor));
+    factors.emplace_back(factor, distinct_names(levels, name + '.' + factor));
   }
   return factors;
 }

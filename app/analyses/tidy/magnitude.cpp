@@ -40,7 +40,7 @@ ZeroRule zero_rule_of(const std::string& name) {
 }
 
 /// Numbers as numbers are written, other names as they stand: 0.50 and 0.5 are one probe.
-std::string name_of(std::string_view text) {
+std::string probe_name(std::string_view text) {
   const TidyTable one("p\n" + std::string(text) + '\n', "");
   try {
     return number_text(one.all_numbers("p").front());
@@ -93,7 +93,7 @@ Estimates read_estimates(const TidyTable& table, ZeroRule rule) {
   read.positive = without_zeros(answered, rule);
 
   std::vector<std::string> probe_names{};
-  for (const std::string& name : probes.names) probe_names.push_back(name_of(name));
+  for (const std::string& name : probes.names) probe_names.push_back(probe_name(name));
   // Only what has an estimate counts; names in the order of their first one.
   std::map<std::size_t, std::size_t> participant_places{};
   std::map<std::string, std::size_t> probe_places{};

@@ -25,7 +25,7 @@
 namespace asperity {
 namespace {
 
-struct Trial {
+struct TidyTrial {
   std::size_t participant = 0;
   std::size_t name = 0;
   std::size_t first_item = 0;
@@ -44,7 +44,7 @@ struct Matching {
   std::vector<std::string> trial_names{};
   std::vector<std::string> groups{};  ///< by participant; empty where there is none
   std::vector<MatchedItem> matched{};
-  std::vector<Trial> trials{};
+  std::vector<TidyTrial> trials{};
   std::vector<IntegerDistribution> chances{};  ///< of one trial's right items; all different
   std::vector<std::size_t> felt{};             ///< labels that were felt, by name
   std::size_t items = 0;                       ///< of the first trial
@@ -53,10 +53,10 @@ struct Matching {
 
   std::size_t trials_in_all() const {
     std::size_t sum = 0;
-    for (const Trial& trial : trials) sum += trial.times;
+    for (const TidyTrial& trial : trials) sum += trial.times;
     return sum;
   }
-  MatchingTrial items_of(const Trial& trial) const {
+  MatchingTrial items_of(const TidyTrial& trial) const {
     return std::span(matched).subspan(trial.first_item, trial.items);
   }
 };
@@ -86,7 +86,7 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
     ++read.trials[found->second].items;
   }
   std::size_t next = 0;
-  for (Trial& trial : read.trials) {
+  for (TidyTrial& trial : read.trials) {
     trial.first_item = next;
     next += trial.items;
     trial.items = 0;
@@ -95,7 +95,7 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
       table.has("times") ? table.counts("times") : std::vector<std::uint64_t>(table.rows(), 1);
   read.matched.resize(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    Trial& trial = read.trials[trial_of[row]];
+    TidyTrial& trial = read.trials[trial_of[row]];
     MatchedItem& item = read.matched[trial.first_item + trial.items++];
     item.felt = felt.codes[row];
     if (trial.items > 1 && trial.times != times[row]) {
@@ -121,7 +121,7 @@ void read_rows(const TidyTable& table, const LabelColumn& felt, Matching& read) 
 void find_chances(Matching& read) {
   std::map<std::size_t, std::size_t> of_permutations{};  // by size
   std::map<std::vector<double>, std::size_t> of_probabilities{};
-  for (Trial& trial : read.trials) {
+  for (TidyTrial& trial : read.trials) {
     const MatchingTrial items = read.items_of(trial);
     trial.right = fixed_points(items);
     trial.permutation = is_permutation(items);
@@ -146,12 +146,13 @@ Matching matching_in(const TidyInput& input) {
   Matching read{.labels = felt.names};
   read.confidence = input.options.confidence();
   read_rows(table, felt, read);
-  std::erase_if(read.trials, [](const Trial& trial) { return trial.times == 0; });
+  std::erase_if(read.trials, [](const TidyTrial& trial) { return trial.times == 0; });
   if (read.trials.empty()) throw std::runtime_error(table.name() + " has no row: no trial");
   find_chances(read);
   read.items = read.trials.front().items;
-  read.equal_size = std::all_of(read.trials.begin(), read.trials.end(),
-                                [&read](const Trial& trial) { return trial.items == read.items; });
+  read.equal_size =
+      std::all_of(read.trials.begin(), read.trials.end(),
+                  [&read](const TidyTrial& trial) { return trial.items == read.items; });
   for (std::size_t i = 0; i < felt.names.size(); ++i) read.felt.push_back(i);
   std::sort(read.felt.begin(), read.felt.end(),
             [&read](std::size_t a, std::size_t b) { return read.labels[a] < read.labels[b]; });
@@ -171,12 +172,12 @@ IntegerDistribution chance_of(const Matching& read, const Times& times) {
 
 IntegerDistribution chance_of_all(const Matching& read) {
   Times times(read.chances.size());
-  for (const Trial& trial : read.trials) times[trial.chance] += trial.times;
+  for (const TidyTrial& trial : read.trials) times[trial.chance] += trial.times;
   return chance_of(read, times);
 }
 
 void add_fixed_points(const Matching& read, FindingList& findings) {
-  for (const Trial& trial : read.trials) {
+  for (const TidyTrial& trial : read.trials) {
     findings.count("fixed.points",
                    read.participants[trial.participant] + ':' + read.trial_names[trial.name],
                    trial.right, {.n = 1, .method = "right items"});
@@ -190,7 +191,7 @@ void add_totals(const Matching& read, FindingList& findings) {
   std::size_t items = 0;
   std::size_t permutations = 0;
   std::size_t largest = 0;
-  for (const Trial& trial : read.trials) {
+  for (const TidyTrial& trial : read.trials) {
     right += trial.right * trial.times;
     items += trial.items * trial.times;
     largest = std::max(largest, trial.items);
@@ -222,7 +223,7 @@ void add_totals(const Matching& read, FindingList& findings) {
   number("z", (static_cast<double>(right) - chance.mean()) / sd, method);
   for (std::size_t k = 0; k <= largest; ++k) {
     std::uint64_t trials = 0;
-    for (const Trial& trial : read.trials) trials += trial.right == k ? trial.times : 0;
+    for (const TidyTrial& trial : read.trials) trials += trial.right == k ? trial.times : 0;
     findings.count("trials.with.k", std::to_string(k), trials, {.n = n});
   }
   const std::vector<double> one = fixed_point_distribution(read.items);
@@ -235,7 +236,7 @@ void add_totals(const Matching& read, FindingList& findings) {
 
 void add_whole(const Matching& read, FindingList& findings) {
   HitCount whole{};
-  for (const Trial& trial : read.trials) {
+  for (const TidyTrial& trial : read.trials) {
     whole.trials += trial.permutation ? trial.times : 0;
     whole.hits += trial.whole() ? trial.times : 0;
   }
@@ -266,7 +267,7 @@ struct ItemCounts {
       : hits(read.labels.size()),
         trials_by_size(read.labels.size()),
         chosen(read.labels.size() * read.labels.size()) {
-    for (const Trial& trial : read.trials) {
+    for (const TidyTrial& trial : read.trials) {
       for (const MatchedItem& item : read.items_of(trial)) {
         if (item.chosen) chosen[item.felt * read.labels.size() + *item.chosen] += trial.times;
         if (!trial.permutation) continue;
@@ -317,7 +318,7 @@ void add_textures(const Matching& read, FindingList& findings) {
 
 void add_mallows(const Matching& read, FindingList& findings) {
   std::vector<std::size_t> right{};
-  for (const Trial& trial : read.trials) {
+  for (const TidyTrial& trial : read.trials) {
     if (trial.permutation && trial.items == read.items) {
       right.insert(right.end(), trial.times, trial.right);
     }
@@ -354,7 +355,7 @@ void add_groups(const Matching& read, const std::vector<double>& means, FindingL
   const TwoSamples samples{.first = first, .second = second};
   const std::string key = names[0] + '-' + names[1];
   std::size_t most = 0;  // items of a trial, so that no participant's mean is above it
-  for (const Trial& trial : read.trials) most = std::max(most, trial.items);
+  for (const TidyTrial& trial : read.trials) most = std::max(most, trial.items);
   const GroupScale scale{
       .confidence = read.confidence,
       .possible = ConfidenceInterval{.low = 0.0, .high = static_cast<double>(most)}};
@@ -386,7 +387,7 @@ void add_participants(const Matching& read, FindingList& findings) {
   std::vector<HitCount> own(read.participants.size());
   std::vector<std::size_t> trials(read.participants.size());
   std::vector<Times> times(read.participants.size(), Times(read.chances.size()));
-  for (const Trial& trial : read.trials) {
+  for (const TidyTrial& trial : read.trials) {
     own[trial.participant].hits += trial.right * trial.times;
     own[trial.participant].trials += trial.items * trial.times;
     trials[trial.participant] += trial.times;

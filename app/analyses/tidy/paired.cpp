@@ -71,8 +71,8 @@ Paired paired_in(const TidyInput& input) {
   return read;
 }
 
-ScaleNames named(const Paired& read, const std::string& value, const std::string& error,
-                 const std::string& method) {
+ScaleNames scale_names(const Paired& read, const std::string& value, const std::string& error,
+                       const std::string& method) {
   return {.value = value,
           .error = error,
           .method = method,
@@ -89,13 +89,15 @@ void add_bradley_terry(const Paired& read, const BradleyTerry& fit, FindingList&
     findings.number(quantity, key, value, {.n = n, .method = how});
   };
   const std::string from_first = method + ", relative to " + read.items.front();
-  add_scale(read.items, fit.abilities, named(read, "bt.ability", "bt.se", from_first), findings);
+  add_scale(read.items, fit.abilities, scale_names(read, "bt.ability", "bt.se", from_first),
+            findings);
   add_scale(read.items, fit.abilities.about_mean(),
-            named(read, "bt.ability.sumzero", "bt.se.sumzero", method + ", mean 0"), findings);
+            scale_names(read, "bt.ability.sumzero", "bt.se.sumzero", method + ", mean 0"),
+            findings);
   if (n > 1) {
     add_scale(read.items, fit.clustered.about_mean(),
-              named(read, "bt.ability.sumzero.cluster", "bt.se.sumzero.cluster",
-                    method + ", mean 0, participants as clusters (CR0)"),
+              scale_names(read, "bt.ability.sumzero.cluster", "bt.se.sumzero.cluster",
+                          method + ", mean 0, participants as clusters (CR0)"),
               findings);
   }
   const Eigen::VectorXd clustered = fit.clustered.standard_error();
@@ -148,8 +150,8 @@ void add_thurstone(const Paired& read, FindingList& findings) {
   const std::size_t n = read.participants.size();
   if (const auto fit = thurstone_likelihood(read.counts)) {
     add_scale(read.items, fit->abilities,
-              named(read, "thurstone.ml", "thurstone.ml.se",
-                    "Thurstone Case V by likelihood, relative to " + read.items.front()),
+              scale_names(read, "thurstone.ml", "thurstone.ml.se",
+                          "Thurstone Case V by likelihood, relative to " + read.items.front()),
               findings);
     findings.number("thurstone.ml.deviance", "", fit->deviance,
                     {.n = n, .method = "Thurstone Case V by likelihood"});
@@ -177,8 +179,8 @@ void add_davidson(const Paired& read, FindingList& findings) {
   if (!fit) return;
   const Basis basis{.n = read.participants.size(), .method = "Davidson's model with ties"};
   add_scale(read.items, fit->abilities,
-            named(read, "davidson.ability", "davidson.se",
-                  basis.method + ", relative to " + read.items.front()),
+            scale_names(read, "davidson.ability", "davidson.se",
+                        basis.method + ", relative to " + read.items.front()),
             findings);
   findings.number("davidson.lognu", "", fit->log_tie, basis);
   findings.number("davidson.lognu.se", "", fit->log_tie_standard_error, basis);
@@ -242,10 +244,11 @@ std::vector<Finding> paired_findings(const TidyInput& input) {
         {.n = n, .method = "Bradley–Terry"});
   }
   if (const auto firth = firth_bradley_terry(read.counts)) {
-    add_scale(read.items, *firth,
-              named(read, "bt.firth.ability", "bt.firth.se",
+    add_scale(
+        read.items, *firth,
+        scale_names(read, "bt.firth.ability", "bt.firth.se",
                     "Bradley–Terry with Firth's bias reduction, relative to " + read.items.front()),
-              findings);
+        findings);
   } else {
     findings.word("bt.firth.status", "", "not_estimable",
                   "the comparisons do not join all items: there is no common scale",

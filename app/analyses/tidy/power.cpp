@@ -20,12 +20,12 @@
 namespace asperity {
 namespace {
 
-using Columns = std::map<std::string, std::vector<std::optional<double>>>;
+using NumbersByColumn = std::map<std::string, std::vector<std::optional<double>>>;
 
 /// One row, asked for the columns that its kind needs.
 class Scenario final {
  public:
-  Scenario(const TidyTable& table, std::size_t row, Columns& columns)
+  Scenario(const TidyTable& table, std::size_t row, NumbersByColumn& columns)
       : table_(table), row_(row), columns_(columns) {}
 
   double number(const char* column) const {
@@ -66,7 +66,7 @@ class Scenario final {
  private:
   const TidyTable& table_;
   std::size_t row_ = 0;
-  Columns& columns_;  // read once, when a kind first asks for them
+  NumbersByColumn& columns_;  // read once, when a kind first asks for them
 };
 
 class PowerList final {
@@ -200,7 +200,7 @@ std::vector<Finding> power_findings(const TidyInput& input) {
   refuse_repeated(table, "id", "one row per plan");
   const std::vector<std::string_view> ids = table.texts("id");
   const std::vector<std::string_view> kinds = table.texts("kind");
-  Columns columns{};
+  NumbersByColumn columns{};
   std::vector<Finding> findings{};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const Scenario plan(table, row, columns);

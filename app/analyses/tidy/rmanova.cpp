@@ -19,11 +19,11 @@
 namespace asperity {
 namespace {
 
-using Factor = std::pair<std::string, std::vector<std::string>>;
+using DesignFactor = std::pair<std::string, std::vector<std::string>>;
 
 struct Design {
-  std::vector<Factor> within{};
-  std::vector<Factor> between{};  ///< none or one
+  std::vector<DesignFactor> within{};
+  std::vector<DesignFactor> between{};  ///< none or one
   std::vector<std::string> cells{};
   std::vector<std::string> participants{};  ///< with all cells
   std::vector<std::string> dropped{};
@@ -50,7 +50,7 @@ std::optional<std::size_t> level_of(std::string_view text, const std::vector<std
   return std::nullopt;
 }
 
-std::vector<std::size_t> codes_of(const TidyTable& table, const Factor& factor) {
+std::vector<std::size_t> codes_of(const TidyTable& table, const DesignFactor& factor) {
   const LabelColumn column = table.all_labels(factor.first);
   std::vector<std::size_t> of_names{};
   for (std::size_t name = 0; name < column.names.size(); ++name) {
@@ -68,7 +68,7 @@ std::vector<std::size_t> codes_of(const TidyTable& table, const Factor& factor) 
   return codes;
 }
 
-std::vector<std::string> cell_names(const std::vector<Factor>& within) {
+std::vector<std::string> cell_names(const std::vector<DesignFactor>& within) {
   std::vector<std::string> cells{""};
   for (const auto& [name, levels] : within) {
     std::vector<std::string> longer{};
@@ -94,7 +94,7 @@ Design read_design(const TidyInput& input) {
   const LabelColumn subjects = table.all_labels("subject");
   const std::vector<std::optional<double>> values = table.numbers("y");
   std::vector<std::size_t> cells(table.rows(), 0);
-  for (const Factor& factor : design.within) {
+  for (const DesignFactor& factor : design.within) {
     const std::vector<std::size_t> codes = codes_of(table, factor);
     for (std::size_t row = 0; row < table.rows(); ++row) {
       cells[row] = cells[row] * factor.second.size() + codes[row];
@@ -151,7 +151,8 @@ Design read_design(const TidyInput& input) {
     }
     design.data.group.push_back(person.group);
   }
-  for (const Factor& factor : design.within) design.data.levels.push_back(factor.second.size());
+  for (const DesignFactor& factor : design.within)
+    design.data.levels.push_back(factor.second.size());
   design.data.groups = design.between.empty() ? 1 : design.between.front().second.size();
   return design;
 }
@@ -299,7 +300,7 @@ class AnovaList final {
     return {column.begin(), column.end()};
   }
 
-  void trend(const Factor& factor, const Eigen::MatrixXd& marginal) {
+  void trend(const DesignFactor& factor, const Eigen::MatrixXd& marginal) {
     Eigen::VectorXd levels(static_cast<Eigen::Index>(factor.second.size()));
     const TidyTable table = [&] {
       std::string text = "level\n";
@@ -349,7 +350,7 @@ class AnovaList final {
     list_.number(name + ".p", key, t.test->p, basis(method + ", two-sided"));
   }
 
-  void pairs(const Factor& factor, const Eigen::MatrixXd& marginal) {
+  void pairs(const DesignFactor& factor, const Eigen::MatrixXd& marginal) {
     std::vector<std::string> keys{};
     std::vector<double> p{};
     const std::string method = "difference of marginal means, paired t over participants";

@@ -20,7 +20,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 struct Choices {
   LabelColumn participants{};
@@ -71,7 +71,7 @@ double add_block(const Choices& read, const std::string& block,
   for (std::size_t j = 0; j < counts.size(); ++j) {
     const std::string key = both(block, read.renderers[j]);
     const HitCount count{.hits = counts[j], .trials = n};
-    const ConfidenceInterval none{.low = kNone, .high = kNone};
+    const ConfidenceInterval none{.low = kNoNumber, .high = kNoNumber};
     const ConfidenceInterval wilson = n > 0 ? wilson_interval(count, read.confidence) : none;
     const ConfidenceInterval cp = n > 0 ? clopper_pearson_interval(count, read.confidence) : none;
     findings.count("count", key, counts[j], {.n = n});
@@ -82,7 +82,7 @@ double add_block(const Choices& read, const std::string& block,
       basis.interval = wilson;
       basis.confidence = read.confidence;
     }
-    findings.number("prop", key, n > 0 ? proportion(count) : kNone, basis);
+    findings.number("prop", key, n > 0 ? proportion(count) : kNoNumber, basis);
     number("wilson.lower", key, wilson.low, "interval of Wilson" + independent);
     number("wilson.upper", key, wilson.high, "interval of Wilson" + independent);
     number("cp.lower", key, cp.low, "interval of Clopper and Pearson" + independent);
@@ -106,14 +106,14 @@ double add_block(const Choices& read, const std::string& block,
   if (!pooled) {
     const MultinomialTest exact = uniform_multinomial_test(counts);
     const bool is_known = exact.counted && n > 0;
-    number("multinom.exact.p", block, is_known ? exact.by_probability : kNone,
+    number("multinom.exact.p", block, is_known ? exact.by_probability : kNoNumber,
            "exact multinomial test against equal shares, in the order of probability");
-    number("multinom.chisqorder.p", block, is_known ? exact.by_chi_squared : kNone,
+    number("multinom.chisqorder.p", block, is_known ? exact.by_chi_squared : kNoNumber,
            "exact multinomial test against equal shares, in the order of Pearson's X²");
   }
   const double p = n > 0 ? binomial_upper_tail({.hits = counts[read.target], .trials = n},
                                                1.0 / static_cast<double>(counts.size()))
-                         : kNone;
+                         : kNoNumber;
   number(
       "target.p.greater", block, p,
       "exact binomial, one-sided against chance 1/" + std::to_string(counts.size()) + independent);
@@ -123,13 +123,13 @@ double add_block(const Choices& read, const std::string& block,
   for (std::size_t j = 0; j < counts.size(); ++j) {
     if (j == read.target) continue;
     const std::string key = both(block, read.renderers[j]);
-    number("luce.logworth", key, n > 0 ? luce.log_worth[j] : kNone,
+    number("luce.logworth", key, n > 0 ? luce.log_worth[j] : kNoNumber,
            "Luce's log worth relative to " + read.renderers[read.target]);
-    number("luce.se", key, n > 0 ? luce.standard_error[j] : kNone, "");
+    number("luce.se", key, n > 0 ? luce.standard_error[j] : kNoNumber, "");
   }
   const std::vector<double> means = first_choice_means(luce.share);
   for (std::size_t j = 0; j < counts.size(); ++j) {
-    number("thurstone.firstchoice.mu", both(block, read.renderers[j]), n > 0 ? means[j] : kNone,
+    number("thurstone.firstchoice.mu", both(block, read.renderers[j]), n > 0 ? means[j] : kNoNumber,
            "Thurstone's scale of the best of K, sum 0");
   }
   return p;
@@ -202,18 +202,19 @@ void add_person_shares(const Choices& read, const CountMatrix& counts, std::size
   const double chance = 1.0 / static_cast<double>(read.renderers.size());
   const OneSampleT t =
       n > 0 ? one_sample_t(shares, {.null_mean = chance, .confidence = read.confidence})
-            : OneSampleT{.mean = kNone};
+            : OneSampleT{.mean = kNoNumber};
   add_mean_share(target, t, "mean of the participants' shares", read.confidence, findings);
-  number("subj.sd", target, t.sd.value_or(kNone), "of the participants' shares");
+  number("subj.sd", target, t.sd.value_or(kNoNumber), "of the participants' shares");
   const std::string method =
       "Student's t over participants, against chance 1/" + std::to_string(read.renderers.size());
-  number("subj.t", target, t.test ? t.test->t : kNone, method);
-  number("subj.t.df", target, n > 0 ? static_cast<double>(n) - 1.0 : kNone, method);
-  number("subj.t.p.two", target, t.test ? t.test->p : kNone, method);
-  number("subj.ci.lower", target, t.test ? t.test->interval.low : kNone, "Student's t, uncut");
-  number("subj.ci.upper", target, t.test ? t.test->interval.high : kNone, "Student's t, uncut");
+  number("subj.t", target, t.test ? t.test->t : kNoNumber, method);
+  number("subj.t.df", target, n > 0 ? static_cast<double>(n) - 1.0 : kNoNumber, method);
+  number("subj.t.p.two", target, t.test ? t.test->p : kNoNumber, method);
+  number("subj.ci.lower", target, t.test ? t.test->interval.low : kNoNumber, "Student's t, uncut");
+  number("subj.ci.upper", target, t.test ? t.test->interval.high : kNoNumber, "Student's t, uncut");
   add_spread(target, shares, findings);
-  const PooledShare pooled = n > 0 ? pooled_share(own) : PooledShare{kNone, kNone, kNone, kNone};
+  const PooledShare pooled =
+      n > 0 ? pooled_share(own) : PooledShare{kNoNumber, kNoNumber, kNoNumber, kNoNumber};
   number("pooled.se.cluster", target, pooled.clustered_standard_error,
          "standard error of the pooled share, participants as clusters");
   number("pooled.se.binom", target, pooled.binomial_standard_error,

@@ -12,6 +12,7 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QStackedWidget>
 
+#include "app/conductor/clock.h"
 #include "app/gui/look/controls.h"
 #include "app/gui/look/outcome_words.h"
 #include "app/gui/look/words.h"
@@ -35,14 +36,11 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFrame_ms = 16;  // a little faster than 60 Hz, so that no bin waits for two frames
+// A little faster than 60 Hz, so that no bin waits for two frames.
+constexpr int kSessionFrame_ms = 16;
 // What the narrowest form needs in German.
 constexpr QSize kSmallest{672, 560};
 constexpr int kReadable_ms = 250;  // numbers that change faster cannot be read
-
-double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
-  return 1e-9 * static_cast<double>(to_ns - from_ns);
-}
 
 QLabel* make_small_heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -104,7 +102,7 @@ SessionWindow::SessionWindow(SessionMonitor& monitor, SessionRequests& requests,
   auto* frames = new QTimer(this);
   frames->setTimerType(Qt::PreciseTimer);
   connect(frames, &QTimer::timeout, this, &SessionWindow::refresh);
-  frames->start(kFrame_ms);
+  frames->start(kSessionFrame_ms);
 }
 
 SessionWindow::~SessionWindow() = default;
