@@ -36,7 +36,7 @@ AskedBands bands_of(const AttemptRow& attempt) {
   return bands;
 }
 
-std::vector<RecordingView::Surface> surfaces_of(const AttemptRow& attempt) {
+std::vector<RecordingView::Surface> recorded_surfaces(const AttemptRow& attempt) {
   std::vector<RecordingView::Surface> surfaces{};
   for (const PresentationRow& row : attempt.presentations) {
     surfaces.push_back({row.position, AttemptWords::of_surface(row)});
@@ -228,7 +228,7 @@ void AttemptPage::read_recording_of(const AttemptRow& attempt) {
                                                      "ended before its first tick."));
           return;
         }
-        recording_->show_recording(std::move(curves), surfaces_of(detail_->attempt),
+        recording_->show_recording(std::move(curves), recorded_surfaces(detail_->attempt),
                                    bands_of(detail_->attempt));
       },
       [this, id = attempt.id](const QString& what) {

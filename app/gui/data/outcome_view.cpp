@@ -25,7 +25,7 @@ namespace {
 constexpr int kTextWidth = 900;  // longer lines are hard to follow
 
 /// What stands in a column of this name.
-QString text_of(const std::string& column, const Cell& cell) {
+QString cell_text(const std::string& column, const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) {
     return AnalysisWords::of_cell(column, *text);
   }
@@ -55,7 +55,7 @@ QTableView* make_table(const NamedTable& table, QWidget* parent) {
   for (const std::vector<Cell>& row : reading.rows) {
     QList<QStandardItem*> items{};
     for (std::size_t i = 0; i < row.size(); ++i) {
-      auto* item = new QStandardItem(text_of(reading.columns[i], row[i]));
+      auto* item = new QStandardItem(cell_text(reading.columns[i], row[i]));
       item->setTextAlignment(
           (holds_words(table.table, reading.columns[i]) ? Qt::AlignLeft : Qt::AlignRight) |
           Qt::AlignVCenter);

@@ -14,7 +14,7 @@ namespace asperity {
 namespace {
 
 constexpr double kPathMillimetres = 1000.0;  // per metre
-constexpr double kDecadesShown = 3.0;        // of a spectrum, below its highest line
+constexpr double kPathDecades = 3.0;         // of a spectrum, below its highest line
 
 QLabel* make_plot_heading(QWidget* parent) {
   QLabel* heading = make_text({}, parent);
@@ -107,7 +107,7 @@ void PathPlots::show_surfaces(const RecordingCurves& curves, std::optional<int> 
   spectrum_heading_->setText(spectrum);
   if (!extent_) say(*path_, tr("No surface was presented."));
   if (highest_ == 0.0) say(*spectrum_, tr("No contact was long enough."));
-  spectrum_->yAxis->setRange(highest_ * std::pow(10.0, -kDecadesShown), 2.0 * highest_);
+  spectrum_->yAxis->setRange(highest_ * std::pow(10.0, -kPathDecades), 2.0 * highest_);
   for (QCustomPlot* plot : {path_, spectrum_}) {
     const bool empty = plot->plottableCount() == 0;
     plot->xAxis->setTickLabels(!empty);

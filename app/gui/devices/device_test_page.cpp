@@ -37,10 +37,10 @@ namespace asperity {
 namespace {
 
 constexpr const char* kLeftHere = "device_test";
-constexpr int kFrame_ms = 33;
+constexpr int kTestFrame_ms = 33;
 constexpr int kPageWidth = 1120;
 constexpr int kBesideEachOther = 920;  // narrower, one card stands below the other
-constexpr int kFieldWidth = 260;
+constexpr int kTestFieldWidth = 260;
 constexpr int kProfilesHeight = 168;
 constexpr int kStepsWidth = 208;
 
@@ -69,7 +69,7 @@ DeviceTestPage::DeviceTestPage(OpenStudy& study, MeasureOrder usual, QWidget* pa
   connect(not_now_, &QPushButton::clicked, this, &DeviceTestPage::back_wanted);
   connect(stop_, &QPushButton::clicked, this, &DeviceTestPage::stop);
   connect(begin_, &QPushButton::clicked, this, &DeviceTestPage::begin);
-  frames_.setInterval(kFrame_ms);
+  frames_.setInterval(kTestFrame_ms);
   connect(&frames_, &QTimer::timeout, this, [this] { picture_->take(run_.take_motion()); });
   connect_run();
   stop_->hide();
@@ -133,7 +133,7 @@ QWidget* DeviceTestPage::make_order_card(QWidget* parent) {
   form->setColumnStretch(0, 1);
   limits_ = new QComboBox(card);
   limits_->setObjectName("device_test_limits");
-  limits_->setFixedWidth(kFieldWidth);
+  limits_->setFixedWidth(kTestFieldWidth);
   ignore_wheel(*limits_);
   force_ = new QDoubleSpinBox(card);
   force_->setObjectName("device_test_force");
@@ -142,7 +142,7 @@ QWidget* DeviceTestPage::make_order_card(QWidget* parent) {
   force_->setDecimals(1);
   force_->setSuffix(tr(" N"));
   force_->setValue(usual_.test.force_N);
-  force_->setFixedWidth(kFieldWidth);
+  force_->setFixedWidth(kTestFieldWidth);
   ignore_wheel(*force_);
   const auto add_row = [&](const QString& name, QWidget* field) {
     const int row = form->rowCount();

@@ -30,7 +30,7 @@ struct DriverSetup::Line {
 
 namespace {
 
-constexpr int kWidth = 872;
+constexpr int kSetupWidth = 872;
 constexpr int kRoomAround = 80;  // of the screen: the frame of the window, a task bar
 
 /// What its maker calls the device, in every language.
@@ -133,7 +133,7 @@ DriverSetup::DriverSetup(const std::vector<std::string>& drivers, QWidget* paren
     : QDialog(parent) {
   setObjectName("driver_setup");
   setAttribute(Qt::WA_DeleteOnClose);
-  setMinimumWidth(kWidth);
+  setMinimumWidth(kSetupWidth);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
   layout->setSpacing(kMargin);

@@ -46,7 +46,7 @@ JsonToken token_at(QStringView text, qsizetype start) {
 }
 
 /// The text of a key, without its quotation marks. Names of the format have no escapes.
-QString key_of(QStringView text, const JsonToken& token) {
+QString key_text(QStringView text, const JsonToken& token) {
   return text.mid(token.start + 1, std::max<qsizetype>(token.length - 2, 0)).toString();
 }
 
@@ -78,7 +78,7 @@ QStringList json_place(QStringView text, qsizetype position) {
     if (token.start > position) break;
     const QChar first = text[token.start];
     if (token.kind == JsonToken::Kind::key && !levels.empty()) {
-      levels.back().key = key_of(text, token);
+      levels.back().key = key_text(text, token);
     } else if (token.kind == JsonToken::Kind::mark && token.end() <= position) {
       if (is_opening(first)) {
         levels.push_back({first == '{', {}, 0});
@@ -107,7 +107,7 @@ std::optional<TextRange> string_of_key(QStringView text, QStringView key) {
   for (const JsonToken& token : json_tokens(text)) {
     const QChar first = text[token.start];
     if (token.kind == JsonToken::Kind::key) {
-      is_next = depth == 1 && key_of(text, token) == key;
+      is_next = depth == 1 && key_text(text, token) == key;
     } else if (token.kind == JsonToken::Kind::string && is_next) {
       return TextRange{token.start, token.length};
     } else if (is_opening(first)) {

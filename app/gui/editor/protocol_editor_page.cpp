@@ -20,7 +20,8 @@ namespace asperity {
 
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 4U << 20U;  // what the reader of protocols accepts
+// What the reader of protocols accepts.
+constexpr std::uintmax_t kLargestProtocol_bytes = 4U << 20U;
 constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
 
 QSplitter* make_splitter(Qt::Orientation orientation, QWidget* parent) {
@@ -209,7 +210,7 @@ void ProtocolEditorPage::open(const std::filesystem::path& protocol) {
   if (!may_leave([this, protocol] { open(protocol); })) return;
   std::string bytes{};
   try {
-    if (std::filesystem::file_size(protocol) > kLargestFile) {
+    if (std::filesystem::file_size(protocol) > kLargestProtocol_bytes) {
       throw ResultsError(
           protocol.string() + " is larger than 4 MiB; a protocol is a small text file", protocol);
     }
@@ -506,7 +507,7 @@ void ProtocolEditorPage::look_at_disk() {
   } catch (const std::exception&) {
     return;  // being written: there will be more news; and saving looks again
   }
-  if (!now || now->size() > kLargestFile || *now == on_disk_) return;
+  if (!now || now->size() > kLargestProtocol_bytes || *now == on_disk_) return;
   watch_file();
   if (*now == content()) {
     on_disk_ = *now;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMoment_ms = 300;  // what is over sooner would only flicker
 constexpr int kBarWidth = 160;
-constexpr int kSteps = 1000;
+constexpr int kBarSteps = 1000;
 
 }  // namespace
 
@@ -36,8 +36,8 @@ TaskLine::TaskLine(BackgroundTask& task, QWidget* parent) : QWidget(parent), tas
   connect(&moment_, &QTimer::timeout, this, [this] { setVisible(task_.is_running()); });
   connect(&task_, &BackgroundTask::started, this, &TaskLine::begin);
   connect(&task_, &BackgroundTask::progressed, this, [this](double fraction) {
-    bar_->setRange(0, kSteps);
-    bar_->setValue(static_cast<int>(fraction * kSteps));
+    bar_->setRange(0, kBarSteps);
+    bar_->setValue(static_cast<int>(fraction * kBarSteps));
   });
   connect(&task_, &BackgroundTask::finished, this, [this] {
     moment_.stop();

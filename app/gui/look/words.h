@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <QtCore/QString>
@@ -21,5 +22,8 @@ QString words_of(const Phrase& phrase, const QString& control);
 
 /// What a study or a protocol says, as it is written there. Any thread.
 inline QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+/// A path as the system writes it.
+inline QString path_text(const std::filesystem::path& path) { return text(path.string()); }
 
 }  // namespace asperity

@@ -11,10 +11,6 @@ namespace asperity {
 
 namespace {
 
-constexpr double kPattern_m = 0.010;  // as on the slab of a point's workspace
-constexpr double kPoint_m = 0.0006;
-constexpr double kSeenSlope = 0.42;
-
 // Deviations below this are steps of the displacements, and no relief that a hand could feel.
 constexpr double kLeastSlope = 2e-3;
 
@@ -66,10 +62,10 @@ struct Barycentric {
 /// A relief without jumps at the lattice of the pattern: 1 on a point, 0 off it.
 double on_point(double first_m, double second_m) {
   const auto off = [](double x_m) {
-    return x_m - kPattern_m * (std::floor(x_m / kPattern_m) + 0.5);
+    return x_m - kPatternSpacing_m * (std::floor(x_m / kPatternSpacing_m) + 0.5);
   };
   const double away_m = std::hypot(off(first_m), off(second_m));
-  return std::clamp(1.5 - away_m / kPoint_m, 0.0, 1.0);
+  return std::clamp(1.5 - away_m / kPatternPoint_m, 0.0, 1.0);
 }
 
 }  // namespace
@@ -138,7 +134,7 @@ SeenBody::SeenBody(std::shared_ptr<const TexturedMesh> mesh, SurfaceLook look, c
     }
   }
   const double rms = count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
-  exaggeration_ = rms > kLeastSlope ? kSeenSlope / rms : 0.0;
+  exaggeration_ = rms > kLeastSlope ? kShownSlope / rms : 0.0;
 }
 
 bool SeenBody::bends_sharply(const std::array<std::uint32_t, 3>& corners) const {

@@ -24,7 +24,7 @@ using Action = ParticipantAction;
 using Item = ParticipantItem;
 using Scene = ParticipantScene;
 
-constexpr int kLook_ms = 16;
+constexpr int kSceneLook_ms = 16;
 constexpr std::chrono::seconds kCueShown{5};
 constexpr std::int64_t kTwoDigits_ns = 1'000'000'000;  // between the digits of one key
 constexpr qsizetype kLongestNumber = 24;               // to be seen; not all of it can be an answer
@@ -101,7 +101,7 @@ ParticipantView::ParticipantView(const SessionMonitor& monitor, std::filesystem:
     if (role_ == Role::participant) emit remarked("picture_unreadable", name);
   });
   connect(&timer_, &QTimer::timeout, this, &ParticipantView::look);
-  timer_.start(kLook_ms);
+  timer_.start(kSceneLook_ms);
   look();
 }
 

@@ -22,9 +22,6 @@ constexpr double kDistance = 2.6;     // of the eye, in patches: how strong the 
 constexpr double kThickness = 0.07;   // of the slab, in patches
 constexpr double kCorner = 0.035;     // radius of its corners, in patches
 constexpr double kBevel = 0.010;      // of its upper edge, in patches
-constexpr double kPattern_m = 0.010;  // between the points of the pattern
-constexpr double kPoint_m = 0.0006;   // their radius
-constexpr double kSeenSlope = 0.42;   // RMS of the slopes as they are shown
 const glm::dvec3 kLight = glm::normalize(glm::dvec3{-0.50, 0.42, 0.76});
 const glm::dvec3 kSlab{0.80, 0.775, 0.735};  // its colour, linear: a pale, warm stone
 
@@ -80,7 +77,7 @@ struct Relief {
   }
 };
 
-Relief prepare(const HeightField& field, const SurfacePatch& patch) {
+Relief prepare_relief(const HeightField& field, const SurfacePatch& patch) {
   Relief relief{.field = &field, .patch = patch};
   constexpr int kSide = 64;
   double slopes = 0.0;
@@ -92,7 +89,7 @@ Relief prepare(const HeightField& field, const SurfacePatch& patch) {
     heights += (sample.height_m - field.mean_m()) * (sample.height_m - field.mean_m());
   }
   const double rms_slope = std::sqrt(slopes / (kSide * kSide));
-  relief.exaggeration = rms_slope > 0.0 ? kSeenSlope / rms_slope : 0.0;
+  relief.exaggeration = rms_slope > 0.0 ? kShownSlope / rms_slope : 0.0;
   relief.rms_m = std::max(std::sqrt(heights / (kSide * kSide)), 1e-12);
   return relief;
 }
@@ -110,7 +107,9 @@ class Painter final {
         look_(picture.look),
         ground_{linear(picture.ground.redF()), linear(picture.ground.greenF()),
                 linear(picture.ground.blueF())} {
-    if (look_ == SurfaceLook::relief && picture.relief) relief_ = prepare(*picture.relief, patch_);
+    if (look_ == SurfaceLook::relief && picture.relief) {
+      relief_ = prepare_relief(*picture.relief, patch_);
+    }
   }
 
   glm::dvec3 colour_at(double column, double row) const {
@@ -147,13 +146,14 @@ class Painter final {
     colour = lit(bevelled({0.0, 0.0, 1.0}, at), 1.0);
     if (look_ == SurfaceLook::pattern) {
       const auto nearest = [](double x_m) {
-        return kPattern_m * (std::floor(x_m / kPattern_m) + 0.5);
+        return kPatternSpacing_m * (std::floor(x_m / kPatternSpacing_m) + 0.5);
       };
       const glm::dvec3 point{nearest(at.x), nearest(at.y), 0.0};
       // No point is cut by the edge.
-      if (distance_to_slab(patch_, point.x, point.y) > -0.3 * kPattern_m) return colour;
+      if (distance_to_slab(patch_, point.x, point.y) > -0.3 * kPatternSpacing_m) return colour;
       const double away_m = glm::length(glm::dvec3{at.x - point.x, at.y - point.y, 0.0});
-      const double covered = smoothstep(0.7 * footprint_m, -0.7 * footprint_m, away_m - kPoint_m);
+      const double covered =
+          smoothstep(0.7 * footprint_m, -0.7 * footprint_m, away_m - kPatternPoint_m);
       colour *= 1.0 - 0.45 * covered;
     }
     return colour;

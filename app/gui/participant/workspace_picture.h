@@ -24,6 +24,11 @@ enum class SurfaceLook {
   pattern,  ///< points 10 mm apart, which belong to no texture
 };
 
+// The slab of a point's workspace and a body in its place look alike.
+inline constexpr double kPatternSpacing_m = 0.010;
+inline constexpr double kPatternPoint_m = 0.0006;  ///< radius
+inline constexpr double kShownSlope = 0.42;  ///< RMS of the slopes of a relief as they are shown
+
 /// From where the workspace is seen: from in front, 48° above the surface, in perspective. Right in
 /// the device's frame is right in the picture, for either hand.
 ///

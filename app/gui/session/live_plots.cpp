@@ -32,15 +32,15 @@ double round_up(double value) {
   return 10.0 * decade;
 }
 
-QString number(double value) { return QString::number(value, 'g', 3); }
+QString three_digits(double value) { return QString::number(value, 'g', 3); }
 
 QString text_of_band(const Band& band, double scale, const QString& unit) {
   if (band.minimum && band.maximum) {
     return QString("%1–%2 %3")
-        .arg(number(*band.minimum * scale), number(*band.maximum * scale), unit);
+        .arg(three_digits(*band.minimum * scale), three_digits(*band.maximum * scale), unit);
   }
-  if (band.minimum) return QString("≥ %1 %2").arg(number(*band.minimum * scale), unit);
-  if (band.maximum) return QString("≤ %1 %2").arg(number(*band.maximum * scale), unit);
+  if (band.minimum) return QString("≥ %1 %2").arg(three_digits(*band.minimum * scale), unit);
+  if (band.maximum) return QString("≤ %1 %2").arg(three_digits(*band.maximum * scale), unit);
   return {};
 }
 

@@ -25,7 +25,7 @@ constexpr int kOutcomeColumn = 2;
 constexpr int kRowHeight = 28;  // two more rows in sight than with the height of controls
 
 /// What the surfaces of a trial share is said once: "brick: height_map, sinusoid".
-QString name_of(const Trial& trial) {
+QString stimulus_names(const Trial& trial) {
   const auto& surfaces = trial.presentations;
   if (surfaces.size() > 1) {
     const StimulusDescription& first = surfaces.front().stimulus;
@@ -94,7 +94,7 @@ void PlanModel::set_facts(std::shared_ptr<const SessionFacts> facts) {
       Row row{};
       row.trial = &trial;
       row.code = QString::fromStdString(codes.of(trial));
-      row.name = name_of(trial);
+      row.name = stimulus_names(trial);
       for (const PlannedPresentation& surface : trial.presentations) {
         row.surface_codes += QString::fromStdString(codes.of(surface));
         Trial alone{};

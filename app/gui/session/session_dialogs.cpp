@@ -14,12 +14,12 @@ namespace asperity {
 
 namespace {
 
-constexpr int kWidth = 560;
+constexpr int kDialogWidth = 560;
 
-QVBoxLayout* prepare(QDialog& dialog, const QString& title, const QString& text) {
+QVBoxLayout* prepare_dialog(QDialog& dialog, const QString& title, const QString& text) {
   dialog.setAttribute(Qt::WA_DeleteOnClose);
   dialog.setWindowTitle(title);
-  dialog.setMinimumWidth(kWidth);
+  dialog.setMinimumWidth(kDialogWidth);
   auto* rows = new QVBoxLayout(&dialog);
   rows->setContentsMargins(kGroupGap, kGroupGap, kGroupGap, kGroupGap);
   rows->setSpacing(kMargin);
@@ -32,7 +32,7 @@ QVBoxLayout* prepare(QDialog& dialog, const QString& title, const QString& text)
 
 AbortDialog::AbortDialog(QWidget* parent, std::function<void(QString)> on_abort) : QDialog(parent) {
   setObjectName("abort_dialog");
-  QVBoxLayout* rows = prepare(
+  QVBoxLayout* rows = prepare_dialog(
       *this, tr("Abort the session?"),
       tr("Nothing is lost: every finished trial is stored. The trial under way is kept as aborted "
          "and will be asked again when the session is gone on with."));
@@ -59,7 +59,7 @@ void AbortDialog::lock(const QString& why) { form_->lock(why); }
 
 CloseDialog::CloseDialog(QWidget* parent, std::function<void(Leaving)> on_leave) : QDialog(parent) {
   setObjectName("close_dialog");
-  QVBoxLayout* rows = prepare(
+  QVBoxLayout* rows = prepare_dialog(
       *this, tr("A session is under way"),
       tr("What is done is safe: every finished trial is stored, and the session can be gone "
          "on with. The window closes once the session has ended."));

@@ -11,13 +11,13 @@ namespace {
 
 // Window managers answer within some tenths of a second; one that has not after two seconds draws no
 // frame.
-constexpr int kLook_ms = 50;
+constexpr int kFrameLook_ms = 50;
 constexpr int kLooks = 40;
 
 }  // namespace
 
 WindowPlace::WindowPlace(QWidget& window) : QObject(&window), window_(window) {
-  timer_.setInterval(kLook_ms);
+  timer_.setInterval(kFrameLook_ms);
   connect(&timer_, &QTimer::timeout, this, &WindowPlace::look_again);
 }
 

@@ -29,7 +29,7 @@ namespace {
 // The slider counts half decibels relative to full scale.
 constexpr int kLowest = -120;  // −60 dB
 constexpr int kHighest = -25;  // −12.5 dB, just below MaskingSound::kHighestGain
-constexpr int kLook_ms = 250;
+constexpr int kNoiseLook_ms = 250;
 constexpr double kLoudest_dBA = 85.0;      // over a working day; no protocol may ask for more
 constexpr double kNotMeasured_dBA = 29.5;  // the spin box's lowest value stands for "not measured"
 
@@ -158,7 +158,7 @@ NoiseCheck::NoiseCheck(const MaskingNoise& declared, SoundOutput output, QWidget
     emit changed();
   });
   watch_ = new QTimer(this);
-  watch_->setInterval(kLook_ms);
+  watch_->setInterval(kNoiseLook_ms);
   connect(watch_, &QTimer::timeout, this, &NoiseCheck::look_at_card);
   noise_->setEnabled(!output_.is_null);  // the line above says why
   cue->setEnabled(!output_.is_null);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;  // noise of a known kind; which samples it has does not matter
 
-std::string_view text_of(MaskingNoise::Kind kind) {
+std::string_view noise_name(MaskingNoise::Kind kind) {
   switch (kind) {
     case MaskingNoise::Kind::none:
       return "none";
@@ -65,7 +65,7 @@ std::string QtSound::description_json() const {
   };
   const SoundOutput& output = stream_.output();
   const nlohmann::ordered_json description = {
-      {"kind", text_of(noise_.kind)},
+      {"kind", noise_name(noise_.kind)},
       {"gain", gain},
       {"declared_dBA", level(noise_.declared_dBA)},
       {"measured_dBA", level(as_measured ? noise_.measured_dBA : std::nullopt)},

@@ -14,7 +14,7 @@ namespace asperity {
 
 namespace {
 
-State state_of(SessionCheck::State state) {
+State check_state(SessionCheck::State state) {
   switch (state) {
     case SessionCheck::State::fine:
       return State::fine;
@@ -34,7 +34,7 @@ QString line_text(const SessionCheck& check) {
   if (!check.remedy.empty()) {
     text +=
         QString("<br><span style='color:%1'>%2</span>")
-            .arg(color_of(state_of(check.state)).name(), words_of(check.remedy).toHtmlEscaped());
+            .arg(color_of(check_state(check.state)).name(), words_of(check.remedy).toHtmlEscaped());
   }
   return text;
 }
@@ -80,7 +80,7 @@ void CheckList::set_checks(const std::vector<SessionCheck>& checks) {
   for (int row = 0; row < rows; ++row) grid_->setRowStretch(row, 0);
   int row = 0;
   for (const SessionCheck& check : checks) {
-    const State state = state_of(check.state);
+    const State state = check_state(check.state);
     auto* shape = new QLabel(shape_of(state), lines_);
     shape->setFont(text_font(TextSize::small, true));
     shape->setStyleSheet("color: " + color_of(state).name());

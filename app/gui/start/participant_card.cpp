@@ -23,7 +23,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFieldWidth = 240;
+constexpr int kParticipantFieldWidth = 240;
 constexpr int kShortButton = 104;
 
 /// A widget with a vertical layout and no margins.
@@ -40,7 +40,7 @@ QHBoxLayout* make_row(const QString& text, QWidget* field, QWidget* parent) {
   row->setSpacing(kMargin);
   QLabel* label = make_text(text, parent);
   label->setBuddy(field);
-  field->setFixedWidth(kFieldWidth);
+  field->setFixedWidth(kParticipantFieldWidth);
   row->addWidget(label, 1);
   row->addWidget(field);
   return row;

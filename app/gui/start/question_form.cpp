@@ -16,7 +16,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kAnswerWidth = 240;
+constexpr int kQuestionFieldWidth = 240;
 
 /// Swallows nothing: the event goes on to the parent, which scrolls.
 class WheelToParent final : public QObject {
@@ -34,7 +34,7 @@ QString field_name(const Question& question) {
 }
 
 /// So that two forms can be compared.
-auto key_of(const Question& question) {
+auto comparable(const Question& question) {
   return std::tie(question.name, question.prompt, question.form, question.options, question.minimum,
                   question.maximum, question.optional);
 }
@@ -55,9 +55,9 @@ QuestionForm::QuestionForm(QWidget* parent) : QWidget(parent) {
 }
 
 void QuestionForm::set_questions(const std::vector<Question>& questions) {
-  const bool same =
-      std::equal(questions.begin(), questions.end(), questions_.begin(), questions_.end(),
-                 [](const Question& a, const Question& b) { return key_of(a) == key_of(b); });
+  const bool same = std::equal(
+      questions.begin(), questions.end(), questions_.begin(), questions_.end(),
+      [](const Question& a, const Question& b) { return comparable(a) == comparable(b); });
   if (same) return;
   while (QLayoutItem* item = grid_->takeAt(0)) {
     delete item->widget();
@@ -95,7 +95,7 @@ void QuestionForm::add_row(const Question& question, int row) {
   }
   field->setObjectName(field_name(question));
   field->setAccessibleName(text);
-  field->setFixedWidth(kAnswerWidth);
+  field->setFixedWidth(kQuestionFieldWidth);
   prompt->setBuddy(field);
   grid_->addWidget(prompt, row, 0, Qt::AlignVCenter);
   grid_->addWidget(field, row, 1, Qt::AlignTop);

@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-QString text_of(const BrokenOffSession& session, const QString& study) {
+QString news_text(const BrokenOffSession& session, const QString& study) {
   const QString participant = QString::fromStdString(session.row.participant);
   const QString text =
       study.isEmpty()
@@ -36,7 +36,7 @@ void tell_broken_off(Banner& banner, const std::vector<BrokenOffSession>& sessio
     return;
   }
   const BrokenOffSession& session = sessions.front();
-  QStringList said{text_of(session, study)};
+  QStringList said{news_text(session, study)};
   if (!session.protocol_file) {
     said << QCoreApplication::translate(
                 "asperity::BrokenOffNews",

@@ -22,10 +22,10 @@ constexpr int kCardWidth = 720;
 constexpr const char* kMouseDriver = "mouse";    // has no handle that could be pushed
 constexpr const char* kReplayDriver = "replay";  // takes a file, and windows offer none
 
-QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
+QString fixed_number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
 /// What a device can do, as name and value.
-std::vector<std::pair<QString, QString>> facts_of(const DeviceCapability& device) {
+std::vector<std::pair<QString, QString>> device_facts(const DeviceCapability& device) {
   const glm::dvec3 size_mm = 1e3 * (device.workspace_maximum_m - device.workspace_minimum_m);
   std::vector<std::pair<QString, QString>> facts{
       {DevicesPage::tr("Motion sensed"),
@@ -34,19 +34,20 @@ std::vector<std::pair<QString, QString>> facts_of(const DeviceCapability& device
        DevicesPage::tr("%1 degrees of freedom").arg(device.actuated_degrees_of_freedom)},
       {DevicesPage::tr("Workspace"),
        DevicesPage::tr("%1 × %2 × %3 mm")
-           .arg(number(size_mm.x, 0), number(size_mm.y, 0), number(size_mm.z, 0))},
+           .arg(fixed_number(size_mm.x, 0), fixed_number(size_mm.y, 0),
+                fixed_number(size_mm.z, 0))},
       {DevicesPage::tr("Largest force"),
-       DevicesPage::tr("%1 N").arg(number(device.peak_force_N, 1))},
+       DevicesPage::tr("%1 N").arg(fixed_number(device.peak_force_N, 1))},
       {DevicesPage::tr("Lasting force"),
        device.continuous_force_N > 0.0
-           ? DevicesPage::tr("%1 N").arg(number(device.continuous_force_N, 1))
+           ? DevicesPage::tr("%1 N").arg(fixed_number(device.continuous_force_N, 1))
            : DevicesPage::tr("not stated")},
       {DevicesPage::tr("Resolution of position"),
        device.position_resolution_m > 0.0
-           ? DevicesPage::tr("%1 µm").arg(number(1e6 * device.position_resolution_m, 1))
+           ? DevicesPage::tr("%1 µm").arg(fixed_number(1e6 * device.position_resolution_m, 1))
            : DevicesPage::tr("exact (simulated)")},
       {DevicesPage::tr("Fastest loop"),
-       DevicesPage::tr("%1 Hz").arg(number(device.maximum_rate_Hz, 0))},
+       DevicesPage::tr("%1 Hz").arg(fixed_number(device.maximum_rate_Hz, 0))},
       {DevicesPage::tr("Who keeps time"), device.pacing == Pacing::ours
                                               ? DevicesPage::tr("this program")
                                               : DevicesPage::tr("the maker's driver")}};
@@ -62,7 +63,7 @@ struct FoundState {
   QString words{};
 };
 
-FoundState state_of(const DriverSurvey& survey) {
+FoundState found_state(const DriverSurvey& survey) {
   int usable = 0;
   for (const AttachedDevice& device : survey.attached) usable += device.is_usable() ? 1 : 0;
   if (usable > 0) return {State::fine, DevicesPage::tr("%1 ready").arg(usable)};
@@ -71,7 +72,7 @@ FoundState state_of(const DriverSurvey& survey) {
   return {State::unknown, DevicesPage::tr("none attached")};
 }
 
-QString name_of(const AttachedDevice& device) {
+QString attached_name(const AttachedDevice& device) {
   const QString model = QString::fromStdString(device.model);
   const QString serial = QString::fromStdString(device.serial);
   const QString place = QString::fromStdString(device.place);
@@ -166,7 +167,7 @@ void DevicesPage::add_simulated() {
     grid->setVerticalSpacing(kGrid);
     grid->setColumnMinimumWidth(0, 240);
     grid->setColumnStretch(1, 1);
-    for (const auto& [name, value] : facts_of(device)) {
+    for (const auto& [name, value] : device_facts(device)) {
       const int row = grid->rowCount();
       grid->addWidget(make_text(name, card, true), row, 0);
       QLabel* text = make_text(value, card);
@@ -272,7 +273,7 @@ void DevicesPage::show_found(const std::vector<SurveyedDriver>& drivers) {
 }
 
 void DevicesPage::add_driver(const SurveyedDriver& driver) {
-  const FoundState state = state_of(driver.survey);
+  const FoundState state = found_state(driver.survey);
   QVBoxLayout* layout = nullptr;
   QFrame* card =
       make_device_card(QString::fromStdString(driver.id), state.state, state.words, found_, layout);
@@ -290,7 +291,7 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
   say(text(driver.survey.found));
   for (const AttachedDevice& device : driver.survey.attached) {
     attached_ += device.is_usable() ? 1 : 0;
-    QLabel* name = make_text(name_of(device), card);
+    QLabel* name = make_text(attached_name(device), card);
     if (!device.is_usable() || driver.id == kMouseDriver) {
       layout->addWidget(name);
     } else {
@@ -300,7 +301,7 @@ void DevicesPage::add_driver(const SurveyedDriver& driver) {
       row->addWidget(make_test_button(
           {.device = driver.id + (tag.empty() ? "" : ":" + tag),
            .handle = device.model + (tag.empty() ? "" : " " + tag),
-           .name = name_of(device),
+           .name = attached_name(device),
            .which = {driver.id, device.serial.empty() ? device.model : "", device.serial},
            .remark = device.remark,
            .has_motors = driver.has_motors},

@@ -12,10 +12,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kKey = Qt::UserRole;
+constexpr int kPageKey = Qt::UserRole;
 constexpr int kCount = Qt::UserRole + 1;
 constexpr int kItemHeight = 40;
-constexpr int kWidth = 208;  // at least: words may be longer in other languages
+constexpr int kNavigationWidth = 208;  // at least: words may be longer in other languages
 
 /// The name at the left, the count at the right, a bar before the page that is shown.
 class PageItem final : public QStyledItemDelegate {
@@ -23,7 +23,7 @@ class PageItem final : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
 
   QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override {
-    return {kWidth, kItemHeight};
+    return {kNavigationWidth, kItemHeight};
   }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -57,7 +57,7 @@ class PageItem final : public QStyledItemDelegate {
 NavigationList::NavigationList(QWidget* parent) : QListWidget(parent) {
   setObjectName("navigation");
   setAccessibleName(tr("Pages of the study"));
-  setFixedWidth(kWidth);
+  setFixedWidth(kNavigationWidth);
   setFrameShape(QFrame::NoFrame);
   setViewportMargins(0, kGrid, 0, 0);
   setStyleSheet("QListWidget { border: none; background: transparent; }");
@@ -65,18 +65,18 @@ NavigationList::NavigationList(QWidget* parent) : QListWidget(parent) {
   setMouseTracking(true);
   setItemDelegate(new PageItem(this));
   connect(this, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
-    if (item != nullptr) emit page_selected(item->data(kKey).toString());
+    if (item != nullptr) emit page_selected(item->data(kPageKey).toString());
   });
   // Chosen once more: back from a page that is not in the list (a session's trials, its start).
   for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated}) {
     connect(this, chosen, this,
-            [this](QListWidgetItem* item) { emit page_selected(item->data(kKey).toString()); });
+            [this](QListWidgetItem* item) { emit page_selected(item->data(kPageKey).toString()); });
   }
 }
 
 void NavigationList::add_page(const QString& key, const QString& name) {
   auto* item = new QListWidgetItem(name, this);
-  item->setData(kKey, key);
+  item->setData(kPageKey, key);
   make_room();
 }
 
@@ -91,7 +91,7 @@ void NavigationList::set_count(const QString& key, const QString& count) {
 void NavigationList::make_room() {
   const QFontMetrics name(text_font(TextSize::body, true));
   const QFontMetrics number(text_font(TextSize::small));
-  int width = kWidth;
+  int width = kNavigationWidth;
   for (int row = 0; row < count(); ++row) {
     const int words = name.horizontalAdvance(item(row)->text()) +
                       number.horizontalAdvance(item(row)->data(kCount).toString());
@@ -105,12 +105,12 @@ void NavigationList::select(const QString& key) {
 }
 
 QString NavigationList::selected() const {
-  return currentItem() == nullptr ? QString{} : currentItem()->data(kKey).toString();
+  return currentItem() == nullptr ? QString{} : currentItem()->data(kPageKey).toString();
 }
 
 QListWidgetItem* NavigationList::item_of(const QString& key) const {
   for (int row = 0; row < count(); ++row) {
-    if (item(row)->data(kKey).toString() == key) return item(row);
+    if (item(row)->data(kPageKey).toString() == key) return item(row);
   }
   return nullptr;
 }

@@ -27,7 +27,7 @@ struct Line {
   QString answer{};
 };
 
-QString surfaces_of(const Trial& trial) {
+QString surfaces_text(const Trial& trial) {
   QStringList surfaces{};
   for (const PlannedPresentation& surface : trial.presentations) {
     surfaces.append(PlanPreview::tr("%1 %2").arg(text(surface.code), text(surface.item)));
@@ -38,7 +38,8 @@ QString surfaces_of(const Trial& trial) {
 Line line_of(const Trial& trial) {
   QStringList right{};
   for (const std::string& answer : trial.question.correct) right.append(text(answer));
-  return {QString::number(trial.ordinal), text(trial.block), surfaces_of(trial), right.join(", ")};
+  return {QString::number(trial.ordinal), text(trial.block), surfaces_text(trial),
+          right.join(", ")};
 }
 
 Line line_of(const PlanStep& step, const Plan& plan) {

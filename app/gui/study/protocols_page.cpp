@@ -29,7 +29,7 @@ QString counted(int count, const QString& one, const QString& many) {
 }
 
 /// "36 trials · 6 blocks · about 42 min · blindfold · masking noise"
-QString facts_of(const ProtocolOverview& overview) {
+QString overview_facts(const ProtocolOverview& overview) {
   const Protocol& protocol = *overview.check.protocol;
   QStringList facts{};
   if (overview.is_valid()) {
@@ -60,7 +60,7 @@ QString last_run_of(const ProtocolOverview& overview) {
       .arg(text_of_time(session.row.started_utc), text(session.row.participant), state);
 }
 
-QStandardItem* state_cell(const ProtocolOverview& overview) {
+QStandardItem* validity_cell(const ProtocolOverview& overview) {
   const int problems = static_cast<int>(overview.check.diagnostics.size());
   if (overview.is_valid()) {
     QStandardItem* cell = text_cell("● " + ProtocolsPage::tr("valid"), 0);
@@ -74,7 +74,7 @@ QStandardItem* state_cell(const ProtocolOverview& overview) {
   return cell;
 }
 
-StudyTable::Row row_of(const ProtocolOverview& overview) {
+StudyTable::Row protocol_row(const ProtocolOverview& overview) {
   const std::optional<Protocol>& protocol = overview.check.protocol;
   const QString title =
       protocol && !protocol->title.empty() ? text(protocol->title) : text(overview.name());
@@ -83,7 +83,7 @@ StudyTable::Row row_of(const ProtocolOverview& overview) {
            text_cell(protocol ? text_of_kind(protocol->kind) : QString("–")),
            text_cell(protocol ? text(protocol->version) : QString("–")),
            progress_cell(overview.people_done, protocol ? protocol->planned_participants : 0),
-           state_cell(overview)}};
+           validity_cell(overview)}};
 }
 
 }  // namespace
@@ -272,7 +272,7 @@ void ProtocolsPage::show_protocols(const std::vector<ProtocolOverview>& protocol
   protocols_ = protocols;
   watch_files();
   std::vector<StudyTable::Row> rows{};
-  for (const ProtocolOverview& overview : protocols_) rows.push_back(row_of(overview));
+  for (const ProtocolOverview& overview : protocols_) rows.push_back(protocol_row(overview));
   table_->fill(rows);
   show_empty(protocols_.empty());
   if (!select_next_.isEmpty()) table_->select(std::exchange(select_next_, {}));
@@ -295,7 +295,7 @@ void ProtocolsPage::show_selected() {
   const std::filesystem::path file = overview->check.file;
   name_->setText(protocol && !protocol->title.empty() ? text(protocol->title)
                                                       : text(overview->name()));
-  facts_->setText(protocol ? facts_of(*overview) : text_of_path(file));
+  facts_->setText(protocol ? overview_facts(*overview) : text_of_path(file));
   last_run_->setText(last_run_of(*overview));
   const bool valid = overview->is_valid();
   const bool can_run = valid && study().can_be_written();

@@ -23,7 +23,7 @@ namespace asperity {
 namespace {
 
 constexpr const char* kStartPage = "start";
-constexpr int kLook_ms = 20;
+constexpr int kDeskLook_ms = 20;
 constexpr QSize kSmallestWindow{1366, 700};
 
 SurfaceLook look_of(VisualTexture texture) {
@@ -50,7 +50,7 @@ void add_workspace(ParticipantView& view, const SessionMonitor& monitor,
     if (!facts->protocol->scene) return;
     view.set_workspace(new LiveWorkspace(monitor, study, look_of(*facts->protocol->scene), &view));
   });
-  waiting->start(kLook_ms);
+  waiting->start(kDeskLook_ms);
 }
 
 }  // namespace

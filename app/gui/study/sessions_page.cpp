@@ -35,7 +35,7 @@ QStandardItem* mode_cell(SessionMode mode) {
   return cell;
 }
 
-QStandardItem* state_cell(const SessionOverview& session) {
+QStandardItem* session_state_cell(const SessionOverview& session) {
   if (session.row.excluded) {
     const QString excluded = SessionsPage::tr("excluded");
     QStandardItem* cell = text_cell(shape_of(State::stop) + ' ' + excluded, excluded);
@@ -163,7 +163,7 @@ void SessionsPage::show_sessions(const std::vector<SessionOverview>& sessions) {
          {text_cell(QString::fromStdString(session.row.participant)),
           number_cell(session.row.session),
           text_cell(QString::fromStdString(session.protocol_name + ' ' + session.protocol_version)),
-          mode_cell(session.row.mode), state_cell(session),
+          mode_cell(session.row.mode), session_state_cell(session),
           text_cell(text_of_start(session.row), order_of_start(session.row)),
           number_cell(text_of_duration(session.duration_s), session.duration_s),
           number_cell(trials, session.done_trials), number_cell(session.notes)}});

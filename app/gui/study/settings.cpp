@@ -13,22 +13,20 @@
 #include <QtCore/QTranslator>
 #include <QtWidgets/QWidget>
 
+#include "app/gui/look/words.h"
+
 namespace asperity {
 
 namespace {
 
 constexpr std::size_t kMostRecent = 10;
 
-QString text_of_path(const std::filesystem::path& path) {
-  return QString::fromStdString(path.string());
-}
-
 void write_recent(const std::vector<RecentStudy>& studies) {
   QSettings settings{};
   settings.beginWriteArray("recent", static_cast<int>(studies.size()));
   for (std::size_t i = 0; i < studies.size(); ++i) {
     settings.setArrayIndex(static_cast<int>(i));
-    settings.setValue("folder", text_of_path(studies[i].folder));
+    settings.setValue("folder", path_text(studies[i].folder));
     settings.setValue("name", studies[i].name);
     settings.setValue("used", studies[i].used);
   }

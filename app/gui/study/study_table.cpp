@@ -17,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr int kValue = Qt::UserRole;
-constexpr int kKey = Qt::UserRole + 1;
+constexpr int kRowKey = Qt::UserRole + 1;
 
 /// A row is shown when its cells hold every word, each in any of them.
 class WordFilter final : public QSortFilterProxyModel {
@@ -118,7 +118,7 @@ void StudyTable::fill(const std::vector<Row>& rows) {
   filling_ = true;
   rows_->removeRows(0, rows_->rowCount());
   for (const Row& row : rows) {
-    row.cells.front()->setData(row.key, kKey);
+    row.cells.front()->setData(row.key, kRowKey);
     rows_->appendRow(row.cells);
   }
   if (!selected.isEmpty()) select(selected);
@@ -215,7 +215,7 @@ void StudyTable::keyPressEvent(QKeyEvent* event) {
 }
 
 QString StudyTable::key_at(const QModelIndex& shown) const {
-  return shown.sibling(shown.row(), 0).data(kKey).toString();
+  return shown.sibling(shown.row(), 0).data(kRowKey).toString();
 }
 
 }  // namespace asperity

@@ -22,7 +22,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kAnswerWidth = 200;
+constexpr int kAnswerColumnWidth = 200;
 constexpr int kConditionWidth = 144;
 constexpr int kAfterContactColumn = 7;
 constexpr int kAfterCueColumn = 8;
@@ -99,7 +99,7 @@ StudyTable::Row blind_row_of(const SessionDetail& detail, const TrialOverview& t
            hidden_if(attempt && (!attempt->valid || attempt->flagged))}};
 }
 
-StudyTable::Row row_of(const SessionDetail& detail, const TrialOverview& trial) {
+StudyTable::Row trial_row(const SessionDetail& detail, const TrialOverview& trial) {
   const auto& attempt = trial.attempt;
   const std::optional<bool> correct = trial.correct();
   const QString right = !correct   ? QString("–")
@@ -163,7 +163,7 @@ TrialsPage::TrialsPage(OpenStudy& study, QWidget* parent)
                             {tr("Block"), 112, Align::text},
                             {tr("Condition"), kConditionWidth, Align::text},
                             {tr("Outcome"), 160, Align::text},
-                            {tr("Answer"), kAnswerWidth, Align::text},
+                            {tr("Answer"), kAnswerColumnWidth, Align::text},
                             {tr("Right"), 64, Align::text},
                             {AttemptWords::after_contact(), 152, Align::number},
                             {AttemptWords::after_cue(), 120, Align::number},
@@ -305,7 +305,7 @@ void TrialsPage::show_detail(const SessionDetail& detail) {
   exclude_->setText(excluded ? tr("Include session again…") : tr("Exclude session…"));
   std::vector<StudyTable::Row> rows{};
   for (const TrialOverview& trial : detail.trials) {
-    rows.push_back(blind ? blind_row_of(detail, trial) : row_of(detail, trial));
+    rows.push_back(blind ? blind_row_of(detail, trial) : trial_row(detail, trial));
   }
   trials_->fill(rows);
   rows.clear();

@@ -21,8 +21,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFrame_ms = 16;
-constexpr int kLook_ms = 250;
+constexpr int kComparisonFrame_ms = 16;
+constexpr int kComparisonLook_ms = 250;
 constexpr std::size_t kShownSamples = 2000;
 constexpr double kShown_s = 2.0;  // the same
 constexpr std::size_t kWelchSamples = 256;
@@ -58,7 +58,7 @@ std::vector<Parameter> surface_parameters() {
                  "point")};
 }
 
-QString name_of(const ForceModel& model) {
+QString model_name(const ForceModel& model) {
   QString name = QString::fromStdString(model.declaration.id).replace('_', ' ');
   name[0] = name[0].toUpper();
   return name;
@@ -102,7 +102,7 @@ ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) :
   heard_ = new QComboBox(this);
   heard_->setObjectName("heard");
   heard_->addItem(tr("Nothing"));
-  for (const ForceModel& model : models.models()) heard_->addItem(name_of(model));
+  for (const ForceModel& model : models.models()) heard_->addItem(model_name(model));
   heard_->setEnabled(false);
   connect(heard_, &QComboBox::currentIndexChanged, this, [this](int index) {
     // What is to be heard has to be rendered.
@@ -138,9 +138,9 @@ ForceComparison::ForceComparison(const ModelRegistry& models, QWidget* parent) :
   inside->addWidget(surface_);
   layout->addWidget(card);
   layout->addStretch(1);
-  frames_.setInterval(kFrame_ms);
+  frames_.setInterval(kComparisonFrame_ms);
   connect(&frames_, &QTimer::timeout, this, &ForceComparison::frame);
-  looks_.setInterval(kLook_ms);
+  looks_.setInterval(kComparisonLook_ms);
   connect(&looks_, &QTimer::timeout, this, &ForceComparison::look_at_card);
 }
 
@@ -152,7 +152,7 @@ void ForceComparison::add_card(const ForceModel& model, QWidget* parent) {
   auto* swatch = new QLabel(frame);
   swatch->setFixedSize(16, 4);
   swatch->setStyleSheet("background: " + card.color.name());
-  card.chosen = new QCheckBox(name_of(model), frame);
+  card.chosen = new QCheckBox(model_name(model), frame);
   card.chosen->setObjectName("model_" + QString::fromStdString(model.declaration.id));
   card.chosen->setFont(text_font(TextSize::body, true));
   head->addWidget(card.chosen, 1);
@@ -425,7 +425,7 @@ QString ForceComparison::roughness_in_words() const {
   for (std::size_t m = 0; m < shakings_.size(); ++m) {
     const std::optional<HeldToolRoughness>& newest = shakings_[m].newest;
     if (!newest) continue;
-    const QString name = name_of(*card_of(m).model);
+    const QString name = model_name(*card_of(m).model);
     const QString rms = in_m_per_s2(newest->rms_accel_m_per_s2);
     const QString greatest = in_m_per_s2(newest->max_accel_m_per_s2);
     lines << (newest->pacinian_dB
@@ -465,7 +465,7 @@ std::vector<PlotSeries> ForceComparison::forces() const {
       series.x.push_back(1e-9 * static_cast<double>(stroke_.path()[first + i].time_ns));
       series.y.push_back(component_N[i]);
     }
-    series.name = name_of(*card_of(m).model);
+    series.name = model_name(*card_of(m).model);
     series.color = card_of(m).color;
     all.push_back(std::move(series));
   }

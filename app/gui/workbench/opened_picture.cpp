@@ -8,6 +8,7 @@
 #include <QtCore/QFile>
 #include <QtGui/QImageReader>
 
+#include "app/gui/look/words.h"
 #include "stimuli/preview.h"
 
 namespace asperity {
@@ -16,13 +17,11 @@ namespace {
 
 constexpr int kThumbnailSide = 1024;  // of the photograph in colour
 // The largest picture that is read, 16384 pixels a side in 16-bit colour, and room for its header.
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{2} << 30U;
+constexpr std::uintmax_t kLargestPicture_bytes = std::uintmax_t{2} << 30U;
 
 struct OpeningWords {
   Q_DECLARE_TR_FUNCTIONS(OpeningWords)
 };
-
-QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
 [[noreturn]] void refuse(const QString& sentence) {
   throw std::runtime_error(sentence.toStdString());
@@ -30,7 +29,7 @@ QString text_of(const std::filesystem::path& path) { return QString::fromStdStri
 
 /// What would block for ever, or fill the memory before anybody looks at it.
 void refuse_what_is_no_file(const std::filesystem::path& file) {
-  const QString name = text_of(file.filename());
+  const QString name = path_text(file.filename());
   std::error_code error{};
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (std::filesystem::is_directory(status)) {
@@ -44,7 +43,7 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
     refuse(OpeningWords::tr("%1 is no file that holds a picture.").arg(name));
   }
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  if (!error && bytes > kLargestFile) {
+  if (!error && bytes > kLargestPicture_bytes) {
     refuse(OpeningWords::tr("%1 has %2 GiB; pictures of up to 2 GiB are read. Scale it down or cut "
                             "a piece out.")
                .arg(name)
@@ -54,7 +53,7 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
 
 /// In colour where Qt reads the format; its rows are those of the file, as in decode_photograph.
 QImage colour_picture(const std::filesystem::path& file, const GreyImage& grey) {
-  QImageReader reader(text_of(file));
+  QImageReader reader(path_text(file));
   reader.setAutoTransform(false);
   const QSize size = reader.size();
   if (size.isValid() && std::max(size.width(), size.height()) > kThumbnailSide) {
@@ -73,7 +72,7 @@ QStringList remarks_on(const std::filesystem::path& file, const PictureFacts& fa
         "however transparent.");
   }
   if (facts.format == PictureFormat::jpeg || facts.format == PictureFormat::tiff) {
-    if (QImageReader(text_of(file)).transformation() != QImageIOHandler::TransformationNone) {
+    if (QImageReader(path_text(file)).transformation() != QImageIOHandler::TransformationNone) {
       remarks << OpeningWords::tr(
           "The camera noted that the picture is to be turned when it is shown; here it lies as it "
           "is stored. Turn and save it with another program if that matters.");
@@ -121,7 +120,7 @@ std::shared_ptr<const OpenedPicture> open_picture(const std::filesystem::path& f
   } catch (const std::bad_alloc&) {
     refuse(OpeningWords::tr("%1 does not fit into the memory of this computer. Scale it down or "
                             "cut a piece out.")
-               .arg(text_of(file.filename())));
+               .arg(path_text(file.filename())));
   }
   return opened;
 }

@@ -25,7 +25,7 @@ namespace asperity {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-constexpr int kFieldWidth = 128;
+constexpr int kParameterFieldWidth = 128;
 constexpr int kResetWidth = 64;
 
 struct FormWords {
@@ -292,7 +292,7 @@ void ParameterForm::add_row(std::size_t index, QGridLayout* grid, int& line, For
     row.list->setObjectName(name);
     row.list->setToolTip(tip_of(parameter));
     row.list->setAccessibleName(caption_of(parameter));
-    row.list->setFixedWidth(kFieldWidth);
+    row.list->setFixedWidth(kParameterFieldWidth);
     for (const std::string& choice : parameter.choices) {
       row.list->addItem(choice_words(parameter, choice));
     }
@@ -320,7 +320,7 @@ void ParameterForm::add_number(std::size_t index, QGridLayout* grid, int& line, 
   row.field->setAccessibleName(caption_of(parameter));
   row.field->setRange(unit.shown(parameter.minimum), unit.shown(parameter.maximum));
   if (!unit.name.isEmpty()) row.field->setSuffix(" " + unit.name);
-  row.field->setFixedWidth(kFieldWidth);
+  row.field->setFixedWidth(kParameterFieldWidth);
   connect(row.field, &QDoubleSpinBox::valueChanged, this, [this, index](double shown) {
     const Parameter& declared = parameters_[index];
     double value = shown_unit(declared).si(shown);

@@ -17,7 +17,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kDecadesShown = 5.0;  // of a spectrum, below its highest line
+constexpr double kSignalDecades = 5.0;  // of a spectrum, below its highest line
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity();
@@ -76,7 +76,7 @@ void fit(QCPAxis& axis, PlotScale scale, Extent extent, bool margin) {
   if (scale == PlotScale::logarithmic) {
     if (margin) {
       // A silent stretch has a spectrum of rounding errors, which nobody wants to see.
-      extent.low = std::max(extent.low, extent.high * std::pow(10.0, -kDecadesShown));
+      extent.low = std::max(extent.low, extent.high * std::pow(10.0, -kSignalDecades));
       extent = {extent.low / 1.5, extent.high * 2.0};
     }
     axis.setRange(extent.low, std::max(extent.high, extent.low * 10.0));

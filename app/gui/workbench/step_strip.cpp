@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kWidth = 128;
+constexpr int kThumbnailWidth = 128;
 constexpr int kCaption = 28;  // pixels of a thumbnail's words and border
 
 struct StepWords {
@@ -63,7 +63,7 @@ QString meaning_of(Step step) {
 }
 
 StepStrip::StepStrip(QWidget* parent) : QWidget(parent) {
-  setFixedWidth(kWidth);
+  setFixedWidth(kThumbnailWidth);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
@@ -121,7 +121,7 @@ void StepStrip::resizeEvent(QResizeEvent*) {
 void StepStrip::fit(std::size_t index) {
   const QImage& picture = pictures_[index];
   if (picture.isNull()) return;
-  const QSize room(kWidth - kGrid * 2, std::max(24, height() / kSteps - kCaption - kGrid));
+  const QSize room(kThumbnailWidth - kGrid * 2, std::max(24, height() / kSteps - kCaption - kGrid));
   buttons_[index]->setIconSize(room);
   buttons_[index]->setIcon(QPixmap::fromImage(
       picture.scaled(room * devicePixelRatioF(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));

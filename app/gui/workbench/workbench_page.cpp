@@ -19,6 +19,7 @@
 
 #include "app/gui/look/controls.h"
 #include "app/gui/look/task_line.h"
+#include "app/gui/look/words.h"
 #include "app/gui/study/open_study.h"
 #include "app/gui/workbench/force_comparison.h"
 #include "app/gui/workbench/line_profile.h"
@@ -32,8 +33,6 @@ namespace asperity {
 namespace {
 
 constexpr int kPanelWidth = 392;
-
-QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
 QScrollArea* scrolled(QWidget* inside, QWidget* parent) {
   auto* area = new QScrollArea(parent);
@@ -259,7 +258,7 @@ void WorkbenchPage::fill_study_menu(QMenu& menu) {
   }
   std::sort(files.begin(), files.end());
   for (const std::filesystem::path& file : files) {
-    connect(menu.addAction(text_of(file.stem())), &QAction::triggered, this,
+    connect(menu.addAction(path_text(file.stem())), &QAction::triggered, this,
             [this, file] { open_file(file); });
   }
   if (files.empty()) menu.addAction(tr("This study has no relief yet"))->setEnabled(false);
@@ -288,7 +287,7 @@ void WorkbenchPage::dropEvent(QDropEvent* event) {
   if (urls.size() > 1) {
     remarks << tr("%1 files were dropped; the workbench shows one at a time, the first: %2.")
                    .arg(urls.size())
-                   .arg(text_of(first.filename()));
+                   .arg(path_text(first.filename()));
   }
   read(first, remarks);
 }
@@ -297,7 +296,7 @@ void WorkbenchPage::open_file(const std::filesystem::path& file) { read(file, {}
 
 void WorkbenchPage::read(const std::filesystem::path& file, const QStringList& remarks) {
   banner_->hide();
-  reading_->set_words(tr("Reading %1 …").arg(text_of(file.filename())));
+  reading_->set_words(tr("Reading %1 …").arg(path_text(file.filename())));
   opening_.run<std::shared_ptr<const OpenedPicture>>(
       [file, recipe = recipe()](const std::stop_token& stop,
                                 const BackgroundTask::Progress& progress) {
@@ -330,7 +329,8 @@ void WorkbenchPage::take(std::shared_ptr<const OpenedPicture> opened, const QStr
         tr("<b>%1</b>: %2. This relief is finished, it comes from a file of the study. "
            "Compare how the force models render it, or open a photograph to make "
            "another one.")
-            .arg(text_of(opened_->file.stem()).toHtmlEscaped(), facts_of(*opened_->preview.field)));
+            .arg(path_text(opened_->file.stem()).toHtmlEscaped(),
+                 facts_of(*opened_->preview.field)));
   }
   choose_panels();
   save_->show_opened(opened_);
