@@ -16,7 +16,7 @@
 namespace asperity {
 namespace {
 
-RendererInputs stimulus(ParameterValues parameters) {
+RendererInputs stimulus_with(ParameterValues parameters) {
   RendererInputs inputs;
   inputs.parameters = std::move(parameters);
   inputs.patch = wide_patch();
@@ -42,7 +42,7 @@ TEST(Allocation, NoModelTouchesTheHeapInATick) {
   if (!AllocationGuard::kCounts) GTEST_SKIP() << "the sanitizer owns the heap";
   const ModelRegistry registry = built_in_models();
   for (const Case& each : every_law()) {
-    const auto renderer = registry.make(each.model, stimulus(each.parameters));
+    const auto renderer = registry.make(each.model, stimulus_with(each.parameters));
     const std::vector<ProbeState> path = samples_of({.duration_s = 2.0});
     const AllocationGuard guard;
     renderer->reset(path.front());
@@ -69,7 +69,7 @@ TEST(Allocation, TheServoTickNeverTouchesTheHeap) {
   };
   for (const Case& each : every_law()) {
     loop.heartbeat();
-    loop.present({.id = 1, .renderer = registry.make(each.model, stimulus(each.parameters))});
+    loop.present({.id = 1, .renderer = registry.make(each.model, stimulus_with(each.parameters))});
     device.probe.position_m.z = 0.01;
     ticks(60);
     device.probe.position_m.z = -0.001;
@@ -77,7 +77,7 @@ TEST(Allocation, TheServoTickNeverTouchesTheHeap) {
     loop.withdraw();
     ticks(60);
     EXPECT_NE(loop.collect().renderer, nullptr);
-    loop.present({.id = 2, .renderer = registry.make(each.model, stimulus(each.parameters))});
+    loop.present({.id = 2, .renderer = registry.make(each.model, stimulus_with(each.parameters))});
     ticks(3000);  // the conductor falls silent
     loop.emergency_stop();
     ticks(2);

@@ -40,8 +40,8 @@ Session felt(const ForceModel& model, HapticDevice& device, double duration_s) {
   return session;
 }
 
-Session stroked(const ForceModel& model, const SimulatedDeviceSettings& settings,
-                double duration_s) {
+Session stroked_in_loop(const ForceModel& model, const SimulatedDeviceSettings& settings,
+                        double duration_s) {
   VirtualHand hand(HandHabits{}, Random(5));
   SimulatedDevice device(hand, settings);
   hand.stroke();
@@ -50,7 +50,7 @@ Session stroked(const ForceModel& model, const SimulatedDeviceSettings& settings
 
 TEST(ClosedLoop, HoldsTheHandAtTheForceItPressesWith) {
   for (const ForceModel& model : point_models()) {
-    const Session session = stroked(model, {}, 6.0);
+    const Session session = stroked_in_loop(model, {}, 6.0);
     EXPECT_EQ(session.status.fault, Fault::none) << model.declaration.id;
     double sum_N = 0.0;
     double largest_N = 0.0;
@@ -74,7 +74,7 @@ TEST(ClosedLoop, HoldsTheHandOnWhatTheSimulatedDeviceStandsFor) {
   const ModelRegistry registry = built_in_models();
   const ForceModel& model = *registry.find("sinusoid");
   for (const std::string& name : simulated_models()) {
-    const Session session = stroked(model, as_model(name, {}), 4.0);
+    const Session session = stroked_in_loop(model, as_model(name, {}), 4.0);
     EXPECT_EQ(session.status.fault, Fault::none) << name;
     double sum_N = 0.0;
     for (const TickRecord& record : session.records) {
@@ -87,7 +87,7 @@ TEST(ClosedLoop, HoldsTheHandOnWhatTheSimulatedDeviceStandsFor) {
 TEST(ClosedLoop, RendersForARecordedHandWhatItFelt) {
   const ModelRegistry registry = built_in_models();
   const ForceModel& model = *registry.find("sinusoid");
-  const Session session = stroked(model, {}, 3.0);
+  const Session session = stroked_in_loop(model, {}, 3.0);
   std::vector<ProbeState> hand;
   for (const TickRecord& record : session.records) hand.push_back(record.probe);
   ReplayDevice replay(hand);
@@ -108,11 +108,11 @@ TEST(ClosedLoop, LatchesTheFaultsOfTheDevice) {
   const ModelRegistry registry = built_in_models();
   const ForceModel& model = *registry.find("sinusoid");
   const Session lost =
-      stroked(model, {.faults = {{.kind = ScriptedFault::Kind::lost, .at_s = 3.0}}}, 4.0);
+      stroked_in_loop(model, {.faults = {{.kind = ScriptedFault::Kind::lost, .at_s = 3.0}}}, 4.0);
   EXPECT_EQ(lost.status.fault, Fault::device_lost);
   EXPECT_TRUE(lost.records.back().has(TickFlag::device_lost));
   const Session nan =
-      stroked(model, {.faults = {{.kind = ScriptedFault::Kind::nan, .at_s = 3.0}}}, 4.0);
+      stroked_in_loop(model, {.faults = {{.kind = ScriptedFault::Kind::nan, .at_s = 3.0}}}, 4.0);
   EXPECT_EQ(nan.status.fault, Fault::not_finite);
   for (const Session* session : {&lost, &nan}) {
     for (const TickRecord& record : session->records) {

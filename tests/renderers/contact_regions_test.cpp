@@ -16,14 +16,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/renderers/meshes.h"
+#include "tests/renderers/pd_gradient_surfaces.h"
 #include "tests/support/allocation_guard.h"
 
 namespace asperity {
 namespace {
 
-Pose at(const glm::dvec3& place_m) { return {.position_m = place_m}; }
-
-Pose turned(double angle_rad, const glm::dvec3& axis, const glm::dvec3& place_m) {
+Pose turned_to(double angle_rad, const glm::dvec3& axis, const glm::dvec3& place_m) {
   return {.rotation = glm::mat3_cast(glm::angleAxis(angle_rad, glm::normalize(axis))),
           .position_m = place_m};
 }
@@ -45,16 +44,17 @@ struct Meeting {
   ContactRegions regions;
 };
 
-constexpr double kRadius_m = 0.01;
-constexpr double kDepth_m = 0.001;
+constexpr double kBallRadius_m = 0.01;
+constexpr double kBallDepth_m = 0.001;
 
 TriangleMesh plate() { return box({0.1, 0.1, 0.01}); }
 /// Under whose upper face z = 0 lies.
-Pose plate_pose() { return at({0.0, 0.0, -0.005}); }
+Pose plate_pose() { return pose_at({0.0, 0.0, -0.005}); }
 
 TEST(ContactRegions, ABallOnAPlateIsOneContactAlongThePlatesNormal) {
-  Meeting meeting(ball(kRadius_m, 24, 36), plate());
-  const auto regions = meeting.update(at({0.013, -0.007, kRadius_m - kDepth_m}), plate_pose());
+  Meeting meeting(ball(kBallRadius_m, 24, 36), plate());
+  const auto regions =
+      meeting.update(pose_at({0.013, -0.007, kBallRadius_m - kBallDepth_m}), plate_pose());
   ASSERT_EQ(regions.size(), 1U);
   const ContactRegion& region = regions[0];
   EXPECT_GT(region.frame.n.z, 0.999);
@@ -62,7 +62,8 @@ TEST(ContactRegions, ABallOnAPlateIsOneContactAlongThePlatesNormal) {
   EXPECT_NEAR(region.frame.origin_m.y, -0.007, 2e-4);
   EXPECT_NEAR(region.frame.origin_m.z, 0.0, 1e-9);  // on the plane in which both are cut
   // The circle in which the ball is cut, and not much more.
-  const double circle_m = 2.0 * std::sqrt(2.0 * kRadius_m * kDepth_m - kDepth_m * kDepth_m);
+  const double circle_m =
+      2.0 * std::sqrt(2.0 * kBallRadius_m * kBallDepth_m - kBallDepth_m * kBallDepth_m);
   EXPECT_GT(region.width_m, 0.97 * circle_m);
   EXPECT_LT(region.width_m, 1.3 * circle_m);
   EXPECT_EQ(meeting.regions.regions_left_out(), 0U);
@@ -72,7 +73,7 @@ TEST(ContactRegions, AFacePressedIntoAFaceIsOneContactAlongTheirNormal) {
   // No triangle of the two faces cuts the other's plane: the curve is that of the box's walls.
   Meeting meeting(box({0.02, 0.03, 0.02}), plate());
   const auto regions =
-      meeting.update(turned(0.3, {0.0, 0.0, 1.0}, {0.0, 0.0, 0.01 - 1e-4}), plate_pose());
+      meeting.update(turned_to(0.3, {0.0, 0.0, 1.0}, {0.0, 0.0, 0.01 - 1e-4}), plate_pose());
   ASSERT_EQ(regions.size(), 1U);
   EXPECT_GT(regions[0].frame.n.z, 1.0 - 1e-9);
   EXPECT_GT(regions[0].width_m, 0.03);
@@ -81,8 +82,8 @@ TEST(ContactRegions, AFacePressedIntoAFaceIsOneContactAlongTheirNormal) {
 TEST(ContactRegions, WhatDoesNotHangTogetherIsSeveralContacts) {
   // A ring that stands on edge, half of it in a block, cuts the block's face in two places.
   Meeting meeting(bumpy_torus(40, 20), box({0.1, 0.1, 0.1}));
-  const Pose ring = turned(1.5, {1.0, 0.1, 0.2}, {0.0, 0.0, 0.005});
-  const auto regions = meeting.update(ring, at({0.0, 0.0, -0.05}));
+  const Pose ring = turned_to(1.5, {1.0, 0.1, 0.2}, {0.0, 0.0, 0.005});
+  const auto regions = meeting.update(ring, pose_at({0.0, 0.0, -0.05}));
   ASSERT_EQ(regions.size(), 2U);
   EXPECT_GT(glm::distance(regions[0].frame.origin_m, regions[1].frame.origin_m), 0.03);
 }
@@ -125,7 +126,7 @@ TEST(ContactRegions, AreWhatHangsTogetherWhateverTheirPairsShare) {
   for (const TriangleMesh& other : {box({0.1, 0.1, 0.1}), bumpy_torus(24, 15)}) {
     Meeting meeting(ring, other);
     for (int step = 0; step < 12; ++step) {
-      const Pose pose = turned(0.3 + 0.25 * step, {1.0, 0.3 * step, 0.2}, {0.0, 0.003, 0.05});
+      const Pose pose = turned_to(0.3 + 0.25 * step, {1.0, 0.3 * step, 0.2}, {0.0, 0.003, 0.05});
       const auto pairs = meeting.query.find(pose);
       const std::vector<std::size_t> expected = parts_by_every_two(pairs, ring, other);
       std::vector<std::size_t> found;
@@ -144,9 +145,9 @@ TEST(ContactRegions, AreWhatHangsTogetherWhateverTheirPairsShare) {
 }
 
 TEST(ContactRegions, ExchangingTheBodiesReversesTheDirection) {
-  const TriangleMesh one = ball(kRadius_m, 12, 20);
+  const TriangleMesh one = ball(kBallRadius_m, 12, 20);
   const TriangleMesh other = bumpy_torus(24, 15);
-  const Pose one_pose = turned(0.4, {1.0, 2.0, 3.0}, {0.03, 0.004, 0.0205});
+  const Pose one_pose = turned_to(0.4, {1.0, 2.0, 3.0}, {0.03, 0.004, 0.0205});
   Meeting forward(one, other);
   Meeting backward(other, one);
   const auto first = forward.update(one_pose, {});
@@ -158,10 +159,10 @@ TEST(ContactRegions, ExchangingTheBodiesReversesTheDirection) {
 }
 
 TEST(ContactRegions, MovingBothBodiesMovesTheContactWithThem) {
-  const TriangleMesh one = ball(kRadius_m, 12, 20);
+  const TriangleMesh one = ball(kBallRadius_m, 12, 20);
   const TriangleMesh other = bumpy_torus(24, 15);
-  const Pose pose = at({0.03, 0.004, 0.0205});
-  const Pose motion = turned(1.1, {2.0, -1.0, 0.5}, {0.2, -0.1, 0.3});
+  const Pose pose = pose_at({0.03, 0.004, 0.0205});
+  const Pose motion = turned_to(1.1, {2.0, -1.0, 0.5}, {0.2, -0.1, 0.3});
   const Pose moved{.rotation = motion.rotation * pose.rotation,
                    .position_m = motion.rotation * pose.position_m + motion.position_m};
   Meeting still(one, other);
@@ -176,12 +177,12 @@ TEST(ContactRegions, MovingBothBodiesMovesTheContactWithThem) {
 }
 
 TEST(ContactRegions, ADirectionMovesContinuouslyWhileABodySlides) {
-  Meeting meeting(ball(kRadius_m, 16, 24), bumpy_torus(30, 20));
+  Meeting meeting(ball(kBallRadius_m, 16, 24), bumpy_torus(30, 20));
   constexpr double kStep_m = 1e-5;
   double largest_rad = 0.0;
   ContactFrame before{};
   for (int step = 0; step < 1500; ++step) {
-    const auto regions = meeting.update(at({0.03, -0.0075 + kStep_m * step, 0.0205}), {});
+    const auto regions = meeting.update(pose_at({0.03, -0.0075 + kStep_m * step, 0.0205}), {});
     ASSERT_EQ(regions.size(), 1U) << step;
     const ContactFrame& frame = regions[0].frame;
     if (step > 0) largest_rad = std::max(largest_rad, glm::length(frame.n - before.n));
@@ -194,9 +195,9 @@ TEST(ContactRegions, ADirectionMovesContinuouslyWhileABodySlides) {
 }
 
 TEST(ContactRegions, AContactKeepsItsNameWhileABodySlidesAndANewOneGetsAnother) {
-  Meeting meeting(ball(kRadius_m, 16, 24), plate());
+  Meeting meeting(ball(kBallRadius_m, 16, 24), plate());
   const auto id_at = [&](double x_m) {
-    return meeting.update(at({x_m, 0.0, kRadius_m - kDepth_m}), plate_pose())[0].id;
+    return meeting.update(pose_at({x_m, 0.0, kBallRadius_m - kBallDepth_m}), plate_pose())[0].id;
   };
   const std::uint64_t first = id_at(0.0);
   for (int step = 1; step < 50; ++step) EXPECT_EQ(id_at(1e-4 * step), first) << step;
@@ -209,7 +210,7 @@ TEST(ContactRegions, ADirectionStaysWhileTheBodiesRockWithinItsPlay) {
   Meeting meeting(box({0.02, 0.02, 0.02}), plate());
   const auto rocked = [&](double angle_rad) {
     // The plate rocks, and the box with it.
-    const Pose motion = turned(angle_rad, {0.0, 1.0, 0.0}, {0.0, 0.0, 0.0});
+    const Pose motion = turned_to(angle_rad, {0.0, 1.0, 0.0}, {0.0, 0.0, 0.0});
     const Pose block{.rotation = motion.rotation,
                      .position_m = motion.rotation * glm::dvec3(0.0, 0.0, 0.0099)};
     const Pose ground{.rotation = motion.rotation,
@@ -230,8 +231,8 @@ TEST(ContactRegions, AreThoseWithTheLongestCurvesWhereThereIsNoRoomForMore) {
   const TriangleMesh block = box({0.1, 0.1, 0.1});
   Meeting meeting(ring, block);
   ContactRegions narrow(ring, block, 4000, 1);
-  const Pose pose = turned(1.5, {1.0, 0.1, 0.2}, {0.0, 0.0, 0.005});
-  const Pose below = at({0.0, 0.0, -0.05});
+  const Pose pose = turned_to(1.5, {1.0, 0.1, 0.2}, {0.0, 0.0, 0.005});
+  const Pose below = pose_at({0.0, 0.0, -0.05});
   const ContactRegion longest = meeting.update(pose, below)[0];
   const auto pairs = meeting.query.find(
       {.rotation = pose.rotation, .position_m = pose.position_m - below.position_m});
@@ -242,8 +243,8 @@ TEST(ContactRegions, AreThoseWithTheLongestCurvesWhereThereIsNoRoomForMore) {
 }
 
 TEST(ContactRegions, BodiesApartMakeNoContact) {
-  Meeting meeting(ball(kRadius_m, 12, 20), plate());
-  EXPECT_TRUE(meeting.update(at({0.0, 0.0, 0.02}), plate_pose()).empty());
+  Meeting meeting(ball(kBallRadius_m, 12, 20), plate());
+  EXPECT_TRUE(meeting.update(pose_at({0.0, 0.0, 0.02}), plate_pose()).empty());
 }
 
 TEST(ContactRegions, LeaveTheHeapAlone) {
@@ -251,7 +252,7 @@ TEST(ContactRegions, LeaveTheHeapAlone) {
   Meeting meeting(bumpy_torus(30, 20), bumpy_torus(24, 15));
   const AllocationGuard guard;
   for (int step = 0; step < 50; ++step) {
-    meeting.update(turned(0.02 * step, {1.0, 2.0, 0.5}, {0.001 * step, 0.002, 0.01}), {});
+    meeting.update(turned_to(0.02 * step, {1.0, 2.0, 0.5}, {0.001 * step, 0.002, 0.01}), {});
   }
   EXPECT_EQ(guard.count(), 0);
 }

@@ -11,15 +11,12 @@
 #include <gtest/gtest.h>
 
 #include "analysis/random.h"
+#include "tests/renderers/surfaces.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kTick_s = 0.001;
-
-ProbeState probe_at(const glm::dvec3& position_m) { return {.position_m = position_m}; }
-
-glm::dquat turned(double angle_rad, const glm::dvec3& axis) {
+glm::dquat rotation_by(double angle_rad, const glm::dvec3& axis) {
   return {std::cos(0.5 * angle_rad), std::sin(0.5 * angle_rad) * glm::normalize(axis)};
 }
 
@@ -40,8 +37,8 @@ struct PlaneUnderPoint {
   }
 };
 
-Wrench settle(CoupledTool& tool, const ProbeState& device, const PlaneUnderPoint& plane,
-              int ticks = 5000) {
+Wrench settled_wrench(CoupledTool& tool, const ProbeState& device, const PlaneUnderPoint& plane,
+                      int ticks = 5000) {
   Wrench wrench{};
   for (int tick = 0; tick < ticks; ++tick) {
     wrench = tool.step(device, plane.contacts(tool.pose()), kTick_s);
@@ -53,7 +50,7 @@ TEST(CoupledTool, ComesToWhereTheDeviceIsAndThenPullsNoMore) {
   CoupledTool tool({.centre_in_tool_m = {0.0, 0.0, 0.03}});
   tool.reset(probe_at({0.0, 0.0, 0.05}));
   const ProbeState device{.position_m = {0.01, -0.02, 0.06},
-                          .orientation = turned(0.7, {1.0, 2.0, -1.0})};
+                          .orientation = rotation_by(0.7, {1.0, 2.0, -1.0})};
   Wrench wrench{};
   for (int tick = 0; tick < 5000; ++tick) wrench = tool.step(device, {}, kTick_s);
   const glm::dvec3 centre_m = device.position_m + device.orientation * glm::dvec3(0.0, 0.0, 0.03);
@@ -79,7 +76,8 @@ TEST(CoupledTool, SharesAPressBetweenTheTwoSpringsInSeries) {
   const CoupledTool::Properties properties{.stiffness_N_per_m = 2000.0};
   CoupledTool tool(properties);
   tool.reset(probe_at({0.0, 0.0, 0.01}));
-  const Wrench wrench = settle(tool, probe_at({0.0, 0.0, -0.003}), {.stiffness_N_per_m = 1000.0});
+  const Wrench wrench =
+      settled_wrench(tool, probe_at({0.0, 0.0, -0.003}), {.stiffness_N_per_m = 1000.0});
   // 3 mm over 1/(1/2000 + 1/1000) N/m.
   EXPECT_NEAR(wrench.force_N.z, 0.003 * 2000.0 * 1000.0 / 3000.0, 1e-9);
   EXPECT_NEAR(tool.pose().centre_m.z, -0.002, 1e-12);
@@ -91,7 +89,7 @@ TEST(CoupledTool, FeelsAnOffCentreContactAsATorqueAboutTheDevicesTip) {
   CoupledTool tool({.angular_stiffness_N_m_per_rad = 1e4, .centre_in_tool_m = {0.01, 0.0, 0.0}});
   tool.reset(probe_at({0.0, 0.0, 0.01}));
   const PlaneUnderPoint plane{.point_m = {0.03, 0.0, 0.0}};
-  const Wrench wrench = settle(tool, probe_at({0.0, 0.0, -0.002}), plane, 20000);
+  const Wrench wrench = settled_wrench(tool, probe_at({0.0, 0.0, -0.002}), plane, 20000);
   EXPECT_GT(wrench.force_N.z, 0.1);
   const glm::dvec3 expected = glm::cross(glm::dvec3(0.04, 0.0, 0.0), wrench.force_N);
   EXPECT_LT(glm::distance(wrench.torque_N_m, expected), 1e-4 * glm::length(expected));
@@ -183,7 +181,7 @@ TEST(CoupledTool, IsNeverStifferToTheHandThanItsCoupling) {
   CoupledTool tool({.stiffness_N_per_m = 800.0});
   tool.reset(probe_at({0.0, 0.0, 0.0}));
   const PlaneUnderPoint rock{.stiffness_N_per_m = 1e9};
-  const Wrench wrench = settle(tool, probe_at({0.0, 0.0, -0.004}), rock);
+  const Wrench wrench = settled_wrench(tool, probe_at({0.0, 0.0, -0.004}), rock);
   EXPECT_NEAR(wrench.force_N.z, 800.0 * 0.004, 1e-4);
 }
 
@@ -198,7 +196,7 @@ TEST(CoupledTool, StaysBoundedAtOneKilohertzOnContactsFarStifferThanAnExplicitSt
     const double time_s = tick * kTick_s;
     device.position_m = {0.01 * std::sin(3.0 * time_s), 0.01 * std::cos(2.0 * time_s),
                          -0.002 + 0.003 * std::sin(7.0 * time_s) + 1e-5 * random.uniform()};
-    device.orientation = turned(0.2 * std::sin(5.0 * time_s), {1.0, 0.3, 0.1});
+    device.orientation = rotation_by(0.2 * std::sin(5.0 * time_s), {1.0, 0.3, 0.1});
     tool.step(device, plane.contacts(tool.pose()), kTick_s);
     largest_m = std::max(largest_m, glm::distance(tool.pose().centre_m, device.position_m));
   }

@@ -21,7 +21,7 @@ ForceModel model(std::string_view id) {
   return *registry.find(id);
 }
 
-RendererInputs stimulus() {
+RendererInputs matched_stimulus() {
   RendererInputs inputs;
   inputs.patch = wide_patch();
   inputs.height_field = grating();
@@ -45,7 +45,7 @@ constexpr double kNormalRms_N = 0.0707107;
 constexpr double kWithFriction_N = 0.0720736;
 
 TEST(TextureForce, OfASinusoidIsItsStiffnessTimesItsRms) {
-  RendererInputs inputs = stimulus();
+  RendererInputs inputs = matched_stimulus();
   inputs.parameters = {{"amplitude_m", 0.0002}, {"wavelength_m", 0.004}};
   EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs), kWithFriction_N, 1e-6);
   inputs.material.friction = 0.0;
@@ -53,13 +53,13 @@ TEST(TextureForce, OfASinusoidIsItsStiffnessTimesItsRms) {
 }
 
 TEST(TextureForce, OfAHeightMapIsThatOfItsHeights) {
-  RendererInputs inputs = stimulus();
+  RendererInputs inputs = matched_stimulus();
   inputs.material.friction = 0.0;
   EXPECT_NEAR(texture_force_rms_N(model("height_map"), inputs), kNormalRms_N, 1e-5);
 }
 
 TEST(TextureForce, CountsOnlyWhatLiesInItsBand) {
-  RendererInputs inputs = stimulus();
+  RendererInputs inputs = matched_stimulus();
   inputs.parameters = {{"amplitude_m", 0.0002}, {"wavelength_m", 0.004}};
   EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs, {.low_Hz = 16.0}), 0.0, 1e-6);
   EXPECT_NEAR(texture_force_rms_N(model("sinusoid"), inputs, {.low_Hz = 14.0, .high_Hz = 16.0}),
@@ -68,14 +68,14 @@ TEST(TextureForce, CountsOnlyWhatLiesInItsBand) {
 
 TEST(TextureForce, OfAPlateIsNothing) {
   for (const ForceModel& each : point_models()) {
-    EXPECT_NEAR(texture_force_rms_N(each, without_texture(each.declaration, stimulus())), 0.0,
-                1e-12)
+    EXPECT_NEAR(texture_force_rms_N(each, without_texture(each.declaration, matched_stimulus())),
+                0.0, 1e-12)
         << each.declaration.id;
   }
 }
 
 TEST(TextureForce, DoesNotDependOnThePatchsBorder) {
-  RendererInputs inputs = stimulus();
+  RendererInputs inputs = matched_stimulus();
   const double wide_N = texture_force_rms_N(model("height_map"), inputs);
   inputs.patch.extent_m = {0.02, 0.02};
   inputs.patch.edge_width_m = 0.01;
@@ -86,7 +86,7 @@ TEST(TextureForce, DoesNotDependOnThePatchsBorder) {
 }
 
 TEST(TextureForce, RefusesAMeanForceThatNoHeightGives) {
-  RendererInputs inputs = stimulus();
+  RendererInputs inputs = matched_stimulus();
   inputs.parameters = {{"depth_limit_m", 0.001}};  // at most 500 N/m · 1 mm = 0.5 N
   try {
     texture_force_rms_N(model("height_map"), inputs);
@@ -99,14 +99,14 @@ TEST(TextureForce, RefusesAMeanForceThatNoHeightGives) {
 }
 
 TEST(TextureForce, RefusesAPathThatIsAllDropped) {
-  EXPECT_THROW(texture_force_rms_N(model("sinusoid"), stimulus(), {.dropped_s = 2.0}),
+  EXPECT_THROW(texture_force_rms_N(model("sinusoid"), matched_stimulus(), {.dropped_s = 2.0}),
                std::invalid_argument);
 }
 
 TEST(SolvedAmplitude, MakesEveryModelEquallyStrong) {
   constexpr double kTarget_N = 0.05;
   for (const ForceModel& each : point_models()) {
-    RendererInputs inputs = stimulus();
+    RendererInputs inputs = matched_stimulus();
     const SolvedAmplitude solved = solve_amplitude(each, inputs, kTarget_N);
     EXPECT_EQ(solved.parameter, *each.declaration.amplitude_parameter);
     inputs.parameters[solved.parameter] = solved.value;
@@ -118,21 +118,21 @@ TEST(SolvedAmplitude, MakesEveryModelEquallyStrong) {
 
 TEST(SolvedAmplitude, IsTheOneWorkedOutByHand) {
   // Twice the RMS of 0.2 mm needs 0.4 mm.
-  RendererInputs inputs = stimulus();
+  RendererInputs inputs = matched_stimulus();
   inputs.parameters = {{"wavelength_m", 0.004}};
   EXPECT_NEAR(solve_amplitude(model("sinusoid"), inputs, 2.0 * kWithFriction_N).value, 0.0004,
               1e-8);
 }
 
 TEST(SolvedAmplitude, SolvesTheLiteralLawToo) {
-  RendererInputs inputs = stimulus();
+  RendererInputs inputs = matched_stimulus();
   inputs.parameters = {{"law", std::string("literal")}};
   // No friction: s · 0.0707107 N = 0.05 N.
   EXPECT_NEAR(solve_amplitude(model("height_map"), inputs, 0.05).value, 0.05 / kNormalRms_N, 1e-4);
 }
 
 TEST(SolvedAmplitude, SaysWhatCanBeReachedWhenTheTargetCannot) {
-  const std::string said = complaint_of(model("lateral_gradient"), stimulus(), 1000.0);
+  const std::string said = complaint_of(model("lateral_gradient"), matched_stimulus(), 1000.0);
   EXPECT_THAT(said, testing::HasSubstr("lateral_gradient"));
   EXPECT_THAT(said, testing::HasSubstr("gain_N goes from 0 to 50 N"));
   EXPECT_THAT(said, testing::HasSubstr("1000 N"));
@@ -141,7 +141,7 @@ TEST(SolvedAmplitude, SaysWhatCanBeReachedWhenTheTargetCannot) {
 }
 
 TEST(SolvedAmplitude, RefusesATargetOfNothing) {
-  EXPECT_THROW(solve_amplitude(model("sinusoid"), stimulus(), 0.0), std::invalid_argument);
+  EXPECT_THROW(solve_amplitude(model("sinusoid"), matched_stimulus(), 0.0), std::invalid_argument);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace asperity {
 namespace {
 
 constexpr double kWindow_m = ContactsByChance::kWindow_m;
-constexpr double kDepth_m = 0.1e-3;
+constexpr double kContactDepth_m = 0.1e-3;
 
 CachedSettings settings_for(int samples, const MaximumLaw& law,
                             InstructionSet instructions = instruction_sets_here().back()) {
@@ -58,7 +58,7 @@ struct Bodies {
     const auto found =
         reference_penetration(contact.a(), contact.b(), {}, {.width_m = kWindow_m, .samples = 64},
                               HardMaximum{.step_m = 1e-4});
-    contact.pose_a.position_m.z -= kDepth_m - found->depth_m;
+    contact.pose_a.position_m.z -= kContactDepth_m - found->depth_m;
     return contact;
   }
   PackedPatch patch_a(const Pose& pose) const { return {a, contact.triangles_a, pose}; }

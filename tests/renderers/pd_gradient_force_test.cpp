@@ -15,13 +15,6 @@
 namespace asperity {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kStiffness_N_per_m = 1000.0;
-
-double relative(const glm::dvec3& difference, const glm::dvec3& whole) {
-  return glm::length(difference) / glm::length(whole);
-}
-
 // A bowl z = z₀ + ½·a·|p − q|² over a tilted hump z = s·p − ½·b·|p|². They are deepest in each other
 // where the slopes agree, at p = (s + a·q)/(a + b).
 class BowlOnHump : public testing::Test {
@@ -289,7 +282,7 @@ class Gratings : public testing::Test {
   static constexpr double kWavelength_m = 1e-3;
   static constexpr double kHeight_m = 0.05e-3;
   static double crossed_m(double x_m, double y_m) {
-    const double k_per_m = 2.0 * kPi / kWavelength_m;
+    const double k_per_m = 2.0 * std::numbers::pi / kWavelength_m;
     return kHeight_m * (std::cos(k_per_m * x_m) + std::cos(k_per_m * (0.6 * x_m + 0.8 * y_m)));
   }
   // Smooth wherever it is sampled, so that the sum over a path is as good as its integral.
@@ -321,7 +314,7 @@ TEST_F(Gratings, DoNoNetWorkAroundAClosedPathInTheLimitOfSmallSteps) {
   const auto net_over_gross = [&](double step_m) {
     constexpr int kPoints = 160;
     const auto place_m = [](int point) {
-      const double t = 2.0 * kPi * point / kPoints;
+      const double t = 2.0 * std::numbers::pi * point / kPoints;
       return glm::dvec3{0.35e-3 * std::cos(t), 0.30e-3 * std::sin(t + 0.4),
                         -0.15e-3 + 0.05e-3 * std::sin(2.0 * t + 0.6)};
     };
@@ -353,7 +346,7 @@ TEST_F(Gratings, DoNoNetWorkWithTheSmoothMaximum) {
   double net_J = 0.0;
   double gross_J = 0.0;
   for (int point = 0; point < kPoints; ++point) {
-    const double t = 2.0 * kPi * point / kPoints;
+    const double t = 2.0 * std::numbers::pi * point / kPoints;
     const double turn_rad = 0.3 * std::sin(t);
     const double tilt_rad = 0.05 * std::cos(t + 0.5);
     const glm::dmat3 turn = turn_about({0, 0, 1}, turn_rad);
@@ -372,8 +365,8 @@ TEST_F(Gratings, DoNoNetWorkWithTheSmoothMaximum) {
     const double power =
         glm::dot(wrench.force_N, velocity_m - glm::cross(spin_rad, pose.position_m)) +
         glm::dot(wrench.torque_N_m, spin_rad);
-    net_J += power * 2.0 * kPi / kPoints;
-    gross_J += std::abs(power) * 2.0 * kPi / kPoints;
+    net_J += power * 2.0 * std::numbers::pi / kPoints;
+    gross_J += std::abs(power) * 2.0 * std::numbers::pi / kPoints;
   }
   EXPECT_GT(gross_J, 1e-6);
   EXPECT_LT(std::abs(net_J) / gross_J, 1e-6);
@@ -393,7 +386,7 @@ TEST_F(Gratings, DoNoNetWorkWithTheSmoothMaximumInSinglePrecision) {
   double net_J = 0.0;
   double gross_J = 0.0;
   for (int point = 0; point < kPoints; ++point) {
-    const double t = 2.0 * kPi * point / kPoints;
+    const double t = 2.0 * std::numbers::pi * point / kPoints;
     const Pose pose = upside_down({0.3e-3 * std::cos(t), 0.2e-3 * std::sin(t + 0.4),
                                    -0.3e-3 + 0.05e-3 * std::sin(2.0 * t + 0.6)});
     const glm::dvec3 velocity_m{-0.3e-3 * std::sin(t), 0.2e-3 * std::cos(t + 0.4),
@@ -416,7 +409,7 @@ class BallOnGrating : public testing::Test {
   static constexpr double kHeight_m = 0.1e-3;
   static constexpr double kRadius_m = 0.1e-3;
   static double height_m(double x_m) {
-    return kHeight_m * std::cos(2.0 * kPi * x_m / kWavelength_m);
+    return kHeight_m * std::cos(2.0 * std::numbers::pi * x_m / kWavelength_m);
   }
   // Where the ball's lowest point is when it rests on the grating at x: its offset surface.
   static double offset_m(double x_m) {

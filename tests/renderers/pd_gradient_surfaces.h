@@ -29,6 +29,14 @@ inline std::vector<std::uint32_t> all_triangles(const TexturedMesh& mesh) {
   return triangles;
 }
 
+inline constexpr double kStiffness_N_per_m = 1000.0;
+
+inline double relative(const glm::dvec3& difference, const glm::dvec3& whole) {
+  return glm::length(difference) / glm::length(whole);
+}
+
+inline Pose pose_at(const glm::dvec3& position_m) { return {.position_m = position_m}; }
+
 // Turned over about the x-axis: what looked up looks down; (x, y, z) → (x, −y, −z).
 inline Pose upside_down(const glm::dvec3& position_m) {
   return {.rotation = glm::dmat3(1, 0, 0, 0, -1, 0, 0, 0, -1), .position_m = position_m};

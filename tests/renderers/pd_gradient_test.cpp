@@ -24,10 +24,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kTick_s = 0.001;
-constexpr double kRadius_m = 1.5e-3;
-constexpr Grating kGrating{.amplitude_m = 0.05e-3, .wavelength_m = 1.2e-3};
+constexpr double kTipRadius_m = 1.5e-3;
+constexpr Grating kPlateGrating{.amplitude_m = 0.05e-3, .wavelength_m = 1.2e-3};
 
 /// The ball has facets, and no sample meets its lowest point: it is up to so much less deep.
 constexpr double kSampled_N = 0.009;
@@ -35,8 +33,8 @@ constexpr double kSampled_N = 0.009;
 /// A ball of 3 mm with its lowest point at the tip, on a grated plate.
 RendererInputs ball_on_plate(ParameterValues parameters) {
   // Made once: what is const is shared.
-  static const auto kBall = shared(shifted(bare(ball(kRadius_m, 14, 20)), {0, 0, kRadius_m}));
-  static const auto kPlate = shared(grated_plate(kGrating));
+  static const auto kBall = shared(shifted(bare(ball(kTipRadius_m, 14, 20)), {0, 0, kTipRadius_m}));
+  static const auto kPlate = shared(grated_plate(kPlateGrating));
   RendererInputs inputs;
   inputs.parameters = std::move(parameters);
   inputs.material = {.stiffness_N_per_m = 1000.0, .friction = 0.0};
@@ -127,7 +125,7 @@ TEST(PdGradient, FeelsTheForceAsATorqueAboutTheTip) {
   // The ball's middle is 20 mm beside the tip and 10 mm below it.
   const glm::dvec3 middle_m{0.020, 0.0, -0.010};
   RendererInputs inputs = ball_on_plate(direct({{"texture_gain", 0.0}}));
-  inputs.tool = shared(shifted(bare(ball(kRadius_m, 24, 32)), middle_m));
+  inputs.tool = shared(shifted(bare(ball(kTipRadius_m, 24, 32)), middle_m));
   for (const bool coupled : {false, true}) {
     if (coupled) {
       // Too stiff to turn away: the contact stays where it is.
@@ -137,7 +135,7 @@ TEST(PdGradient, FeelsTheForceAsATorqueAboutTheTip) {
     const auto renderer = renderer_of(inputs);
     ProbeState probe = probe_at({});
     probe.orientation = glm::angleAxis(0.7, glm::dvec3{0.0, 0.0, 1.0});
-    probe.position_m = glm::dvec3{0.0, 0.0, kRadius_m - 0.2e-3} - probe.orientation * middle_m;
+    probe.position_m = glm::dvec3{0.0, 0.0, kTipRadius_m - 0.2e-3} - probe.orientation * middle_m;
     renderer->reset(probe);
     const Wrench wrench = held(*renderer, probe, 600).wrench;
     ASSERT_GT(wrench.force_N.z, 0.05);
@@ -238,7 +236,7 @@ TEST(PdGradient, VibratesUnderRotationWithTheTextureAndNotWithout) {
   const auto grooved =
       shared(with_grating(shape, {.amplitude_m = 0.03e-3, .wavelength_m = 1.2e-3}, 0.001));
   const auto smooth = shared(textured_shape(shape, *level(0.0F), {.rim_m = 0.001}));
-  const glm::dquat lying = glm::angleAxis(0.5 * kPi, glm::dvec3{0.0, 1.0, 0.0});
+  const glm::dquat lying = glm::angleAxis(0.5 * std::numbers::pi, glm::dvec3{0.0, 1.0, 0.0});
   for (const char* coupling : {"none", "virtual"}) {
     const auto turning = [&](const std::shared_ptr<const TexturedMesh>& cylinder) {
       RendererInputs inputs =
@@ -492,14 +490,14 @@ TEST(PdGradient, CountsTheTicksInWhichAThinPlateIsGoneThrough) {
   const auto renderer = renderer_of(inputs);
   double largest_N = 0.0;
   std::uint64_t until_then = 0;
-  for (double z_m = 1e-3; z_m > -1.8 * kRadius_m; z_m -= 0.02e-3) {
+  for (double z_m = 1e-3; z_m > -1.8 * kTipRadius_m; z_m -= 0.02e-3) {
     const RenderedTick tick = renderer->tick(probe_at({0.0, 0.0, z_m}), kTick_s);
     largest_N = std::max(largest_N, tick.wrench.force_N.z);
     if (z_m > -0.2e-3) until_then = ticks_of(*renderer, "too_deep");
   }
   EXPECT_EQ(until_then, 0U);
   EXPECT_GT(ticks_of(*renderer, "too_deep"), 10U);
-  EXPECT_LT(largest_N, 1.05 * kRadius_m * inputs.material.stiffness_N_per_m);
+  EXPECT_LT(largest_N, 1.05 * kTipRadius_m * inputs.material.stiffness_N_per_m);
 }
 
 TEST(PdGradient, CountsTheTicksInWhichAContactIsKept) {

@@ -17,7 +17,7 @@
 namespace asperity {
 namespace {
 
-RendererInputs stimulus() {
+RendererInputs replayed_stimulus() {
   RendererInputs inputs;
   inputs.patch = wide_patch();
   inputs.height_field = grating();
@@ -37,7 +37,7 @@ std::vector<TickRecord> recorded(const ForceModel& model) {
   std::int64_t now_ns = 77'000'000'000;
   for (int i = 0; i < 2000; ++i) {
     loop.heartbeat();
-    if (i == 100) loop.present({.id = 1, .renderer = make_renderer(model, stimulus())});
+    if (i == 100) loop.present({.id = 1, .renderer = make_renderer(model, replayed_stimulus())});
     if (i == 1000) loop.emergency_stop();
     if (i == 1100) loop.clear_fault();
     now_ns += 1'000'000 + (i * 7919) % 400'000;  // late by up to 0.4 ms
@@ -58,7 +58,7 @@ TEST(Replay, GivesTheRecordedForcesBitForBit) {
   for (const ForceModel& model : registry.models()) {
     const std::vector<TickRecord> records = recorded(model);
     ASSERT_EQ(records.size(), 2000U);
-    const auto renderer = make_renderer(model, stimulus());
+    const auto renderer = make_renderer(model, replayed_stimulus());
     const std::vector<RenderedTick> again = replay(*renderer, records, 1000.0);
     ASSERT_EQ(again.size(), records.size());
     std::size_t touching = 0;
@@ -75,7 +75,7 @@ TEST(Replay, GivesTheRecordedForcesBitForBit) {
 TEST(Replay, RendersNothingWhereNothingWasPresented) {
   const ModelRegistry registry = built_in_models();
   const std::vector<TickRecord> records = recorded(*registry.find("sinusoid"));
-  const auto renderer = make_renderer(*registry.find("sinusoid"), stimulus());
+  const auto renderer = make_renderer(*registry.find("sinusoid"), replayed_stimulus());
   const std::vector<RenderedTick> again = replay(*renderer, records, 1000.0);
   EXPECT_FALSE(records[1050].has(TickFlag::presenting));  // the fault
   EXPECT_EQ(again[1050].wrench.force_N, glm::dvec3(0.0));

@@ -13,7 +13,7 @@ namespace asperity {
 namespace {
 
 // A = 0.5 mm, L = 2 mm, k = 500 N/m.
-std::unique_ptr<ForceRenderer> renderer_of(ParameterValues parameters) {
+std::unique_ptr<ForceRenderer> sinusoid_with(ParameterValues parameters) {
   RendererInputs inputs;
   inputs.parameters = std::move(parameters);
   inputs.parameters["amplitude_m"] = 0.0005;
@@ -23,7 +23,7 @@ std::unique_ptr<ForceRenderer> renderer_of(ParameterValues parameters) {
 }
 
 TEST(Sinusoid, FollowsEquationFour) {
-  const auto renderer = renderer_of({});
+  const auto renderer = sinusoid_with({});
   // h = A at x = 0, 2A at L/4, 0 at −L/4. Tip on the plane: F = 500·0.5 mm, 500·1 mm, 0.
   EXPECT_NEAR(answer(*renderer, probe_at({0.0, 0.0, 0.0})).wrench.force_N.z, 0.25, 1e-12);
   EXPECT_NEAR(answer(*renderer, probe_at({0.0005, 0.0, 0.0})).wrench.force_N.z, 0.5, 1e-12);
@@ -33,14 +33,14 @@ TEST(Sinusoid, FollowsEquationFour) {
 }
 
 TEST(Sinusoid, IsNotFeltAboveItsHeight) {
-  const auto renderer = renderer_of({});
+  const auto renderer = sinusoid_with({});
   const RenderedTick tick = answer(*renderer, probe_at({0.0, 0.0, 0.00051}));
   EXPECT_EQ(tick.wrench.force_N, glm::dvec3(0.0));
   EXPECT_EQ(tick.penetration_m, 0.0);
 }
 
 TEST(Sinusoid, PointsUpByDefault) {
-  const glm::dvec3 force_N = answer(*renderer_of({}), probe_at({0.0, 0.0, 0.0})).wrench.force_N;
+  const glm::dvec3 force_N = answer(*sinusoid_with({}), probe_at({0.0, 0.0, 0.0})).wrench.force_N;
   EXPECT_EQ(force_N.x, 0.0);
   EXPECT_EQ(force_N.y, 0.0);
 }
@@ -48,7 +48,7 @@ TEST(Sinusoid, PointsUpByDefault) {
 TEST(Sinusoid, KeepsItsMagnitudeAlongTheLocalNormal) {
   // Slope at x = 0: 2πA/L = π/2 = 1.5708; |n| un-normalised = sqrt(1 + π²/4) = 1.86210.
   // F = 0.25 N: F_z = 0.25/1.86210 = 0.134257, F_x = −1.5708·0.134257 = −0.210891.
-  const auto renderer = renderer_of({{"force_direction", std::string("local_normal")}});
+  const auto renderer = sinusoid_with({{"force_direction", std::string("local_normal")}});
   const glm::dvec3 force_N = answer(*renderer, probe_at({0.0, 0.0, 0.0})).wrench.force_N;
   EXPECT_NEAR(force_N.z, 0.134257, 1e-6);
   EXPECT_NEAR(force_N.x, -0.210891, 1e-6);
@@ -57,7 +57,7 @@ TEST(Sinusoid, KeepsItsMagnitudeAlongTheLocalNormal) {
 
 TEST(Sinusoid, VariesAlongItsDirection) {
   // θ = 90°: the crest lies at y = L/4, whatever x.
-  const auto renderer = renderer_of({{"direction_rad", std::numbers::pi / 2}});
+  const auto renderer = sinusoid_with({{"direction_rad", std::numbers::pi / 2}});
   EXPECT_NEAR(answer(*renderer, probe_at({0.0007, 0.0005, 0.0})).wrench.force_N.z, 0.5, 1e-9);
   EXPECT_NEAR(answer(*renderer, probe_at({0.0007, 0.0, 0.0})).wrench.force_N.z, 0.25, 1e-9);
 }

@@ -13,6 +13,8 @@
 
 namespace asperity {
 
+inline constexpr double kTick_s = 0.001;
+
 /// Wide enough that no border is near, unless a test is about the border.
 inline SurfacePatch wide_patch() { return {.extent_m = {1.0, 1.0}, .tiling = Tiling::repeat}; }
 

@@ -19,7 +19,7 @@
 namespace asperity {
 namespace {
 
-constexpr Grating kGrating{.amplitude_m = 0.05e-3, .wavelength_m = 1e-3};
+constexpr Grating kBodyGrating{.amplitude_m = 0.05e-3, .wavelength_m = 1e-3};
 
 TEST(TexturedBody, HasAHullAroundItsTextureAsFarAwayEverywhere) {
   // Texels and waves do not line up: margins in the atlas go further than the amplitude.
@@ -80,7 +80,7 @@ TEST(TexturedBody, TakesNoRoundingOfItsShapeForDetail) {
   EXPECT_GT(TexturedBody(sphere, 1.0).finest_wave_m(), 1.5e-3);
   const TexturedMesh plain = bare(ball(0.005, 8, 12));
   EXPECT_EQ(TexturedBody(plain, 1.0).finest_wave_m(), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(TexturedBody(grated_plate(kGrating), 0.0).finest_wave_m(),
+  EXPECT_EQ(TexturedBody(grated_plate(kBodyGrating), 0.0).finest_wave_m(),
             std::numeric_limits<double>::infinity());
 }
 

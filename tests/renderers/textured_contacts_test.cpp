@@ -24,10 +24,6 @@
 namespace asperity {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kStiffness_N_per_m = 1000.0;
-constexpr double kTick_s = 1e-3;
-
 WindowSampling hard(double step_m, int cells = 1) {
   return {.law = HardMaximum{.step_m = step_m}, .cell_m = step_m / cells, .most_samples = 512};
 }
@@ -36,8 +32,6 @@ TexturedContacts between(const TexturedMesh& a, const TexturedMesh& b,
                          const WindowSampling& sampling) {
   return {{a, 1.0}, {b, 1.0}, sampling, instruction_sets_here().back()};
 }
-
-Pose at(const glm::dvec3& position_m) { return {.position_m = position_m}; }
 
 Pose moved(const Pose& motion, const Pose& pose) {
   return {.rotation = motion.rotation * pose.rotation,
@@ -56,10 +50,6 @@ Wrench wrench_about(const glm::dvec3& point_m, std::span<const TexturedContact> 
   return sum;
 }
 
-double relative(const glm::dvec3& difference, const glm::dvec3& whole) {
-  return glm::length(difference) / glm::length(whole);
-}
-
 // A ball of radius R with its lowest point at the origin of its frame, on h(x) = A·sin(2πx/λ).
 class BallOnGratedPlate : public testing::Test {
  protected:
@@ -67,7 +57,7 @@ class BallOnGratedPlate : public testing::Test {
   static constexpr double kWavelength_m = 2e-3;
   static constexpr double kHeight_m = 0.06e-3;
   static double height_m(double x_m) {
-    return kHeight_m * std::sin(2.0 * kPi * x_m / kWavelength_m);
+    return kHeight_m * std::sin(2.0 * std::numbers::pi * x_m / kWavelength_m);
   }
   // How far aside of its middle the ball is deepest, and how deep, with its lowest point at (x, z).
   struct Deepest {
@@ -96,11 +86,11 @@ TEST_F(BallOnGratedPlate, PushesAtTheDeepestPointAlongTheTexturesNormal) {
   TexturedContacts contacts = between(ball_, plate_, hard(20e-6, 4));
   for (const double x_m : {0.21e-3, 0.6e-3, -0.35e-3}) {
     const glm::dvec3 place_m{x_m, 0.05e-3, -0.1e-3};
-    const auto found = contacts.find(at(place_m), {}, kTick_s);
+    const auto found = contacts.find(pose_at(place_m), {}, kTick_s);
     ASSERT_EQ(found.size(), 1U);
     const auto [aside_m, depth_m] = deepest(x_m, place_m.z);
-    const double slope = 2.0 * kPi * kHeight_m / kWavelength_m *
-                         std::cos(2.0 * kPi * (x_m + aside_m) / kWavelength_m);
+    const double slope = 2.0 * std::numbers::pi * kHeight_m / kWavelength_m *
+                         std::cos(2.0 * std::numbers::pi * (x_m + aside_m) / kWavelength_m);
     // k·δ·(−h_u, −h_v, 1), and r × F about the place of the ball's lowest point.
     const glm::dvec3 force_N = kStiffness_N_per_m * depth_m * glm::dvec3{-slope, 0.0, 1.0};
     const double below_m = kRadius_m - std::sqrt(kRadius_m * kRadius_m - aside_m * aside_m);
@@ -120,12 +110,13 @@ TEST_F(BallOnGratedPlate, TurnsBackByTheGratingsSlopeTimesTheLever) {
     const glm::dvec3 hold_m{-0.4e-3, 0.3e-3, -0.1e-3};
     const double x_m = hold_m.x + lever_m.x;
     const auto [aside_m, depth_m] = deepest(x_m, hold_m.z);
-    const double slope = 2.0 * kPi * kHeight_m / kWavelength_m *
-                         std::cos(2.0 * kPi * (x_m + aside_m) / kWavelength_m);
+    const double slope = 2.0 * std::numbers::pi * kHeight_m / kWavelength_m *
+                         std::cos(2.0 * std::numbers::pi * (x_m + aside_m) / kWavelength_m);
     const double turning_N_m = kStiffness_N_per_m * depth_m * slope * lever_m.y;
-    const Wrench wrench = wrench_about(hold_m, contacts.find(at(hold_m + lever_m), {}, kTick_s));
+    const Wrench wrench =
+        wrench_about(hold_m, contacts.find(pose_at(hold_m + lever_m), {}, kTick_s));
     const double most_N_m =
-        kStiffness_N_per_m * depth_m * 2.0 * kPi * kHeight_m / kWavelength_m * 2e-3;
+        kStiffness_N_per_m * depth_m * 2.0 * std::numbers::pi * kHeight_m / kWavelength_m * 2e-3;
     EXPECT_NEAR(wrench.torque_N_m.z, turning_N_m, 0.03 * most_N_m) << phi_rad;
   }
 }
@@ -137,13 +128,13 @@ TEST_F(BallOnGratedPlate, KeepsMostOfTheTangentialForceAtAStepOfAnEighth) {
   double true_slope = 0.0;
   for (int i = 0; i < 16; ++i) {
     const double x_m = kWavelength_m * i / 16.0;
-    const auto found = contacts.find(at({x_m, 0.05e-3, -0.1e-3}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({x_m, 0.05e-3, -0.1e-3}), {}, kTick_s);
     ASSERT_EQ(found.size(), 1U);
     felt = std::max(felt, std::abs(found[0].penetration.slope.x));
     const double deepest_m = x_m + deepest(x_m, -0.1e-3).aside_m;
-    true_slope =
-        std::max(true_slope, 2.0 * kPi * kHeight_m / kWavelength_m *
-                                 std::abs(std::cos(2.0 * kPi * deepest_m / kWavelength_m)));
+    true_slope = std::max(
+        true_slope, 2.0 * std::numbers::pi * kHeight_m / kWavelength_m *
+                        std::abs(std::cos(2.0 * std::numbers::pi * deepest_m / kWavelength_m)));
   }
   EXPECT_GE(felt, 0.85 * true_slope);
   EXPECT_LE(felt, 1.01 * true_slope);
@@ -153,8 +144,8 @@ TEST_F(BallOnGratedPlate, FeelsTheOppositeOnceTheBodiesChangePlaces) {
   TexturedContacts forward = between(ball_, plate_, hard(25e-6, 4));
   TexturedContacts backward = between(plate_, ball_, hard(25e-6, 4));
   const glm::dvec3 place_m{0.21e-3, 0.05e-3, -0.1e-3};
-  const auto found = forward.find(at(place_m), {}, kTick_s);
-  const auto swapped = backward.find({}, at(place_m), kTick_s);
+  const auto found = forward.find(pose_at(place_m), {}, kTick_s);
+  const auto swapped = backward.find({}, pose_at(place_m), kTick_s);
   ASSERT_EQ(found.size(), 1U);
   ASSERT_EQ(swapped.size(), 1U);
   const Wrench on_ball = wrench_about(place_m, found);
@@ -169,7 +160,7 @@ TEST_F(BallOnGratedPlate, FeelsTheOppositeOnceTheBodiesChangePlaces) {
 
 // The grid's axes begin along the plate's and turn with it: what is left is single precision.
 TEST_F(BallOnGratedPlate, TurnsWithTheBodies) {
-  const Pose ball = at({0.21e-3, 0.05e-3, -0.1e-3});
+  const Pose ball = pose_at({0.21e-3, 0.05e-3, -0.1e-3});
   const auto turned_error = [&](const Pose& motion) {
     TexturedContacts contacts = between(ball_, plate_, hard(25e-6, 4));
     const Wrench was = wrench_about(ball.position_m, contacts.find(ball, {}, kTick_s));
@@ -209,7 +200,7 @@ class BallOnPlateWithPoints : public testing::Test {
   // The ball's lowest point at (x, 0, −0.02 mm).
   Penetration answer(double x_m, double offset, double height_m) const {
     TexturedContacts contacts = between(ball_, plate(offset, height_m), hard(8.0 * kCell_m, 8));
-    const auto found = contacts.find(at({x_m, 0.0, -kSunk_m}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({x_m, 0.0, -kSunk_m}), {}, kTick_s);
     EXPECT_EQ(found.size(), 1U);
     return found[0].penetration;
   }
@@ -244,17 +235,17 @@ class BallAroundALoop : public testing::Test {
     TexturedContacts contacts = between(ball_, plate_, sampling);
     constexpr int kPoints = 300;
     const auto place_m = [](int point) {
-      const double t = 2.0 * kPi * point / kPoints;
+      const double t = 2.0 * std::numbers::pi * point / kPoints;
       return glm::dvec3{0.35e-3 * std::cos(t), 0.30e-3 * std::sin(t + 0.4),
                         -0.1e-3 + 0.04e-3 * std::sin(2.0 * t + 0.6)};
     };
-    contacts.find(at(place_m(0)), {}, kTick_s);
+    contacts.find(pose_at(place_m(0)), {}, kTick_s);
     double net_J = 0.0;
     double gross_J = 0.0;
     for (int point = 0; point < kPoints; ++point) {
       const glm::dvec3 from_m = place_m(point);
       const glm::dvec3 to_m = place_m(point + 1);
-      const auto found = contacts.find(at(0.5 * (from_m + to_m)), {}, kTick_s);
+      const auto found = contacts.find(pose_at(0.5 * (from_m + to_m)), {}, kTick_s);
       const double work_J = glm::dot(wrench_about({}, found).force_N, to_m - from_m);
       net_J += work_J;
       gross_J += std::abs(work_J);
@@ -292,7 +283,7 @@ TEST(TexturedContacts, AreContinuousAlongASlowPath) {
   for (int tick = 0; tick < kTicks; ++tick) {
     const glm::dvec3 place_m{-2e-3 + kStep_m * tick, 0.3e-3 * std::sin(0.01 * tick), -0.15e-3};
     const glm::dvec3 force_N =
-        wrench_about(place_m, contacts.find(at(place_m), {}, kTick_s)).force_N;
+        wrench_about(place_m, contacts.find(pose_at(place_m), {}, kTick_s)).force_N;
     if (tick > 0) largest_N = std::max(largest_N, std::abs(force_N.x - before_N.x));
     squares_N2 += force_N.x * force_N.x;
     before_N = force_N;
@@ -312,7 +303,7 @@ TEST(TexturedContacts, BeginWithoutAStepWithTheSmoothMaximumToo) {
     double before_N = 0.0;
     double widest_m = 0.0;
     for (double depth_m = -kDown_m; depth_m < 0.9e-3; depth_m += kDown_m) {
-      const auto found = contacts.find(at({0.0, 0.0, 0.005 - depth_m}), {}, kTick_s);
+      const auto found = contacts.find(pose_at({0.0, 0.0, 0.005 - depth_m}), {}, kTick_s);
       const double force_N = wrench_about({}, found).force_N.z;
       EXPECT_NEAR(force_N, before_N, 3.0 * kStiffness_N_per_m * kDown_m) << depth_m;
       before_N = force_N;
@@ -348,7 +339,7 @@ TEST_F(RingOnABlock, JumpsLittleWhereContactsPartAndJoin) {
   TexturedContacts contacts = between(ring_, block_, sampling_);
   constexpr int kTicks = 1000;
   const auto pose = [&](int tick) {
-    const double phase = 2.0 * kPi * (0.45 + 0.5 * tick / kTicks);
+    const double phase = 2.0 * std::numbers::pi * (0.45 + 0.5 * tick / kTicks);
     return pressed(phase, 1e-3 + 0.8e-3 * std::sin(7.0 * phase));
   };
   for (int tick = 0; tick < 30; ++tick)
@@ -389,7 +380,7 @@ TEST_F(RingOnABlock, TakesALittleEnergyFromAHandThatPressesAndLifts) {
   const auto net_over_gross = [&](int ticks) {
     TexturedContacts contacts = between(ring_, block_, sampling_);
     const auto pose = [&](int tick) {
-      return pressed(0.0, 1e-3 - 0.8e-3 * std::cos(2.0 * kPi * tick / ticks));
+      return pressed(0.0, 1e-3 - 0.8e-3 * std::cos(2.0 * std::numbers::pi * tick / ticks));
     };
     double net_J = 0.0;
     double gross_J = 0.0;
@@ -420,7 +411,7 @@ TEST(TexturedContacts, OfABoxThatLiesOnAPlateAreOne) {
   const TexturedMesh plate = grated_plate({.amplitude_m = 0.05e-3, .wavelength_m = 1.2e-3});
   TexturedContacts contacts = between(box, plate, hard(0.1e-3));
   for (int tick = 0; tick < 100; ++tick) {
-    const auto found = contacts.find(at({0.3e-3, 0.2e-3, 0.0042 - 5e-6 * tick}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({0.3e-3, 0.2e-3, 0.0042 - 5e-6 * tick}), {}, kTick_s);
     ASSERT_LE(found.size(), 1U) << tick;
     if (found.empty() || found[0].penetration.depth_m <= 0.0) continue;
     EXPECT_GT(found[0].frame.n.z, 1.0 - 1e-6) << tick;
@@ -435,7 +426,7 @@ TEST(TexturedContacts, OfARimAreOne) {
   constexpr std::array<glm::dvec2, 4> kProfile{
       {{2e-3, 0.0}, {3e-3, 0.0}, {3e-3, 5e-3}, {2e-3, 5e-3}}};  // of the wall: radius, height
   for (std::uint32_t i = 0; i < kAround; ++i) {
-    const double angle_rad = 2.0 * kPi * i / kAround;
+    const double angle_rad = 2.0 * std::numbers::pi * i / kAround;
     for (const glm::dvec2& corner : kProfile) {
       cup.vertices_m.push_back(
           {corner.x * std::cos(angle_rad), corner.x * std::sin(angle_rad), corner.y});
@@ -451,7 +442,7 @@ TEST(TexturedContacts, OfARimAreOne) {
     }
   }
   TexturedContacts contacts = between(bare(cup), bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
-  const auto found = contacts.find(at({0.0, 0.0, 0.005 - 0.2e-3}), {}, kTick_s);
+  const auto found = contacts.find(pose_at({0.0, 0.0, 0.005 - 0.2e-3}), {}, kTick_s);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].penetration.depth_m, 0.2e-3, 1e-6);
   EXPECT_GT(found[0].frame.n.z, 0.999);
@@ -464,7 +455,7 @@ TEST(TexturedContacts, KeepABallThatIsPressedWhollyIn) {
   TexturedContacts contacts = between(tool, plate, hard(0.1e-3));
   bool was_kept = false;
   const auto depth_m = [&](double z_m) {
-    const auto found = contacts.find(at({0.3e-3, 0.0, z_m}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({0.3e-3, 0.0, z_m}), {}, kTick_s);
     double deepest_m = 0.0;
     for (const TexturedContact& contact : found) {
       deepest_m = std::max(deepest_m, contact.penetration.depth_m);
@@ -499,7 +490,7 @@ TEST(TexturedContacts, DoubtADepthFarBeyondTheirWidthUntilItLasts) {
   }
   const TexturedMesh tool = bare(needle);
   const TexturedMesh plate = bare(box({0.02, 0.02, 0.01}));
-  const auto place = [](double depth_m) { return at({0.0, 0.0, 0.005 + 0.25e-3 - depth_m}); };
+  const auto place = [](double depth_m) { return pose_at({0.0, 0.0, 0.005 + 0.25e-3 - depth_m}); };
   TexturedContacts sudden = between(tool, plate, hard(0.1e-3));
   int doubted = 0;
   while (doubted < 100 && !is_felt(sudden.find(place(3e-3), {}, kTick_s)[0])) ++doubted;
@@ -519,7 +510,7 @@ TEST(TexturedContacts, DoubtTheDepthOfASlenderConeThatIsSuddenlyThere) {
   constexpr std::uint32_t kAround = 12;
   cone.vertices_m = {{0.0, 0.0, 0.0}, {0.0, 0.0, 8e-3}};
   for (std::uint32_t i = 0; i < kAround; ++i) {
-    const double angle_rad = 2.0 * kPi * i / kAround;
+    const double angle_rad = 2.0 * std::numbers::pi * i / kAround;
     cone.vertices_m.push_back({0.7e-3 * std::cos(angle_rad), 0.7e-3 * std::sin(angle_rad), 8e-3});
     const std::uint32_t next = 2 + (i + 1) % kAround;
     cone.triangles.push_back({0, next, 2 + i});
@@ -527,7 +518,7 @@ TEST(TexturedContacts, DoubtTheDepthOfASlenderConeThatIsSuddenlyThere) {
   }
   TexturedContacts contacts = between(bare(cone), bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
   int doubted = 0;
-  while (doubted < 100 && !is_felt(contacts.find(at({0.0, 0.0, 0.002}), {}, kTick_s)[0])) {
+  while (doubted < 100 && !is_felt(contacts.find(pose_at({0.0, 0.0, 0.002}), {}, kTick_s)[0])) {
     ++doubted;
     EXPECT_EQ(contacts.left_out().depths, 1U);
   }
@@ -539,10 +530,10 @@ TEST(TexturedContacts, DoubtTheDepthOfASlenderConeThatIsSuddenlyThere) {
 TEST(TexturedContacts, ForgetAContactOnceTheBodiesAreApart) {
   TexturedContacts contacts =
       between(bare(box({0.006, 0.006, 0.001})), bare(box({0.02, 0.02, 0.002})), hard(0.1e-3));
-  const auto found = contacts.find(at({0.0, 0.0, 1.1e-3}), {}, kTick_s);
+  const auto found = contacts.find(pose_at({0.0, 0.0, 1.1e-3}), {}, kTick_s);
   ASSERT_EQ(found.size(), 1U);
   ASSERT_TRUE(is_felt(found[0]));
-  EXPECT_TRUE(contacts.find(at({0.0, 0.0, -1.6e-3}), {}, kTick_s).empty());
+  EXPECT_TRUE(contacts.find(pose_at({0.0, 0.0, -1.6e-3}), {}, kTick_s).empty());
 }
 
 // A strip that is folded twice over: two sheets 1 mm thick and 2.2 mm apart, a wall at -x between them.
@@ -581,7 +572,7 @@ TEST(TexturedContacts, AreAsDeepAsTheSheetOfAFoldedStripThatTheyAreIn) {
   bool was_bounded = false;
   double before_m = 0.0;
   for (double depth_m = 0.01e-3; depth_m < 0.95e-3; depth_m += 0.01e-3) {
-    const auto found = contacts.find(at({2e-3, 0.0, 2e-3 - depth_m}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({2e-3, 0.0, 2e-3 - depth_m}), {}, kTick_s);
     ASSERT_EQ(found.size(), 1U) << depth_m;
     if (!is_felt(found[0])) continue;
     EXPECT_NEAR(found[0].penetration.depth_m, depth_m, 1e-6);
@@ -606,7 +597,7 @@ TEST(TexturedContacts, OfABallThatGoesThroughAThinPlateAreNoDeeperThanItsRadius)
   double largest_step_N = 0.0;
   constexpr double kStep_m = 20e-6;
   for (double depth_m = kStep_m; depth_m < 1.65 * kBall_m; depth_m += kStep_m) {
-    const auto found = contacts.find(at({0.0, 0.0, 0.25e-3 + kBall_m - depth_m}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({0.0, 0.0, 0.25e-3 + kBall_m - depth_m}), {}, kTick_s);
     double force_N = 0.0;
     for (const TexturedContact& contact : found) {
       if (!is_felt(contact)) continue;
@@ -665,7 +656,7 @@ TEST(TexturedContacts, AtTheFootOfAWallAreAboutAsDeepAsInFloorAndWall) {
   constexpr double kBall_m = 2e-3;
   constexpr double kInFloor_m = 0.8e-3;
   for (const double angle_degrees : {62.0, 68.0, 72.0, 75.0, 80.0, 88.6, 90.0}) {
-    const double angle_rad = angle_degrees * kPi / 180.0;
+    const double angle_rad = angle_degrees * std::numbers::pi / 180.0;
     const double sine = std::sin(angle_rad);
     const double cosine = std::cos(angle_rad);
     TexturedContacts contacts =
@@ -678,7 +669,7 @@ TEST(TexturedContacts, AtTheFootOfAWallAreAboutAsDeepAsInFloorAndWall) {
       const glm::dvec3 place_m{(cosine * z_m - (kBall_m - in_wall_m)) / sine, 0.0, z_m};
       const double expected_m = std::hypot(kInFloor_m, std::max(0.0, in_wall_m));
       glm::dvec3 force_N{0.0};
-      for (const TexturedContact& contact : contacts.find(at(place_m), {}, kTick_s)) {
+      for (const TexturedContact& contact : contacts.find(pose_at(place_m), {}, kTick_s)) {
         if (!is_felt(contact)) continue;
         EXPECT_LT(contact.penetration.depth_m, 1.15 * expected_m) << angle_degrees << ' ' << tick;
         force_N +=
@@ -703,7 +694,7 @@ TEST(TexturedContacts, OfASlenderConeAreAsDeepAsItsTip) {
   for (glm::dvec3& vertex : cone.vertices_m) vertex *= glm::dvec3{2e-3, 2e-3, kLong_m};
   TexturedContacts contacts = between(bare(cone), bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
   for (double depth_m = 0.3e-3; depth_m < 2.5e-3; depth_m += 10e-6) {
-    const auto found = contacts.find(at({0.0, 0.0, 5e-3 + kLong_m - depth_m}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({0.0, 0.0, 5e-3 + kLong_m - depth_m}), {}, kTick_s);
     ASSERT_EQ(found.size(), 1U) << depth_m;
     EXPECT_LT(found[0].penetration.depth_m, depth_m + 1e-6);
     // Its lowest sample is 0.07 mm beside the tip.
@@ -721,7 +712,7 @@ TEST(TexturedContacts, AreBoundedToTheSameBitsWithEveryInstructionSet) {
     std::vector<double>& answer = answers.emplace_back();
     int bounded = 0;
     for (double z_m = 2e-3; z_m > -2e-3; z_m -= 50e-6) {
-      for (const TexturedContact& contact : contacts.find(at({1e-4, 0.0, z_m}), {}, kTick_s)) {
+      for (const TexturedContact& contact : contacts.find(pose_at({1e-4, 0.0, z_m}), {}, kTick_s)) {
         const Penetration& p = contact.penetration;
         bounded += contact.is_bounded ? 1 : 0;
         answer.insert(answer.end(), {p.depth_m, p.slope.x, p.slope.y, p.lever_m.x, p.lever_m.y,
@@ -738,16 +729,16 @@ TEST(TexturedContacts, LetGoOfAKeptBodyThatLeavesTheOther) {
   const TexturedMesh block = bare(box({0.01, 0.01, 0.01}));
   TexturedContacts contacts = between(tool, block, hard(0.1e-3));
   for (double z_m = 5.5e-3; z_m > 3e-3; z_m -= 50e-6)
-    contacts.find(at({0.0, 0.0, z_m}), {}, kTick_s);
-  ASSERT_EQ(contacts.find(at({0.0, 0.0, 3e-3}), {}, kTick_s).size(), 1U);
-  EXPECT_TRUE(contacts.find(at({0.0, 0.0, 3e-3}), {}, kTick_s)[0].is_kept);
-  EXPECT_TRUE(contacts.find(at({0.02, 0.0, 3e-3}), {}, kTick_s).empty());
-  EXPECT_TRUE(
-      contacts.find(at({0.0, 0.0, 3e-3}), {}, kTick_s).empty());  // it went in without a contact
+    contacts.find(pose_at({0.0, 0.0, z_m}), {}, kTick_s);
+  ASSERT_EQ(contacts.find(pose_at({0.0, 0.0, 3e-3}), {}, kTick_s).size(), 1U);
+  EXPECT_TRUE(contacts.find(pose_at({0.0, 0.0, 3e-3}), {}, kTick_s)[0].is_kept);
+  EXPECT_TRUE(contacts.find(pose_at({0.02, 0.0, 3e-3}), {}, kTick_s).empty());
+  EXPECT_TRUE(contacts.find(pose_at({0.0, 0.0, 3e-3}), {}, kTick_s)
+                  .empty());  // it went in without a contact
   for (double z_m = 5.5e-3; z_m > 3e-3; z_m -= 50e-6)
-    contacts.find(at({0.0, 0.0, z_m}), {}, kTick_s);
+    contacts.find(pose_at({0.0, 0.0, z_m}), {}, kTick_s);
   contacts.reset();
-  EXPECT_TRUE(contacts.find(at({0.0, 0.0, 3e-3}), {}, kTick_s).empty());
+  EXPECT_TRUE(contacts.find(pose_at({0.0, 0.0, 3e-3}), {}, kTick_s).empty());
 }
 
 TEST(TexturedContacts, SayThatABodyIsInsideWithoutHavingBeenFelt) {
@@ -755,7 +746,7 @@ TEST(TexturedContacts, SayThatABodyIsInsideWithoutHavingBeenFelt) {
   const TexturedMesh block = bare(box({0.01, 0.01, 0.01}));
   TexturedContacts contacts = between(tool, block, hard(0.1e-3));
   const auto is_inside = [&](const glm::dvec3& place_m) {
-    contacts.find(at(place_m), {}, kTick_s);
+    contacts.find(pose_at(place_m), {}, kTick_s);
     return contacts.is_inside();
   };
   EXPECT_TRUE(is_inside({0.0, 0.0, 0.0}));  // in the first call
@@ -782,9 +773,9 @@ TEST(TexturedContacts, SayWhetherBodiesTouchOrHoldEachOther) {
   for (const bool tool_is_small : {true, false}) {
     TexturedContacts contacts =
         tool_is_small ? between(small, large, hard(0.1e-3)) : between(large, small, hard(0.1e-3));
-    EXPECT_TRUE(contacts.touch(at({0.0, 0.0, 0.0}), at({0.0, 0.0, 0.001})));    // inside
-    EXPECT_TRUE(contacts.touch(at({0.0, 0.0, 0.0}), at({0.0, 0.0, 0.005})));    // cut
-    EXPECT_FALSE(contacts.touch(at({0.0, 0.0, 0.0}), at({0.0, 0.0, 0.0065})));  // apart
+    EXPECT_TRUE(contacts.touch(pose_at({0.0, 0.0, 0.0}), pose_at({0.0, 0.0, 0.001})));    // inside
+    EXPECT_TRUE(contacts.touch(pose_at({0.0, 0.0, 0.0}), pose_at({0.0, 0.0, 0.005})));    // cut
+    EXPECT_FALSE(contacts.touch(pose_at({0.0, 0.0, 0.0}), pose_at({0.0, 0.0, 0.0065})));  // apart
   }
 }
 
@@ -798,7 +789,7 @@ TEST(TexturedContacts, LeaveOutSheetsThatAreFarFromTheContact) {
     shelves.triangles.push_back({a + 8, b + 8, c + 8});
   }
   TexturedContacts contacts = between(bare(ball(2e-3, 16, 20)), bare(shelves), hard(0.1e-3));
-  const auto found = contacts.find(at({0.0, 0.0, 0.003 - 0.2e-3}), {}, kTick_s);
+  const auto found = contacts.find(pose_at({0.0, 0.0, 0.003 - 0.2e-3}), {}, kTick_s);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].penetration.depth_m, 0.2e-3, 0.02e-3);
   EXPECT_EQ(found[0].penetration.folded, 0);
@@ -825,7 +816,7 @@ TEST(TexturedContacts, FeelOfTwoSpikesThatAreCloseTheDeeperOneOnce) {
   double before_N = 0.0;
   for (int tick = 0; tick <= 300; ++tick) {
     const double sunk_m = 1e-6 * tick;
-    const auto found = contacts.find(at({0.0, 0.0, 0.005 - sunk_m}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({0.0, 0.0, 0.005 - sunk_m}), {}, kTick_s);
     const double force_N = wrench_about({}, found).force_N.z;
     EXPECT_LE(force_N, kStiffness_N_per_m * sunk_m + 1e-6) << tick;
     EXPECT_NEAR(force_N, before_N, 0.02) << tick;
@@ -865,7 +856,7 @@ TEST(TexturedContacts, FadeTheOneOfTwoBallsThatGoesWhollyIn) {
   glm::dvec3 before_N{0.0};
   int faded = 0;
   for (int tick = 0; tick <= 280; ++tick) {
-    const auto found = contacts.find(at({0.0, 0.0, 0.005 - 1e-5 * tick}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({0.0, 0.0, 0.005 - 1e-5 * tick}), {}, kTick_s);
     const glm::dvec3 force_N = wrench_about({}, found).force_N;
     EXPECT_LT(glm::distance(force_N, before_N), 0.3) << tick;
     before_N = force_N;
@@ -883,7 +874,7 @@ TEST(TexturedContacts, RiseOnceADoubtfulDepthIsBelieved) {
   TexturedContacts contacts = between(bare(needle), bare(box({0.02, 0.02, 0.01})), hard(0.1e-3));
   double before_N = 0.0;
   for (int tick = 0; tick < 60; ++tick) {
-    const auto found = contacts.find(at({0.0, 0.0, 0.00525 - 3e-3}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({0.0, 0.0, 0.00525 - 3e-3}), {}, kTick_s);
     const double force_N = is_felt(found[0]) ? wrench_about({}, found).force_N.z : 0.0;
     EXPECT_LT(std::abs(force_N - before_N), 0.4) << tick;
     before_N = force_N;
@@ -903,7 +894,7 @@ TEST(TexturedContacts, RiseWhereABallComesOutAgain) {
   int rose = 0;
   for (int tick = 0; tick <= 2 * kDown + 30; ++tick) {
     const int down = std::min(tick, std::max(2 * kDown - tick, 0));
-    const auto found = contacts.find(at({0.0, 0.0, 0.005 - 5e-6 * down}), {}, kTick_s);
+    const auto found = contacts.find(pose_at({0.0, 0.0, 0.005 - 5e-6 * down}), {}, kTick_s);
     const double force_N = wrench_about({}, found).force_N.z;
     EXPECT_NEAR(force_N, before_N, 0.1) << tick;
     before_N = force_N;
@@ -932,7 +923,7 @@ TEST(TexturedContacts, BlendAndBelieveWithinTheSameTimeAtEveryRate) {
     double faded_s = 0.0;
     for (double time_s = 0.0; time_s < 0.280; time_s += tick_s) {
       for (const TexturedContact& contact :
-           sinking.find(at({0.0, 0.0, 0.005 - 0.01 * time_s}), {}, tick_s)) {
+           sinking.find(pose_at({0.0, 0.0, 0.005 - 0.01 * time_s}), {}, tick_s)) {
         faded_s += contact.is_fading ? tick_s : 0.0;
       }
     }
@@ -940,7 +931,7 @@ TEST(TexturedContacts, BlendAndBelieveWithinTheSameTimeAtEveryRate) {
     TexturedContacts sudden = between(bare(needle), block, hard(0.1e-3));
     double doubted_s = 0.0;
     while (doubted_s < 0.1 &&
-           !is_felt(sudden.find(at({0.0, 0.0, 0.00525 - 3e-3}), {}, tick_s)[0])) {
+           !is_felt(sudden.find(pose_at({0.0, 0.0, 0.00525 - 3e-3}), {}, tick_s)[0])) {
       doubted_s += tick_s;
     }
     EXPECT_NEAR(doubted_s, 0.025, 0.002) << tick_s;
@@ -965,7 +956,7 @@ TEST(TexturedContacts, FeelABroadFlatTopOnceBesideASmallerContact) {
   for (int tick = 0; tick <= 300; ++tick) {
     const double sunk_m = 1e-6 * tick;
     const double force_N =
-        wrench_about({}, contacts.find(at({0.0, 0.0, 0.005 - sunk_m}), {}, kTick_s)).force_N.z;
+        wrench_about({}, contacts.find(pose_at({0.0, 0.0, 0.005 - sunk_m}), {}, kTick_s)).force_N.z;
     EXPECT_NEAR(force_N, kStiffness_N_per_m * sunk_m, 1e-5) << tick;
     before_N = force_N;
   }
@@ -1034,7 +1025,7 @@ TEST(TexturedContacts, CountWhatThereIsNoRoomFor) {
     }
   }
   TexturedContacts contacts = between(bare(comb), bare(box({0.3, 0.3, 0.01})), hard(0.1e-3));
-  EXPECT_EQ(contacts.find(at({0.0, 0.0, 0.0053}), {}, kTick_s).size(),
+  EXPECT_EQ(contacts.find(pose_at({0.0, 0.0, 0.0053}), {}, kTick_s).size(),
             TexturedContacts::kMostContacts);
   EXPECT_GE(contacts.left_out().regions, 4U);
 }
@@ -1043,12 +1034,12 @@ TEST(TexturedContacts, FindNothingWhereAPoseIsNotFinite) {
   TexturedContacts contacts =
       between(bare(ball(1e-3, 8, 10)), bare(box({0.01, 0.01, 0.01})), hard(0.1e-3));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(contacts.find(at({nan, 0.0, 0.005}), {}, kTick_s).empty());
-  Pose pose = at({0.0, 0.0, 0.005});
+  EXPECT_TRUE(contacts.find(pose_at({nan, 0.0, 0.005}), {}, kTick_s).empty());
+  Pose pose = pose_at({0.0, 0.0, 0.005});
   pose.rotation[1].y = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(contacts.find(pose, {}, kTick_s).empty());
   EXPECT_FALSE(contacts.touch(pose, {}));
-  EXPECT_FALSE(contacts.find(at({0.0, 0.0, 0.0055}), {}, kTick_s).empty());
+  EXPECT_FALSE(contacts.find(pose_at({0.0, 0.0, 0.0055}), {}, kTick_s).empty());
 }
 
 TEST(TexturedContacts, AreTheSameBitsWithEveryInstructionSet) {
@@ -1195,14 +1186,14 @@ TEST(TexturedContacts, LoseEnergyWhereABoundedDepthRisesTooSlowly) {
   const auto net_over_gross = [&](int ticks) {
     TexturedContacts contacts = between(tool, plate, hard(0.1e-3));
     const auto place_m = [&](double tick) {
-      const double phase = 2.0 * kPi * tick / ticks;
+      const double phase = 2.0 * std::numbers::pi * tick / ticks;
       return glm::dvec3{0.5e-3 * std::sin(phase + 0.4), 0.3e-3 * std::sin(2.0 * phase),
                         0.6e-3 + 1.75e-3 * std::cos(phase)};
     };
     double net_J = 0.0;
     double gross_J = 0.0;
     for (int tick = 0; tick < 2 * ticks; ++tick) {
-      const auto found = contacts.find(at(place_m(tick + 0.5)), {}, kTick_s);
+      const auto found = contacts.find(pose_at(place_m(tick + 0.5)), {}, kTick_s);
       const double work_J =
           glm::dot(wrench_about({}, found).force_N, place_m(tick + 1) - place_m(tick));
       if (tick < ticks) continue;
@@ -1242,7 +1233,7 @@ TEST(TexturedContacts, FeelTheSameFromKeptHeightsThroughTwoThinSheets) {
   double furthest_N = 0.0;
   double largest_N = 0.0;
   for (int tick = 0; tick < 450; ++tick) {
-    const Pose pose = at({1e-3 * std::sin(0.006 * tick), 0.3e-3, 2.3e-3 - 1e-5 * tick});
+    const Pose pose = pose_at({1e-3 * std::sin(0.006 * tick), 0.3e-3, 2.3e-3 - 1e-5 * tick});
     const glm::dvec3 expected_N = felt_N(anew.find(pose, {}, kTick_s));
     largest_N = std::max(largest_N, glm::length(expected_N));
     furthest_N =
