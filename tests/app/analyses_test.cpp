@@ -75,7 +75,7 @@ const AnalysisOutcome& selections_of_the_chapter() {
   return kOutcome;
 }
 
-MadeUpTrial matching(const std::vector<std::string>& answers) {
+MadeUpTrial made_up_matching(const std::vector<std::string>& answers) {
   MadeUpTrial trial{};
   for (const std::string& texture : kTextures) {
     trial.surfaces.push_back(surface_of(texture, "height_map", texture));
@@ -233,7 +233,8 @@ AnalysisOutcome analyze_matchings_of_the_chapter() {
     std::vector<MadeUpTrial> trials{};
     for (std::size_t column = 0; column < 3; ++column) {
       const bool right = i < 10 ? i < kWomen[column] : i - 10 < kMen[column];
-      trials.push_back(right ? matching(kTextures) : matching({"metal", "stone", "brick", "wood"}));
+      trials.push_back(right ? made_up_matching(kTextures)
+                             : made_up_matching({"metal", "stone", "brick", "wood"}));
       trials.back().factors_json = in_column(static_cast<int>(column) + 1);
     }
     made.add_session(person(i), protocol, trials);
@@ -285,7 +286,7 @@ TEST(Matching, JudgesItemsByThePermutationNull) {
   MadeUpStudy made;
   made.add_person("a", "F");
   made.add_session("a", made.add_protocol("matching", "matching"),
-                   {matching({"metal", "stone", "brick", "wood"})});
+                   {made_up_matching({"metal", "stone", "brick", "wood"})});
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
   const Table& items = table_of(outcome, "items").table;
   EXPECT_DOUBLE_EQ(number(items, {"all", "Total"}, "p"), 7.0 / 24.0);
@@ -295,8 +296,9 @@ TEST(Matching, JudgesItemsByThePermutationNull) {
 TEST(Matching, ShowsWhichTexturesAreConfused) {
   MadeUpStudy made;
   made.add_person("a", "F");
-  made.add_session("a", made.add_protocol("matching", "matching"),
-                   {matching({"metal", "stone", "brick", "wood"}), matching(kTextures)});
+  made.add_session(
+      "a", made.add_protocol("matching", "matching"),
+      {made_up_matching({"metal", "stone", "brick", "wood"}), made_up_matching(kTextures)});
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
   const Table& confusion = table_of(outcome, "confusion").table;
   EXPECT_EQ(number(confusion, {"wood"}, "brick"), 1);
@@ -308,10 +310,10 @@ TEST(Matching, ShowsWhichTexturesAreConfused) {
 TEST(Matching, LeavesOutWhatIsNoPermutationAndSaysSo) {
   MadeUpStudy made;
   made.add_person("a", "F");
-  MadeUpTrial more_pictures = matching(kTextures);
+  MadeUpTrial more_pictures = made_up_matching(kTextures);
   more_pictures.options = kPictures;
   made.add_session("a", made.add_protocol("matching", "matching"),
-                   {matching(kTextures), more_pictures});
+                   {made_up_matching(kTextures), more_pictures});
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
   EXPECT_EQ(number(table_of(outcome, "whole_permutations").table, {"all", "Total"}, "of"), 1);
   EXPECT_THAT(outcome.remarks,
@@ -782,7 +784,7 @@ TEST(Matching, NamesNoPairWhereSeveralAreConfusedEquallyOften) {
     MadeUpStudy made;
     made.add_person("a", "F");
     std::vector<MadeUpTrial> trials{};
-    for (const auto& pictures : goes) trials.push_back(matching(pictures));
+    for (const auto& pictures : goes) trials.push_back(made_up_matching(pictures));
     made.add_session("a", made.add_protocol("matching", "matching"), trials);
     return question_of(analyze_study(made.study()).front(), "confusions").answer.english();
   };
@@ -801,9 +803,9 @@ AnalysisOutcome analyze_twenty_six_matchings() {
       made.add_protocol("matching", "matching", R"({"analysis": {"family": ["items", "sexes"]}})");
   for (int i = 0; i < 26; ++i) {
     made.add_person(person(i), i < 13 ? "F" : "M");
-    made.add_session(
-        person(i), protocol,
-        {i < 13 ? matching(kTextures) : matching({"metal", "stone", "brick", "wood"})});
+    made.add_session(person(i), protocol,
+                     {i < 13 ? made_up_matching(kTextures)
+                             : made_up_matching({"metal", "stone", "brick", "wood"})});
   }
   return analyze_study(made.study()).front();
 }
@@ -835,7 +837,7 @@ TEST(StudyTests, KeepADeclaredTestOfWhichThereIsNoAnswer) {
   made.add_session(
       "a",
       made.add_protocol("matching", "matching", R"({"analysis": {"family": ["whole", "sexes"]}})"),
-      {matching(kTextures)});
+      {made_up_matching(kTextures)});
   const AnalysisOutcome outcome = analyze_study(made.study()).front();
   const Table& tests = table_of(outcome, "tests").table;
   EXPECT_DOUBLE_EQ(number(tests, {"whole"}, "p_holm"), 2.0 / 24.0);
@@ -879,11 +881,11 @@ TEST(Matching, NamesChanceOnlyWhereAllGoesAreOfOneSize) {
   made.add_person("a", "F");
   made.add_person("b", "M");
   const std::int64_t protocol = made.add_protocol("matching", "matching");
-  MadeUpTrial three = matching({"metal", "stone", "wood"});
+  MadeUpTrial three = made_up_matching({"metal", "stone", "wood"});
   three.surfaces.pop_back();
   three.right = three.options = three.answers;
   for (const char* label : {"a", "b"})
-    made.add_session(label, protocol, {matching(kTextures), three});
+    made.add_session(label, protocol, {made_up_matching(kTextures), three});
   EXPECT_THAT(question_of(analyze_study(made.study()).front(), "items").answer.english(),
               HasSubstr("where chance is different from go to go"));
 }
@@ -935,7 +937,7 @@ TEST(AnalyzeStudy, RefusesInSentencesWhatCannotBeTested) {
   for (const char* label : {"a", "b"}) {
     made.add_session(label, right, {recognition("stone", "stone"), recognition("metal", "metal")});
   }
-  made.add_session("a", made.add_protocol("m_right", "matching"), {matching(kTextures)});
+  made.add_session("a", made.add_protocol("m_right", "matching"), {made_up_matching(kTextures)});
   MadeUpTrial many{};
   for (int i = 0; i < 13; ++i) {
     const std::string name = "t" + std::to_string(10 + i);

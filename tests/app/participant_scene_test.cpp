@@ -37,7 +37,7 @@ std::vector<int> all_positions(const Trial& trial) {
 }
 
 /// Every word that a window could show of a scene; pictures are files, and drawn, not named.
-std::string words_of(const ParticipantScene& scene) {
+std::string scene_words(const ParticipantScene& scene) {
   std::string words = scene.text + '\n' + scene.cue + '\n' + scene.text_saying.code + '\n';
   for (const ParticipantScene::Surface& surface : scene.surfaces) words += surface.code + '\n';
   for (const ParticipantScene::Choice& choice : scene.choices) {
@@ -68,7 +68,7 @@ TEST_P(Scenes, NameNoTextureModelOrFile) {
     }
     shown.push_back(scene_of_question(trial, all_positions(trial)));
     for (const ParticipantScene& scene : shown) {
-      const std::string words = words_of(scene);
+      const std::string words = scene_words(scene);
       for (const std::string& name : names) {
         EXPECT_EQ(words.find(name), std::string::npos) << name << " in\n" << words;
       }

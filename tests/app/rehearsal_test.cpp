@@ -38,7 +38,7 @@ DeviceProfile ideal() {
                     numbered("position_resolution_m", 1e-9), numbered("damping_N_s_per_m", 1e6)}};
 }
 
-DeviceProfile with(DeviceProfile profile, const std::string& name, double value) {
+DeviceProfile with_item(DeviceProfile profile, const std::string& name, double value) {
   std::erase_if(profile.items, [&](const DeviceItem& item) { return item.name == name; });
   profile.items.push_back(numbered(name, value));
   return profile;
@@ -173,7 +173,7 @@ TEST_F(DeviceRehearsalTest, SaysNothingOfADeviceThatCanDoAll) {
 
 // The limitation that the chapter names itself: the friction of a DELTA against the forces of its textures.
 TEST_F(DeviceRehearsalTest, WarnsOfFrictionAboveTheForceOfATextureWithBothNumbers) {
-  const auto found = one(small_protocol(), with(ideal(), "friction_N", 0.8), "friction");
+  const auto found = one(small_protocol(), with_item(ideal(), "friction_N", 0.8), "friction");
   ASSERT_TRUE(found);
   EXPECT_LT(found->asked, 0.8);
   EXPECT_GT(found->asked, 0.0);
@@ -183,26 +183,27 @@ TEST_F(DeviceRehearsalTest, WarnsOfFrictionAboveTheForceOfATextureWithBothNumber
   EXPECT_NE(found->text.english().find("N RMS"), std::string::npos);
   // At just less friction than the texture's force it is felt.
   for (const RehearsalWarning& warning :
-       warnings(grating_protocol(), with(ideal(), "friction_N", 0.01))) {
+       warnings(grating_protocol(), with_item(ideal(), "friction_N", 0.01))) {
     ADD_FAILURE() << warning.text.english();
   }
 }
 
 TEST_F(DeviceRehearsalTest, WarnsOfAForceThatIsTooWeakToMoveTheDeviceWithBothNumbers) {
   const auto found =
-      one(small_protocol(), with(ideal(), "force_resolution_N", 0.8), "force_resolution");
+      one(small_protocol(), with_item(ideal(), "force_resolution_N", 0.8), "force_resolution");
   ASSERT_TRUE(found);
   EXPECT_LT(found->asked, 0.8);
   EXPECT_GT(found->asked, 0.0);
   EXPECT_EQ(found->device, 0.8);
   EXPECT_NE(found->text.english().find("0.800 N"), std::string::npos) << found->text.english();
   EXPECT_FALSE(
-      one(grating_protocol(), with(ideal(), "force_resolution_N", 0.01), "force_resolution"));
+      one(grating_protocol(), with_item(ideal(), "force_resolution_N", 0.01), "force_resolution"));
 }
 
 // Nothing is hidden where nothing is, and the smallest force is told with its digits.
 TEST_F(DeviceRehearsalTest, ComparesNoForceOfAStimulusWithoutTexture) {
-  const DeviceProfile sticky = with(with(ideal(), "friction_N", 0.8), "force_resolution_N", 0.8);
+  const DeviceProfile sticky =
+      with_item(with_item(ideal(), "friction_N", 0.8), "force_resolution_N", 0.8);
   for (const char* const id : {"friction", "force_resolution"}) {
     EXPECT_FALSE(one(one_stimulus("height_map", R"("height_scale": 0)"), sticky, id)) << id;
     EXPECT_FALSE(one(one_stimulus("sinusoid", R"("amplitude_m": 0)"), sticky, id)) << id;
@@ -214,7 +215,7 @@ TEST_F(DeviceRehearsalTest, ComparesNoForceOfAStimulusWithoutTexture) {
 }
 
 TEST_F(DeviceRehearsalTest, WarnsOfPositionsInStepsAboveATexture) {
-  const auto high = one(grating_protocol(), with(ideal(), "position_resolution_m", 0.6e-3),
+  const auto high = one(grating_protocol(), with_item(ideal(), "position_resolution_m", 0.6e-3),
                         "position_resolution");
   ASSERT_TRUE(high);
   EXPECT_NEAR(high->asked, 0.5e-3, 1e-12);
@@ -222,9 +223,9 @@ TEST_F(DeviceRehearsalTest, WarnsOfPositionsInStepsAboveATexture) {
             std::string::npos)
       << high->text.english() << ": from trough to crest it is 1000 µm high";
   EXPECT_TRUE(
-      one(grating_protocol(), with(ideal(), "position_resolution_m", 1.1e-3), "wavelength"));
+      one(grating_protocol(), with_item(ideal(), "position_resolution_m", 1.1e-3), "wavelength"));
   EXPECT_FALSE(
-      one(grating_protocol(), with(ideal(), "position_resolution_m", 0.9e-3), "wavelength"));
+      one(grating_protocol(), with_item(ideal(), "position_resolution_m", 0.9e-3), "wavelength"));
 }
 
 // 0.2 m/s over waves of 2 mm: 100 of them a second. At what rate the device was measured does not matter.
@@ -238,13 +239,13 @@ TEST_F(DeviceRehearsalTest, WarnsOfWavesFasterThanHalfTheProtocolsRateOrTheReson
     EXPECT_NEAR(found->device, 95.0, 1e-9);
     EXPECT_FALSE(one(grating_protocol(R"("rate_Hz": 210)"), device, "bandwidth")) << measured_Hz;
   }
-  EXPECT_TRUE(one(grating_protocol(), with(ideal(), "resonance_Hz", 80.0), "bandwidth"));
-  EXPECT_FALSE(one(grating_protocol(), with(ideal(), "resonance_Hz", 120.0), "bandwidth"));
+  EXPECT_TRUE(one(grating_protocol(), with_item(ideal(), "resonance_Hz", 80.0), "bandwidth"));
+  EXPECT_FALSE(one(grating_protocol(), with_item(ideal(), "resonance_Hz", 120.0), "bandwidth"));
 }
 
 TEST_F(DeviceRehearsalTest, SaysNothingOfWavesWhereThereAreNone) {
-  DeviceProfile coarse = with(ideal(), "position_resolution_m", 1.0);
-  coarse = with(coarse, "resonance_Hz", 1e-3);
+  DeviceProfile coarse = with_item(ideal(), "position_resolution_m", 1.0);
+  coarse = with_item(coarse, "resonance_Hz", 1e-3);
   const auto waves = [&](const std::string& protocol) {
     std::string ids{};
     for (const RehearsalWarning& warning : warnings(protocol, coarse)) ids += warning.id + ' ';
@@ -261,19 +262,21 @@ TEST_F(DeviceRehearsalTest, SaysNothingOfWavesWhereThereAreNone) {
 // plate of 500 N/m has 0.5 kN/m. Slopes of up to π/2 beside it add nothing there.
 TEST_F(DeviceRehearsalTest, WarnsOfATextureThatIsStifferThanTheDeviceHolds) {
   const double trough_N_per_m = 5.0 * 0.5e-3 * std::pow(2.0 * std::numbers::pi / 2e-3, 2);
-  const auto found = one(grating_protocol(), with(ideal(), "damping_N_s_per_m", 5.0), "stiffness");
+  const auto found =
+      one(grating_protocol(), with_item(ideal(), "damping_N_s_per_m", 5.0), "stiffness");
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->asked, trough_N_per_m, 0.01 * trough_N_per_m);
   EXPECT_NEAR(found->device, 2.0 * 5.0 * 1000.0, 1e-6);
   EXPECT_NE(found->text.english().find("At the force limit of 5.00 N"), std::string::npos)
       << found->text.english();
-  EXPECT_TRUE(one(grating_protocol(), with(ideal(), "stiffness_N_per_m", 2000.0), "stiffness"));
-  EXPECT_FALSE(one(grating_protocol(), with(ideal(), "damping_N_s_per_m", 13.0), "stiffness"));
+  EXPECT_TRUE(
+      one(grating_protocol(), with_item(ideal(), "stiffness_N_per_m", 2000.0), "stiffness"));
+  EXPECT_FALSE(one(grating_protocol(), with_item(ideal(), "damping_N_s_per_m", 13.0), "stiffness"));
 }
 
 /// What it is called stiff, by a device that holds nothing.
 TEST_F(DeviceRehearsalTest, TakesTheStiffnessOfEveryModelFromItsOwnForces) {
-  const DeviceProfile weak = with(ideal(), "damping_N_s_per_m", 1e-6);
+  const DeviceProfile weak = with_item(ideal(), "damping_N_s_per_m", 1e-6);
   const auto stiffness = [&](const std::string& model, const std::string& parameters) {
     const auto found = one(one_stimulus(model, parameters), weak, "stiffness");
     return found ? found->asked : 0.0;
@@ -290,7 +293,7 @@ TEST_F(DeviceRehearsalTest, TakesTheStiffnessOfEveryModelFromItsOwnForces) {
 }
 
 TEST_F(DeviceRehearsalTest, NamesTheForceOfAStimulusThatNeverReachesTheLimit) {
-  const DeviceProfile weak = with(ideal(), "damping_N_s_per_m", 1e-6);
+  const DeviceProfile weak = with_item(ideal(), "damping_N_s_per_m", 1e-6);
   const auto found =
       one(one_stimulus("height_map", R"("lateral_gradient_gain": 1)"), weak, "stiffness");
   ASSERT_TRUE(found);  // 500 N/m and no deeper than 3 mm
@@ -306,7 +309,7 @@ TEST_F(DeviceRehearsalTest, NamesTheForceOfAStimulusThatNeverReachesTheLimit) {
 
 // 24.7 kN/m. Held at 1000 Hz: at more as well, at less the share.
 TEST_F(DeviceRehearsalTest, TakesTheStiffestSpringForALoopOfTheProtocolsRate) {
-  const DeviceProfile device = with(ideal(), "stiffness_N_per_m", 4000.0);
+  const DeviceProfile device = with_item(ideal(), "stiffness_N_per_m", 4000.0);
   for (const auto& [rate, holds_N_per_m] :
        {std::pair{"500", 2000.0}, {"1000", 4000.0}, {"2000", 4000.0}}) {
     const auto found =
@@ -318,7 +321,7 @@ TEST_F(DeviceRehearsalTest, TakesTheStiffestSpringForALoopOfTheProtocolsRate) {
 
 // It tried no stiffer one at 1000 Hz, which says nothing there; at 500 Hz half of it is all that is known to be held.
 TEST_F(DeviceRehearsalTest, TakesTheStiffestSpringThatWasTriedForALimitOfASlowerLoop) {
-  const DeviceProfile device = with(ideal(), "stiffness_N_per_m", 8000.0);
+  const DeviceProfile device = with_item(ideal(), "stiffness_N_per_m", 8000.0);
   EXPECT_FALSE(one(grating_protocol(R"("rate_Hz": 1000)"), device, "stiffness"));
   const auto found = one(grating_protocol(R"("rate_Hz": 500)"), device, "stiffness");
   ASSERT_TRUE(found);
@@ -355,7 +358,7 @@ TEST(LibraryProtocols, OfTheChapterAreNotTooMuchForTheSimulatedDevice) {
   new_demo_study(study, [](double) {});
   const ModelRegistry models = built_in_models();
   StimulusBuilder builder(models, study);
-  DeviceProfile device = with(ideal(), "damping_N_s_per_m", 5.17);
+  DeviceProfile device = with_item(ideal(), "damping_N_s_per_m", 5.17);
   device.is_simulated = true;
   int compared = 0;
   for (const LibraryProtocol& library : library_protocols()) {
@@ -394,10 +397,11 @@ double meeting_m(double x_m) {
 TEST_F(DeviceRehearsalTest, TakesTheStiffnessOfTwoTexturesFromHowTheyMeet) {
   const double trough_N_per_m =
       5.0 * kMeetingPerMetre * kMeetingPerMetre * 2e-4 * 5e-5 / (2e-4 - 5e-5);
-  const auto found = one(bodies(kMeeting), with(ideal(), "damping_N_s_per_m", 1.0), "stiffness");
+  const auto found =
+      one(bodies(kMeeting), with_item(ideal(), "damping_N_s_per_m", 1.0), "stiffness");
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->asked, trough_N_per_m, 0.05 * trough_N_per_m);
-  EXPECT_FALSE(one(bodies(kMeeting), with(ideal(), "damping_N_s_per_m", 1.9), "stiffness"));
+  EXPECT_FALSE(one(bodies(kMeeting), with_item(ideal(), "damping_N_s_per_m", 1.9), "stiffness"));
 }
 
 // The model itself: 0.3 mm to either side of a trough it pushes back as −kδ·H′, whose slope in the trough is told. (The
@@ -428,7 +432,7 @@ TEST_F(DeviceRehearsalTest, AgreesWithTheForceOfTwoBodiesThemselves) {
       -2e-4 * 5e-5 * kMeetingPerMetre * std::sin(kMeetingPerMetre * beside_m) / meeting_m(beside_m);
   const double depth_m = kDepth_m + meeting_m(beside_m) - meeting_m(kTrough_m);
   EXPECT_NEAR(model_N, 2.0 * 500.0 * depth_m * slope, 0.08 * model_N);
-  const auto told = one(protocol, with(ideal(), "damping_N_s_per_m", 1e-6), "stiffness");
+  const auto told = one(protocol, with_item(ideal(), "damping_N_s_per_m", 1e-6), "stiffness");
   ASSERT_TRUE(told);
   const double trough_N_per_m =
       1.0 * kMeetingPerMetre * kMeetingPerMetre * 2e-4 * 5e-5 / (2e-4 - 5e-5);
@@ -438,10 +442,11 @@ TEST_F(DeviceRehearsalTest, AgreesWithTheForceOfTwoBodiesThemselves) {
 TEST_F(DeviceRehearsalTest, HasTheHandMeetTwoBodiesBehindTheSpringOfTheirCoupling) {
   TwoGratings coupled = kMeeting;
   coupled.parameters = R"("coupling": "virtual")";  // of 1000 N/m, unless said otherwise
-  const auto found = one(bodies(coupled), with(ideal(), "damping_N_s_per_m", 0.3), "stiffness");
+  const auto found =
+      one(bodies(coupled), with_item(ideal(), "damping_N_s_per_m", 0.3), "stiffness");
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->asked, 3290.0 * 1000.0 / 4290.0, 15.0);
-  EXPECT_FALSE(one(bodies(coupled), with(ideal(), "damping_N_s_per_m", 0.5), "stiffness"));
+  EXPECT_FALSE(one(bodies(coupled), with_item(ideal(), "damping_N_s_per_m", 0.5), "stiffness"));
 }
 
 // Over a wave: the normal force is kδ with δ = H − Z and a mean of 1 N, that along the stroke −kδ·H′.
@@ -461,12 +466,12 @@ TEST_F(DeviceRehearsalTest, TakesTheForceAndTheHeightOfTwoTexturesFromHowTheyMee
     height2_m2 += above_m * above_m / kSamples;
     force2_N2 += (std::pow(normal_N - 1.0, 2) + std::pow(normal_N * slope, 2)) / kSamples;
   }
-  const auto rubbed = one(bodies(kMeeting), with(ideal(), "friction_N", 5.0), "friction");
+  const auto rubbed = one(bodies(kMeeting), with_item(ideal(), "friction_N", 5.0), "friction");
   ASSERT_TRUE(rubbed);
   EXPECT_NEAR(rubbed->asked, std::sqrt(force2_N2), 0.1 * std::sqrt(force2_N2));
   const double amplitude_m = std::sqrt(2.0 * height2_m2);
-  const auto coarse =
-      one(bodies(kMeeting), with(ideal(), "position_resolution_m", 1e-4), "position_resolution");
+  const auto coarse = one(bodies(kMeeting), with_item(ideal(), "position_resolution_m", 1e-4),
+                          "position_resolution");
   ASSERT_TRUE(coarse);
   EXPECT_NEAR(coarse->asked, amplitude_m, 0.05 * amplitude_m);
 }
@@ -475,11 +480,13 @@ TEST_F(DeviceRehearsalTest, TakesTheForceAndTheHeightOfTwoTexturesFromHowTheyMee
 TEST_F(DeviceRehearsalTest, TakesTheFinestWavesOfTwoTextures) {
   TwoGratings finer = kMeeting;
   finer.block_wave_m = 1e-3;
-  const auto found = one(bodies(finer), with(ideal(), "resonance_Hz", 30.0), "bandwidth");
+  const auto found = one(bodies(finer), with_item(ideal(), "resonance_Hz", 30.0), "bandwidth");
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->asked, 40.0, 6.0);  // the rim is a little finer
-  EXPECT_TRUE(one(bodies(finer), with(ideal(), "position_resolution_m", 0.7e-3), "wavelength"));
-  EXPECT_FALSE(one(bodies(kMeeting), with(ideal(), "position_resolution_m", 0.7e-3), "wavelength"));
+  EXPECT_TRUE(
+      one(bodies(finer), with_item(ideal(), "position_resolution_m", 0.7e-3), "wavelength"));
+  EXPECT_FALSE(
+      one(bodies(kMeeting), with_item(ideal(), "position_resolution_m", 0.7e-3), "wavelength"));
 }
 
 TEST_F(DeviceRehearsalTest, ComparesEveryToolOfAStimulus) {
@@ -488,7 +495,7 @@ TEST_F(DeviceRehearsalTest, ComparesEveryToolOfAStimulus) {
       R"("block": {"shape": "box", "size_m": [0.012, 0.012, 0.006], "texture": "blocks"})";
   protocol.replace(protocol.find(textured), textured.size(),
                    R"("block": {"shape": "box", "size_m": [0.012, 0.012, 0.006]})");
-  EXPECT_TRUE(one(protocol, with(ideal(), "damping_N_s_per_m", 0.3), "stiffness"))
+  EXPECT_TRUE(one(protocol, with_item(ideal(), "damping_N_s_per_m", 0.3), "stiffness"))
       << "the first one is flat, and rides over the plate's waves";
 }
 
@@ -509,7 +516,7 @@ TEST_F(DeviceRehearsalTest, ComparesStimuliWithWhatItSaysAndNothingElse) {
   for (const DeviceQuantity& quantity : device_quantities()) {
     if (!quantity.trait) continue;
     const bool at_most = quantity.bound == DeviceItem::Bound::at_most;
-    const DeviceProfile bad = with(ideal(), quantity.name, at_most ? 1e3 : 1e-3);
+    const DeviceProfile bad = with_item(ideal(), quantity.name, at_most ? 1e3 : 1e-3);
     EXPECT_EQ(!warnings(grating_protocol(), bad).empty(), !not_compared({*quantity.trait}).empty())
         << quantity.name;
   }
@@ -528,10 +535,10 @@ std::string with_limits(const std::string& limits) {
 
 TEST_F(DeviceRehearsalTest, WarnsOfAnItemOnTheWrongSideOfTheProtocolsLimitWithBothNumbers) {
   const std::string protocol = with_limits(R"("latency_s": 0.003, "workspace_reached": 0.9)");
-  DeviceProfile device = with(ideal(), "latency_s", 0.003);
-  device = with(device, "workspace_reached", 0.9);
+  DeviceProfile device = with_item(ideal(), "latency_s", 0.003);
+  device = with_item(device, "workspace_reached", 0.9);
   EXPECT_TRUE(warnings(protocol, device).empty()) << "at the limit it is kept";
-  const auto late = one(protocol, with(device, "latency_s", 0.0031), "limit_latency_s");
+  const auto late = one(protocol, with_item(device, "latency_s", 0.0031), "limit_latency_s");
   ASSERT_TRUE(late);
   EXPECT_EQ(late->asked, 0.003);
   EXPECT_EQ(late->device, 0.0031);
@@ -540,7 +547,7 @@ TEST_F(DeviceRehearsalTest, WarnsOfAnItemOnTheWrongSideOfTheProtocolsLimitWithBo
             std::string::npos)
       << late->text.english();
   const auto small =
-      one(protocol, with(device, "workspace_reached", 0.89), "limit_workspace_reached");
+      one(protocol, with_item(device, "workspace_reached", 0.89), "limit_workspace_reached");
   ASSERT_TRUE(small);
   EXPECT_NE(small->text.english().find("at least 0.900, and it was measured to be 0.890"),
             std::string::npos)
@@ -564,11 +571,11 @@ TEST_F(DeviceRehearsalTest, WarnsOfALimitOnWhatWasNotMeasuredUnlessItIsAResonanc
 
 TEST_F(DeviceRehearsalTest, HoldsNoSimulatedDeviceToALimitOfItsTiming) {
   const std::string protocol = with_limits(R"("lateness_p99_s": 0.0001, "friction_N": 0.1)");
-  DeviceProfile device = with(ideal(), "lateness_p99_s", 0.5);
+  DeviceProfile device = with_item(ideal(), "lateness_p99_s", 0.5);
   EXPECT_TRUE(one(protocol, device, "limit_lateness_p99_s"));
   device.is_simulated = true;
   EXPECT_TRUE(warnings(protocol, device).empty());
-  EXPECT_TRUE(one(protocol, with(device, "friction_N", 0.2), "limit_friction_N"));
+  EXPECT_TRUE(one(protocol, with_item(device, "friction_N", 0.2), "limit_friction_N"));
 }
 
 // The schema lists by hand what device-test measures; what is exactly zero or not has no limit to choose.

@@ -22,7 +22,7 @@ namespace {
 constexpr int kPeople = 24;
 
 /// Sessions of which none has the plan that its protocol gives.
-void fill(MadeUpStudy& made) {
+void fill_with_unplanned_sessions(MadeUpStudy& made) {
   const std::int64_t protocol = made.add_protocol("small", "selection", small_protocol());
   MadeUpTrial trial{};
   trial.surfaces = {surface_of("height_map", "height_map", "grain")};
@@ -42,7 +42,7 @@ std::vector<std::string> problems_of(const std::filesystem::path& study, Access 
 
 TEST(VerifyStudy, FindsTheSameInTheSameOrderWhateverTheThreads) {
   MadeUpStudy made;
-  fill(made);
+  fill_with_unplanned_sessions(made);
   std::vector<std::string> alone{};
   {
     const NoMoreThreads none;
@@ -60,7 +60,7 @@ TEST(VerifyStudy, FindsTheSameInTheSameOrderWhateverTheThreads) {
 
 TEST(VerifyStudy, TellsItsCallersThreadHowFarItIs) {
   MadeUpStudy made;
-  fill(made);
+  fill_with_unplanned_sessions(made);
   Study study = Study::open(made.folder(), Access::read_only);
   std::vector<double> told{};
   const auto here = std::this_thread::get_id();
@@ -78,7 +78,7 @@ TEST(VerifyStudy, TellsItsCallersThreadHowFarItIs) {
 // A window that is closed meanwhile says so by throwing: that is no fault of the study.
 TEST(VerifyStudy, EndsWithWhatItsCallerThrows) {
   MadeUpStudy made;
-  fill(made);
+  fill_with_unplanned_sessions(made);
   const auto run = [&made](int throw_at) {
     Study study = Study::open(made.folder(), Access::read_only);
     int calls = 0;
@@ -105,7 +105,7 @@ TEST(VerifyStudy, EndsWithWhatItsCallerThrows) {
 // Every other session of an analysis is read by a second thread, where there can be one.
 TEST(VerifyStudy, AStudyIsReadWithoutASecondThreadToo) {
   MadeUpStudy made;
-  fill(made);
+  fill_with_unplanned_sessions(made);
   const Study study = Study::open(made.folder(), Access::read_only);
   const auto answers = [&study] {
     const std::vector<GatheredAnswers> gathered = gather_answers(study, {}, {});

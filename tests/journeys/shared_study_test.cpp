@@ -12,7 +12,7 @@
 namespace asperity::test {
 namespace {
 
-std::vector<std::string> run_arguments(const fs::path& protocol, const fs::path& study) {
+std::vector<std::string> virtual_run_arguments(const fs::path& protocol, const fs::path& study) {
   return {"run",      protocol,    "--study", study, "--participant",
           "standin1", "--virtual", "--seed",  "9"};
 }
@@ -55,7 +55,7 @@ TEST(ReadOnlyStudy, IsRefusedForWritingAndStillRead) {
     GTEST_SKIP() << "mounting is not permitted here";
   }
   for (const auto& arguments : {simulate_arguments(small, small.study(), 1, 3),
-                                run_arguments(small.selection(), small.study())}) {
+                                virtual_run_arguments(small.selection(), small.study())}) {
     const Outcome refused = asperity(arguments);
     EXPECT_EQ(refused.status, 1);
     EXPECT_NE(refused.err.find(small.study().string()), std::string::npos) << refused.err;
@@ -72,7 +72,8 @@ TEST(ReadOnlyStudy, IsRefusedForWritingAndStillRead) {
 TEST(RunningSession, IsRefusedASecondTimeNamingHostAndProcess) {
   const SmallStudy small(50);
   Invocation invocation{};
-  invocation.arguments = with(run_arguments(small.selection(), small.study()), "--realtime");
+  invocation.arguments =
+      with(virtual_run_arguments(small.selection(), small.study()), "--realtime");
   Program first(invocation);
   ASSERT_TRUE(first.read_until([](const std::string&, const std::string& err) {
     return !done_lines(err).empty();
@@ -80,15 +81,15 @@ TEST(RunningSession, IsRefusedASecondTimeNamingHostAndProcess) {
   std::array<char, 256> host{};
   ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
   for (const auto& arguments :
-       {run_arguments(small.selection(), small.study()),
-        with(run_arguments(small.selection(), small.study()), "--resume")}) {
+       {virtual_run_arguments(small.selection(), small.study()),
+        with(virtual_run_arguments(small.selection(), small.study()), "--resume")}) {
     const Outcome second = asperity(arguments);
     EXPECT_EQ(second.status, 1);
     EXPECT_NE(second.err.find(std::to_string(first.process())), std::string::npos) << second.err;
     EXPECT_NE(second.err.find(host.data()), std::string::npos) << second.err;
   }
   // Another participant is not in the way.
-  std::vector<std::string> other = run_arguments(small.recognition(), small.study());
+  std::vector<std::string> other = virtual_run_arguments(small.recognition(), small.study());
   other[5] = "standin2";
   EXPECT_EQ(asperity(other).status, 0);
 
@@ -126,7 +127,7 @@ TEST(FullDisk, KeepsEveryFinishedTrialAndTheSessionGoesOn) {
   const SmallStudy small(30);  // 60 trials
   const fs::path never_full = small.place() / "never_full";
   copy_stimuli(small, never_full);
-  ASSERT_EQ(asperity(run_arguments(small.selection(), never_full)).status, 0);
+  ASSERT_EQ(asperity(virtual_run_arguments(small.selection(), never_full)).status, 0);
   const auto expected = exported(never_full, small.place() / "expected");
 
   const fs::path disk = small.place() / "disk";
@@ -135,7 +136,7 @@ TEST(FullDisk, KeepsEveryFinishedTrialAndTheSessionGoesOn) {
   if (!mount.mounted()) GTEST_SKIP() << "mounting is not permitted here";
   const fs::path study = disk / "study";
   copy_stimuli(small, study);
-  const Outcome full = asperity(run_arguments(small.selection(), study));
+  const Outcome full = asperity(virtual_run_arguments(small.selection(), study));
   ASSERT_EQ(full.status, 1) << full.err;
   EXPECT_NE(full.err.find("the disk is full"), std::string::npos) << full.err;
   const std::vector<std::string> done = done_lines(full.err);
@@ -147,7 +148,8 @@ TEST(FullDisk, KeepsEveryFinishedTrialAndTheSessionGoesOn) {
   EXPECT_GE(tsv(meanwhile.at("attempts.tsv")).rows.size(), done.size());
 
   ASSERT_TRUE(mount.again(0, "size=64m"));
-  const Outcome resumed = asperity(with(run_arguments(small.selection(), study), "--resume"));
+  const Outcome resumed =
+      asperity(with(virtual_run_arguments(small.selection(), study), "--resume"));
   ASSERT_EQ(resumed.status, 0) << resumed.err;
   const auto tables = exported(study, small.place() / "tables");
   EXPECT_EQ(tsv(tables.at("responses.tsv")).column("answer"),

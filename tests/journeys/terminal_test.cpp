@@ -10,7 +10,7 @@
 namespace asperity::test {
 namespace {
 
-std::vector<std::string> run_arguments(const SmallStudy& small, const fs::path& protocol) {
+std::vector<std::string> terminal_run_arguments(const SmallStudy& small, const fs::path& protocol) {
   return {"run", protocol, "--study", small.study(), "--participant", "anna", "--seed", "4"};
 }
 
@@ -42,7 +42,7 @@ void answer_everything(Program& program, const std::string& choice, std::size_t 
 TEST(Terminal, TakesAPersonThroughASession) {
   const SmallStudy small(1);  // two trials
   Invocation invocation{};
-  invocation.arguments = run_arguments(small, small.selection());
+  invocation.arguments = terminal_run_arguments(small, small.selection());
   invocation.on_terminal = true;
   Program program(invocation);
   answer_everything(program, "1", 1000);
@@ -71,7 +71,7 @@ TEST(Terminal, NeverShowsANameOfATextureOrModel) {
   const SmallStudy small(1);
   for (const fs::path& protocol : {small.selection(), small.recognition()}) {
     Invocation invocation{};
-    invocation.arguments = run_arguments(small, protocol);
+    invocation.arguments = terminal_run_arguments(small, protocol);
     invocation.on_terminal = true;
     Program program(invocation);
     answer_everything(program, "1", 1000);
@@ -88,7 +88,7 @@ TEST(Terminal, NeverShowsANameOfATextureOrModel) {
 TEST(Terminal, AsksAgainForWhatIsNoOption) {
   const SmallStudy small(1);
   Invocation invocation{};
-  invocation.arguments = run_arguments(small, small.selection());
+  invocation.arguments = terminal_run_arguments(small, small.selection());
   invocation.on_terminal = true;
   Program program(invocation);
   const auto shows = [&program](const std::string& text) {
@@ -116,7 +116,7 @@ TEST(Terminal, SaysThatThereIsNoDeviceBeforeItSpeaksOfGuidance) {
   guided["explorations"]["short"]["normal_force_N"] = {{"minimum", 0.2}, {"maximum", 3}};
   write_text(small.recognition(), guided.dump(2));
   Invocation invocation{};
-  invocation.arguments = run_arguments(small, small.recognition());
+  invocation.arguments = terminal_run_arguments(small, small.recognition());
   invocation.on_terminal = true;
   {
     Program program(invocation);
@@ -133,7 +133,7 @@ TEST(Terminal, SaysThatThereIsNoDeviceBeforeItSpeaksOfGuidance) {
 TEST(Terminal, StopsAfterTheTrialAndGoesOnLater) {
   const SmallStudy small(2);  // four trials
   Invocation invocation{};
-  invocation.arguments = run_arguments(small, small.recognition());
+  invocation.arguments = terminal_run_arguments(small, small.recognition());
   invocation.on_terminal = true;
   {
     Program program(invocation);
@@ -159,7 +159,7 @@ TEST(Terminal, StopsAfterTheTrialAndGoesOnLater) {
 TEST(Terminal, ThatIsClosedLeavesASessionToGoOnWith) {
   const SmallStudy small(1);
   Invocation invocation{};
-  invocation.arguments = run_arguments(small, small.recognition());
+  invocation.arguments = terminal_run_arguments(small, small.recognition());
   invocation.on_terminal = true;
   {
     Program program(invocation);
@@ -186,7 +186,7 @@ TEST(Terminal, ThatIsClosedLeavesASessionToGoOnWith) {
 TEST(Terminal, IsNeededWithoutAVirtualParticipant) {
   const SmallStudy small(1);
   const auto before = contents_of(small.place());
-  const Outcome outcome = asperity(run_arguments(small, small.recognition()));
+  const Outcome outcome = asperity(terminal_run_arguments(small, small.recognition()));
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("--virtual"), std::string::npos) << outcome.err;
   EXPECT_TRUE(contents_of(small.place()) == before);

@@ -20,21 +20,21 @@ namespace asperity {
 namespace {
 
 /// Whole and half screens of 768 and 1080 lines, under a bar and a title.
-struct Shape {
+struct WindowShape {
   const char* name;
   QSize size;
   QSize picture;
 };
-constexpr std::array<Shape, 4> kShapes{{{"", {1366, 704}, {1366, 768}},
-                                        {"-large", {1920, 1016}, {1920, 1080}},
-                                        {"-half", {683, 700}, {683, 700}},
-                                        {"-half-large", {960, 1016}, {960, 1016}}}};
+constexpr std::array<WindowShape, 4> kShapes{{{"", {1366, 704}, {1366, 768}},
+                                              {"-large", {1920, 1016}, {1920, 1080}},
+                                              {"-half", {683, 700}, {683, 700}},
+                                              {"-half-large", {960, 1016}, {960, 1016}}}};
 
 /// At every size nothing is clipped; pictures of it in both themes.
 void look_at(SessionWindow& window, const QString& name) {
   auto& application = static_cast<QApplication&>(*QCoreApplication::instance());
   window.set_participant_window(true);
-  for (const Shape& shape : kShapes) {
+  for (const WindowShape& shape : kShapes) {
     window.resize(shape.size);
     window.refresh();
     // Banners and buttons find their height only once they have their width.
@@ -47,7 +47,7 @@ void look_at(SessionWindow& window, const QString& name) {
   for (const bool dark : {false, true}) {
     apply_theme(application, dark ? ThemeChoice::dark : ThemeChoice::light);
     const QString look = dark ? "-dark" : "";
-    for (const Shape& shape : kShapes) {
+    for (const WindowShape& shape : kShapes) {
       take_screenshot(window, name + shape.name + look, shape.picture);
     }
   }
