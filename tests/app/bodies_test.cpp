@@ -23,6 +23,7 @@
 #include "stimuli/solid_body.h"
 #include "stimuli/synthetic_surface.h"
 #include "tests/app/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

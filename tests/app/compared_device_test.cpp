@@ -12,6 +12,7 @@
 #include "app/tasks/protocol_files.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -23,6 +23,7 @@
 #include "app/tasks/run_session.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

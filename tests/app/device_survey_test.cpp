@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "results_schema/atomic_file.h"
-#include "tests/results_schema/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -22,7 +22,7 @@
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
-#include "tests/app/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

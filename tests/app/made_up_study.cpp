@@ -2,9 +2,6 @@
 
 #include "tests/app/made_up_study.h"
 
-#include <stdexcept>
-#include <unistd.h>
-
 #include <nlohmann/json.hpp>
 
 namespace asperity {
@@ -14,17 +11,6 @@ namespace {
 constexpr std::int64_t kClockZero_ns = 5'000'000'000;
 constexpr std::int64_t kTrial_ns = 10'000'000'000;
 constexpr std::int64_t kFirstTrial_ns = kClockZero_ns + 1'000'000'000;
-
-std::filesystem::path new_folder() {
-  // Syncing to a disk is what a study does most; in memory the tests take a fraction of the time.
-  const bool memory = ::access("/dev/shm", W_OK) == 0;
-  std::string name =
-      ((memory ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) /
-       "asperity-XXXXXX")
-          .string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  return name;
-}
 
 AttemptRow attempt_of(const MadeUpTrial& made, int trial, int segment) {
   AttemptRow attempt{};
@@ -74,13 +60,7 @@ PresentationRow surface_of(const std::string& item, const std::string& model,
   return surface;
 }
 
-MadeUpStudy::MadeUpStudy() : folder_(new_folder()) { study_ = Study::create(folder(), "made up"); }
-
-MadeUpStudy::~MadeUpStudy() {
-  study_.reset();
-  std::error_code ignored{};
-  std::filesystem::remove_all(folder_, ignored);
-}
+MadeUpStudy::MadeUpStudy() { study_ = Study::create(folder(), "made up"); }
 
 std::int64_t MadeUpStudy::add_protocol(const std::string& name, const std::string& kind,
                                        const std::string& source, const std::string& version) {

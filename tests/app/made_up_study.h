@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "results_schema/study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 
@@ -36,9 +37,6 @@ class MadeUpStudy final {
  public:
   /// A folder of its own under the system's temporary one.
   MadeUpStudy();
-  ~MadeUpStudy();
-  MadeUpStudy(const MadeUpStudy&) = delete;
-  MadeUpStudy& operator=(const MadeUpStudy&) = delete;
 
   Study& study() { return *study_; }
   std::filesystem::path folder() const { return folder_ / "study"; }
@@ -59,7 +57,7 @@ class MadeUpStudy final {
                            SessionMode mode = SessionMode::run);
 
  private:
-  std::filesystem::path folder_{};
+  TemporaryFolder folder_{};
   std::optional<Study> study_{};
   std::string observer_json_ = "null";
 };

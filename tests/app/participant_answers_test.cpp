@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/app/small_study.h"
 
 namespace asperity {
 namespace {

@@ -20,6 +20,7 @@
 #include "renderers/force_model.h"
 #include "renderers/surface_contact.h"
 #include "tests/app/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -12,6 +12,7 @@
 #include "app/tasks/verify_study.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -13,6 +13,7 @@
 #include "app/conductor/conductor.h"
 #include "app/program.h"
 #include "tests/app/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 

@@ -15,6 +15,7 @@
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -1,30 +1,11 @@
 #include "tests/app/small_study.h"
 
-#include <cstdlib>
-#include <stdexcept>
-#include <unistd.h>
-
 #include "app/height_field_files.h"
 #include "app/tasks/protocol_files.h"
 #include "results_schema/study.h"
 #include "stimuli/synthetic_surface.h"
 
 namespace asperity {
-
-TemporaryFolder::TemporaryFolder() {
-  // Syncing to a disk is what a study does most; in memory the tests take a tenth of the time.
-  const bool memory = ::access("/dev/shm", W_OK) == 0;
-  std::string pattern =
-      (memory ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) /
-      "asperity-test-XXXXXX";
-  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored{};
-  std::filesystem::remove_all(path_, ignored);
-}
 
 void make_small_study(const std::filesystem::path& folder) {
   Study::create(folder, "small");

@@ -10,19 +10,6 @@
 
 namespace asperity {
 
-/// A folder that is removed with the object; in memory where the machine has such a place.
-class TemporaryFolder final {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const noexcept { return path_; }
-
- private:
-  std::filesystem::path path_{};
-};
-
 /// Makes a study with stimuli/grain.png in it. `folder` must not exist.
 void make_small_study(const std::filesystem::path& folder);
 

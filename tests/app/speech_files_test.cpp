@@ -8,6 +8,7 @@
 #include "app/conductor/session_setup.h"
 #include "app/tasks/protocol_files.h"
 #include "tests/app/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -20,6 +20,7 @@
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
 #include "tests/app/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

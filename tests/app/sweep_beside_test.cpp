@@ -20,7 +20,7 @@
 #include "protocols/protocol_reader.h"
 #include "renderers/force_model.h"
 #include "stimuli/synthetic_surface.h"
-#include "tests/app/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -13,6 +13,7 @@
 #include "app/tasks/study_overview.h"
 #include "app/tasks/unfinished_session.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

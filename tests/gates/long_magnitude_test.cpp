@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -21,6 +20,7 @@
 #include "app/tasks/sweep.h"
 #include "renderers/force_model.h"
 #include "tests/gates/simulated_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -32,9 +32,8 @@ const std::map<std::string, double> kTips_m{
 int every_core() { return static_cast<int>(std::thread::hardware_concurrency()); }
 
 AnalysisOutcome answers_of_twenty() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "asperity_XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder " + pattern);
-  const std::filesystem::path study = std::filesystem::path(pattern) / "study";
+  const TemporaryFolder folder{};
+  const std::filesystem::path study = folder / "study";
   new_demo_study(study, [](double) {});
   SimulationInputs inputs{};
   inputs.protocols = {study / "protocols/roughness_diameter.json"};
@@ -44,10 +43,7 @@ AnalysisOutcome answers_of_twenty() {
   inputs.jobs = every_core();
   inputs.recordings = Recordings::none;
   (void)simulate(inputs, built_in_models(), {}, {}, {});
-  AnalysisOutcome outcome =
-      analyze_study(Study::open(study, Access::read_only), "roughness_diameter").at(0);
-  std::filesystem::remove_all(pattern);
-  return outcome;
+  return analyze_study(Study::open(study, Access::read_only), "roughness_diameter").at(0);
 }
 
 /// The stroke of the protocol: its material, its force and its speed.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <stdexcept>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -20,17 +19,6 @@ namespace asperity {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-/// In memory where there is such a folder: the gates are about answers, not about disks.
-std::filesystem::path temporary_folder() {
-  const bool in_memory = ::access("/dev/shm", W_OK) == 0;
-  std::string pattern =
-      ((in_memory ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) /
-       "asperity_gates_XXXXXX")
-          .string();
-  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder " + pattern);
-  return pattern;
-}
 
 json library_json(std::string_view name) {
   for (const LibraryProtocol& protocol : library_protocols()) {
@@ -89,14 +77,7 @@ Protocol library_protocol(std::string_view name, const std::function<void(json&)
   return read_protocol(protocol.dump(1), std::string(name), declarations_of(built_in_models()));
 }
 
-SimulatedStudy::SimulatedStudy() : folder_(temporary_folder()) {
-  new_demo_study(folder_ / "study", [](double) {});
-}
-
-SimulatedStudy::~SimulatedStudy() {
-  std::error_code ignored{};
-  std::filesystem::remove_all(folder_, ignored);
-}
+SimulatedStudy::SimulatedStudy() { new_demo_study(folder_ / "study", [](double) {}); }
 
 GateCounts SimulatedStudy::run(const GateDesign& design) {
   json protocol = library_json(design.protocol);

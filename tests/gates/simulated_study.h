@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -16,6 +15,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "protocols/protocol.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 
@@ -53,16 +53,13 @@ struct GateCounts {
 class SimulatedStudy final {
  public:
   SimulatedStudy();
-  ~SimulatedStudy();
-  SimulatedStudy(const SimulatedStudy&) = delete;
-  SimulatedStudy& operator=(const SimulatedStudy&) = delete;
 
   /// Simulates `participants` for each seed, with the protocol reduced to its main block, without
   /// breaks and pauses.
   GateCounts run(const GateDesign& design);
 
  private:
-  std::filesystem::path folder_{};
+  TemporaryFolder folder_{};
 };
 
 }  // namespace asperity

@@ -2,14 +2,12 @@
 
 #include "app/conductor/virtual_participant.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <set>
-#include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -22,6 +20,7 @@
 #include "renderers/offline/roughness_stroke.h"
 #include "stimuli/synthetic_surface.h"
 #include "tests/gates/simulated_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -129,9 +128,7 @@ ForceFeatures expected_of_noise(const std::filesystem::path& folder,
 // A Gaussian of 2 mm leaves 1 − exp(−½ (2/8.4)²) = 3 % of the waves in the first band, where the
 // hand's own unsteadiness is left, and all of those under half a millimetre.
 TEST(VirtualParticipant, ExpectsNoMoreThanAPhotographKeeps) {
-  std::string pattern = (std::filesystem::temp_directory_path() / "asperity_XXXXXX").string();
-  ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-  const std::filesystem::path folder = pattern;
+  const TemporaryFolder folder{};
   std::filesystem::create_directories(folder / "stimuli");
   const HeightField rough = make_surface("noise", {{"rms_m", 1e-4}, {"exponent", 3.0}},
                                          {.width_m = 0.04, .pixels = 256, .seed = 2});
@@ -140,10 +137,9 @@ TEST(VirtualParticipant, ExpectsNoMoreThanAPhotographKeeps) {
                       Overwrite::refuse);
   }
   const ForceFeatures whole =
-      expected_of_noise(folder, [](json& p) { p["observer"].erase("gaussian_wavelength_m"); });
+      expected_of_noise(folder.path(), [](json& p) { p["observer"].erase("gaussian_wavelength_m"); });
   const ForceFeatures kept =
-      expected_of_noise(folder, [](json& p) { p["observer"]["gaussian_wavelength_m"] = 0.002; });
-  std::filesystem::remove_all(folder);
+      expected_of_noise(folder.path(), [](json& p) { p["observer"]["gaussian_wavelength_m"] = 0.002; });
   EXPECT_LT(kept.spectrum.front(), whole.spectrum.front() - 1.0);
   EXPECT_NEAR(kept.spectrum[8], whole.spectrum[8], 0.3);
 }
@@ -173,9 +169,7 @@ void make_short(json& protocol) {
 /// What one participant without noise says of the short protocol, by stimulus and exploration.
 using Numbers = std::map<std::pair<std::string, std::string>, double>;
 Numbers numbers_of_one(const std::function<void(json&)>& change) {
-  std::string pattern = (std::filesystem::temp_directory_path() / "asperity_XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no folder " + pattern);
-  const std::filesystem::path folder = pattern;
+  const TemporaryFolder folder{};
   new_study(folder / "study");
   for (const auto& [name, spacing_m] :
        {std::pair("wave_07", 0.0007), std::pair("wave_14", 0.0014), std::pair("wave_28", 0.0028)}) {
@@ -200,19 +194,16 @@ Numbers numbers_of_one(const std::function<void(json&)>& change) {
          }).source;
   (void)simulate(inputs, built_in_models(), {}, {}, {});
   Numbers numbers{};
-  {
-    const Study study = Study::open(inputs.study, Access::read_only);
-    std::map<int, std::string> hands{};
-    for (const PlannedTrialRow& trial : study.plan(study.sessions().front().id)) {
-      hands[trial.trial] = json::parse(trial.factors_json).value("hand", std::string());
-    }
-    for (const AttemptRow& attempt : study.attempts(study.sessions().front().id)) {
-      EXPECT_EQ(attempt.responses.at(0).source, "virtual");
-      numbers[{attempt.presentations.at(0).stimulus, hands.at(attempt.trial)}] =
-          attempt.responses[0].answer_number.value();
-    }
+  const Study study = Study::open(inputs.study, Access::read_only);
+  std::map<int, std::string> hands{};
+  for (const PlannedTrialRow& trial : study.plan(study.sessions().front().id)) {
+    hands[trial.trial] = json::parse(trial.factors_json).value("hand", std::string());
   }
-  std::filesystem::remove_all(folder);
+  for (const AttemptRow& attempt : study.attempts(study.sessions().front().id)) {
+    EXPECT_EQ(attempt.responses.at(0).source, "virtual");
+    numbers[{attempt.presentations.at(0).stimulus, hands.at(attempt.trial)}] =
+        attempt.responses[0].answer_number.value();
+  }
   return numbers;
 }
 

@@ -6,6 +6,7 @@
 
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity::test {
 namespace {

@@ -10,6 +10,7 @@
 #include "results_schema/table.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity::test {
 namespace {

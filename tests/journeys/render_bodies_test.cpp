@@ -11,6 +11,7 @@
 #include "tests/journeys/small_study.h"
 #include "tests/stimuli/made_mesh.h"
 #include "tests/stimuli/mesh_text.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity::test {
 namespace {

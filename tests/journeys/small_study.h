@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/results_schema/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity::test {
 

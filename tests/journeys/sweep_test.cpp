@@ -16,6 +16,7 @@
 #include "tests/app/made_up_study.h"
 #include "tests/journeys/program.h"
 #include "tests/journeys/small_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity::test {
 namespace {

@@ -10,7 +10,7 @@
 #include <signal.h>
 
 #include "results_schema/study.h"
-#include "tests/results_schema/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

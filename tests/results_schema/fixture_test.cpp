@@ -11,7 +11,7 @@
 #include "results_schema/recording.h"
 #include "results_schema/study.h"
 #include "results_schema/table.h"
-#include "tests/results_schema/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -16,7 +16,7 @@
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "tests/results_schema/refusal.h"
-#include "tests/results_schema/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -17,7 +17,7 @@
 #include "results_schema/study.h"
 #include "tests/results_schema/refusal.h"
 #include "tests/results_schema/rows_for_tests.h"
-#include "tests/results_schema/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -22,7 +22,7 @@
 #include "results_schema/table_rules.h"
 #include "tests/results_schema/refusal.h"
 #include "tests/results_schema/rows_for_tests.h"
-#include "tests/results_schema/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

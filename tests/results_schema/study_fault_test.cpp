@@ -17,7 +17,7 @@
 #include "tests/results_schema/failing_vfs.h"
 #include "tests/results_schema/refusal.h"
 #include "tests/results_schema/rows_for_tests.h"
-#include "tests/results_schema/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

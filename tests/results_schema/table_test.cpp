@@ -15,7 +15,7 @@
 #include "results_schema/study.h"
 #include "results_schema/table_file.h"
 #include "tests/results_schema/refusal.h"
-#include "tests/results_schema/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

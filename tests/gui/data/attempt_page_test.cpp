@@ -29,6 +29,7 @@
 #include "tests/app/small_study.h"
 #include "tests/gui/study/quiet_home.h"
 #include "tests/gui/support/screenshot.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -37,6 +37,7 @@
 #include "tests/device/vendors/test_inverse_service.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

@@ -34,6 +34,7 @@
 #include "tests/device/vendors/test_dhd.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

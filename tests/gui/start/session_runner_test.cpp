@@ -13,6 +13,7 @@
 #include "results_schema/study.h"
 #include "tests/app/small_study.h"
 #include "tests/gui/support/full_disk.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

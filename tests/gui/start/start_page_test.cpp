@@ -29,6 +29,7 @@
 #include "tests/app/small_study.h"
 #include "tests/gui/support/screenshot.h"
 #include "tests/gui/support/widgets.h"
+#include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {

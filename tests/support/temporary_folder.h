@@ -5,17 +5,20 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <unistd.h>
 
 #include <stdlib.h>
 
 namespace asperity {
 
+/// A new, empty folder that is removed with the object, with all that is in it.
+///
+/// It is in memory where the machine offers that: syncing to a disk is what a study does most, and in
+/// memory the tests take a tenth of the time.
 class TemporaryFolder final {
  public:
   TemporaryFolder() {
-    // In memory where that is offered: these tests are about order and content, and sync thousands
-    // of times.
     const std::filesystem::path memory = "/dev/shm";
     const auto place =
         ::access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path();
