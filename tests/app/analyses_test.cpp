@@ -16,6 +16,7 @@
 #include "app/cli/analysis_output.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/made_up_study.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -438,12 +439,8 @@ TEST(AnalyzeStudy, NamesTheProtocolsThereAreWhenAskedForAnother) {
   made.add_person("a", "F");
   made.add_session("a", made.add_protocol("recognition", "recognition"),
                    {recognition("stone", "stone")});
-  try {
-    analyze_study(made.study(), "matching");
-    FAIL() << "nothing was refused";
-  } catch (const ResultsError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("\"matching\"; it has sessions of \"recognition\""));
-  }
+  EXPECT_THAT(refusal_of<ResultsError>([&] { analyze_study(made.study(), "matching"); }),
+              HasSubstr("\"matching\"; it has sessions of \"recognition\""));
 }
 
 TEST(AnalyzeStudy, NeitherWaitsForNorRefusesABrokenFileOnceItWasAskedToStop) {

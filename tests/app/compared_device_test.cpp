@@ -12,6 +12,7 @@
 #include "app/tasks/protocol_files.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -265,20 +266,16 @@ TEST(KeptProfile, IsRefusedWithNumbersThatNoMeasurementGives) {
       .measured_utc = kYesterday,
       .rate_Hz = 1000.0,
       .items = {{.name = "stiffness_N_per_m", .status = Status::pass, .value = -5.0}}};
-  const auto complaint = [&]() -> std::string {
-    try {
-      (void)profile_from_json(json_text_of(profile), "arm.json");
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "it was read";
+  const auto refusal = [&] {
+    return refusal_of<std::runtime_error>(
+        [&] { (void)profile_from_json(json_text_of(profile), "arm.json"); });
   };
-  EXPECT_THAT(complaint(), HasSubstr("stiffness_N_per_m is -5"));
+  EXPECT_THAT(refusal(), HasSubstr("stiffness_N_per_m is -5"));
   profile.items.front() = {.name = "stifness_N_per_m", .status = Status::pass, .value = 5.0};
-  EXPECT_THAT(complaint(), HasSubstr("stifness_N_per_m\", which this program does not know"));
+  EXPECT_THAT(refusal(), HasSubstr("stifness_N_per_m\", which this program does not know"));
   profile.items.clear();
   profile.rate_Hz = 0.0;
-  EXPECT_THAT(complaint(), HasSubstr("rate_Hz is 0"));
+  EXPECT_THAT(refusal(), HasSubstr("rate_Hz is 0"));
 }
 
 TEST(WantedDevice, IsMeasuredByACommandThatAShellTakes) {

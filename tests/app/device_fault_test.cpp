@@ -14,6 +14,7 @@
 #include <thread>
 
 #include <glm/geometric.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/conductor/recording_columns.h"
@@ -23,6 +24,7 @@
 #include "app/tasks/run_session.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/small_study.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -248,13 +250,9 @@ TEST(NamedDevice, IsNotOpenedForASessionWhileADeviceIsMeasuredForTheStudy) {
   const ModelRegistry models = built_in_models();
   QuickPerson person{};
   const MeasuringLock measuring(inputs.study);
-  try {
-    run_session(inputs, models, &person, {}, {}, {}, drivers);
-    ADD_FAILURE() << "it began";
-  } catch (const PhrasedError& error) {
-    EXPECT_NE(std::string(error.what()).find("A device is being measured"), std::string::npos)
-        << error.what();
-  }
+  EXPECT_THAT(
+      refusal_of<PhrasedError>([&] { run_session(inputs, models, &person, {}, {}, {}, drivers); }),
+      testing::HasSubstr("A device is being measured"));
   EXPECT_EQ(openings, 0);
   EXPECT_TRUE(Study::open(inputs.study, Access::read_only).sessions().empty());
 }

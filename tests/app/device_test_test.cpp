@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,7 @@
 #include "device/simulated_device.h"
 #include "device/simulated_models.h"
 #include "results_schema/atomic_file.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -359,12 +361,7 @@ TEST(DeviceTest, LeavesOutTheMechanicsOfADeviceWithoutMotors) {
 }
 
 std::string loss_of(HapticDevice& device, const DeviceTestOptions& options = stepped()) {
-  try {
-    test_device(device, options, {});
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "it was not lost";
+  return refusal_of<std::runtime_error>([&] { test_device(device, options, {}); });
 }
 
 TEST(DeviceTest, EndsWhenTheDeviceIsLostAndSaysWhyAndWhatToDo) {
@@ -605,12 +602,10 @@ TEST(DeviceProfile, SaysInAnotherLanguageWhatWasStored) {
 }
 
 TEST(DeviceProfile, RefusesWhatIsNoneAndNamesTheFile) {
-  try {
-    profile_from_json("{\"format\": \"asperity.check/1\"}", "profiles/a.json");
-    FAIL() << "it was read";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("profiles/a.json"), std::string::npos);
-  }
+  EXPECT_THAT(refusal_of<std::runtime_error>([] {
+                profile_from_json("{\"format\": \"asperity.check/1\"}", "profiles/a.json");
+              }),
+              testing::HasSubstr("profiles/a.json"));
 }
 
 TEST(DeviceProfile, IsFoundAgainInItsStudyTheLatestOfTheSameDevice) {

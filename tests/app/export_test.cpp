@@ -15,6 +15,7 @@
 #include "results_schema/table.h"
 #include "tests/app/exported_study.h"
 #include "tests/app/sav_reading.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -478,13 +479,10 @@ TEST(Export, RefusesToTellThePublicWhatIsTypedFreelyOrNotAsked) {
   const auto refused = [&made](const std::string& question, const std::string& because) {
     ExportOptions options = options_of(ExportAudience::published);
     options.questions_for_public = {question};
-    try {
-      export_to(made, made.beside("out"), options);
-      FAIL() << "nothing was refused";
-    } catch (const std::invalid_argument& error) {
-      EXPECT_EQ(error.what(), "answers to \"" + question + "\" cannot go to the public: " +
-                                  because + "; those that can: hand, pain, scars");
-    }
+    EXPECT_EQ(
+        refusal_of<std::invalid_argument>([&] { export_to(made, made.beside("out"), options); }),
+        "answers to \"" + question + "\" cannot go to the public: " + because +
+            "; those that can: hand, pain, scars");
   };
   refused("comment", "they are typed freely");
   refused("pian", "no questionnaire of the study asks it");
@@ -524,12 +522,9 @@ TEST(Export, NeverThrowsAwayAFileThatNoExportWrote) {
   const std::filesystem::path out = made.beside("out");
   std::filesystem::create_directory(out);
   write_file(out / "thesis.txt", "years of work", Overwrite::refuse);
-  try {
-    export_to(made, out, options_of(ExportAudience::own, Overwrite::allow));
-    FAIL() << "nothing was refused";
-  } catch (const ResultsError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("thesis.txt"));
-  }
+  EXPECT_THAT(refusal_of<ResultsError>(
+                  [&] { export_to(made, out, options_of(ExportAudience::own, Overwrite::allow)); }),
+              HasSubstr("thesis.txt"));
   EXPECT_THAT(names_in(out), ElementsAre("thesis.txt"));
   EXPECT_THAT(names_in(made.beside("")), ElementsAre("out", "study"));
 }
@@ -553,12 +548,8 @@ TEST(Export, NeverThrowsAwayWhatSomebodyWroteIntoAnExportedFile) {
   export_to(made, out);
   write_file(out / "virtual" / "wide.csv", "with notes of mine", Overwrite::allow);
   const ExportOptions again = options_of(ExportAudience::own, Overwrite::allow);
-  try {
-    export_to(made, out, again);
-    FAIL() << "nothing was refused";
-  } catch (const ResultsError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("\"virtual/wide.csv\", which was changed"));
-  }
+  EXPECT_THAT(refusal_of<ResultsError>([&] { export_to(made, out, again); }),
+              HasSubstr("\"virtual/wide.csv\", which was changed"));
   EXPECT_EQ(read_file(out / "virtual" / "wide.csv"), "with notes of mine");
   std::filesystem::remove(out / "virtual" / "wide.csv");
   export_to(made, out, again);

@@ -12,6 +12,7 @@
 #include "app/tasks/verify_study.h"
 #include "results_schema/atomic_file.h"
 #include "tests/app/scripted_session.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -90,14 +91,7 @@ TEST_F(RunSession, NeedsADeviceThatWasMeasuredLatelyWhereTheProtocolSaysSoAndSto
     text.replace(text.find("[1, 2, 3]"), 9, "[1]");
     write_file(inputs_.protocol, text, Overwrite::allow);
   };
-  const auto refusal = [&]() -> std::string {
-    try {
-      run();
-    } catch (const PhrasedError& error) {
-      return error.what();
-    }
-    return "it ran";
-  };
+  const auto refusal = [&] { return refusal_of<PhrasedError>([&] { run(); }); };
   std::filesystem::create_directories(inputs_.study / "profiles");
   const auto measure = [&](const std::string& utc) {
     const DeviceProfile profile{
@@ -257,12 +251,9 @@ TEST_F(RunSession, IsNotGoneOnWithWhereTheProtocolEndedIt) {
   inputs_.resume = true;
   EXPECT_THROW(run(), std::runtime_error);
   inputs_.resume = false;
-  try {
-    run();
-    ADD_FAILURE() << "a second session was begun";
-  } catch (const std::runtime_error& error) {  // and not that the first one is to be gone on with
-    EXPECT_THAT(error.what(), testing::HasSubstr("has done all sessions"));
-  }
+  // And not that the first one is to be gone on with.
+  EXPECT_THAT(refusal_of<std::runtime_error>([&] { run(); }),
+              testing::HasSubstr("has done all sessions"));
   EXPECT_EQ(study().sessions().size(), 1U);
 }
 

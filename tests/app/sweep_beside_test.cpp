@@ -20,6 +20,7 @@
 #include "protocols/protocol_reader.h"
 #include "renderers/force_model.h"
 #include "stimuli/synthetic_surface.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -80,12 +81,7 @@ class SweepBesideTest : public testing::Test {
     return sweep_beside(order, protocol, folder_.path());
   }
   std::string refusal(const SweepOrder& order, const Protocol& protocol) const {
-    try {
-      (void)beside(order, protocol);
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "not refused";
+    return refusal_of<std::runtime_error>([&] { (void)beside(order, protocol); });
   }
 
   TemporaryFolder folder_{};

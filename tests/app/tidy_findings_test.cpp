@@ -7,6 +7,7 @@
 
 #include "app/analyses/tidy/tidy_families.h"
 #include "app/cli/analysis_output.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -14,16 +15,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
-
-template <class Use>
-std::string refusal_of(Use use) {
-  try {
-    use();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(FamilyOptions, AreReadFromJson) {
   const FamilyOptions options = FamilyOptions::of_json(
@@ -58,13 +49,13 @@ TEST(FamilyOptions, AreRefusedInSentences) {
   FamilyOptions options{};
   options.add("conf", "95");
   options.add("target", "wood");
-  EXPECT_EQ(refusal_of([&] { options.texts("items"); }),
+  EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.texts("items"); }),
             "the option \"items\" is missing, and there is no default for it");
-  EXPECT_EQ(refusal_of([&] { options.number("target"); }),
+  EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.number("target"); }),
             "the option \"target\" must be a number");
-  EXPECT_EQ(refusal_of([&] { options.confidence(); }),
+  EXPECT_EQ(refusal_of<std::runtime_error>([&] { options.confidence(); }),
             "the option \"conf\" is 95; it must lie between 0 and 1");
-  EXPECT_THAT(refusal_of([] { FamilyOptions::of_json("{", "o.json"); }),
+  EXPECT_THAT(refusal_of<std::runtime_error>([] { FamilyOptions::of_json("{", "o.json"); }),
               HasSubstr("o.json: the options are no JSON"));
 }
 
@@ -228,20 +219,21 @@ TEST(TableFindings, SayWhyThereIsNoNumber) {
 }
 
 TEST(TidyFamilies, RefuseWhatCannotBeWithLineAndColumn) {
-  EXPECT_EQ(refusal_of([] { proportion_findings(input_of("id,k,n,p0\na,3,2,0.5\n", "{}")); }),
+  EXPECT_EQ(refusal_of<std::runtime_error>(
+                [] { proportion_findings(input_of("id,k,n,p0\na,3,2,0.5\n", "{}")); }),
             "table.csv:2:2: k is 3 of n 2; at most all can be hits");
-  EXPECT_EQ(refusal_of([] {
+  EXPECT_EQ(refusal_of<std::runtime_error>([] {
               paired_findings(input_of("subject,first,second,winner\nx,a,b,c\n",
                                        R"({"items": ["a", "b", "c"]})"));
             }),
             "table.csv:2:4: winner is \"c\", which was not compared here");
-  EXPECT_EQ(refusal_of([] {
+  EXPECT_EQ(refusal_of<std::runtime_error>([] {
               ranking_findings(input_of("subject,trial,item,rank\nx,1,a,1\nx,1,b,1\n",
                                         R"({"items": ["a", "b"]})"));
             }),
             "table.csv:3:4: the rank stands twice in its trial; tied items are for the family "
             "\"rating\"");
-  EXPECT_EQ(refusal_of([] {
+  EXPECT_EQ(refusal_of<std::runtime_error>([] {
               selection_findings(input_of("subject,sample,choice\nx,1,a\n",
                                           R"({"renderers": ["a", "b"], "target": "c"})"));
             }),
@@ -269,9 +261,9 @@ TEST(TidyFamilies, AnswerTablesWithoutARowOrRefuseThem) {
   EXPECT_FALSE(selection_findings(input_of("subject,sample,choice\n",
                                            R"({"renderers": ["a", "b"], "target": "a"})"))
                    .empty());
-  EXPECT_THAT(
-      refusal_of([] { matching_findings(input_of("subject,trial,stimulus,response\n", "{}")); }),
-      HasSubstr("no row"));
+  EXPECT_THAT(refusal_of<std::runtime_error>(
+                  [] { matching_findings(input_of("subject,trial,stimulus,response\n", "{}")); }),
+              HasSubstr("no row"));
   EXPECT_FALSE(
       paired_findings(input_of("subject,first,second,winner\n", R"({"items": ["a", "b"]})"))
           .empty());

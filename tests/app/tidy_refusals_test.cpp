@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/analyses/tidy/tidy_families.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -21,14 +22,9 @@ std::vector<Finding> findings_of(const std::string& family, const std::string& t
   return tidy_family(family).findings(input);
 }
 
-std::string refusal_of(const std::string& family, const std::string& table,
-                       const std::string& options) {
-  try {
-    findings_of(family, table, options);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
+std::string family_refusal(const std::string& family, const std::string& table,
+                           const std::string& options) {
+  return refusal_of([&] { findings_of(family, table, options); });
 }
 
 std::string word_of(const std::vector<Finding>& findings, const std::string& quantity) {
@@ -47,57 +43,58 @@ constexpr const char* kWithin = R"({"within": {"s": ["a", "b"]}})";
 constexpr const char* kGroups = R"({"groups": ["a", "b"]})";
 
 TEST(TidyRefusals, NameTheLineAndTheColumn) {
-  EXPECT_THAT(refusal_of("recognition", "subject,stimulus,response\nA,x,q\n", kLabels),
+  EXPECT_THAT(family_refusal("recognition", "subject,stimulus,response\nA,x,q\n", kLabels),
               HasSubstr("t.csv:2:3"));
+  EXPECT_THAT(family_refusal("magnitude", "subject,probe,spacing,estimate\nA,1,1,2\nA,1,2,-3\n",
+                             kMagnitude),
+              HasSubstr("t.csv:3:4"));
   EXPECT_THAT(
-      refusal_of("magnitude", "subject,probe,spacing,estimate\nA,1,1,2\nA,1,2,-3\n", kMagnitude),
-      HasSubstr("t.csv:3:4"));
-  EXPECT_THAT(refusal_of("magnitude", "subject,probe,spacing,estimate\nAnna,1,1,0\n", kMagnitude),
-              HasSubstr("all estimates of Anna are 0"));
-  EXPECT_THAT(refusal_of("rmanova", "subject,s,y\nA,a,1\nA,q,2\n", kWithin),
+      family_refusal("magnitude", "subject,probe,spacing,estimate\nAnna,1,1,0\n", kMagnitude),
+      HasSubstr("all estimates of Anna are 0"));
+  EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\nA,q,2\n", kWithin),
               HasSubstr("t.csv:3:2: \"q\" is no level of s"));
-  EXPECT_THAT(refusal_of("group", "subject,group,correct,trials\nA,a,5,4\n", kGroups),
+  EXPECT_THAT(family_refusal("group", "subject,group,correct,trials\nA,a,5,4\n", kGroups),
               HasSubstr("t.csv:2:3"));
-  EXPECT_THAT(refusal_of("power", "id,kind,n,alpha,p0\none,binom_two,9,0.05,\n", "[]"),
+  EXPECT_THAT(family_refusal("power", "id,kind,n,alpha,p0\none,binom_two,9,0.05,\n", "[]"),
               HasSubstr("t.csv:2:5: p0 is missing"));
-  EXPECT_THAT(refusal_of("power", "id,kind,n,alpha\none,luck,9,0.05\n", "[]"),
+  EXPECT_THAT(family_refusal("power", "id,kind,n,alpha\none,luck,9,0.05\n", "[]"),
               HasSubstr("there is no kind of plan \"luck\""));
 }
 
 // None of these can be told from a table that was pasted twice, and each would be an n too large.
 TEST(TidyRefusals, NameTheRowThatSaysAThingASecondTime) {
-  EXPECT_EQ(
-      refusal_of("rating", "subject,item,score\nA,a,6\nA,b,2\nA,a,1\n", R"({"items": ["a", "b"]})"),
-      "t.csv:4:2: A has a score of \"a\" already; a participant scores an item once");
-  EXPECT_EQ(refusal_of("rating", "subject,item,score\nA,a,\nA,b,2\nA,a,1\nA,b,\n",
-                       R"({"items": ["a", "b"]})"),
+  EXPECT_EQ(family_refusal("rating", "subject,item,score\nA,a,6\nA,b,2\nA,a,1\n",
+                           R"({"items": ["a", "b"]})"),
+            "t.csv:4:2: A has a score of \"a\" already; a participant scores an item once");
+  EXPECT_EQ(family_refusal("rating", "subject,item,score\nA,a,\nA,b,2\nA,a,1\nA,b,\n",
+                           R"({"items": ["a", "b"]})"),
             "")
       << "no score is none";
   const std::string once = "; there is one row per participant, who is in one group";
   EXPECT_EQ(
-      refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,a,0,4\n", kGroups),
+      family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,a,0,4\n", kGroups),
       "t.csv:4:1: \"A\" stands a second time" + once);
   EXPECT_EQ(
-      refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,b,0,4\n", kGroups),
+      family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nB,b,1,4\nA,b,0,4\n", kGroups),
       "t.csv:4:1: \"A\" stands a second time" + once);
-  EXPECT_EQ(refusal_of("group", "subject,group,correct,trials\nA,a,3,4\nA,a,2,4\n", kGroups),
+  EXPECT_EQ(family_refusal("group", "subject,group,correct,trials\nA,a,3,4\nA,a,2,4\n", kGroups),
             "t.csv:3:1: \"A\" stands a second time" + once);
-  EXPECT_EQ(refusal_of("proportion", "id,k,n,p0\nx,1,2,0.5\ny,1,2,0.5\nx,2,2,0.5\n", "[]"),
+  EXPECT_EQ(family_refusal("proportion", "id,k,n,p0\nx,1,2,0.5\ny,1,2,0.5\nx,2,2,0.5\n", "[]"),
             "t.csv:4:1: \"x\" stands a second time; there is one row per count of hits");
-  EXPECT_EQ(
-      refusal_of("power", "id,kind,n,alpha,d\nx,paired_t,9,0.05,1\nx,paired_t,8,0.05,1\n", "[]"),
-      "t.csv:3:1: \"x\" stands a second time; there is one row per plan");
-  EXPECT_EQ(refusal_of("matching",
-                       "subject,trial,stimulus,response,group\nA,1,x,x,F\nA,1,y,y,F\n"
-                       "A,2,x,x,M\nA,2,y,y,M\n",
-                       "[]"),
+  EXPECT_EQ(family_refusal("power", "id,kind,n,alpha,d\nx,paired_t,9,0.05,1\nx,paired_t,8,0.05,1\n",
+                           "[]"),
+            "t.csv:3:1: \"x\" stands a second time; there is one row per plan");
+  EXPECT_EQ(family_refusal("matching",
+                           "subject,trial,stimulus,response,group\nA,1,x,x,F\nA,1,y,y,F\n"
+                           "A,2,x,x,M\nA,2,y,y,M\n",
+                           "[]"),
             "t.csv:4:5: A stands in two groups");
   const std::string times = "the rows of a trial must stand for as many trials";
-  EXPECT_EQ(
-      refusal_of("matching", "subject,trial,stimulus,response,times\nA,1,x,x,2\nA,1,y,y,3\n", "[]"),
-      "t.csv:3:5: " + times);
-  EXPECT_EQ(refusal_of("ranking", "subject,trial,item,rank,times\nA,1,a,1,2\nA,1,b,2,3\n",
-                       R"({"items": ["a", "b"]})"),
+  EXPECT_EQ(family_refusal("matching",
+                           "subject,trial,stimulus,response,times\nA,1,x,x,2\nA,1,y,y,3\n", "[]"),
+            "t.csv:3:5: " + times);
+  EXPECT_EQ(family_refusal("ranking", "subject,trial,item,rank,times\nA,1,a,1,2\nA,1,b,2,3\n",
+                           R"({"items": ["a", "b"]})"),
             "t.csv:3:5: " + times);
 }
 
@@ -121,17 +118,17 @@ TEST(TidyRefusals, TakeARepetitionWhoseNumberStandsTwiceForAReplicate) {
 }
 
 TEST(TidyRefusals, SayWhichOptionIsWrong) {
-  EXPECT_THAT(refusal_of("rmanova", "subject,s,y\nA,a,1\n", R"({"within": "s"})"),
+  EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\n", R"({"within": "s"})"),
               HasSubstr("\"within\" must be an object of factors with their levels, like "
                         "{\"spacing\": [1, 2, 4]}"));
-  EXPECT_THAT(refusal_of("psyfit", "condition,x,n,k\nc,1,4,2\n",
-                         R"({"shape": "cauchy", "gamma": 0, "lambda": 0, "pt": 0.5})"),
+  EXPECT_THAT(family_refusal("psyfit", "condition,x,n,k\nc,1,4,2\n",
+                             R"({"shape": "cauchy", "gamma": 0, "lambda": 0, "pt": 0.5})"),
               HasSubstr("\"shape\" is \"cauchy\""));
-  EXPECT_THAT(refusal_of("rmanova", "subject,s,y\nA,a,1\nA,b,1\nB,a,2\nB,b,4\n",
-                         R"({"within": {"s": ["a", "b"]}, "type": 1})"),
+  EXPECT_THAT(family_refusal("rmanova", "subject,s,y\nA,a,1\nA,b,1\nB,a,2\nB,b,4\n",
+                             R"({"within": {"s": ["a", "b"]}, "type": 1})"),
               HasSubstr("\"type\" is 1"));
   EXPECT_THAT(
-      refusal_of("group", "subject,group,correct,trials\nA,a,3,4\n", R"({"groups": ["a"]})"),
+      family_refusal("group", "subject,group,correct,trials\nA,a,3,4\n", R"({"groups": ["a"]})"),
       HasSubstr("it needs two"));
 }
 
@@ -194,46 +191,49 @@ TEST(TidyRefusals, SayWhyANumberIsNotDefined) {
 
 // Two columns of the same name in the options are two things with one name: every number of them is wrong.
 TEST(TidyRefusals, TakeNoNameTwice) {
-  EXPECT_EQ(refusal_of("selection", "subject,sample,choice\nA,1,a\n",
-                       R"({"renderers": ["a", "b", "a"], "target": "a"})"),
+  EXPECT_EQ(family_refusal("selection", "subject,sample,choice\nA,1,a\n",
+                           R"({"renderers": ["a", "b", "a"], "target": "a"})"),
             "the option \"renderers\" names \"a\" twice");
-  EXPECT_EQ(refusal_of("recognition", "subject,stimulus,response\nA,x,x\n",
-                       R"({"labels": ["x", "x", "y"]})"),
+  EXPECT_EQ(family_refusal("recognition", "subject,stimulus,response\nA,x,x\n",
+                           R"({"labels": ["x", "x", "y"]})"),
             "the option \"labels\" names \"x\" twice");
+  EXPECT_EQ(family_refusal("group", "subject,group,correct,trials\nA,a,3,4\n",
+                           R"({"groups": ["a", "a"]})"),
+            "the option \"groups\" names \"a\" twice");
   EXPECT_EQ(
-      refusal_of("group", "subject,group,correct,trials\nA,a,3,4\n", R"({"groups": ["a", "a"]})"),
-      "the option \"groups\" names \"a\" twice");
-  EXPECT_EQ(refusal_of("rmanova", "subject,s,y\nA,a,1\n", R"({"within": {"s": ["a", "b", "a"]}})"),
-            "the option \"within.s\" names \"a\" twice");
+      family_refusal("rmanova", "subject,s,y\nA,a,1\n", R"({"within": {"s": ["a", "b", "a"]}})"),
+      "the option \"within.s\" names \"a\" twice");
   for (const char* family : {"paired", "ranking", "rating"}) {
-    EXPECT_EQ(refusal_of(family, "subject,first,second,winner,trial,item,rank,score\n",
-                         R"({"items": [1, 1, 2]})"),
+    EXPECT_EQ(family_refusal(family, "subject,first,second,winner,trial,item,rank,score\n",
+                             R"({"items": [1, 1, 2]})"),
               "the option \"items\" names \"1\" twice");
   }
-  EXPECT_THAT(refusal_of("paired", "subject,first,second,winner\nA,a,tie,tie\n",
-                         R"({"items": ["a", "tie"]})"),
+  EXPECT_THAT(family_refusal("paired", "subject,first,second,winner\nA,a,tie,tie\n",
+                             R"({"items": ["a", "tie"]})"),
               HasSubstr("names \"tie\""));
-  EXPECT_THAT(refusal_of("recognition", "subject,stimulus,response\nA,x,x\n", R"({"labels": "x"})"),
-              HasSubstr("two stimuli at least"));
+  EXPECT_THAT(
+      family_refusal("recognition", "subject,stimulus,response\nA,x,x\n", R"({"labels": "x"})"),
+      HasSubstr("two stimuli at least"));
 }
 
 TEST(TidyRefusals, TakeWholeRanksFromOne) {
   const char* items = R"({"items": ["a", "b"]})";
   for (const char* rank : {"0", "-1", "1.5"}) {
     EXPECT_THAT(
-        refusal_of("ranking", "subject,trial,item,rank\nA,1,a,2\nA,1,b," + std::string(rank) + '\n',
-                   items),
+        family_refusal("ranking",
+                       "subject,trial,item,rank\nA,1,a,2\nA,1,b," + std::string(rank) + '\n',
+                       items),
         HasSubstr("t.csv:3:4: rank is " + std::string(rank) + "; it must be a whole number"));
   }
 }
 
 TEST(TidyRefusals, CountNoMoreOutcomesThanCanBeCounted) {
   const std::string head = "id,kind,n,alpha,probs\n";
-  EXPECT_THAT(
-      refusal_of("power", head + "one,chisq_uniform_exact,1000,0.05,0.2;0.2;0.2;0.2;0.2\n", "[]"),
-      HasSubstr("t.csv:2:2: choices is 1000 among 5 alternatives: more outcomes"));
+  EXPECT_THAT(family_refusal(
+                  "power", head + "one,chisq_uniform_exact,1000,0.05,0.2;0.2;0.2;0.2;0.2\n", "[]"),
+              HasSubstr("t.csv:2:2: choices is 1000 among 5 alternatives: more outcomes"));
   EXPECT_EQ(
-      refusal_of("power", head + "one,chisq_uniform_exact,60,0.05,0.25;0.25;0.25;0.25\n", "[]"),
+      family_refusal("power", head + "one,chisq_uniform_exact,60,0.05,0.25;0.25;0.25;0.25\n", "[]"),
       "");
 }
 
@@ -344,12 +344,7 @@ TEST(TidyFamilies, RefuseTablesThatTheyWouldNotRead) {
     for (std::size_t i = 0; i < tables; ++i) {
       input.tables.emplace_back("a\n1\n", "t" + std::to_string(i) + ".csv");
     }
-    try {
-      refuse_further_tables(tidy_family(family), input);
-    } catch (const std::exception& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return refusal_of([&] { refuse_further_tables(tidy_family(family), input); });
   };
   for (const auto& [family, most] :
        {std::pair{"selection", 1}, std::pair{"group", 1}, std::pair{"magnitude", 2},
@@ -365,12 +360,8 @@ TEST(TidyFamilies, RefuseAnOptionThatTheyDoNotHaveAndSayWhichIsMeant) {
   const auto refusal = [](const std::string& family, const std::string& option) {
     FamilyOptions options{};
     options.add(option, "x");
-    try {
-      refuse_unknown_options(tidy_family(family), options);
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return refusal_of<std::runtime_error>(
+        [&] { refuse_unknown_options(tidy_family(family), options); });
   };
   EXPECT_EQ(refusal("rating", "item"), "rating has no option \"item\"; did you mean \"items\"?");
   EXPECT_EQ(refusal("rating", "target"),

@@ -15,6 +15,7 @@
 #include "tests/app/made_up_study.h"
 #include "tests/app/no_more_threads.h"
 #include "tests/app/small_study.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -88,12 +89,7 @@ TEST(VerifyStudy, EndsWithWhatItsCallerThrows) {
     return calls;
   };
   const auto expect_thrown = [&run](int throw_at) {
-    try {
-      run(throw_at);
-      ADD_FAILURE() << "nothing came out of call " << throw_at;
-    } catch (const ResultsError& error) {
-      EXPECT_STREQ(error.what(), "of the caller") << throw_at;
-    }
+    EXPECT_EQ(refusal_of<ResultsError>([&] { run(throw_at); }), "of the caller") << throw_at;
   };
   for (int i = 1; i <= 3; ++i) expect_thrown(i);
   const NoMoreThreads none;  // and one thread tells of every session

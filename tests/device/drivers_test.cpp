@@ -15,7 +15,7 @@
 #include "analysis/random.h"
 #include "device/falcon/falcon_device.h"
 #include "device/simulated_models.h"
-#include "tests/device/complaint.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -44,7 +44,7 @@ TEST(Drivers, OpenTheSimulatedDeviceInPlaceOfARealOne) {
   EXPECT_EQ(delta->capability().peak_force_N, 20.0);
   EXPECT_EQ(delta->capability().workspace_maximum_m, glm::dvec3(0.15));
   EXPECT_EQ(delta->limits().force_N, ForceLimits{}.force_N);
-  EXPECT_THAT(complaint_of([&] { drivers.open("simulated:gamma.3", {.hand = &hand}); }),
+  EXPECT_THAT(refusal_of([&] { drivers.open("simulated:gamma.3", {.hand = &hand}); }),
               HasSubstr("cannot stand for \"gamma.3\"; it can for: falcon, delta.3"));
 }
 
@@ -137,7 +137,7 @@ TEST(Drivers, FindTheSimulatedDeviceEverywhere) {
 
 TEST(Drivers, NameAllWhenOneIsAskedForThatThereIsNot) {
   const DriverRegistry drivers = built_in_drivers();
-  EXPECT_THAT(complaint_of([&] { drivers.open("falkon:17", {}); }),
+  EXPECT_THAT(refusal_of([&] { drivers.open("falkon:17", {}); }),
               HasSubstr("there is no device \"falkon\"; this program has: simulated"));
 }
 
@@ -280,16 +280,16 @@ TEST(ChooseAttached, TakesTheOnlyOneOrTheOneThatIsNamed) {
 
 TEST(ChooseAttached, SaysWhichThereAre) {
   const std::vector<AttachedDevice> two{{.serial = "A", .place = "usb 1-1"}, {.place = "usb 1-2"}};
-  EXPECT_THAT(complaint_of([] { choose_attached("Thing", {}, ""); }),
+  EXPECT_THAT(refusal_of([] { choose_attached("Thing", {}, ""); }),
               HasSubstr("no Thing is attached"));
-  EXPECT_THAT(complaint_of([&] { choose_attached("Thing", two, ""); }),
+  EXPECT_THAT(refusal_of([&] { choose_attached("Thing", two, ""); }),
               HasSubstr("serial A at usb 1-1; at usb 1-2"));
-  EXPECT_THAT(complaint_of([&] { choose_attached("Thing", two, "C"); }),
+  EXPECT_THAT(refusal_of([&] { choose_attached("Thing", two, "C"); }),
               HasSubstr("no Thing is \"C\""));
 }
 
 TEST(ChooseAttached, RefusesWithTheHindrance) {
-  EXPECT_EQ(complaint_of([] { choose_attached("Thing", {{.hindrance = "It has no power."}}, ""); }),
+  EXPECT_EQ(refusal_of([] { choose_attached("Thing", {{.hindrance = "It has no power."}}, ""); }),
             "It has no power.");
 }
 

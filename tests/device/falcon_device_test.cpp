@@ -21,12 +21,12 @@
 #include <gtest/gtest.h>
 
 #include "device/monotonic_clock.h"
-#include "tests/device/complaint.h"
 #include "tests/device/emulated_falcon.h"
 #include "tests/device/falcon_arm_angles.h"
 #include "tests/device/falcon_run.h"
 #include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/refusal.h"
 
 // libusb as it is where it has no files to wait for: this definition comes before the library's own.
 struct libusb_context;
@@ -123,7 +123,7 @@ TEST_F(Falcon, IsOpenedBySerialNumberOrPlaceWhereTwoAreAlike) {
   EmulatedFalcon other(bus(), {.port = 2, .serial = "NF042"});
   const DriverRegistry drivers = built_in_drivers();
   const DriverOptions options{.wants_fifo = false};
-  EXPECT_THAT(complaint_of([&] { drivers.open("falcon", options); }),
+  EXPECT_THAT(refusal_of([&] { drivers.open("falcon", options); }),
               HasSubstr("say which by its serial number or place"));
   {
     const auto device = drivers.open("falcon:NF042", options);
@@ -136,7 +136,7 @@ TEST_F(Falcon, IsOpenedBySerialNumberOrPlaceWhereTwoAreAlike) {
 }
 
 TEST_F(Falcon, IsAskedForItsPowerWhereThereIsNone) {
-  EXPECT_THAT(complaint_of([] { built_in_drivers().open("falcon", {}); }),
+  EXPECT_THAT(refusal_of([] { built_in_drivers().open("falcon", {}); }),
               HasSubstr("no Novint Falcon is attached: plug it in"));
 }
 
@@ -151,7 +151,7 @@ TEST_F(Falcon, SaysWhichRuleIsMissingWithoutPermission) {
     if (geteuid() == 0) {
       ASSERT_EQ(syscall(SYS_setresuid, -1, 65534, -1), 0);
     }
-    complaint = complaint_of([] { open(); });
+    complaint = refusal_of([] { open(); });
     const std::vector<AttachedDevice> found = falcon::attached_falcons(UsbSession());
     if (!found.empty()) hindrance = found.front().hindrance;
   }).join();
@@ -181,7 +181,7 @@ TEST(DeviceRules, LetPeopleOpenWhatThereAreDriversFor) {
 TEST_F(Falcon, SaysThatItIsInUse) {
   EmulatedFalcon emulated(bus(), {});
   const auto device = open();
-  EXPECT_THAT(complaint_of([] { open(); }), HasSubstr("is used by another program or session"));
+  EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("is used by another program or session"));
   const DriverRegistry drivers = built_in_drivers();
   EXPECT_THAT(drivers.find("falcon")->find({}).attached.at(0).hindrance, HasSubstr("is used by"));
   EXPECT_TRUE(eventually([&] { return answers(*device); }));
@@ -189,7 +189,7 @@ TEST_F(Falcon, SaysThatItIsInUse) {
 
 TEST_F(Falcon, SaysThatItNeedsFirmware) {
   EmulatedFalcon emulated(bus(), {.runs_firmware = false});
-  EXPECT_THAT(complaint_of([] { open(); }), HasSubstr("has no firmware loaded"));
+  EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("has no firmware loaded"));
   const DriverRegistry drivers = built_in_drivers();
   const Driver& driver = *drivers.find("falcon");
   EXPECT_THAT(driver.find({}).attached.at(0).hindrance, HasSubstr("--firmware FILE"));
@@ -200,7 +200,7 @@ TEST_F(Falcon, SaysThatItNeedsFirmware) {
   EXPECT_THAT(survey.found, HasSubstr("firmware of 8000 bytes"));
   EXPECT_TRUE(survey.attached.at(0).is_usable());
   EXPECT_THAT(survey.attached.at(0).remark, HasSubstr("loaded when it is opened"));
-  EXPECT_THAT(complaint_of([&] { driver.open("", {.firmware = "/no/such/file"}); }),
+  EXPECT_THAT(refusal_of([&] { driver.open("", {.firmware = "/no/such/file"}); }),
               HasSubstr("/no/such/file cannot be read"));
 }
 
@@ -223,7 +223,7 @@ TEST_F(Falcon, IsListedAsItIsOpenedWhereTheFirmwareIsNone) {
   const TemporaryFile file("text.bin", "nonsense\n");
   EXPECT_THAT(driver.find({.firmware = file.path()}).attached.at(0).hindrance,
               HasSubstr("is text"));
-  EXPECT_THAT(complaint_of([&] { driver.open("", {.firmware = file.path()}); }),
+  EXPECT_THAT(refusal_of([&] { driver.open("", {.firmware = file.path()}); }),
               HasSubstr("is text"));
 }
 
@@ -266,7 +266,7 @@ TEST_F(Falcon, SaysWhatItDidWhenThreeLoadsFail) {
   emulated.spoil_loads(3);
   FalconSettings wanted = settings();
   wanted.line.firmware = firmware();
-  const std::string complaint = complaint_of([&] { FalconDevice::open(wanted); });
+  const std::string complaint = refusal_of([&] { FalconDevice::open(wanted); });
   EXPECT_THAT(complaint, HasSubstr("could not be loaded in three tries"));
   EXPECT_THAT(complaint, HasSubstr("byte 99 of the firmware came back as another one"));
   EXPECT_EQ(emulated.loads(), 3);
@@ -277,7 +277,7 @@ TEST_F(Falcon, SaysThatFirmwareOfSomethingElseDoesNotRun) {
   FalconSettings wanted = settings();
   wanted.line.firmware = firmware();
   wanted.line.firmware.pop_back();
-  EXPECT_THAT(complaint_of([&] { FalconDevice::open(wanted); }), HasSubstr("does not answer"));
+  EXPECT_THAT(refusal_of([&] { FalconDevice::open(wanted); }), HasSubstr("does not answer"));
 }
 
 TEST_F(Falcon, IsHomedByAPersonWhoIsTold) {
@@ -299,8 +299,7 @@ TEST_F(Falcon, GivesUpWhenNobodyHomesIt) {
   EmulatedFalcon emulated(bus(), {.is_homed = false});
   FalconSettings wanted = settings();
   wanted.homing_patience = std::chrono::milliseconds(500);
-  EXPECT_THAT(complaint_of([&] { FalconDevice::open(wanted); }),
-              HasSubstr("was not homed in time"));
+  EXPECT_THAT(refusal_of([&] { FalconDevice::open(wanted); }), HasSubstr("was not homed in time"));
 }
 
 TEST_F(Falcon, IsLetGoOfWhereSomebodyStopsWhileItIsHomed) {
@@ -462,7 +461,7 @@ TEST_F(Falcon, HasItsMotorsAtZeroHoweverTheProgramThatDroveItDies) {
     emulated.let_go();
     EXPECT_TRUE(eventually([&] { return emulated.motor_words() == kNoWords; })) << signal;
     // And anybody may drive it again.
-    EXPECT_TRUE(eventually([&] { return complaint_of([] { open(); }).empty(); }));
+    EXPECT_TRUE(eventually([&] { return refusal_of([] { open(); }).empty(); }));
   }
 }
 
@@ -508,7 +507,7 @@ TEST_F(Falcon, GetsNoForceOnceTheProcessThatWouldTakeItAwayIsGone) {
 TEST_F(Falcon, IsRefusedWhereNobodyCouldTakeItsForceAway) {
   EmulatedFalcon emulated(bus(), {});
   libusb_has_no_files = true;
-  const std::string complaint = complaint_of([] { open(); });
+  const std::string complaint = refusal_of([] { open(); });
   libusb_has_no_files = false;
   EXPECT_THAT(complaint, HasSubstr("the Novint Falcon at usb 1-2 is given no force"));
   EXPECT_FALSE(emulated.is_held());

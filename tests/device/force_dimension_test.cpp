@@ -22,10 +22,10 @@
 #include "device/small_turn.h"
 #include "device/units_in_use.h"
 #include "device/vendor_library.h"
-#include "tests/device/complaint.h"
 #include "tests/device/ticks.h"
 #include "tests/device/vendors/test_dhd.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -77,7 +77,7 @@ TEST_F(ForceDimension, TellsWhatItNeedsWhenThereIsNoLibrary) {
   const DriverSurvey survey = driver.find({.library = "/no/such/libdhd.so"});
   EXPECT_THAT(survey.hindrance,
               AllOf(HasSubstr("Force Dimension's SDK is not installed"), HasSubstr("/no/such")));
-  EXPECT_THAT(complaint_of([&] { driver.open("", {.library = "/no/such/libdhd.so"}); }),
+  EXPECT_THAT(refusal_of([&] { driver.open("", {.library = "/no/such/libdhd.so"}); }),
               HasSubstr("not installed"));
 }
 
@@ -100,7 +100,7 @@ TEST_F(ForceDimension, FindsTwoAlikeByTheirSerialNumbers) {
   EXPECT_FALSE(bench->units[0].is_open);
   EXPECT_FALSE(bench->units[1].is_open);
 
-  EXPECT_THAT(complaint_of([&] { driver.open("", options); }),
+  EXPECT_THAT(refusal_of([&] { driver.open("", options); }),
               AllOf(HasSubstr("serial 101"), HasSubstr("serial 202")));
   const auto device = driver.open("202", options);
   EXPECT_EQ(device->capability().serial, "202");
@@ -120,7 +120,7 @@ TEST_F(ForceDimension, LeavesADeviceThatThisProgramUsesAlone) {
   EXPECT_THAT(survey.attached[0].hindrance, HasSubstr("This program uses it"));
   EXPECT_EQ(survey.attached[1].place, "dhd 0");
   EXPECT_THAT(survey.attached[1].hindrance, HasSubstr("in use"));
-  EXPECT_THAT(complaint_of([&] { driver.open("202", options); }), HasSubstr("uses it now"));
+  EXPECT_THAT(refusal_of([&] { driver.open("202", options); }), HasSubstr("uses it now"));
   EXPECT_THAT(bench->calls, IsEmpty());
   EXPECT_TRUE(bench->units[1].is_open);
 }
@@ -137,7 +137,7 @@ TEST_F(ForceDimension, LeavesADeviceThatAnotherProgramUsesAlone) {
 TEST_F(ForceDimension, RefusesAKindThatItDoesNotKnow) {
   attach(77, 5);
   EXPECT_THAT(driver.find(options).attached.at(0).hindrance, HasSubstr("system type 77"));
-  EXPECT_THAT(complaint_of([&] { open(); }), HasSubstr("system type 77"));
+  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("system type 77"));
   EXPECT_FALSE(bench->units[0].is_open);
 }
 
@@ -172,10 +172,10 @@ TEST_F(ForceDimension, MovesToFindItsZeroOnlyWhenItHasLostItAndSomebodyAgrees) {
 
 TEST_F(ForceDimension, IsNotMovedWhereNobodyWasAskedOrSomebodySaidNo) {
   attach(33, 101).knows_its_zero = false;
-  EXPECT_THAT(complaint_of([&] { driver.open("", options); }),
+  EXPECT_THAT(refusal_of([&] { driver.open("", options); }),
               AllOf(HasSubstr("omega.3 101 has lost its zero"),
                     HasSubstr("asperity device-test force_dimension:101"), HasSubstr("manual")));
-  EXPECT_THAT(complaint_of([&] { open([](const std::string&) { return false; }); }),
+  EXPECT_THAT(refusal_of([&] { open([](const std::string&) { return false; }); }),
               AllOf(HasSubstr("was not moved"), HasSubstr("nobody agreed")));
   EXPECT_THAT(bench->calls, Not(Contains(HasSubstr("drdAutoInit"))));
   EXPECT_FALSE(bench->units[0].is_open);
@@ -196,7 +196,7 @@ TEST_F(ForceDimension, KeepsNobodyFromLookingWhileItAsksAndIsNotTouchedByTheLook
     bench->calls.push_back("asked");
     std::packaged_task<void()> look([&] {
       found = drivers.survey(driver, options).attached;
-      refusal = complaint_of([&] { drivers.open("force_dimension:101", options); });
+      refusal = refusal_of([&] { drivers.open("force_dimension:101", options); });
     });
     std::future<void> looked = look.get_future();
     std::thread(std::move(look)).swap(other);
@@ -261,13 +261,9 @@ class MovingForceDimension : public ForceDimension {
 
 TEST_F(MovingForceDimension, IsStoppedWhereItMovesAndHasNoForceThen) {
   bench->axes_to_search = 2;  // and its force is on again for each
-  try {
-    open_and_stop();
-    FAIL() << "it was opened";
-  } catch (const OpeningStopped& stopped) {
-    EXPECT_THAT(stopped.what(), AllOf(HasSubstr("omega.3 101 was stopped while it moved"),
-                                      HasSubstr("its force is off")));
-  }
+  EXPECT_THAT(
+      refusal_of<OpeningStopped>([&] { open_and_stop(); }),
+      AllOf(HasSubstr("omega.3 101 was stopped while it moved"), HasSubstr("its force is off")));
   EXPECT_EQ(bench->stops_heard, 3);
   EXPECT_FALSE(bench->units[0].force_is_on);
   EXPECT_FALSE(bench->units[0].regulation_is_on);
@@ -334,7 +330,7 @@ TEST_F(MovingForceDimension, SaysThatTheSdkDoesNotLetGoThoughItWasStopped) {
   bench->stop_answer = -1;
   bench->goes_on = true;
   EXPECT_THAT(
-      complaint_of([&] { open_and_stop(); }),
+      refusal_of([&] { open_and_stop(); }),
       AllOf(HasSubstr("does not let go of omega.3 101"), HasSubstr("switch the device off")));
 }
 
@@ -347,7 +343,7 @@ TEST_F(MovingForceDimension, IsLetGoOfWhereItsRegulationIsOffThoughTheLastStopWa
 TEST_F(MovingForceDimension, SaysWhatTheSdkDidNotConfirmWhereItCannotBeAsked) {
   bench->stop_answer = -1;
   sdk->drdIsRunning = nullptr;
-  EXPECT_THAT(complaint_of([&] { open_and_stop(); }),
+  EXPECT_THAT(refusal_of([&] { open_and_stop(); }),
               AllOf(HasSubstr("did not confirm that it lets go"), Not(HasSubstr("may still move")),
                     HasSubstr("switch the device off")));
 }
@@ -414,7 +410,7 @@ TEST_F(ForceDimension, IsNotMovedLongAfterTheYes) {
     look = std::make_unique<LongLook>(nullptr, std::chrono::milliseconds(1500));
     return true;
   };
-  EXPECT_THAT(complaint_of([&] { drivers.open("force_dimension", asks); }),
+  EXPECT_THAT(refusal_of([&] { drivers.open("force_dimension", asks); }),
               AllOf(HasSubstr("was not moved"), HasSubstr("answer again")));
   ASSERT_NE(look, nullptr);
   EXPECT_FALSE(look->end());
@@ -426,7 +422,7 @@ TEST_F(ForceDimension, RefusesADeviceThatTheSdkDoesNotLetGoOf) {
   attach(33, 101).knows_its_zero = false;
   bench->stop_answer = -1;
   bench->goes_on = true;
-  EXPECT_THAT(complaint_of([&] { open(agrees); }),
+  EXPECT_THAT(refusal_of([&] { open(agrees); }),
               AllOf(HasSubstr("does not let go of omega.3 101"),
                     HasSubstr("the regulation goes on"), HasSubstr("switch the device off")));
   EXPECT_FALSE(bench->units[0].is_open);
@@ -449,7 +445,7 @@ TEST_F(ForceDimension, RefusesADeviceThatDoesNotFindItsZero) {
   test_dhd::Unit& unit = attach(33, 101);
   unit.knows_its_zero = false;
   unit.finds_its_zero = false;
-  EXPECT_THAT(complaint_of([&] { open(agrees); }),
+  EXPECT_THAT(refusal_of([&] { open(agrees); }),
               AllOf(HasSubstr("omega.3 101"), HasSubstr("the handle was held"),
                     HasSubstr("open it again")));
   EXPECT_FALSE(bench->units[0].is_open);
@@ -461,7 +457,7 @@ TEST_F(ForceDimension, AsksForLibdrdWhereOnlyThatCanFindTheZero) {
   library.find("test_dhd_bench", bench_of);
   *bench_of() = test_dhd::Bench{};
   bench_of()->units.push_back({.type = 33, .serial = 7, .knows_its_zero = false});
-  EXPECT_THAT(complaint_of([&] { driver.open("", {.library = ASPERITY_TEST_DHD}); }),
+  EXPECT_THAT(refusal_of([&] { driver.open("", {.library = ASPERITY_TEST_DHD}); }),
               HasSubstr("install libdrd"));
   bench_of()->units[0].knows_its_zero = true;
   EXPECT_EQ(driver.open("", {.library = ASPERITY_TEST_DHD})->capability().serial, "7");
@@ -772,7 +768,7 @@ TEST_F(ForceDimension, SwitchesItsForceOnAtZeroOrRefuses) {
   }
   bench->enable_answer = -1;
   EXPECT_THAT(
-      complaint_of([&] { open(); }),
+      refusal_of([&] { open(); }),
       AllOf(HasSubstr("omega.3 101 does not switch its force on"), HasSubstr("it has no power")));
   EXPECT_FALSE(bench->units[0].is_open);
 }

@@ -12,6 +12,7 @@
 #include "analysis/random.h"
 #include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -219,19 +220,14 @@ TEST(ForceLimiter, AllowsNoChangeInATimeThatIsNotPositive) {
 
 TEST(ForceLimiter, RefusesALimitThatIsNotPositiveAndFiniteByName) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const auto refusal_of = [](const ForceLimits& limits) -> std::string {
-    try {
-      ForceLimiter limiter(limits);
-    } catch (const std::invalid_argument& refusal) {
-      return refusal.what();
-    }
-    return "none";
+  const auto refusal = [](const ForceLimits& limits) {
+    return refusal_of<std::invalid_argument>([&] { ForceLimiter limiter(limits); });
   };
-  EXPECT_EQ(refusal_of({.force_N = 0.0}),
+  EXPECT_EQ(refusal({.force_N = 0.0}),
             "force_N of the force limits is 0; it has to be positive and finite.");
-  EXPECT_EQ(refusal_of({.torque_N_m = -1.5}),
+  EXPECT_EQ(refusal({.torque_N_m = -1.5}),
             "torque_N_m of the force limits is -1.5; it has to be positive and finite.");
-  EXPECT_EQ(refusal_of({.slew_N_per_s = infinity}),
+  EXPECT_EQ(refusal({.slew_N_per_s = infinity}),
             "slew_N_per_s of the force limits is inf; it has to be positive and finite.");
 }
 

@@ -14,7 +14,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/device/complaint.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -58,13 +58,13 @@ TEST(HostAddress, OfANumberAndOfThisComputerIsAskedOfNobody) {
 TEST(HostAddress, OfANameIsWhatTheResolverSays) {
   const auto ask = [](const std::string& host) { return host + " is 10.0.0.7"; };
   EXPECT_EQ(host_address("rig.lab", hours(1), {}, ask), "rig.lab is 10.0.0.7");
-  EXPECT_THAT(complaint_of([] { host_address("rig.lab", hours(1), {}, is_not_asked); }),
+  EXPECT_THAT(refusal_of([] { host_address("rig.lab", hours(1), {}, is_not_asked); }),
               HasSubstr("asked for rig.lab"));
 }
 
 TEST(HostAddress, IsNotWaitedForBeyondThePatience) {
   const SilentResolver resolver;
-  EXPECT_THAT(complaint_of([&] { host_address("rig.lab", milliseconds(20), {}, resolver.ask()); }),
+  EXPECT_THAT(refusal_of([&] { host_address("rig.lab", milliseconds(20), {}, resolver.ask()); }),
               AllOf(HasSubstr("\"rig.lab\""), HasSubstr("20 ms"), HasSubstr("127.0.0.1")));
 }
 
@@ -76,7 +76,7 @@ TEST(HostAddress, IsNotWaitedForAfterAStop) {
     stop.request_stop();
   });
   EXPECT_THAT(
-      complaint_of([&] { host_address("rig.lab", hours(1), stop.get_token(), resolver.ask()); }),
+      refusal_of([&] { host_address("rig.lab", hours(1), stop.get_token(), resolver.ask()); }),
       AllOf(HasSubstr("\"rig.lab\""), HasSubstr("stop")));
 }
 

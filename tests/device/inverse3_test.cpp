@@ -3,7 +3,6 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <functional>
 #include <stdexcept>
 #include <stop_token>
 #include <sys/socket.h>
@@ -22,6 +21,7 @@
 #include "tests/device/servo_stand_in.h"
 #include "tests/device/vendors/test_inverse_service.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -29,15 +29,6 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-std::string inverse3_complaint(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "none";
-}
 
 TEST(Inverse3Messages, AreReadAsDocumented) {
   const auto inventory =
@@ -171,7 +162,7 @@ TEST_F(Inverse3, SaysWhatToStartWhenNobodyListens) {
   }
   EXPECT_THAT(driver.find({.service = place}).hindrance,
               AllOf(HasSubstr(place), HasSubstr("Inverse Service"), HasSubstr("start")));
-  EXPECT_THAT(inverse3_complaint([&] { driver.open("", {.service = place}); }), HasSubstr(place));
+  EXPECT_THAT(refusal_of([&] { driver.open("", {.service = place}); }), HasSubstr(place));
   bench([](auto& it) { it.talks_nonsense = true; });
   EXPECT_THAT(driver.find(options).hindrance, HasSubstr("does not list devices"));
 }
@@ -184,7 +175,7 @@ TEST_F(Inverse3, ListsWhatTheServiceKnowsAndItsFilters) {
   EXPECT_EQ(survey.attached[1].serial, "0C1A");
   EXPECT_THAT(survey.attached[1].remark,
               HasSubstr("force gate 0.3, damping 0.5, gravity compensation 0.75"));
-  EXPECT_THAT(inverse3_complaint([&] { open(); }), AllOf(HasSubstr("049D"), HasSubstr("0C1A")));
+  EXPECT_THAT(refusal_of([&] { open(); }), AllOf(HasSubstr("049D"), HasSubstr("0C1A")));
   const auto device = driver.open("0C1A", options);
   EXPECT_EQ(device->capability().serial, "0C1A");
   EXPECT_EQ(device->capability().pacing, Pacing::theirs);
@@ -194,23 +185,23 @@ TEST_F(Inverse3, ListsWhatTheServiceKnowsAndItsFilters) {
   const DriverSurvey meanwhile = driver.find(options);
   EXPECT_TRUE(meanwhile.attached.at(0).is_usable());
   EXPECT_THAT(meanwhile.attached.at(1).hindrance, HasSubstr("This program uses it"));
-  EXPECT_THAT(inverse3_complaint([&] { driver.open("0C1A", options); }), HasSubstr("uses it"));
+  EXPECT_THAT(refusal_of([&] { driver.open("0C1A", options); }), HasSubstr("uses it"));
 }
 
 TEST_F(Inverse3, IsRefusedWhereItsAxesOrItsMillimetresAreNotOurs) {
   bench([](auto& it) { it.axes = "XZY"; });
-  EXPECT_THAT(inverse3_complaint([&] { open(); }),
+  EXPECT_THAT(refusal_of([&] { open(); }),
               AllOf(HasSubstr("049D"), HasSubstr("\"XZY\""), HasSubstr("\"defaults\"")));
   bench([](auto& it) {
     it.axes = "XYZ";
     it.preset = "led_front";
   });
-  EXPECT_THAT(inverse3_complaint([&] { open(); }), HasSubstr("\"led_front\""));
+  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("\"led_front\""));
   bench([](auto& it) {
     it.preset = "arm_front";
     it.scale = 2.0;
   });
-  EXPECT_THAT(inverse3_complaint([&] { open(); }), HasSubstr("scaled"));
+  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("scaled"));
   EXPECT_EQ(bench([](auto& it) { return it.strongest_N; }), 0.0);  // and before any force
   bench([](auto& it) { it.scale = 1.0; });
   open();
@@ -331,7 +322,7 @@ TEST_F(Inverse3, IsRefusedWhereNoPositionIsTold) {
     it.omits_identity = true;
     it.position_m = {0.0, 0.0, 0.0};
   });
-  EXPECT_THAT(inverse3_complaint([&] { open(); }), HasSubstr("does not tell where"));
+  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("does not tell where"));
 }
 
 // The tick, that is reading and pushing in it; the messages between two ticks do.
@@ -607,7 +598,7 @@ TEST_F(Inverse3, IsLeftWithoutForceWhereTheTrialOfOneFails) {
                                     .inventory = std::chrono::milliseconds(300),
                                     .update = std::chrono::minutes(1)};
   bench([](auto& it) { it.answers_forces = false; });
-  EXPECT_THAT(inverse3_complaint([&] { inverse3_driver(kShort).open("", options); }),
+  EXPECT_THAT(refusal_of([&] { inverse3_driver(kShort).open("", options); }),
               HasSubstr("does not tell where"));
   EXPECT_TRUE(ends_without_force()) << "that of the trial was the last word";
 }
@@ -615,7 +606,7 @@ TEST_F(Inverse3, IsLeftWithoutForceWhereTheTrialOfOneFails) {
 TEST(WebSocket, AsksNoLibraryToLookUpAHost) {
   // Longer than a label of a name can be: known to nobody, without a question on the network.
   const std::string host(70, 'x');
-  EXPECT_THAT(inverse3_complaint([&] { WebSocket(host, 10001, std::chrono::minutes(1)); }),
+  EXPECT_THAT(refusal_of([&] { WebSocket(host, 10001, std::chrono::minutes(1)); }),
               AllOf(HasSubstr("The host \"" + host), HasSubstr("not known")));
 }
 

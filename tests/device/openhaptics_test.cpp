@@ -17,10 +17,10 @@
 #include "device/vendor_library.h"
 #include "renderers/servo_loop.h"
 #include "renderers/servo_thread.h"
-#include "tests/device/complaint.h"
 #include "tests/device/long_tick.h"
 #include "tests/device/servo_stand_in.h"
 #include "tests/device/vendors/test_hd.h"
+#include "tests/support/refusal.h"
 
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>
@@ -99,16 +99,16 @@ TEST_F(OpenHaptics, OpensByConfiguredNameOrBySerialNumber) {
   driver.open("Left Device", options);
   EXPECT_THAT(calls(), Contains("hdInitDevice Left Device"));
   EXPECT_EQ(driver.open("T-17", options)->capability().serial, "T-17");
-  EXPECT_THAT(complaint_of([&] { driver.open("Right Device", options); }),
+  EXPECT_THAT(refusal_of([&] { driver.open("Right Device", options); }),
               HasSubstr("\"Right Device\""));
 }
 
 TEST_F(OpenHaptics, RefusesADeviceWithoutLimitOrCalibrationAndClosesIt) {
   bench->peak_force_N = 0.0;
-  EXPECT_THAT(complaint_of([&] { open(); }), HasSubstr("peak force"));
+  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("peak force"));
   bench->peak_force_N = 3.3;
   bench->calibration = 0x5002;
-  EXPECT_THAT(complaint_of([&] { open(); }), HasSubstr("inkwell"));
+  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("inkwell"));
   EXPECT_THAT(calls(), ElementsAre("hdInitDevice default", "hdDisableDevice",
                                    "hdInitDevice default", "hdDisableDevice"));
   bench->calibration = 0x5001;
@@ -116,7 +116,7 @@ TEST_F(OpenHaptics, RefusesADeviceWithoutLimitOrCalibrationAndClosesIt) {
   EXPECT_THAT(calls(), Contains("hdUpdateCalibration 4"));
   bench->calibration = 0x5001;
   bench->calibrates = false;
-  EXPECT_THAT(complaint_of([&] { open(); }), HasSubstr("not calibrated"));
+  EXPECT_THAT(refusal_of([&] { open(); }), HasSubstr("not calibrated"));
   EXPECT_EQ(calls().back(), "hdDisableDevice");
 }
 
@@ -128,7 +128,7 @@ TEST_F(OpenHaptics, LeavesADeviceThatThisProgramUsesAlone) {
   ASSERT_EQ(survey.attached.size(), 1U);
   EXPECT_EQ(survey.attached[0].serial, "T-17");
   EXPECT_THAT(survey.attached[0].hindrance, HasSubstr("This program uses it"));
-  EXPECT_THAT(complaint_of([&] { driver.open("Left Device", options); }),
+  EXPECT_THAT(refusal_of([&] { driver.open("Left Device", options); }),
               HasSubstr("uses Touch T-17 already"));
   EXPECT_THAT(calls(), IsEmpty());
   EXPECT_EQ(bench->made_current, made_current);
@@ -302,7 +302,7 @@ TEST_F(OpenHaptics, DoesNotAnswerWhenTheDeviceIsGoneAndDoesAgainAfterwards) {
 TEST_F(OpenHaptics, AsksForTheRateOrSaysThatItCannotBeHad) {
   const auto device = open();
   ReadAndPush servo{device.get()};
-  EXPECT_THAT(complaint_of([&] {
+  EXPECT_THAT(refusal_of([&] {
                 device->start_calls(
                     {.function = &ReadAndPush::tick, .argument = &servo, .rate_Hz = 2000.0});
               }),
@@ -320,7 +320,7 @@ TEST_F(OpenHaptics, IsAsBeforeWhenItsSchedulerDoesNotStart) {
   const auto device = open();
   ReadAndPush servo{device.get()};
   bench->refuses_to_start = true;
-  EXPECT_THAT(complaint_of([&] { servo.start(500.0); }), HasSubstr("HD_TIMER_ERROR"));
+  EXPECT_THAT(refusal_of([&] { servo.start(500.0); }), HasSubstr("HD_TIMER_ERROR"));
   EXPECT_FALSE(bench->gives_force);
   EXPECT_EQ(bench->rate_Hz, 1000U);
   EXPECT_EQ(device->trouble(), "");
@@ -404,7 +404,7 @@ TEST_F(OpenHaptics, LeavesAThreadThatHangsBehind) {
   asking.join();
   EXPECT_THAT(device->trouble(), HasSubstr("hangs"));
   EXPECT_FALSE(device->read(0).has_value());
-  EXPECT_THAT(complaint_of([&] { servo.start(); }), HasSubstr("hangs"));
+  EXPECT_THAT(refusal_of([&] { servo.start(); }), HasSubstr("hangs"));
   servo.device = nullptr;
   device.reset();
   EXPECT_THAT(calls(),

@@ -14,6 +14,7 @@
 
 #include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/refusal.h"
 
 namespace asperity::spacemouse {
 namespace {
@@ -241,30 +242,27 @@ TEST_F(ARate, TouchesNoHeap) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-std::string refusal_of(const std::function<void(RateControlSettings&)>& change) {
+std::string setting_refusal(const std::function<void(RateControlSettings&)>& change) {
   RateControlSettings settings = kSettings;
   change(settings);
-  try {
-    const RateControl rate(settings);
-  } catch (const std::invalid_argument& refusal) {
-    return refusal.what();
-  }
-  return {};
+  return refusal_of<std::invalid_argument>([&] { const RateControl rate(settings); });
 }
 
 TEST(RateControl, RefusesSettingsOutOfTheirDomainByName) {
   using testing::HasSubstr;
   const double nothing = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(refusal_of([](auto& s) { s.full_speed_m_per_s = 0.0; }), HasSubstr("full_speed"));
-  EXPECT_THAT(refusal_of([](auto& s) { s.full_turn_rad_per_s = -1.0; }), HasSubstr("full_turn"));
-  EXPECT_THAT(refusal_of([](auto& s) { s.dead_zone = 1.0; }), HasSubstr("dead_zone"));
-  EXPECT_THAT(refusal_of([&](auto& s) { s.dead_zone = nothing; }), HasSubstr("dead_zone"));
-  EXPECT_THAT(refusal_of([](auto& s) { s.workspace_minimum_m.y = 0.2; }),
+  EXPECT_THAT(setting_refusal([](auto& s) { s.full_speed_m_per_s = 0.0; }),
+              HasSubstr("full_speed"));
+  EXPECT_THAT(setting_refusal([](auto& s) { s.full_turn_rad_per_s = -1.0; }),
+              HasSubstr("full_turn"));
+  EXPECT_THAT(setting_refusal([](auto& s) { s.dead_zone = 1.0; }), HasSubstr("dead_zone"));
+  EXPECT_THAT(setting_refusal([&](auto& s) { s.dead_zone = nothing; }), HasSubstr("dead_zone"));
+  EXPECT_THAT(setting_refusal([](auto& s) { s.workspace_minimum_m.y = 0.2; }),
               HasSubstr("workspace_minimum_m"));
-  EXPECT_THAT(refusal_of([&](auto& s) { s.workspace_maximum_m.z = nothing; }),
+  EXPECT_THAT(setting_refusal([&](auto& s) { s.workspace_maximum_m.z = nothing; }),
               HasSubstr("workspace"));
-  EXPECT_THAT(refusal_of([](auto& s) { s.home_m.z = 0.06; }), HasSubstr("home_m"));
-  EXPECT_EQ(refusal_of([](auto&) {}), "");
+  EXPECT_THAT(setting_refusal([](auto& s) { s.home_m.z = 0.06; }), HasSubstr("home_m"));
+  EXPECT_EQ(setting_refusal([](auto&) {}), "");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 
 #include "tests/device/ticks.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -670,31 +671,28 @@ TEST(SimulatedDevice, WithImperfectionsMovesTheSameFromTheSameSeeds) {
 
 TEST(SimulatedDevice, RefusesASettingThatIsOutOfRangeByName) {
   VirtualHand hand(HandHabits{}, Random(16));
-  const auto refusal_of = [&hand](const SimulatedDeviceSettings& settings) -> std::string {
-    try {
-      SimulatedDevice device(hand, settings);
-    } catch (const std::invalid_argument& refusal) {
-      return std::string(refusal.what()).substr(0, std::string(refusal.what()).find(' '));
-    }
-    return "none";
+  const auto refused_field = [&hand](const SimulatedDeviceSettings& settings) {
+    const std::string refusal =
+        refusal_of<std::invalid_argument>([&] { SimulatedDevice device(hand, settings); });
+    return refusal.substr(0, refusal.find(' '));
   };
-  EXPECT_EQ(refusal_of({}), "none");
-  EXPECT_EQ(refusal_of({.hand = {.mass_kg = 0.0}}), "mass_kg");
-  EXPECT_EQ(refusal_of({.hand = {.damping_N_s_per_m = -1.0}}), "damping_N_s_per_m");
-  EXPECT_EQ(refusal_of({.hand = {.stiffness_N_per_m = 0.0}}), "stiffness_N_per_m");
-  EXPECT_EQ(refusal_of({.hand = {.normal_damping_N_s_per_m = 0.0}}), "normal_damping_N_s_per_m");
-  EXPECT_EQ(refusal_of({.hand = {.reach_m = 0.0}}), "reach_m");
-  EXPECT_EQ(refusal_of({.faults = {{.at_s = -1.0}}}), "at_s");
-  EXPECT_EQ(refusal_of({.faults = {{.duration_s = -1.0}}}), "duration_s");
-  EXPECT_EQ(refusal_of({.substeps = 0}), "substeps");
-  EXPECT_EQ(refusal_of({.peak_force_N = 0.0}), "peak_force_N");
-  EXPECT_EQ(refusal_of({.saturation_force_N = -1.0}), "saturation_force_N");
-  EXPECT_EQ(refusal_of({.friction_N = -1.0}), "friction_N");
-  EXPECT_EQ(refusal_of({.sensor = {.latency_s = -1.0}}), "latency_s");
-  EXPECT_EQ(refusal_of({.sensor = {.latency_s = 0.051}}), "latency_s");
-  EXPECT_EQ(refusal_of({.sensor = {.position_noise_m = -1.0}}), "position_noise_m");
-  EXPECT_EQ(refusal_of({.sensor = {.position_step_m = -1.0}}), "position_step_m");
-  EXPECT_EQ(refusal_of({.sensor = {.velocity = VelocityWindow{.samples = 1}}}), "samples");
+  EXPECT_EQ(refused_field({}), "");
+  EXPECT_EQ(refused_field({.hand = {.mass_kg = 0.0}}), "mass_kg");
+  EXPECT_EQ(refused_field({.hand = {.damping_N_s_per_m = -1.0}}), "damping_N_s_per_m");
+  EXPECT_EQ(refused_field({.hand = {.stiffness_N_per_m = 0.0}}), "stiffness_N_per_m");
+  EXPECT_EQ(refused_field({.hand = {.normal_damping_N_s_per_m = 0.0}}), "normal_damping_N_s_per_m");
+  EXPECT_EQ(refused_field({.hand = {.reach_m = 0.0}}), "reach_m");
+  EXPECT_EQ(refused_field({.faults = {{.at_s = -1.0}}}), "at_s");
+  EXPECT_EQ(refused_field({.faults = {{.duration_s = -1.0}}}), "duration_s");
+  EXPECT_EQ(refused_field({.substeps = 0}), "substeps");
+  EXPECT_EQ(refused_field({.peak_force_N = 0.0}), "peak_force_N");
+  EXPECT_EQ(refused_field({.saturation_force_N = -1.0}), "saturation_force_N");
+  EXPECT_EQ(refused_field({.friction_N = -1.0}), "friction_N");
+  EXPECT_EQ(refused_field({.sensor = {.latency_s = -1.0}}), "latency_s");
+  EXPECT_EQ(refused_field({.sensor = {.latency_s = 0.051}}), "latency_s");
+  EXPECT_EQ(refused_field({.sensor = {.position_noise_m = -1.0}}), "position_noise_m");
+  EXPECT_EQ(refused_field({.sensor = {.position_step_m = -1.0}}), "position_step_m");
+  EXPECT_EQ(refused_field({.sensor = {.velocity = VelocityWindow{.samples = 1}}}), "samples");
 }
 
 TEST(SimulatedDevice, DoesNotTouchTheHeap) {

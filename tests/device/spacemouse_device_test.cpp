@@ -22,10 +22,10 @@
 
 #include "device/monotonic_clock.h"
 #include "renderers/servo_thread.h"
-#include "tests/device/complaint.h"
 #include "tests/device/emulated_spacemouse.h"
 #include "tests/device/steady_push.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -104,7 +104,7 @@ TEST_F(SpaceMouse, IsNoMouseOrKeyboardOfTheSameMakers) {
   EmulatedSpaceMouse cad_mouse(bus(), {.port = 2, .product = 0xc650, .protocols = {2}});
   EmulatedSpaceMouse keyboard(bus(), {.port = 3, .product = 0xc664, .protocols = {1, 0}});
   EXPECT_TRUE(found().empty());
-  EXPECT_THAT(complaint_of([] { open(); }), HasSubstr("no SpaceMouse of 3Dconnexion is attached"));
+  EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("no SpaceMouse of 3Dconnexion is attached"));
   EXPECT_EQ(mouse.opened() + cad_mouse.opened() + keyboard.opened(), 0);
 }
 
@@ -112,7 +112,7 @@ TEST_F(SpaceMouse, IsNotOpenedWhereNothingOfItTellsOfACap) {
   EmulatedSpaceMouse emulated(bus(), {.product = kUniversalReceiver, .protocols = {1, 2}});
   ASSERT_EQ(found().size(), 1U);
   EXPECT_THAT(found()[0].hindrance, HasSubstr("cannot be opened"));
-  EXPECT_THAT(complaint_of([] { open(); }), HasSubstr("cannot be opened"));
+  EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("cannot be opened"));
   EXPECT_TRUE(emulated.is_the_kernels(0) && emulated.is_the_kernels(1));
 }
 
@@ -144,7 +144,7 @@ TEST(SpaceMouseRules, LetPeopleOpenEachModel) {
 TEST_F(SpaceMouse, IsOpenedBySerialNumberOrPlaceWhereTwoAreAlike) {
   EmulatedSpaceMouse one(bus(), {.port = 1});
   EmulatedSpaceMouse other(bus(), {.port = 2, .serial = "SM042"});
-  EXPECT_THAT(complaint_of([] { open(); }), HasSubstr("say which by its serial number or place"));
+  EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("say which by its serial number or place"));
   {
     const auto device = open("SM042");
     EXPECT_EQ(device->capability().serial, "SM042");
@@ -179,7 +179,7 @@ TEST_F(SpaceMouse, SaysWhichRuleIsMissingWithoutPermission) {
     if (geteuid() == 0) {
       ASSERT_EQ(syscall(SYS_setresuid, -1, 65534, -1), 0);
     }
-    complaint = complaint_of([] { open(); });
+    complaint = refusal_of([] { open(); });
     devices = found();
   }).join();
   EXPECT_THAT(complaint, HasSubstr("the 3Dconnexion SpaceMouse Compact at usb 1-2 may not be "
@@ -197,7 +197,7 @@ TEST_F(SpaceMouse, SaysThatAnotherProgramUsesIt) {
     const spacemouse::SpaceMousePort other(usb, "usb 1-2");
     ASSERT_EQ(found().size(), 1U);
     EXPECT_THAT(found()[0].hindrance, HasSubstr("is used by another program"));
-    EXPECT_THAT(complaint_of([] { open(); }), HasSubstr("is used by another program"));
+    EXPECT_THAT(refusal_of([] { open(); }), HasSubstr("is used by another program"));
   }
   EXPECT_TRUE(found()[0].is_usable());
 }
@@ -212,7 +212,7 @@ TEST_F(SpaceMouse, IsListedAndNotTouchedWhileThisProgramUsesIt) {
   EXPECT_EQ(devices[0].serial, "SM042");
   EXPECT_THAT(devices[0].hindrance, HasSubstr("This program uses it now"));
   EXPECT_TRUE(devices[1].is_usable());
-  EXPECT_THAT(complaint_of([] { open("SM042"); }), HasSubstr("This program uses it now"));
+  EXPECT_THAT(refusal_of([] { open("SM042"); }), HasSubstr("This program uses it now"));
   EXPECT_EQ(emulated.opened(), before);
   EXPECT_TRUE(answers(*device));
 }

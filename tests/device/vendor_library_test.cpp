@@ -14,6 +14,8 @@
 #include <gtest/gtest.h>
 #include <libintl.h>
 
+#include "tests/support/refusal.h"
+
 namespace asperity {
 namespace {
 
@@ -21,13 +23,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string refusal_of(const std::vector<std::filesystem::path>& names) {
-  try {
-    const VendorLibrary library("Tester's SDK", names);
-  } catch (const std::runtime_error& refusal) {
-    return refusal.what();
-  }
-  return "none";
+std::string library_refusal(const std::vector<std::filesystem::path>& names) {
+  return refusal_of<std::runtime_error>(
+      [&] { const VendorLibrary library("Tester's SDK", names); });
 }
 
 std::filesystem::path file_in_temporary_folder(const std::string& name) {
@@ -44,10 +42,10 @@ TEST(VendorLibrary, LoadsTheFirstThatIsThere) {
 }
 
 TEST(VendorLibrary, NamesWhatItLookedForWhenThereIsNothing) {
-  EXPECT_THAT(refusal_of({"libnobody-has-this.so", "libnor-this.so.3"}),
+  EXPECT_THAT(library_refusal({"libnobody-has-this.so", "libnor-this.so.3"}),
               AllOf(HasSubstr("Tester's SDK is not installed"),
                     HasSubstr("libnobody-has-this.so, libnor-this.so.3"), HasSubstr("Install it")));
-  EXPECT_THAT(refusal_of({"/no/such/folder/libm.so"}),
+  EXPECT_THAT(library_refusal({"/no/such/folder/libm.so"}),
               AllOf(HasSubstr("/no/such/folder/libm.so: there is no such file"),
                     Not(HasSubstr("--library"))))
       << "whoever named it knows that";
@@ -81,13 +79,10 @@ TEST(VendorLibrary, TriesTheNextNameInAnyLanguage) {
   bindtextdomain("libc", folder.c_str());
   ASSERT_EQ(dlopen("libnobody-has-this.so", RTLD_NOW), nullptr);
   const std::string words = dlerror();
-  std::string refusal;
   std::string file;
-  try {
+  const std::string refusal = refusal_of<std::runtime_error>([&] {
     file = VendorLibrary("Tester's SDK", {"libnobody-has-this.so", "libm.so.6"}).file();
-  } catch (const std::runtime_error& error) {
-    refusal = error.what();
-  }
+  });
   bindtextdomain("libc", folder_before.c_str());
   unsetenv("LANGUAGE");
   setlocale(LC_MESSAGES, language_before.c_str());
@@ -112,14 +107,9 @@ TEST(VendorLibrary, StaysLoaded) {
 TEST(VendorLibrary, NamesTheFunctionThatAnotherVersionLacks) {
   const VendorLibrary library("Tester's SDK", {"libm.so.6"});
   void (*missing)() = nullptr;
-  try {
-    library.find("hdInitDevice", missing);
-    FAIL() << "found it";
-  } catch (const std::runtime_error& refusal) {
-    EXPECT_THAT(refusal.what(),
-                AllOf(HasSubstr("Tester's SDK"), HasSubstr("libm.so.6"),
-                      HasSubstr("no function hdInitDevice"), HasSubstr("another version")));
-  }
+  EXPECT_THAT(refusal_of<std::runtime_error>([&] { library.find("hdInitDevice", missing); }),
+              AllOf(HasSubstr("Tester's SDK"), HasSubstr("libm.so.6"),
+                    HasSubstr("no function hdInitDevice"), HasSubstr("another version")));
   library.find_if_there("hdInitDevice", missing);
   EXPECT_EQ(missing, nullptr);
 }
@@ -137,14 +127,16 @@ TEST(VendorLibrary, NamesTheArchitectureOfAFileForAnotherOne) {
   const std::filesystem::path file = file_in_temporary_folder("libforeign.so");
   std::ofstream(file, std::ios::binary)
       .write(reinterpret_cast<const char*>(&header), sizeof(header));
-  EXPECT_THAT(refusal_of({file}), AllOf(HasSubstr(file.string()), HasSubstr("another architecture"),
-                                        HasSubstr("machine 22, 64 bits")));
+  EXPECT_THAT(library_refusal({file}),
+              AllOf(HasSubstr(file.string()), HasSubstr("another architecture"),
+                    HasSubstr("machine 22, 64 bits")));
 }
 
 TEST(VendorLibrary, SaysThatAFileIsNoLibrary) {
   const std::filesystem::path file = file_in_temporary_folder("libtext.so");
   std::ofstream(file) << "INPUT(libc.so.6)";
-  EXPECT_THAT(refusal_of({file}), AllOf(HasSubstr(file.string()), HasSubstr("no shared library")));
+  EXPECT_THAT(library_refusal({file}),
+              AllOf(HasSubstr(file.string()), HasSubstr("no shared library")));
 }
 
 }  // namespace

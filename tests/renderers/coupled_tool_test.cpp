@@ -12,6 +12,7 @@
 
 #include "analysis/random.h"
 #include "tests/renderers/surfaces.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -204,18 +205,13 @@ TEST(CoupledTool, StaysBoundedAtOneKilohertzOnContactsFarStifferThanAnExplicitSt
 }
 
 TEST(CoupledTool, RefusesPropertiesThatNoBodyHas) {
-  const auto message = [](const CoupledTool::Properties& properties) -> std::string {
-    try {
-      CoupledTool tool(properties);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return {};
+  const auto refusal = [](const CoupledTool::Properties& properties) {
+    return refusal_of<std::invalid_argument>([&] { CoupledTool tool(properties); });
   };
-  EXPECT_THAT(message({.mass_kg = 0.0}), testing::HasSubstr("mass_kg"));
-  EXPECT_THAT(message({.inertia_kg_m2 = std::nan("")}), testing::HasSubstr("inertia_kg_m2"));
-  EXPECT_THAT(message({.damping_N_s_per_m = -1.0}), testing::HasSubstr("damping_N_s_per_m"));
-  EXPECT_EQ(message({}), "");
+  EXPECT_THAT(refusal({.mass_kg = 0.0}), testing::HasSubstr("mass_kg"));
+  EXPECT_THAT(refusal({.inertia_kg_m2 = std::nan("")}), testing::HasSubstr("inertia_kg_m2"));
+  EXPECT_THAT(refusal({.damping_N_s_per_m = -1.0}), testing::HasSubstr("damping_N_s_per_m"));
+  EXPECT_EQ(refusal({}), "");
 }
 
 }  // namespace

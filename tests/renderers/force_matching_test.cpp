@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/renderers/surfaces.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -27,15 +28,6 @@ RendererInputs matched_stimulus() {
   inputs.height_field = grating();
   inputs.seed = 11;
   return inputs;
-}
-
-std::string complaint_of(const ForceModel& each, const RendererInputs& inputs, double target_N) {
-  try {
-    solve_amplitude(each, inputs, target_N);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 // 60 mm/s over L = 4 mm is 15 Hz: in the 1.8 s that are kept, 27 whole periods. Full contact at a
@@ -88,14 +80,10 @@ TEST(TextureForce, DoesNotDependOnThePatchsBorder) {
 TEST(TextureForce, RefusesAMeanForceThatNoHeightGives) {
   RendererInputs inputs = matched_stimulus();
   inputs.parameters = {{"depth_limit_m", 0.001}};  // at most 500 N/m · 1 mm = 0.5 N
-  try {
-    texture_force_rms_N(model("height_map"), inputs);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("height_map"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("mean normal force of 1 N"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("0.5 N"));
-  }
+  EXPECT_THAT(
+      refusal_of<std::invalid_argument>([&] { texture_force_rms_N(model("height_map"), inputs); }),
+      testing::AllOf(testing::HasSubstr("height_map"),
+                     testing::HasSubstr("mean normal force of 1 N"), testing::HasSubstr("0.5 N")));
 }
 
 TEST(TextureForce, RefusesAPathThatIsAllDropped) {
@@ -132,7 +120,8 @@ TEST(SolvedAmplitude, SolvesTheLiteralLawToo) {
 }
 
 TEST(SolvedAmplitude, SaysWhatCanBeReachedWhenTheTargetCannot) {
-  const std::string said = complaint_of(model("lateral_gradient"), matched_stimulus(), 1000.0);
+  const std::string said = refusal_of<std::invalid_argument>(
+      [] { solve_amplitude(model("lateral_gradient"), matched_stimulus(), 1000.0); });
   EXPECT_THAT(said, testing::HasSubstr("lateral_gradient"));
   EXPECT_THAT(said, testing::HasSubstr("gain_N goes from 0 to 50 N"));
   EXPECT_THAT(said, testing::HasSubstr("1000 N"));

@@ -2,7 +2,6 @@
 
 #include "renderers/force_model.h"
 
-#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -13,18 +12,10 @@
 
 #include "stimuli/solid_body.h"
 #include "tests/renderers/surfaces.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
-
-std::string complaint(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
 
 RendererInputs any_inputs() {
   RendererInputs inputs;
@@ -52,15 +43,17 @@ TEST(ModelRegistry, KnowsTheFiveBuiltInModels) {
 TEST(ModelRegistry, RefusesATakenOrMalformedId) {
   ModelRegistry registry = built_in_models();
   ForceModel model = *registry.find("sinusoid");
-  EXPECT_THAT(complaint([&] { registry.add(model); }), testing::HasSubstr("sinusoid"));
+  EXPECT_THAT(refusal_of<std::invalid_argument>([&] { registry.add(model); }),
+              testing::HasSubstr("sinusoid"));
   for (const char* id : {"", "Sinusoid", "2d", "a-b", "_a"}) {
     model.declaration.id = id;
-    EXPECT_NE(complaint([&] { registry.add(model); }), "") << id;
+    EXPECT_NE(refusal_of<std::invalid_argument>([&] { registry.add(model); }), "") << id;
   }
 }
 
 TEST(ModelRegistry, NamesTheModelsThereAreWhenAskedForAnother) {
-  const std::string said = complaint([] { built_in_models().make("bump_map", any_inputs()); });
+  const std::string said =
+      refusal_of<std::invalid_argument>([] { built_in_models().make("bump_map", any_inputs()); });
   EXPECT_THAT(said, testing::HasSubstr("bump_map"));
   EXPECT_THAT(said, testing::HasSubstr("lateral_gradient"));
 }
@@ -68,8 +61,9 @@ TEST(ModelRegistry, NamesTheModelsThereAreWhenAskedForAnother) {
 TEST(ModelRegistry, RefusesAMissingHeightField) {
   RendererInputs inputs = any_inputs();
   inputs.height_field = nullptr;
-  EXPECT_THAT(complaint([&] { built_in_models().make("height_map", inputs); }),
-              testing::HasSubstr("height field"));
+  EXPECT_THAT(
+      refusal_of<std::invalid_argument>([&] { built_in_models().make("height_map", inputs); }),
+      testing::HasSubstr("height field"));
   EXPECT_NE(built_in_models().make("sinusoid", inputs), nullptr);
 }
 
@@ -78,12 +72,13 @@ TEST(ModelRegistry, RefusesAMissingToolOrSurface) {
   ForceModel model = *registry.find("sinusoid");
   model.declaration.needs_bodies = true;
   RendererInputs inputs = any_inputs();
-  EXPECT_THAT(complaint([&] { make_renderer(model, inputs); }), testing::HasSubstr("neither"));
+  EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(model, inputs); }),
+              testing::HasSubstr("neither"));
   inputs.tool = std::make_shared<const TexturedMesh>();
-  EXPECT_THAT(complaint([&] { make_renderer(model, inputs); }),
+  EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(model, inputs); }),
               testing::HasSubstr("no surface is given"));
   std::swap(inputs.tool, inputs.surface);
-  EXPECT_THAT(complaint([&] { make_renderer(model, inputs); }),
+  EXPECT_THAT(refusal_of<std::invalid_argument>([&] { make_renderer(model, inputs); }),
               testing::HasSubstr("no tool is given"));
   inputs.tool = inputs.surface;
   EXPECT_NE(make_renderer(model, inputs), nullptr);
@@ -92,11 +87,13 @@ TEST(ModelRegistry, RefusesAMissingToolOrSurface) {
 TEST(ModelRegistry, RefusesAParameterThatIsUnknownOrOutOfRange) {
   RendererInputs inputs = any_inputs();
   inputs.parameters = {{"amplitude_mm", 1.0}};
-  EXPECT_THAT(complaint([&] { built_in_models().make("sinusoid", inputs); }),
-              testing::HasSubstr("amplitude_mm"));
+  EXPECT_THAT(
+      refusal_of<std::invalid_argument>([&] { built_in_models().make("sinusoid", inputs); }),
+      testing::HasSubstr("amplitude_mm"));
   inputs.parameters = {{"amplitude_m", 1.0}};
-  EXPECT_THAT(complaint([&] { built_in_models().make("sinusoid", inputs); }),
-              testing::HasSubstr("amplitude_m"));
+  EXPECT_THAT(
+      refusal_of<std::invalid_argument>([&] { built_in_models().make("sinusoid", inputs); }),
+      testing::HasSubstr("amplitude_m"));
 }
 
 TEST(BuiltInModels, DeclareDefaultsThatTheyAcceptThemselves) {

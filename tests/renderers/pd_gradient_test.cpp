@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <span>
 #include <stdexcept>
@@ -20,6 +19,7 @@
 #include "tests/renderers/meshes.h"
 #include "tests/renderers/textured_bodies.h"
 #include "tests/support/allocation_guard.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -51,15 +51,6 @@ ParameterValues direct(ParameterValues more = {}) {
 
 std::unique_ptr<ForceRenderer> renderer_of(const RendererInputs& inputs) {
   return make_renderer(pd_gradient_model(), inputs);
-}
-
-std::string complaint(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 std::uint64_t ticks_of(const ForceRenderer& renderer, std::string_view limit) {
@@ -545,7 +536,7 @@ TEST(PdGradient, RefusesWhatItCannotRender) {
   const auto said = [](auto change) {
     RendererInputs inputs = ball_on_plate({});
     change(inputs);
-    return complaint([&] { renderer_of(inputs); });
+    return refusal_of<std::invalid_argument>([&] { renderer_of(inputs); });
   };
   EXPECT_THAT(said([](auto& inputs) { inputs.patch.motion_scale = 2.0; }),
               testing::HasSubstr("motion_scale"));

@@ -18,6 +18,7 @@
 
 #include "device/call_gate.h"
 #include "device/haptic_device.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -362,12 +363,9 @@ TEST(CalledServo, RefusesADemandForFifoThatIsNotItsToMeet) {
   CallingDevice device;
   RecordRing ring;
   ServoLoop loop(device, ring, patient_with_silence());
-  try {
-    const ServoThread thread(loop, device, Scheduling::fifo);
-    FAIL() << "took it";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("calling"));
-  }
+  EXPECT_THAT(refusal_of<std::runtime_error>(
+                  [&] { const ServoThread thread(loop, device, Scheduling::fifo); }),
+              testing::HasSubstr("calling"));
 }
 
 TEST(CalledServo, IsNothingForADeviceThatIsPaced) {

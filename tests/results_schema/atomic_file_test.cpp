@@ -6,10 +6,12 @@
 #include <iterator>
 #include <sys/resource.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
 #include "results_schema/study.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -39,12 +41,9 @@ TEST(AtomicFile, RefusesToOverwriteUnlessTold) {
 
 TEST(AtomicFile, NamesAMissingFolder) {
   const TemporaryFolder folder;
-  try {
-    write_file(folder.path() / "absent" / "file", "x", Overwrite::allow);
-    FAIL();
-  } catch (const ResultsError& error) {
-    EXPECT_NE(std::string(error.what()).find("there is no folder"), std::string::npos);
-  }
+  EXPECT_THAT(refusal_of<ResultsError>(
+                  [&] { write_file(folder.path() / "absent" / "file", "x", Overwrite::allow); }),
+              testing::HasSubstr("there is no folder"));
 }
 
 TEST(AtomicFile, RefusesToReplaceAFolder) {
@@ -65,12 +64,8 @@ TEST(AtomicFile, LeavesTheOldFileAndNothingElseWhenTheDiskIsFull) {
   rlimit small = before;
   small.rlim_cur = 1000;
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  std::string message;
-  try {
-    write_file(folder / "file", std::string(5000, 'x'), Overwrite::allow);
-  } catch (const ResultsError& error) {
-    message = error.what();
-  }
+  const std::string message = refusal_of<ResultsError>(
+      [&] { write_file(folder / "file", std::string(5000, 'x'), Overwrite::allow); });
   ::setrlimit(RLIMIT_FSIZE, &before);
   ::signal(SIGXFSZ, old_handler);
   EXPECT_NE(message.find("disk is full"), std::string::npos) << message;

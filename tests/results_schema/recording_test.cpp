@@ -15,7 +15,7 @@
 #include "results_schema/atomic_file.h"
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
-#include "tests/results_schema/refusal.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -43,7 +43,7 @@ RecordingRow write(const std::filesystem::path& study, int records,
 }
 
 std::string refusal_to_read(const std::filesystem::path& path) {
-  return refusal([&] { read_recording(path); });
+  return refusal_of<ResultsError>([&] { read_recording(path); });
 }
 
 void put(const std::filesystem::path& path, const std::string& content) {
@@ -214,12 +214,9 @@ TEST(Recording, DoesNotFinishAfterTheDiskWasFull) {
   rlimit small = before;
   small.rlim_cur = 1000;  // the header fits, the first chunk does not
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  std::string message;
-  try {
+  const std::string message = refusal_of<ResultsError>([&] {
     for (int i = 0; i < 100; ++i) writer.append(i * 7919, values_at(i).data());
-  } catch (const ResultsError& error) {
-    message = error.what();
-  }
+  });
   ::setrlimit(RLIMIT_FSIZE, &before);
   ::signal(SIGXFSZ, old_handler);
   EXPECT_THAT(message, HasSubstr("disk is full"));

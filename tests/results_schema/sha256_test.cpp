@@ -4,9 +4,11 @@
 
 #include <fstream>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "results_schema/study.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -29,12 +31,8 @@ TEST(Sha256, OfAFileIsThatOfItsContent) {
 
 TEST(Sha256, OfAnAbsentFileIsRefusedByName) {
   const TemporaryFolder folder;
-  try {
-    sha256_of_file(folder / "absent");
-    FAIL();
-  } catch (const ResultsError& error) {
-    EXPECT_NE(std::string(error.what()).find("absent"), std::string::npos);
-  }
+  EXPECT_THAT(refusal_of<ResultsError>([&] { sha256_of_file(folder / "absent"); }),
+              testing::HasSubstr("absent"));
   EXPECT_THROW(sha256_of_file(folder.path()), ResultsError);
 }
 

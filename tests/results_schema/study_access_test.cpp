@@ -15,8 +15,8 @@
 #include "results_schema/atomic_file.h"
 #include "results_schema/file_system.h"
 #include "results_schema/study.h"
-#include "tests/results_schema/refusal.h"
 #include "tests/results_schema/rows_for_tests.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -159,9 +159,9 @@ TEST(StudyOnReadOnlyDisk, IsReadAndNotWritten) {
       const AsSomebodyElse somebody_else;
       EXPECT_FALSE(Study::can_be_written(folder / "s"));
       read_everything(Study::open(folder / "s", Access::read_only));
-      EXPECT_THAT(refusal([&] { Study::open(folder / "s", Access::read_write); }),
+      EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", Access::read_write); }),
                   HasSubstr("can only be read here"));
-      EXPECT_THAT(refusal([&] { Study::create(folder / "s" / "new", "x"); }),
+      EXPECT_THAT(refusal_of<ResultsError>([&] { Study::create(folder / "s" / "new", "x"); }),
                   HasSubstr("Permission denied"));
     }
     make_writable(folder / "s");
@@ -183,7 +183,7 @@ TEST(StudyOnReadOnlyDisk, IsReadWhenAnOlderProgramMadeIt) {
     const Study study = Study::open(folder / "s", Access::read_only);
     EXPECT_EQ(study.name(), "fixture");
     EXPECT_EQ(study.sessions().size(), 1U);
-    EXPECT_THAT(refusal([&] { Study::open(folder / "s", Access::read_write); }),
+    EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", Access::read_write); }),
                 HasSubstr("can only be read here"));
   }
   make_writable(folder / "s");
@@ -202,9 +202,9 @@ TEST(StudyReading, RefusesToWrite) {
   const TemporaryFolder folder;
   make_closed_study(folder / "s");
   Study study = Study::open(folder / "s", Access::read_only);
-  EXPECT_THAT(refusal([&] { study.add_participant({.label = "P02"}); }),
+  EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_participant({.label = "P02"}); }),
               HasSubstr("open for reading only"));
-  EXPECT_THAT(refusal([&] { study.add_attempt(1, some_attempt(2)); }),
+  EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_attempt(1, some_attempt(2)); }),
               HasSubstr("open for reading only"));
 }
 
@@ -248,7 +248,8 @@ TEST(StudyOpening, RefusesWhatIsNoStudy) {
   const TemporaryFolder folder;
   const auto refused = [&folder](const std::string& sentence) {
     for (const Access access : {Access::read_only, Access::read_write}) {
-      EXPECT_THAT(refusal([&] { Study::open(folder / "s", access); }), HasSubstr(sentence));
+      EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", access); }),
+                  HasSubstr(sentence));
     }
   };
   refused("there is no folder");
@@ -271,7 +272,7 @@ TEST(StudyOpening, RefusesAStudyOfANewerProgram) {
   make_closed_study(folder / "s");
   run_sql(folder / "s" / "study.sqlite", "PRAGMA user_version = 99");
   for (const Access access : {Access::read_only, Access::read_write}) {
-    EXPECT_THAT(refusal([&] { Study::open(folder / "s", access); }),
+    EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", access); }),
                 HasSubstr("made by a newer Asperity: its schema is version 99, this program knows "
                           "versions up to " +
                           std::to_string(Study::kSchemaVersion)));
@@ -287,7 +288,7 @@ TEST(StudyOpening, RefusesABrokenDatabase) {
   broken.replace(100, 500, std::string(500, '\xff'));  // the root of the schema
   write_file(file, broken, Overwrite::allow);
   for (const Access access : {Access::read_only, Access::read_write}) {
-    EXPECT_THAT(refusal([&] { Study::open(folder / "s", access); }),
+    EXPECT_THAT(refusal_of<ResultsError>([&] { Study::open(folder / "s", access); }),
                 HasSubstr("is broken; restore it from a copy"));
   }
 }

@@ -20,8 +20,8 @@
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "results_schema/table_rules.h"
-#include "tests/results_schema/refusal.h"
 #include "tests/results_schema/rows_for_tests.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -197,7 +197,7 @@ TEST(StudyCopy, NeedsAFolderThatIsNotThere) {
   const auto [study, session_id] = recorded_study(folder / "s");
   std::filesystem::create_directory(folder / "there");
   const auto refused = [&, &s = study](const std::filesystem::path& to) {
-    return refusal([&] { s.copy_to(to); });
+    return refusal_of<ResultsError>([&] { s.copy_to(to); });
   };
   EXPECT_THAT(refused(folder / "there"), HasSubstr("exists already"));
   EXPECT_THAT(refused(folder / "s" / "copy"), HasSubstr("into itself"));
@@ -208,10 +208,11 @@ TEST(StudyCopy, RefusesAStudyWhoseFilesDoNotHold) {
   const TemporaryFolder folder;
   const auto [study, session_id] = recorded_study(folder / "s");
   write_file(folder / "s" / "stimuli" / "metal.png", "other", Overwrite::allow);
-  EXPECT_THAT(refusal([&, &s = study] { s.copy_to(folder / "copy"); }),
+  EXPECT_THAT(refusal_of<ResultsError>([&, &s = study] { s.copy_to(folder / "copy"); }),
               HasSubstr("stimuli/metal.png is not what it was"));
   std::filesystem::remove(folder / "s" / "stimuli" / "metal.png");
-  EXPECT_THAT(refusal([&, &s = study] { s.copy_to(folder / "copy"); }), HasSubstr("metal.png"));
+  EXPECT_THAT(refusal_of<ResultsError>([&, &s = study] { s.copy_to(folder / "copy"); }),
+              HasSubstr("metal.png"));
   EXPECT_FALSE(std::filesystem::exists(folder / "copy"));
   EXPECT_FALSE(std::filesystem::exists(folder / "copy.part"));
 }

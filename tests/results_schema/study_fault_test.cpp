@@ -15,8 +15,8 @@
 
 #include "results_schema/study.h"
 #include "tests/results_schema/failing_vfs.h"
-#include "tests/results_schema/refusal.h"
 #include "tests/results_schema/rows_for_tests.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -33,15 +33,13 @@ constexpr int kTrials = 2;
 /// `message`.
 int add_attempts(const std::filesystem::path& folder, std::string& message) {
   int acknowledged = 0;
-  try {
+  message = refusal_of<ResultsError>([&] {
     Study study = Study::open(folder, Access::read_write);
     for (int trial = 1; trial <= kTrials; ++trial) {
       study.add_attempt(1, some_attempt(trial));
       ++acknowledged;
     }
-  } catch (const ResultsError& error) {
-    message = error.what();
-  }
+  });
   return acknowledged;
 }
 
@@ -102,7 +100,7 @@ TEST(StudyCreation, LeavesNothingWhenTheDiskFails) {
     const TemporaryFolder folder;
     FailingVfs disk;
     disk.fail_from(n, FailingVfs::Fault::disk_full);
-    const std::string message = refusal([&] { Study::create(folder / "s", "x"); });
+    const std::string message = refusal_of<ResultsError>([&] { Study::create(folder / "s", "x"); });
     if (message.empty()) break;
     ASSERT_FALSE(std::filesystem::exists(folder / "s")) << n;
     ASSERT_LT(n, 2000);
@@ -171,7 +169,7 @@ TEST(ParallelSessions, NeverFailAndReadBackInNaturalOrder) {
   std::vector<std::thread> threads;
   for (int i = 0; i < kThreads; ++i) {
     threads.emplace_back([&, i] {
-      messages[static_cast<std::size_t>(i)] = refusal([&] {
+      messages[static_cast<std::size_t>(i)] = refusal_of<ResultsError>([&] {
         Study study = Study::open(folder / "s", Access::read_write);
         const std::string label = "V" + std::to_string(9 - i);
         const StudyLock lock(folder / "s", Study::session_lock_name(label));
@@ -216,7 +214,7 @@ TEST(Counterbalancing, GivesEveryRowEquallyOftenToProcessesThatAskAtOnce) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-      const std::string message = refusal([&] {
+      const std::string message = refusal_of<ResultsError>([&] {
         Study study = Study::open(folder / "s", Access::read_write);
         for (int session = 0; session < kSessions; ++session) {
           study.add_session(some_session(1, "V" + std::to_string(i)), 4,

@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "results_schema/study.h"
-#include "tests/results_schema/refusal.h"
 #include "tests/results_schema/rows_for_tests.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -63,7 +63,8 @@ TEST(StudyLock, HasOneHolder) {
   const TemporaryFolder folder;
   {
     const StudyLock lock(folder.path(), "device");
-    EXPECT_THAT(refusal([&] { StudyLock(folder.path(), "device"); }), HasSubstr("is in use by"));
+    EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock(folder.path(), "device"); }),
+                HasSubstr("is in use by"));
     const StudyLock other(folder.path(), "session-P01");
   }
   const StudyLock again(folder.path(), "device");
@@ -76,7 +77,8 @@ TEST(StudyLock, NamesTheHostAndProcessThatHoldIt) {
   ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
   const std::string process =
       "process " + std::to_string(child.process()) + " on host " + host.data() + ", started 20";
-  EXPECT_THAT(refusal([&] { StudyLock(folder.path(), "device"); }), HasSubstr(process));
+  EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock(folder.path(), "device"); }),
+              HasSubstr(process));
   EXPECT_THAT(StudyLock::holder(folder.path(), "device").value_or(""), HasSubstr(process));
 }
 
@@ -97,7 +99,8 @@ TEST(StudyLock, OfNobodyHasNoHolder) {
 TEST(StudyLock, StaysInItsFolder) {
   const TemporaryFolder folder;
   for (const char* const name : {"", "../x", "a/b", "a.b", "ä"}) {
-    EXPECT_THAT(refusal([&] { StudyLock(folder.path(), name); }), HasSubstr("no name for a lock"));
+    EXPECT_THAT(refusal_of<ResultsError>([&] { StudyLock(folder.path(), name); }),
+                HasSubstr("no name for a lock"));
   }
 }
 

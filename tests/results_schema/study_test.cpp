@@ -10,8 +10,8 @@
 #include <sqlite3.h>
 
 #include "results_schema/sha256.h"
-#include "tests/results_schema/refusal.h"
 #include "tests/results_schema/rows_for_tests.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
@@ -33,8 +33,9 @@ TEST(Study, IsMadeInANewOrAnEmptyFolder) {
 TEST(Study, IsNotMadeInAFolderThatHoldsSomething) {
   const TemporaryFolder folder;
   std::ofstream(folder / "letter.txt") << "dear";
-  EXPECT_THAT(refusal([&] { Study::create(folder.path(), "x"); }), HasSubstr("holds something"));
-  EXPECT_THAT(refusal([&] { Study::create(folder / "letter.txt", "x"); }),
+  EXPECT_THAT(refusal_of<ResultsError>([&] { Study::create(folder.path(), "x"); }),
+              HasSubstr("holds something"));
+  EXPECT_THAT(refusal_of<ResultsError>([&] { Study::create(folder / "letter.txt", "x"); }),
               HasSubstr("it is a file"));
   EXPECT_FALSE(Study::exists(folder.path()));
   EXPECT_THROW(Study::create(folder / "nameless", ""), std::invalid_argument);
@@ -68,13 +69,14 @@ TEST(Study, RefusesALabelThatIsNotLettersAndDigits) {
   Study study = Study::create(folder / "s", "x");
   for (const std::string& label : {std::string(), std::string("../x"), std::string("a'; DROP"),
                                    std::string("a b"), std::string("é"), std::string(33, 'a')}) {
-    EXPECT_THAT(refusal([&] { study.add_participant({.label = label}); }),
+    EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_participant({.label = label}); }),
                 HasSubstr("1 to 32 letters and digits"))
         << label;
   }
   study.add_participant({.label = std::string(32, 'a')});
-  EXPECT_THAT(refusal([&] { study.add_participant({.label = std::string(32, 'a')}); }),
-              HasSubstr("there is a participant of this label"));
+  EXPECT_THAT(
+      refusal_of<ResultsError>([&] { study.add_participant({.label = std::string(32, 'a')}); }),
+      HasSubstr("there is a participant of this label"));
 }
 
 TEST(Study, KeepsAProtocolOncePerContent) {
@@ -92,8 +94,9 @@ TEST(Study, KeepsAProtocolOncePerContent) {
   EXPECT_EQ(row.design, "chapter");
   ProtocolRow wrong = some_protocol();
   wrong.source += "x";
-  EXPECT_THAT(refusal([&] { study.add_protocol(wrong); }), HasSubstr("does not have the SHA-256"));
-  EXPECT_THAT(refusal([&] { study.protocol(99); }), HasSubstr("has no protocol"));
+  EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_protocol(wrong); }),
+              HasSubstr("does not have the SHA-256"));
+  EXPECT_THAT(refusal_of<ResultsError>([&] { study.protocol(99); }), HasSubstr("has no protocol"));
 }
 
 TEST(Study, GivesBackASessionWithItsFilesAndPlan) {
@@ -156,12 +159,13 @@ TEST(Study, NumbersTheSessionsOfAParticipant) {
   study.add_session(some_session(protocol_id, "A"), some_plan(1));
   SessionRow second = some_session(protocol_id, "B");
   second.session = 3;
-  EXPECT_THAT(refusal([&] { study.add_session(second, {}); }),
+  EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_session(second, {}); }),
               HasSubstr("expects session 2 of participant B"));
   second.session = 2;
   study.add_session(second, some_plan(1));
-  EXPECT_THAT(refusal([&] { study.add_session(some_session(protocol_id, "C"), {}); }),
-              HasSubstr("has no participant C"));
+  EXPECT_THAT(
+      refusal_of<ResultsError>([&] { study.add_session(some_session(protocol_id, "C"), {}); }),
+      HasSubstr("has no participant C"));
   std::vector<std::string> order;
   for (const SessionRow& row : study.sessions()) {
     order.push_back(row.participant + std::to_string(row.session));
@@ -176,13 +180,16 @@ TEST(Study, AddsASessionWithItsWholePlanOrNotAtAll) {
   const SessionRow session = some_session(study.add_protocol(some_protocol()));
   std::vector<PlannedTrialRow> plan = some_plan(3);
   plan[2].trial = 2;
-  EXPECT_THAT(refusal([&] { study.add_session(session, plan); }), HasSubstr("trial"));
+  EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_session(session, plan); }),
+              HasSubstr("trial"));
   plan = some_plan(3);
   plan[2].plan_json = "{";
-  EXPECT_THAT(refusal([&] { study.add_session(session, plan); }), HasSubstr("plan_json"));
+  EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_session(session, plan); }),
+              HasSubstr("plan_json"));
   SessionRow outside = session;
   outside.files = {{.path = "../a.png", .sha256 = sha256_of("a"), .bytes = 1}};
-  EXPECT_THAT(refusal([&] { study.add_session(outside, {}); }), HasSubstr("no path inside"));
+  EXPECT_THAT(refusal_of<ResultsError>([&] { study.add_session(outside, {}); }),
+              HasSubstr("no path inside"));
   EXPECT_TRUE(study.sessions().empty());
 }
 
@@ -304,7 +311,8 @@ TEST(Study, GivesBackAnAttemptWithAllThatHangsOnIt) {
   EXPECT_EQ(study.attempt(id)->responses.size(), 2U);
   EXPECT_EQ(study.attempt(id + 1), std::nullopt);
   EXPECT_EQ(study.session_of(id), session_id);
-  EXPECT_THAT(refusal([&, &s = study] { s.session_of(id + 1); }), HasSubstr("has no attempt"));
+  EXPECT_THAT(refusal_of<ResultsError>([&, &s = study] { s.session_of(id + 1); }),
+              HasSubstr("has no attempt"));
 }
 
 TEST(Study, OrdersAttemptsByTrialAndAttemptNotByTheirWriting) {
@@ -332,8 +340,9 @@ TEST(Study, AddsAnAttemptWithEverythingOrNotAtAll) {
   auto [study, session_id] = study_with_session(folder / "s", 1);
   AttemptRow attempt = some_attempt(1);
   attempt.events[1].data_json = "not json";  // the last row of all
-  EXPECT_THAT(refusal([&, &s = study, id = session_id] { s.add_attempt(id, attempt); }),
-              HasSubstr("json_valid(data_json)"));
+  EXPECT_THAT(
+      refusal_of<ResultsError>([&, &s = study, id = session_id] { s.add_attempt(id, attempt); }),
+      HasSubstr("json_valid(data_json)"));
   EXPECT_TRUE(study.attempts(session_id).empty());
   study.add_attempt(session_id, some_attempt(1));
 }
@@ -346,7 +355,9 @@ TEST(Study, SegmentsAndSessionsEndAndGoOn) {
   study.end_session(session_id, SessionState::stopped, "2026-03-01T10:00:00Z");
   EXPECT_EQ(study.session(session_id).state, SessionState::stopped);
   EXPECT_EQ(study.session(session_id).ended_utc, "2026-03-01T10:00:00Z");
-  const auto refused = [&, &s = study](auto what) { return refusal([&] { what(s); }); };
+  const auto refused = [&, &s = study](auto what) {
+    return refusal_of<ResultsError>([&] { what(s); });
+  };
   const std::int64_t id = session_id;
   EXPECT_THAT(refused([&](Study& s) { s.begin_segment(id, 5); }), HasSubstr("reopen it first"));
   EXPECT_THAT(refused([&](Study& s) { s.add_attempt(id, some_attempt(1)); }), HasSubstr("open"));

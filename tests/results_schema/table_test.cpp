@@ -14,14 +14,14 @@
 #include "results_schema/sha256.h"
 #include "results_schema/study.h"
 #include "results_schema/table_file.h"
-#include "tests/results_schema/refusal.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace asperity {
 namespace {
 
 std::string refusal_of_tsv(std::string_view text) {
-  return refusal([&] { read_tsv(text, "file.tsv"); });
+  return refusal_of<ResultsError>([&] { read_tsv(text, "file.tsv"); });
 }
 
 TEST(Table, IsWrittenAsTabsWithMissingCellsNamed) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "results_schema/study.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -14,29 +15,18 @@ namespace {
 TidyTable table_of(const std::string& text) { return TidyTable(text, "file.csv"); }
 
 template <class Use>
-std::string refusal_of(const std::string& text, Use use) {
-  try {
-    use(table_of(text));
-  } catch (const ResultsError& error) {
-    return error.what();
-  }
-  return "";
+std::string table_refusal(const std::string& text, Use use) {
+  return refusal_of<ResultsError>([&] { use(table_of(text)); });
 }
 
-std::string refusal_of(const std::string& text) {
-  return refusal_of(text, [](const TidyTable&) {});
+std::string table_refusal(const std::string& text) {
+  return table_refusal(text, [](const TidyTable&) {});
 }
 
 TEST(TidyTable, RefusesLinesThatEndWithCarriageReturnsAlone) {
-  try {
-    TidyTable("a,b\r1,2\r", "file.csv");
-    ADD_FAILURE();
-  } catch (const ResultsError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "file.csv:1:1: the lines end with carriage returns alone; write the table with line "
-        "feeds (LF or CRLF)");
-  }
+  EXPECT_EQ(table_refusal("a,b\r1,2\r"),
+            "file.csv:1:1: the lines end with carriage returns alone; write the table with line "
+            "feeds (LF or CRLF)");
 }
 
 TEST(TidyTable, ReadsByteOrderMarksLineEndsOfWindowsAndEmptyLines) {
@@ -49,10 +39,10 @@ TEST(TidyTable, ReadsByteOrderMarksLineEndsOfWindowsAndEmptyLines) {
 TEST(TidyTable, RefusesWhatIsNotUtf8AndSaysInWhichLine) {
   const std::string words =
       ": a letter of this line is not UTF-8; save the table in the encoding UTF-8";
-  EXPECT_EQ(refusal_of("id,k\na,1\nRen\xE9,2\n"), "file.csv:3" + words) << "Latin-1";
-  EXPECT_EQ(refusal_of("id,k\n\xC0\xAF,1\n"), "file.csv:2" + words) << "longer than need be";
-  EXPECT_EQ(refusal_of("id,k\n\xED\xA0\x80,1\n"), "file.csv:2" + words) << "half a pair";
-  EXPECT_EQ(refusal_of("id,k\na,\xE2\x82"), "file.csv:2" + words) << "torn";
+  EXPECT_EQ(table_refusal("id,k\na,1\nRen\xE9,2\n"), "file.csv:3" + words) << "Latin-1";
+  EXPECT_EQ(table_refusal("id,k\n\xC0\xAF,1\n"), "file.csv:2" + words) << "longer than need be";
+  EXPECT_EQ(table_refusal("id,k\n\xED\xA0\x80,1\n"), "file.csv:2" + words) << "half a pair";
+  EXPECT_EQ(table_refusal("id,k\na,\xE2\x82"), "file.csv:2" + words) << "torn";
   const TidyTable table = table_of("id\nRen\xC3\xA9\n\xE2\x82\xAC\n\xF0\x9F\x98\x80\n");
   EXPECT_EQ(table.texts("id"),
             (std::vector<std::string_view>{"Ren\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"}));
@@ -64,8 +54,9 @@ TEST(TidyTable, ReadsQuotedCells) {
   EXPECT_EQ(table.texts("id"), (std::vector<std::string_view>{"a,b", "c"}));
   EXPECT_EQ(table.texts("the note"),
             (std::vector<std::string_view>{"she said \"no\"\nand left", "d"}));
-  EXPECT_EQ(refusal_of("id,k\n\"a\nb\",1\nc,x\n", [](const TidyTable& read) { read.numbers("k"); }),
-            "file.csv:4:2: k is \"x\", no number; leave the cell empty where there is none");
+  EXPECT_EQ(
+      table_refusal("id,k\n\"a\nb\",1\nc,x\n", [](const TidyTable& read) { read.numbers("k"); }),
+      "file.csv:4:2: k is \"x\", no number; leave the cell empty where there is none");
 }
 
 TEST(TidyTable, ReadsTabs) {
@@ -85,41 +76,41 @@ TEST(TidyTable, KnowsThreeWaysToWriteNothing) {
 }
 
 TEST(TidyTable, NamesLineAndColumnOfWhatIsWrong) {
-  EXPECT_EQ(refusal_of(""), "file.csv:1:0: the line of column names is missing");
-  EXPECT_EQ(refusal_of("a,b,a\n"), "file.csv:1:3: the column name \"a\" stands twice");
-  EXPECT_EQ(refusal_of("a,,b\n"), "file.csv:1:2: the column has no name");
-  EXPECT_EQ(refusal_of("a,b\n1,2\n1\n"),
+  EXPECT_EQ(table_refusal(""), "file.csv:1:0: the line of column names is missing");
+  EXPECT_EQ(table_refusal("a,b,a\n"), "file.csv:1:3: the column name \"a\" stands twice");
+  EXPECT_EQ(table_refusal("a,,b\n"), "file.csv:1:2: the column has no name");
+  EXPECT_EQ(table_refusal("a,b\n1,2\n1\n"),
             "file.csv:3:2: the row has 1 cells, the header names 2 columns");
-  EXPECT_EQ(refusal_of("a,b\n\"1,2\n"),
+  EXPECT_EQ(table_refusal("a,b\n\"1,2\n"),
             "file.csv:2:1: the quote that opens this cell is not closed");
-  EXPECT_EQ(refusal_of("a,b\n\"1\"x,2\n"),
+  EXPECT_EQ(table_refusal("a,b\n\"1\"x,2\n"),
             "file.csv:2:1: text follows the quote that closes this cell; a quote inside is written "
             "twice");
-  EXPECT_EQ(refusal_of("a,b\n1,2\n", [](const TidyTable& table) { table.texts("c"); }),
+  EXPECT_EQ(table_refusal("a,b\n1,2\n", [](const TidyTable& table) { table.texts("c"); }),
             "file.csv:1:1: there is no column \"c\"; there are a, b");
 }
 
 TEST(TidyTable, SaysWhatADecimalCommaIs) {
   EXPECT_EQ(
-      refusal_of("id;k\na;1,5\n"),
+      table_refusal("id;k\na;1,5\n"),
       "file.csv:1:1: the columns are separated by semicolons; write the table with commas (or "
       "tabs) and decimal points");
-  EXPECT_EQ(refusal_of("id,k\na,1,5\n"),
+  EXPECT_EQ(table_refusal("id,k\na,1,5\n"),
             "file.csv:2:3: the row has 3 cells, the header names 2 columns; is there a comma in a "
             "number or in a text without quotes?");
-  EXPECT_EQ(refusal_of("id\tk\na\t1,5\n", [](const TidyTable& table) { table.numbers("k"); }),
+  EXPECT_EQ(table_refusal("id\tk\na\t1,5\n", [](const TidyTable& table) { table.numbers("k"); }),
             "file.csv:2:2: k is \"1,5\", a decimal comma; write a point");
 }
 
 TEST(TidyTable, RefusesNumbersThatAreNone) {
   const auto numbers = [](const TidyTable& table) { table.all_numbers("k"); };
   const auto counts = [](const TidyTable& table) { table.counts("k"); };
-  EXPECT_NE(refusal_of("id,k\na,NaN\n", numbers), "");
-  EXPECT_NE(refusal_of("id,k\na,inf\n", numbers), "");
-  EXPECT_EQ(refusal_of("id,k\na,\n", numbers), "file.csv:2:2: k is missing");
-  EXPECT_EQ(refusal_of("id,k\na,1.5\n", counts),
+  EXPECT_NE(table_refusal("id,k\na,NaN\n", numbers), "");
+  EXPECT_NE(table_refusal("id,k\na,inf\n", numbers), "");
+  EXPECT_EQ(table_refusal("id,k\na,\n", numbers), "file.csv:2:2: k is missing");
+  EXPECT_EQ(table_refusal("id,k\na,1.5\n", counts),
             "file.csv:2:2: k is 1.5; it must be a whole number from 0");
-  EXPECT_EQ(refusal_of("id,k\na,-1\n", counts),
+  EXPECT_EQ(table_refusal("id,k\na,-1\n", counts),
             "file.csv:2:2: k is -1; it must be a whole number from 0");
 }
 
@@ -127,10 +118,10 @@ TEST(TidyTable, TakesOnlyTheNamesThatAreGivenInTheirOrder) {
   const TidyTable table = table_of("choice\nwood\nmetal\n");
   EXPECT_EQ(table.labels("choice", {"metal", "stone", "wood"}).codes,
             (std::vector<std::size_t>{2, 0}));
-  EXPECT_EQ(refusal_of("choice\nwood\nmetl\n",
-                       [](const TidyTable& read) {
-                         read.labels("choice", {"metal", "wood"});
-                       }),
+  EXPECT_EQ(table_refusal("choice\nwood\nmetl\n",
+                          [](const TidyTable& read) {
+                            read.labels("choice", {"metal", "wood"});
+                          }),
             "file.csv:3:1: choice is \"metl\", which is none of metal, wood");
 }
 
@@ -163,12 +154,8 @@ TEST(TidyTable, IsMadeOfColumnsAsIfItHadBeenRead) {
   EXPECT_EQ(who.names, (std::vector<std::string>{"c", "NA"}));
   EXPECT_EQ(who.codes, (std::vector<std::size_t>{0, 1, 0}));
   EXPECT_EQ(table.texts("what")[1], "");
-  try {
-    table.all_labels("what");
-    FAIL() << "nothing was refused";
-  } catch (const ResultsError& error) {
-    EXPECT_STREQ(error.what(), "made:3:2: what is missing");
-  }
+  EXPECT_EQ(refusal_of<ResultsError>([&] { table.all_labels("what"); }),
+            "made:3:2: what is missing");
   columns[1].labels.codes.pop_back();
   EXPECT_THROW(TidyTable(columns, "made"), std::invalid_argument);
 }

@@ -10,6 +10,7 @@
 
 #include "stimuli/grey_image.h"
 #include "stimuli/photograph.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -32,13 +33,8 @@ const HeightFieldProvenance kProvenance{.kind = "photograph",
                                         .source_sha256 = "ab12",
                                         .program_version = "0.1.0"};
 
-std::string refusal_of(std::span<const std::byte> png, const std::string& sidecar) {
-  try {
-    decode_height_field(png, sidecar, "wall.png");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+std::string field_refusal(std::span<const std::byte> png, const std::string& sidecar) {
+  return refusal_of<std::invalid_argument>([&] { decode_height_field(png, sidecar, "wall.png"); });
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -106,31 +102,32 @@ TEST(HeightFieldFile, NamesTheSidecarAndWhatItLacks) {
   const HeightField field = relief();
   const auto png = encode_height_field_png(field);
   const std::string sidecar = encode_height_field_sidecar(field, kProvenance, "cd34");
-  EXPECT_EQ(refusal_of(png, sidecar), "accepted");
-  EXPECT_EQ(refusal_of(png, "{"),
+  EXPECT_EQ(field_refusal(png, sidecar), "");
+  EXPECT_EQ(field_refusal(png, "{"),
             "wall.png.json is not a JSON object; it must be one in \"asperity.height_field/1\".");
-  EXPECT_THAT(refusal_of(png, replaced(sidecar, "height_field/1", "height_field/2")),
+  EXPECT_THAT(field_refusal(png, replaced(sidecar, "height_field/1", "height_field/2")),
               HasSubstr("has the format \"asperity.height_field/2\""));
   for (const std::string key : {"pitch_m", "height_min_m", "height_max_m"}) {
-    EXPECT_THAT(refusal_of(png, replaced(sidecar, "\"" + key + "\"", "\"other\"")),
+    EXPECT_THAT(field_refusal(png, replaced(sidecar, "\"" + key + "\"", "\"other\"")),
                 StartsWith("wall.png.json needs a number " + key));
   }
-  EXPECT_THAT(refusal_of(png, replaced(sidecar, "\"sha256\"", "\"md5\"")), HasSubstr("sha256"));
-  EXPECT_THAT(refusal_of(png, replaced(sidecar, "0.03333", "-0.03333")), HasSubstr("not positive"));
-  EXPECT_THAT(refusal_of(png, replaced(sidecar, "0.03333", "1e9993333")), HasSubstr("JSON"));
+  EXPECT_THAT(field_refusal(png, replaced(sidecar, "\"sha256\"", "\"md5\"")), HasSubstr("sha256"));
+  EXPECT_THAT(field_refusal(png, replaced(sidecar, "0.03333", "-0.03333")),
+              HasSubstr("not positive"));
+  EXPECT_THAT(field_refusal(png, replaced(sidecar, "0.03333", "1e9993333")), HasSubstr("JSON"));
   EXPECT_THAT(
-      refusal_of(png, replaced(sidecar, "height_min_m\": ", "height_min_m\": 0.5, \"x\": ")),
+      field_refusal(png, replaced(sidecar, "height_min_m\": ", "height_min_m\": 0.5, \"x\": ")),
       HasSubstr("height_max_m below its height_min_m"));
-  EXPECT_THAT(refusal_of(png, replaced(sidecar, "\"none\"", "[1]")), HasSubstr("histogram"));
+  EXPECT_THAT(field_refusal(png, replaced(sidecar, "\"none\"", "[1]")), HasSubstr("histogram"));
 }
 
 TEST(HeightFieldFile, RefusesAPictureThatIsNotSixteenBitGrey) {
   const std::string sidecar = encode_height_field_sidecar(relief(), kProvenance, "");
-  EXPECT_EQ(refusal_of(encode_png({2, 2, {0.0F, 0.1F, 0.2F, 0.3F}}), sidecar),
+  EXPECT_EQ(field_refusal(encode_png({2, 2, {0.0F, 0.1F, 0.2F, 0.3F}}), sidecar),
             "wall.png is not a 16-bit grey PNG, which a height field must be.");
   std::vector<std::byte> png = encode_height_field_png(relief());
   png.resize(png.size() / 2);
-  EXPECT_THAT(refusal_of(png, sidecar), StartsWith("wall.png is cut off"));
+  EXPECT_THAT(field_refusal(png, sidecar), StartsWith("wall.png is cut off"));
 }
 
 }  // namespace

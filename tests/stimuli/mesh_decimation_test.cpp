@@ -13,6 +13,7 @@
 #include "stimuli/mesh_error.h"
 #include "stimuli/mesh_handles.h"
 #include "tests/stimuli/made_mesh.h"
+#include "tests/support/refusal.h"
 
 namespace asperity::test {
 namespace {
@@ -25,12 +26,7 @@ double rms_error_m(const TriangleMesh& original, const TriangleMesh& simplified)
 }
 
 std::string refusal(const TriangleMesh& mesh, std::size_t triangles) {
-  try {
-    decimate_mesh(mesh, triangles, "thing");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal_of<std::invalid_argument>([&] { decimate_mesh(mesh, triangles, "thing"); });
 }
 
 TEST(Decimation, ReachesItsTargetAndStaysClosed) {

@@ -10,6 +10,7 @@
 #include "analysis/random.h"
 #include "stimuli/mesh_decimation.h"
 #include "tests/stimuli/made_mesh.h"
+#include "tests/support/refusal.h"
 
 namespace asperity::test {
 namespace {
@@ -27,12 +28,7 @@ RepairedMesh repaired(const TriangleMesh& mesh, const MeshRepairLimits& limits =
 }
 
 std::string refusal(const TriangleMesh& mesh, const MeshRepairLimits& limits = {}) {
-  try {
-    repair_mesh(mesh, limits, "thing");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal_of<std::invalid_argument>([&] { repair_mesh(mesh, limits, "thing"); });
 }
 
 /// Every face with corners of its own, as STL has them.

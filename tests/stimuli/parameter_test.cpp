@@ -7,6 +7,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/support/refusal.h"
+
 namespace asperity {
 namespace {
 
@@ -31,13 +33,8 @@ const Parameter kLaw{.name = "law",
 
 const ModelDeclaration kModel{.id = "ridges", .parameters = {kSpacing, kOrder, kLaw}};
 
-std::string refusal_of(const ParameterValues& given) {
-  try {
-    complete_values(kModel, given);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+std::string values_refusal(const ParameterValues& given) {
+  return refusal_of<std::invalid_argument>([&] { complete_values(kModel, given); });
 }
 
 TEST(Parameter, AcceptsBothEndsOfItsRange) {
@@ -79,14 +76,14 @@ TEST(CompleteValues, FillsInTheDefaultsAndKeepsWhatIsGiven) {
 }
 
 TEST(CompleteValues, NamesTheModelAndTheParameterItRefuses) {
-  EXPECT_EQ(refusal_of({{"spacng_m", 0.003}}),
+  EXPECT_EQ(values_refusal({{"spacng_m", 0.003}}),
             "ridges has no parameter \"spacng_m\"; it has spacing_m, order and law.");
-  EXPECT_THAT(refusal_of({{"spacing_m", 1.0}}), HasSubstr("ridges: spacing_m is 1 m"));
+  EXPECT_THAT(values_refusal({{"spacing_m", 1.0}}), HasSubstr("ridges: spacing_m is 1 m"));
 }
 
 TEST(CompleteValues, RefusesAValueOfTheWrongKind) {
-  EXPECT_THAT(refusal_of({{"law", 2.0}}), HasSubstr("literal or corrected"));
-  EXPECT_THAT(refusal_of({{"order", std::string("3")}}), HasSubstr("whole number"));
+  EXPECT_THAT(values_refusal({{"law", 2.0}}), HasSubstr("literal or corrected"));
+  EXPECT_THAT(values_refusal({{"order", std::string("3")}}), HasSubstr("whole number"));
 }
 
 TEST(ParameterValues, SayWhichValueIsMissing) {

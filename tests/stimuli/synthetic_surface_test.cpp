@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 
 #include "analysis/force_features.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -20,14 +21,9 @@ using ::testing::HasSubstr;
 const std::vector<std::string> kMaterials{"metal", "stone", "wood", "brick", "sandpaper"};
 const SurfaceCanvas kSmall{.width_m = 0.05, .pixels = 256, .seed = 1};
 
-std::string refusal_of(const std::string& kind, const ParameterValues& values,
-                       const SurfaceCanvas& canvas) {
-  try {
-    make_surface(kind, values, canvas);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+std::string surface_refusal(const std::string& kind, const ParameterValues& values,
+                            const SurfaceCanvas& canvas) {
+  return refusal_of<std::invalid_argument>([&] { make_surface(kind, values, canvas); });
 }
 
 TEST(SyntheticSurface, HasTheKindsOfTheCommandLine) {
@@ -219,16 +215,20 @@ TEST(Noise, HasItsRmsAndOnlyItsWavelengths) {
 }
 
 TEST(SyntheticSurface, RefusesWhatCannotBeMadeByItsName) {
-  EXPECT_THAT(refusal_of("marble", {}, {}),
+  EXPECT_THAT(surface_refusal("marble", {}, {}),
               HasSubstr("no synthetic surface \"marble\"; there are sinusoid,"));
-  EXPECT_THAT(refusal_of("wood", {{"grain_m", 1.0}}, {}),
+  EXPECT_THAT(surface_refusal("wood", {{"grain_m", 1.0}}, {}),
               HasSubstr("wood has no parameter \"grain_m\""));
-  EXPECT_THAT(refusal_of("wood", {}, {.width_m = 2.0}), HasSubstr("width_m is 2 m"));
-  EXPECT_THAT(refusal_of("wood", {}, {.pixels = 8}), HasSubstr("pixels is 8"));
-  EXPECT_THAT(refusal_of("sinusoid", {{"spacing_m", 1e-4}}, {}), HasSubstr("ask for more pixels"));
-  EXPECT_THAT(refusal_of("grating", {{"spacing_m", 1e-3}}, {}), HasSubstr("wider than spacing_m"));
-  EXPECT_THAT(refusal_of("cones", {{"top_diameter_m", 0.002}}, {}), HasSubstr("smaller than base"));
-  EXPECT_THAT(refusal_of("noise", {{"longest_wavelength_m", 3e-4}}, {}), HasSubstr("shorter than"));
+  EXPECT_THAT(surface_refusal("wood", {}, {.width_m = 2.0}), HasSubstr("width_m is 2 m"));
+  EXPECT_THAT(surface_refusal("wood", {}, {.pixels = 8}), HasSubstr("pixels is 8"));
+  EXPECT_THAT(surface_refusal("sinusoid", {{"spacing_m", 1e-4}}, {}),
+              HasSubstr("ask for more pixels"));
+  EXPECT_THAT(surface_refusal("grating", {{"spacing_m", 1e-3}}, {}),
+              HasSubstr("wider than spacing_m"));
+  EXPECT_THAT(surface_refusal("cones", {{"top_diameter_m", 0.002}}, {}),
+              HasSubstr("smaller than base"));
+  EXPECT_THAT(surface_refusal("noise", {{"longest_wavelength_m", 3e-4}}, {}),
+              HasSubstr("shorter than"));
 }
 
 // What a point probe feels on a straight to-and-fro stroke along x that drifts a little in y, at

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/stimuli/correlation.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -45,13 +46,9 @@ double amplitude(const GreyImage& image) {
   return 0.5 * (static_cast<double>(*high) - static_cast<double>(*low));
 }
 
-std::string refusal_of(const GreyImage& image, const TextureRecipe& recipe) {
-  try {
-    texture_from_photograph(image, recipe, "wall.png");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+std::string texture_refusal(const GreyImage& image, const TextureRecipe& recipe) {
+  return refusal_of<std::invalid_argument>(
+      [&] { texture_from_photograph(image, recipe, "wall.png"); });
 }
 
 GreyImage transposed(const GreyImage& image) {
@@ -162,16 +159,16 @@ TEST(TextureFromPhotograph, GivesTheSameHeightsEveryTime) {
 TEST(TextureFromPhotograph, RefusesAPictureWithoutContrast) {
   for (const float level : {0.0F, 0.3F, 1.0F}) {
     const GreyImage flat{64, 64, std::vector<float>(64 * 64, level)};
-    EXPECT_THAT(refusal_of(flat, {}), HasSubstr("wall.png has no contrast"));
+    EXPECT_THAT(texture_refusal(flat, {}), HasSubstr("wall.png has no contrast"));
   }
   GreyImage broken = waves(0.004, 0.10);
   broken.values[5] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THAT(refusal_of(broken, {}), HasSubstr("no contrast"));
+  EXPECT_THAT(texture_refusal(broken, {}), HasSubstr("no contrast"));
 }
 
 TEST(TextureFromPhotograph, RefusesAPictureThatIsTooSmall) {
   const GreyImage small{15, 64, std::vector<float>(15 * 64, 0.5F)};
-  EXPECT_THAT(refusal_of(small, {}),
+  EXPECT_THAT(texture_refusal(small, {}),
               HasSubstr("wall.png is 64 by 15 pixels; a texture needs at least"));
 }
 
@@ -180,7 +177,7 @@ TEST(TextureFromPhotograph, RefusesAFieldOfTheRecipeByItsName) {
   const auto refusal_with = [&](auto change) {
     TextureRecipe recipe;
     change(recipe);
-    return refusal_of(image, recipe);
+    return texture_refusal(image, recipe);
   };
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.width_m = 0.0; }), HasSubstr("width_m is 0"));
   EXPECT_THAT(refusal_with([](TextureRecipe& r) { r.gamma_low = -1.0; }), HasSubstr("gamma_low"));

@@ -10,6 +10,7 @@
 #include "stimuli/mesh_decimation.h"
 #include "stimuli/texture_baking.h"
 #include "tests/stimuli/made_mesh.h"
+#include "tests/support/refusal.h"
 
 namespace asperity::test {
 namespace {
@@ -36,12 +37,7 @@ StoredTexturedMesh read_back(const std::string& content) {
 }
 
 std::string refusal_of_file(const std::string& content) {
-  try {
-    read_back(content);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal_of<std::invalid_argument>([&] { read_back(content); });
 }
 
 std::string refusal_of_changed(const std::function<void(StoredTexturedMesh&)>& change) {

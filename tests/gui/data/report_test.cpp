@@ -27,6 +27,7 @@
 #include "app/report/table_layout.h"
 #include "app/tasks/study_report.h"
 #include "tests/app/made_up_study.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -391,19 +392,14 @@ TEST(ReportFile, HasOneOfTwoEndings) {
 
 TEST(ReportFile, LooksAtItsFolderBeforeTheWork) {
   const MadeUpStudy made;
-  const auto refusal_of = [](const std::filesystem::path& path) -> std::string {
-    try {
-      require_report_path(path, Overwrite::refuse);
-    } catch (const ResultsError& error) {
-      return error.what();
-    }
-    return {};
+  const auto refusal = [](const std::filesystem::path& path) {
+    return refusal_of<ResultsError>([&] { require_report_path(path, Overwrite::refuse); });
   };
-  EXPECT_NE(refusal_of(made.beside("nowhere") / "report.pdf").find("there is no folder"),
+  EXPECT_NE(refusal(made.beside("nowhere") / "report.pdf").find("there is no folder"),
             std::string::npos);
   std::filesystem::create_directory(made.beside("folder.pdf"));
-  EXPECT_NE(refusal_of(made.beside("folder.pdf")).find("is a folder"), std::string::npos);
-  EXPECT_EQ(refusal_of(made.beside("report.pdf")), "");
+  EXPECT_NE(refusal(made.beside("folder.pdf")).find("is a folder"), std::string::npos);
+  EXPECT_EQ(refusal(made.beside("report.pdf")), "");
 }
 
 class SavingAReport : public testing::Test {

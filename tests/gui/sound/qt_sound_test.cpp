@@ -19,6 +19,7 @@
 
 #include "app/gui/sound/speech_file.h"
 #include "tests/gui/sound/fake_card.h"
+#include "tests/support/refusal.h"
 
 namespace asperity {
 namespace {
@@ -225,12 +226,7 @@ TEST(SpeechFile, ReadsOneChannelAndAveragesTwo) {
 TEST(SpeechFile, SaysWhatIsWrongWithAFile) {
   QTemporaryDir folder{};
   const auto said = [](const std::filesystem::path& file) {
-    try {
-      read_speech(file);
-    } catch (const std::runtime_error& error) {
-      return QString::fromUtf8(error.what());
-    }
-    return QString();
+    return QString::fromStdString(refusal_of<std::runtime_error>([&] { read_speech(file); }));
   };
   EXPECT_TRUE(said(folder.filePath("none.wav").toStdString()).contains("cannot be read"));
   EXPECT_TRUE(said(write_wav(folder, 1, 8, {1, 2, 3})).contains("has to be 16-bit PCM"));
