@@ -23,9 +23,9 @@
 #include "device/monotonic_clock.h"
 #include "renderers/servo_thread.h"
 #include "tests/device/emulated_spacemouse.h"
-#include "tests/device/steady_push.h"
 #include "tests/support/allocation_guard.h"
 #include "tests/support/refusal.h"
+#include "tests/support/steady_push.h"
 
 namespace asperity {
 namespace {

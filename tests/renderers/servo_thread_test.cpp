@@ -19,6 +19,7 @@
 #include "device/call_gate.h"
 #include "device/haptic_device.h"
 #include "tests/support/refusal.h"
+#include "tests/support/steady_push.h"
 
 namespace asperity {
 namespace {
@@ -53,14 +54,6 @@ class StallingDevice final : public HapticDevice {
     return true;
   }
   int reads_ = 0;
-};
-
-class Push final : public ForceRenderer {
- public:
-  void reset(const ProbeState&) noexcept override {}
-  RenderedTick tick(const ProbeState&, double) noexcept override {
-    return {.wrench = {.force_N = {0.0, 0.0, 1.0}}};  // penetration 0: the ramp may rise at once
-  }
 };
 
 // Runs the thread until the ring gave at least `count` records; a machine that cannot do that at
@@ -120,7 +113,7 @@ TEST(ServoThread, StopsAtZeroForce) {
   StallingDevice device;
   RecordRing ring;
   ServoLoop loop(device, ring, patient());
-  loop.present({.id = 1, .renderer = std::make_unique<Push>()});
+  loop.present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
   const std::vector<TickRecord> records = run(loop, ring, device, 100);
   EXPECT_EQ(records.back().sent.force_N.z, 1.0);
   EXPECT_EQ(device.last_force_N, 0.0);
@@ -130,7 +123,7 @@ TEST(ServoThread, ObeysAnEmergencyStopFromAnotherThread) {
   StallingDevice device;
   RecordRing ring;
   ServoLoop loop(device, ring, patient());
-  loop.present({.id = 1, .renderer = std::make_unique<Push>()});
+  loop.present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
   const ServoThread thread(loop, device, Scheduling::normal);
   while (loop.status().ticks < 60) std::this_thread::yield();
   loop.emergency_stop();
@@ -258,7 +251,7 @@ TEST(CalledServo, TicksWheneverTheDevicesThreadCalls) {
   CallingDevice device;
   RecordRing ring;
   ServoLoop loop(device, ring, patient_with_silence());
-  loop.present({.id = 1, .renderer = std::make_unique<Push>()});
+  loop.present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
   {
     const ServoThread thread(loop, device, Scheduling::fifo_if_permitted);
     EXPECT_THAT(thread.scheduling(),
@@ -287,7 +280,7 @@ TEST(CalledServo, TakesASilentDeviceForLostWithoutATick) {
   device.is_silent = true;
   RecordRing ring;
   ServoLoop loop(device, ring, patient());
-  loop.present({.id = 1, .renderer = std::make_unique<Push>()});
+  loop.present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
   const ServoThread thread(loop, device, Scheduling::normal);
   while (loop.status().fault == Fault::none) std::this_thread::yield();
   EXPECT_EQ(loop.status().fault, Fault::device_lost);
@@ -310,7 +303,7 @@ TEST(CalledServo, SendsNoForceInTheCallThatEndsASilence) {
   CallingDevice device;
   RecordRing ring(65536);
   ServoLoop loop(device, ring, patient());
-  loop.present({.id = 1, .renderer = std::make_unique<Push>()});
+  loop.present({.id = 1, .renderer = std::make_unique<SteadyPush>()});
   {
     const ServoThread thread(loop, device, Scheduling::normal);
     const auto wait_for_ticks = [&loop](std::uint64_t more) {
